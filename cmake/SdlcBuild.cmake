@@ -1,0 +1,42 @@
+# Settings of the whole build: language, floating point, warnings, sanitizers, where programs go.
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, RelWithDebInfo or Debug" FORCE)
+endif()
+
+find_package(GTest QUIET)
+option(SDLC_TESTS "Build the tests (needs GoogleTest)" ${GTest_FOUND})
+option(SDLC_WERROR "Treat warnings as errors" OFF)
+set(SDLC_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, e.g. address,undefined or thread")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+# The same picture from every compiler and optimisation level: a product and a sum are two roundings
+# unless the code asks for std::fma, and the value of an expression does not depend on the flags.
+add_compile_options(-ffp-contract=off -fno-fast-math)
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+if(SDLC_WERROR)
+  add_compile_options(-Werror)
+endif()
+if(SDLC_SANITIZE)
+  add_compile_options(-fsanitize=${SDLC_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${SDLC_SANITIZE})
+endif()
+# A checked build of the standard library finds out-of-range indices at their place.
+add_compile_definitions($<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+# The build tree has the shape of an installation, so that the program finds its modules the same way in both.
+include(GNUInstallDirs)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_BINDIR})
+set(SDLC_MODULE_DIR lib/sdlc)

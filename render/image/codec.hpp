@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "render/image/image_format.hpp"
+
+namespace sdlc::render {
+
+/// A picture to encode. Rows from the top, three values a pixel, in exactly one of `codes` (formats
+/// with 8-bit codes) and `radiance` (linear formats). The spans are borrowed for the call.
+struct EncodeRequest {
+  ImageFormat format = ImageFormat::Png;
+  int width = 0;
+  int height = 0;
+  std::span<const std::uint8_t> codes = {};
+  std::span<const float> radiance = {};
+  bool is_srgb = false;       ///< the codes follow the sRGB curve, which the file may then say
+  bool ppm_text = false;      ///< PPM as decimal numbers (P3), not bytes (P6)
+  std::string software = {};  ///< empty: not written
+  std::span<const std::pair<std::string, std::string>> metadata = {};
+};
+
+/// A decoded picture: rows from the top, `channels` values a pixel, each a multiple of `white`.
+struct DecodedImage {
+  int width = 0;
+  int height = 0;
+  int channels = 0;  ///< 1 or more; red, green and blue come first where there are three or more
+  float white = 1;   ///< the value that stands for 1: the largest code of integer formats
+  std::vector<float> values;
+};
+
+/// The border between the program and the module that encodes and decodes pictures. Nothing is
+/// thrown across it: a function that returns false has put a sentence into `error`. May be called
+/// from several threads.
+class __attribute__((visibility("default"))) ImageCodec {
+ public:
+  virtual ~ImageCodec() = default;
+  virtual bool encode(const EncodeRequest& request, std::vector<std::byte>& file,
+                      std::string& error) noexcept = 0;
+  /// Refuses files of more than `max_pixels` pixels before it allocates any.
+  virtual bool decode(ImageFormat format, std::span<const std::byte> file, std::int64_t max_pixels,
+                      DecodedImage& image, std::string& error) noexcept = 0;
+};
+
+/// To be raised with any change to this header: the program refuses a module with another number.
+inline constexpr int kImageCodecVersion = 1;
+
+/// The module's only visible function, `sdlc_image_codec`, returns this. The codec lives as long as
+/// the process.
+struct ImageCodecEntry {
+  int version;
+  ImageCodec* codec;
+};
+using ImageCodecEntryFunction = ImageCodecEntry() noexcept;
+inline constexpr const char* kImageCodecSymbol = "sdlc_image_codec";
+
+}  // namespace sdlc::render

@@ -1,0 +1,95 @@
+#include "render/image/codec_loader.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <future>
+#include <mutex>
+#include <string>
+#include <system_error>
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include "render/image/io_error.hpp"
+
+namespace sdlc::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kModuleName = "sdlc_image_codec.so";
+/// Seen from the folder of the program, in an installation as in a build tree.
+constexpr const char* kModuleFolder = "../lib/sdlc";
+constexpr const char* kModulePathVariable = "SDLC_MODULE_PATH";
+
+/// The folder that holds the module: the one the environment names, else the one beside the program
+/// that is running (its real place, so that a link to it in /usr/local/bin works too).
+fs::path module_folder() {
+  if (const char* folder = std::getenv(kModulePathVariable); folder != nullptr && *folder != '\0') {
+    return folder;
+  }
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) {
+    throw IoError("find", kModuleName,
+                  fmt::format("/proc/self/exe cannot be read ({}); set {} to the folder it is in",
+                              error.message(), kModulePathVariable));
+  }
+  return (program.parent_path() / kModuleFolder).lexically_normal();
+}
+
+fs::path find_module() {
+  fs::path module = module_folder() / kModuleName;
+  std::error_code error;
+  if (!fs::is_regular_file(module, error)) {
+    throw IoError("load", module,
+                  fmt::format("pictures are read and written by this module, and it is not there; "
+                              "install it or set {} to its folder",
+                              kModulePathVariable));
+  }
+  return module;
+}
+
+/// Loads the module for the rest of the process: OpenImageIO keeps threads and plugins that do not
+/// survive an unloading.
+ImageCodec* load_codec(const fs::path& module) {
+  // Local: the 260 libraries behind it lend their symbols to nobody else.
+  void* library = ::dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) throw IoError("load", module, ::dlerror());
+  void* symbol = ::dlsym(library, kImageCodecSymbol);
+  if (symbol == nullptr) throw IoError("load", module, "it is not a picture module of sdlc");
+  const ImageCodecEntry entry = reinterpret_cast<ImageCodecEntryFunction*>(symbol)();
+  if (entry.version != kImageCodecVersion) {
+    throw IoError("load", module,
+                  fmt::format("it was built for another sdlc (interface {}, this program has {})",
+                              entry.version, kImageCodecVersion));
+  }
+  return entry.codec;
+}
+
+/// Loads once, in the thread that comes first or in the background.
+class Loader {
+ public:
+  std::shared_future<ImageCodec*> start(std::launch policy) {
+    const std::lock_guard lock(mutex_);
+    if (!loading_.valid()) loading_ = std::async(policy, load_codec, find_module()).share();
+    return loading_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::shared_future<ImageCodec*> loading_;
+};
+
+Loader& loader() {
+  static Loader instance;
+  return instance;
+}
+
+}  // namespace
+
+ImageCodec& image_codec() { return *loader().start(std::launch::deferred).get(); }
+
+void preload_codec() { loader().start(std::launch::async); }
+
+}  // namespace sdlc::render

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "render/image/codec.hpp"
+
+namespace sdlc::render {
+
+/// The codec, loaded by the first call in the process (about 0.2 s). Throws IoError when the module
+/// is missing, cannot be loaded or was built for another version of the program.
+ImageCodec& image_codec();
+
+/// Starts to load the codec on another thread. Throws IoError now if there is no module to load;
+/// any other failure is image_codec's to report.
+void preload_codec();
+
+}  // namespace sdlc::render

@@ -1,0 +1,132 @@
+#include "render/image/image.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "render/image/atomic_file.hpp"
+#include "render/image/codec_loader.hpp"
+#include "render/image/io_error.hpp"
+
+namespace sdlc::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Near the largest value that the shared exponent of the HDR format can express, 2^127.
+constexpr double kMaxHdrValue = 1e38;
+
+void check_size(const Picture& picture, ImageFormat format, const fs::path& shown) {
+  const ImageFormatInfo& info = describe(format);
+  const auto fail = [&](const std::string& cause) { throw IoError("write", shown, cause); };
+  if (picture.width <= 0 || picture.height <= 0) fail("the picture is empty");
+  if (std::max(picture.width, picture.height) > info.max_side) {
+    fail(fmt::format("{} × {} pixels are too many for {}, which ends at {} a side", picture.width,
+                     picture.height, info.name, info.max_side));
+  }
+  const std::int64_t pixels = std::int64_t{picture.width} * picture.height;
+  if (pixels > kMaxPicturePixels) fail(fmt::format("more than {} pixels", kMaxPicturePixels));
+  if (picture.pixels.size() != static_cast<std::size_t>(pixels)) {
+    fail("the picture has another number of pixels than its size says");
+  }
+}
+
+/// `convert` of every component, in the order of the file.
+template <typename Value, typename Convert>
+std::vector<Value> components(const Picture& picture, Convert convert) {
+  std::vector<Value> values;
+  values.reserve(picture.pixels.size() * 3);
+  for (const LinearRgb& pixel : picture.pixels) {
+    for (const double v : {pixel.r, pixel.g, pixel.b}) values.push_back(convert(v));
+  }
+  return values;
+}
+
+float to_hdr(double v) noexcept {
+  if (!(v > 0)) return 0;  // a NaN goes this way
+  return static_cast<float>(std::min(v, kMaxHdrValue));
+}
+
+std::vector<std::byte> read_file(const fs::path& path) {
+  // A stream opens a folder without complaint and fails only later, without saying why.
+  if (fs::is_directory(path)) throw IoError("read", path, "it is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw IoError("read", path, std::generic_category().message(errno));
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  if (file.bad()) throw IoError("read", path, std::generic_category().message(errno));
+  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
+  return {first, first + bytes.size()};
+}
+
+Picture picture_of(const DecodedImage& image) {
+  Picture picture(image.width, image.height);
+  const auto channels = static_cast<std::size_t>(image.channels);
+  // Grey, with or without an opacity, is the same value three times.
+  const std::size_t step = channels >= 3 ? 1 : 0;
+  const float* value = image.values.data();
+  for (LinearRgb& pixel : picture.pixels) {
+    // Divided as doubles: code / 255 is then the nearest double to it.
+    pixel = LinearRgb(value[0], value[step], value[2 * step]) / image.white;
+    value += channels;
+  }
+  return picture;
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_picture(const Picture& picture, const WriteOptions& options,
+                                      const fs::path& shown) {
+  check_size(picture, options.format, shown);
+  EncodeRequest request{.format = options.format,
+                        .width = picture.width,
+                        .height = picture.height,
+                        .is_srgb = options.tone == Tone::Srgb,
+                        .ppm_text = options.ppm_text,
+                        .software = options.metadata.software,
+                        .metadata = options.metadata.entries};
+  std::vector<std::uint8_t> codes;
+  std::vector<float> radiance;
+  if (options.format == ImageFormat::Hdr) {
+    radiance = components<float>(picture, to_hdr);
+  } else if (describe(options.format).is_linear) {
+    radiance = components<float>(picture, [](double v) { return static_cast<float>(v); });
+  } else {
+    codes = components<std::uint8_t>(picture, [&](double v) { return to_code8(options.tone, v); });
+  }
+  request.codes = codes;
+  request.radiance = radiance;
+
+  std::vector<std::byte> file;
+  std::string error;
+  if (!image_codec().encode(request, file, error)) throw IoError("write", shown, error);
+  return file;
+}
+
+void write_picture(const fs::path& path, const Picture& picture, const WriteOptions& options) {
+  write_file_atomically(path, encode_picture(picture, options, path));
+}
+
+Picture read_picture(const fs::path& path) {
+  const std::optional<ImageFormat> format = image_format_of(path);
+  if (!format) {
+    throw IoError("read", path,
+                  fmt::format("its extension names no picture format; known are {}",
+                              fmt::join(image_extensions(), ", ")));
+  }
+  const std::vector<std::byte> file = read_file(path);
+  DecodedImage image;
+  std::string error;
+  if (!image_codec().decode(*format, file, kMaxPicturePixels, image, error)) {
+    throw IoError("read", path, error);
+  }
+  return picture_of(image);
+}
+
+void preload_image_codec() { preload_codec(); }
+
+}  // namespace sdlc::render

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace sdlc::render {
+
+/// The picture files that can be written and read.
+enum class ImageFormat : std::uint8_t { Png, Exr, Hdr, Tiff, Jpeg, WebP, Ppm, Gif };
+
+/// What is known about a format.
+struct ImageFormatInfo {
+  ImageFormat format;
+  std::string_view name;                       ///< as its makers spell it: "OpenEXR"
+  std::array<std::string_view, 2> extensions;  ///< lower case, no dot; the second may be empty
+  bool is_linear;  ///< holds linear radiance; the others hold 8-bit codes of a tone curve
+  int max_side;    ///< the largest width or height the format can hold, in pixels
+};
+
+/// One row a format, in the order of the enumerators.
+std::span<const ImageFormatInfo> image_formats() noexcept;
+
+const ImageFormatInfo& describe(ImageFormat format) noexcept;
+
+/// The format that the extension of `path` names, in either case; nothing if it names none.
+std::optional<ImageFormat> image_format_of(const std::filesystem::path& path);
+
+/// Every known extension, lower case without the dot: for messages and suggestions.
+std::vector<std::string_view> image_extensions();
+
+}  // namespace sdlc::render

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace sdlc::render {
+
+/// The world said no: a file that cannot be read or written, a codec that is missing or refuses.
+/// The message reads "cannot write `out/a.png`: No space left on device".
+class IoError : public std::runtime_error {
+ public:
+  /// `action` is the verb of the message ("write"), `cause` its last part: no capital is added, no
+  /// full stop expected.
+  IoError(const std::string& action, const std::filesystem::path& path, const std::string& cause)
+      : std::runtime_error("cannot " + action + " `" + path.string() + "`: " + cause),
+        path_(path),
+        cause_(cause) {}
+
+  /// The file as the user named it.
+  const std::filesystem::path& path() const noexcept { return path_; }
+  const std::string& cause() const noexcept { return cause_; }
+
+ private:
+  std::filesystem::path path_;
+  std::string cause_;
+};
+
+}  // namespace sdlc::render

@@ -1,0 +1,213 @@
+#include "render/image/codec.hpp"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+namespace sdlc::render {
+namespace {
+
+using OIIO::ImageInput;
+using OIIO::ImageOutput;
+using OIIO::ImageSpec;
+using OIIO::TypeDesc;
+
+/// OpenImageIO takes the format by name and wants a file name all the same.
+constexpr const char* kNoFileName = "picture";
+
+/// Where a format insists on a date it gets this one; left alone, it would take the time of
+/// writing.
+constexpr const char* kNoDate = "1970:01:01 00:00:00";
+
+constexpr int kMaxChannels = 1024;
+
+const char* plugin_of(ImageFormat format) noexcept {
+  switch (format) {
+    case ImageFormat::Png: return "png";
+    case ImageFormat::Exr: return "openexr";
+    case ImageFormat::Hdr: return "hdr";
+    case ImageFormat::Tiff: return "tiff";
+    case ImageFormat::Jpeg: return "jpeg";
+    case ImageFormat::WebP: return "webp";
+    case ImageFormat::Ppm: return "pnm";
+    case ImageFormat::Gif: return "gif";
+  }
+  return "";
+}
+
+ImageSpec spec_of(const EncodeRequest& request) {
+  const TypeDesc type = request.radiance.empty() ? TypeDesc::UINT8 : TypeDesc::FLOAT;
+  ImageSpec spec(request.width, request.height, 3, type);
+  if (!request.software.empty()) spec.attribute("Software", request.software);
+  for (const auto& [key, value] : request.metadata) spec.attribute(key, value);
+  switch (request.format) {
+    case ImageFormat::Exr:
+    case ImageFormat::Tiff: spec.attribute("DateTime", kNoDate); break;
+    case ImageFormat::Jpeg:
+      spec.attribute("Compression", "jpeg:95");
+      // The default halves the colour resolution, which smears the edges of coloured objects.
+      spec.attribute("jpeg:subsampling", "4:4:4");
+      break;
+    case ImageFormat::WebP: spec.attribute("Compression", "webp:100"); break;
+    case ImageFormat::Ppm: spec.attribute("pnm:binary", request.ppm_text ? 0 : 1); break;
+    case ImageFormat::Png:
+      // Only where it is true: a viewer that believes the file would be misled about another curve.
+      // Nor in TIFF, where version 2.4 then writes a file that it cannot read back.
+      if (request.is_srgb) spec.attribute("oiio:ColorSpace", "sRGB");
+      break;
+    case ImageFormat::Hdr:
+    case ImageFormat::Gif: break;
+  }
+  return spec;
+}
+
+/// Puts the codec's own words into `error`, on one line, and returns false.
+bool fail(std::string& error, std::string words) {
+  while (!words.empty() && words.back() == '\n') words.pop_back();
+  std::replace(words.begin(), words.end(), '\n', ';');
+  error = words.empty() ? "OpenImageIO gives no reason" : std::move(words);
+  return false;
+}
+
+bool encode_with_oiio(const EncodeRequest& request, std::vector<std::byte>& file,
+                      std::string& error) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  {
+    // In a scope of its own: some formats write their end only when the writer is destroyed.
+    const std::unique_ptr<ImageOutput> output = ImageOutput::create(plugin_of(request.format));
+    if (!output) return fail(error, OIIO::geterror());
+    if (!output->set_ioproxy(&memory)) return fail(error, "this format is not written to memory");
+    if (!output->open(kNoFileName, spec_of(request))) return fail(error, output->geterror());
+    const bool is_written = request.radiance.empty()
+                                ? output->write_image(TypeDesc::UINT8, request.codes.data())
+                                : output->write_image(TypeDesc::FLOAT, request.radiance.data());
+    if (!is_written) return fail(error, output->geterror());
+    if (!output->close()) return fail(error, output->geterror());
+  }
+  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
+  file.assign(first, first + bytes.size());
+  return true;
+}
+
+/// OpenImageIO takes a file that lacks only its end for a whole one in these formats.
+bool has_end_mark(ImageFormat format, std::span<const std::byte> file) {
+  constexpr std::string_view kPngEnd("\0\0\0\0IEND\xae\x42\x60\x82", 12);
+  constexpr std::string_view kGifEnd(";");
+  const std::string_view end = format == ImageFormat::Png   ? kPngEnd
+                               : format == ImageFormat::Gif ? kGifEnd
+                                                            : std::string_view();
+  return std::string_view(reinterpret_cast<const char*>(file.data()), file.size()).ends_with(end);
+}
+
+/// EXR keeps its channels in alphabetical order of any names; this brings red, green and blue to
+/// the front where they are there by these names.
+void bring_colour_to_front(const ImageSpec& spec, DecodedImage& image) {
+  constexpr std::array kNames{"R", "G", "B"};
+  std::array<int, 3> source{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    source[i] = spec.channelindex(kNames[i]);
+    if (source[i] < 0) return;
+  }
+  if (source == std::array{0, 1, 2}) return;
+  std::vector<float> colour(image.values.size() / static_cast<std::size_t>(image.channels) * 3);
+  for (std::size_t i = 0; i < colour.size(); ++i) {
+    colour[i] = image.values[i / 3 * static_cast<std::size_t>(image.channels) +
+                             static_cast<std::size_t>(source[i % 3])];
+  }
+  image.values = std::move(colour);
+  image.channels = 3;
+}
+
+/// Reads the pixels as they are in the file: left to OpenImageIO, codes would become fractions that
+/// are rounded twice.
+template <typename Value>
+bool read_values(ImageInput& input, const ImageSpec& spec, TypeDesc type, DecodedImage& image) {
+  std::vector<Value> values(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
+  if (!input.read_image(0, 0, 0, spec.nchannels, type, values.data())) return false;
+  image.values.assign(values.begin(), values.end());
+  if (std::is_integral_v<Value>) image.white = std::numeric_limits<Value>::max();
+  return true;
+}
+
+bool read_values(ImageInput& input, const ImageSpec& spec, DecodedImage& image) {
+  if (spec.format == TypeDesc::UINT8) {
+    return read_values<std::uint8_t>(input, spec, TypeDesc::UINT8, image);
+  }
+  if (spec.format == TypeDesc::UINT16) {
+    return read_values<std::uint16_t>(input, spec, TypeDesc::UINT16, image);
+  }
+  return read_values<float>(input, spec, TypeDesc::FLOAT, image);
+}
+
+bool decode_with_oiio(ImageFormat format, std::span<const std::byte> file, std::int64_t max_pixels,
+                      DecodedImage& image, std::string& error) {
+  if (!has_end_mark(format, file)) return fail(error, "it is cut short or not of its format");
+  // The reader does not write to what it is given, though its parameter is not const.
+  OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(file.data()), file.size());
+  const std::unique_ptr<ImageInput> input = ImageInput::create(plugin_of(format));
+  if (!input) return fail(error, OIIO::geterror());
+  if (!input->set_ioproxy(&memory)) return fail(error, "this format is not read from memory");
+  ImageSpec spec;
+  if (!input->open(kNoFileName, spec)) return fail(error, input->geterror());
+  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.nchannels > kMaxChannels) {
+    return fail(error, "it has no pixels");
+  }
+  if (spec.depth > 1) return fail(error, "it is a volume, not a picture");
+  if (std::int64_t{spec.width} * spec.height > max_pixels) {
+    return fail(error, "it has more than " + std::to_string(max_pixels) + " pixels");
+  }
+  image.width = spec.width;
+  image.height = spec.height;
+  image.channels = spec.nchannels;
+  const bool is_read = read_values(*input, spec, image);
+  // JPEG reports success beside an error when the file ends early.
+  if (!is_read || input->has_error()) return fail(error, input->geterror());
+  bring_colour_to_front(spec, image);
+  return true;
+}
+
+class OpenImageIoCodec final : public ImageCodec {
+ public:
+  OpenImageIoCodec() {
+    // Encoding is a small part of a render and must not compete with it for the cores. The second
+    // setting is that of the EXR library, which the first leaves alone; -1 is no threads of its
+    // own.
+    OIIO::attribute("threads", 1);
+    OIIO::attribute("exr_threads", -1);
+  }
+
+  bool encode(const EncodeRequest& request, std::vector<std::byte>& file,
+              std::string& error) noexcept override try {
+    return encode_with_oiio(request, file, error);
+  } catch (const std::exception& exception) {
+    return fail(error, exception.what());
+  }
+
+  bool decode(ImageFormat format, std::span<const std::byte> file, std::int64_t max_pixels,
+              DecodedImage& image, std::string& error) noexcept override try {
+    return decode_with_oiio(format, file, max_pixels, image, error);
+  } catch (const std::exception& exception) {
+    return fail(error, exception.what());
+  }
+};
+
+}  // namespace
+}  // namespace sdlc::render
+
+extern "C" __attribute__((visibility("default"))) sdlc::render::ImageCodecEntry
+sdlc_image_codec() noexcept {
+  // Never destroyed: at the end of the process other threads may still hold it.
+  // NOLINTNEXTLINE(bugprone-unhandled-exception-at-new): nothing could go on without this memory
+  static auto* const codec = new sdlc::render::OpenImageIoCodec;
+  return {sdlc::render::kImageCodecVersion, codec};
+}

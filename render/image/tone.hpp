@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+namespace sdlc::render {
+
+/// The transfer curve from linear radiance to the codes of a display-referred picture.
+enum class Tone : std::uint8_t { Srgb, Sqrt, Linear };
+
+/// Encoded value in [0, 1] of the linear value `v`: clamped to [0, 1] first, NaN counts as 0.
+/// Srgb is the curve of IEC 61966-2-1; Sqrt the square root (the JSON format's `gamma_correct`).
+double encode_tone(Tone tone, double v) noexcept;
+
+/// The 8-bit code of a linear value: encode_tone scaled by 255 and rounded once, to nearest
+/// (truncation would darken every picture by half a code).
+std::uint8_t to_code8(Tone tone, double v) noexcept;
+
+}  // namespace sdlc::render

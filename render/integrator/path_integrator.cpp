@@ -1,0 +1,121 @@
+#include "render/integrator/path_integrator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "render/material/scatter.hpp"
+#include "render/scene/rebase.hpp"
+
+namespace sdlc::render {
+
+PathIntegrator::PathIntegrator(Scene scene, int max_depth)
+    : pinhole_(scene.camera),
+      background_(scene.background),
+      has_constant_background_(scene.background.is_constant()),
+      has_motion_(!scene.shifts.empty()),
+      max_depth_(max_depth),
+      materials_(std::move(scene.materials)) {
+  rebase_to_camera(scene);
+  bvh_ = Bvh(scene.spheres, scene.shifts);
+  material_of_slot_.reserve(bvh_.size());
+  for (std::uint32_t slot = 0; slot < bvh_.size(); ++slot) {
+    material_of_slot_.push_back(scene.spheres[bvh_.index_in_scene(slot)].material);
+  }
+  find_camera_surfaces();
+}
+
+void PathIntegrator::find_camera_surfaces() {
+  // As close as spheres that coincide. A sphere that moves touches the camera for no time at all.
+  constexpr double kOnSurface = 0x1p-40;
+  for (std::uint32_t slot = 0; slot < bvh_.size(); ++slot) {
+    const Vec3 center = bvh_.center<false>(slot, 0);
+    const double radius = bvh_.sphere(slot).radius;
+    if (radius == 0 || std::fabs(length(center) - radius) > kOnSurface * radius) continue;
+    if (has_motion_ && bvh_.center<true>(slot, 1) != center) continue;
+    camera_surfaces_.push_back({.sphere = slot, .normal = unit(-center)});
+  }
+}
+
+LinearRgb PathIntegrator::sample(double s, double t, const PathSampler& sampler,
+                                 PathCounts& counts) const noexcept {
+  const Vec3 direction = pinhole_.direction(s, t);
+  if (!has_motion_) return li<false>({.origin = {}, .direction = direction}, sampler, counts);
+  return li<true>({.origin = {}, .direction = direction, .u = sampler.uniform(kTime)}, sampler,
+                  counts);
+}
+
+/// The first hit of a camera ray when the camera stands on several surfaces at once: each of them
+/// is met as by a ray that leaves it.
+template <bool kMoving>
+BvhHit PathIntegrator::first_hit_from_surfaces(const Ray& ray) const noexcept {
+  BvhHit nearest;
+  for (const Departure& departure : camera_surfaces_) {
+    const BvhHit hit = bvh_.intersect<kMoving>(ray, departure);
+    const bool is_other_surface =
+        hit.sphere != departure.sphere &&
+        std::any_of(camera_surfaces_.begin(), camera_surfaces_.end(),
+                    [&](const Departure& other) { return other.sphere == hit.sphere; });
+    if (!is_other_surface && hit.t < nearest.t) nearest = hit;
+  }
+  return nearest;
+}
+
+LinearRgb PathIntegrator::background(Vec3 direction) const noexcept {
+  if (has_constant_background_) return background_.bottom;
+  const double t = 0.5 * (direction.y + 1);
+  return background_.bottom * (1 - t) + background_.top * t;
+}
+
+template <bool kMoving>
+LinearRgb PathIntegrator::li(Ray ray, const PathSampler& sampler,
+                             PathCounts& counts) const noexcept {
+  LinearRgb beta{1};  // throughput of the walk so far
+  Departure departure;
+  for (int depth = 0; depth < max_depth_; ++depth) {
+    ++counts.rays;
+    BvhHit hit;
+    if (depth == 0 && !camera_surfaces_.empty()) {
+      departure = camera_surfaces_.front();
+      hit = camera_surfaces_.size() == 1 ? bvh_.intersect<kMoving>(ray, departure)
+                                         : first_hit_from_surfaces<kMoving>(ray);
+    } else {
+      hit = bvh_.intersect<kMoving>(ray, departure);
+    }
+    if (hit.sphere == kNoSphere) return beta * background(ray.direction);
+
+    const Material& material = materials_[material_of_slot_[hit.sphere]];
+    if (material.type == MaterialType::Unlit) return beta * material.color;
+    if (material.type == MaterialType::Emissive) {
+      return beta * (material.color * material.parameter);
+    }
+
+    const Vec3 center = bvh_.center<kMoving>(hit.sphere, ray.u);
+    // From the centre, never from the point in the world: the distance to the origin cancels.
+    const Vec3 outward = hit.sphere == departure.sphere
+                             ? rehit_normal(ray.direction, departure.normal)
+                             : unit((ray.origin - center) + ray.direction * hit.t);
+    const Vec3 facing = dot(ray.direction, outward) > 0 ? -outward : outward;
+    const VertexSampler vertex(sampler, depth);
+    Vec3 direction;
+    switch (material.type) {
+      case MaterialType::Diffuse: direction = scatter_diffuse(facing, vertex); break;
+      case MaterialType::Specular:
+        if (!scatter_specular(ray.direction, facing, material.parameter, vertex, direction)) {
+          return LinearRgb{};
+        }
+        break;
+      default:
+        direction = scatter_transmissive(ray.direction, outward, material.parameter,
+                                         material.fresnel, vertex);
+    }
+    beta *= material.color;
+    ray.origin = center + outward * bvh_.sphere(hit.sphere).radius;
+    ray.direction = direction;
+    departure = {.sphere = hit.sphere, .normal = outward};
+  }
+  ++counts.truncated_paths;
+  return LinearRgb{};
+}
+
+}  // namespace sdlc::render

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/bvh/bvh.hpp"
+#include "render/camera/pinhole.hpp"
+#include "render/math/color.hpp"
+#include "render/math/ray.hpp"
+#include "render/sampler/sampler.hpp"
+#include "render/scene/scene.hpp"
+
+namespace sdlc::render {
+
+/// What happened to paths, for the statistics of a picture.
+struct PathCounts {
+  std::uint64_t rays = 0;
+  std::uint64_t truncated_paths = 0;  ///< cut off by the depth limit, counted as black
+
+  PathCounts& operator+=(const PathCounts& other) noexcept {
+    rays += other.rays;
+    truncated_paths += other.truncated_paths;
+    return *this;
+  }
+};
+
+/// Estimates radiance by random walks from the camera: no recursion, no state between paths. It
+/// owns what a scene becomes for tracing (rebased to the camera, in a hierarchy) and is read by all
+/// threads.
+class PathIntegrator {
+ public:
+  /// `scene` is in world coordinates and already checked. `max_depth` counts the rays of a path,
+  /// the camera's included; at least 1.
+  PathIntegrator(Scene scene, int max_depth);
+
+  /// One path through the place (s, t) of the picture, (0, 0) its lower left corner: linear RGB.
+  LinearRgb sample(double s, double t, const PathSampler& sampler,
+                   PathCounts& counts) const noexcept;
+
+  bool has_motion() const noexcept { return has_motion_; }
+  const Bvh& bvh() const noexcept { return bvh_; }
+
+ private:
+  template <bool kMoving>
+  LinearRgb li(Ray ray, const PathSampler& sampler, PathCounts& counts) const noexcept;
+  template <bool kMoving>
+  BvhHit first_hit_from_surfaces(const Ray& ray) const noexcept;
+  LinearRgb background(Vec3 direction) const noexcept;
+  void find_camera_surfaces();
+
+  Pinhole pinhole_;
+  Background background_;
+  bool has_constant_background_;
+  bool has_motion_;
+  int max_depth_;
+  Bvh bvh_;
+  std::vector<Material> materials_;
+  std::vector<std::uint32_t> material_of_slot_;
+  std::vector<Departure> camera_surfaces_;  // spheres on whose surface the camera stands
+};
+
+}  // namespace sdlc::render

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "render/math/vec3.hpp"
+
+namespace sdlc::render {
+
+/// A half-line. `direction` has length 1; `u` is the place in the shutter, from 0 (opening) to 1
+/// (closing).
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;
+  double u = 0;
+};
+
+}  // namespace sdlc::render

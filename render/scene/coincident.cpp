@@ -1,0 +1,118 @@
+#include "render/scene/coincident.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+namespace sdlc::render {
+namespace {
+
+constexpr double kTolerance = 0x1p-40;  // of the radius
+
+/// Finds groups by splitting: along one coordinate after another the spheres are sorted and cut
+/// wherever neighbours are further apart than the tolerance. What no coordinate cuts is compared
+/// pair by pair.
+class CoincidenceSearch {
+ public:
+  CoincidenceSearch(const std::vector<Sphere>& spheres, const std::vector<Vec3>& shifts)
+      : spheres_(spheres), shifts_(shifts) {}
+
+  std::vector<CoincidentSphere> run() {
+    std::vector<std::uint32_t> all(spheres_.size());
+    std::iota(all.begin(), all.end(), 0u);
+    split(all, 0, 0);
+    std::sort(found_.begin(), found_.end(),
+              [](const auto& a, const auto& b) { return a.sphere < b.sphere; });
+    return std::move(found_);
+  }
+
+ private:
+  // Radius, centre, and shift where there is motion.
+  int coordinates() const { return shifts_.empty() ? 4 : 7; }
+
+  double coordinate(std::uint32_t i, int k) const {
+    const Sphere& s = spheres_[i];
+    switch (k) {
+      case 0: return s.radius;
+      case 1: return s.center.x;
+      case 2: return s.center.y;
+      case 3: return s.center.z;
+      case 4: return shifts_[i].x;
+      case 5: return shifts_[i].y;
+      default: return shifts_[i].z;
+    }
+  }
+
+  bool within_tolerance(std::uint32_t a, std::uint32_t b) const {
+    for (int k = 0; k < coordinates(); ++k) {
+      if (std::fabs(coordinate(a, k) - coordinate(b, k)) > kTolerance * spheres_[a].radius) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool equal(std::uint32_t a, std::uint32_t b) const {
+    for (int k = 0; k < coordinates(); ++k) {
+      if (coordinate(a, k) != coordinate(b, k)) return false;
+    }
+    return true;
+  }
+
+  /// `tried`: coordinates in a row that did not cut this group.
+  void split(std::span<std::uint32_t> group, int k, int tried) {
+    while (group.size() > 1 && tried < coordinates()) {
+      std::sort(group.begin(), group.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return coordinate(a, k) < coordinate(b, k);
+      });
+      double radius = 0;
+      for (const std::uint32_t i : group) radius = std::max(radius, spheres_[i].radius);
+      const int next = (k + 1) % coordinates();
+      std::size_t begin = 0;
+      for (std::size_t i = 1; i < group.size(); ++i) {
+        const double gap = coordinate(group[i], k) - coordinate(group[i - 1], k);
+        // Radii are the first coordinate, so that a group has radii of one size before the others
+        // are cut; until then each pair has its own tolerance.
+        const double size = k == 0 ? spheres_[group[i]].radius : radius;
+        if (gap <= kTolerance * size) continue;
+        split(group.subspan(begin, i - begin), next, 1);
+        begin = i;
+      }
+      if (begin > 0) {
+        split(group.subspan(begin), next, 1);
+        return;
+      }
+      ++tried;
+      k = next;
+    }
+    if (group.size() > 1) compare(group);
+  }
+
+  void compare(std::span<std::uint32_t> group) {
+    std::sort(group.begin(), group.end());
+    std::vector<std::uint32_t> kept;
+    for (const std::uint32_t i : group) {
+      const auto match = std::find_if(kept.begin(), kept.end(),
+                                      [&](std::uint32_t k) { return within_tolerance(k, i); });
+      if (match == kept.end()) {
+        kept.push_back(i);
+      } else {
+        found_.push_back({.sphere = i, .earlier = *match, .is_exact = equal(*match, i)});
+      }
+    }
+  }
+
+  const std::vector<Sphere>& spheres_;
+  const std::vector<Vec3>& shifts_;
+  std::vector<CoincidentSphere> found_;
+};
+
+}  // namespace
+
+std::vector<CoincidentSphere> find_coincident(const std::vector<Sphere>& spheres,
+                                              const std::vector<Vec3>& shifts) {
+  return CoincidenceSearch(spheres, shifts).run();
+}
+
+}  // namespace sdlc::render

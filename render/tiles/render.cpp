@@ -1,0 +1,143 @@
+#include "render/tiles/render.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+
+#include "render/film/sample_sum.hpp"
+#include "render/integrator/path_integrator.hpp"
+#include "render/sampler/sampler.hpp"
+
+namespace sdlc::render {
+namespace {
+
+constexpr int kTileSize = 16;  // pixels a side
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Counts of one tile; sums of whole numbers do not depend on their order.
+struct TileCounts {
+  PathCounts paths;
+  std::uint64_t samples = 0;
+  std::uint64_t nonfinite = 0;
+};
+
+class TileRenderer {
+ public:
+  TileRenderer(const PathIntegrator& integrator, const RenderSettings& settings, Picture& picture,
+               RenderMonitor& monitor)
+      : integrator_(integrator), settings_(settings), picture_(picture), monitor_(monitor) {}
+
+  int tile_count() const {
+    return tiles_across() * ((settings_.height + kTileSize - 1) / kTileSize);
+  }
+
+  void render_tile(int tile) {
+    const int x0 = tile % tiles_across() * kTileSize, y0 = tile / tiles_across() * kTileSize;
+    const int x1 = std::min(x0 + kTileSize, settings_.width);
+    const int y1 = std::min(y0 + kTileSize, settings_.height);
+    for (int y = y0; y < y1; ++y) {
+      for (int x = x0; x < x1; ++x) {
+        if (monitor_.cancel.load(std::memory_order_relaxed)) return;
+        TileCounts counts;
+        picture_.at(x, y) = mean_radiance(x, y, counts);
+        report(counts);
+      }
+    }
+  }
+
+  std::uint64_t truncated_paths() const { return truncated_; }
+  std::uint64_t nonfinite_samples() const { return nonfinite_; }
+
+ private:
+  int tiles_across() const { return (settings_.width + kTileSize - 1) / kTileSize; }
+
+  LinearRgb mean_radiance(int x, int y, TileCounts& counts) const {
+    const auto pixel = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings_.width) +
+                       static_cast<std::uint64_t>(x);
+    const std::uint64_t key = PathSampler::pixel_key(settings_.seed, pixel);
+    SampleSum sum;
+    for (int i = 0; i < settings_.samples; ++i) {
+      const PathSampler sampler(key, static_cast<std::uint64_t>(i));
+      // A picture of one sample a pixel looks through the middle of each.
+      const bool is_centred = settings_.samples == 1;
+      const double dx = is_centred ? 0.5 : sampler.uniform(kPixelX);
+      const double dy = is_centred ? 0.5 : sampler.uniform(kPixelY);
+      const double s = (x + dx) / settings_.width;
+      const double t = (settings_.height - 1 - y + dy) / settings_.height;
+      const LinearRgb radiance = integrator_.sample(s, t, sampler, counts.paths);
+      if (is_finite(radiance)) {
+        sum.add(radiance);
+      } else {
+        ++counts.nonfinite;
+        sum.add(LinearRgb{});
+      }
+    }
+    counts.samples += static_cast<std::uint64_t>(settings_.samples);
+    return sum.total() / static_cast<double>(settings_.samples);
+  }
+
+  void report(const TileCounts& counts) {
+    monitor_.samples_done.fetch_add(counts.samples, std::memory_order_relaxed);
+    monitor_.rays_done.fetch_add(counts.paths.rays, std::memory_order_relaxed);
+    truncated_.fetch_add(counts.paths.truncated_paths, std::memory_order_relaxed);
+    nonfinite_.fetch_add(counts.nonfinite, std::memory_order_relaxed);
+  }
+
+  const PathIntegrator& integrator_;
+  const RenderSettings& settings_;
+  Picture& picture_;
+  RenderMonitor& monitor_;
+  std::atomic<std::uint64_t> truncated_{0};
+  std::atomic<std::uint64_t> nonfinite_{0};
+};
+
+int thread_count(int asked) {
+  const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return asked > 0 ? asked : machine;
+}
+
+}  // namespace
+
+RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor) {
+  RenderResult result;
+  const auto build_start = std::chrono::steady_clock::now();
+  const PathIntegrator integrator(std::move(scene), settings.depth);
+  result.build_seconds = seconds_since(build_start);
+  result.bvh_bytes = integrator.bvh().memory_bytes();
+
+  const auto render_start = std::chrono::steady_clock::now();
+  result.picture = Picture(settings.width, settings.height);
+  result.threads = thread_count(settings.threads);
+  TileRenderer tiles(integrator, settings, result.picture, monitor);
+  if (monitor.on_tracing) monitor.on_tracing();
+  const auto threads = static_cast<std::size_t>(result.threads);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  tbb::task_arena arena(result.threads);
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<int>(0, tiles.tile_count(), 1),
+        [&](const tbb::blocked_range<int>& range) {
+          for (int tile = range.begin(); tile < range.end(); ++tile) tiles.render_tile(tile);
+        },
+        tbb::simple_partitioner{});
+  });
+  result.render_seconds = seconds_since(render_start);
+  result.is_complete = !monitor.cancel.load();
+  result.camera_samples = monitor.samples_done.load();
+  result.rays = monitor.rays_done.load();
+  result.truncated_paths = tiles.truncated_paths();
+  result.nonfinite_samples = tiles.nonfinite_samples();
+  return result;
+}
+
+}  // namespace sdlc::render

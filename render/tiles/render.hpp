@@ -1,0 +1,40 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+#include "render/image/picture.hpp"
+#include "render/scene/scene.hpp"
+
+namespace sdlc::render {
+
+/// What another thread sees of a render, and how it ends it early.
+struct RenderMonitor {
+  std::atomic<bool> cancel{false};  ///< set it: the render returns within the time of a few pixels
+  std::atomic<std::uint64_t> samples_done{0};
+  std::atomic<std::uint64_t> rays_done{0};
+  /// Called once, when everything is built and the first path is about to be traced.
+  std::function<void()> on_tracing;
+};
+
+/// A picture and how it came about.
+struct RenderResult {
+  Picture picture;           ///< mean radiance; pixels that were not reached are black
+  bool is_complete = false;  ///< false after a cancelled render
+  int threads = 0;           ///< that were asked for, after 0 became all of the machine
+  std::uint64_t camera_samples = 0;
+  std::uint64_t rays = 0;
+  std::uint64_t truncated_paths = 0;
+  std::uint64_t nonfinite_samples = 0;  ///< left out of their pixel's sum; a defect if not 0
+  std::size_t bvh_bytes = 0;
+  double build_seconds = 0;   ///< rebasing and hierarchy
+  double render_seconds = 0;  ///< tracing alone
+};
+
+/// Renders the scene, tile by tile on all threads. The same scene, settings and seed give the same
+/// bytes, whatever the number of threads and the order of the tiles.
+RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor);
+
+}  // namespace sdlc::render

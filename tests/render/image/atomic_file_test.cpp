@@ -1,0 +1,328 @@
+#include "render/image/atomic_file.hpp"
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "render/image/io_error.hpp"
+#include "tests/render/image/temporary_folder.hpp"
+
+namespace sdlc::render {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr uid_t kNobody = 65534;
+
+void write(const fs::path& path, const std::string& text) {
+  write_file_atomically(path, std::as_bytes(std::span(text)));
+}
+
+/// The message of the IoError that `act` throws, empty if it throws none.
+template <typename Act>
+std::string error_of(Act act) {
+  try {
+    act();
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Files end at `bytes` as long as this lives: the same errors as a full disk, without one.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &old_);
+    const rlimit limit{bytes, old_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &old_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit old_{};
+  void (*handler_)(int);
+};
+
+/// Root may write anywhere; as long as this lives, root is nobody.
+class Unprivileged {
+ public:
+  Unprivileged() {
+    if (::geteuid() != 0) return;
+    if (::seteuid(kNobody) != 0) throw std::runtime_error("root cannot become nobody");
+    is_switched_ = true;
+  }
+  Unprivileged(const Unprivileged&) = delete;
+  Unprivileged& operator=(const Unprivileged&) = delete;
+  ~Unprivileged() {
+    if (is_switched_ && ::seteuid(0) != 0) std::abort();
+  }
+
+ private:
+  bool is_switched_ = false;
+};
+
+/// A small file system of its own over `folder`, seen by this process only.
+class MountedDisk {
+ public:
+  MountedDisk(const fs::path& folder, const char* options) : folder_(folder) {
+    is_mounted_ = ::unshare(CLONE_NEWNS) == 0 &&
+                  ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+                  ::mount("tmpfs", folder.c_str(), "tmpfs", 0, options) == 0;
+  }
+  MountedDisk(const MountedDisk&) = delete;
+  MountedDisk& operator=(const MountedDisk&) = delete;
+  ~MountedDisk() {
+    if (is_mounted_) ::umount2(folder_.c_str(), MNT_DETACH);
+  }
+  bool is_mounted() const noexcept { return is_mounted_; }
+  bool make_read_only() const {
+    return ::mount("none", folder_.c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr) == 0;
+  }
+
+ private:
+  fs::path folder_;
+  bool is_mounted_ = false;
+};
+
+TEST(AtomicFile, WritesANewFile) {
+  const TemporaryFolder folder;
+  write(folder / "a.png", "picture");
+  EXPECT_EQ(content_of(folder / "a.png"), "picture");
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("a.png"));
+}
+
+TEST(AtomicFile, WritesAnEmptyFile) {
+  const TemporaryFolder folder;
+  write(folder / "a.png", "");
+  EXPECT_EQ(fs::file_size(folder / "a.png"), 0U);
+}
+
+TEST(AtomicFile, ReplacesALongerFileWhole) {
+  const TemporaryFolder folder;
+  write_text(folder / "a.png", "something longer than the new text");
+  write(folder / "a.png", "new");
+  EXPECT_EQ(content_of(folder / "a.png"), "new");
+}
+
+TEST(AtomicFile, IsWholeForAReaderThatOpenedItBefore) {
+  const TemporaryFolder folder;
+  write_text(folder / "a.png", "old");
+  std::ifstream reader(folder / "a.png");
+  write(folder / "a.png", "new");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(reader), {}), "old");
+}
+
+TEST(AtomicFile, TakesANameAsLongAsTheFileSystemAllows) {
+  const TemporaryFolder folder;
+  const std::string name(255, 'n');
+  write(folder / name, "picture");
+  EXPECT_EQ(content_of(folder / name), "picture");
+}
+
+TEST(AtomicFile, LeavesTheOldFileWhenTheSizeLimitIsReached) {
+  const TemporaryFolder folder;
+  write_text(folder / "a.png", "old");
+  std::string error;
+  {
+    const FileSizeLimit limit(1000);
+    error = error_of([&] { write(folder / "a.png", std::string(5000, 'x')); });
+  }
+  EXPECT_THAT(error, HasSubstr("a.png`: File too large"));
+  EXPECT_EQ(content_of(folder / "a.png"), "old");
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("a.png"));
+}
+
+TEST(AtomicFile, LeavesTheOldFileWhenTheDiskIsFull) {
+  const TemporaryFolder folder;
+  const MountedDisk disk(folder.path(), "size=16k");
+  if (!disk.is_mounted()) GTEST_SKIP() << "only root may mount a small disk";
+  write(folder / "a.png", "old");
+  EXPECT_THAT(error_of([&] { write(folder / "a.png", std::string(100'000, 'x')); }),
+              HasSubstr("a.png`: No space left on device"));
+  EXPECT_EQ(content_of(folder / "a.png"), "old");
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("a.png"));
+}
+
+TEST(AtomicFile, ReportsADiskThatIsReadOnly) {
+  const TemporaryFolder folder;
+  const MountedDisk disk(folder.path(), "size=16k");
+  if (!disk.is_mounted() || !disk.make_read_only()) GTEST_SKIP() << "only root may mount a disk";
+  EXPECT_THAT(error_of([&] { check_writable(folder / "a.png"); }),
+              HasSubstr("cannot be written: Read-only file system"));
+  EXPECT_THAT(error_of([&] { write(folder / "a.png", "x"); }), HasSubstr("Read-only file system"));
+}
+
+// The devices of the machine are written to as nobody: if the code under test ever took one for a
+// file, root would replace /dev/null for everybody.
+
+TEST(AtomicFile, ReportsAFullDevice) {
+  const Unprivileged user;
+  EXPECT_EQ(error_of([] { write("/dev/full", "x"); }),
+            "cannot write `/dev/full`: No space left on device");
+}
+
+TEST(AtomicFile, WritesToADeviceWithoutReplacingIt) {
+  const Unprivileged user;
+  write("/dev/null", "x");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(AtomicFile, WritesToAPipe) {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder / "pipe.png";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::string received;
+  std::thread reader([&] { received = content_of(pipe); });
+  write(pipe, "picture");
+  reader.join();
+  EXPECT_EQ(received, "picture");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST(AtomicFile, KeepsASymbolicLinkAndReplacesItsTarget) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "real");
+  write_text(folder / "real/a.png", "old");
+  fs::create_symlink("real/a.png", folder / "link.png");  // relative to the link's own folder
+  write(folder / "link.png", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link.png"));
+  EXPECT_EQ(content_of(folder / "real/a.png"), "new");
+  EXPECT_THAT(names_in(folder / "real"), ElementsAre("a.png"));
+}
+
+TEST(AtomicFile, MakesTheMissingTargetOfASymbolicLink) {
+  const TemporaryFolder folder;
+  fs::create_symlink(folder / "a.png", folder / "link.png");
+  write(folder / "link.png", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link.png"));
+  EXPECT_EQ(content_of(folder / "a.png"), "new");
+}
+
+TEST(AtomicFile, RefusesALinkToItself) {
+  const TemporaryFolder folder;
+  fs::create_symlink("loop.png", folder / "loop.png");
+  EXPECT_THAT(error_of([&] { write(folder / "loop.png", "x"); }),
+              HasSubstr("Too many levels of symbolic links"));
+}
+
+TEST(AtomicFile, GivesANewFileThePermissionsOfTheUmask) {
+  const TemporaryFolder folder;
+  const mode_t old = ::umask(027);
+  write(folder / "a.png", "x");
+  ::umask(old);
+  EXPECT_EQ(fs::status(folder / "a.png").permissions(), fs::perms{0640});
+}
+
+TEST(AtomicFile, KeepsThePermissionsOfTheFileItReplaces) {
+  const TemporaryFolder folder;
+  write_text(folder / "a.png", "old");
+  fs::permissions(folder / "a.png", fs::perms{0604});
+  write(folder / "a.png", "new");
+  EXPECT_EQ(fs::status(folder / "a.png").permissions(), fs::perms{0604});
+}
+
+TEST(AtomicFile, KeepsTheOwnerWhenRootReplacesAFile) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root may give files away";
+  const TemporaryFolder folder;
+  write_text(folder / "a.png", "old");
+  ASSERT_EQ(::chown((folder / "a.png").c_str(), kNobody, kNobody), 0);
+  write(folder / "a.png", "new");
+  struct stat status {};
+  ASSERT_EQ(::stat((folder / "a.png").c_str(), &status), 0);
+  EXPECT_EQ(status.st_uid, kNobody);
+}
+
+TEST(CheckWritable, IsSatisfiedByAFolderThatCanBeWritten) {
+  const TemporaryFolder folder;
+  write_text(folder / "old.png", "old");
+  check_writable(folder / "new.png");
+  check_writable(folder / "old.png");
+  check_writable("/dev/null");
+  check_writable("name_without_folder.png");
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("old.png"));
+}
+
+TEST(CheckWritable, NamesAMissingFolder) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(
+      error_of([&] { check_writable(folder / "none/a.png"); }),
+      HasSubstr("none/a.png`: the folder `" + (folder / "none").string() + "` does not exist"));
+}
+
+TEST(CheckWritable, NamesAPartThatIsAFile) {
+  const TemporaryFolder folder;
+  write_text(folder / "file", "");
+  EXPECT_THAT(error_of([&] { check_writable(folder / "file/a.png"); }),
+              HasSubstr("file` is not a folder"));
+  EXPECT_THAT(error_of([&] { check_writable(folder / "file/b/a.png"); }),
+              HasSubstr("a part of `" + (folder / "file/b").string() + "` is not a folder"));
+}
+
+TEST(CheckWritable, RefusesFoldersAndEmptyNames) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(error_of([&] { check_writable(folder.path()); }), HasSubstr("it is a folder"));
+  EXPECT_THAT(error_of([&] { check_writable(folder / "none/"); }), HasSubstr("it names a folder"));
+  EXPECT_THAT(error_of([&] { check_writable(""); }), HasSubstr("the name is empty"));
+}
+
+TEST(CheckWritable, RefusesAFolderWithoutPermission) {
+  const TemporaryFolder folder;
+  fs::permissions(folder.path(), fs::perms{0555});
+  const Unprivileged user;
+  EXPECT_THAT(error_of([&] { check_writable(folder / "a.png"); }),
+              HasSubstr("` cannot be written: Permission denied"));
+}
+
+TEST(CheckWritable, RefusesAWriteProtectedFile) {
+  const TemporaryFolder folder;
+  write_text(folder / "a.png", "old");
+  fs::permissions(folder / "a.png", fs::perms{0444});
+  fs::permissions(folder.path(), fs::perms{0777});
+  const Unprivileged user;
+  EXPECT_THAT(error_of([&] { write(folder / "a.png", "new"); }),
+              HasSubstr("a.png`: Permission denied"));
+  EXPECT_EQ(content_of(folder / "a.png"), "old");
+}
+
+TEST(MakeParentFolders, MakesAllThatAreMissing) {
+  const TemporaryFolder folder;
+  make_parent_folders(folder / "a/b/c.png");
+  EXPECT_TRUE(fs::is_directory(folder / "a/b"));
+  EXPECT_THAT(names_in(folder / "a/b"), IsEmpty());
+  make_parent_folders(folder / "a/b/c.png");
+  make_parent_folders("c.png");
+}
+
+TEST(MakeParentFolders, ReportsAFileInTheWay) {
+  const TemporaryFolder folder;
+  write_text(folder / "a", "");
+  EXPECT_THAT(
+      error_of([&] { make_parent_folders(folder / "a/b/c.png"); }),
+      HasSubstr("cannot make the folder `" + (folder / "a/b").string() + "`: Not a directory"));
+}
+
+}  // namespace
+}  // namespace sdlc::render

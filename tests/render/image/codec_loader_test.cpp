@@ -1,0 +1,69 @@
+#include "render/image/codec_loader.hpp"
+
+#include <cstdlib>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "render/image/image.hpp"
+#include "render/image/io_error.hpp"
+#include "tests/render/image/temporary_folder.hpp"
+
+namespace sdlc::render {
+namespace {
+
+using testing::HasSubstr;
+
+// The codec is loaded once a process: each of these runs its body in a process of its own, which
+// ends with the message of the error on its standard error.
+void load_from(const std::string& folder, void (*load)()) {
+  ::setenv("SDLC_MODULE_PATH", folder.c_str(), 1);
+  try {
+    load();
+    std::fputs("loaded", stderr);
+  } catch (const IoError& error) {
+    std::fputs(error.what(), stderr);
+  }
+  std::exit(0);
+}
+
+class CodecLoader : public testing::Test {
+ protected:
+  CodecLoader() { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
+};
+
+TEST_F(CodecLoader, SaysWhereItLookedForAMissingModule) {
+  EXPECT_EXIT(load_from("/nowhere", [] { image_codec(); }), testing::ExitedWithCode(0),
+              "cannot load `/nowhere/sdlc_image_codec.so`: .*it is not there.*SDLC_MODULE_PATH");
+}
+
+TEST_F(CodecLoader, ReportsAMissingModuleBeforeTheFirstPicture) {
+  EXPECT_EXIT(load_from("/nowhere", preload_image_codec), testing::ExitedWithCode(0),
+              "cannot load `/nowhere/sdlc_image_codec.so`");
+}
+
+TEST_F(CodecLoader, ReportsAFileThatIsNotAModule) {
+  const TemporaryFolder folder;
+  write_text(folder / "sdlc_image_codec.so", "not a library");
+  EXPECT_EXIT(load_from(folder.path().string(), [] { image_codec(); }), testing::ExitedWithCode(0),
+              "cannot load `.*sdlc_image_codec.so`: .*(invalid ELF header|file too short)");
+}
+
+TEST_F(CodecLoader, FindsTheModuleBesideTheProgramWhenNoVariableIsSet) {
+  EXPECT_EXIT(load_from("", [] { image_codec(); }), testing::ExitedWithCode(0), "loaded");
+}
+
+TEST_F(CodecLoader, MayStillBeLoadingWhenTheProcessEnds) {
+  EXPECT_EXIT(load_from("", preload_image_codec), testing::ExitedWithCode(0), "loaded");
+}
+
+TEST_F(CodecLoader, HandsOutOneCodecWhetherPreloadedOrNot) {
+  preload_image_codec();
+  ImageCodec* const first = &image_codec();
+  preload_image_codec();
+  EXPECT_EQ(&image_codec(), first);
+}
+
+}  // namespace
+}  // namespace sdlc::render

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+
+#include "render/integrator/path_integrator.hpp"
+#include "render/scene/scene.hpp"
+#include "tests/support/statistics/estimate.hpp"
+
+/// Short ways to the scenes that tests are made of.
+namespace sdlc::test {
+
+inline render::Material diffuse(render::LinearRgb color) { return {.color = color}; }
+inline render::Material specular(render::LinearRgb color, double fuzz) {
+  return {.color = color, .parameter = fuzz, .type = render::MaterialType::Specular};
+}
+inline render::Material transmissive(render::LinearRgb color, double ior,
+                                     render::Fresnel fresnel = render::Fresnel::Schlick) {
+  return {.color = color,
+          .parameter = ior,
+          .type = render::MaterialType::Transmissive,
+          .fresnel = fresnel};
+}
+inline render::Material emissive(render::LinearRgb color, double intensity) {
+  return {.color = color, .parameter = intensity, .type = render::MaterialType::Emissive};
+}
+inline render::Material unlit(render::LinearRgb color) {
+  return {.color = color, .type = render::MaterialType::Unlit};
+}
+
+/// A scene seen along a narrow beam from `from` towards `at`, under a constant sky.
+inline render::Scene beam_scene(render::Vec3 from, render::Vec3 at, render::LinearRgb sky) {
+  render::Scene scene;
+  const render::Vec3 view = at - from;
+  const bool is_vertical = view.x == 0 && view.z == 0;
+  scene.camera = {.from = from,
+                  .at = at,
+                  .up = is_vertical ? render::Vec3{0, 0, 1} : render::Vec3{0, 1, 0},
+                  .plane_height = 1,
+                  .aspect = 1};
+  scene.background = {.bottom = sky, .top = sky};
+  return scene;
+}
+
+inline void add_sphere(render::Scene& scene, render::Vec3 center, double radius,
+                       render::Material material) {
+  scene.spheres.push_back({.center = center,
+                           .radius = radius,
+                           .material = static_cast<std::uint32_t>(scene.materials.size())});
+  scene.materials.push_back(material);
+}
+
+struct BeamOptions {
+  int depth = 16;
+  std::uint64_t samples = 1 << 16;
+  std::uint64_t seed = 7;
+};
+
+/// The radiance that arrives along the camera's axis.
+inline Estimate radiance_along_axis(const render::Scene& scene, const BeamOptions& options) {
+  const render::PathIntegrator integrator(scene, options.depth);
+  render::PathCounts counts;
+  EstimateBuilder builder;
+  const std::uint64_t key = render::PathSampler::pixel_key(options.seed, 0);
+  for (std::uint64_t i = 0; i < options.samples; ++i) {
+    builder.add(integrator.sample(0.5, 0.5, render::PathSampler(key, i), counts));
+  }
+  return builder.estimate();
+}
+
+}  // namespace sdlc::test
