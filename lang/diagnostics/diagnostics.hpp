@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "lang/source/source.hpp"
+
+namespace sdlc::lang {
+
+enum class Severity : std::uint8_t { Error, Warning };
+
+/// What is known of a diagnostic before it happens: a row of diagnostics.def.
+struct DiagnosticInfo {
+  std::string_view code;  ///< such as "E104"; never reused for another meaning
+  Severity severity;
+  std::string_view name;  ///< such as "unknown_property"
+  std::string_view message;
+};
+
+/// A row together with the types of its message's arguments; a call that does not fit does not compile.
+template <typename... Args>
+struct DiagnosticKind : DiagnosticInfo {
+  /// The message comes twice: fmt checks it as a format but does not give the text back in version 9.
+  consteval DiagnosticKind(std::string_view code_, Severity severity_, std::string_view name_,
+                           std::string_view message_, fmt::format_string<Args...> /*checked*/)
+      : DiagnosticInfo{code_, severity_, name_, message_} {}
+};
+
+namespace diag {
+#define SDLC_DIAGNOSTIC(code, severity, name, message, ...) \
+  inline constexpr DiagnosticKind<__VA_ARGS__> name{#code, Severity::severity, #name, message, message};
+#include "lang/diagnostics/diagnostics.def"
+#undef SDLC_DIAGNOSTIC
+}  // namespace diag
+
+/// Every row of the table, in its order.
+std::span<const DiagnosticInfo* const> all_diagnostics() noexcept;
+
+/// A second place that explains the first.
+struct Label {
+  Location where;
+  std::string message;
+};
+
+/// A replacement of one span of the text by another.
+struct Fix {
+  Location where;
+  std::string replacement;
+};
+
+struct Diagnostic {
+  const DiagnosticInfo* info = nullptr;
+  Location where;  ///< the smallest wrong thing; `where.file` may be null when no text is to blame
+  std::string message;
+  std::vector<Label> labels;
+  std::vector<std::string> help;  ///< what to do, in words
+  std::vector<Fix> fixes;
+  std::string suggestion;  ///< the name that was probably meant; empty where there is none
+};
+
+/// Adds to a diagnostic that was just reported.
+class DiagnosticBuilder {
+ public:
+  explicit DiagnosticBuilder(Diagnostic& diagnostic) noexcept : diagnostic_(&diagnostic) {}
+
+  DiagnosticBuilder& label(Location where, std::string message);
+  DiagnosticBuilder& help(std::string text);
+  DiagnosticBuilder& fix(Location where, std::string replacement);
+  /// "did you mean `name`?", with the replacement of the diagnostic's own span as its fix.
+  DiagnosticBuilder& suggest(std::optional<std::string_view> name);
+
+ private:
+  Diagnostic* diagnostic_;
+};
+
+/// Collects what the phases report. After `kMaxErrors` errors (or as many warnings) further ones are only
+/// counted: the reader of a message about the 51st mistake is better served by a second run.
+class DiagnosticSink {
+ public:
+  static constexpr std::size_t kMaxPerSeverity = 50;
+
+  template <typename... Args>
+  DiagnosticBuilder report(const DiagnosticKind<Args...>& kind, Location where,
+                           const std::type_identity_t<Args>&... args) {
+    return add(kind, where, fmt::format(fmt::runtime(kind.message), args...));
+  }
+
+  bool has_errors() const noexcept { return errors_ > 0; }
+  std::size_t error_count() const noexcept { return errors_; }      ///< those not kept included
+  std::size_t warning_count() const noexcept { return warnings_; }  ///< likewise
+  std::size_t omitted_count() const noexcept {
+    return errors_ + warnings_ - diagnostics_.size();
+  }
+  /// What was kept, in the order it was reported.
+  const std::deque<Diagnostic>& diagnostics() const noexcept { return diagnostics_; }
+  /// What was kept, by place: files in the order they were first mentioned, then offsets.
+  std::vector<const Diagnostic*> sorted() const;
+
+ private:
+  DiagnosticBuilder add(const DiagnosticInfo& info, Location where, std::string message);
+
+  std::deque<Diagnostic> diagnostics_;  // a deque: builders keep a pointer to the last one
+  Diagnostic discarded_;                // what builders of omitted diagnostics write to
+  std::size_t errors_ = 0;
+  std::size_t warnings_ = 0;
+};
+
+}  // namespace sdlc::lang

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "lang/diagnostics/excerpt.hpp"
+#include "lang/diagnostics/formats.hpp"
+#include "lang/text/display_width.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+/// The first line of the text in backticks, fit for a line of its own.
+std::string in_backticks(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  const std::string_view rest = line.size() < text.size() ? "…" : "";
+  return fmt::format("`{}{}`", printable(abbreviated(line)), rest);
+}
+
+/// What the fix does, in words.
+std::string describe_fix(const Diagnostic& diagnostic, const Fix& fix) {
+  const Span span = fix.where.span;
+  const std::string old = in_backticks(fix.where.file->text(span));
+  if (fix.replacement.empty()) return "remove " + old;
+  if (fix.replacement == " ") return "write a space instead";
+  const std::string replacement = in_backticks(fix.replacement);
+  if (span.size() > 0) return fmt::format("write {} instead of {}", replacement, old);
+
+  const Span wrong = diagnostic.where.span;
+  if (span.begin == wrong.begin) return "add " + replacement;
+  if (span.begin == wrong.end) {
+    return fmt::format("add {} behind {}", replacement, in_backticks(fix.where.file->text(wrong)));
+  }
+  const Position position = fix.where.file->position(span.begin);
+  return fmt::format("add {} at {}:{}", replacement, position.line, position.column);
+}
+
+std::vector<std::string> help_lines(const Diagnostic& diagnostic) {
+  std::vector<std::string> lines;
+  if (!diagnostic.suggestion.empty()) {
+    lines.push_back(fmt::format("did you mean {}?", in_backticks(diagnostic.suggestion)));
+  }
+  for (const Fix& fix : diagnostic.fixes) {
+    const bool is_suggestion = fix.replacement == diagnostic.suggestion &&
+                               fix.where.span == diagnostic.where.span && !fix.replacement.empty();
+    if (!is_suggestion) lines.push_back(describe_fix(diagnostic, fix));
+  }
+  for (const std::string& text : diagnostic.help) lines.push_back(printable(text));
+  return lines;
+}
+
+/// The places of a diagnostic by file, that of the diagnostic itself first.
+std::vector<std::vector<Mark>> marks_by_file(const Diagnostic& diagnostic) {
+  std::vector<std::vector<Mark>> files;
+  files.push_back({{.where = diagnostic.where, .message = {}, .is_primary = true}});
+  for (const Label& label : diagnostic.labels) {
+    const auto known = std::find_if(files.begin(), files.end(), [&](const auto& marks) {
+      return marks.front().where.file == label.where.file;
+    });
+    auto& marks = known == files.end() ? files.emplace_back() : *known;
+    marks.push_back({.where = label.where, .message = label.message, .is_primary = false});
+  }
+  return files;
+}
+
+/// How many digits the largest line number has.
+int gutter_width(const std::vector<std::vector<Mark>>& files) {
+  std::uint32_t line = 1;
+  for (const auto& marks : files) {
+    for (const Mark& mark : marks) {
+      const std::uint32_t end = std::max(mark.where.span.begin + 1, mark.where.span.end);
+      line = std::max(line, mark.where.file->position(end - 1).line);
+    }
+  }
+  return static_cast<int>(fmt::formatted_size("{}", line));
+}
+
+std::string render_diagnostic(const Diagnostic& diagnostic, const Palette& palette) {
+  const bool is_error = diagnostic.info->severity == Severity::Error;
+  const std::string_view color = is_error ? palette.error : palette.warning;
+  std::string text =
+      fmt::format("{}{}[{}]{}{}: {}{}\n", color, severity_name(diagnostic.info->severity),
+                  diagnostic.info->code, palette.reset, palette.bold, printable(diagnostic.message),
+                  palette.reset);
+
+  int width = 1;
+  if (diagnostic.where.file != nullptr) {
+    const auto files = marks_by_file(diagnostic);
+    width = gutter_width(files);
+    for (const auto& marks : files) {
+      const Location& place = marks.front().where;
+      const Position position = place.file->position(place.span.begin);
+      const bool is_first = place.file == diagnostic.where.file;
+      text += fmt::format("{:>{}}{}{}{} {}:{}:{}\n", "", width, palette.gutter,
+                          is_first ? "-->" : ":::", palette.reset, printable(place.file->name()),
+                          position.line, position.column);
+      text += render_excerpt(marks, width, color, palette);
+    }
+  }
+  for (const std::string& line : help_lines(diagnostic)) {
+    text += fmt::format("{:>{}} {}= {}help:{} {}\n", "", width, palette.gutter, palette.help,
+                        palette.reset, line);
+  }
+  return text + "\n";
+}
+
+std::string plural(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string summary(const DiagnosticSink& sink) {
+  std::string text;
+  if (sink.error_count() > 0) text = plural(sink.error_count(), "error");
+  if (sink.warning_count() > 0) {
+    text += (text.empty() ? "" : ", ") + plural(sink.warning_count(), "warning");
+  }
+  if (sink.omitted_count() > 0)
+    text += fmt::format(" ({} of them not shown)", sink.omitted_count());
+  return text.empty() ? text : text + "\n";
+}
+
+}  // namespace
+
+std::string render_human(const DiagnosticSink& sink, bool has_color) {
+  const Palette palette = make_palette(has_color);
+  std::string text;
+  for (const Diagnostic* diagnostic : sink.sorted())
+    text += render_diagnostic(*diagnostic, palette);
+  return text + summary(sink);
+}
+
+}  // namespace sdlc::lang

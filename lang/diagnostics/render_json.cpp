@@ -1,0 +1,55 @@
+#include <nlohmann/json.hpp>
+
+#include "lang/diagnostics/formats.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Lines and columns from 1, columns in code points; offsets in bytes.
+Json place(const Location& where) {
+  if (where.file == nullptr) return nullptr;
+  const Position begin = where.file->position(where.span.begin);
+  const Position end = where.file->position(where.span.end);
+  return {{"file", where.file->name()},  {"line", begin.line},       {"column", begin.column},
+          {"end_line", end.line},        {"end_column", end.column}, {"offset", where.span.begin},
+          {"end_offset", where.span.end}};
+}
+
+Json to_json(const Diagnostic& diagnostic) {
+  Json json = {{"code", diagnostic.info->code},
+               {"severity", severity_name(diagnostic.info->severity)},
+               {"name", diagnostic.info->name},
+               {"message", diagnostic.message},
+               {"location", place(diagnostic.where)},
+               {"suggestion", nullptr},
+               {"labels", Json::array()},
+               {"help", diagnostic.help},
+               {"fixes", Json::array()}};
+  if (!diagnostic.suggestion.empty()) json["suggestion"] = diagnostic.suggestion;
+  for (const Label& label : diagnostic.labels) {
+    json["labels"].push_back({{"message", label.message}, {"location", place(label.where)}});
+  }
+  for (const Fix& fix : diagnostic.fixes) {
+    json["fixes"].push_back({{"replacement", fix.replacement}, {"location", place(fix.where)}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string render_json(const DiagnosticSink& sink) {
+  Json json = {{"diagnostics", Json::array()},
+               {"errors", sink.error_count()},
+               {"warnings", sink.warning_count()},
+               {"omitted", sink.omitted_count()}};
+  for (const Diagnostic* diagnostic : sink.sorted()) {
+    json["diagnostics"].push_back(to_json(*diagnostic));
+  }
+  // ASCII only: the output is safe on a terminal, and bytes that are not UTF-8 do not end it.
+  constexpr bool kIsAscii = true;
+  return json.dump(2, ' ', kIsAscii, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace sdlc::lang

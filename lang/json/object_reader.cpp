@@ -1,0 +1,85 @@
+#include "lang/json/object_reader.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lang/text/display_width.hpp"
+#include "lang/text/nearest_name.hpp"
+
+namespace sdlc::lang {
+
+std::string_view member_name(const SourceFile& file, const JsonNode& name, std::string& buffer) {
+  const std::string_view content = file.text(name.content());
+  if (!name.has_escapes) return content;
+  buffer = unescape(content);
+  return buffer;
+}
+
+std::optional<std::size_t> find_key(std::span<const JsonKey> keys, std::string_view name,
+                                    std::size_t guess) noexcept {
+  if (guess < keys.size() && keys[guess].key == name) return guess;
+  for (std::size_t row = 0; row < keys.size(); ++row) {
+    if (keys[row].key == name) return row;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> diagnose_unknown_key(std::span<const JsonKey> keys,
+                                                std::string_view object, std::string_view name,
+                                                Location where, DiagnosticSink& sink) {
+  std::vector<std::string_view> names;
+  for (const JsonKey& key : keys) names.push_back(key.key);
+  const auto meant = nearest_name(name, names);
+  sink.report(diag::unknown_key, where, abbreviated(name), object).suggest(meant);
+  return meant ? find_key(keys, *meant) : std::nullopt;
+}
+
+void diagnose_duplicate_key(std::string_view name, Location second, Location first,
+                            DiagnosticSink& sink) {
+  sink.report(diag::duplicate, second, "key", name).label(first, "it is given here first");
+}
+
+Members find_members(const SourceFile& file, const Tape& tape, std::uint32_t object,
+                     const JsonObject& table, DiagnosticSink& sink) {
+  Members members;
+  std::vector<std::pair<std::size_t, std::uint32_t>> guesses;  // rows and names of misspelt keys
+  std::string buffer;
+  std::size_t guess = 0;
+  const std::uint32_t end = tape[object].next;
+  // Where the text broke off, the last name may be without a value.
+  for (std::uint32_t i = object + 1; i + 1 < end; i = tape[i + 1].next) {
+    const std::string_view name = member_name(file, tape[i], buffer);
+    const auto row = find_key(table.keys, name, guess);
+    const Location where{&file, tape[i].content()};
+    if (!row) {
+      const auto meant = diagnose_unknown_key(table.keys, table.name, name, where, sink);
+      if (meant) guesses.emplace_back(*meant, i);
+    } else if (members.names[*row] != 0) {
+      diagnose_duplicate_key(name, where, {&file, tape[members.names[*row]].content()}, sink);
+    } else {
+      members.names[*row] = i;
+      members.values[*row] = i + 1;
+      guess = *row + 1;
+    }
+  }
+  for (const auto& [row, name] : guesses) {
+    if (members.names[row] != 0) continue;
+    members.names[row] = name;
+    members.values[row] = name + 1;
+  }
+  return members;
+}
+
+void check_required(const SourceFile& file, const Tape& tape, const Members& members,
+                    const JsonObject& table, Location where, DiagnosticSink& sink) {
+  for (std::size_t row = 0; row < table.keys.size(); ++row) {
+    const JsonKey& key = table.keys[row];
+    if (key.presence == Presence::Optional || has_value(tape, members, row)) continue;
+    const std::uint32_t null = members.values[row];
+    sink.report(diag::missing, null != 0 ? Location{&file, tape[null].span} : where, table.name,
+                key.key);
+  }
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,129 @@
+#include "lang/object/object.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lang/text/nearest_name.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+bool is_in(Range range, double number) noexcept {
+  switch (range) {
+    case Range::Any: return true;
+    case Range::NonNegative: return number >= 0;
+    case Range::NonNegativeExact: return number >= 0 && number <= 0x1p53;
+    case Range::Positive: return number > 0;
+    case Range::AtLeastOne: return number >= 1;
+    case Range::BetweenZeroAndHalfTurn: return number > 0 && number < 180;
+  }
+  return false;
+}
+
+/// Whether the value is of the C++ type that stands for the type of the table.
+bool has_type(Type type, const Value& value) noexcept {
+  switch (type) {
+    case Type::Number:
+    case Type::WholeNumber:
+    case Type::Length: return std::holds_alternative<double>(value);
+    case Type::Bool: return std::holds_alternative<bool>(value);
+    case Type::String: return std::holds_alternative<std::string>(value);
+    case Type::Vec3: return std::holds_alternative<render::Vec3>(value);
+    case Type::Angle: return std::holds_alternative<Angle>(value);
+    case Type::Color: return std::holds_alternative<render::LinearRgb>(value);
+    case Type::Interval: return std::holds_alternative<render::Interval>(value);
+    case Type::Word: return std::holds_alternative<Word>(value);
+    case Type::Material: return std::holds_alternative<MaterialValue>(value);
+    case Type::Motion: return std::holds_alternative<MotionValue>(value);
+  }
+  return false;
+}
+
+bool check_color(std::string_view name, Range range, render::LinearRgb color, Location where,
+                 DiagnosticSink& sink) {
+  for (const double component : {color.r, color.g, color.b}) {
+    if (!check_range(name, range, component, where, sink)) return false;
+  }
+  return true;
+}
+
+bool check_word(const Property& property, const Word& word, Location where, DiagnosticSink& sink) {
+  const auto words = property.words;
+  if (words.empty() || std::find(words.begin(), words.end(), word.text) != words.end()) return true;
+  sink.report(diag::unknown_word, where, word.text, property.name)
+      .suggest(nearest_name(word.text, words));
+  return false;
+}
+
+}  // namespace
+
+bool check_range(std::string_view name, Range range, double number, Location where,
+                 DiagnosticSink& sink) {
+  if (is_in(range, number)) return true;
+  sink.report(diag::out_of_range, where, name, describe(range), to_text(number));
+  return false;
+}
+
+bool check_whole_number(std::string_view name, Range range, double number, Location where,
+                        DiagnosticSink& sink) {
+  if (number != std::floor(number)) {
+    sink.report(diag::not_whole, where, name, to_text(number));
+    return false;
+  }
+  if (!check_range(name, range, number, where, sink)) return false;
+  if (range == Range::NonNegativeExact || std::fabs(number) <= kMaxWholeNumber) return true;
+  const bool is_large = number > 0;
+  sink.report(diag::out_of_range, where, name,
+              is_large ? "at most 1000000000" : "at least -1000000000", to_text(number));
+  return false;
+}
+
+bool check_value(std::string_view name, Type type, Range range, const Value& value, Location where,
+                 DiagnosticSink& sink) {
+  if (std::holds_alternative<std::monostate>(value)) return false;
+  if (!has_type(type, value)) {
+    auto report = sink.report(diag::wrong_type, where, name, describe(type), describe(value));
+    const bool lacks_unit = type == Type::Angle && std::holds_alternative<double>(value);
+    if (lacks_unit) report.fix({where.file, {where.span.end, where.span.end}}, "deg");
+    return false;
+  }
+
+  if (type == Type::WholeNumber) {
+    return check_whole_number(name, range, std::get<double>(value), where, sink);
+  }
+  if (const auto* number = std::get_if<double>(&value)) {
+    return check_range(name, range, *number, where, sink);
+  }
+  if (const auto* angle = std::get_if<Angle>(&value)) {
+    if (is_in(range, angle->degrees)) return true;
+    sink.report(diag::out_of_range, where, name, describe(range), to_text(value));
+    return false;
+  }
+  if (const auto* color = std::get_if<render::LinearRgb>(&value)) {
+    return check_color(name, range, *color, where, sink);
+  }
+  if (const auto* motion = std::get_if<MotionValue>(&value)) {
+    if (motion->over.from != motion->over.to) return true;
+    sink.report(diag::empty_interval, where, name, to_text(motion->over.from));
+    return false;
+  }
+  return true;
+}
+
+bool check_property(const Property& property, const Value& value, Location where,
+                    DiagnosticSink& sink) {
+  if (property.reads_none && std::holds_alternative<None>(value)) return true;
+  if (!check_value(property.name, property.type, property.range, value, where, sink)) return false;
+  const auto* word = std::get_if<Word>(&value);
+  return word == nullptr || check_word(property, *word, where, sink);
+}
+
+void check_required(const Object& object, DiagnosticSink& sink) {
+  for (std::size_t i = 0; i < object.kind->properties.size(); ++i) {
+    const Property& property = object.kind->properties[i];
+    if (property.presence == Presence::Optional || object.slots[i].is_written) continue;
+    sink.report(diag::missing, object.where, object.kind->name, property.name);
+  }
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,147 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <variant>
+
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/schema/schema.hpp"
+#include "lang/source/source.hpp"
+#include "render/math/color.hpp"
+#include "render/math/interval.hpp"
+#include "render/math/vec3.hpp"
+
+/// The validated form that both formats are read into: values that have met their property's type
+/// and range, each with its place in the text.
+namespace sdlc::lang {
+
+struct Angle {
+  double degrees = 0;
+
+  friend bool operator==(const Angle&, const Angle&) = default;
+};
+
+/// A name that stands for itself: `tone: sqrt`.
+struct Word {
+  std::string text;
+
+  friend bool operator==(const Word&, const Word&) = default;
+};
+
+/// The word `none`, where a property reads it.
+struct None {
+  friend bool operator==(const None&, const None&) = default;
+};
+
+/// A material constructor with its arguments filled in.
+struct MaterialValue {
+  MaterialKind kind = MaterialKind::Diffuse;
+  render::LinearRgb color;
+  double parameter = 0;        ///< fuzz, ior or intensity, as the kind has it
+  bool exact_fresnel = false;  ///< of transmissive
+
+  friend bool operator==(const MaterialValue&, const MaterialValue&) = default;
+};
+
+/// Straight motion of a centre: at its own place at time over.from, at `to` at time over.to,
+/// extrapolated.
+struct MotionValue {
+  render::Vec3 to;
+  render::Interval over;  ///< seconds; the ends differ
+
+  friend bool operator==(const MotionValue&, const MotionValue&) = default;
+};
+
+/// monostate: nothing is written, or what is written was wrong and has been reported.
+using Value =
+    std::variant<std::monostate, double, bool, std::string, render::Vec3, Angle, render::LinearRgb,
+                 render::Interval, Word, None, MaterialValue, MotionValue>;
+
+/// "a number", "a colour": what a message calls the value.
+std::string_view describe(const Value& value) noexcept;
+/// The value as the language spells it, for messages ("-1", "40deg").
+std::string to_text(const Value& value);
+/// The shortest spelling that reads back as the same number.
+std::string to_text(double number);
+
+/// One property of an object as it was written.
+struct Slot {
+  Value value;
+  Span span;                ///< of the value, in the object's file
+  bool is_written = false;  ///< also when the value was wrong
+};
+
+/// An object whose properties have been checked one by one; `slots` has one entry per row of the
+/// kind's table.
+struct Object {
+  const Kind* kind = nullptr;
+  Location
+      where;  ///< of what names it in messages: the kind's name, or the object's first character
+  std::string name;  ///< `main` of `camera main`; empty where there is none
+  std::array<Slot, kMaxProperties> slots;
+
+  const Slot& slot(std::size_t property) const { return slots[property]; }
+  Location location(std::size_t property) const { return {where.file, slots[property].span}; }
+
+  /// The value if it is a T (the written one, else the table's default).
+  template <typename T>
+  std::optional<T> get(std::size_t property) const;
+};
+
+/// Receives checked objects one at a time, so that no reader has to hold all of them.
+class ObjectSink {
+ public:
+  virtual ~ObjectSink() = default;
+
+  /// An object of any kind. Its written values have passed check_value or are monostate, and
+  /// check_required has been called.
+  virtual void add(const Object& object) = 0;
+};
+
+/// The largest whole number of a property without Range::NonNegativeExact: such values count
+/// pixels, samples, rays and threads, and fit an int.
+inline constexpr double kMaxWholeNumber = 1e9;
+
+/// Whether the number is in the range; if not, that is reported at `where` under the name `name`.
+bool check_range(std::string_view name, Range range, double number, Location where,
+                 DiagnosticSink& sink);
+
+/// Whether the number is whole, in the range and at most kMaxWholeNumber (but for
+/// NonNegativeExact); what is wrong is reported.
+bool check_whole_number(std::string_view name, Range range, double number, Location where,
+                        DiagnosticSink& sink);
+
+/// Whether `value` has the property's type and is in its range; what is wrong is reported at
+/// `where` under the name `name` (the JSON format has other names). A number serves as a length, a
+/// whole number must be whole. monostate is wrong silently: it has been reported. None is never
+/// right here: see check_property.
+bool check_value(std::string_view name, Type type, Range range, const Value& value, Location where,
+                 DiagnosticSink& sink);
+
+/// The same by the property's row in its table, which also says whether `none` is a value and which
+/// words are.
+bool check_property(const Property& property, const Value& value, Location where,
+                    DiagnosticSink& sink);
+
+/// Reports every required property of the object that is not written, each at the object's place.
+void check_required(const Object& object, DiagnosticSink& sink);
+
+template <typename T>
+std::optional<T> Object::get(std::size_t property) const {
+  if (const T* value = std::get_if<T>(&slots[property].value)) return *value;
+  if (slots[property].is_written) return std::nullopt;
+  const Default& fallback = kind->properties[property].default_value;
+  if constexpr (std::is_same_v<T, double> || std::is_same_v<T, bool>) {
+    if (const T* value = std::get_if<T>(&fallback)) return *value;
+  } else if constexpr (std::is_same_v<T, Word>) {
+    if (const auto* word = std::get_if<std::string_view>(&fallback))
+      return Word{std::string(*word)};
+  } else if constexpr (std::is_same_v<T, render::Vec3> || std::is_same_v<T, render::LinearRgb>) {
+    if (const auto* triple = std::get_if<std::array<double, 3>>(&fallback)) {
+      return T{(*triple)[0], (*triple)[1], (*triple)[2]};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace sdlc::lang

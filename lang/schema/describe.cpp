@@ -1,0 +1,35 @@
+#include "lang/schema/schema.hpp"
+
+namespace sdlc::lang {
+
+std::string_view describe(Type type) noexcept {
+  switch (type) {
+    case Type::Number: return "a number";
+    case Type::WholeNumber: return "a whole number";
+    case Type::Bool: return "true or false";
+    case Type::String: return "a string";
+    case Type::Vec3: return "a point (x, y, z)";
+    case Type::Length: return "a length";
+    case Type::Angle: return "an angle";
+    case Type::Color: return "a colour";
+    case Type::Interval: return "an interval a .. b";
+    case Type::Word: return "a word";
+    case Type::Material: return "a material";
+    case Type::Motion: return "a motion";
+  }
+  return "";
+}
+
+std::string_view describe(Range range) noexcept {
+  switch (range) {
+    case Range::Any: return "any value";
+    case Range::NonNegative: return "at least 0";
+    case Range::NonNegativeExact: return "from 0 to 9007199254740992";
+    case Range::Positive: return "greater than 0";
+    case Range::AtLeastOne: return "at least 1";
+    case Range::BetweenZeroAndHalfTurn: return "greater than 0 and less than 180 degrees";
+  }
+  return "";
+}
+
+}  // namespace sdlc::lang

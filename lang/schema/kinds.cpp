@@ -1,0 +1,256 @@
+#include <array>
+
+#include "lang/schema/schema.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+constexpr std::array<std::string_view, 3> kToneWords{"srgb", "sqrt", "linear"};
+constexpr std::array<std::string_view, 2> kFresnelWords{"schlick", "exact"};
+
+constexpr auto kCameraProperties = std::to_array<Property>({
+    {.name = "from",
+     .type = Type::Vec3,
+     .presence = Presence::Required,
+     .doc = "Where the camera stands."},
+    {.name = "at",
+     .type = Type::Vec3,
+     .presence = Presence::Required,
+     .doc = "The point in the middle of the picture."},
+    {.name = "up",
+     .type = Type::Vec3,
+     .default_value = std::array{0.0, 1.0, 0.0},
+     .default_text = "(0, 1, 0)",
+     .doc = "The direction that points up in the picture; any length but 0, not along the view."},
+    {.name = "fov",
+     .type = Type::Angle,
+     .range = Range::BetweenZeroAndHalfTurn,
+     .presence = Presence::Required,
+     .doc = "Vertical field of view, from bottom to top."},
+    {.name = "view_height",
+     .type = Type::Number,
+     .range = Range::Positive,
+     .default_value = 2.0,
+     .default_text = "2",
+     .doc = "The view plane at distance 1 is view_height * tan(fov / 2) high; 2 makes fov the "
+            "angle seen."},
+    {.name = "aspect",
+     .type = Type::Number,
+     .range = Range::Positive,
+     .default_value = 16.0 / 9.0,
+     .default_text = "16 / 9",
+     .doc = "Width of the picture over its height."},
+    {.name = "shutter",
+     .type = Type::Interval,
+     .default_text = "none",
+     .reads_none = true,
+     .doc = "The times between which the shutter is open; none: everything stands still."},
+});
+static_assert(kCameraProperties.size() == camera_property::kCount);
+
+constexpr auto kBackgroundProperties = std::to_array<Property>({
+    {.name = "color",
+     .type = Type::Color,
+     .range = Range::NonNegative,
+     .doc = "The same radiance from everywhere."},
+    {.name = "bottom",
+     .type = Type::Color,
+     .range = Range::NonNegative,
+     .doc =
+         "Radiance from straight below; joined linearly with top by the height of the direction."},
+    {.name = "top",
+     .type = Type::Color,
+     .range = Range::NonNegative,
+     .doc = "Radiance from straight above."},
+});
+static_assert(kBackgroundProperties.size() == background_property::kCount);
+
+constexpr auto kSphereProperties = std::to_array<Property>({
+    {.name = "center",
+     .type = Type::Vec3,
+     .presence = Presence::Required,
+     .doc = "World position of the centre, in metres."},
+    {.name = "radius",
+     .type = Type::Length,
+     .range = Range::NonNegative,
+     .presence = Presence::Required,
+     .doc = "From centre to surface, in metres."},
+    {.name = "material",
+     .type = Type::Material,
+     .presence = Presence::Required,
+     .doc = "What light does at the surface."},
+    {.name = "motion",
+     .type = Type::Motion,
+     .doc = "line(to: p, over: t0 .. t1): the centre moves from `center` at t0 to `to` at t1, and "
+            "on beyond both."},
+});
+static_assert(kSphereProperties.size() == sphere_property::kCount);
+
+constexpr auto kRenderProperties = std::to_array<Property>({
+    {.name = "width",
+     .type = Type::WholeNumber,
+     .range = Range::AtLeastOne,
+     .default_value = 960.0,
+     .default_text = "960",
+     .doc = "Width of the picture in pixels."},
+    {.name = "height",
+     .type = Type::WholeNumber,
+     .range = Range::AtLeastOne,
+     .doc = "Height in pixels; width / aspect, rounded down, where it is not given."},
+    {.name = "samples",
+     .type = Type::WholeNumber,
+     .range = Range::AtLeastOne,
+     .default_value = 64.0,
+     .default_text = "64",
+     .doc = "Camera paths per pixel."},
+    {.name = "depth",
+     .type = Type::WholeNumber,
+     .range = Range::AtLeastOne,
+     .default_value = 16.0,
+     .default_text = "16",
+     .doc = "Rays per path, the camera's included; a path cut off by it is black."},
+    {.name = "output", .type = Type::String, .doc = "The picture's file."},
+    {.name = "tone",
+     .type = Type::Word,
+     .default_value = std::string_view("srgb"),
+     .default_text = "srgb",
+     .words = kToneWords,
+     .doc = "Transfer curve of pictures that are not linear by nature."},
+    {.name = "camera", .type = Type::Word, .doc = "Which camera, where there are several."},
+    {.name = "seed",
+     .type = Type::WholeNumber,
+     .range = Range::NonNegativeExact,
+     .default_value = 0.0,
+     .default_text = "0",
+     .doc = "Picks the random numbers."},
+    {.name = "threads",
+     .type = Type::WholeNumber,
+     .range = Range::NonNegative,
+     .default_value = 0.0,
+     .default_text = "0",
+     .doc = "Threads that render; 0: all of the machine. Never changes the picture."},
+});
+static_assert(kRenderProperties.size() == render_property::kCount);
+
+constexpr auto kKinds = std::to_array<Kind>({
+    {.id = ObjectKind::Camera,
+     .name = "camera",
+     .takes_name = true,
+     .is_unique = false,
+     .properties = kCameraProperties,
+     .doc = "Where the picture is taken from."},
+    {.id = ObjectKind::Background,
+     .name = "background",
+     .takes_name = false,
+     .is_unique = true,
+     .properties = kBackgroundProperties,
+     .doc = "What is seen where there is no sphere."},
+    {.id = ObjectKind::Sphere,
+     .name = "sphere",
+     .takes_name = true,
+     .is_unique = false,
+     .properties = kSphereProperties,
+     .doc = "A sphere."},
+    {.id = ObjectKind::Render,
+     .name = "render",
+     .takes_name = false,
+     .is_unique = true,
+     .properties = kRenderProperties,
+     .doc = "How the picture is made; every setting has a flag of the same name."},
+});
+
+constexpr Property kColor{.name = "color",
+                          .type = Type::Color,
+                          .range = Range::NonNegative,
+                          .presence = Presence::Required,
+                          .doc = "The part of the light that goes on."};
+
+constexpr auto kDiffuseArguments = std::to_array<Property>({kColor});
+constexpr auto kSpecularArguments = std::to_array<Property>({
+    kColor,
+    {.name = "fuzz",
+     .type = Type::Number,
+     .range = Range::NonNegative,
+     .default_value = 0.0,
+     .default_text = "0",
+     .doc = "Radius of the ball that the mirrored direction ends in; 0 is a mirror."},
+});
+constexpr auto kTransmissiveArguments = std::to_array<Property>({
+    {.name = "color",
+     .type = Type::Color,
+     .range = Range::NonNegative,
+     .default_value = std::array{1.0, 1.0, 1.0},
+     .default_text = "white",
+     .doc = "The part of the light that goes on."},
+    {.name = "ior",
+     .type = Type::Number,
+     .range = Range::Positive,
+     .presence = Presence::Required,
+     .doc = "Index of refraction inside over outside."},
+    {.name = "fresnel",
+     .type = Type::Word,
+     .default_value = std::string_view("schlick"),
+     .default_text = "schlick",
+     .words = kFresnelWords,
+     .doc = "How the share of reflected light is computed."},
+});
+constexpr auto kEmissiveArguments = std::to_array<Property>({
+    {.name = "color",
+     .type = Type::Color,
+     .range = Range::NonNegative,
+     .presence = Presence::Required,
+     .doc = "Colour of the light."},
+    {.name = "intensity",
+     .type = Type::Number,
+     .range = Range::NonNegative,
+     .default_value = 1.0,
+     .default_text = "1",
+     .doc = "The radiance is color * intensity."},
+});
+constexpr auto kUnlitArguments = std::to_array<Property>({
+    {.name = "color",
+     .type = Type::Color,
+     .range = Range::NonNegative,
+     .presence = Presence::Required,
+     .doc = "What is seen, whatever the light."},
+});
+
+constexpr auto kMaterials = std::to_array<MaterialInfo>({
+    {.id = MaterialKind::Diffuse,
+     .name = "diffuse",
+     .json_name = "diffuse",
+     .arguments = kDiffuseArguments,
+     .doc = "Matt: scatters by the cosine law."},
+    {.id = MaterialKind::Specular,
+     .name = "specular",
+     .json_name = "specular",
+     .arguments = kSpecularArguments,
+     .doc = "Metal: mirrors, sharply or with fuzz."},
+    {.id = MaterialKind::Transmissive,
+     .name = "transmissive",
+     .json_name = "transmissive",
+     .arguments = kTransmissiveArguments,
+     .doc = "Glass: reflects and refracts."},
+    {.id = MaterialKind::Emissive,
+     .name = "emissive",
+     .json_name = "emissive",
+     .arguments = kEmissiveArguments,
+     .doc = "A light; ends the path."},
+    {.id = MaterialKind::Unlit,
+     .name = "unlit",
+     .json_name = "no_texture",
+     .arguments = kUnlitArguments,
+     .doc = "A flat colour; ends the path."},
+});
+
+}  // namespace
+
+std::span<const Kind> all_kinds() noexcept { return kKinds; }
+const Kind& kind_info(ObjectKind kind) noexcept { return kKinds[static_cast<std::size_t>(kind)]; }
+
+std::span<const MaterialInfo> all_materials() noexcept { return kMaterials; }
+const MaterialInfo& material_info(MaterialKind kind) noexcept {
+  return kMaterials[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace sdlc::lang

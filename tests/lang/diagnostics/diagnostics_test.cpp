@@ -1,0 +1,45 @@
+#include "lang/diagnostics/diagnostics.hpp"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace sdlc::lang {
+namespace {
+
+TEST(Diagnostics, CodesAndNamesAreUsedOnce) {
+  std::set<std::string_view> seen;
+  for (const DiagnosticInfo* info : all_diagnostics()) {
+    EXPECT_TRUE(seen.insert(info->code).second) << info->code;
+    EXPECT_TRUE(seen.insert(info->name).second) << info->name;
+    EXPECT_EQ(info->code[0] == 'E', info->severity == Severity::Error) << info->code;
+    EXPECT_FALSE(info->message.ends_with('.')) << info->code;
+  }
+}
+
+TEST(DiagnosticSink, KeepsTheFirstFiftyAndCountsTheRest) {
+  const SourceFile file("a", "text");
+  DiagnosticSink sink;
+  for (int i = 0; i < 60; ++i) sink.report(diag::bad_utf8, {&file, {0, 1}}).help("say it");
+  sink.report(diag::zero_radius, {&file, {0, 1}});
+  EXPECT_EQ(sink.error_count(), 60u);
+  EXPECT_EQ(sink.warning_count(), 1u);
+  EXPECT_EQ(sink.diagnostics().size(), 51u);
+  EXPECT_EQ(sink.omitted_count(), 10u);
+}
+
+TEST(DiagnosticSink, SortsByFileAndThenByPlace) {
+  const SourceFile a("a", "text"), b("b", "text");
+  DiagnosticSink sink;
+  sink.report(diag::bad_utf8, {&b, {3, 4}});
+  sink.report(diag::bad_utf8, {&a, {2, 3}});
+  sink.report(diag::bad_utf8, {&b, {0, 1}});
+  const auto sorted = sink.sorted();
+  EXPECT_EQ(sorted[0]->where.file, &b);
+  EXPECT_EQ(sorted[0]->where.span.begin, 0u);
+  EXPECT_EQ(sorted[1]->where.span.begin, 3u);
+  EXPECT_EQ(sorted[2]->where.file, &a);
+}
+
+}  // namespace
+}  // namespace sdlc::lang

@@ -1,0 +1,115 @@
+#include "lang/object/object.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lang/diagnostics/render.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+const SourceFile kFile("a.scene", "value\n");
+const Location kWhere{&kFile, {0, 5}};
+
+/// What check_value says of the value, or nothing.
+std::string complaint(Type type, Range range, const Value& value) {
+  DiagnosticSink sink;
+  const bool is_good = check_value("it", type, range, value, kWhere, sink);
+  EXPECT_EQ(is_good, !sink.has_errors());
+  return is_good ? "" : sink.diagnostics().front().message;
+}
+
+TEST(ToText, IsTheShortestThatReadsBack) {
+  EXPECT_EQ(to_text(0.1), "0.1");
+  EXPECT_EQ(to_text(-0.0), "0");
+  EXPECT_EQ(to_text(255.0), "255");
+  EXPECT_EQ(to_text(1e10), "1e10");
+  EXPECT_EQ(to_text(1e-7), "1e-7");
+  EXPECT_EQ(to_text(5e-324), "5e-324");
+  EXPECT_EQ(to_text(1.7976931348623157e308), "1.7976931348623157e308");
+}
+
+TEST(ToText, SpellsValuesAsTheLanguageDoes) {
+  EXPECT_EQ(to_text(Value(true)), "true");
+  EXPECT_EQ(to_text(Value(std::string("a\"\n"))), R"("a\"\n")");
+  EXPECT_EQ(to_text(Value(render::Vec3{1, -0.0, 2.5})), "(1, 0, 2.5)");
+  EXPECT_EQ(to_text(Value(Angle{40})), "40deg");
+  EXPECT_EQ(to_text(Value(render::LinearRgb{1, 0, 0.5})), "linear(1, 0, 0.5)");
+  EXPECT_EQ(to_text(Value(render::Interval{0, 0.5})), "0 .. 0.5");
+  EXPECT_EQ(to_text(Value(MaterialValue{MaterialKind::Specular, render::LinearRgb{1}, 0.5, false})),
+            "specular(color: linear(1, 1, 1), fuzz: 0.5)");
+  EXPECT_EQ(to_text(Value(MotionValue{{1, 2, 3}, {0, 1}})), "line(to: (1, 2, 3), over: 0 .. 1)");
+}
+
+TEST(CheckValue, WantsTheType) {
+  EXPECT_EQ(complaint(Type::Length, Range::Any, 1.5), "");
+  EXPECT_EQ(complaint(Type::Number, Range::Any, true), "`it` takes a number, not true or false");
+  EXPECT_EQ(complaint(Type::Color, Range::Any, render::Vec3{}),
+            "`it` takes a colour, not a point (x, y, z)");
+}
+
+TEST(CheckValue, MendsAnAngleWithoutUnit) {
+  DiagnosticSink sink;
+  EXPECT_FALSE(check_value("fov", Type::Angle, Range::Any, 40.0, kWhere, sink));
+  const Fix& fix = sink.diagnostics().front().fixes.at(0);
+  EXPECT_EQ(fix.replacement, "deg");
+  EXPECT_EQ(fix.where.span, (Span{5, 5}));
+}
+
+TEST(CheckValue, WantsTheRange) {
+  EXPECT_EQ(complaint(Type::Length, Range::NonNegative, 0.0), "");
+  EXPECT_EQ(complaint(Type::Length, Range::NonNegative, -1.0), "`it` must be at least 0, not -1");
+  EXPECT_EQ(complaint(Type::Number, Range::Positive, 0.0), "`it` must be greater than 0, not 0");
+  EXPECT_EQ(complaint(Type::Angle, Range::BetweenZeroAndHalfTurn, Angle{180}),
+            "`it` must be greater than 0 and less than 180 degrees, not 180deg");
+  EXPECT_EQ(complaint(Type::Color, Range::NonNegative, render::LinearRgb{2, 0, -1}),
+            "`it` must be at least 0, not -1");
+}
+
+TEST(CheckValue, WantsWholeNumbersThatFit) {
+  EXPECT_EQ(complaint(Type::WholeNumber, Range::AtLeastOne, 2.5),
+            "`it` takes a whole number, not 2.5");
+  EXPECT_EQ(complaint(Type::WholeNumber, Range::AtLeastOne, 0.0), "`it` must be at least 1, not 0");
+  EXPECT_EQ(complaint(Type::WholeNumber, Range::AtLeastOne, kMaxWholeNumber), "");
+  EXPECT_EQ(complaint(Type::WholeNumber, Range::AtLeastOne, 1e10),
+            "`it` must be at most 1000000000, not 1e10");
+  EXPECT_EQ(complaint(Type::WholeNumber, Range::NonNegativeExact, 0x1p53), "");
+  EXPECT_EQ(complaint(Type::WholeNumber, Range::NonNegativeExact, 0x1p54),
+            "`it` must be from 0 to 9007199254740992, not 18014398509481984");
+}
+
+TEST(CheckValue, IsSilentAboutWhatHasBeenReported) {
+  DiagnosticSink sink;
+  EXPECT_FALSE(check_value("it", Type::Number, Range::Any, {}, kWhere, sink));
+  EXPECT_FALSE(sink.has_errors());
+}
+
+TEST(CheckValue, WantsAMotionToTakeTime) {
+  EXPECT_EQ(complaint(Type::Motion, Range::Any, MotionValue{{}, {1, 1}}),
+            "the interval of `it` is empty: both ends are 1");
+}
+
+TEST(CheckProperty, KnowsNoneAndWords) {
+  const auto camera = kind_info(ObjectKind::Camera).properties;
+  const auto render = kind_info(ObjectKind::Render).properties;
+  DiagnosticSink sink;
+  EXPECT_TRUE(check_property(camera[camera_property::kShutter], None{}, kWhere, sink));
+  EXPECT_FALSE(check_property(camera[camera_property::kFov], None{}, kWhere, sink));
+  EXPECT_TRUE(check_property(render[render_property::kCamera], Word{"any"}, kWhere, sink));
+  EXPECT_FALSE(check_property(render[render_property::kTone], Word{"sqr"}, kWhere, sink));
+  EXPECT_EQ(sink.diagnostics().back().suggestion, "sqrt");
+}
+
+TEST(CheckRequired, NamesWhatIsNotWritten) {
+  Object sphere;
+  sphere.kind = &kind_info(ObjectKind::Sphere);
+  sphere.where = kWhere;
+  sphere.slots[sphere_property::kCenter].is_written = true;
+  DiagnosticSink sink;
+  check_required(sphere, sink);
+  EXPECT_EQ(render_diagnostics(sink, {.format = MessageFormat::Concise}),
+            "a.scene:1:1: error[E107]: sphere has no `radius`\n"
+            "a.scene:1:1: error[E107]: sphere has no `material`\n");
+}
+
+}  // namespace
+}  // namespace sdlc::lang

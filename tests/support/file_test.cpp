@@ -1,0 +1,288 @@
+#include "tests/support/file_test.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <ostream>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/text/display_width.hpp"
+#include "lang/text/utf8.hpp"
+
+namespace sdlc::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::string> split_lines(std::string_view text) {
+  std::vector<std::string> lines;
+  std::istringstream stream{std::string(text)};
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::optional<std::string> case_name(const std::string& line) {
+  static const std::regex header("--- (\\w+) ---");
+  std::smatch match;
+  if (!std::regex_match(line, match, header)) return std::nullopt;
+  return match[1];
+}
+
+/// The expectation that the line is, if it is one, about the text line `number`.
+std::optional<Remark> parse_expectation(const std::string& line, std::uint32_t number) {
+  static const std::regex below("(//\\s*)(\\^+) ([A-Z]\\d\\d\\d|label|fix): (.*)");
+  static const std::regex by_number("// @(\\d+)\\+(\\d+) ([A-Z]\\d\\d\\d|label|fix): (.*)");
+  static const std::regex help("// help: (.*)");
+  if (!line.starts_with("//")) return std::nullopt;
+  std::smatch match;
+  const auto remark = [&](std::size_t column, std::size_t length) {
+    return Remark{.line = number,
+                  .column = static_cast<std::uint32_t>(column),
+                  .length = static_cast<std::uint32_t>(length),
+                  .kind = match[3],
+                  .message = match[4]};
+  };
+  if (std::regex_match(line, match, below)) {
+    return remark(static_cast<std::size_t>(match[1].length()) + 1,
+                  static_cast<std::size_t>(match[2].length()));
+  }
+  if (std::regex_match(line, match, by_number)) {
+    return remark(std::stoul(match[1]), std::stoul(match[2]));
+  }
+  if (std::regex_match(line, match, help)) {
+    return Remark{.line = number, .kind = "help", .message = match[1]};
+  }
+  return std::nullopt;
+}
+
+std::string to_line(const Remark& remark) {
+  constexpr std::uint32_t kFirstFreeColumn = 3;
+  if (remark.kind == "help") return fmt::format("// help: {}", remark.message);
+  if (remark.column < kFirstFreeColumn) {
+    return fmt::format("// @{}+{} {}: {}", remark.column, remark.length, remark.kind,
+                       remark.message);
+  }
+  return fmt::format("//{:{}}{:^>{}} {}: {}", "", remark.column - kFirstFreeColumn, "",
+                     remark.length, remark.kind, remark.message);
+}
+
+/// A remark at the place, which ends with its first line.
+Remark remark_at(const lang::Location& where, const FileCase& file_case, std::string_view kind,
+                 std::string_view message) {
+  const lang::SourceFile& file = *where.file;
+  const lang::Position position = file.position(where.span.begin);
+  const std::uint32_t line_end =
+      file.line_begin(position.line) + static_cast<std::uint32_t>(file.line(position.line).size());
+  const std::uint32_t end = std::max(where.span.begin, std::min(where.span.end, line_end));
+  const std::size_t length = lang::count_code_points(file.text({where.span.begin, end}));
+  Remark remark{.line = position.line,
+                .column = position.column,
+                .length = static_cast<std::uint32_t>(std::max<std::size_t>(length, 1)),
+                .kind = std::string(kind),
+                .message = lang::printable(message)};
+
+  // The end of the text is behind the last line break, where no line of the case stands.
+  const auto last_line = static_cast<std::uint32_t>(file_case.lines.size());
+  if (remark.line > last_line) {
+    remark.line = last_line;
+    remark.column = 1;
+    if (last_line > 0) {
+      remark.column += static_cast<std::uint32_t>(lang::count_code_points(file.line(last_line)));
+    }
+  }
+  return remark;
+}
+
+bool is_diagnostic(const Remark& remark) {
+  return remark.kind.size() == 4 && remark.kind != "help";
+}
+
+/// Keeps other processes that update cases of the same folder waiting.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& folder) : fd_(open(folder.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (fd_ < 0 || flock(fd_, LOCK_EX) != 0) {
+      throw std::runtime_error("cannot lock " + folder.string());
+    }
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  ~FolderLock() { close(fd_); }
+
+ private:
+  int fd_;
+};
+
+void update(const FileCase& file_case, const std::vector<Remark>& remarks) {
+  const FolderLock lock(file_case.file.parent_path());
+  const std::string text = replace_expectations(read_file(file_case.file), file_case, remarks);
+  std::ofstream(file_case.file, std::ios::binary) << text;
+}
+
+}  // namespace
+
+std::string FileCase::text() const {
+  static const std::regex byte("⟦([0-9A-F]{2})⟧");
+  std::string text;
+  for (const std::string& line : lines) {
+    auto rest = line.cbegin();
+    for (std::smatch match; std::regex_search(rest, line.cend(), match, byte);) {
+      text.append(match.prefix().first, match.prefix().second);
+      text += static_cast<char>(std::stoi(match[1], nullptr, 16));
+      rest = match.suffix().first;
+    }
+    text.append(rest, line.cend());
+    text += '\n';
+  }
+  return text;
+}
+
+void PrintTo(const FileCase& file_case, std::ostream* out) {
+  *out << file_case.file.filename().string() << ": " << file_case.name;
+}
+
+std::vector<FileCase> parse_cases(std::string_view text, const fs::path& file) {
+  std::vector<FileCase> cases;
+  const auto end_case = [&] {
+    // A blank line before the next case separates, it is no part of the text.
+    if (!cases.empty() && !cases.back().lines.empty() && cases.back().lines.back().empty()) {
+      cases.back().lines.pop_back();
+    }
+  };
+  for (const std::string& line : split_lines(text)) {
+    if (const auto name = case_name(line)) {
+      end_case();
+      cases.push_back({.file = file, .name = *name, .lines = {}, .expected = {}});
+      continue;
+    }
+    if (cases.empty()) continue;  // what stands before the first case is about the file
+    FileCase& file_case = cases.back();
+    const auto number = static_cast<std::uint32_t>(file_case.lines.size());
+    if (auto remark = parse_expectation(line, number)) {
+      file_case.expected.push_back(std::move(*remark));
+    } else {
+      file_case.lines.push_back(line);
+    }
+  }
+  end_case();
+  return cases;
+}
+
+std::vector<FileCase> load_cases(std::string_view folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(SDLC_SOURCE_DIR) / "tests/files" / folder)) {
+    files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+
+  std::vector<FileCase> cases;
+  for (const fs::path& file : files) {
+    auto more = parse_cases(read_file(file), file);
+    std::move(more.begin(), more.end(), std::back_inserter(cases));
+  }
+  return cases;
+}
+
+std::string replace_expectations(std::string_view file_text, const FileCase& file_case,
+                                 const std::vector<Remark>& remarks) {
+  std::string text;
+  bool is_inside = false;
+  std::uint32_t number = 0;
+  const auto write_remarks = [&] {
+    for (const Remark& remark : remarks) {
+      if (remark.line == number) text += to_line(remark) + "\n";
+    }
+  };
+  for (const std::string& line : split_lines(file_text)) {
+    if (const auto name = case_name(line)) {
+      is_inside = *name == file_case.name;
+      number = 0;
+      text += line + "\n";
+      if (is_inside) write_remarks();
+    } else if (!is_inside) {
+      text += line + "\n";
+    } else if (!parse_expectation(line, number)) {
+      ++number;
+      text += line + "\n";
+      write_remarks();
+    }
+  }
+  return text;
+}
+
+std::vector<Remark> remarks_of(const lang::DiagnosticSink& sink, const FileCase& file_case) {
+  std::vector<Remark> remarks;
+  for (const lang::Diagnostic* diagnostic : sink.sorted()) {
+    lang::Location where = diagnostic->where;
+    const lang::SourceFile nowhere("", "");
+    if (where.file == nullptr) where.file = &nowhere;
+    remarks.push_back(remark_at(where, file_case, diagnostic->info->code, diagnostic->message));
+    const std::uint32_t line = remarks.back().line;
+    for (const lang::Label& label : diagnostic->labels) {
+      remarks.push_back(remark_at(label.where, file_case, "label", label.message));
+    }
+    for (const lang::Fix& fix : diagnostic->fixes) {
+      remarks.push_back(
+          remark_at(fix.where, file_case, "fix", fmt::format("`{}`", fix.replacement)));
+    }
+    for (const std::string& help : diagnostic->help) {
+      remarks.push_back({.line = line, .kind = "help", .message = lang::printable(help)});
+    }
+  }
+  return remarks;
+}
+
+std::string compare(const FileCase& file_case, const std::vector<Remark>& remarks) {
+  std::string problems;
+  const auto complain = [&](std::string_view what, const Remark& remark) {
+    const std::string line = remark.line > 0 ? file_case.lines[remark.line - 1] : "(empty)";
+    problems += fmt::format("{} at line {} of the case:\n{}\n{}\n", what, remark.line, line,
+                            to_line(remark));
+  };
+  std::vector<Remark> unexpected = remarks;
+  for (const Remark& expected : file_case.expected) {
+    const auto found = std::find(unexpected.begin(), unexpected.end(), expected);
+    if (found != unexpected.end()) {
+      unexpected.erase(found);
+    } else {
+      complain("expected, but not reported", expected);
+    }
+  }
+  for (const Remark& remark : unexpected) {
+    if (is_diagnostic(remark)) complain("reported, but not expected", remark);
+  }
+  return problems;
+}
+
+void run_case(const FileCase& file_case, std::string_view file_name, const Reader& reader) {
+  const lang::SourceFile file{std::string(file_name), file_case.text()};
+  lang::DiagnosticSink sink;
+  reader(file, sink);
+  const std::vector<Remark> remarks = remarks_of(sink, file_case);
+  if (std::getenv("SDLC_UPDATE") != nullptr) return update(file_case, remarks);
+
+  const std::string problems = compare(file_case, remarks);
+  if (!problems.empty()) {
+    ADD_FAILURE() << file_case.file.string() << ", case " << file_case.name << ":\n"
+                  << problems << "SDLC_UPDATE=1 rewrites the expectations.";
+  }
+}
+
+}  // namespace sdlc::test
