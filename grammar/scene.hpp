@@ -1,0 +1,370 @@
+#pragma once
+
+#include <tao/pegtl.hpp>
+
+/// The scene language as PEGTL rules, without actions: scene.ebnf, rule by rule, with the same
+/// names in the same order. A rule that is not in the EBNF is a part of the one whose name it
+/// begins with: a token, a commit point (the operand of `must`: whoever parses with this grammar
+/// owes its user the words for it), or what lies inside a bracket.
+///
+/// A syntactic rule eats the space behind it; a lexical one (from `label` on) eats none, and
+/// `token` makes a syntactic one of it. Every way for rules to recur is through a rule of `nesting`
+/// at the end of this file: whoever limits the depth of those has limited the depth of all.
+namespace sdlc::grammar {
+
+using tao::pegtl::at;
+using tao::pegtl::digit;
+using tao::pegtl::eof;
+using tao::pegtl::must;
+using tao::pegtl::not_at;
+using tao::pegtl::not_one;
+using tao::pegtl::one;
+using tao::pegtl::opt;
+using tao::pegtl::plus;
+using tao::pegtl::ranges;
+using tao::pegtl::rep;
+using tao::pegtl::seq;
+using tao::pegtl::sor;
+using tao::pegtl::star;
+using tao::pegtl::until;
+using tao::pegtl::xdigit;
+
+struct statement;
+struct import_;
+struct include;
+struct param;
+struct let;
+struct fn;
+struct def;
+struct assert_;
+struct for_;
+struct if_;
+struct object;
+struct block;
+struct type;
+struct parameters;
+struct parameter;
+struct arguments;
+struct argument;
+struct expression;
+struct conditional;
+struct disjunction;
+struct conjunction;
+struct negation;
+struct comparison;
+struct compare;
+struct interval;
+struct sum;
+struct product;
+struct unary;
+struct power;
+struct operand;
+struct reference;
+struct path;
+struct parenthesis;
+struct list;
+struct literal;
+struct label;
+struct name;
+struct identifier;
+struct reserved;
+struct number;
+struct digits;
+struct unit;
+struct color;
+struct idchar;
+struct string;
+struct character;
+struct escape;
+struct space;
+struct comment;
+struct doc;
+
+/// A lexical rule with the space behind it.
+template <typename Rule>
+struct token : seq<Rule, space> {};
+/// These characters. Unlike pegtl::string this compares one by one, since nearly always the first
+/// differs.
+template <char... C>
+struct text : seq<one<C>...> {};
+template <char... C>
+struct mark : seq<one<C>..., space> {};
+/// A word that ends where no letter, digit or `_` follows.
+template <char... C>
+struct word : seq<one<C>..., not_at<idchar>> {};
+
+// clang-format off
+struct and_word     : token<word<'a', 'n', 'd'>> {};
+struct as_word      : token<word<'a', 's'>> {};
+struct assert_word  : token<word<'a', 's', 's', 'e', 'r', 't'>> {};
+struct def_word     : token<word<'d', 'e', 'f'>> {};
+struct else_word    : token<word<'e', 'l', 's', 'e'>> {};
+struct fn_word      : token<word<'f', 'n'>> {};
+struct for_word     : token<word<'f', 'o', 'r'>> {};
+struct if_word      : token<word<'i', 'f'>> {};
+struct import_word  : token<word<'i', 'm', 'p', 'o', 'r', 't'>> {};
+struct in_word      : token<word<'i', 'n'>> {};
+struct include_word : token<word<'i', 'n', 'c', 'l', 'u', 'd', 'e'>> {};
+struct let_word     : token<word<'l', 'e', 't'>> {};
+struct not_word     : token<word<'n', 'o', 't'>> {};
+struct or_word      : token<word<'o', 'r'>> {};
+struct param_word   : token<word<'p', 'a', 'r', 'a', 'm'>> {};
+struct scene_word   : token<word<'s', 'c', 'e', 'n', 'e'>> {};
+struct then_word    : token<word<'t', 'h', 'e', 'n'>> {};
+
+// A file and its statements
+
+struct version;
+struct file_header : seq<scene_word, token<version>> {};
+struct file_end    : eof {};
+struct file        : seq<opt<tao::pegtl::utf8::bom>, space, must<file_header>, star<statement>,
+                         must<file_end>> {};
+
+struct version : seq<plus<digit>, not_at<sor<idchar, one<'.'>>>> {};
+
+// A look at the first letter, here and below, settles what would take many comparisons.
+struct property;
+struct statement_word : seq<at<one<'a', 'd', 'f', 'i', 'l', 'p'>>,
+                            sor<import_, include, param, let, fn, def, assert_, for_, if_>> {};
+struct statement      : seq<sor<property, statement_word, object>, opt<mark<','>>> {};
+
+struct property_head  : seq<token<label>, mark<':'>> {};
+struct property_value : seq<expression> {};
+struct property       : seq<property_head, must<property_value>> {};
+
+struct import_file : token<string> {};
+struct import_as   : seq<as_word> {};
+struct import_name : token<name> {};
+struct import_     : seq<import_word, must<import_file, import_as, import_name>> {};
+
+struct include_file : token<string> {};
+struct include      : seq<include_word, must<include_file>> {};
+
+struct param_name    : token<name> {};
+struct param_type    : seq<type> {};
+struct param_is      : mark<'='> {};
+struct param_default : seq<expression> {};
+struct param         : seq<param_word, must<param_name>, opt<mark<':'>, must<param_type>>,
+                           must<param_is, param_default>> {};
+
+struct let_name  : token<name> {};
+struct let_is    : mark<'='> {};
+struct let_value : seq<expression> {};
+struct let       : seq<let_word, must<let_name, let_is, let_value>> {};
+
+struct fn_name       : token<name> {};
+struct fn_parameters : seq<parameters> {};
+struct fn_is         : mark<'='> {};
+struct fn_body       : seq<expression> {};
+struct fn            : seq<fn_word, must<fn_name, fn_parameters, fn_is, fn_body>> {};
+
+struct def_name       : token<name> {};
+struct def_parameters : seq<parameters> {};
+struct def_block      : seq<block> {};
+struct def            : seq<def_word, must<def_name, def_parameters, def_block>> {};
+
+struct assert_condition : seq<expression> {};
+struct assert_comma     : mark<','> {};
+struct assert_message   : seq<expression> {};
+struct assert_          : seq<assert_word, must<assert_condition, assert_comma, assert_message>> {};
+
+struct for_name  : token<name> {};
+struct for_in    : seq<in_word> {};
+struct for_list  : seq<expression> {};
+struct for_block : seq<block> {};
+struct for_      : seq<for_word, must<for_name, for_in, for_list, for_block>> {};
+
+struct if_condition : seq<expression> {};
+struct if_block     : seq<block> {};
+struct if_          : seq<if_word, must<if_condition, if_block>,
+                          star<else_word, if_word, must<if_condition, if_block>>,
+                          opt<else_word, must<if_block>>> {};
+
+struct block_inside;
+struct object_name  : token<name> {};
+struct object_block : seq<mark<'{'>, block_inside> {};
+struct object       : seq<path, opt<object_name>, object_block> {};
+
+struct block_end    : mark<'}'> {};
+struct block_inside : seq<star<statement>, must<block_end>> {};
+struct block        : seq<mark<'{'>, block_inside> {};
+
+struct type : token<name> {};
+
+struct parameters_end    : mark<')'> {};
+struct parameters_inside : seq<opt<parameter, star<mark<','>, parameter>, opt<mark<','>>>,
+                               must<parameters_end>> {};
+struct parameters        : seq<mark<'('>, parameters_inside> {};
+
+struct parameter_name    : token<name> {};
+struct parameter_type    : seq<type> {};
+struct parameter_default : seq<expression> {};
+struct parameter         : seq<parameter_name, opt<mark<':'>, must<parameter_type>>,
+                               opt<mark<'='>, must<parameter_default>>> {};
+
+struct arguments_end    : mark<')'> {};
+struct arguments_inside : seq<opt<argument, star<mark<','>, argument>, opt<mark<','>>>,
+                              must<arguments_end>> {};
+struct arguments        : seq<mark<'('>, arguments_inside> {};
+
+struct argument_head    : seq<token<label>, mark<':'>> {};
+struct argument_value   : seq<expression> {};
+struct argument_labeled : seq<argument_head, must<argument_value>> {};
+struct argument         : sor<argument_labeled, expression> {};
+
+// Expressions, loosest first. A chain is a loop, never a left-deep recursion.
+
+struct expression : sor<conditional, disjunction> {};
+
+struct conditional_condition : seq<expression> {};
+struct conditional_then      : seq<then_word> {};
+struct conditional_value     : seq<expression> {};
+struct conditional_else      : seq<else_word> {};
+struct conditional_inside    : seq<must<conditional_condition, conditional_then, conditional_value>,
+                                   star<else_word, if_word,
+                                        must<conditional_condition, conditional_then,
+                                             conditional_value>>,
+                                   must<conditional_else, conditional_value>> {};
+struct conditional           : seq<if_word, conditional_inside> {};
+
+struct disjunction_operand : seq<conjunction> {};
+struct disjunction         : seq<conjunction, star<or_word, must<disjunction_operand>>> {};
+
+struct conjunction_operand : seq<negation> {};
+struct conjunction         : seq<negation, star<and_word, must<conjunction_operand>>> {};
+
+struct negation_operand : seq<negation> {};
+struct negation_inside  : must<negation_operand> {};
+struct negation_not     : seq<not_word, negation_inside> {};
+struct negation         : sor<negation_not, comparison> {};
+
+struct comparison_operand : seq<interval> {};
+struct comparison_end     : not_at<compare> {};
+struct comparison         : seq<interval,
+                                opt<token<compare>, must<comparison_operand, comparison_end>>> {};
+
+struct compare : seq<at<one<'=', '!', '<', '>'>>,
+                     sor<text<'=', '='>, text<'!', '='>, text<'<', '='>, text<'>', '='>, one<'<'>,
+                         one<'>'>>> {};
+
+struct interval_end : seq<sum> {};
+struct interval     : seq<sum, opt<mark<'.', '.'>, must<interval_end>>> {};
+
+struct sum_operator : one<'+', '-'> {};
+struct sum_operand  : seq<product> {};
+struct sum          : seq<product, star<token<sum_operator>, must<sum_operand>>> {};
+
+struct product_operator : one<'*', '/'> {};
+struct product_operand  : seq<unary> {};
+struct product          : seq<unary, star<token<product_operator>, must<product_operand>>> {};
+
+struct unary_operand : seq<unary> {};
+struct unary_inside  : must<unary_operand> {};
+struct unary_minus   : seq<mark<'-'>, unary_inside> {};
+struct unary         : sor<unary_minus, power> {};
+
+struct power_exponent : seq<unary> {};
+struct power_inside   : must<power_exponent> {};
+struct power          : seq<operand, opt<mark<'^'>, power_inside>> {};
+
+struct operand_dot          : seq<one<'.'>, not_at<one<'.'>>, space> {};
+struct operand_name         : token<name> {};
+struct operand_member       : seq<operand_dot, must<operand_name>> {};
+struct operand_index_value  : seq<expression> {};
+struct operand_index_end    : mark<']'> {};
+struct operand_index_inside : must<operand_index_value, operand_index_end> {};
+struct operand_index        : seq<mark<'['>, operand_index_inside> {};
+struct operand_postfix      : seq<sor<reference, parenthesis>,
+                                  star<sor<operand_member, operand_index>>> {};
+struct operand              : sor<token<literal>, list, operand_postfix> {};
+
+struct reference : seq<path, not_at<one<':'>>, opt<arguments>> {};
+
+struct path_dot  : seq<one<'.'>, not_at<one<'.'>>, space> {};
+struct path_name : token<name> {};
+struct path      : seq<token<name>, star<path_dot, must<path_name>>> {};
+
+struct parenthesis_value  : seq<expression> {};
+struct parenthesis_comma  : mark<','> {};
+struct parenthesis_second : seq<expression> {};
+struct parenthesis_third  : seq<expression> {};
+struct parenthesis_end    : mark<')'> {};
+struct parenthesis_inside : seq<must<parenthesis_value>,
+                                opt<mark<','>,
+                                    must<parenthesis_second, parenthesis_comma, parenthesis_third>,
+                                    opt<mark<','>>>,
+                                must<parenthesis_end>> {};
+struct parenthesis        : seq<mark<'('>, parenthesis_inside> {};
+
+struct list_end    : mark<']'> {};
+struct list_inside : seq<opt<expression, star<mark<','>, expression>, opt<mark<','>>>,
+                         must<list_end>> {};
+struct list        : seq<mark<'['>, list_inside> {};
+
+// Tokens
+
+struct literal_true  : word<'t', 'r', 'u', 'e'> {};
+struct literal_false : word<'f', 'a', 'l', 's', 'e'> {};
+struct literal       : sor<number, string, color, literal_true, literal_false> {};
+
+struct label : seq<identifier> {};
+struct name  : seq<not_at<reserved>, identifier> {};
+
+struct identifier : seq<ranges<'a', 'z', 'A', 'Z', '_'>, star<idchar>> {};
+
+// The first letter decides: most names need one comparison, not sixteen.
+struct reserved : seq<at<one<'a', 'd', 'e', 'f', 'i', 'l', 'n', 'o', 'p', 't'>>,
+                      sor<word<'a', 'n', 'd'>, word<'a', 's', 's', 'e', 'r', 't'>,
+                          word<'d', 'e', 'f'>, word<'e', 'l', 's', 'e'>,
+                          word<'f', 'a', 'l', 's', 'e'>, word<'f', 'n'>,
+                          word<'f', 'o', 'r'>, word<'i', 'f'>, word<'i', 'm', 'p', 'o', 'r', 't'>,
+                          word<'i', 'n', 'c', 'l', 'u', 'd', 'e'>, word<'l', 'e', 't'>,
+                          word<'n', 'o', 't'>, word<'o', 'r'>, word<'p', 'a', 'r', 'a', 'm'>,
+                          word<'t', 'h', 'e', 'n'>, word<'t', 'r', 'u', 'e'>>> {};
+
+struct number_fraction : seq<one<'.'>, digits> {};
+struct number_exponent : seq<one<'e', 'E'>, opt<one<'+', '-'>>, digits> {};
+struct number_end      : not_at<sor<idchar, one<'%'>, seq<one<'.'>, not_at<one<'.'>>>>> {};
+struct number          : seq<sor<seq<digits, opt<number_fraction>>, number_fraction>,
+                             opt<number_exponent>, opt<unit>, number_end> {};
+
+struct digits : seq<plus<digit>, star<one<'_'>, plus<digit>>> {};
+
+struct unit : seq<at<one<'%', 'd', 'r', 't', 'm', 'c', 'k', 's'>>,
+                  sor<one<'%'>, text<'d', 'e', 'g'>, text<'r', 'a', 'd'>, text<'t', 'u', 'r', 'n'>,
+                      text<'m', 'm'>, text<'m', 's'>, text<'c', 'm'>, text<'k', 'm'>, one<'m'>,
+                      one<'s'>>> {};
+
+struct color : seq<one<'#'>, plus<idchar>> {};
+
+struct idchar : ranges<'a', 'z', 'A', 'Z', '0', '9', '_'> {};
+
+struct string : seq<one<'"'>, star<sor<plus<character>, escape>>, one<'"'>> {};
+
+struct character : seq<not_at<ranges<'\0', '\x1F'>>, not_one<'"', '\\'>> {};
+
+struct escape : seq<one<'\\'>,
+                    sor<one<'"', '\\', '/', 'b', 'f', 'n', 'r', 't'>,
+                        seq<one<'u'>, rep<4, xdigit>>>> {};
+
+struct space_blank : sor<one<' ', '\n', '\t'>, text<'\r', '\n'>> {};
+struct space       : seq<star<space_blank>, star<comment, star<space_blank>>> {};
+
+struct comment_line         : seq<text<'/', '/'>, star<not_one<'\n', '\r'>>> {};
+struct comment_block;
+struct comment_block_text   : sor<comment_block, seq<not_at<text<'*', '/'>>, tao::pegtl::any>> {};
+struct comment_block_end    : text<'*', '/'> {};
+struct comment_block_inside : seq<star<comment_block_text>, must<comment_block_end>> {};
+struct comment_block        : seq<text<'/', '*'>, comment_block_inside> {};
+struct comment              : seq<at<one<'/'>>, sor<doc, comment_line, comment_block>> {};
+
+struct doc : seq<text<'/', '/', '/'>, not_at<one<'/'>>, star<not_one<'\n', '\r'>>> {};
+// clang-format on
+
+/// Through these rules, entered behind an opening bracket or a prefix, all recursion goes.
+using nesting =
+    tao::pegtl::type_list<block_inside, parameters_inside, arguments_inside, conditional_inside,
+                          negation_inside, unary_inside, power_inside, operand_index_inside,
+                          parenthesis_inside, list_inside, comment_block_inside>;
+
+}  // namespace sdlc::grammar

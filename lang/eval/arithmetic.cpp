@@ -1,0 +1,219 @@
+#include "lang/eval/arithmetic.hpp"
+
+#include <cmath>
+#include <string_view>
+
+#include "lang/eval/elementary.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+using render::LinearRgb;
+using render::Vec3;
+
+std::string_view spelling(Operator op) noexcept {
+  switch (op) {
+    case Operator::Add: return "+";
+    case Operator::Subtract: return "-";
+    case Operator::Multiply: return "*";
+    case Operator::Divide: return "/";
+    default: return "";
+  }
+}
+
+/// The numbers of a value of any type that computes componentwise.
+bool is_finite(const Computed& value) noexcept {
+  if (const auto* scalar = std::get_if<Scalar>(&value)) return std::isfinite(scalar->value);
+  if (const auto* triple = std::get_if<Triple>(&value)) return render::is_finite(triple->value);
+  if (const auto* angle = std::get_if<Angle>(&value)) return std::isfinite(angle->degrees);
+  if (const auto* angles = std::get_if<AngleTriple>(&value))
+    return render::is_finite(angles->degrees);
+  if (const auto* color = std::get_if<LinearRgb>(&value)) return render::is_finite(*color);
+  return true;
+}
+
+class Operation {
+ public:
+  Operation(const Computed& left, Operator op, const Computed& right, Location where,
+            DiagnosticSink& sink)
+      : left_(left), op_(op), right_(right), where_(where), sink_(sink) {}
+
+  Computed run() {
+    if (has_failed(left_) || has_failed(right_)) return Failed{};
+    const Computed result = op_ == Operator::Add || op_ == Operator::Subtract ? sum()
+                            : op_ == Operator::Multiply                       ? product()
+                                                                              : quotient();
+    if (is_finite(result)) return result;
+    sink_.report(diag::overflow, where_, spelling(op_));
+    return Failed{};
+  }
+
+ private:
+  template <typename T>
+  const T* left() const noexcept {
+    return std::get_if<T>(&left_);
+  }
+  template <typename T>
+  const T* right() const noexcept {
+    return std::get_if<T>(&right_);
+  }
+
+  Computed wrong_types() {
+    sink_.report(diag::wrong_operands, where_, spelling(op_), describe(left_), describe(right_));
+    return Failed{};
+  }
+
+  template <typename T>
+  T add(T a, T b) const noexcept {
+    return op_ == Operator::Add ? a + b : a - b;
+  }
+
+  /// A plain number takes the other's unit; metres and seconds do not add up (ruling 20).
+  template <typename T>
+  Computed tagged_sum(const T& a, const T& b) {
+    const bool agree = a.unit == b.unit || a.unit == Unit::None || b.unit == Unit::None;
+    if (!agree) return wrong_types();
+    return T{add(a.value, b.value), a.unit == Unit::None ? b.unit : a.unit};
+  }
+
+  Computed sum() {
+    if (left<Scalar>() && right<Scalar>()) return tagged_sum(*left<Scalar>(), *right<Scalar>());
+    if (left<Triple>() && right<Triple>()) return tagged_sum(*left<Triple>(), *right<Triple>());
+    if (left<Angle>() && right<Angle>()) {
+      return Angle{add(left<Angle>()->degrees, right<Angle>()->degrees)};
+    }
+    if (left<AngleTriple>() && right<AngleTriple>()) {
+      return AngleTriple{add(left<AngleTriple>()->degrees, right<AngleTriple>()->degrees)};
+    }
+    if (left<LinearRgb>() && right<LinearRgb>())
+      return add(*left<LinearRgb>(), *right<LinearRgb>());
+    return wrong_types();
+  }
+
+  /// A factor without a unit keeps the other's; any other product drops it.
+  static Unit product_unit(Unit a, Unit b) noexcept {
+    if (a == Unit::None) return b;
+    return b == Unit::None ? a : Unit::None;
+  }
+
+  static Computed scaled(const Computed& value, Scalar factor) {
+    if (const auto* scalar = std::get_if<Scalar>(&value)) {
+      return Scalar{scalar->value * factor.value, product_unit(scalar->unit, factor.unit)};
+    }
+    if (const auto* triple = std::get_if<Triple>(&value)) {
+      return Triple{triple->value * factor.value, product_unit(triple->unit, factor.unit)};
+    }
+    if (const auto* angle = std::get_if<Angle>(&value)) return Angle{angle->degrees * factor.value};
+    if (const auto* angles = std::get_if<AngleTriple>(&value)) {
+      return AngleTriple{angles->degrees * factor.value};
+    }
+    if (const auto* color = std::get_if<LinearRgb>(&value)) return *color * factor.value;
+    return Failed{};
+  }
+
+  Computed product() {
+    if (left<LinearRgb>() && right<LinearRgb>()) return *left<LinearRgb>() * *right<LinearRgb>();
+    Computed result;
+    if (right<Scalar>())
+      result = scaled(left_, *right<Scalar>());
+    else if (left<Scalar>())
+      result = scaled(right_, *left<Scalar>());
+    return has_failed(result) ? wrong_types() : result;
+  }
+
+  Computed by_zero() {
+    sink_.report(diag::division_by_zero, where_);
+    return Failed{};
+  }
+
+  Computed quotient() {
+    if (left<Angle>() && right<Angle>()) {
+      if (right<Angle>()->degrees == 0) return by_zero();
+      return Scalar{left<Angle>()->degrees / right<Angle>()->degrees};
+    }
+    if (!right<Scalar>()) return wrong_types();
+    const double divisor = right<Scalar>()->value;
+    const Unit unit = right<Scalar>()->unit;
+    if (left<Scalar>()) {
+      if (divisor == 0) return by_zero();
+      return Scalar{left<Scalar>()->value / divisor,
+                    unit == Unit::None ? left<Scalar>()->unit : Unit::None};
+    }
+    if (left<Triple>()) {
+      if (divisor == 0) return by_zero();
+      return Triple{left<Triple>()->value / divisor,
+                    unit == Unit::None ? left<Triple>()->unit : Unit::None};
+    }
+    if (!left<Angle>() && !left<AngleTriple>() && !left<LinearRgb>()) return wrong_types();
+    if (divisor == 0) return by_zero();
+    if (left<Angle>()) return Angle{left<Angle>()->degrees / divisor};
+    if (left<AngleTriple>()) return AngleTriple{left<AngleTriple>()->degrees / divisor};
+    return *left<LinearRgb>() / divisor;
+  }
+
+  const Computed& left_;
+  Operator op_;
+  const Computed& right_;
+  Location where_;
+  DiagnosticSink& sink_;
+};
+
+}  // namespace
+
+Computed evaluate_operation(const Computed& left, Operator op, const Computed& right,
+                            Location where, DiagnosticSink& sink) {
+  return Operation(left, op, right, where, sink).run();
+}
+
+Computed evaluate_power(const Computed& base, const Computed& exponent, Location where,
+                        DiagnosticSink& sink) {
+  if (has_failed(base) || has_failed(exponent)) return Failed{};
+  const auto* x = std::get_if<Scalar>(&base);
+  const auto* y = std::get_if<Scalar>(&exponent);
+  if (!x || !y || y->unit != Unit::None) {
+    sink.report(diag::wrong_operands, where, "^", describe(base), describe(exponent));
+    return Failed{};
+  }
+
+  // Products for the powers that people mean as such (ruling 22).
+  const double b = x->value, e = y->value;
+  const bool is_whole = e == std::floor(e);
+  const bool is_odd = is_whole && std::fabs(e) < 0x1p53 && static_cast<std::int64_t>(e) % 2 != 0;
+  if (b == 0 && e < 0) {
+    sink.report(diag::division_by_zero, where);
+    return Failed{};
+  }
+  if (b < 0 && !is_whole) {
+    sink.report(diag::no_real_result, where, "^", "a negative number and a broken exponent");
+    return Failed{};
+  }
+  double result = 0;
+  if (e == 1)
+    result = b;
+  else if (e == 2)
+    result = b * b;
+  else if (e == 3)
+    result = b * b * b;
+  else if (b != 0)
+    result = power(std::fabs(b), e) * (b < 0 && is_odd ? -1 : 1);
+  else
+    result = e == 0 ? 1 : 0;
+  if (!std::isfinite(result)) {
+    sink.report(diag::overflow, where, "^");
+    return Failed{};
+  }
+  return Scalar{result, e == 1 ? x->unit : Unit::None};
+}
+
+Computed evaluate_negative(const Computed& operand, Location where, DiagnosticSink& sink) {
+  if (const auto* scalar = std::get_if<Scalar>(&operand))
+    return Scalar{-scalar->value, scalar->unit};
+  if (const auto* triple = std::get_if<Triple>(&operand))
+    return Triple{-triple->value, triple->unit};
+  if (const auto* angle = std::get_if<Angle>(&operand)) return Angle{-angle->degrees};
+  if (const auto* angles = std::get_if<AngleTriple>(&operand)) return AngleTriple{-angles->degrees};
+  if (!has_failed(operand)) sink.report(diag::wrong_operand, where, "-", describe(operand));
+  return Failed{};
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <set>
+#include <span>
+#include <string_view>
+
+#include "lang/ast/ast.hpp"
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/eval/computed.hpp"
+#include "lang/object/object.hpp"
+#include "lang/schema/schema.hpp"
+
+namespace sdlc::lang {
+
+/// The names that a file declares at its top level.
+struct DeclaredNames {
+  std::set<std::string_view> values;  ///< let, param, import
+  std::set<std::string_view> functions;
+  std::set<std::string_view> kinds;  ///< def
+};
+
+/// Computes expressions. What is wrong is reported once, where it is; what depends on it is silent.
+///
+/// It recurs as deep as the tree does, which the parser has limited.
+class ExpressionEvaluator {
+ public:
+  ExpressionEvaluator(const DeclaredNames& names, DiagnosticSink& sink)
+      : names_(names), sink_(sink) {}
+
+  Computed evaluate(ast::Node node);
+  /// The value in the place of a property or argument: of its type and in its range, or monostate.
+  Value evaluate_property(const Property& property, ast::Node node);
+
+ private:
+  Computed evaluate_chain(ast::Node node);
+  Computed evaluate_triple(ast::Node node);
+  Computed evaluate_interval(ast::Node node);
+  Computed evaluate_reference(ast::Node node);
+  Computed evaluate_call(ast::Call call);
+  Computed not_supported(ast::Node node, std::string_view what);
+
+  Value to_property(const Property& property, const Computed& computed, ast::Node node);
+  Value evaluate_word(const Property& property, ast::Node node);
+  Value wrong_type(const Property& property, std::string_view found, ast::Node node);
+
+  const DeclaredNames& names_;
+  DiagnosticSink& sink_;
+};
+
+/// At most this many arguments has a function.
+inline constexpr std::size_t kMaxArguments = 3;
+
+/// A built-in function: its parameters are described like properties, its body computes from their
+/// values.
+struct Function {
+  std::string_view name;
+  std::span<const Property> parameters;
+};
+
+/// What the arguments of a call are, by parameter; monostate where one is neither written nor has a
+/// default.
+struct Arguments {
+  std::array<Slot, kMaxArguments> slots;
+  bool are_valid = true;  ///< none is missing or wrong
+};
+
+std::span<const Function> all_functions() noexcept;
+const Function* find_function(std::string_view name) noexcept;
+/// Of functions that the language has and this evaluator does not yet.
+bool is_later_function(std::string_view name) noexcept;
+Computed call_function(const Function& function, const Arguments& arguments, ast::Call call,
+                       DiagnosticSink& sink);
+
+}  // namespace sdlc::lang

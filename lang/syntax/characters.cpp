@@ -1,0 +1,163 @@
+#include "lang/syntax/characters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lang/syntax/scan.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+/// One code point of the text, or a byte that is part of none.
+struct CodePoint {
+  char32_t value = 0;
+  std::uint32_t size = 1;
+  bool is_valid = false;
+};
+
+CodePoint decode(std::string_view text, std::uint32_t at) noexcept {
+  const auto byte = [&](std::uint32_t i) {
+    return static_cast<unsigned char>(char_at(text, at + i));
+  };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return {first, 1, true};
+  const std::uint32_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC0 ? 2 : 0;
+  if (size == 0 || first > 0xF4) return {};
+  char32_t value = first & (0x7F >> size);
+  for (std::uint32_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return {};
+    value = value << 6 | (byte(i) & 0x3F);
+  }
+  constexpr std::array<char32_t, 5> kSmallest{0, 0, 0x80, 0x800, 0x10000};
+  const bool is_surrogate = value >= 0xD800 && value <= 0xDFFF;
+  if (value < kSmallest[size] || value > 0x10FFFF || is_surrogate) return {};
+  return {value, size, true};
+}
+
+bool is_bidi_control(char32_t c) noexcept {
+  return c == 0x061C || c == 0x200E || c == 0x200F || (c >= 0x202A && c <= 0x202E) ||
+         (c >= 0x2066 && c <= 0x2069);
+}
+
+/// A blank that looks like a space, or like nothing at all.
+bool is_foreign_blank(char32_t c) noexcept {
+  return c == 0xA0 || c == 0x1680 || (c >= 0x2000 && c <= 0x200D) || c == 0x2028 || c == 0x2029 ||
+         c == 0x202F || c == 0x205F || c == 0x2060 || c == 0x3000 || c == 0xFEFF || c == 0x85;
+}
+
+bool is_control(char32_t c) noexcept {
+  return (c < 0x20 && c != '\t' && c != '\n') || (c >= 0x7F && c < 0xA0 && c != 0x85);
+}
+
+/// The first byte from `at` on that is not of the plain characters nearly all text consists of.
+std::uint32_t next_special(std::string_view text, std::uint32_t at) noexcept {
+  constexpr std::uint64_t kOnes = 0x0101010101010101, kHighs = 0x8080808080808080;
+  const auto is_plain = [](char c) { return (c >= ' ' && c <= '~') || c == '\n' || c == '\t'; };
+  while (at < text.size()) {
+    // Eight bytes at once while none is below U+0020 (which most line ends are) or above U+007E.
+    while (at + 8 <= text.size()) {
+      std::uint64_t word;
+      std::memcpy(&word, text.data() + at, 8);
+      const std::uint64_t below = (word - kOnes * 0x20) & ~word;
+      const std::uint64_t above = word | (word + kOnes);
+      if (((below | above) & kHighs) != 0) break;
+      at += 8;
+    }
+    const std::size_t end = std::min<std::size_t>(text.size(), at + 8);
+    for (; at < end; ++at) {
+      if (!is_plain(text[at])) return at;
+    }
+  }
+  return at;
+}
+
+class CharacterCheck {
+ public:
+  CharacterCheck(const SourceFile& file, DiagnosticSink& sink)
+      : file_(file), text_(file.text()), sink_(sink) {}
+
+  std::optional<std::string> run() {
+    if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")) {
+      sink_.report(diag::bad_utf8, {&file_, {0, 2}}).help("this is UTF-16; save the file as UTF-8");
+      std::string empty(text_.size(), ' ');
+      if (empty.size() >= 7) empty.replace(0, 7, "scene 1");
+      return empty;
+    }
+    std::uint32_t at = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    while ((at = next_special(text_, at)) < text_.size()) at = check(at);
+    return std::move(mended_);
+  }
+
+ private:
+  std::uint32_t check(std::uint32_t at) {
+    if (text_[at] == '\r' && char_at(text_, at + 1) == '\n') return at + 2;
+    const CodePoint c = decode(text_, at);
+    const Span span{at, at + c.size};
+    if (!c.is_valid) return bad_bytes(at);
+    if (c.value == '\r') {
+      mend(span, '\n');
+      if (!has_lone_return_) {
+        sink_.report(diag::bad_character, {&file_, span}, "a carriage return without a line feed")
+            .help("save the file with LF or CRLF line ends");
+      }
+      has_lone_return_ = true;
+    } else if (is_control(c.value) || is_bidi_control(c.value)) {
+      const char* what =
+          is_bidi_control(c.value) ? "a control of text direction" : "a control character";
+      report(span, fmt::format("U+{:04X}, {},", static_cast<std::uint32_t>(c.value), what), "");
+    } else if (is_foreign_blank(c.value) && !is_opaque(at)) {
+      report(
+          span,
+          fmt::format("U+{:04X}, a blank that is no space,", static_cast<std::uint32_t>(c.value)),
+          " ");
+    }
+    return span.end;
+  }
+
+  std::uint32_t bad_bytes(std::uint32_t at) {
+    std::uint32_t end = at + 1;
+    while (end < text_.size() && !decode(text_, end).is_valid) ++end;
+    sink_.report(diag::bad_utf8, {&file_, {at, end}}).help("save the file as UTF-8");
+    mend({at, end}, ' ');
+    return end;
+  }
+
+  void report(Span span, const std::string& what, std::string fix) {
+    sink_.report(diag::bad_character, {&file_, span}, what).fix({&file_, span}, std::move(fix));
+    mend(span, ' ');
+  }
+
+  void mend(Span span, char replacement) {
+    if (!mended_) mended_ = text_;
+    for (std::uint32_t i = span.begin; i < span.end; ++i) (*mended_)[i] = replacement;
+  }
+
+  /// Whether `at` lies in a comment or string. Asked in the order of the text.
+  bool is_opaque(std::uint32_t at) {
+    while (scanned_ <= at) {
+      opaque_end_ = end_of_opaque(text_, scanned_);
+      scanned_ = std::max(opaque_end_, scanned_ + 1);
+    }
+    return at < opaque_end_;
+  }
+
+  const SourceFile& file_;
+  std::string_view text_;
+  DiagnosticSink& sink_;
+  std::optional<std::string> mended_;
+  std::uint32_t scanned_ = 0;     ///< comments and strings have been found up to here
+  std::uint32_t opaque_end_ = 0;  ///< of the last one
+  bool has_lone_return_ = false;
+};
+
+}  // namespace
+
+std::optional<std::string> check_characters(const SourceFile& file, DiagnosticSink& sink) {
+  return CharacterCheck(file, sink).run();
+}
+
+}  // namespace sdlc::lang

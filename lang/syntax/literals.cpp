@@ -1,0 +1,209 @@
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "lang/syntax/scan.hpp"
+#include "lang/syntax/tree_builder.hpp"
+#include "lang/text/nearest_name.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+constexpr auto kUnits =
+    std::to_array<std::string_view>({"deg", "rad", "turn", "mm", "cm", "m", "km", "ms", "s", "%"});
+
+/// Units as people write them elsewhere.
+struct ForeignUnit {
+  std::string_view name, unit;
+};
+constexpr auto kForeignUnits = std::to_array<ForeignUnit>({
+    {"degree", "deg"},
+    {"degrees", "deg"},
+    {"radians", "rad"},
+    {"turns", "turn"},
+    {"meter", "m"},
+    {"meters", "m"},
+    {"metre", "m"},
+    {"metres", "m"},
+    {"sec", "s"},
+    {"secs", "s"},
+    {"second", "s"},
+    {"seconds", "s"},
+    {"msec", "ms"},
+    {"percent", "%"},
+});
+
+struct NumberFault {
+  std::string reason;
+  std::string replacement;  ///< empty: none is known
+};
+
+std::optional<std::string_view> nearest_unit(std::string_view suffix) {
+  for (const ForeignUnit& foreign : kForeignUnits) {
+    if (foreign.name == suffix) return foreign.unit;
+  }
+  return std::nullopt;
+}
+
+/// Where the longest number at the beginning of `text` ends, its unit left out, read as generously
+/// as possible.
+std::size_t end_of_digits(std::string_view text) {
+  std::size_t i = 0;
+  const auto digits = [&] {
+    while (is_digit(char_at(text, i)) || char_at(text, i) == '_') ++i;
+  };
+  digits();
+  if (char_at(text, i) == '.') ++i, digits();
+  const char e = char_at(text, i);
+  if (e == 'e' || e == 'E') {
+    std::size_t j = i + 1;
+    if (char_at(text, j) == '+' || char_at(text, j) == '-') ++j;
+    if (is_digit(char_at(text, j)) || !is_letter(char_at(text, j))) i = j, digits();
+  }
+  return i;
+}
+
+/// The number with every `_` where it belongs and a digit behind its point.
+std::string tidied(std::string_view number) {
+  std::string tidy;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    const bool joins = i > 0 && is_digit(number[i - 1]) && is_digit(char_at(number, i + 1));
+    if (number[i] != '_' || joins) tidy += number[i];
+    if (number[i] == '.' && !is_digit(char_at(number, i + 1))) tidy += '0';
+  }
+  return tidy;
+}
+
+NumberFault number_fault(std::string_view text) {
+  const char base = char_at(text, 1);
+  if (text[0] == '0' && (base == 'x' || base == 'X' || base == 'b' || base == 'o')) {
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto [ptr, error] = std::from_chars(text.data() + 2, end, value,
+                                              base == 'b'   ? 2
+                                              : base == 'o' ? 8
+                                                            : 16);
+    const bool is_read = error == std::errc() && ptr == end;
+    return {"numbers are decimal", is_read ? std::to_string(value) : ""};
+  }
+
+  const std::size_t digits = end_of_digits(text);
+  const std::string_view number = text.substr(0, digits), suffix = text.substr(digits);
+  if (number.find('_') != std::string_view::npos && tidied(number) != number) {
+    return {"a `_` stands between two digits", tidied(number) + std::string(suffix)};
+  }
+  if (suffix.starts_with('.')) return {"it has two points", ""};
+  const std::size_t e = number.find_first_of("eE");
+  if (e != std::string_view::npos && !is_digit(number.back())) {
+    return {fmt::format("digits are missing behind the `{}`", number.substr(e)), ""};
+  }
+  if (tidied(number) != number) {
+    return {"a digit is missing behind the point", tidied(number) + std::string(suffix)};
+  }
+  const auto unit = nearest_unit(suffix);
+  return {fmt::format("there is no unit `{}`", suffix),
+          unit ? std::string(number) + std::string(*unit) : ""};
+}
+
+}  // namespace
+
+std::uint32_t diagnose_number(TreeBuilder& builder, std::uint32_t begin) {
+  const std::string_view text = builder.text();
+  std::uint32_t end = begin;
+  while (is_idchar(char_at(text, end)) || char_at(text, end) == '%' ||
+         (char_at(text, end) == '.' && char_at(text, end + 1) != '.')) {
+    ++end;
+    const bool is_exponent = (text[end - 1] == 'e' || text[end - 1] == 'E') &&
+                             (is_digit(char_at(text, end - 2)) || char_at(text, end - 2) == '.');
+    const char sign = char_at(text, end);
+    if (is_exponent && (sign == '+' || sign == '-')) ++end;
+  }
+
+  const std::string_view number = text.substr(begin, end - begin);
+  const NumberFault fault = number_fault(number);
+  const Location where = builder.location({begin, end});
+  auto report = builder.sink().report(diag::bad_number, where, number, fault.reason);
+  if (!fault.replacement.empty()) {
+    report.fix(where, fault.replacement);
+  } else if (fault.reason.starts_with("there is no unit")) {
+    report.help(fmt::format("units are {}", fmt::join(kUnits, ", ")));
+  }
+  return end;
+}
+
+std::uint32_t diagnose_string(TreeBuilder& builder, std::uint32_t begin) {
+  const std::string_view text = builder.text();
+  bool is_wrong = false;
+  const auto wrong = [&](std::uint32_t from, std::uint32_t to, std::string what) {
+    is_wrong = true;
+    return builder.sink().report(diag::bad_string, builder.location({from, to}), what);
+  };
+
+  std::uint32_t at = begin + 1;
+  while (at < text.size() && text[at] != '"' && text[at] != '\n') {
+    if (text[at] == '\t') wrong(at, at + 1, "a tab").fix(builder.location({at, at + 1}), "\\t");
+    if (text[at] != '\\') {
+      ++at;
+      continue;
+    }
+    const char escape = char_at(text, at + 1);
+    std::uint32_t end = at + 2;
+    bool is_known = std::string_view("\"\\/bfnrt").find(escape) != std::string_view::npos;
+    if (escape == 'u') {
+      while (end < at + 6 &&
+             std::string_view("0123456789abcdefABCDEF").find(char_at(text, end)) !=
+                 std::string_view::npos &&
+             char_at(text, end) != '\0') {
+        ++end;
+      }
+      is_known = end == at + 6;
+    }
+    if (escape == '\0' || escape == '\n') break;
+    if (!is_known) {
+      end = std::max(end, token_at(text, at + 1).begin + token_at(text, at + 1).size());
+      if (escape != 'u') end = at + 2;
+      const std::string_view spelled = text.substr(at, end - at);
+      auto report = wrong(at, end, fmt::format("the unknown escape `{}`", spelled));
+      if (escape == 'u') {
+        report.help("four hexadecimal digits follow `\\u`");
+      } else {
+        report.help("write `\\\\` for a backslash").fix(builder.location({at, at + 1}), "\\\\");
+      }
+    }
+    at = end;
+  }
+  if (char_at(text, at) == '"') return at + 1;
+
+  builder.sink()
+      .report(diag::unclosed, builder.location({begin, begin + 1}), "\"")
+      .help("a string ends in the line that it begins in");
+  // What closes brackets at the end of the line was hardly meant to be part of the string.
+  const std::size_t last = text.find_last_not_of(" \t\r)]},", at - 1);
+  return std::max(begin + 1, static_cast<std::uint32_t>(last + 1));
+}
+
+bool check_color(TreeBuilder& builder, Span color) {
+  const std::string_view text = builder.text().substr(color.begin, color.size());
+  const std::string_view digits = text.substr(1);
+  const std::size_t other = digits.find_first_not_of("0123456789abcdefABCDEF");
+  if (other == std::string_view::npos && (digits.size() == 3 || digits.size() == 6)) return true;
+
+  const Location where = builder.location(color);
+  if (other != std::string_view::npos) {
+    builder.sink().report(diag::bad_color, where, text,
+                          fmt::format("`{}` is no hexadecimal digit", digits[other]));
+  } else if (digits.size() == 4 || digits.size() == 8) {
+    builder.sink()
+        .report(diag::bad_color, where, text, "colours have no alpha")
+        .fix(where, std::string(text.substr(0, 1 + digits.size() / 4 * 3)));
+  } else {
+    builder.sink().report(diag::bad_color, where, text,
+                          fmt::format("it takes 3 or 6 digits, not {}", digits.size()));
+  }
+  return false;
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,165 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/source/source.hpp"
+#include "lang/syntax/node_buffer.hpp"
+
+/// The syntax tree of a scene file: lossless, flat, and always there, however broken the file is.
+namespace sdlc::lang {
+
+/// What a node is. The children are listed in their order; `head` is a run of bytes at the node's
+/// beginning that has no node of its own. An Error can stand in the place of any child and of any
+/// statement.
+enum class SyntaxKind : std::uint8_t {
+  Error,  ///< what could not be read; its children are what could
+  File,   ///< Version, statements
+
+  // Statements
+  Property,  ///< head: label; expression
+  Import,    ///< String, Name
+  Include,   ///< String
+  Param,     ///< Name, [TypeName], expression
+  Let,       ///< Name, expression
+  Fn,        ///< Name, Parameter..., expression
+  Def,       ///< Name, Parameter..., Block
+  Assert,    ///< expression, expression
+  For,       ///< Name, expression, Block
+  If,        ///< expression, Block, [expression, Block]..., [Block]
+  Object,    ///< head: path of the kind; [Name], statements
+
+  // Parts of statements
+  Version,    ///< leaf
+  Name,       ///< leaf
+  TypeName,   ///< leaf
+  Parameter,  ///< head: name; [TypeName], [expression]
+  Block,      ///< statements
+
+  // Expressions
+  Conditional,  ///< condition, value, [condition, value]..., value
+  Or,           ///< operands, two or more
+  And,          ///< operands, two or more
+  Not,          ///< operand
+  Comparison,   ///< left, right; the operator is the right one's
+  Interval,     ///< from, to
+  Sum,          ///< operands, two or more; each but the first has its operator
+  Product,      ///< likewise
+  Negative,     ///< operand
+  Power,        ///< base, exponent
+  Postfix,      ///< operand, then Member or Index...
+  Member,       ///< leaf `.name`
+  Index,        ///< expression
+  Reference,    ///< leaf: a path
+  Call,         ///< head: path of the callee; arguments
+  Argument,     ///< head: label; expression. A positional argument is its expression.
+  Group,        ///< expression
+  Triple,       ///< three expressions
+  List,         ///< elements
+  Number,       ///< leaf
+  String,       ///< leaf, with its quotes
+  Color,        ///< leaf `#rgb` or `#rrggbb`
+  True,         ///< leaf
+  False,        ///< leaf
+};
+
+/// The operator in front of an operand of a Sum, Product or Comparison.
+enum class Operator : std::uint8_t {
+  None,
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  Equal,
+  NotEqual,
+  LessEqual,
+  GreaterEqual,
+  Less,
+  Greater,
+};
+
+struct SyntaxNode {
+  std::uint32_t begin = 0;  ///< bytes of the text, from the first to the last token
+  std::uint32_t end = 0;
+  std::uint32_t extent = 1;  ///< nodes of the subtree, this one included
+  SyntaxKind kind = SyntaxKind::Error;
+  Operator op = Operator::None;
+  std::uint16_t head = 0;  ///< bytes of the label, name or path at the beginning
+
+  Span span() const noexcept { return {begin, end}; }
+};
+static_assert(sizeof(SyntaxNode) == 16, "a million spheres have 15 million nodes");
+
+using NodeIndex = std::uint32_t;
+
+enum class CommentKind : std::uint8_t { Line, Block, Doc };
+
+struct Comment {
+  Span span;
+  CommentKind kind = CommentKind::Line;
+};
+
+/// The nodes of one file in pre-order: a node's first child follows it, its next sibling stands
+/// `extent` nodes further on. Node 0 is the File.
+class SyntaxTree {
+ public:
+  SyntaxTree(const SourceFile& file, NodeBuffer<SyntaxNode> nodes, std::vector<Comment> comments)
+      : file_(&file), nodes_(std::move(nodes)), comments_(std::move(comments)) {}
+
+  const SourceFile& file() const noexcept { return *file_; }
+  std::span<const SyntaxNode> nodes() const noexcept { return nodes_.span(); }
+  const SyntaxNode& operator[](NodeIndex node) const noexcept { return nodes_[node]; }
+  /// In the order of the text, never overlapping.
+  std::span<const Comment> comments() const noexcept { return comments_; }
+
+  std::string_view text(Span span) const noexcept { return file_->text(span); }
+  Location location(Span span) const noexcept { return {file_, span}; }
+
+ private:
+  const SourceFile* file_;
+  NodeBuffer<SyntaxNode> nodes_;
+  std::vector<Comment> comments_;
+};
+
+/// Reads a file. What is wrong with it is reported, and stands in the tree as Error nodes; the rest
+/// of the file is read all the same. `file` must outlive the tree.
+SyntaxTree parse(const SourceFile& file, DiagnosticSink& sink);
+
+/// What a run of bytes of the text is.
+enum class PieceKind : std::uint8_t {
+  Leaf,  ///< a node without children, or the head of one that has children
+  Word,  ///< a keyword
+  Punctuation,
+  Blank,
+  Comment,
+  Skipped,  ///< inside an Error
+};
+
+struct Piece {
+  Span span;
+  PieceKind kind;
+  NodeIndex node = 0;  ///< of a Leaf: whose
+};
+
+/// The pieces of a tree's text, in order and without gaps.
+class PieceReader {
+ public:
+  explicit PieceReader(const SyntaxTree& tree) : tree_(&tree) {}
+
+  /// The next piece; false at the end.
+  bool next(Piece& piece);
+
+ private:
+  Span next_leaf(NodeIndex& node);
+
+  const SyntaxTree* tree_;
+  std::uint32_t at_ = 0;
+  NodeIndex node_ = 0;       ///< the next node that is not yet passed
+  std::size_t comment_ = 0;  ///< the next comment
+};
+
+}  // namespace sdlc::lang

@@ -1,0 +1,48 @@
+#include "lang/syntax/tree_builder.hpp"
+
+namespace sdlc::lang {
+
+void TreeBuilder::wrap(NodeIndex first, SyntaxKind kind) {
+  nodes_.insert(first, {.begin = nodes_[first].begin, .kind = kind});
+  close(first);
+}
+
+void OpenChain::break_off() {
+  const bool is_error =
+      builder_->is_one_node(first_) && builder_->node(first_).kind == SyntaxKind::Error;
+  if (!is_error && first_ < builder_->size()) builder_->wrap(first_, SyntaxKind::Error);
+}
+
+void TreeBuilder::add_comment(Span span) {
+  // The reader goes back now and then, and meets a comment for the second time.
+  if (!comments_.empty() && span.begin < comments_.back().span.end) return;
+  const std::string_view comment = text_.substr(span.begin, span.size());
+  const bool is_doc = comment.starts_with("///") && !comment.starts_with("////");
+  const CommentKind kind = comment.starts_with("/*") ? CommentKind::Block
+                           : is_doc                  ? CommentKind::Doc
+                                                     : CommentKind::Line;
+  comments_.push_back({span, kind});
+}
+
+void TreeBuilder::mark_error(std::uint32_t at) {
+  // The last token that was read may lie beyond: the reader had tried another way.
+  if (space_end_ != at && token_end_ != at) {
+    const std::size_t last = text_.find_last_not_of(" \t\r\n", at == 0 ? 0 : at - 1);
+    token_end_ =
+        at == 0 || last == std::string_view::npos ? 0 : static_cast<std::uint32_t>(last + 1);
+  }
+  error_at_ = at;
+  push(SyntaxKind::Error, {token_end_, token_end_});
+}
+
+void TreeBuilder::poison_last_statement() {
+  if (last_statement_ == kNone || last_statement_ >= nodes_.size()) return;
+  const NodeIndex end = last_statement_ + nodes_[last_statement_].extent;
+  NodeIndex last = kNone;
+  for (NodeIndex child = last_statement_ + 1; child < end; child += nodes_[child].extent) {
+    last = child;
+  }
+  if (last != kNone) nodes_[last].kind = SyntaxKind::Error;
+}
+
+}  // namespace sdlc::lang

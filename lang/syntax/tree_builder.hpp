@@ -1,0 +1,187 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/source/source.hpp"
+#include "lang/syntax/syntax.hpp"
+
+namespace sdlc::lang {
+
+/// How deep brackets, prefixes and conditionals may nest. Every walker of a tree may rely on it.
+inline constexpr std::uint32_t kMaxNesting = 128;
+
+/// Thrown where a mistake has been reported; the statement around it catches it and goes on behind.
+struct Reported {};
+/// Thrown where nothing that follows can be read.
+struct Stopped {};
+
+/// The nodes of the tree while it grows, and what the reporter of a mistake wants to know of the
+/// place.
+///
+/// `text` is the file's text, or a copy of the same length, mended where the reader would stumble.
+class TreeBuilder {
+ public:
+  TreeBuilder(const SourceFile& file, std::string_view text, DiagnosticSink& sink)
+      // Four bytes a node suffice for all but the densest text. What is not used is never touched.
+      : file_(&file), text_(text), sink_(&sink), nodes_(text.size() / 4 + 16) {}
+
+  std::string_view text() const noexcept { return text_; }
+  DiagnosticSink& sink() noexcept { return *sink_; }
+  Location location(Span span) const noexcept {
+    const auto size = static_cast<std::uint32_t>(file_->text().size());
+    return {file_, {std::min(span.begin, size), std::min(span.end, size)}};
+  }
+  /// Whether the file itself has the text's character at `at`.
+  bool is_in_file(std::uint32_t at) const noexcept {
+    return at < file_->text().size() && file_->text()[at] == text_[at];
+  }
+  std::uint32_t offset(const char* at) const noexcept {
+    return static_cast<std::uint32_t>(at - text_.data());
+  }
+
+  std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(nodes_.size()); }
+  SyntaxNode& node(NodeIndex index) noexcept { return nodes_[index]; }
+  std::span<const SyntaxNode> nodes() const noexcept { return nodes_.span(); }
+
+  void push(SyntaxKind kind, Span span) {
+    nodes_.push({.begin = span.begin, .end = span.end, .kind = kind});
+  }
+  void truncate(NodeIndex size) noexcept { nodes_.truncate(size); }
+  /// Ends the subtree of `index` with the last token.
+  void close(NodeIndex index) noexcept {
+    nodes_[index].extent = size() - index;
+    nodes_[index].end = std::max(token_end_, nodes_[index].begin);
+  }
+  /// Makes the nodes from `first` on the children of a new node in front of them.
+  void wrap(NodeIndex first, SyntaxKind kind);
+  bool is_one_node(NodeIndex first) const noexcept {
+    return first + 1 == nodes_.size() ||
+           (first < nodes_.size() && first + nodes_[first].extent == nodes_.size());
+  }
+
+  void add_comment(Span span);
+
+  /// The last token ends at `end`; the space behind it ends at `space_end`.
+  void end_token(std::uint32_t end) noexcept { token_end_ = end; }
+  void end_space(std::uint32_t end) noexcept { space_end_ = end; }
+  std::uint32_t token_end() const noexcept { return token_end_; }
+
+  /// Marks `at` as the place of a mistake, with an empty Error behind the last token.
+  void mark_error(std::uint32_t at);
+  std::uint32_t error_at() const noexcept { return error_at_; }
+
+  /// Turns the last child of the last statement into an Error: what follows it showed that it was
+  /// misread.
+  void poison_last_statement();
+  void set_last_statement(NodeIndex statement) noexcept { last_statement_ = statement; }
+
+  NodeBuffer<SyntaxNode> take_nodes() { return std::move(nodes_); }
+  std::vector<Comment> take_comments() { return std::move(comments_); }
+
+  // What surrounds the place being read.
+  std::uint32_t depth = 0;          ///< of nesting
+  std::uint32_t brackets = 0;       ///< open in the current statement
+  std::uint32_t blocks = 0;         ///< open
+  std::uint32_t opener = 0;         ///< where the innermost bracket is opened
+  std::uint32_t comment_begin = 0;  ///< where the outermost comment is opened
+  std::uint32_t label_end = 0;      ///< of the last label
+  bool in_object = false;           ///< the innermost block is an object's
+  Operator op = Operator::None;     ///< the last one read
+
+  static constexpr NodeIndex kNone = 0xFFFFFFFF;
+
+ private:
+  const SourceFile* file_;
+  std::string_view text_;
+  DiagnosticSink* sink_;
+  NodeBuffer<SyntaxNode> nodes_;
+  std::vector<Comment> comments_;
+  std::uint32_t token_end_ = 0;
+  std::uint32_t space_end_ = 0;
+  std::uint32_t error_at_ = 0;
+  NodeIndex last_statement_ = kNone;
+};
+
+/// A node that is open while its children are read. When a mistake ends it early it keeps those it
+/// has.
+class OpenNode {
+ public:
+  OpenNode(TreeBuilder& builder, SyntaxKind kind, std::uint32_t begin)
+      : builder_(&builder), index_(builder.size()) {
+    builder.push(kind, {begin, begin});
+  }
+  OpenNode(const OpenNode&) = delete;
+  OpenNode& operator=(const OpenNode&) = delete;
+  ~OpenNode() {
+    if (is_open_) builder_->close(index_);
+  }
+
+  NodeIndex index() const noexcept { return index_; }
+  void discard() noexcept {
+    builder_->truncate(index_);
+    is_open_ = false;
+  }
+
+ private:
+  TreeBuilder* builder_;
+  NodeIndex index_;
+  bool is_open_ = true;
+};
+
+/// Operands that become one node when there are several. When a mistake ends them early they become
+/// an Error.
+class OpenChain {
+ public:
+  explicit OpenChain(TreeBuilder& builder) noexcept : builder_(&builder), first_(builder.size()) {}
+  OpenChain(const OpenChain&) = delete;
+  OpenChain& operator=(const OpenChain&) = delete;
+  ~OpenChain() {
+    if (is_open_) break_off();
+  }
+
+  [[gnu::always_inline]] void close(SyntaxKind kind) {
+    is_open_ = false;
+    if (!builder_->is_one_node(first_)) [[unlikely]]
+      builder_->wrap(first_, kind);
+  }
+  void discard() noexcept {
+    builder_->truncate(first_);
+    is_open_ = false;
+  }
+
+ private:
+  void break_off();
+
+  TreeBuilder* builder_;
+  NodeIndex first_;
+  bool is_open_ = true;
+};
+
+// What is wrong with a literal. Each reports, and returns where the literal ends.
+
+/// Precondition: a digit, or a point and a digit, at `begin`; no number of the language.
+std::uint32_t diagnose_number(TreeBuilder& builder, std::uint32_t begin);
+/// Precondition: `"` at `begin`; no string of the language.
+std::uint32_t diagnose_string(TreeBuilder& builder, std::uint32_t begin);
+/// Whether `color` has the right digits; if not, reports.
+bool check_color(TreeBuilder& builder, Span color);
+
+// What is wrong where the grammar finds no way on.
+
+/// `words` say what was expected at `at`.
+void diagnose_expected(TreeBuilder& builder, std::uint32_t at, std::string_view words);
+/// Where to go on behind what is no statement.
+struct Resumption {
+  std::uint32_t from = 0;
+  bool is_statement = false;  ///< the next statement begins here; otherwise it is to be looked for
+};
+/// No statement begins at `at`; the resumption lies beyond.
+Resumption diagnose_statement(TreeBuilder& builder, std::uint32_t at);
+/// The file does not begin with `scene 1`; returns where its statements begin.
+std::uint32_t diagnose_header(TreeBuilder& builder, std::uint32_t at);
+
+}  // namespace sdlc::lang

@@ -1,0 +1,157 @@
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "lang/eval/eval.hpp"
+
+// Values are compared bit by bit: a scene means the same on every machine.
+namespace sdlc::lang {
+namespace {
+
+class Objects final : public ObjectSink {
+ public:
+  void add(const Object& object) override { list.push_back(object); }
+  std::vector<Object> list;
+};
+
+std::vector<Object> evaluate_text(const std::string& text) {
+  const SourceFile file("test.scene", "scene 1\n" + text);
+  DiagnosticSink sink;
+  Objects objects;
+  evaluate(parse(file, sink), objects, sink);
+  for (const Diagnostic& diagnostic : sink.diagnostics())
+    ADD_FAILURE() << text << ": " << diagnostic.message;
+  return objects.list;
+}
+
+const Object& only(const std::vector<Object>& objects) {
+  EXPECT_EQ(objects.size(), 1u);
+  return objects.at(0);
+}
+
+double number(const std::string& expression) {
+  const auto objects = evaluate_text(
+      "sphere { center: (0, 0, 0), material: unlit(red), radius: " + expression + " }");
+  return only(objects).get<double>(sphere_property::kRadius).value_or(-1);
+}
+
+double degrees(const std::string& expression) {
+  const auto objects =
+      evaluate_text("camera { from: (0, 0, 0), at: (0, 0, 1), fov: " + expression + " }");
+  return only(objects).get<Angle>(camera_property::kFov).value_or(Angle{-1}).degrees;
+}
+
+render::Interval shutter(const std::string& expression) {
+  const auto objects = evaluate_text(
+      "camera { from: (0, 0, 0), at: (0, 0, 1), fov: 1deg, shutter: " + expression + " }");
+  return only(objects)
+      .get<render::Interval>(camera_property::kShutter)
+      .value_or(render::Interval{-1, -1});
+}
+
+TEST(Values, OfNumbersAreTheNearest) {
+  EXPECT_EQ(number("0.1"), 0.1);
+  EXPECT_EQ(number(".5"), 0.5);
+  EXPECT_EQ(number("1_000.2_5e-1"), 100.025);
+  EXPECT_EQ(number("9007199254740993"), 9007199254740992.0);
+  EXPECT_EQ(number("5e-324"), 5e-324);
+  EXPECT_EQ(number("1e-400"), 0.0);
+  EXPECT_EQ(number("0e999999999999999999999"), 0.0);
+  EXPECT_EQ(number("0.000000000001e-999999999999999999999"), 0.0);
+}
+
+TEST(Values, OfUnitsAreDividedOrMultipliedOnce) {
+  EXPECT_EQ(number("63%"), 63.0 / 100);
+  EXPECT_EQ(number("7mm"), 7.0 / 1000);
+  EXPECT_EQ(number("7cm"), 7.0 / 100);
+  EXPECT_EQ(number("7m"), 7.0);
+  EXPECT_EQ(number("0.3km"), 0.3 * 1000);
+  EXPECT_EQ(shutter("1s .. 35ms"), (render::Interval{1, 35.0 / 1000}));
+  EXPECT_EQ(degrees("0.1turn"), 0.1 * 360);
+  EXPECT_EQ(degrees("1rad"), 57.29577951308232);
+  EXPECT_EQ(degrees("40deg"), 40.0);
+}
+
+TEST(Values, OfArithmetic) {
+  EXPECT_EQ(number("1 + 2 * 3 - 4 / 8"), 6.5);
+  EXPECT_EQ(number("-2^2 + 5"), 1.0);
+  EXPECT_EQ(number("2^-1"), 0.5);
+  EXPECT_EQ(number("0.1^2"), 0.1 * 0.1);
+  EXPECT_EQ(number("0.1^3"), 0.1 * 0.1 * 0.1);
+  EXPECT_EQ(number("(-2)^3 + 9"), 1.0);
+  EXPECT_EQ(number("2^0.5"), 1.4142135623730951);
+  EXPECT_EQ(number("90deg / 1turn"), 0.25);
+  EXPECT_EQ(degrees("(10deg + 20deg) * 2 / 3 - 1deg"), 19.0);
+  EXPECT_EQ(number("2m * 3"), 6.0);
+  EXPECT_EQ(number("6m / 2m"), 3.0);
+  EXPECT_EQ(number("1m + 50cm"), 1.5);
+}
+
+TEST(Values, OfTriples) {
+  const auto objects = evaluate_text(
+      "sphere { center: (1, 2, 3) * 2 - (1, 1, 1) / 4, radius: 1, material: unlit(red) }");
+  EXPECT_EQ(only(objects).get<render::Vec3>(sphere_property::kCenter),
+            (render::Vec3{1.75, 3.75, 5.75}));
+}
+
+TEST(Values, OfMaterials) {
+  const auto objects = evaluate_text(
+      "sphere { center: (0, 0, 0), radius: 1, material: transmissive(ior: 1.5, fresnel: exact),"
+      " motion: line(to: (1, 2, 3), over: 1 .. 2s) }");
+  const auto material = only(objects).get<MaterialValue>(sphere_property::kMaterial);
+  EXPECT_EQ(material,
+            (MaterialValue{MaterialKind::Transmissive, render::LinearRgb{1, 1, 1}, 1.5, true}));
+  EXPECT_EQ(only(objects).get<MotionValue>(sphere_property::kMotion),
+            (MotionValue{{1, 2, 3}, {1, 2}}));
+}
+
+TEST(Values, OfMaterialsTakeTheirDefaults) {
+  const auto objects = evaluate_text(
+      "sphere { center: (0, 0, 0), radius: 1, material: specular(linear(1, 0.5, 0)) }"
+      "sphere { center: (0, 0, 0), radius: 1, material: emissive(linear(1, 0.5, 0)) }");
+  ASSERT_EQ(objects.size(), 2u);
+  const render::LinearRgb color{1, 0.5, 0};
+  EXPECT_EQ(objects[0].get<MaterialValue>(sphere_property::kMaterial),
+            (MaterialValue{MaterialKind::Specular, color, 0, false}));
+  EXPECT_EQ(objects[1].get<MaterialValue>(sphere_property::kMaterial),
+            (MaterialValue{MaterialKind::Emissive, color, 1, false}));
+}
+
+TEST(Values, OfStringsHaveTheirEscapesResolved) {
+  const auto objects = evaluate_text(R"(render { output: "a\"\\\/\n\u00e9\ud83d\ude00é" })");
+  EXPECT_EQ(only(objects).get<std::string>(render_property::kOutput),
+            "a\"\\/\n\xC3\xA9\xF0\x9F\x98\x80\xC3\xA9");
+}
+
+TEST(Values, OfWordsAndNone) {
+  const auto objects = evaluate_text(
+      "camera white { from: (0, 0, 0), at: (0, 0, 1), fov: 1deg, shutter: none } render { camera: "
+      "white, tone: sqrt }");
+  ASSERT_EQ(objects.size(), 2u);
+  EXPECT_EQ(objects[0].name, "white");
+  EXPECT_TRUE(std::holds_alternative<None>(objects[0].slot(camera_property::kShutter).value));
+  EXPECT_EQ(objects[1].get<Word>(render_property::kCamera), Word{"white"});
+  EXPECT_EQ(objects[1].get<Word>(render_property::kTone), Word{"sqrt"});
+}
+
+TEST(Values, ComeInTheOrderOfTheFile) {
+  const auto objects = evaluate_text(
+      "sphere a { center: (0, 0, 0), radius: 1, material: unlit(red) } background { }"
+      "sphere b { center: (0, 0, 0), radius: 1, material: unlit(red) }");
+  ASSERT_EQ(objects.size(), 3u);
+  EXPECT_EQ(objects[0].name, "a");
+  EXPECT_EQ(objects[1].kind->name, "background");
+  EXPECT_EQ(objects[2].name, "b");
+}
+
+TEST(Values, OfTwoMillionTermsAreSummedWithoutRecursion) {
+  std::string terms = "1";
+  for (int i = 1; i < 2'000'000; ++i) terms += "+1";
+  EXPECT_EQ(number(terms), 2e6);
+}
+
+}  // namespace
+}  // namespace sdlc::lang

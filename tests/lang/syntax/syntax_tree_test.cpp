@@ -1,0 +1,152 @@
+#include <cstdint>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "lang/syntax/syntax.hpp"
+#include "tests/lang/syntax/tree_checks.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+/// The tree of an expression in prefix form, leaves as they are spelled.
+class Shape {
+ public:
+  explicit Shape(const SyntaxTree& tree) : tree_(tree) {}
+
+  std::string of(NodeIndex index) const {
+    const SyntaxNode& node = tree_[index];
+    if (node.extent == 1) return std::string(tree_.text(node.span()));
+    std::string shape = "(";
+    shape += name(node);
+    for (NodeIndex child = index + 1; child < index + node.extent; child += tree_[child].extent) {
+      shape += ' ';
+      shape += op(tree_[child].op);
+      shape += of(child);
+    }
+    shape += ')';
+    return shape;
+  }
+
+ private:
+  std::string name(const SyntaxNode& node) const {
+    switch (node.kind) {
+      case SyntaxKind::Error: return "error";
+      case SyntaxKind::Conditional: return "if";
+      case SyntaxKind::Or: return "or";
+      case SyntaxKind::And: return "and";
+      case SyntaxKind::Not: return "not";
+      case SyntaxKind::Comparison: return "compare";
+      case SyntaxKind::Interval: return "..";
+      case SyntaxKind::Sum: return "sum";
+      case SyntaxKind::Product: return "product";
+      case SyntaxKind::Negative: return "-";
+      case SyntaxKind::Power: return "^";
+      case SyntaxKind::Postfix: return "postfix";
+      case SyntaxKind::Index: return "index";
+      case SyntaxKind::Group: return "group";
+      case SyntaxKind::Triple: return "triple";
+      case SyntaxKind::List: return "list";
+      default: return std::string(tree_.text({node.begin, node.begin + node.head}));
+    }
+  }
+  static std::string op(Operator op) {
+    constexpr const char* kSpellings[] = {"", "+", "-", "*", "/", "==", "!=", "<=", ">=", "<", ">"};
+    return kSpellings[static_cast<std::size_t>(op)];
+  }
+
+  const SyntaxTree& tree_;
+};
+
+std::string shape_of(std::string_view expression) {
+  const SourceFile file("test.scene", "scene 1 x: " + std::string(expression));
+  DiagnosticSink sink;
+  const SyntaxTree tree = parse(file, sink);
+  EXPECT_FALSE(sink.has_errors()) << expression;
+  return Shape(tree).of(3);  // behind the file, its version and the property
+}
+
+TEST(SyntaxTree, BindsOperatorsByTheirPrecedence) {
+  EXPECT_EQ(shape_of("-2^2"), "(- (^ 2 2))");
+  EXPECT_EQ(shape_of("2^-1"), "(^ 2 (- 1))");
+  EXPECT_EQ(shape_of("2^3^2"), "(^ 2 (^ 3 2))");
+  EXPECT_EQ(shape_of("a + b * c - d"), "(sum a +(product b *c) -d)");
+  EXPECT_EQ(shape_of("not a == b and c or d"), "(or (and (not (compare a ==b)) c) d)");
+  EXPECT_EQ(shape_of("1 + 2 .. 3 * 4"), "(.. (sum 1 +2) (product 3 *4))");
+  EXPECT_EQ(shape_of("a <= b .. c"), "(compare a <=(.. b c))");
+}
+
+TEST(SyntaxTree, KeepsChainsFlat) {
+  EXPECT_EQ(shape_of("a + b - c + d"), "(sum a +b -c +d)");
+  EXPECT_EQ(shape_of("a or b or c"), "(or a b c)");
+  EXPECT_EQ(shape_of("if a then b else if c then d else e"), "(if a b c d e)");
+}
+
+TEST(SyntaxTree, TellsGroupsFromTriples) {
+  EXPECT_EQ(shape_of("(1)"), "(group 1)");
+  EXPECT_EQ(shape_of("(1, 2, 3)"), "(triple 1 2 3)");
+  EXPECT_EQ(shape_of("(1, 2, 3,).x"), "(postfix (triple 1 2 3) .x)");
+}
+
+TEST(SyntaxTree, TellsReferencesFromCalls) {
+  EXPECT_EQ(shape_of("mat.brushed"), "mat.brushed");
+  EXPECT_EQ(shape_of("f(1, g(), b: h(2))"), "(f 1 g() (b (h 2)))");
+  EXPECT_EQ(shape_of("a[1].b.c[2]"), "(postfix a (index 1) .b .c (index 2))");
+}
+
+TEST(SyntaxTree, ReadsPlainNumbersAsItReadsAllOthers) {
+  for (const std::string number : {"1", "1.5", "-2", "-0.25"}) {
+    // A comment behind the number sends it the way of all expressions.
+    std::string plain = "f(", other = "f(";
+    plain += number + ")";
+    other += number + "/**/)";
+    EXPECT_EQ(shape_of(plain), shape_of(other));
+  }
+  EXPECT_EQ(shape_of("[1 , -2 ]"), "(list 1 (- 2))");
+}
+
+TEST(SyntaxTree, SpellsItsFile) {
+  const SourceFile file("test.scene", std::string(test::kWholeLanguage));
+  DiagnosticSink sink;
+  const SyntaxTree tree = parse(file, sink);
+  EXPECT_FALSE(sink.has_errors());
+  EXPECT_EQ(test::fault_of(tree), "");
+  const test::Spelling spelling = test::spelling_of(tree);
+  EXPECT_EQ(spelling.text, test::kWholeLanguage);
+  EXPECT_FALSE(spelling.has_skipped);
+}
+
+TEST(SyntaxTree, KeepsCommentsAndTellsDocs) {
+  const SourceFile file(
+      "test.scene", "/// doc\nscene 1 // line\n//// no doc\n/* block /* nested */ */ let a = b//x");
+  DiagnosticSink sink;
+  const SyntaxTree tree = parse(file, sink);
+  const auto comments = tree.comments();
+  ASSERT_EQ(comments.size(), 5u);
+  EXPECT_EQ(comments[0].kind, CommentKind::Doc);
+  EXPECT_EQ(comments[1].kind, CommentKind::Line);
+  EXPECT_EQ(comments[2].kind, CommentKind::Line);
+  EXPECT_EQ(comments[3].kind, CommentKind::Block);
+  EXPECT_EQ(tree.text(comments[3].span), "/* block /* nested */ */");
+  EXPECT_EQ(tree.text(comments[4].span), "//x");
+}
+
+TEST(SyntaxTree, KeepsWhatItCouldReadOfABrokenStatement) {
+  const SourceFile file("test.scene",
+                        "scene 1\nsphere a { center: (1 2), radius: 3 }\nlet b = \nlet c = 4\n");
+  DiagnosticSink sink;
+  const SyntaxTree tree = parse(file, sink);
+  EXPECT_EQ(sink.error_count(), 2u);
+  int lets = 0, properties = 0, errors = 0;
+  for (const SyntaxNode& node : tree.nodes()) {
+    lets += node.kind == SyntaxKind::Let;
+    properties += node.kind == SyntaxKind::Property;
+    errors += node.kind == SyntaxKind::Error;
+  }
+  EXPECT_EQ(lets, 2);
+  EXPECT_EQ(properties, 2);
+  EXPECT_GT(errors, 0);
+}
+
+}  // namespace
+}  // namespace sdlc::lang
