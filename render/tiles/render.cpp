@@ -13,6 +13,7 @@
 
 #include "render/film/sample_sum.hpp"
 #include "render/integrator/path_integrator.hpp"
+#include "render/math/color.hpp"
 #include "render/sampler/sampler.hpp"
 
 namespace sdlc::render {
@@ -102,8 +103,9 @@ class TileRenderer {
 };
 
 int thread_count(int asked) {
+  constexpr int kMost = 1024;  // more only cost memory
   const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return asked > 0 ? asked : machine;
+  return std::min(asked > 0 ? asked : machine, kMost);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-namespace sdlc::render {
+namespace sdlc::test {
 
 /// A folder of its own for one test, removed with everything in it. Any user may enter it.
 class TemporaryFolder {
@@ -57,4 +57,4 @@ inline void write_text(const std::filesystem::path& path, const std::string& tex
   std::ofstream(path, std::ios::binary) << text;
 }
 
-}  // namespace sdlc::render
+}  // namespace sdlc::test

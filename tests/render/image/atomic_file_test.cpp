@@ -19,10 +19,15 @@
 #include <unistd.h>
 
 #include "render/image/io_error.hpp"
-#include "tests/render/image/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace sdlc::render {
 namespace {
+
+using test::content_of;
+using test::names_in;
+using test::TemporaryFolder;
+using test::write_text;
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;

@@ -8,10 +8,13 @@
 
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
-#include "tests/render/image/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace sdlc::render {
 namespace {
+
+using test::TemporaryFolder;
+using test::write_text;
 
 using testing::HasSubstr;
 

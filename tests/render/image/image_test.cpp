@@ -12,10 +12,14 @@
 
 #include "render/image/codec_loader.hpp"
 #include "render/image/io_error.hpp"
-#include "tests/render/image/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace sdlc::render {
 namespace {
+
+using test::names_in;
+using test::TemporaryFolder;
+using test::write_text;
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;

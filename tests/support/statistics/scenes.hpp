@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "render/integrator/path_integrator.hpp"
+#include "render/sampler/sampler.hpp"
 #include "render/scene/scene.hpp"
 #include "tests/support/statistics/estimate.hpp"
 

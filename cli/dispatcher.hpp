@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/environment.hpp"
+#include "cli/exit_code.hpp"
+
+namespace sdlc::cli {
+
+/// Remembers which command the arguments name.
+class Dispatcher {
+ public:
+  using Command = std::function<ExitCode(Environment&)>;
+
+  void on(CLI::App* app, Command command) {
+    app->callback([this, command = std::move(command)] { chosen_ = command; });
+  }
+  const Command& chosen() const noexcept { return chosen_; }
+
+ private:
+  Command chosen_;
+};
+
+// One function a subcommand, in the file of its name.
+void add_render_command(CLI::App& app, Dispatcher& dispatcher);
+
+}  // namespace sdlc::cli

@@ -1,0 +1,125 @@
+#include "cli/program.hpp"
+
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/dispatcher.hpp"
+#include "cli/usage_error.hpp"
+#include "cli/version.hpp"
+#include "cli/words.hpp"
+#include "render/image/io_error.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+std::string version_text() {
+  return fmt::format("sdlc {} ({})\nbuilt for {}, in use {}\n", kVersion, kCommit, kInstructionSet,
+                     kInstructionSet);
+}
+
+/// The names of all flags of a command, with their dashes.
+std::vector<std::string> flags_of(const CLI::App& app) {
+  std::vector<std::string> flags;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) flags.push_back("-" + name);
+  }
+  return flags;
+}
+
+std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands) names.push_back(command->get_name());
+  return names;
+}
+
+/// What to say of arguments that do not parse.
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error,
+                        std::span<const std::string> arguments) {
+  const auto all_commands = app.get_subcommands([](const CLI::App*) { return true; });
+  const bool has_command = !app.get_subcommands().empty();
+  const CLI::App& command = has_command ? *app.get_subcommands().front() : app;
+  const auto suggestion = [](const std::string& name, const std::vector<std::string>& candidates) {
+    const std::vector<std::string_view> views(candidates.begin(), candidates.end());
+    return did_you_mean(name, views);
+  };
+
+  if (!has_command && !arguments.empty() && !arguments[0].starts_with('-')) {
+    return fmt::format("unknown command `{}`{}", arguments[0],
+                       suggestion(arguments[0], names_of(all_commands)));
+  }
+  for (const std::string& extra : app.remaining(true)) {
+    if (!extra.starts_with('-') || extra == "-")
+      return fmt::format("unexpected argument `{}`", extra);
+    const std::string flag = extra.substr(0, extra.find('='));
+    return fmt::format("unknown flag `{}`{}", flag, suggestion(flag, flags_of(command)));
+  }
+  return error.what();
+}
+
+ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env) {
+  CLI::App app("Compiles scene descriptions and renders them.", "sdlc");
+  app.footer(
+      "Examples:\n"
+      "  sdlc render ball.scene                  renders to ball.png\n"
+      "  sdlc render old.json -o old.exr         a JSON config, to linear radiance\n"
+      "  sdlc render --help                      all about one command\n\n"
+      "Exit status: 0 done, 1 the scene has errors, 2 wrong usage or a file cannot be read or "
+      "written,\n"
+      "3 a defect in sdlc, 130 interrupted.");
+  bool wants_version = false;
+  app.add_flag("--version", wants_version, "Print version, commit and instruction sets");
+  app.require_subcommand(0, 1);
+  Dispatcher dispatcher;
+  add_render_command(app, dispatcher);
+
+  try {
+    // CLI11 takes its arguments last first.
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::CallForHelp&) {
+    const bool has_command = !app.get_subcommands().empty();
+    env.out << (has_command ? app.get_subcommands().front()->help() : app.help());
+    return ExitCode::Success;
+  } catch (const CLI::ParseError& error) {
+    env.err << fmt::format("error: {}\n", usage_error(app, error, arguments))
+            << "`sdlc --help` and `sdlc COMMAND --help` tell what there is.\n";
+    return ExitCode::Usage;
+  }
+  if (wants_version) {
+    env.out << version_text();
+    return ExitCode::Success;
+  }
+  if (!dispatcher.chosen()) {
+    env.err << app.help();
+    return ExitCode::Usage;
+  }
+  return dispatcher.chosen()(env);
+}
+
+}  // namespace
+
+ExitCode run_program(std::span<const std::string> arguments, Environment& env) {
+  try {
+    return parse_and_run(arguments, env);
+  } catch (const UsageError& error) {
+    env.err << fmt::format("error: {}\n", error.what());
+    return ExitCode::Usage;
+  } catch (const render::IoError& error) {
+    env.err << fmt::format("error: {}\n", error.what());
+    return ExitCode::Usage;
+  } catch (const std::bad_alloc&) {
+    env.err << "error: not enough memory for this scene and picture\n";
+    return ExitCode::Usage;
+  } catch (const std::exception& error) {
+    env.err << fmt::format("error: a defect in sdlc: {}\n", error.what());
+    return ExitCode::Defect;
+  }
+}
+
+}  // namespace sdlc::cli

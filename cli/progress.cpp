@@ -1,0 +1,87 @@
+#include "cli/progress.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace sdlc::cli {
+
+ProgressReporter::ProgressReporter(ProgressStyle style, const render::RenderMonitor& monitor,
+                                   std::uint64_t total_samples, std::ostream& err)
+    : style_(style),
+      monitor_(monitor),
+      total_(static_cast<double>(total_samples)),
+      err_(err),
+      next_seconds_(style == ProgressStyle::Json ? 1 : 10) {
+  if (style_ != ProgressStyle::None) thread_ = std::thread([this] { run(); });
+}
+
+ProgressReporter::~ProgressReporter() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    is_done_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+  if (has_line_) err_ << "\r\x1b[K" << std::flush;
+}
+
+void ProgressReporter::run() {
+  const auto start = std::chrono::steady_clock::now();
+  std::unique_lock lock(mutex_);
+  while (!wake_.wait_for(lock, std::chrono::milliseconds(100), [&] { return is_done_; })) {
+    report(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+}
+
+void ProgressReporter::report(double seconds) {
+  const auto samples = static_cast<double>(monitor_.samples_done.load());
+  const double fraction = samples / total_;
+  const double rays_per_second = static_cast<double>(monitor_.rays_done.load()) / seconds;
+  const double left = fraction > 0 ? seconds * (1 - fraction) / fraction : HUGE_VAL;
+
+  if (style_ == ProgressStyle::Json) {
+    if (seconds < next_seconds_) return;
+    next_seconds_ += 1;
+    err_ << fmt::format(R"({{"fraction": {:.4f}, "samples": {:.0f}, "rays_per_second": {:.0f}, )"
+                        R"("seconds": {:.1f}, "eta_seconds": {}}})",
+                        fraction, samples, rays_per_second, seconds,
+                        std::isfinite(left) ? fmt::format("{:.1f}", left) : "null")
+         << std::endl;
+    return;
+  }
+  const std::string text =
+      fmt::format("{:5.1f} %  {} samples  {} rays/s  {}", 100 * fraction, format_count(samples),
+                  format_count(rays_per_second),
+                  std::isfinite(left) ? format_seconds(left) + " left" : std::string());
+  if (style_ == ProgressStyle::Line) {
+    err_ << '\r' << text << "\x1b[K" << std::flush;
+    has_line_ = true;
+  } else if (fraction >= next_fraction_ && seconds >= next_seconds_) {
+    err_ << text << std::endl;
+    next_fraction_ = fraction + 0.05;
+    next_seconds_ = seconds + 10;
+  }
+}
+
+std::string format_seconds(double seconds) {
+  if (seconds < 1) return fmt::format("{:.0f} ms", 1000 * seconds);
+  if (seconds < 60) return fmt::format("{:.1f} s", seconds);
+  const auto whole = static_cast<std::uint64_t>(seconds);
+  if (seconds < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+std::string format_count(double count) {
+  const char* prefix = "";
+  for (const char* next : {" k", " M", " G", " T"}) {
+    if (count < 1000) break;
+    count /= 1000;
+    prefix = next;
+  }
+  const int decimals = *prefix == '\0' ? 0 : count < 10 ? 2 : count < 100 ? 1 : 0;
+  return fmt::format("{:.{}f}{}", count, decimals, prefix);
+}
+
+}  // namespace sdlc::cli

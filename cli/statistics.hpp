@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "lang/compile/compile.hpp"
+#include "render/scene/scene.hpp"
+#include "render/tiles/render.hpp"
+
+namespace sdlc::cli {
+
+/// What `render --stats` tells of one picture, beside what the render itself counted.
+struct RenderStatistics {
+  std::string scene;  ///< the file, as the user named it
+  std::size_t spheres = 0;
+  std::vector<std::string> features;  ///< what the scene required, see required_features
+  render::RenderSettings settings;
+  lang::CompileTimes compile;
+  double write_seconds = 0;
+  std::size_t render_rss_bytes = 0;  ///< while tracing
+};
+
+/// What this scene asks of the renderer: "motion", "gradient" and the material types it uses, in a
+/// fixed order.
+std::vector<std::string> required_features(const render::Scene& scene);
+
+/// The statistics as one line of JSON; its field names are fixed.
+std::string to_json(const RenderStatistics& statistics, const render::RenderResult& result);
+
+}  // namespace sdlc::cli

@@ -1,0 +1,376 @@
+#include "lang/lower/scene_builder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lang/schema/schema.hpp"
+#include "lang/text/nearest_name.hpp"
+#include "render/math/power_of_two.hpp"
+#include "render/math/sincos.hpp"
+#include "render/scene/coincident.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+render::Material lower_material(const MaterialValue& value) {
+  static constexpr std::array kTypes{render::MaterialType::Diffuse, render::MaterialType::Specular,
+                                     render::MaterialType::Transmissive,
+                                     render::MaterialType::Emissive, render::MaterialType::Unlit};
+  return {.color = value.color,
+          .parameter = value.parameter,
+          .type = kTypes[static_cast<std::size_t>(value.kind)],
+          .fresnel = value.exact_fresnel ? render::Fresnel::Exact : render::Fresnel::Schlick};
+}
+
+render::Tone lower_tone(std::string_view word) {
+  if (word == "sqrt") return render::Tone::Sqrt;
+  if (word == "linear") return render::Tone::Linear;
+  return render::Tone::Srgb;
+}
+
+/// Tangent of half an angle in (0°, 180°).
+double tan_half(Angle angle) {
+  const render::SinCos half = render::sincos_turns(angle.degrees / 720);
+  return half.sin / half.cos;
+}
+
+bool is_along(render::Vec3 a, render::Vec3 b) {
+  // Below this the cross product, and with it the picture's horizon, is rounding error.
+  constexpr double kSine = 0x1p-40;
+  a = render::with_moderate_length(a);
+  b = render::with_moderate_length(b);
+  return length(cross(a, b)) <= kSine * length(a) * length(b);
+}
+
+}  // namespace
+
+void SceneBuilder::add(const Object& object) {
+  switch (object.kind->id) {
+    case ObjectKind::Camera: cameras_.push_back(object); break;
+    case ObjectKind::Background: background_ = object; break;
+    case ObjectKind::Sphere: add_sphere(object); break;
+    case ObjectKind::Render: render_ = object; break;
+  }
+}
+
+void SceneBuilder::add_sphere(const Object& object) {
+  using namespace sphere_property;
+  const auto center = object.get<render::Vec3>(kCenter);
+  const auto radius = object.get<double>(kRadius);
+  const auto material = object.get<MaterialValue>(kMaterial);
+  if (!center || !radius || !material) return;  // reported where it was read
+  if (*radius == 0) {
+    sink_->report(diag::zero_radius, object.location(kRadius));
+    return;
+  }
+
+  const auto index = static_cast<std::uint32_t>(spheres_.size());
+  if (const auto motion = object.get<MotionValue>(kMotion)) {
+    moving_.push_back(
+        {.sphere = index, .place = object.slot(kMotion).span.begin, .motion = *motion});
+  }
+  spheres_.push_back({.center = *center,
+                      .radius = *radius,
+                      .material = materials_.index_of(lower_material(*material))});
+  places_.push_back(object.where.span.begin);
+}
+
+std::optional<LoweredScene> SceneBuilder::finish(const Overrides& overrides) {
+  LoweredScene lowered;
+  lowered.scene.spheres = std::move(spheres_);
+  lowered.scene.materials = materials_.take();
+  lower_background(lowered.scene);
+
+  const Object* camera = choose_camera(overrides);
+  if (camera != nullptr) {
+    lower_camera(*camera, lowered.scene);
+    if (const auto shutter = camera->get<render::Interval>(camera_property::kShutter)) {
+      lower_motion(*shutter, lowered.scene);
+    }
+  }
+  lower_settings(overrides, lowered);
+  if (sink_->has_errors()) return std::nullopt;
+  lower_size(camera, overrides, lowered);
+  if (sink_->has_errors()) return std::nullopt;
+
+  drop_coincident(lowered.scene);
+  return lowered;
+}
+
+const Object* SceneBuilder::choose_camera(const Overrides& overrides) {
+  using namespace render_property;
+  std::vector<std::string_view> names;
+  for (const Object& camera : cameras_) names.push_back(camera.name);
+
+  std::string wanted;
+  Location where = whole_file();
+  if (overrides.camera) {
+    wanted = *overrides.camera;
+  } else if (render_ && render_->slot(kCamera).is_written) {
+    const auto word = render_->get<Word>(kCamera);
+    if (!word) return nullptr;
+    wanted = word->text;
+    where = render_->location(kCamera);
+  }
+  if (!wanted.empty()) {
+    const auto found = std::find(names.begin(), names.end(), wanted);
+    if (found != names.end()) return &cameras_[static_cast<std::size_t>(found - names.begin())];
+    sink_->report(diag::unknown_camera, where, wanted).suggest(nearest_name(wanted, names));
+    return nullptr;
+  }
+  if (cameras_.size() == 1) return &cameras_.front();
+  if (cameras_.size() > 1) {
+    sink_->report(diag::ambiguous_camera, cameras_[1].where, static_cast<int>(cameras_.size()))
+        .label(cameras_[0].where, "the first camera")
+        .help("choose one with --camera NAME or `render { camera: NAME }`");
+    return nullptr;
+  }
+
+  // Without a camera there may be a plain picture; an earlier error may have taken the camera away.
+  if (sink_->has_errors()) return nullptr;
+  if (!spheres_.empty() || !places_.empty()) {
+    sink_->report(diag::no_camera, whole_file())
+        .help("add `camera { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }`");
+    return nullptr;
+  }
+  const bool has_size = (overrides.width || (render_ && render_->slot(kWidth).is_written)) &&
+                        (overrides.height || (render_ && render_->slot(kHeight).is_written));
+  const bool has_color = background_ && background_->slot(background_property::kColor).is_written;
+  if (!has_size || !has_color) sink_->report(diag::nothing_to_render, whole_file());
+  return nullptr;
+}
+
+std::string_view SceneBuilder::name_of(const Object& object, std::size_t property) const {
+  if (file_->format() == SourceFormat::Json) {
+    const std::string_view key = json_key_of(*object.kind, property);
+    if (!key.empty()) return key;
+  }
+  return object.kind->properties[property].name;
+}
+
+void SceneBuilder::lower_camera(const Object& object, render::Scene& scene) {
+  using namespace camera_property;
+  const auto from = object.get<render::Vec3>(kFrom);
+  const auto at = object.get<render::Vec3>(kAt);
+  const auto up = object.get<render::Vec3>(kUp);
+  const auto fov = object.get<Angle>(kFov);
+  const auto view_height = object.get<double>(kViewHeight);
+  const auto aspect = object.get<double>(kAspect);
+  if (!from || !at || !up || !fov || !view_height || !aspect) return;  // reported where it was read
+
+  const render::Vec3 view = render::direction_between(*from, *at);
+  if (view == render::Vec3{}) {
+    sink_
+        ->report(diag::no_view_direction, object.location(kAt), name_of(object, kFrom),
+                 name_of(object, kAt))
+        .label(object.location(kFrom), "the camera stands here");
+    return;
+  }
+  const Location up_place =
+      object.slot(kUp).is_written ? object.location(kUp) : object.location(kAt);
+  if (*up == render::Vec3{}) {
+    sink_->report(diag::no_up_direction, up_place, "is zero")
+        .help("`up` is the direction that points up in the picture, such as (0, 1, 0)");
+    return;
+  }
+  if (is_along(view, *up)) {
+    sink_->report(diag::no_up_direction, up_place, "runs along the view")
+        .help(
+            "choose an `up` that is not parallel to the line from the camera to the point it "
+            "looks at, such as (0, 0, 1)");
+    return;
+  }
+  scene.camera = {.from = *from,
+                  .at = *at,
+                  .up = *up,
+                  .plane_height = *view_height * tan_half(*fov),
+                  .aspect = *aspect};
+}
+
+void SceneBuilder::lower_background(render::Scene& scene) {
+  using namespace background_property;
+  if (!background_) return;  // the renderer's default is the JSON format's gradient
+  const Object& object = *background_;
+  const bool has_ends = object.slot(kBottom).is_written || object.slot(kTop).is_written;
+  if (object.slot(kColor).is_written && has_ends) {
+    const std::size_t end = object.slot(kBottom).is_written ? kBottom : kTop;
+    sink_->report(diag::not_together, object.location(end), "`color`", "`bottom` or `top`")
+        .label(object.location(kColor), "`color` is the same radiance from everywhere");
+    return;
+  }
+  if (const auto color = object.get<render::LinearRgb>(kColor)) {
+    scene.background = {.bottom = *color, .top = *color};
+    return;
+  }
+  if (!has_ends) {
+    if (!object.slot(kColor).is_written) {
+      sink_->report(diag::missing, object.where, "background", "color")
+          .help("give a `color`, or `bottom` and `top`");
+    }
+    return;
+  }
+  for (const std::size_t end : {kBottom, kTop}) {
+    if (object.slot(end).is_written) continue;
+    sink_->report(diag::missing, object.where, "background", object.kind->properties[end].name)
+        .help("a gradient has both a `bottom` and a `top`");
+  }
+  const auto bottom = object.get<render::LinearRgb>(kBottom);
+  const auto top = object.get<render::LinearRgb>(kTop);
+  if (bottom && top) scene.background = {.bottom = *bottom, .top = *top};
+}
+
+void SceneBuilder::lower_motion(render::Interval shutter, render::Scene& scene) {
+  std::vector<render::Vec3> shifts(moving_.empty() ? 0 : scene.spheres.size());
+  bool is_moving = false;
+  for (const MovingSphere& moving : moving_) {
+    render::Sphere& sphere = scene.spheres[moving.sphere];
+    const render::Interval over = moving.motion.over;
+    const double duration = over.to - over.from;
+    const render::Vec3 way = moving.motion.to - sphere.center;
+    const render::Vec3 opening = sphere.center + way * ((shutter.from - over.from) / duration);
+    const render::Vec3 shift = way * ((shutter.to - shutter.from) / duration);
+    if (!is_finite(opening) || !is_finite(opening + shift)) {
+      sink_->report(diag::motion_too_far, place_of(moving.place));
+      continue;
+    }
+    sphere.center = opening;
+    shifts[moving.sphere] = shift;
+    is_moving = is_moving || shift != render::Vec3{};
+  }
+  if (is_moving) scene.shifts = std::move(shifts);
+}
+
+std::optional<int> SceneBuilder::whole(const Object& object, std::size_t property) const {
+  const auto value = object.get<double>(property);
+  if (!value) return std::nullopt;
+  constexpr double kLargest = std::numeric_limits<int>::max();
+  if (*value > kLargest) {
+    sink_->report(diag::out_of_range, object.location(property), name_of(object, property),
+                  fmt::format("at most {}", std::numeric_limits<int>::max()), to_text(*value));
+    return std::nullopt;
+  }
+  return static_cast<int>(*value);
+}
+
+void SceneBuilder::lower_settings(const Overrides& overrides, LoweredScene& lowered) {
+  using namespace render_property;
+  if (!render_)
+    render_ = Object{
+        .kind = &kind_info(ObjectKind::Render), .where = whole_file(), .name = {}, .slots = {}};
+  const Object& object = *render_;
+  render::RenderSettings& settings = lowered.settings;
+  const auto set = [](auto& setting, const auto& value) {
+    if (value) setting = static_cast<std::remove_reference_t<decltype(setting)>>(*value);
+  };
+  set(settings.samples, overrides.samples ? overrides.samples : whole(object, kSamples));
+  set(settings.depth, overrides.depth ? overrides.depth : whole(object, kDepth));
+  set(settings.threads, overrides.threads ? overrides.threads : whole(object, kThreads));
+  // A config's number_cores says how many it would like; more than there are means all.
+  const bool is_config = file_->format() == SourceFormat::Json && !overrides.threads;
+  if (is_config && settings.threads > static_cast<int>(std::thread::hardware_concurrency())) {
+    settings.threads = 0;
+  }
+  set(settings.seed, object.get<double>(kSeed));
+  set(settings.seed, overrides.seed);
+  set(lowered.output.output, object.get<std::string>(kOutput));
+  if (const auto tone = object.get<Word>(kTone)) lowered.output.tone = lower_tone(tone->text);
+  if (overrides.tone) lowered.output.tone = lower_tone(*overrides.tone);
+  if (cameras_.empty()) settings.samples = settings.depth = 1;  // a plain picture has no noise
+}
+
+void SceneBuilder::lower_size(const Object* camera, const Overrides& overrides,
+                              LoweredScene& lowered) {
+  using namespace render_property;
+  const std::optional<int> written_width =
+      render_->slot(kWidth).is_written ? whole(*render_, kWidth) : std::nullopt;
+  const std::optional<int> written_height = whole(*render_, kHeight);
+  const bool is_aspect_written =
+      camera != nullptr && camera->slot(camera_property::kAspect).is_written;
+  double& aspect = lowered.scene.camera.aspect;
+  if (written_width && written_height && !is_aspect_written) {
+    aspect = static_cast<double>(*written_width) / *written_height;
+  }
+
+  // The picture's own sides keep their proportion; else it is the view plane's.
+  const bool has_both = written_width && written_height;
+  const double proportion =
+      has_both ? static_cast<double>(*written_width) / *written_height : aspect;
+  const auto width_of = [&](double height) {
+    return std::max(1.0, std::round(height * proportion));
+  };
+  const auto height_of = [&](double width) {
+    // A product of whole numbers below 2^53 is exact, and so is the floor of its quotient.
+    return std::floor(has_both ? width * written_height.value() / written_width.value()
+                               : width / proportion);
+  };
+
+  double width, height;
+  if (overrides.width && overrides.height) {
+    width = *overrides.width;
+    height = *overrides.height;
+    aspect = width / height;
+  } else if (overrides.height) {
+    height = *overrides.height;
+    width = width_of(height);
+  } else if (overrides.width) {
+    width = *overrides.width;
+    height = height_of(width);
+  } else if (has_both) {
+    width = *written_width;
+    height = *written_height;
+  } else if (written_height) {
+    height = *written_height;
+    width = width_of(height);
+  } else {
+    width = render_->get<double>(kWidth).value_or(0);
+    height = height_of(width);
+  }
+
+  constexpr double kMostPixels = 1 << 30;
+  if (height < 1) {
+    const Location where =
+        render_->slot(kWidth).is_written ? render_->location(kWidth) : whole_file();
+    sink_->report(diag::no_rows, where, static_cast<int>(width), to_text(proportion))
+        .help("the height is width / aspect, rounded down; make the picture wider");
+  } else if (!(width * height <= kMostPixels)) {
+    const Location where =
+        render_->slot(kWidth).is_written ? render_->location(kWidth) : whole_file();
+    sink_->report(diag::picture_too_large, where, to_text(width), to_text(height));
+  } else {
+    lowered.settings.width = static_cast<int>(width);
+    lowered.settings.height = static_cast<int>(height);
+  }
+}
+
+void SceneBuilder::drop_coincident(render::Scene& scene) {
+  const auto coincident = render::find_coincident(scene.spheres, scene.shifts);
+  if (coincident.empty()) return;
+  for (const render::CoincidentSphere& pair : coincident) {
+    sink_
+        ->report(diag::duplicate_sphere, place_of(places_[pair.sphere]),
+                 pair.is_exact ? "is the same as an earlier one"
+                               : "coincides with an earlier one (within 2^-40 of its radius)")
+        .label(place_of(places_[pair.earlier]), "the earlier one, which is kept");
+  }
+
+  std::size_t kept = 0, next = 0;
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+    if (next < coincident.size() && coincident[next].sphere == i) {
+      ++next;
+      continue;
+    }
+    scene.spheres[kept] = scene.spheres[i];
+    if (!scene.shifts.empty()) scene.shifts[kept] = scene.shifts[i];
+    ++kept;
+  }
+  scene.spheres.resize(kept);
+  if (!scene.shifts.empty()) scene.shifts.resize(kept);
+}
+
+}  // namespace sdlc::lang

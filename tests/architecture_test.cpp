@@ -1,0 +1,118 @@
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+// The layout of the code is checked, not only described: what a folder includes is what its
+// CMakeLists.txt declares, and the arrows between folders point one way.
+namespace sdlc::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Module {
+  std::string folder;
+  std::set<std::string> links;
+};
+
+/// The modules as CMake knows them; each line is "sdlc::name folder : public links : private
+/// links".
+std::map<std::string, Module> read_modules() {
+  std::map<std::string, Module> modules;
+  std::ifstream file(SDLC_MODULES_FILE);
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string name, folder;
+    words >> name >> folder;
+    Module module{.folder = folder, .links = {}};
+    for (std::string word; words >> word;) {
+      if (word.starts_with("sdlc::")) module.links.insert(word);
+    }
+    modules[name] = module;
+  }
+  return modules;
+}
+
+std::vector<std::string> project_includes(const fs::path& source) {
+  std::vector<std::string> includes;
+  std::ifstream file(source);
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("#include \"")) continue;
+    const std::size_t end = line.find('"', 10);
+    includes.push_back(line.substr(10, end - 10));
+  }
+  return includes;
+}
+
+TEST(Architecture, FoldersIncludeOnlyWhatTheyDeclare) {
+  const auto modules = read_modules();
+  ASSERT_GT(modules.size(), 10u);
+  std::map<std::string, std::string> module_of_folder;
+  for (const auto& [name, module] : modules) module_of_folder[module.folder] = name;
+
+  for (const auto& [name, module] : modules) {
+    for (const auto& entry : fs::directory_iterator(fs::path(SDLC_SOURCE_DIR) / module.folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".cpp" && extension != ".hpp") continue;
+      for (const std::string& include : project_includes(entry.path())) {
+        const std::string folder = fs::path(include).parent_path().string();
+        if (folder == module.folder) continue;
+        const auto used = module_of_folder.find(folder);
+        ASSERT_NE(used, module_of_folder.end()) << entry.path() << " includes " << include;
+        EXPECT_TRUE(module.links.contains(used->second))
+            << entry.path() << " includes " << include << ", but " << module.folder
+            << "/CMakeLists.txt does not name " << used->second;
+      }
+    }
+  }
+}
+
+TEST(Architecture, DeclaredDependenciesAreUsed) {
+  const auto modules = read_modules();
+  for (const auto& [name, module] : modules) {
+    std::set<std::string> folders;
+    for (const auto& entry : fs::directory_iterator(fs::path(SDLC_SOURCE_DIR) / module.folder)) {
+      for (const std::string& include : project_includes(entry.path())) {
+        folders.insert(fs::path(include).parent_path().string());
+      }
+    }
+    for (const std::string& link : module.links) {
+      ASSERT_TRUE(modules.contains(link)) << name << " links " << link;
+      EXPECT_TRUE(folders.contains(modules.at(link).folder))
+          << module.folder << "/CMakeLists.txt names " << link << ", which nothing there includes";
+    }
+  }
+}
+
+TEST(Architecture, TheRendererKnowsNothingOfTheLanguage) {
+  for (const auto& [name, module] : read_modules()) {
+    if (!module.folder.starts_with("render")) continue;
+    for (const std::string& link : module.links) {
+      EXPECT_TRUE(link.starts_with("sdlc::render")) << name << " links " << link;
+    }
+  }
+}
+
+TEST(Architecture, ArrowsNeverFormACycle) {
+  const auto modules = read_modules();
+  std::map<std::string, int> state;  // 1: on the way, 2: done
+  const auto visit = [&](const auto& self, const std::string& name) -> void {
+    state[name] = 1;
+    for (const std::string& link : modules.at(name).links) {
+      ASSERT_NE(state[link], 1) << "a cycle through " << name << " and " << link;
+      if (state[link] == 0) self(self, link);
+    }
+    state[name] = 2;
+  };
+  for (const auto& [name, module] : modules) {
+    if (state[name] == 0) visit(visit, name);
+  }
+}
+
+}  // namespace
+}  // namespace sdlc::test

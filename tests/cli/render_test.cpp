@@ -1,0 +1,273 @@
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "render/image/image.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace sdlc::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr const char* kScene = R"(scene 1
+camera main { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }
+sphere ball { center: (0, 0, 0), radius: 1, material: diffuse(color: #c04020) }
+render { width: 32, samples: 8, depth: 4 }
+)";
+
+constexpr const char* kConfig = R"({
+  "background": [0, 0, 0],
+  "camera": {"look_from": [0, 0, 0], "look_at": [0, 0, -1], "up": [0, 1, 0], "vfov": 90, "focal_length": 1,
+             "aspect_ratio": 1.6, "viewport_height": 2, "samples_per_pixel": 4},
+  "rendering": {"width": 640, "render_depth": 3},
+  "saving": {"path": "results/deep/picture.ppm", "gamma_correct": true},
+  "spheres": [{"origin": [0, 0, -3], "radius": 1, "material": {"type": "no_texture", "color": [51, 102, 255]}}]
+})";
+
+/// A folder with ball.scene and config.json in it.
+class RenderCommand : public testing::Test {
+ protected:
+  RenderCommand() {
+    write_text(folder_ / "ball.scene", kScene);
+    write_text(folder_ / "config.json", kConfig);
+  }
+
+  ProgramResult run(const std::string& command) { return run_shell(folder_.path(), command); }
+  std::vector<std::string> names() const { return names_in(folder_.path()); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RenderCommand, NamesThePictureAfterTheSceneByDefault) {
+  const ProgramResult result = run("\"$SDLC\" render ball.scene");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, HasSubstr("ball.png"));
+  EXPECT_THAT(names(), ElementsAre("ball.png", "ball.scene", "config.json"));
+  const render::Picture picture = render::read_picture(folder_ / "ball.png");
+  EXPECT_EQ(picture.width, 32);
+  EXPECT_EQ(picture.height, 18);
+}
+
+TEST_F(RenderCommand, MakesTheFolderOfAConfigsOwnPath) {
+  const ProgramResult result = run("\"$SDLC\" render config.json --quiet");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const render::Picture picture = render::read_picture(folder_ / "results/deep/picture.ppm");
+  EXPECT_EQ(picture.height, 400) << "640 / 1.6";
+  // The square root of .2, .4 and 1, rounded to 8 bits.
+  const render::LinearRgb middle = picture.at(320, 200);
+  EXPECT_EQ(middle, (render::LinearRgb{114 / 255.0, 161 / 255.0, 1}));
+}
+
+TEST_F(RenderCommand, LeavesAConfigsFolderAloneWhenTheOutputIsElsewhere) {
+  EXPECT_EQ(run("\"$SDLC\" render config.json --width 16 -o here.png").exit_code, 0);
+  EXPECT_THAT(names(), ElementsAre("ball.scene", "config.json", "here.png"));
+}
+
+TEST_F(RenderCommand, WritesSeveralPicturesOfOneRender) {
+  const ProgramResult result =
+      run("\"$SDLC\" render ball.scene -o a.png -o b.exr -o c.ppm --ppm-text");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(names(), ElementsAre("a.png", "b.exr", "ball.scene", "c.ppm", "config.json"));
+  EXPECT_THAT(content_of(folder_ / "c.ppm"), StartsWith("P3"));
+}
+
+TEST_F(RenderCommand, ReadsAndWritesStandardStreams) {
+  const ProgramResult result = run("\"$SDLC\" render - -o - <ball.scene");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, StartsWith("\x89PNG"));
+  const ProgramResult config = run("\"$SDLC\" render - -o c.png --width 8 <config.json");
+  EXPECT_EQ(config.exit_code, 0) << config.err;
+}
+
+TEST_F(RenderCommand, NeedsANameForAPictureOfStandardInput) {
+  const ProgramResult result = run("\"$SDLC\" render - <ball.scene");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("--stdin-filename"));
+}
+
+TEST_F(RenderCommand, LetsFlagsWinOverTheScene) {
+  const ProgramResult result =
+      run("\"$SDLC\" render ball.scene --width 20 --height 30 --samples 3 --depth 2 --seed 9 "
+          "--threads 1 "
+          "--progress none --stats s.json");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const auto stats = nlohmann::json::parse(content_of(folder_ / "s.json"));
+  EXPECT_EQ(stats["width"], 20);
+  EXPECT_EQ(stats["height"], 30);
+  EXPECT_EQ(stats["samples"], 3);
+  EXPECT_EQ(stats["depth"], 2);
+  EXPECT_EQ(stats["seed"], 9);
+  EXPECT_EQ(stats["threads"], 1);
+  EXPECT_EQ(stats["camera_samples"], 20 * 30 * 3);
+}
+
+TEST_F(RenderCommand, KeepsTheAspectWithOneSideAlone) {
+  EXPECT_EQ(run("\"$SDLC\" render ball.scene --width 100 -o w.png").exit_code, 0);
+  EXPECT_EQ(render::read_picture(folder_ / "w.png").height, 56);
+  EXPECT_EQ(run("\"$SDLC\" render ball.scene --height 90 -o h.png").exit_code, 0);
+  EXPECT_EQ(render::read_picture(folder_ / "h.png").width, 160);
+}
+
+TEST_F(RenderCommand, TellsEveryFieldOfTheStatistics) {
+  const ProgramResult result = run("\"$SDLC\" render ball.scene --quiet --stats -");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto stats = nlohmann::json::parse(result.out);
+  for (const char* field : {"scene",
+                            "spheres",
+                            "width",
+                            "height",
+                            "samples",
+                            "depth",
+                            "seed",
+                            "threads",
+                            "instruction_set",
+                            "precision",
+                            "kernel",
+                            "features",
+                            "parse_seconds",
+                            "lower_seconds",
+                            "build_seconds",
+                            "render_seconds",
+                            "write_seconds",
+                            "camera_samples",
+                            "rays",
+                            "samples_per_second",
+                            "rays_per_second",
+                            "peak_rss_bytes",
+                            "render_rss_bytes",
+                            "relative_error",
+                            "relative_error_interval",
+                            "truncated_paths",
+                            "nonfinite_samples"}) {
+    EXPECT_TRUE(stats.contains(field)) << field;
+  }
+  EXPECT_EQ(stats["spheres"], 1);
+  EXPECT_EQ(stats["nonfinite_samples"], 0);
+  EXPECT_EQ(stats["features"], (nlohmann::json{"gradient", "diffuse"}));
+}
+
+TEST_F(RenderCommand, GivesTheSameFileForAnyNumberOfThreads) {
+  EXPECT_EQ(run("\"$SDLC\" render ball.scene --threads 1 -o one.exr").exit_code, 0);
+  EXPECT_EQ(run("\"$SDLC\" render ball.scene --threads 7 -o seven.exr").exit_code, 0);
+  EXPECT_EQ(content_of(folder_ / "one.exr"), content_of(folder_ / "seven.exr"));
+}
+
+TEST_F(RenderCommand, ExitsWithOneWhenTheSceneHasErrors) {
+  write_text(folder_ / "bad.scene", "scene 1\nsphere { center: (0, 0, 0), radus: 1 }\n");
+  const ProgramResult result = run("\"$SDLC\" render bad.scene --format concise");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("bad.scene:2:29: error[E104]: "));
+  EXPECT_THAT(result.err, HasSubstr("; did you mean radius?"));
+  EXPECT_THAT(names(), ElementsAre("bad.scene", "ball.scene", "config.json"));
+}
+
+TEST_F(RenderCommand, ExitsWithTwoWhenTheSceneCannotBeRead) {
+  const ProgramResult result = run("\"$SDLC\" render missing.scene");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("cannot read `missing.scene`: No such file"));
+}
+
+TEST_F(RenderCommand, RefusesAnUnknownExtensionBeforeRendering) {
+  const ProgramResult result = run("\"$SDLC\" render ball.scene -o out.pgn --samples 100000000");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("did you mean `png`?"));
+  EXPECT_THAT(names(), ElementsAre("ball.scene", "config.json"));
+}
+
+TEST_F(RenderCommand, RefusesAMissingFolderBeforeRendering) {
+  const ProgramResult result =
+      run("\"$SDLC\" render ball.scene -o no/such/out.png --samples 100000000");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("no/such/out.png"));
+}
+
+TEST_F(RenderCommand, RefusesAStatisticsFileThatCannotBeWrittenBeforeRendering) {
+  const ProgramResult result =
+      run("\"$SDLC\" render ball.scene --stats no/such/stats.json --samples 100000000");
+  EXPECT_EQ(result.exit_code, 2);
+}
+
+TEST_F(RenderCommand, LeavesNothingBehindWhenTheDiskIsFull) {
+  // A limit on file sizes stands for the full disk: it holds for root too.
+  const ProgramResult result =
+      run("ulimit -f 1; \"$SDLC\" render ball.scene --width 200 -o big.ppm");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("cannot write `big.ppm`: "));
+  EXPECT_THAT(names(), ElementsAre("ball.scene", "config.json"));
+}
+
+TEST_F(RenderCommand, KeepsExistingFilesWhenAskedTo) {
+  write_text(folder_ / "ball.png", "mine");
+  const ProgramResult result = run("\"$SDLC\" render ball.scene --no-clobber");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(content_of(folder_ / "ball.png"), "mine");
+}
+
+TEST_F(RenderCommand, SavesAPartialPictureWhenItIsInterrupted) {
+  for (const std::string signal : {"INT", "TERM"}) {
+    const std::string log = signal + ".log";
+    // A shell starts background jobs with SIGINT ignored, which the program respects.
+    const ProgramResult result =
+        run("env --default-signal=INT \"$SDLC\" render ball.scene --width 2000 --samples 1000 "
+            "--progress json "
+            "-o out.png 2>" +
+            log +
+            " & pid=$!\n"
+            "while kill -0 $pid && ! grep -qs samples " +
+            log +
+            "; do sleep 0.1; done\n"
+            "kill -" +
+            signal + " $pid; wait $pid");
+    EXPECT_EQ(result.exit_code, 130) << signal;
+    EXPECT_THAT(content_of(folder_ / log), HasSubstr("saved as out.partial.png"));
+    ASSERT_TRUE(std::filesystem::exists(folder_ / "out.partial.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out.png"));
+    const render::Picture picture = render::read_picture(folder_ / "out.partial.png");
+    EXPECT_EQ(picture.width, 2000);
+    EXPECT_GT(picture.at(0, 0).b, 0) << "the first tile is there";
+    std::filesystem::remove(folder_ / "out.partial.png");
+  }
+}
+
+TEST_F(RenderCommand, SuggestsTheFlagThatWasMeant) {
+  const ProgramResult flag = run("\"$SDLC\" render ball.scene --sample 3");
+  EXPECT_EQ(flag.exit_code, 2);
+  EXPECT_THAT(flag.err, HasSubstr("unknown flag `--sample` (did you mean `--samples`?)"));
+  const ProgramResult word = run("\"$SDLC\" render ball.scene --tone sgrb");
+  EXPECT_EQ(word.exit_code, 2);
+  EXPECT_THAT(word.err, HasSubstr("did you mean `srgb`?"));
+  const ProgramResult command = run("\"$SDLC\" rendr ball.scene");
+  EXPECT_EQ(command.exit_code, 2);
+  EXPECT_THAT(command.err, HasSubstr("did you mean `render`?"));
+}
+
+TEST_F(RenderCommand, RefusesNumbersOutOfRange) {
+  for (const char* flags : {"--width 0", "--samples -1", "--depth 0", "--samples 1.5",
+                            "--threads -2", "--seed -1", "--width 99999999999"}) {
+    const ProgramResult result = run(std::string("\"$SDLC\" render ball.scene ") + flags);
+    EXPECT_EQ(result.exit_code, 2) << flags;
+    EXPECT_THAT(result.err, HasSubstr("error: ")) << flags;
+  }
+  EXPECT_THAT(names(), ElementsAre("ball.scene", "config.json"));
+}
+
+TEST_F(RenderCommand, ShowsExamplesInItsHelp) {
+  const ProgramResult result = run("\"$SDLC\" render --help");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr("Examples:"));
+  EXPECT_EQ(result.err, "");
+  EXPECT_THAT(run("\"$SDLC\" --help").out, HasSubstr("render"));
+  EXPECT_THAT(run("\"$SDLC\" --version").out, StartsWith("sdlc "));
+}
+
+}  // namespace
+}  // namespace sdlc::test
