@@ -43,8 +43,13 @@ DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where
     discarded_ = {};
     return DiagnosticBuilder(discarded_);
   }
-  diagnostics_.push_back({.info = &info, .where = where, .message = std::move(message),
-                          .labels = {}, .help = {}, .fixes = {}, .suggestion = {}});
+  diagnostics_.push_back({.info = &info,
+                          .where = where,
+                          .message = std::move(message),
+                          .labels = {},
+                          .help = {},
+                          .fixes = {},
+                          .suggestion = {}});
   return DiagnosticBuilder(diagnostics_.back());
 }
 
@@ -61,9 +66,8 @@ std::vector<const Diagnostic*> DiagnosticSink::sorted() const {
     const auto file = std::find(files.begin(), files.end(), diagnostic->where.file);
     return std::pair(std::distance(files.begin(), file), diagnostic->where.span.begin);
   };
-  std::stable_sort(sorted.begin(), sorted.end(), [&](const Diagnostic* a, const Diagnostic* b) {
-    return key(a) < key(b);
-  });
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const Diagnostic* a, const Diagnostic* b) { return key(a) < key(b); });
   return sorted;
 }
 

@@ -26,18 +26,21 @@ struct DiagnosticInfo {
   std::string_view message;
 };
 
-/// A row together with the types of its message's arguments; a call that does not fit does not compile.
+/// A row together with the types of its message's arguments; a call that does not fit does not
+/// compile.
 template <typename... Args>
 struct DiagnosticKind : DiagnosticInfo {
-  /// The message comes twice: fmt checks it as a format but does not give the text back in version 9.
+  /// The message comes twice: fmt checks it as a format but does not give the text back in
+  /// version 9.
   consteval DiagnosticKind(std::string_view code_, Severity severity_, std::string_view name_,
                            std::string_view message_, fmt::format_string<Args...> /*checked*/)
       : DiagnosticInfo{code_, severity_, name_, message_} {}
 };
 
 namespace diag {
-#define SDLC_DIAGNOSTIC(code, severity, name, message, ...) \
-  inline constexpr DiagnosticKind<__VA_ARGS__> name{#code, Severity::severity, #name, message, message};
+#define SDLC_DIAGNOSTIC(code, severity, name, message, ...)                                    \
+  inline constexpr DiagnosticKind<__VA_ARGS__> name{#code, Severity::severity, #name, message, \
+                                                    message};
 #include "lang/diagnostics/diagnostics.def"
 #undef SDLC_DIAGNOSTIC
 }  // namespace diag
@@ -82,8 +85,9 @@ class DiagnosticBuilder {
   Diagnostic* diagnostic_;
 };
 
-/// Collects what the phases report. After `kMaxErrors` errors (or as many warnings) further ones are only
-/// counted: the reader of a message about the 51st mistake is better served by a second run.
+/// Collects what the phases report. After `kMaxErrors` errors (or as many warnings) further ones
+/// are only counted: the reader of a message about the 51st mistake is better served by a second
+/// run.
 class DiagnosticSink {
  public:
   static constexpr std::size_t kMaxPerSeverity = 50;
@@ -97,9 +101,7 @@ class DiagnosticSink {
   bool has_errors() const noexcept { return errors_ > 0; }
   std::size_t error_count() const noexcept { return errors_; }      ///< those not kept included
   std::size_t warning_count() const noexcept { return warnings_; }  ///< likewise
-  std::size_t omitted_count() const noexcept {
-    return errors_ + warnings_ - diagnostics_.size();
-  }
+  std::size_t omitted_count() const noexcept { return errors_ + warnings_ - diagnostics_.size(); }
   /// What was kept, in the order it was reported.
   const std::deque<Diagnostic>& diagnostics() const noexcept { return diagnostics_; }
   /// What was kept, by place: files in the order they were first mentioned, then offsets.

@@ -14,8 +14,9 @@ struct RenderDiagnosticsOptions {
   bool color = false;  ///< ANSI colours; only the human format has any
 };
 
-/// The sink's diagnostics as text, by place. Human shows the source line with carets under the span, labels,
-/// help and a closing count; Concise is one line each, `file:line:col: severity[CODE]: message`, then
+/// The sink's diagnostics as text, by place. Human shows the source line with carets under the
+/// span, labels, help and a closing count; Concise is one line each, `file:line:col:
+/// severity[CODE]: message`, then
 /// `; did you mean X?` where there is a suggestion; Json is one object with an array `diagnostics`.
 std::string render_diagnostics(const DiagnosticSink& sink, const RenderDiagnosticsOptions& options);
 
