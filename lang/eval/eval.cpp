@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <map>
 #include <optional>
 #include <string>
@@ -63,6 +64,9 @@ const Kind* find_kind(std::string_view name) noexcept {
   return found == kinds.end() ? nullptr : &*found;
 }
 
+/// Properties of one kind, by their index in its table.
+using PropertySet = std::bitset<kMaxProperties>;
+
 class FileEvaluator {
  public:
   FileEvaluator(const SyntaxTree& tree, ObjectSink& objects, DiagnosticSink& sink)
@@ -106,9 +110,10 @@ class FileEvaluator {
     }
     if (kind->is_unique) check_unique(*kind, node);
 
+    PropertySet guessed;
     for (const ast::Node statement : node.children()) {
       if (statement.is(SyntaxKind::Property)) {
-        evaluate_property(object, {statement});
+        evaluate_property(object, {statement}, guessed);
       } else if (!statement.is(SyntaxKind::Name) && !statement.is(SyntaxKind::Error)) {
         report_misplaced(*kind, statement);
       }
@@ -118,32 +123,49 @@ class FileEvaluator {
     objects_.add(object);
   }
 
-  void evaluate_property(Object& object, ast::Labeled property) {
+  void evaluate_property(Object& object, ast::Labeled property, PropertySet& guessed) {
     const auto properties = object.kind->properties;
     const auto found = std::find_if(properties.begin(), properties.end(),
                                     [&](const Property& p) { return p.name == property.label(); });
-    if (found == properties.end()) {
-      std::vector<std::string_view> names;
-      for (const Property& known : properties) names.push_back(known.name);
-      sink_
-          .report(diag::unknown_property, property.label_location(), property.label(),
-                  object.kind->name)
-          .suggest(nearest_name(property.label(), names));
-      if (const auto value = property.value()) expressions_.evaluate(*value);
-      return;
-    }
+    if (found == properties.end()) return evaluate_misspelt(object, property, guessed);
 
-    Slot& slot = object.slots[static_cast<std::size_t>(found - properties.begin())];
-    if (slot.is_written) {
+    const auto index = static_cast<std::size_t>(found - properties.begin());
+    Slot& slot = object.slots[index];
+    if (slot.is_written && !guessed[index]) {
       sink_.report(diag::duplicate, property.label_location(), "property", property.label())
           .label(property.node.tree().location(slot.span), "first given here");
       return;
     }
-    slot.is_written = true;
-    slot.span = property.node.span();
-    if (const auto value = property.value()) {
+    guessed[index] = false;
+    read_value(*found, property, slot);
+  }
+
+  /// Reports an unknown property and takes it for the one that was probably meant, unless that one
+  /// stands there too: what is missing only because of a slip of the pen is not missing.
+  void evaluate_misspelt(Object& object, ast::Labeled property, PropertySet& guessed) {
+    const auto properties = object.kind->properties;
+    std::vector<std::string_view> names;
+    for (const Property& known : properties) names.push_back(known.name);
+    const auto nearest = nearest_name(property.label(), names);
+    sink_
+        .report(diag::unknown_property, property.label_location(), property.label(),
+                object.kind->name)
+        .suggest(nearest);
+    const auto index = static_cast<std::size_t>(
+        nearest ? std::find(names.begin(), names.end(), *nearest) - names.begin() : 0);
+    if (nearest && !object.slots[index].is_written) {
+      guessed[index] = true;
+      read_value(properties[index], property, object.slots[index]);
+    } else if (const auto value = property.value()) {
+      expressions_.evaluate(*value);
+    }
+  }
+
+  void read_value(const Property& property, ast::Labeled written, Slot& slot) {
+    slot = {.value = {}, .span = written.node.span(), .is_written = true};
+    if (const auto value = written.value()) {
       slot.span = value->span();
-      slot.value = expressions_.evaluate_property(*found, *value);
+      slot.value = expressions_.evaluate_property(property, *value);
     }
   }
 

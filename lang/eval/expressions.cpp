@@ -223,6 +223,7 @@ Computed ExpressionEvaluator::evaluate_call(ast::Call call) {
         for (const Property& parameter : function->parameters) names.push_back(parameter.name);
         sink_.report(diag::unknown_argument, labeled.label_location(), labeled.label(), callee)
             .suggest(nearest_name(labeled.label(), names));
+        if (value) evaluate(*value);  // it may have mistakes of its own
         is_broken = true;
         continue;
       }
