@@ -19,12 +19,14 @@
 #include <unistd.h>
 
 #include "render/image/io_error.hpp"
+#include "tests/render/image/io_errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace sdlc::render {
 namespace {
 
 using test::content_of;
+using test::error_of;
 using test::names_in;
 using test::TemporaryFolder;
 using test::write_text;
@@ -38,17 +40,6 @@ constexpr uid_t kNobody = 65534;
 
 void write(const fs::path& path, const std::string& text) {
   write_file_atomically(path, std::as_bytes(std::span(text)));
-}
-
-/// The message of the IoError that `act` throws, empty if it throws none.
-template <typename Act>
-std::string error_of(Act act) {
-  try {
-    act();
-  } catch (const IoError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 /// Files end at `bytes` as long as this lives: the same errors as a full disk, without one.

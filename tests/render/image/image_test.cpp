@@ -12,11 +12,13 @@
 
 #include "render/image/codec_loader.hpp"
 #include "render/image/io_error.hpp"
+#include "tests/render/image/io_errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace sdlc::render {
 namespace {
 
+using test::error_of;
 using test::names_in;
 using test::TemporaryFolder;
 using test::write_text;
@@ -72,16 +74,6 @@ Picture round_trip(const Picture& picture, const std::string& name, WriteOptions
 std::string encoded(const Picture& picture, const WriteOptions& options) {
   const std::vector<std::byte> file = encode_picture(picture, options);
   return {reinterpret_cast<const char*>(file.data()), file.size()};
-}
-
-template <typename Act>
-std::string error_of(Act act) {
-  try {
-    act();
-  } catch (const IoError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 // Sizes that are no multiple of a block of JPEG, WebP or EXR.

@@ -4,28 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/statistics/scaled_scene.hpp"
+
 namespace sdlc::render {
 namespace {
+
+using test::scaled;
 
 Scene small_scene() {
   Scene scene;
   scene.camera = {.from = {1, 2, 3}, .at = {4, 5, 7}};
   scene.spheres = {{{0, 0.5, -2}, 1.5, 0}, {{3, 3, 3}, 0.25, 0}};
   scene.shifts = {{0, 0, 0}, {0.5, -0.25, 9}};
-  return scene;
-}
-
-Scene scaled(Scene scene, int exponent) {
-  const auto scale = [&](Vec3& v) {
-    v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-  };
-  scale(scene.camera.from);
-  scale(scene.camera.at);
-  for (Sphere& sphere : scene.spheres) {
-    scale(sphere.center);
-    sphere.radius = std::ldexp(sphere.radius, exponent);
-  }
-  for (Vec3& shift : scene.shifts) scale(shift);
   return scene;
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/statistics/scaled_scene.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
 namespace sdlc::render {
@@ -114,19 +115,10 @@ TEST(Render, ReturnsSoonWhenItIsCancelled) {
 // digits, is the same scene.
 TEST(Render, DoesNotDependOnTheScaleOfTheWorld) {
   const auto picture = [](int exponent) {
-    Scene scene = rich_scene();
-    const auto scale = [&](Vec3& v) {
-      v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-    };
-    scale(scene.camera.from);
-    scale(scene.camera.at);
-    for (Sphere& sphere : scene.spheres) {
-      scale(sphere.center);
-      sphere.radius = std::ldexp(sphere.radius, exponent);
-    }
-    for (Vec3& shift : scene.shifts) scale(shift);
     RenderMonitor monitor;
-    return render(scene, {.width = 24, .height = 16, .samples = 8, .depth = 8}, monitor).picture;
+    return render(test::scaled(rich_scene(), exponent),
+                  {.width = 24, .height = 16, .samples = 8, .depth = 8}, monitor)
+        .picture;
   };
   const Picture expected = picture(0);
   EXPECT_EQ(picture(60).pixels, expected.pixels);
