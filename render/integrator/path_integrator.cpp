@@ -37,12 +37,12 @@ void PathIntegrator::find_camera_surfaces() {
   }
 }
 
-LinearRgb PathIntegrator::sample(double s, double t, const PathSampler& sampler,
-                                 PathCounts& counts) const noexcept {
-  const Vec3 direction = pinhole_.direction(s, t);
-  if (!has_motion_) return li<false>({.origin = {}, .direction = direction}, sampler, counts);
-  return li<true>({.origin = {}, .direction = direction, .u = sampler.uniform(kTime)}, sampler,
-                  counts);
+LinearRgb PathIntegrator::sample(double s, double t, const PathSampler& sampler, PathCounts& counts,
+                                 const std::atomic<bool>* cancel) const noexcept {
+  Ray ray{.origin = {}, .direction = pinhole_.direction(s, t)};
+  if (!has_motion_) return li<false>(ray, sampler, counts, cancel);
+  ray.u = sampler.uniform(kTime);
+  return li<true>(ray, sampler, counts, cancel);
 }
 
 /// The first hit of a camera ray when the camera stands on several surfaces at once: each of them
@@ -68,11 +68,16 @@ LinearRgb PathIntegrator::background(Vec3 direction) const noexcept {
 }
 
 template <bool kMoving>
-LinearRgb PathIntegrator::li(Ray ray, const PathSampler& sampler,
-                             PathCounts& counts) const noexcept {
-  LinearRgb beta{1};  // throughput of the walk so far
+LinearRgb PathIntegrator::li(Ray ray, const PathSampler& sampler, PathCounts& counts,
+                             const std::atomic<bool>* cancel) const noexcept {
+  constexpr int kRaysBetweenLooks = 4096;  // a walk may be a thousand million rays long
+  LinearRgb beta{1};                       // throughput of the walk so far
   Departure departure;
   for (int depth = 0; depth < max_depth_; ++depth) {
+    if (depth % kRaysBetweenLooks == kRaysBetweenLooks - 1 && cancel != nullptr &&
+        cancel->load(std::memory_order_relaxed)) {
+      return LinearRgb{};
+    }
     ++counts.rays;
     BvhHit hit;
     if (depth == 0 && !camera_surfaces_.empty()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -34,15 +35,17 @@ class PathIntegrator {
   PathIntegrator(Scene scene, int max_depth);
 
   /// One path through the place (s, t) of the picture, (0, 0) its lower left corner: linear RGB.
-  LinearRgb sample(double s, double t, const PathSampler& sampler,
-                   PathCounts& counts) const noexcept;
+  /// Once `cancel` is set a long path ends soon, with a value that means nothing.
+  LinearRgb sample(double s, double t, const PathSampler& sampler, PathCounts& counts,
+                   const std::atomic<bool>* cancel = nullptr) const noexcept;
 
   bool has_motion() const noexcept { return has_motion_; }
   const Bvh& bvh() const noexcept { return bvh_; }
 
  private:
   template <bool kMoving>
-  LinearRgb li(Ray ray, const PathSampler& sampler, PathCounts& counts) const noexcept;
+  LinearRgb li(Ray ray, const PathSampler& sampler, PathCounts& counts,
+               const std::atomic<bool>* cancel) const noexcept;
   template <bool kMoving>
   BvhHit first_hit_from_surfaces(const Ray& ray) const noexcept;
   LinearRgb background(Vec3 direction) const noexcept;

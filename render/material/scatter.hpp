@@ -59,7 +59,11 @@ inline Vec3 scatter_diffuse(Vec3 facing, const VertexSampler& sample) noexcept {
 inline bool scatter_specular(Vec3 direction, Vec3 facing, double fuzz, const VertexSampler& sample,
                              Vec3& out) noexcept {
   Vec3 mirrored = reflect(direction, facing);
-  if (fuzz > 0) mirrored = mirrored + sample_unit_ball(sample) * fuzz;
+  if (fuzz > 1) {  // only the direction counts: divided by fuzz, it cannot overflow
+    mirrored = mirrored / fuzz + sample_unit_ball(sample);
+  } else if (fuzz > 0) {
+    mirrored = mirrored + sample_unit_ball(sample) * fuzz;
+  }
   if (!(dot(mirrored, facing) > 0)) return false;
   out = unit(mirrored);
   return true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <span>
 
@@ -9,6 +10,7 @@ namespace sdlc::render {
 namespace {
 
 constexpr double kTolerance = 0x1p-40;  // of the radius
+constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
 /// Finds groups by splitting: along one coordinate after another the spheres are sorted and cut
 /// wherever neighbours are further apart than the tolerance. What no coordinate cuts is compared
@@ -89,18 +91,42 @@ class CoincidenceSearch {
     if (group.size() > 1) compare(group);
   }
 
+  /// Each sphere of a group against the kept ones nearby, in the order of the scene.
   void compare(std::span<std::uint32_t> group) {
     std::sort(group.begin(), group.end());
-    std::vector<std::uint32_t> kept;
+    const int axis = widest_coordinate(group);
+    std::multimap<double, std::uint32_t> kept;
     for (const std::uint32_t i : group) {
-      const auto match = std::find_if(kept.begin(), kept.end(),
-                                      [&](std::uint32_t k) { return within_tolerance(k, i); });
-      if (match == kept.end()) {
-        kept.push_back(i);
+      const double place = coordinate(i, axis);
+      const double reach = 2 * kTolerance * spheres_[i].radius;
+      std::uint32_t earliest = kNone;
+      for (auto k = kept.lower_bound(place - reach); k != kept.end() && k->first <= place + reach;
+           ++k) {
+        if (within_tolerance(k->second, i)) earliest = std::min(earliest, k->second);
+      }
+      if (earliest == kNone) {
+        kept.emplace(place, i);
       } else {
-        found_.push_back({.sphere = i, .earlier = *match, .is_exact = equal(*match, i)});
+        found_.push_back({.sphere = i, .earlier = earliest, .is_exact = equal(earliest, i)});
       }
     }
+  }
+
+  /// Along it a chain of near neighbours is longest, so that few of them are within reach of each
+  /// other.
+  int widest_coordinate(std::span<const std::uint32_t> group) const {
+    int widest = 0;
+    double width = -1;
+    for (int k = 0; k < coordinates(); ++k) {
+      const auto [low, high] = std::minmax_element(
+          group.begin(), group.end(),
+          [&](std::uint32_t a, std::uint32_t b) { return coordinate(a, k) < coordinate(b, k); });
+      if (coordinate(*high, k) - coordinate(*low, k) > width) {
+        width = coordinate(*high, k) - coordinate(*low, k);
+        widest = k;
+      }
+    }
+    return widest;
   }
 
   const std::vector<Sphere>& spheres_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -25,8 +26,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Counts of one tile; sums of whole numbers do not depend on their order.
-struct TileCounts {
+/// What a block of samples adds to the totals; sums of whole numbers do not depend on their order.
+struct Counts {
   PathCounts paths;
   std::uint64_t samples = 0;
   std::uint64_t nonfinite = 0;
@@ -48,10 +49,9 @@ class TileRenderer {
     const int y1 = std::min(y0 + kTileSize, settings_.height);
     for (int y = y0; y < y1; ++y) {
       for (int x = x0; x < x1; ++x) {
-        if (monitor_.cancel.load(std::memory_order_relaxed)) return;
-        TileCounts counts;
-        picture_.at(x, y) = mean_radiance(x, y, counts);
-        report(counts);
+        const std::optional<LinearRgb> mean = mean_radiance(x, y);
+        if (!mean) return;
+        picture_.at(x, y) = *mean;
       }
     }
   }
@@ -62,32 +62,41 @@ class TileRenderer {
  private:
   int tiles_across() const { return (settings_.width + kTileSize - 1) / kTileSize; }
 
-  LinearRgb mean_radiance(int x, int y, TileCounts& counts) const {
+  /// The mean of the pixel's samples, or nothing when the render was cancelled meanwhile.
+  std::optional<LinearRgb> mean_radiance(int x, int y) {
     const auto pixel = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings_.width) +
                        static_cast<std::uint64_t>(x);
     const std::uint64_t key = PathSampler::pixel_key(settings_.seed, pixel);
+    const auto samples = static_cast<std::uint64_t>(settings_.samples);
     SampleSum sum;
-    for (int i = 0; i < settings_.samples; ++i) {
-      const PathSampler sampler(key, static_cast<std::uint64_t>(i));
-      // A picture of one sample a pixel looks through the middle of each.
-      const bool is_centred = settings_.samples == 1;
-      const double dx = is_centred ? 0.5 : sampler.uniform(kPixelX);
-      const double dy = is_centred ? 0.5 : sampler.uniform(kPixelY);
-      const double s = (x + dx) / settings_.width;
-      const double t = (settings_.height - 1 - y + dy) / settings_.height;
-      const LinearRgb radiance = integrator_.sample(s, t, sampler, counts.paths);
-      if (is_finite(radiance)) {
-        sum.add(radiance);
-      } else {
-        ++counts.nonfinite;
-        sum.add(LinearRgb{});
+    while (sum.count() < samples) {
+      Counts counts;
+      const std::uint64_t end = std::min(samples, sum.count() + SampleSum::kBlock);
+      for (std::uint64_t i = sum.count(); i < end; ++i) {
+        sum.add(sample(x, y, PathSampler(key, i), counts));
       }
+      if (monitor_.cancel.load(std::memory_order_relaxed)) return std::nullopt;
+      report(counts);
     }
-    counts.samples += static_cast<std::uint64_t>(settings_.samples);
-    return sum.total() / static_cast<double>(settings_.samples);
+    return sum.total() / static_cast<double>(samples);
   }
 
-  void report(const TileCounts& counts) {
+  /// One sample of a pixel; black, and counted, where it is not finite.
+  LinearRgb sample(int x, int y, const PathSampler& sampler, Counts& counts) const {
+    // A picture of one sample a pixel looks through the middle of each.
+    const bool is_centred = settings_.samples == 1;
+    const double dx = is_centred ? 0.5 : sampler.uniform(kPixelX);
+    const double dy = is_centred ? 0.5 : sampler.uniform(kPixelY);
+    const double s = (x + dx) / settings_.width;
+    const double t = (settings_.height - 1 - y + dy) / settings_.height;
+    const LinearRgb radiance = integrator_.sample(s, t, sampler, counts.paths, &monitor_.cancel);
+    ++counts.samples;
+    if (is_finite(radiance)) return radiance;
+    ++counts.nonfinite;
+    return LinearRgb{};
+  }
+
+  void report(const Counts& counts) {
     monitor_.samples_done.fetch_add(counts.samples, std::memory_order_relaxed);
     monitor_.rays_done.fetch_add(counts.paths.rays, std::memory_order_relaxed);
     truncated_.fetch_add(counts.paths.truncated_paths, std::memory_order_relaxed);
@@ -117,22 +126,29 @@ RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& 
   result.build_seconds = seconds_since(build_start);
   result.bvh_bytes = integrator.bvh().memory_bytes();
 
-  const auto render_start = std::chrono::steady_clock::now();
   result.picture = Picture(settings.width, settings.height);
   result.threads = thread_count(settings.threads);
   TileRenderer tiles(integrator, settings, result.picture, monitor);
-  if (monitor.on_tracing) monitor.on_tracing();
-  const auto threads = static_cast<std::size_t>(result.threads);
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(result.threads));
   tbb::task_arena arena(result.threads);
-  arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<int>(0, tiles.tile_count(), 1),
-        [&](const tbb::blocked_range<int>& range) {
-          for (int tile = range.begin(); tile < range.end(); ++tile) tiles.render_tile(tile);
-        },
-        tbb::simple_partitioner{});
-  });
+  const auto for_each = [&](int count, const auto& body) {
+    arena.execute([&] {
+      tbb::parallel_for(
+          tbb::blocked_range<int>(0, count, 1),
+          [&](const tbb::blocked_range<int>& range) {
+            for (int i = range.begin(); i < range.end(); ++i) body(i);
+          },
+          tbb::simple_partitioner{});
+    });
+  };
+  // Threads start, and oneTBB loads its allocator, before anything else may load a library and
+  // before the clock runs.
+  for_each(result.threads, [](int) {});
+  if (monitor.on_tracing) monitor.on_tracing();
+
+  const auto render_start = std::chrono::steady_clock::now();
+  for_each(tiles.tile_count(), [&](int tile) { tiles.render_tile(tile); });
   result.render_seconds = seconds_since(render_start);
   result.is_complete = !monitor.cancel.load();
   result.camera_samples = monitor.samples_done.load();

@@ -12,7 +12,7 @@ namespace sdlc::render {
 
 /// What another thread sees of a render, and how it ends it early.
 struct RenderMonitor {
-  std::atomic<bool> cancel{false};  ///< set it: the render returns within the time of a few pixels
+  std::atomic<bool> cancel{false};  ///< set it: the render returns within milliseconds
   std::atomic<std::uint64_t> samples_done{0};
   std::atomic<std::uint64_t> rays_done{0};
   /// Called once, when everything is built and the first path is about to be traced.

@@ -111,6 +111,21 @@ TEST(Render, ReturnsSoonWhenItIsCancelled) {
   EXPECT_LT(result.camera_samples, 4000u * 4000 * 64);
 }
 
+TEST(Render, EndsALongPixelAndALongPathWhenItIsCancelled) {
+  // Without a look at the flag inside a pixel, and inside a path, either would take hours.
+  Scene closed = test::beam_scene({0, 0, 0}, {0, 0, -1}, LinearRgb{});
+  test::add_sphere(closed, {0, 0, 0}, 1, test::diffuse({1, 1, 1}));
+  for (const RenderSettings& settings :
+       {RenderSettings{.width = 1, .height = 1, .samples = 1'000'000'000, .depth = 1000},
+        RenderSettings{.width = 1, .height = 1, .samples = 1, .depth = 1'000'000'000}}) {
+    RenderMonitor monitor;
+    std::thread canceller;
+    monitor.on_tracing = [&] { canceller = std::thread([&] { monitor.cancel = true; }); };
+    EXPECT_FALSE(render(closed, settings, monitor).is_complete);
+    canceller.join();
+  }
+}
+
 // A scene scaled by a power of two, or so far from the origin that the coordinates still hold its
 // digits, is the same scene.
 TEST(Render, DoesNotDependOnTheScaleOfTheWorld) {
