@@ -1,6 +1,8 @@
 #include "cli/program.hpp"
 
+#include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <string_view>
@@ -58,7 +60,11 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error,
     if (!extra.starts_with('-') || extra == "-")
       return fmt::format("unexpected argument `{}`", extra);
     const std::string flag = extra.substr(0, extra.find('='));
-    return fmt::format("unknown flag `{}`{}", flag, suggestion(flag, flags_of(command)));
+    const std::vector<std::string> known = flags_of(command);
+    if (has_command && std::find(known.begin(), known.end(), flag) != known.end()) {
+      return fmt::format("`{}` belongs behind `{}`", flag, command.get_name());
+    }
+    return fmt::format("unknown flag `{}`{}", flag, suggestion(flag, known));
   }
   return error.what();
 }
@@ -106,12 +112,17 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
 
 ExitCode run_program(std::span<const std::string> arguments, Environment& env) {
   try {
-    return parse_and_run(arguments, env);
+    const ExitCode code = parse_and_run(arguments, env);
+    if (!env.out.flush()) throw render::IoError("write", "standard output", "the write failed");
+    return code;
   } catch (const UsageError& error) {
     env.err << fmt::format("error: {}\n", error.what());
     return ExitCode::Usage;
   } catch (const render::IoError& error) {
-    env.err << fmt::format("error: {}\n", error.what());
+    env.err << fmt::format("error: {}\n", printable(error.what()));
+    return ExitCode::Usage;
+  } catch (const std::filesystem::filesystem_error& error) {
+    env.err << fmt::format("error: {}\n", printable(error.what()));
     return ExitCode::Usage;
   } catch (const std::bad_alloc&) {
     env.err << "error: not enough memory for this scene and picture\n";

@@ -1,9 +1,10 @@
 #include "render/tiles/render.hpp"
 
-#include <algorithm>
 #include <array>
+#include <charconv>
 #include <chrono>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,13 +16,14 @@
 #include "cli/diagnostics_output.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/statistics.hpp"
-#include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "cli/words.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/lower/scene_builder.hpp"
+#include "lang/object/object.hpp"
 #include "lang/schema/schema.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/image.hpp"
@@ -47,12 +49,6 @@ struct RenderOptions {
   bool quiet = false;
 };
 
-/// A picture file to be written.
-struct Output {
-  std::string path;  ///< "-": the standard output, as PNG
-  render::ImageFormat format;
-};
-
 lang::SourceFile read_source(const RenderOptions& options, const Environment& env) {
   const bool is_stdin = options.file == "-";
   const std::string name = !is_stdin                        ? options.file
@@ -64,46 +60,6 @@ lang::SourceFile read_source(const RenderOptions& options, const Environment& en
   return lang::SourceFile(name, std::move(*text));
 }
 
-/// The pictures to write: those of the command line, else the scene's, else FILE's stem.
-std::vector<Output> choose_outputs(const RenderOptions& options, const std::string& of_scene) {
-  std::vector<std::string> paths = options.outputs;
-  if (paths.empty() && !of_scene.empty()) {
-    render::make_parent_folders(of_scene);
-    paths.push_back(of_scene);
-  }
-  if (paths.empty()) {
-    const std::string& name = options.file == "-" ? options.stdin_filename : options.file;
-    if (name.empty()) throw UsageError("a scene from `-` needs -o OUT or --stdin-filename NAME");
-    paths.push_back(fs::path(name).stem().string() + ".png");
-  }
-
-  std::vector<Output> outputs;
-  for (const std::string& path : paths) {
-    if (path == "-") {
-      outputs.push_back({.path = path, .format = render::ImageFormat::Png});
-      continue;
-    }
-    const auto format = render::image_format_of(path);
-    if (!format) {
-      const std::string extension = fs::path(path).extension().string();
-      const auto known = render::image_extensions();
-      const auto written = std::string_view(extension).substr(extension.empty() ? 0 : 1);
-      throw render::IoError(
-          "write", path,
-          fmt::format("{}; known are {}{}",
-                      extension.empty() ? std::string("the name has no extension")
-                                        : fmt::format("unknown extension `{}`", extension),
-                      fmt::join(known, " "), did_you_mean(written, known)));
-    }
-    if (options.keeps_existing && fs::exists(path)) {
-      throw render::IoError("write", path, "the file exists and --no-clobber was given");
-    }
-    render::check_writable(path);
-    outputs.push_back({.path = path, .format = *format});
-  }
-  return outputs;
-}
-
 /// Refuses a picture that the machine cannot hold before any of it is allocated.
 void check_memory(const render::RenderSettings& settings) {
   const auto pixels =
@@ -113,9 +69,24 @@ void check_memory(const render::RenderSettings& settings) {
   if (bytes > physical_memory_bytes()) throw std::bad_alloc();
 }
 
-fs::path partial_name(const fs::path& path) {
-  return path.parent_path() /
-         fs::path(path.stem().string() + ".partial" + path.extension().string());
+render::WriteOptions write_options(const Output& output, const RenderOptions& options,
+                                   const lang::LoweredScene& lowered) {
+  const render::RenderSettings& settings = lowered.settings;
+  return {.format = output.format,
+          .tone = lowered.output.tone,
+          .ppm_text = options.ppm_text,
+          .metadata = {.software = fmt::format("sdlc {}", kVersion),
+                       .entries = {{"sdlc:samples", fmt::to_string(settings.samples)},
+                                   {"sdlc:depth", fmt::to_string(settings.depth)},
+                                   {"sdlc:seed", fmt::to_string(settings.seed)}}}};
+}
+
+void write_to_stdout(const render::Picture& picture, const render::WriteOptions& options,
+                     Environment& env) {
+  const auto bytes = render::encode_picture(picture, options, "standard output");
+  env.out.write(reinterpret_cast<const char*>(bytes.data()),
+                static_cast<std::streamsize>(bytes.size()));
+  if (!env.out.flush()) throw render::IoError("write", "standard output", "the write failed");
 }
 
 /// Writes every picture; returns the names as told to the user.
@@ -123,28 +94,19 @@ std::vector<std::string> write_pictures(const std::vector<Output>& outputs,
                                         const RenderOptions& options,
                                         const lang::LoweredScene& lowered,
                                         const render::RenderResult& result, Environment& env) {
-  const render::RenderSettings& settings = lowered.settings;
   std::vector<std::string> names;
   for (const Output& output : outputs) {
-    const render::WriteOptions write{
-        .format = output.format,
-        .tone = lowered.output.tone,
-        .ppm_text = options.ppm_text,
-        .metadata = {.software = fmt::format("sdlc {}", kVersion),
-                     .entries = {{"sdlc:samples", fmt::to_string(settings.samples)},
-                                 {"sdlc:depth", fmt::to_string(settings.depth)},
-                                 {"sdlc:seed", fmt::to_string(settings.seed)}}}};
-    if (output.path == "-") {
-      const auto bytes = render::encode_picture(result.picture, write, "standard output");
-      env.out.write(reinterpret_cast<const char*>(bytes.data()),
-                    static_cast<std::streamsize>(bytes.size()));
-      if (!env.out.flush()) throw render::IoError("write", "standard output", "the write failed");
-      names.emplace_back("standard output");
-      continue;
+    const render::WriteOptions write = write_options(output, options, lowered);
+    fs::path path = output.path;
+    if (output.is_stdout) {
+      write_to_stdout(result.picture, write, env);
+    } else {
+      if (!result.is_complete) path = partial_name(path);
+      std::optional<render::ParentFolders> folders;
+      if (output.may_make_folders) folders.emplace(path);
+      render::write_picture(path, result.picture, write);
     }
-    const fs::path path = result.is_complete ? fs::path(output.path) : partial_name(output.path);
-    render::write_picture(path, result.picture, write);
-    names.push_back(path.string());
+    names.push_back(printable(path.string()));
   }
   return names;
 }
@@ -165,62 +127,64 @@ void write_stats(const std::string& path, const std::string& json, Environment& 
   }
 }
 
-ExitCode run_render(const RenderOptions& options, Environment& env) {
-  lang::DiagnosticSink sink;
-  RenderStatistics statistics;
-  const auto read_start = std::chrono::steady_clock::now();
-  const auto seconds_since = [](auto start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-  // The text is given back before the picture needs memory; diagnostics have quoted what they need
-  // of it.
-  auto source = std::make_optional<lang::SourceFile>(read_source(options, env));
-  const double read_seconds = seconds_since(read_start);
-  auto lowered = lang::compile(*source, options.overrides, sink, statistics.compile);
-  statistics.compile.parse_seconds += read_seconds;
-  statistics.scene = source->name();
-  print_diagnostics(sink, options.diagnostics, env.err, env.err_is_terminal, env);
-  source.reset();
-  if (!lowered) return ExitCode::Findings;
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
-  const std::vector<Output> outputs = choose_outputs(options, lowered->output.output);
-  if (!options.stats.empty() && options.stats != "-") render::check_writable(options.stats);
-  check_memory(lowered->settings);
+/// Reads and compiles the scene and prints its diagnostics; nothing when it has errors.
+std::optional<lang::LoweredScene> load_scene(const RenderOptions& options,
+                                             RenderStatistics& statistics, Environment& env) {
+  const auto start = std::chrono::steady_clock::now();
+  const lang::SourceFile source = read_source(options, env);
+  const double read_seconds = seconds_since(start);
+  lang::DiagnosticSink sink;
+  auto lowered = lang::compile(source, options.overrides, sink, statistics.compile);
+  statistics.compile.parse_seconds += read_seconds;
+  statistics.scene = source.name();
+  print_diagnostics(sink, options.diagnostics, env.err, env.err_is_terminal, env);
+  if (!lowered) return std::nullopt;
+
   statistics.settings = lowered->settings;
   statistics.spheres = lowered->scene.spheres.size();
   statistics.features = required_features(lowered->scene);
+  return lowered;
+}
 
+std::uint64_t total_samples(const render::RenderSettings& settings) {
+  return static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height) *
+         static_cast<std::uint64_t>(settings.samples);
+}
+
+/// Traces with progress; Ctrl-C ends it early. Takes the scene's spheres.
+render::RenderResult trace(lang::LoweredScene& lowered, const RenderOptions& options,
+                           RenderStatistics& statistics, Environment& env) {
   render::RenderMonitor monitor;
   monitor.on_tracing = [&] {
     statistics.render_rss_bytes = resident_bytes();  // before the codec adds its own
     render::preload_image_codec();
   };
-  const render::RenderSettings& settings = lowered->settings;
-  const std::uint64_t total = static_cast<std::uint64_t>(settings.width) *
-                              static_cast<std::uint64_t>(settings.height) *
-                              static_cast<std::uint64_t>(settings.samples);
   const InterruptGuard interrupt(monitor.cancel);
-  const render::RenderResult result = [&] {
-    const ProgressReporter progress(progress_style(options, env), monitor, total, env.err);
-    return render::render(std::move(lowered->scene), settings, monitor);
-  }();
+  const ProgressReporter progress(progress_style(options, env), monitor,
+                                  total_samples(lowered.settings), env.err);
+  return render::render(std::move(lowered.scene), lowered.settings, monitor);
+}
 
-  const auto write_start = std::chrono::steady_clock::now();
-  const std::vector<std::string> written = write_pictures(outputs, options, *lowered, result, env);
-  statistics.write_seconds = seconds_since(write_start);
-  if (!options.stats.empty()) write_stats(options.stats, to_json(statistics, result), env);
-
+/// The closing line, and how the command ends.
+ExitCode conclude(const RenderOptions& options, const render::RenderSettings& settings,
+                  const render::RenderResult& result, const std::vector<std::string>& written,
+                  Environment& env) {
   if (result.nonfinite_samples > 0) {
-    env.err << fmt::format("error: a defect in sdlc: {} samples are not finite and were left out\n",
+    env.err << fmt::format("error: {} samples are not finite and were left out\n",
                            result.nonfinite_samples);
   }
-  const bool is_quiet = options.quiet || options.progress == "none";
   if (!result.is_complete) {
     env.err << fmt::format("interrupted after {} of {} samples; what there is was saved as {}\n",
                            format_count(static_cast<double>(result.camera_samples)),
-                           format_count(static_cast<double>(total)), fmt::join(written, ", "));
+                           format_count(static_cast<double>(total_samples(settings))),
+                           fmt::join(written, ", "));
     return ExitCode::Interrupted;
   }
+  const bool is_quiet = options.quiet || options.progress == "none";
   if (!is_quiet) {
     env.err << fmt::format(
         "{}: {} x {} pixels, {} sample{}, {} ({} samples/s)\n", fmt::join(written, ", "),
@@ -231,23 +195,68 @@ ExitCode run_render(const RenderOptions& options, Environment& env) {
   return result.nonfinite_samples > 0 ? ExitCode::Defect : ExitCode::Success;
 }
 
+ExitCode run_render(const RenderOptions& options, Environment& env) {
+  RenderStatistics statistics;
+  std::optional<lang::LoweredScene> lowered = load_scene(options, statistics, env);
+  if (!lowered) return ExitCode::Findings;
+
+  const render::RenderSettings& settings = lowered->settings;
+  const std::vector<Output> outputs = plan_outputs(
+      {.pictures = options.outputs,
+       .of_scene = lowered->output.output,
+       .input = options.file == kStandardStream ? options.stdin_filename : options.file,
+       .stats = options.stats,
+       .keeps_existing = options.keeps_existing,
+       .width = settings.width,
+       .height = settings.height});
+  check_memory(settings);
+
+  const render::RenderResult result = trace(*lowered, options, statistics, env);
+  if (!result.is_complete) env.err << "interrupted; saving what there is" << std::endl;
+  const auto write_start = std::chrono::steady_clock::now();
+  const std::vector<std::string> written = write_pictures(outputs, options, *lowered, result, env);
+  statistics.write_seconds = seconds_since(write_start);
+  if (!options.stats.empty()) write_stats(options.stats, to_json(statistics, result), env);
+  return conclude(options, settings, result, written, env);
+}
+
 /// The property that a flag overrides is where its help and its words come from.
 const lang::Property& render_property(std::size_t index) {
   return lang::kind_info(lang::ObjectKind::Render).properties[index];
 }
 
-template <typename T>
-CLI::Option* add_override(CLI::App& command, std::size_t property_index, std::optional<T>& value) {
-  const lang::Property& property = render_property(property_index);
+/// A flag for a property that is a word or a name.
+void add_override(CLI::App& command, std::size_t index, std::optional<std::string>& value) {
+  const lang::Property& property = render_property(index);
   CLI::Option* option =
       command.add_option(fmt::format("--{}", property.name), value, std::string(property.doc));
-  if (property.range == lang::Range::AtLeastOne) option->check(CLI::Range(1, 1000000000));
-  const bool is_number = property.type == lang::Type::WholeNumber;
-  if (is_number && property.range != lang::Range::AtLeastOne) {
-    option->check(CLI::NonNegativeNumber);
-  }
   if (!property.words.empty()) option->check(one_of(property.words));
-  return option;
+}
+
+/// A flag for a property that is a whole number, written in decimal digits.
+template <typename T>
+void add_override(CLI::App& command, std::size_t index, std::optional<T>& value) {
+  const lang::Property& property = render_property(index);
+  const T lowest = property.range == lang::Range::AtLeastOne ? 1 : 0;
+  const T highest = std::is_same_v<T, int> ? static_cast<T>(lang::kMaxWholeNumber)
+                                           : std::numeric_limits<T>::max();
+  const std::string flag = fmt::format("--{}", property.name);
+  command
+      .add_option_function<std::string>(
+          flag,
+          [=, &value](const std::string& text) {
+            T number{};
+            const char* end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, number);
+            if (error != std::errc() || stop != end || number < lowest || number > highest) {
+              throw CLI::ValidationError(
+                  flag, fmt::format("takes a whole number from {} to {}, not `{}`", lowest, highest,
+                                    printable(text)));
+            }
+            value = number;
+          },
+          std::string(property.doc))
+      ->type_name("N");
 }
 
 }  // namespace

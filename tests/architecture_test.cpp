@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -94,6 +95,31 @@ TEST(Architecture, TheRendererKnowsNothingOfTheLanguage) {
     if (!module.folder.starts_with("render")) continue;
     for (const std::string& link : module.links) {
       EXPECT_TRUE(link.starts_with("sdlc::render")) << name << " links " << link;
+    }
+  }
+}
+
+TEST(Architecture, EachLibraryIsUsedInOnePlace) {
+  const std::map<std::string, std::vector<std::string>> users{
+      {"<tbb/", {"render/tiles"}},
+      {"<OpenImageIO/", {"render/image/openimageio"}},
+      {"<CLI/", {"cli"}},
+      {"<tao/", {"grammar", "lang/json", "lang/syntax"}},
+  };
+  for (const char* area : {"grammar", "lang", "render", "cli"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SDLC_SOURCE_DIR) / area)) {
+      if (entry.is_directory()) continue;
+      const std::string folder =
+          fs::relative(entry.path().parent_path(), SDLC_SOURCE_DIR).generic_string();
+      std::ifstream file(entry.path());
+      for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with("#include <")) continue;
+        for (const auto& [library, folders] : users) {
+          if (!line.substr(9).starts_with(library)) continue;
+          EXPECT_NE(std::find(folders.begin(), folders.end(), folder), folders.end())
+              << entry.path() << " uses " << library;
+        }
+      }
     }
   }
 }

@@ -11,6 +11,7 @@
 
 #include "lang/schema/schema.hpp"
 #include "lang/text/nearest_name.hpp"
+#include "render/image/picture.hpp"
 #include "render/math/power_of_two.hpp"
 #include "render/math/sincos.hpp"
 #include "render/scene/coincident.hpp"
@@ -39,6 +40,9 @@ double tan_half(Angle angle) {
   const render::SinCos half = render::sincos_turns(angle.degrees / 720);
   return half.sin / half.cos;
 }
+
+/// Of a view plane at distance 1: squares of longer sides could overflow.
+constexpr double kLargestPlane = 1e100;
 
 bool is_along(render::Vec3 a, render::Vec3 b) {
   // Below this the cross product, and with it the picture's horizon, is rounding error.
@@ -70,14 +74,21 @@ void SceneBuilder::add_sphere(const Object& object) {
     return;
   }
 
+  const render::Material lowered = lower_material(*material);
+  if (lowered.type == render::MaterialType::Emissive &&
+      !is_finite(lowered.color * lowered.parameter)) {
+    sink_->report(diag::beyond_numbers, object.location(kMaterial),
+                  "the light's color * intensity");
+    return;
+  }
+
   const auto index = static_cast<std::uint32_t>(spheres_.size());
   if (const auto motion = object.get<MotionValue>(kMotion)) {
     moving_.push_back(
         {.sphere = index, .place = object.slot(kMotion).span.begin, .motion = *motion});
   }
-  spheres_.push_back({.center = *center,
-                      .radius = *radius,
-                      .material = materials_.index_of(lower_material(*material))});
+  spheres_.push_back(
+      {.center = *center, .radius = *radius, .material = materials_.index_of(lowered)});
   places_.push_back(object.where.span.begin);
 }
 
@@ -92,6 +103,13 @@ std::optional<LoweredScene> SceneBuilder::finish(const Overrides& overrides) {
     lower_camera(*camera, lowered.scene);
     if (const auto shutter = camera->get<render::Interval>(camera_property::kShutter)) {
       lower_motion(*shutter, lowered.scene);
+    } else if (!moving_.empty()) {
+      const bool is_config = file_->format() == SourceFormat::Json;
+      sink_
+          ->report(diag::no_effect, place_of(moving_.front().place),
+                   is_config ? "movement" : "motion")
+          .help(is_config ? "without `time_interval` every sphere stays at its origin"
+                          : "the camera has no `shutter`: everything stands still");
     }
   }
   lower_settings(overrides, lowered);
@@ -186,11 +204,13 @@ void SceneBuilder::lower_camera(const Object& object, render::Scene& scene) {
             "looks at, such as (0, 0, 1)");
     return;
   }
-  scene.camera = {.from = *from,
-                  .at = *at,
-                  .up = *up,
-                  .plane_height = *view_height * tan_half(*fov),
-                  .aspect = *aspect};
+  const double plane_height = *view_height * tan_half(*fov);
+  if (!(plane_height * std::max(1.0, *aspect) <= kLargestPlane)) {
+    sink_->report(diag::beyond_numbers, object.where, "the width or height of the view plane");
+    return;
+  }
+  scene.camera = {
+      .from = *from, .at = *at, .up = *up, .plane_height = plane_height, .aspect = *aspect};
 }
 
 void SceneBuilder::lower_background(render::Scene& scene) {
@@ -236,7 +256,7 @@ void SceneBuilder::lower_motion(render::Interval shutter, render::Scene& scene) 
     const render::Vec3 opening = sphere.center + way * ((shutter.from - over.from) / duration);
     const render::Vec3 shift = way * ((shutter.to - shutter.from) / duration);
     if (!is_finite(opening) || !is_finite(opening + shift)) {
-      sink_->report(diag::motion_too_far, place_of(moving.place));
+      sink_->report(diag::beyond_numbers, place_of(moving.place), "where the motion leads");
       continue;
     }
     sphere.center = opening;
@@ -332,13 +352,12 @@ void SceneBuilder::lower_size(const Object* camera, const Overrides& overrides,
     height = height_of(width);
   }
 
-  constexpr double kMostPixels = 1 << 30;
   if (height < 1) {
     const Location where =
         render_->slot(kWidth).is_written ? render_->location(kWidth) : whole_file();
     sink_->report(diag::no_rows, where, static_cast<int>(width), to_text(proportion))
         .help("the height is width / aspect, rounded down; make the picture wider");
-  } else if (!(width * height <= kMostPixels)) {
+  } else if (!(width * height <= static_cast<double>(render::kMaxPicturePixels))) {
     const Location where =
         render_->slot(kWidth).is_written ? render_->location(kWidth) : whole_file();
     sink_->report(diag::picture_too_large, where, to_text(width), to_text(height));

@@ -36,7 +36,6 @@ const JsonObject& json_camera() {
       {.key = "focal_length",
        .type = JsonType::Number,
        .presence = Presence::Required,
-       .has_effect = false,
        .doc = "Has no effect: everything is in focus."},
       {.key = "aspect_ratio",
        .type = JsonType::Number,

@@ -148,7 +148,6 @@ struct JsonKey {
   const Kind* target = nullptr;
   std::size_t property = 0;
   const JsonObject* object = nullptr;  ///< of Object: what is inside
-  bool has_effect = true;
   Range range = Range::Any;  ///< of keys without a target
   std::string_view doc = {};
 };

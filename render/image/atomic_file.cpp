@@ -207,11 +207,36 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> byte
   sync_folder(folder);
 }
 
-void make_parent_folders(const fs::path& path) {
-  std::error_code error;
+void check_creatable(const fs::path& path) {
   const fs::path folder = folder_of(path);
-  fs::create_directories(folder, error);
-  if (error) throw IoError("make the folder", folder, error.message());
+  fs::path existing = folder;
+  while (!status_of(existing) && errno == ENOENT && existing != folder_of(existing)) {
+    existing = folder_of(existing);
+  }
+  if (existing == folder) return check_writable(path);
+  if (!path.has_filename()) throw IoError("write", path, "it names a folder; name a file in it");
+  check_folder(existing, path);
+}
+
+// Delegating: once the other constructor is done, the destructor runs even if this one throws.
+ParentFolders::ParentFolders(const fs::path& path) : ParentFolders() {
+  std::vector<fs::path> missing;
+  for (fs::path folder = folder_of(path); !status_of(folder) && errno == ENOENT;
+       folder = folder_of(folder)) {
+    missing.push_back(folder);
+  }
+  for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
+    std::error_code error;
+    const bool is_new = fs::create_directory(*folder, error);
+    if (error) throw IoError("make the folder", *folder, error.message());
+    if (is_new) made_.push_back(*folder);
+  }
+  check_folder(folder_of(path), path);
+}
+
+ParentFolders::~ParentFolders() {
+  // rmdir refuses a folder that is not empty.
+  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) ::rmdir(folder->c_str());
 }
 
 }  // namespace sdlc::render

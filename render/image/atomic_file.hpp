@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <vector>
 
 namespace sdlc::render {
 
@@ -21,7 +22,23 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
 /// folder or is write-protected. A quick check before a long render; it creates nothing.
 void check_writable(const std::filesystem::path& path);
 
-/// Makes the folder of `path` and those above it as far as they are missing; throws IoError.
-void make_parent_folders(const std::filesystem::path& path);
+/// The same where the folder of `path` and those above it need not exist yet.
+void check_creatable(const std::filesystem::path& path);
+
+/// Makes the missing ones among the folders above `path`, and removes those it made again if they
+/// are still empty when it goes: a file that could not be written leaves no folders behind. Throws
+/// IoError.
+class ParentFolders {
+ public:
+  explicit ParentFolders(const std::filesystem::path& path);
+  ~ParentFolders();
+  ParentFolders(const ParentFolders&) = delete;
+  ParentFolders& operator=(const ParentFolders&) = delete;
+
+ private:
+  ParentFolders() = default;
+
+  std::vector<std::filesystem::path> made_;  // the outermost first
+};
 
 }  // namespace sdlc::render

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <system_error>
 
@@ -21,21 +23,6 @@ namespace fs = std::filesystem;
 /// Near the largest value that the shared exponent of the HDR format can express, 2^127.
 constexpr double kMaxHdrValue = 1e38;
 
-void check_size(const Picture& picture, ImageFormat format, const fs::path& shown) {
-  const ImageFormatInfo& info = describe(format);
-  const auto fail = [&](const std::string& cause) { throw IoError("write", shown, cause); };
-  if (picture.width <= 0 || picture.height <= 0) fail("the picture is empty");
-  if (std::max(picture.width, picture.height) > info.max_side) {
-    fail(fmt::format("{} × {} pixels are too many for {}, which ends at {} a side", picture.width,
-                     picture.height, info.name, info.max_side));
-  }
-  const std::int64_t pixels = std::int64_t{picture.width} * picture.height;
-  if (pixels > kMaxPicturePixels) fail(fmt::format("more than {} pixels", kMaxPicturePixels));
-  if (picture.pixels.size() != static_cast<std::size_t>(pixels)) {
-    fail("the picture has another number of pixels than its size says");
-  }
-}
-
 /// `convert` of every component, in the order of the file.
 template <typename Value, typename Convert>
 std::vector<Value> components(const Picture& picture, Convert convert) {
@@ -45,6 +32,12 @@ std::vector<Value> components(const Picture& picture, Convert convert) {
     for (const double v : {pixel.r, pixel.g, pixel.b}) values.push_back(convert(v));
   }
   return values;
+}
+
+/// The nearest 32-bit float; a finite number beyond the largest becomes the largest, not infinity.
+float to_float(double v) noexcept {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  return static_cast<float>(!std::isfinite(v) ? v : std::clamp(v, -kLargest, kLargest));
 }
 
 float to_hdr(double v) noexcept {
@@ -79,9 +72,26 @@ Picture picture_of(const DecodedImage& image) {
 
 }  // namespace
 
+void check_picture_size(int width, int height, ImageFormat format, const fs::path& shown) {
+  const ImageFormatInfo& info = describe(format);
+  const auto fail = [&](const std::string& cause) { throw IoError("write", shown, cause); };
+  if (width <= 0 || height <= 0) fail("the picture is empty");
+  if (std::max(width, height) > info.max_side) {
+    fail(fmt::format("{} × {} pixels are too many for {}, which ends at {} a side", width, height,
+                     info.name, info.max_side));
+  }
+  if (std::int64_t{width} * height > kMaxPicturePixels) {
+    fail(fmt::format("more than {} pixels", kMaxPicturePixels));
+  }
+}
+
 std::vector<std::byte> encode_picture(const Picture& picture, const WriteOptions& options,
                                       const fs::path& shown) {
-  check_size(picture, options.format, shown);
+  check_picture_size(picture.width, picture.height, options.format, shown);
+  if (picture.pixels.size() !=
+      static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height)) {
+    throw IoError("write", shown, "the picture has another number of pixels than its size says");
+  }
   EncodeRequest request{.format = options.format,
                         .width = picture.width,
                         .height = picture.height,
@@ -94,7 +104,7 @@ std::vector<std::byte> encode_picture(const Picture& picture, const WriteOptions
   if (options.format == ImageFormat::Hdr) {
     radiance = components<float>(picture, to_hdr);
   } else if (describe(options.format).is_linear) {
-    radiance = components<float>(picture, [](double v) { return static_cast<float>(v); });
+    radiance = components<float>(picture, to_float);
   } else {
     codes = components<std::uint8_t>(picture, [&](double v) { return to_code8(options.tone, v); });
   }

@@ -29,11 +29,12 @@ struct WriteOptions {
   Metadata metadata = {};
 };
 
-/// The largest picture that is read or written, in pixels.
-inline constexpr std::int64_t kMaxPicturePixels = std::int64_t{1} << 28;
+/// Throws the IoError that encode_picture would for a picture of this size.
+void check_picture_size(int width, int height, ImageFormat format,
+                        const std::filesystem::path& shown);
 
 /// The file, as it would be written to `shown`, which only names the picture in errors.
-/// EXR holds the linear values as 32-bit floats, whatever they are; HDR holds them with one
+/// EXR holds the linear values as 32-bit floats, at most the largest one; HDR holds them with one
 /// exponent a pixel and without what it cannot express: negative values and NaN become 0, infinity
 /// the largest value. The other formats hold to_code8 of each value, JPEG, WebP and GIF then lose a
 /// little of it. Throws IoError when the picture is empty or too large for the format, or the codec

@@ -11,7 +11,7 @@ namespace {
 constexpr int kUnlimited = std::numeric_limits<int>::max();
 
 constexpr std::array kFormats{
-    ImageFormatInfo{ImageFormat::Png, "PNG", {"png"}, false, kUnlimited},
+    ImageFormatInfo{ImageFormat::Png, "PNG", {"png"}, false, 1000000},  // of libpng,
     ImageFormatInfo{ImageFormat::Exr, "OpenEXR", {"exr"}, true, kUnlimited},
     ImageFormatInfo{ImageFormat::Hdr, "Radiance HDR", {"hdr"}, true, kUnlimited},
     ImageFormatInfo{ImageFormat::Tiff, "TIFF", {"tiff", "tif"}, false, kUnlimited},

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "render/math/color.hpp"
 
 namespace sdlc::render {
+
+/// The largest picture that is rendered, read or written, in pixels.
+inline constexpr std::int64_t kMaxPicturePixels = std::int64_t{1} << 28;
 
 /// A picture of linear RGB radiance: `width` × `height` pixels, row by row from the top, left to
 /// right.

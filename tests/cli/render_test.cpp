@@ -260,6 +260,79 @@ TEST_F(RenderCommand, RefusesNumbersOutOfRange) {
   EXPECT_THAT(names(), ElementsAre("ball.scene", "config.json"));
 }
 
+TEST_F(RenderCommand, TakesNumbersInDecimalDigitsOnly) {
+  EXPECT_EQ(run("\"$SDLC\" render ball.scene --width 010 --height 9 -o w.ppm").exit_code, 0);
+  EXPECT_EQ(render::read_picture(folder_ / "w.ppm").width, 10);
+  for (const char* flags : {"--width 0x10", "--width 10.0", "--seed 18446744073709551616"}) {
+    EXPECT_THAT(run(std::string("\"$SDLC\" render ball.scene ") + flags).err,
+                HasSubstr("takes a whole number from"))
+        << flags;
+  }
+}
+
+TEST_F(RenderCommand, ProtectsEveryFileWithNoClobber) {
+  write_text(folder_ / "stats.json", "mine");
+  write_text(folder_ / "a.partial.png", "mine");
+  std::filesystem::create_symlink("nowhere.png", folder_ / "link.png");
+  for (const char* flags : {"-o new.png --stats stats.json", "-o a.png", "-o link.png"}) {
+    const ProgramResult result =
+        run(std::string("\"$SDLC\" render ball.scene --no-clobber ") + flags);
+    EXPECT_EQ(result.exit_code, 2) << flags;
+    EXPECT_THAT(result.err, HasSubstr("--no-clobber")) << flags;
+  }
+  EXPECT_EQ(content_of(folder_ / "stats.json"), "mine");
+}
+
+TEST_F(RenderCommand, RefusesTwoOutputsToOnePlace) {
+  for (const char* flags : {"-o a.png -o ./a.png", "-o a.png --stats a.png", "-o - --stats -"}) {
+    const ProgramResult result = run(std::string("\"$SDLC\" render ball.scene ") + flags);
+    EXPECT_EQ(result.exit_code, 2) << flags;
+    EXPECT_THAT(result.err, HasSubstr("two outputs go to")) << flags;
+  }
+}
+
+TEST_F(RenderCommand, RefusesAPictureItsFormatCannotHoldBeforeRendering) {
+  const ProgramResult result =
+      run("\"$SDLC\" render ball.scene --width 70000 --height 60 --samples 100000000 -o w.jpg");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("65500"));
+}
+
+TEST_F(RenderCommand, LeavesNoFoldersBehindWhenItRefuses) {
+  std::string config = kConfig;
+  const std::string path = "results/deep/picture.ppm";
+  for (const char* other : {"new/sub/x.bmp", "new/", "config.json/x.png"}) {
+    config = kConfig;
+    config.replace(config.find(path), path.size(), other);
+    write_text(folder_ / "config.json", config);
+    EXPECT_EQ(run("\"$SDLC\" render config.json").exit_code, 2) << other;
+    EXPECT_THAT(names(), ElementsAre("ball.scene", "config.json")) << other;
+  }
+}
+
+TEST_F(RenderCommand, NeverPrintsControlCharactersOfAScene) {
+  std::string config = kConfig;
+  const std::string path = "results/deep/picture.ppm";
+  config.replace(config.find(path), path.size(), "\\u001b[31mx.bmp");
+  write_text(folder_ / "config.json", config);
+  const ProgramResult result = run("\"$SDLC\" render config.json");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, testing::Not(HasSubstr("\x1b")));
+}
+
+TEST_F(RenderCommand, TellsWhenStandardOutputCannotBeWritten) {
+  EXPECT_EQ(run("\"$SDLC\" --help >&-").exit_code, 2);
+  EXPECT_EQ(run("\"$SDLC\" render ball.scene --stats - >&-").exit_code, 2);
+}
+
+TEST_F(RenderCommand, OpensThePictureModuleOnlyForPictures) {
+  write_text(folder_ / "bad.scene", "scene 1\nsphere { }\n");
+  const std::string nowhere = "SDLC_MODULE_PATH=/nowhere \"$SDLC\" ";
+  EXPECT_EQ(run(nowhere + "--help").exit_code, 0);
+  EXPECT_EQ(run(nowhere + "render bad.scene").exit_code, 1);
+  EXPECT_EQ(run(nowhere + "render ball.scene").exit_code, 2);
+}
+
 TEST_F(RenderCommand, ShowsExamplesInItsHelp) {
   const ProgramResult result = run("\"$SDLC\" render --help");
   EXPECT_EQ(result.exit_code, 0);

@@ -187,6 +187,28 @@ TEST(SceneBuilder, RefusesMotionBeyondTheLargestNumber) {
   EXPECT_THAT(compiled.codes, ElementsAre("E214"));
 }
 
+TEST(SceneBuilder, RefusesLightsAndViewsBeyondNumbers) {
+  EXPECT_THAT(
+      compile_text(kCamera + "sphere { center: (0, 0, 0), radius: 1, material: emissive(color: "
+                             "linear(1e300, 1, 1), intensity: 1e300) }")
+          .codes,
+      ElementsAre("E214"));
+  EXPECT_THAT(compile_text("camera c { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg, view_height: "
+                           "1e200 }" +
+                           kBall)
+                  .codes,
+              ElementsAre("E214"));
+}
+
+TEST(SceneBuilder, WarnsOfMotionWhileTheShutterIsClosed) {
+  const Compiled compiled = compile_text(
+      kCamera +
+      "sphere { center: (0, 0, 0), radius: 1, material: unlit(color: white), motion: line(to: (1, "
+      "0, 0), over: 0s .. 1s) }");
+  EXPECT_TRUE(compiled.lowered);
+  EXPECT_THAT(compiled.codes, ElementsAre("W403"));
+}
+
 TEST(SceneBuilder, RefusesWholeNumbersThatNoCounterHolds) {
   EXPECT_THAT(compile_text(kCamera + "render { samples: 3000000000 }").codes, ElementsAre("E202"));
   EXPECT_THAT(compile_text(kCamera + "render { width: 100000, height: 100000 }").codes,

@@ -303,21 +303,38 @@ TEST(CheckWritable, RefusesAWriteProtectedFile) {
   EXPECT_EQ(content_of(folder / "a.png"), "old");
 }
 
-TEST(MakeParentFolders, MakesAllThatAreMissing) {
+TEST(ParentFolders, MakesEveryMissingOneAndKeepsThoseWithAFile) {
   const TemporaryFolder folder;
-  make_parent_folders(folder / "a/b/c.png");
-  EXPECT_TRUE(fs::is_directory(folder / "a/b"));
-  EXPECT_THAT(names_in(folder / "a/b"), IsEmpty());
-  make_parent_folders(folder / "a/b/c.png");
-  make_parent_folders("c.png");
+  {
+    const ParentFolders made(folder / "a/b/c.png");
+    EXPECT_TRUE(fs::is_directory(folder / "a/b"));
+    write_text(folder / "a/b/c.png", "");
+  }
+  EXPECT_TRUE(fs::exists(folder / "a/b/c.png"));
+  const ParentFolders again(folder / "a/b/c.png");
+  const ParentFolders none("c.png");
 }
 
-TEST(MakeParentFolders, ReportsAFileInTheWay) {
+TEST(ParentFolders, RemovesThoseThatStayedEmpty) {
   const TemporaryFolder folder;
-  write_text(folder / "a", "");
-  EXPECT_THAT(
-      error_of([&] { make_parent_folders(folder / "a/b/c.png"); }),
-      HasSubstr("cannot make the folder `" + (folder / "a/b").string() + "`: Not a directory"));
+  fs::create_directory(folder / "a");
+  { const ParentFolders made(folder / "a/b/c/d.png"); }
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("a"));
+  EXPECT_TRUE(fs::is_empty(folder / "a"));
+}
+
+TEST(ParentFolders, NamesTheFolderThatCannotBeMade) {
+  const TemporaryFolder folder;
+  write_text(folder / "a", "a file");
+  EXPECT_NE(error_of([&] { const ParentFolders made(folder / "a/b/c.png"); }), "");
+  EXPECT_NE(error_of([&] { check_creatable(folder / "a/b/c.png"); }), "");
+}
+
+TEST(CheckCreatable, AllowsMissingFolders) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(error_of([&] { check_creatable(folder / "a/b/c.png"); }), "");
+  EXPECT_NE(error_of([&] { check_creatable(folder / "a/b/"); }), "");
+  EXPECT_THAT(names_in(folder.path()), ElementsAre());
 }
 
 }  // namespace

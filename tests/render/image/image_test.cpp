@@ -1,6 +1,7 @@
 #include "render/image/image.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -140,6 +141,11 @@ TEST(Image, ExrKeepsFloatsExactly) {
   picture.at(2, 1) = {3, 2, 1};
   // A tone must make no difference.
   EXPECT_EQ(round_trip(picture, "a.exr", {.tone = Tone::Sqrt}).pixels, picture.pixels);
+}
+
+TEST(Image, ExrHoldsTheLargestFloatForWhatIsLarger) {
+  const Picture read = round_trip(Picture(1, 1, {1e60, -1e60, 3e38F}), "a.exr");
+  EXPECT_EQ(read.at(0, 0), (LinearRgb{FLT_MAX, -FLT_MAX, 3e38F}));
 }
 
 TEST(Image, ExrKeepsNaN) {

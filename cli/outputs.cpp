@@ -1,0 +1,111 @@
+#include "cli/outputs.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/usage_error.hpp"
+#include "cli/words.hpp"
+#include "render/image/atomic_file.hpp"
+#include "render/image/io_error.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+render::ImageFormat format_of(const fs::path& path) {
+  if (const auto format = render::image_format_of(path)) return *format;
+  const std::string extension = path.extension().string();
+  const auto known = render::image_extensions();
+  const std::string cause = extension.empty() ? "the name has no extension"
+                                              : fmt::format("unknown extension `{}`", extension);
+  const std::string_view written = std::string_view(extension).substr(extension.empty() ? 0 : 1);
+  throw render::IoError("write", path,
+                        fmt::format("{}; known are {}{}", cause, fmt::join(known, " "),
+                                    did_you_mean(written, known)));
+}
+
+std::vector<Output> name_outputs(const OutputRequest& request) {
+  std::vector<Output> outputs;
+  for (const std::string& name : request.pictures) {
+    if (name == kStandardStream) {
+      outputs.push_back({.path = "standard output", .is_stdout = true});
+    } else {
+      outputs.push_back({.path = name, .format = format_of(name)});
+    }
+  }
+  if (!outputs.empty()) return outputs;
+  if (!request.of_scene.empty()) {
+    return {{.path = request.of_scene,
+             .format = format_of(request.of_scene),
+             .may_make_folders = true}};
+  }
+  if (request.input.empty()) {
+    throw UsageError("a scene from `-` needs -o OUT or --stdin-filename NAME");
+  }
+  const fs::path name = fs::path(request.input).stem().string() + ".png";
+  return {{.path = name, .format = format_of(name)}};
+}
+
+void check_distinct(const std::vector<Output>& outputs, const std::string& stats) {
+  std::vector<std::string> names;
+  for (const Output& output : outputs) {
+    names.push_back(output.is_stdout ? kStandardStream
+                                     : fs::absolute(output.path).lexically_normal().string());
+  }
+  if (!stats.empty()) {
+    names.push_back(stats == kStandardStream ? stats
+                                             : fs::absolute(stats).lexically_normal().string());
+  }
+  std::sort(names.begin(), names.end());
+  const auto same = std::adjacent_find(names.begin(), names.end());
+  if (same != names.end())
+    throw UsageError(fmt::format("two outputs go to `{}`", printable(*same)));
+}
+
+void check_absent(const fs::path& path) {
+  std::error_code error;
+  // A link that leads nowhere is there too.
+  if (fs::exists(fs::symlink_status(path, error))) {
+    throw render::IoError("write", path, "the file exists and --no-clobber was given");
+  }
+}
+
+}  // namespace
+
+std::vector<Output> plan_outputs(const OutputRequest& request) {
+  const std::vector<Output> outputs = name_outputs(request);
+  check_distinct(outputs, request.stats);
+  for (const Output& output : outputs) {
+    render::check_picture_size(request.width, request.height, output.format, output.path);
+    if (output.is_stdout) continue;
+    if (output.may_make_folders) {
+      render::check_creatable(output.path);
+    } else {
+      render::check_writable(output.path);
+    }
+    if (!request.keeps_existing) continue;
+    check_absent(output.path);
+    check_absent(partial_name(output.path));
+  }
+  if (!request.stats.empty() && request.stats != kStandardStream) {
+    render::check_writable(request.stats);
+    if (request.keeps_existing) check_absent(request.stats);
+  }
+  return outputs;
+}
+
+fs::path partial_name(const fs::path& path) {
+  constexpr std::size_t kLongestName = 255;  // bytes, of every file system in common use
+  const std::string ending = ".partial" + path.extension().string();
+  std::string stem = path.stem().string();
+  const std::size_t room = kLongestName - std::min(kLongestName, ending.size());
+  stem.resize(std::min(stem.size(), room));
+  return path.parent_path() / (stem + ending);
+}
+
+}  // namespace sdlc::cli

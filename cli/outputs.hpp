@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "render/image/image.hpp"
+
+namespace sdlc::cli {
+
+/// Standard output, where the command line names it.
+inline constexpr const char* kStandardStream = "-";
+
+/// A picture file to be written.
+struct Output {
+  std::filesystem::path path;
+  render::ImageFormat format = render::ImageFormat::Png;
+  bool is_stdout = false;         ///< the picture goes to standard output instead, as PNG
+  bool may_make_folders = false;  ///< the scene names the file: its folder is made with it
+};
+
+/// What the command line and the scene say about where things go.
+struct OutputRequest {
+  std::vector<std::string> pictures;  ///< of the command line
+  std::string of_scene;               ///< the scene's own; used when the command line names none
+  std::string input;                  ///< else its stem names the picture; empty for standard input
+  std::string stats;                  ///< of --stats; empty: none
+  bool keeps_existing = false;        ///< --no-clobber
+  int width = 0, height = 0;          ///< of the picture
+};
+
+/// Decides which files are written, and refuses what is known to fail before anything is rendered.
+/// It changes nothing. Throws UsageError and render::IoError.
+std::vector<Output> plan_outputs(const OutputRequest& request);
+
+/// Where an unfinished picture goes: NAME.partial.EXT, with a NAME as long as a file system takes.
+std::filesystem::path partial_name(const std::filesystem::path& path);
+
+}  // namespace sdlc::cli
