@@ -360,7 +360,8 @@ void SceneBuilder::lower_size(const Object* camera, const Overrides& overrides,
   } else if (!(width * height <= static_cast<double>(render::kMaxPicturePixels))) {
     const Location where =
         render_->slot(kWidth).is_written ? render_->location(kWidth) : whole_file();
-    sink_->report(diag::picture_too_large, where, to_text(width), to_text(height));
+    sink_->report(diag::picture_too_large, where, fmt::format("{:.0f}", width),
+                  fmt::format("{:.0f}", height));
   } else {
     lowered.settings.width = static_cast<int>(width);
     lowered.settings.height = static_cast<int>(height);
