@@ -1,9 +1,10 @@
 #include "lang/eval/arithmetic.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 
-#include "lang/eval/elementary.hpp"
+#include "lang/math/elementary.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -175,34 +176,20 @@ Computed evaluate_power(const Computed& base, const Computed& exponent, Location
     return Failed{};
   }
 
-  // Products for the powers that people mean as such (ruling 22).
-  const double b = x->value, e = y->value;
-  const bool is_whole = e == std::floor(e);
-  const bool is_odd = is_whole && std::fabs(e) < 0x1p53 && static_cast<std::int64_t>(e) % 2 != 0;
-  if (b == 0 && e < 0) {
+  const std::optional<double> result = raise(x->value, y->value);
+  if (!result && x->value == 0) {
     sink.report(diag::division_by_zero, where);
     return Failed{};
   }
-  if (b < 0 && !is_whole) {
+  if (!result) {
     sink.report(diag::no_real_result, where, "^", "a negative number and a broken exponent");
     return Failed{};
   }
-  double result = 0;
-  if (e == 1)
-    result = b;
-  else if (e == 2)
-    result = b * b;
-  else if (e == 3)
-    result = b * b * b;
-  else if (b != 0)
-    result = power(std::fabs(b), e) * (b < 0 && is_odd ? -1 : 1);
-  else
-    result = e == 0 ? 1 : 0;
-  if (!std::isfinite(result)) {
+  if (!std::isfinite(*result)) {
     sink.report(diag::overflow, where, "^");
     return Failed{};
   }
-  return Scalar{result, e == 1 ? x->unit : Unit::None};
+  return Scalar{*result, y->value == 1 ? x->unit : Unit::None};
 }
 
 Computed evaluate_negative(const Computed& operand, Location where, DiagnosticSink& sink) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "lang/eval/elementary.hpp"
+#include "lang/math/elementary.hpp"
 
 namespace sdlc::lang {
 namespace {

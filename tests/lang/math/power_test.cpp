@@ -1,9 +1,11 @@
-#include "lang/eval/elementary.hpp"
-
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <gtest/gtest.h>
+
+#include "lang/math/elementary.hpp"
+#include "tests/lang/math/arguments.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -63,6 +65,62 @@ TEST(Power, IsWithinAnUlpOfTheHostsEverywhere) {
           << x << "^" << y;
     }
   }
+}
+
+TEST(Raise, MultipliesForSquaresAndCubes) {
+  Arguments arguments;
+  for (int i = 0; i < 1000; ++i) {
+    const double x = arguments.of_any_size_and_sign(-30, 30);
+    EXPECT_EQ(raise(x, 1), x);
+    EXPECT_EQ(raise(x, 2), x * x);
+    EXPECT_EQ(raise(x, 3), x * x * x);
+    EXPECT_EQ(raise(x, -1), 1 / x);
+  }
+}
+
+TEST(Raise, TakesNegativeNumbersToWholePowers) {
+  EXPECT_EQ(raise(-2, 10), 1024.0);
+  EXPECT_EQ(raise(-2, 11), -2048.0);
+  EXPECT_EQ(raise(-2, -3), -0.125);
+  EXPECT_EQ(raise(-1, 0x1p53 - 1), -1.0);
+  EXPECT_EQ(raise(-1, 0x1p53), 1.0);
+  EXPECT_EQ(raise(-8, 1.0 / 3), std::nullopt);
+  EXPECT_EQ(raise(-1, 0.5), std::nullopt);
+}
+
+TEST(Raise, KnowsZero) {
+  EXPECT_EQ(raise(0, 0), 1.0);
+  EXPECT_EQ(raise(5, 0), 1.0);
+  EXPECT_EQ(raise(0, 0.5), 0.0);
+  EXPECT_EQ(raise(0, 7), 0.0);
+  EXPECT_EQ(raise(0, -1), std::nullopt);
+  EXPECT_EQ(raise(0, -0.5), std::nullopt);
+}
+
+TEST(Raise, IsInfiniteWhereTheResultIsTooLarge) {
+  EXPECT_EQ(raise(10, 309), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(raise(-10, 309), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(raise(1e200, 2), std::numeric_limits<double>::infinity());
+}
+
+TEST(Exponential, IsExactOrBoundedAtItsEnds) {
+  EXPECT_EQ(exp(0), 1.0);
+  EXPECT_EQ(exp(1), 0x1.5bf0a8b145769p+1);
+  EXPECT_EQ(exp(5e-324), 1.0);
+  EXPECT_EQ(exp(0x1.62e42fefa39efp+9), 0x1.fffffffffff2ap+1023);  // the largest that is finite
+  EXPECT_EQ(exp(0x1.62e42fefa39f0p+9), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(exp(-0x1.74910d52d3051p+9), 5e-324);  // the last above 0
+  EXPECT_EQ(exp(-0x1.74910d52d3052p+9), 0.0);
+  EXPECT_EQ(exp(1.7976931348623157e308), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(exp(-1.7976931348623157e308), 0.0);
+}
+
+TEST(Logarithm, KnowsOneAndItsDomain) {
+  EXPECT_EQ(log(1), 0.0);
+  EXPECT_EQ(log(2), 0x1.62e42fefa39efp-1);
+  EXPECT_EQ(log(5e-324), -0x1.74385446d71c3p+9);
+  EXPECT_EQ(log(0), std::nullopt);
+  EXPECT_EQ(log(-1), std::nullopt);
 }
 
 }  // namespace

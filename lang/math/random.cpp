@@ -1,0 +1,83 @@
+#include "lang/math/random.hpp"
+
+#include <bit>
+#include <cmath>
+
+#include "render/sampler/sampler.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+/// The first word of an argument: its type.
+constexpr std::uint64_t kNumber = 1, kBool = 2, kString = 3, kVec3 = 4, kAngle = 5;
+
+double fade(double t) noexcept { return t * t * t * (t * (t * 6 - 15) + 10); }
+
+double mix(double a, double b, double t) noexcept { return a + t * (b - a); }
+
+}  // namespace
+
+void RandomHash::add_word(std::uint64_t word) noexcept {
+  hash_ = render::mix_bits((hash_ ^ word) + 0x9E3779B97F4A7C15u);
+}
+
+void RandomHash::add_bits(double number) noexcept {
+  add_word(number == 0 ? 0 : std::bit_cast<std::uint64_t>(number));
+}
+
+RandomHash& RandomHash::add_number(double number) noexcept {
+  add_word(kNumber);
+  add_bits(number);
+  return *this;
+}
+
+RandomHash& RandomHash::add_bool(bool flag) noexcept {
+  add_word(kBool);
+  add_word(flag ? 1 : 0);
+  return *this;
+}
+
+RandomHash& RandomHash::add_string(std::string_view text) noexcept {
+  add_word(kString);
+  add_word(text.size());
+  for (std::size_t start = 0; start < text.size(); start += 8) {
+    std::uint64_t word = 0;
+    int shift = 0;
+    for (const char byte : text.substr(start, 8)) {
+      word |= std::uint64_t{static_cast<unsigned char>(byte)} << shift;
+      shift += 8;
+    }
+    add_word(word);
+  }
+  return *this;
+}
+
+RandomHash& RandomHash::add_vec3(render::Vec3 v) noexcept {
+  add_word(kVec3);
+  add_bits(v.x);
+  add_bits(v.y);
+  add_bits(v.z);
+  return *this;
+}
+
+RandomHash& RandomHash::add_angle(double degrees) noexcept {
+  add_word(kAngle);
+  add_bits(degrees);
+  return *this;
+}
+
+double noise(render::Vec3 p) noexcept {
+  const RandomHash hash = RandomHash().add_string("noise");
+  const auto corner = [&](double x, double y, double z) {
+    return 2 * RandomHash(hash).add_number(x).add_number(y).add_number(z).uniform() - 1;
+  };
+  const render::Vec3 low{std::floor(p.x), std::floor(p.y), std::floor(p.z)};
+  const render::Vec3 t{fade(p.x - low.x), fade(p.y - low.y), fade(p.z - low.z)};
+  const auto along_x = [&](double y, double z) {
+    return mix(corner(low.x, y, z), corner(low.x + 1, y, z), t.x);
+  };
+  const auto along_y = [&](double z) { return mix(along_x(low.y, z), along_x(low.y + 1, z), t.y); };
+  return mix(along_y(low.z), along_y(low.z + 1), t.z);
+}
+
+}  // namespace sdlc::lang
