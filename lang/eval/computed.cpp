@@ -1,5 +1,7 @@
 #include "lang/eval/computed.hpp"
 
+#include <utility>
+
 namespace sdlc::lang {
 namespace {
 
@@ -26,9 +28,51 @@ struct Describe {
   }
   std::string_view operator()(const MaterialValue&) const { return "a material"; }
   std::string_view operator()(const MotionValue&) const { return "a motion"; }
+  std::string_view operator()(const ListValue&) const { return "a list"; }
 };
 
 }  // namespace
+
+/// The elements of a list, and the only owner of lists inside it.
+struct ListNode {
+  explicit ListNode(std::vector<Computed> values_) : values(std::move(values_)) {}
+  ListNode(const ListNode&) = delete;
+  ListNode& operator=(const ListNode&) = delete;
+  ~ListNode() { ListValue::release(std::move(values)); }
+
+  std::vector<Computed> values;
+};
+
+ListValue::ListValue(std::vector<Computed> values)
+    : node_(std::make_shared<ListNode>(std::move(values))), count_(node_->values.size()) {}
+
+ListValue::ListValue(double first, double step, std::size_t count)
+    : first_(first), step_(step), count_(count) {}
+
+Computed ListValue::operator[](std::size_t i) const {
+  if (node_) return node_->values[i];
+  return Scalar{first_ + step_ * static_cast<double>(i)};
+}
+
+void ListValue::release(std::vector<Computed> values) {
+  // Lists in lists in lists, as deep as a file can make them: a loop, where destructors would
+  // recur.
+  std::vector<std::shared_ptr<ListNode>> waiting;
+  const auto take_lists = [&](std::vector<Computed>& from) {
+    for (Computed& value : from) {
+      auto* list = std::get_if<ListValue>(&value);
+      if (list != nullptr && list->node_ && list->node_.use_count() == 1) {
+        waiting.push_back(std::move(list->node_));
+      }
+    }
+  };
+  take_lists(values);
+  while (!waiting.empty()) {
+    const std::shared_ptr<ListNode> node = std::move(waiting.back());
+    waiting.pop_back();
+    take_lists(node->values);
+  }
+}
 
 std::string_view describe(const Computed& value) noexcept { return std::visit(Describe(), value); }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "lang/object/object.hpp"
 #include "render/math/color.hpp"
@@ -37,9 +40,34 @@ struct Bounds {
 /// What has been reported; whatever is computed from it is silent.
 struct Failed {};
 
+class ListValue;
+
 /// What an expression computes, with the tags and types that a property has not yet asked for.
 using Computed = std::variant<Failed, Scalar, bool, std::string, Triple, Angle, AngleTriple,
-                              render::LinearRgb, Bounds, MaterialValue, MotionValue>;
+                              render::LinearRgb, Bounds, MaterialValue, MotionValue, ListValue>;
+
+struct ListNode;
+
+/// Values of one type, in an order. Copies share the values, which never change. A row of whole
+/// numbers (what `range` makes) is held as its rule, however long it is.
+class ListValue {
+ public:
+  explicit ListValue(std::vector<Computed> values);
+  /// first, first + step, …: `count` numbers.
+  ListValue(double first, double step, std::size_t count);
+
+  std::size_t size() const noexcept { return count_; }
+  /// Precondition: i < size().
+  Computed operator[](std::size_t i) const;
+
+  /// Destroys values without recurring into lists of lists.
+  static void release(std::vector<Computed> values);
+
+ private:
+  std::shared_ptr<ListNode> node_;  // null: a row
+  double first_ = 0, step_ = 1;
+  std::size_t count_ = 0;
+};
 
 inline bool has_failed(const Computed& value) noexcept {
   return std::holds_alternative<Failed>(value);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <set>
 #include <span>
 #include <string_view>
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/eval/builtins.hpp"
 #include "lang/eval/computed.hpp"
 #include "lang/object/object.hpp"
 #include "lang/schema/schema.hpp"
@@ -38,6 +40,16 @@ class ExpressionEvaluator {
   Computed evaluate_interval(ast::Node node);
   Computed evaluate_reference(ast::Node node);
   Computed evaluate_call(ast::Call call);
+  Computed evaluate_builtin(const Builtin& builtin, ast::Call call);
+  Computed evaluate_conditional(ast::Node node);
+  /// `and` or `or`: evaluates no more operands than it needs.
+  Computed evaluate_logic(ast::Node node);
+  Computed evaluate_list(ast::Node node);
+  Computed evaluate_postfix(ast::Node node);
+  Computed evaluate_member(const Computed& value, ast::Node member);
+  Computed evaluate_index(const Computed& value, ast::Node index);
+  /// The value of a condition; nothing where it is none, which is reported in the name of `word`.
+  std::optional<bool> evaluate_condition(ast::Node node, std::string_view word);
   Computed not_supported(ast::Node node, std::string_view what);
 
   Value to_property(const Property& property, const Computed& computed, ast::Node node);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "lang/eval/colors.hpp"
 #include "lang/eval/evaluator.hpp"
 #include "lang/eval/literals.hpp"
+#include "lang/eval/logic.hpp"
 #include "lang/text/nearest_name.hpp"
 
 namespace sdlc::lang {
@@ -43,6 +45,7 @@ std::optional<std::string_view> nearest_function(const DeclaredNames& names,
                                                  std::string_view name) {
   std::vector<std::string_view> candidates(names.functions.begin(), names.functions.end());
   for (const Function& function : all_functions()) candidates.push_back(function.name);
+  for (const Builtin& builtin : all_builtins()) candidates.push_back(builtin.name);
   return nearest_name(name, candidates);
 }
 
@@ -76,13 +79,20 @@ Computed ExpressionEvaluator::evaluate(ast::Node node) {
       return evaluate_negative(evaluate(*node.child(0)), node.location(), sink_);
     case SyntaxKind::Reference: return evaluate_reference(node);
     case SyntaxKind::Call: return evaluate_call({node});
-    case SyntaxKind::Conditional: return not_supported(node, "`if … then … else` is");
+    case SyntaxKind::Conditional: return evaluate_conditional(node);
     case SyntaxKind::Or:
-    case SyntaxKind::And:
-    case SyntaxKind::Not:
-    case SyntaxKind::Comparison: return not_supported(node, "comparing values is");
-    case SyntaxKind::List: return not_supported(node, "lists are");
-    case SyntaxKind::Postfix: return not_supported(node, "looking into values is");
+    case SyntaxKind::And: return evaluate_logic(node);
+    case SyntaxKind::Not: {
+      const std::optional<bool> operand = evaluate_condition(*node.child(0), "not");
+      return operand ? Computed(!*operand) : Failed{};
+    }
+    case SyntaxKind::Comparison: {
+      const ast::Node left = *node.child(0), right = *node.child(1);
+      return evaluate_comparison(evaluate(left), right.op(), evaluate(right), node.location(),
+                                 sink_);
+    }
+    case SyntaxKind::List: return evaluate_list(node);
+    case SyntaxKind::Postfix: return evaluate_postfix(node);
     default: return Failed{};  // what could not be read
   }
 }
@@ -90,6 +100,159 @@ Computed ExpressionEvaluator::evaluate(ast::Node node) {
 Computed ExpressionEvaluator::not_supported(ast::Node node, std::string_view what) {
   sink_.report(diag::not_supported, node.location(), what);
   return Failed{};
+}
+
+std::optional<bool> ExpressionEvaluator::evaluate_condition(ast::Node node, std::string_view word) {
+  const Computed value = evaluate(node);
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag;
+  if (!has_failed(value)) {
+    sink_.report(diag::not_a_condition, node.location(), word, describe(value));
+  }
+  return std::nullopt;
+}
+
+Computed ExpressionEvaluator::evaluate_conditional(ast::Node node) {
+  std::optional<ast::Node> condition;
+  for (const ast::Node child : node.children()) {
+    if (!condition) {
+      condition = child;
+      continue;
+    }
+    const std::optional<bool> holds = evaluate_condition(*condition, "if");
+    if (!holds) return Failed{};
+    if (*holds) return evaluate(child);
+    condition.reset();
+  }
+  // The last child has no condition: it is the value behind `else`.
+  return condition ? evaluate(*condition) : Failed{};
+}
+
+Computed ExpressionEvaluator::evaluate_logic(ast::Node node) {
+  const bool is_and = node.is(SyntaxKind::And);
+  for (const ast::Node operand : node.children()) {
+    const std::optional<bool> value = evaluate_condition(operand, is_and ? "and" : "or");
+    if (!value) return Failed{};
+    if (*value != is_and) return *value;
+  }
+  return is_and;
+}
+
+Computed ExpressionEvaluator::evaluate_list(ast::Node node) {
+  std::vector<Computed> values;
+  bool is_broken = false;
+  for (const ast::Node element : node.children()) {
+    Computed value = evaluate(element);
+    if (has_failed(value)) {
+      is_broken = true;
+    } else if (values.empty() || are_of_one_type(values.front(), value)) {
+      values.push_back(std::move(value));
+    } else {
+      sink_.report(diag::mixed_list, element.location(), describe(values.front()), describe(value));
+      is_broken = true;
+    }
+  }
+  if (is_broken) return Failed{};
+  return ListValue(std::move(values));
+}
+
+Computed ExpressionEvaluator::evaluate_postfix(ast::Node node) {
+  std::optional<Computed> value;
+  for (const ast::Node part : node.children()) {
+    if (!value) {
+      value = evaluate(part);
+    } else if (part.is(SyntaxKind::Member)) {
+      value = evaluate_member(*value, part);
+    } else if (part.is(SyntaxKind::Index)) {
+      value = evaluate_index(*value, part);
+    } else {
+      return Failed{};
+    }
+  }
+  return value.value_or(Failed{});
+}
+
+Computed ExpressionEvaluator::evaluate_member(const Computed& value, ast::Node member) {
+  if (has_failed(value)) return Failed{};
+  std::string_view name = member.text();
+  name.remove_prefix(std::min(name.find_first_not_of(". \t\r\n"), name.size()));
+  const auto component = [&](render::Vec3 v) -> std::optional<double> {
+    return name == "x"   ? std::optional(v.x)
+           : name == "y" ? std::optional(v.y)
+           : name == "z" ? std::optional(v.z)
+                         : std::nullopt;
+  };
+  if (const auto* triple = std::get_if<Triple>(&value)) {
+    if (const auto number = component(triple->value)) return Scalar{*number, triple->unit};
+  } else if (const auto* angles = std::get_if<AngleTriple>(&value)) {
+    if (const auto degrees = component(angles->degrees)) return Angle{*degrees};
+  }
+  sink_.report(diag::no_member, member.location(), describe(value), name);
+  return Failed{};
+}
+
+Computed ExpressionEvaluator::evaluate_index(const Computed& value, ast::Node index) {
+  const std::optional<ast::Node> expression = index.child(0);
+  const Computed position = expression ? evaluate(*expression) : Failed{};
+  if (has_failed(value) || has_failed(position)) return Failed{};
+  const auto* list = std::get_if<ListValue>(&value);
+  if (list == nullptr) {
+    sink_.report(diag::wrong_operand, index.location(), "[ ]", describe(value));
+    return Failed{};
+  }
+  const auto* number = std::get_if<Scalar>(&position);
+  if (number == nullptr || number->unit != Unit::None) {
+    sink_.report(diag::wrong_argument, expression->location(), "[ ]", "a whole number",
+                 describe(position));
+    return Failed{};
+  }
+  if (number->value != std::floor(number->value)) {
+    sink_.report(diag::not_whole, expression->location(), "[ ]", to_text(number->value))
+        .help("round it with `floor(…)` or `round(…)`");
+    return Failed{};
+  }
+  if (number->value < 0 || number->value >= static_cast<double>(list->size())) {
+    sink_
+        .report(diag::index_out_of_range, expression->location(), to_text(number->value),
+                list->size())
+        .help("the first element has index 0");
+    return Failed{};
+  }
+  return (*list)[static_cast<std::size_t>(number->value)];
+}
+
+Computed ExpressionEvaluator::evaluate_builtin(const Builtin& builtin, ast::Call call) {
+  std::vector<Computed> values;
+  std::vector<Location> places;
+  bool is_broken = false;
+  for (const ast::Node argument : call.arguments()) {
+    std::optional<ast::Node> value = argument;
+    if (argument.is(SyntaxKind::Argument)) {
+      const ast::Labeled labeled{argument};
+      sink_.report(diag::unknown_argument, labeled.label_location(), labeled.label(), builtin.name)
+          .help(fmt::format("its arguments have no names: `{}`", builtin.signature));
+      value = labeled.value();
+      is_broken = true;
+    }
+    values.push_back(value ? evaluate(*value) : Failed{});
+    places.push_back(argument.location());
+    is_broken = is_broken || has_failed(values.back());
+  }
+  if (is_broken) return Failed{};
+  if (values.size() < builtin.least || values.size() > builtin.most) {
+    const std::string_view number = builtin.least == builtin.most ? "" : "at least ";
+    sink_
+        .report(
+            diag::wrong_argument_count, call.callee_location(), builtin.name,
+            fmt::format("{}{} argument{}", number, builtin.least, builtin.least == 1 ? "" : "s"),
+            values.size())
+        .help(fmt::format("write `{}`", builtin.signature));
+    return Failed{};
+  }
+  return builtin.evaluate({.name = builtin.name,
+                           .arguments = values,
+                           .places = places,
+                           .where = call.callee_location(),
+                           .sink = sink_});
 }
 
 Computed ExpressionEvaluator::evaluate_chain(ast::Node node) {
@@ -173,7 +336,7 @@ Computed ExpressionEvaluator::evaluate_reference(ast::Node node) {
     if (name == "pi") return Scalar{kPi};
     if (name == "time") return not_supported(node, "`time` is");
   }
-  if (find_function(name) != nullptr || is_later_function(name) ||
+  if (find_function(name) != nullptr || find_builtin(name) != nullptr || is_later_function(name) ||
       names_.functions.contains(name)) {
     sink_.report(diag::function_as_value, node.location(), name)
         .help(fmt::format("call it: `{}(…)`", name));
@@ -191,6 +354,7 @@ Computed ExpressionEvaluator::evaluate_call(ast::Call call) {
       names_.functions.contains(callee) ||
       names_.values.contains(callee.substr(0, callee.find_first_of(". \t\r\n/")));
   if (is_declared) return Failed{};  // its declaration has been reported
+  if (const Builtin* builtin = find_builtin(callee)) return evaluate_builtin(*builtin, call);
   const Function* function = find_function(callee);
   if (function == nullptr) {
     if (is_later_function(callee)) {
@@ -332,7 +496,7 @@ Value ExpressionEvaluator::to_property(const Property& property, const Computed&
   if (const auto* color = std::get_if<render::LinearRgb>(&computed)) return *color;
   if (const auto* material = std::get_if<MaterialValue>(&computed)) return *material;
   if (const auto* motion = std::get_if<MotionValue>(&computed)) return *motion;
-  if (std::holds_alternative<AngleTriple>(computed)) return wrong();
+  if (!has_failed(computed)) return wrong();  // three angles, a list
   return {};
 }
 

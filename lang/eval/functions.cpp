@@ -41,10 +41,7 @@ constexpr auto kLine = std::to_array<Property>({
      .doc = "From when to when, in seconds."},
 });
 
-constexpr auto kLaterFunctions = std::to_array<std::string_view>(
-    {"sqrt", "abs",   "min",    "max",       "clamp", "floor",  "ceil",  "round", "exp",   "log",
-     "sin",  "cos",   "tan",    "asin",      "acos",  "atan2",  "mod",   "sum",   "len",   "str",
-     "dot",  "cross", "length", "normalize", "mix",   "random", "noise", "range", "kelvin"});
+constexpr auto kLaterFunctions = std::to_array<std::string_view>({"kelvin"});
 
 Computed make_material(const MaterialInfo& info, const Arguments& arguments) {
   MaterialValue material{.kind = info.id, .color = {}, .parameter = 0, .exact_fresnel = false};

@@ -153,5 +153,55 @@ TEST(Values, OfTwoMillionTermsAreSummedWithoutRecursion) {
   EXPECT_EQ(number(terms), 2e6);
 }
 
+TEST(Values, OfConditionsListsAndMembers) {
+  EXPECT_EQ(number("if 1 < 2 then 3 else 4"), 3);
+  EXPECT_EQ(number("if 1 > 2 then 3 else if 2 == 2 then 5 else 4"), 5);
+  EXPECT_EQ(number("if not (1 <= 2) or 3 >= 4 then 3 else 4"), 4);
+  EXPECT_EQ(number("if (1, 2, 3) == (1, 2, 3) and [1, 2] != [1, 3] then 3 else 4"), 3);
+  EXPECT_EQ(number("if 0 == -0 and \"a\" == \"a\" and 90deg == 0.25turn then 3 else 4"), 3);
+  EXPECT_EQ(number("([1, 2, 7])[2]"), 7);
+  EXPECT_EQ(number("([[1, 2], [3, 4]])[1][0]"), 3);
+  EXPECT_EQ(number("(1, 2, 3).y"), 2);
+  EXPECT_EQ(degrees("(10deg, 20deg, 30deg).z"), 30);
+}
+
+TEST(Values, OfFunctionsOfNumbers) {
+  EXPECT_EQ(number("sqrt(2)"), 1.4142135623730951);
+  EXPECT_EQ(number("abs(-3) + min(4, 2, 3) + max([1, 5, 2])"), 10);
+  EXPECT_EQ(number("clamp(7, 1, 3)"), 3);
+  EXPECT_EQ(number("floor(2.7) * 100 + ceil(2.2) * 10 + round(2.5)"), 233);
+  EXPECT_EQ(number("mod(-1, 3)"), 2);
+  EXPECT_EQ(number("sum([1, 2, 3.5])"), 6.5);
+  EXPECT_EQ(number("len(range(2, 9, 3))"), 3);
+  EXPECT_EQ(number("range(2, 9, 3)[2]"), 8);
+  EXPECT_EQ(number("len(range(5, 2)) + sum(range(4))"), 6);
+  EXPECT_EQ(number("sin(30deg)"), 0.5);
+  EXPECT_EQ(number("1 + sin(180deg)"), 1);
+  EXPECT_EQ(number("tan(45deg)"), 1);
+  EXPECT_EQ(degrees("atan2(1, 1)"), 45);
+  EXPECT_EQ(degrees("acos(0)"), 90);
+  EXPECT_EQ(number("exp(1)"), 2.718281828459045);
+  EXPECT_EQ(number("log(10)"), 2.302585092994046);
+}
+
+TEST(Values, OfFunctionsOfVectorsAndColours) {
+  EXPECT_EQ(number("dot((1, 2, 3), (4, 5, 6))"), 32);
+  EXPECT_EQ(number("cross((1, 0, 0), (0, 1, 0)).z"), 1);
+  EXPECT_EQ(number("length((3, 4, 0))"), 5);
+  EXPECT_EQ(number("length((3e300, 4e300, 0)) / 1e300"), 5);
+  EXPECT_EQ(number("normalize((0, 1e-300, 0)).y"), 1);
+  EXPECT_EQ(number("mix(1, 3, 25%)"), 1.5);
+  EXPECT_EQ(number("mix((0, 0, 0), (4, 8, 0), 0.5).y"), 4);
+}
+
+// The values of the language's definition.
+TEST(Values, OfRandomAreFixed) {
+  EXPECT_EQ(number("random(1)"), .73087526727066165);
+  EXPECT_EQ(number("random(1, 2)"), .10157249976416438);
+  EXPECT_EQ(number("random(-0)"), .36818951565166946);
+  EXPECT_EQ(number("random(\"ball\", 0.5)"), .74756360267880151);
+  EXPECT_EQ(number("random((1, 2, 3))"), .094651159579525301);
+}
+
 }  // namespace
 }  // namespace sdlc::lang

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "lang/ast/ast.hpp"
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/eval/computed.hpp"
+
+namespace sdlc::lang {
+
+/// A call of a built-in function: its arguments, none of which has failed, and their places.
+struct BuiltinCall {
+  std::string_view name;
+  std::span<const Computed> arguments;
+  std::span<const Location> places;
+  Location where;  ///< of the name: what is wrong with the result is reported there
+  DiagnosticSink& sink;
+};
+
+/// A function of values, written with positional arguments. What is wrong with an argument is
+/// reported.
+struct Builtin {
+  std::string_view name;
+  std::string_view signature;  ///< as the reference shows it: "clamp(x, low, high)"
+  std::size_t least, most;     ///< numbers of arguments
+  Computed (*evaluate)(const BuiltinCall& call);
+  std::string_view doc;
+};
+
+std::span<const Builtin> all_builtins() noexcept;
+const Builtin* find_builtin(std::string_view name) noexcept;
+
+}  // namespace sdlc::lang
