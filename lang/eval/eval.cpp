@@ -40,19 +40,11 @@ Location word_location(ast::Node statement) {
   return statement.tree().location({statement.span().begin, statement.span().begin + size});
 }
 
-DeclaredNames find_declared_names(ast::Node file) {
+DeclaredNames find_later_names(ast::Node file) {
   DeclaredNames names;
   for (const ast::Node statement : file.children()) {
-    const auto name =
-        statement.is(SyntaxKind::Object) ? std::nullopt : statement.first(SyntaxKind::Name);
-    if (!name) continue;
-    if (statement.is(SyntaxKind::Fn)) {
-      names.functions.insert(name->text());
-    } else if (statement.is(SyntaxKind::Def)) {
-      names.kinds.insert(name->text());
-    } else {
-      names.values.insert(name->text());
-    }
+    if (statement.is(SyntaxKind::Import)) names.values.insert(declared_name(statement));
+    if (statement.is(SyntaxKind::Def)) names.kinds.insert(declared_name(statement));
   }
   return names;
 }
@@ -73,22 +65,57 @@ class FileEvaluator {
       : file_(tree, 0),
         objects_(objects),
         sink_(sink),
-        names_(find_declared_names(file_)),
-        expressions_(names_, sink) {}
+        names_(find_later_names(file_)),
+        declarations_(file_, sink),
+        expressions_(names_, declarations_, scopes_, sink) {}
 
   void run() {
-    for (const ast::Node statement : file_.children()) evaluate_statement(statement);
+    evaluate_declarations();
+    for (const ast::Node statement : file_.children()) evaluate_statement(statement, true);
   }
 
  private:
-  void evaluate_statement(ast::Node statement) {
+  void evaluate_declarations() {
+    // What depends on itself has been reported; to whoever uses it, it is a value that has failed.
+    for (const ast::Node statement : file_.children()) {
+      const bool is_value = statement.is(SyntaxKind::Let) || statement.is(SyntaxKind::Param);
+      if (is_value) scopes_.declare_at_top(declared_name(statement), Failed{});
+    }
+    for (const ast::Node statement : declarations_.values()) {
+      scopes_.declare_at_top(declared_name(statement), value_of(statement));
+    }
+  }
+
+  /// The value of a let or param statement.
+  Computed value_of(ast::Node statement) {
+    const auto type = statement.first(SyntaxKind::TypeName);
+    for (const ast::Node child : statement.children()) {
+      if (child.is(SyntaxKind::Name) || child.is(SyntaxKind::TypeName)) continue;
+      return expressions_.check_declared_type(declared_name(statement), type,
+                                              expressions_.evaluate(child), child.location());
+    }
+    return Failed{};
+  }
+
+  void evaluate_statement(ast::Node statement, bool is_top) {
     switch (statement.kind()) {
-      case SyntaxKind::Object: return evaluate_object({statement});
+      case SyntaxKind::Object: return evaluate_object({statement}, is_top);
       case SyntaxKind::Property: {
         const ast::Labeled property{statement};
         sink_.report(diag::property_outside, property.label_location(), property.label());
         return;
       }
+      case SyntaxKind::Let:
+        if (!is_top) scopes_.declare(declared_name(statement), value_of(statement));
+        return;
+      case SyntaxKind::Param:
+      case SyntaxKind::Fn:
+        if (!is_top)
+          report_top_level_only(word_location(statement), statement_word(statement.kind()));
+        return;
+      case SyntaxKind::If: return evaluate_if(statement);
+      case SyntaxKind::For: return evaluate_for(statement);
+      case SyntaxKind::Assert: return evaluate_assert(statement);
       case SyntaxKind::Error:
       case SyntaxKind::Version: return;
       default:
@@ -97,9 +124,75 @@ class FileEvaluator {
     }
   }
 
-  void evaluate_object(ast::Object node) {
+  void report_top_level_only(Location where, std::string_view word) {
+    sink_.report(diag::top_level_only, where, word);
+  }
+
+  void evaluate_block(ast::Node block) {
+    const BlockScope scope(scopes_);
+    for (const ast::Node statement : block.children()) evaluate_statement(statement, false);
+  }
+
+  /// Conditions and blocks take turns; a last block without a condition is the one behind `else`.
+  void evaluate_if(ast::Node statement) {
+    bool holds = true;
+    for (const ast::Node child : statement.children()) {
+      if (child.is(SyntaxKind::Block)) {
+        if (holds) return evaluate_block(child);
+        holds = true;  // where no condition follows
+      } else {
+        const std::optional<bool> condition = expressions_.evaluate_condition(child, "if");
+        if (!condition) return;
+        holds = *condition;
+      }
+    }
+  }
+
+  void evaluate_for(ast::Node statement) {
+    const auto expression = statement.child(1), block = statement.child(2);
+    if (!expression || !block || !block->is(SyntaxKind::Block)) return;
+    const Computed value = expressions_.evaluate(*expression);
+    if (has_failed(value)) return;
+    const auto* list = std::get_if<ListValue>(&value);
+    if (list == nullptr) {
+      auto report = sink_.report(diag::not_a_list, expression->location(), describe(value));
+      const auto* bounds = std::get_if<Bounds>(&value);
+      if (bounds != nullptr) {
+        report.help("`range` excludes its end")
+            .fix(expression->location(),
+                 fmt::format("range({}, {})", to_text(bounds->from), to_text(bounds->to + 1)));
+      }
+      return;
+    }
+    // What is wrong in one turn is most likely wrong in all: it is told once.
+    const std::size_t errors = sink_.error_count();
+    for (std::size_t i = 0; i < list->size() && sink_.error_count() == errors; ++i) {
+      if (!expressions_.take_step(expression->location())) return;
+      const BlockScope scope(scopes_);
+      scopes_.declare(declared_name(statement), (*list)[i]);
+      evaluate_block(*block);
+    }
+  }
+
+  void evaluate_assert(ast::Node statement) {
+    const auto condition = statement.child(0), message = statement.child(1);
+    if (!condition || !message) return;
+    const std::optional<bool> holds = expressions_.evaluate_condition(*condition, "assert");
+    if (!holds || *holds) return;
+    const Computed text = expressions_.evaluate(*message);
+    if (const auto* words = std::get_if<std::string>(&text)) {
+      sink_.report(diag::failed_assertion, condition->location(), *words);
+    } else if (!has_failed(text)) {
+      sink_.report(diag::wrong_argument, message->location(), "assert", "a string", describe(text));
+    }
+  }
+
+  void evaluate_object(ast::Object node, bool is_top) {
     const Kind* kind = find_kind(node.kind());
     if (kind == nullptr) return report_unknown_kind(node);
+    if (!is_top && kind->id != ObjectKind::Sphere) {
+      return report_top_level_only(node.kind_location(), kind->name);
+    }
 
     Object object;
     object.kind = kind;
@@ -197,8 +290,7 @@ class FileEvaluator {
       sink_.report(diag::not_supported, node.kind_location(), fmt::format("`{}` is", kind));
       return;
     }
-    const std::string_view first = kind.substr(0, kind.find_first_of(". \t\r\n/"));
-    if (names_.kinds.contains(kind) || names_.values.contains(first))
+    if (names_.kinds.contains(kind) || names_.values.contains(first_name(kind)))
       return;  // reported where it is declared
     std::vector<std::string_view> names(names_.kinds.begin(), names_.kinds.end());
     for (const Kind& known : all_kinds()) names.push_back(known.name);
@@ -218,6 +310,8 @@ class FileEvaluator {
   ObjectSink& objects_;
   DiagnosticSink& sink_;
   DeclaredNames names_;
+  Declarations declarations_;
+  Scopes scopes_;
   ExpressionEvaluator expressions_;
   std::map<std::string_view, Location> cameras_;
   std::map<std::string_view, Location> unique_;

@@ -10,31 +10,42 @@
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/eval/builtins.hpp"
 #include "lang/eval/computed.hpp"
+#include "lang/eval/declarations.hpp"
+#include "lang/eval/scopes.hpp"
 #include "lang/object/object.hpp"
 #include "lang/schema/schema.hpp"
 
 namespace sdlc::lang {
 
-/// The names that a file declares at its top level.
+/// Names that a file declares and this evaluator cannot use yet.
 struct DeclaredNames {
-  std::set<std::string_view> values;  ///< let, param, import
-  std::set<std::string_view> functions;
-  std::set<std::string_view> kinds;  ///< def
+  std::set<std::string_view> values;  ///< import
+  std::set<std::string_view> kinds;   ///< def
 };
 
 /// Computes expressions. What is wrong is reported once, where it is; what depends on it is silent.
 ///
-/// It recurs as deep as the tree does, which the parser has limited.
+/// It recurs as deep as the tree does, which the parser has limited, and into functions of the
+/// file's own, which kMaxCalls limits.
 class ExpressionEvaluator {
  public:
-  ExpressionEvaluator(const DeclaredNames& names, DiagnosticSink& sink)
-      : names_(names), sink_(sink) {}
+  ExpressionEvaluator(const DeclaredNames& names, const Declarations& declarations, Scopes& scopes,
+                      DiagnosticSink& sink)
+      : names_(names), declarations_(declarations), scopes_(scopes), sink_(sink) {}
 
   Computed evaluate(ast::Node node);
   /// The value in the place of a property or argument: of its type and in its range, or monostate.
   Value evaluate_property(const Property& property, ast::Node node);
+  /// The value of a condition; nothing where it is none, which is reported in the name of `word`.
+  std::optional<bool> evaluate_condition(ast::Node node, std::string_view word);
+  /// The value of a let, param or parameter, of its type if it declares one.
+  Computed check_declared_type(std::string_view name, std::optional<ast::Node> type, Computed value,
+                               Location where);
+  /// Counts a loop's turn or a call; false, once reported, when the file has taken too many.
+  bool take_step(Location where);
 
  private:
+  Computed evaluate_inner(ast::Node node);
   Computed evaluate_chain(ast::Node node);
   Computed evaluate_triple(ast::Node node);
   Computed evaluate_interval(ast::Node node);
@@ -46,10 +57,9 @@ class ExpressionEvaluator {
   Computed evaluate_logic(ast::Node node);
   Computed evaluate_list(ast::Node node);
   Computed evaluate_postfix(ast::Node node);
-  Computed evaluate_member(const Computed& value, ast::Node member);
+  Computed evaluate_member(const Computed& value, std::string_view name, Location where);
+  Computed call_declared(ast::Node function, ast::Call call);
   Computed evaluate_index(const Computed& value, ast::Node index);
-  /// The value of a condition; nothing where it is none, which is reported in the name of `word`.
-  std::optional<bool> evaluate_condition(ast::Node node, std::string_view word);
   Computed not_supported(ast::Node node, std::string_view what);
 
   Value to_property(const Property& property, const Computed& computed, ast::Node node);
@@ -57,7 +67,12 @@ class ExpressionEvaluator {
   Value wrong_type(const Property& property, std::string_view found, ast::Node node);
 
   const DeclaredNames& names_;
+  const Declarations& declarations_;
+  Scopes& scopes_;
   DiagnosticSink& sink_;
+  int depth_ = 0;  // of evaluate()
+  int calls_ = 0;  // of the file's own functions, around this moment
+  int steps_ = 0;
 };
 
 /// At most this many arguments has a function.

@@ -11,12 +11,11 @@
 #include "lang/eval/evaluator.hpp"
 #include "lang/eval/literals.hpp"
 #include "lang/eval/logic.hpp"
+#include "lang/source/limits.hpp"
 #include "lang/text/nearest_name.hpp"
 
 namespace sdlc::lang {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 /// The operator between two operands: what stands there but blanks.
 Location operator_location(ast::Node left, ast::Node right) {
@@ -34,16 +33,9 @@ bool is_name(ast::Node node) {
   return node.is(SyntaxKind::Reference) && node.text().find('.') == std::string_view::npos;
 }
 
-std::optional<std::string_view> nearest_value(const DeclaredNames& names, std::string_view name) {
-  std::vector<std::string_view> candidates(names.values.begin(), names.values.end());
-  for (const NamedColor& color : named_colors()) candidates.push_back(color.name);
-  candidates.insert(candidates.end(), {"pi", "time"});
-  return nearest_name(name, candidates);
-}
-
-std::optional<std::string_view> nearest_function(const DeclaredNames& names,
+std::optional<std::string_view> nearest_function(const Declarations& declarations,
                                                  std::string_view name) {
-  std::vector<std::string_view> candidates(names.functions.begin(), names.functions.end());
+  std::vector<std::string_view> candidates = declarations.function_names();
   for (const Function& function : all_functions()) candidates.push_back(function.name);
   for (const Builtin& builtin : all_builtins()) candidates.push_back(builtin.name);
   return nearest_name(name, candidates);
@@ -63,6 +55,17 @@ Value default_of(const Property& parameter) {
 }  // namespace
 
 Computed ExpressionEvaluator::evaluate(ast::Node node) {
+  if (depth_ >= kMaxEvaluationDepth) {
+    sink_.report(diag::too_deep, node.location(), kMaxEvaluationDepth);
+    return Failed{};
+  }
+  ++depth_;
+  Computed value = evaluate_inner(node);
+  --depth_;
+  return value;
+}
+
+Computed ExpressionEvaluator::evaluate_inner(ast::Node node) {
   switch (node.kind()) {
     case SyntaxKind::Number: return evaluate_number(node, sink_);
     case SyntaxKind::String: return evaluate_string(node, sink_);
@@ -161,7 +164,9 @@ Computed ExpressionEvaluator::evaluate_postfix(ast::Node node) {
     if (!value) {
       value = evaluate(part);
     } else if (part.is(SyntaxKind::Member)) {
-      value = evaluate_member(*value, part);
+      std::string_view name = part.text();
+      name.remove_prefix(std::min(name.find_first_not_of(". \t\r\n"), name.size()));
+      value = evaluate_member(*value, name, part.location());
     } else if (part.is(SyntaxKind::Index)) {
       value = evaluate_index(*value, part);
     } else {
@@ -171,10 +176,9 @@ Computed ExpressionEvaluator::evaluate_postfix(ast::Node node) {
   return value.value_or(Failed{});
 }
 
-Computed ExpressionEvaluator::evaluate_member(const Computed& value, ast::Node member) {
+Computed ExpressionEvaluator::evaluate_member(const Computed& value, std::string_view name,
+                                              Location where) {
   if (has_failed(value)) return Failed{};
-  std::string_view name = member.text();
-  name.remove_prefix(std::min(name.find_first_not_of(". \t\r\n"), name.size()));
   const auto component = [&](render::Vec3 v) -> std::optional<double> {
     return name == "x"   ? std::optional(v.x)
            : name == "y" ? std::optional(v.y)
@@ -186,7 +190,7 @@ Computed ExpressionEvaluator::evaluate_member(const Computed& value, ast::Node m
   } else if (const auto* angles = std::get_if<AngleTriple>(&value)) {
     if (const auto degrees = component(angles->degrees)) return Angle{*degrees};
   }
-  sink_.report(diag::no_member, member.location(), describe(value), name);
+  sink_.report(diag::no_member, where, describe(value), name);
   return Failed{};
 }
 
@@ -327,33 +331,10 @@ Computed ExpressionEvaluator::evaluate_interval(ast::Node node) {
   return Bounds{a->value, b->value, a->unit == Unit::None ? b->unit : a->unit};
 }
 
-Computed ExpressionEvaluator::evaluate_reference(ast::Node node) {
-  const std::string_view path = node.text();
-  const std::string_view name = path.substr(0, path.find_first_of(". \t\r\n/"));
-  if (names_.values.contains(name)) return Failed{};  // its declaration has been reported
-  if (is_name(node)) {
-    if (const auto color = find_named_color(name)) return *color;
-    if (name == "pi") return Scalar{kPi};
-    if (name == "time") return not_supported(node, "`time` is");
-  }
-  if (find_function(name) != nullptr || find_builtin(name) != nullptr || is_later_function(name) ||
-      names_.functions.contains(name)) {
-    sink_.report(diag::function_as_value, node.location(), name)
-        .help(fmt::format("call it: `{}(…)`", name));
-    return Failed{};
-  }
-  const Location where = node.tree().location(
-      {node.span().begin, node.span().begin + static_cast<std::uint32_t>(name.size())});
-  sink_.report(diag::unknown_name, where, name).suggest(nearest_value(names_, name));
-  return Failed{};
-}
-
 Computed ExpressionEvaluator::evaluate_call(ast::Call call) {
   const std::string_view callee = call.callee();
-  const bool is_declared =
-      names_.functions.contains(callee) ||
-      names_.values.contains(callee.substr(0, callee.find_first_of(". \t\r\n/")));
-  if (is_declared) return Failed{};  // its declaration has been reported
+  if (names_.values.contains(first_name(callee))) return Failed{};  // reported where it is imported
+  if (const auto function = declarations_.function(callee)) return call_declared(*function, call);
   if (const Builtin* builtin = find_builtin(callee)) return evaluate_builtin(*builtin, call);
   const Function* function = find_function(callee);
   if (function == nullptr) {
@@ -361,7 +342,7 @@ Computed ExpressionEvaluator::evaluate_call(ast::Call call) {
       sink_.report(diag::not_supported, call.callee_location(), fmt::format("`{}` is", callee));
     } else {
       sink_.report(diag::unknown_function, call.callee_location(), callee)
-          .suggest(nearest_function(names_, callee));
+          .suggest(nearest_function(declarations_, callee));
     }
     return Failed{};
   }

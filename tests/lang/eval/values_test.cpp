@@ -203,5 +203,53 @@ TEST(Values, OfRandomAreFixed) {
   EXPECT_EQ(number("random((1, 2, 3))"), .094651159579525301);
 }
 
+double radius_of_last(const std::string& text) {
+  const auto objects = evaluate_text(text);
+  return objects.empty() ? -1 : objects.back().get<double>(sphere_property::kRadius).value_or(-1);
+}
+
+std::string ball(const std::string& radius) {
+  return "sphere { center: (0, 0, 0), material: unlit(red), radius: " + radius + " }\n";
+}
+
+TEST(Values, OfNamesFunctionsAndLoops) {
+  EXPECT_EQ(radius_of_last("let b = a * 2 let a = 3 " + ball("b")), 6);
+  EXPECT_EQ(radius_of_last("fn f(x, y = 2) = x * y " + ball("f(3) + f(3, y: 5)")), 21);
+  EXPECT_EQ(radius_of_last("fn f(n) = if n <= 1 then 1 else n * f(n - 1) " + ball("f(10)")),
+            3628800);
+  EXPECT_EQ(radius_of_last("let v = (1, 2, 3) " + ball("v.z + (v).y")), 5);
+  EXPECT_EQ(radius_of_last("let l = [4, 5] " + ball("l[1]")), 5);
+  EXPECT_EQ(radius_of_last("for i in range(1, 4) { let s = i * i " + ball("s") + "}"), 9);
+  EXPECT_EQ(
+      radius_of_last("for i in [2, 7] { if i > 5 { " + ball("i") + "} else { " + ball("1") + "} }"),
+      7);
+  EXPECT_EQ(
+      evaluate_text("for i in range(3) { for j in range(4) { " + ball("i + j") + "} }").size(),
+      12u);
+  // The file's own names win over those of the language.
+  EXPECT_EQ(radius_of_last("let pi = 3 fn sqrt(x) = x " + ball("sqrt(pi)")), 3);
+}
+
+TEST(Values, MayBeChainedAsLongAsAFileIs) {
+  std::string text;
+  constexpr int kCount = 20000;
+  for (int i = 0; i < kCount; ++i) {
+    text += "let a" + std::to_string(i) + " = a" + std::to_string(i + 1) + " + 1\n";
+    text += "let l" + std::to_string(i) + " = [l" + std::to_string(i + 1) + "]\n";
+  }
+  text += "let a" + std::to_string(kCount) + " = 1\nlet l" + std::to_string(kCount) + " = [1]\n";
+  EXPECT_EQ(radius_of_last(text + ball("a0 + len(l0)")), kCount + 2);
+}
+
+TEST(Values, StopWhenAFileTakesTooManySteps) {
+  const SourceFile file("test.scene",
+                        "scene 1\nfor i in range(100000) { for j in range(100000) { } }");
+  DiagnosticSink sink;
+  Objects objects;
+  evaluate(parse(file, sink), objects, sink);
+  ASSERT_EQ(sink.error_count(), 1u);
+  EXPECT_EQ(sink.diagnostics().front().info->code, "E304");
+}
+
 }  // namespace
 }  // namespace sdlc::lang
