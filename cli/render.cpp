@@ -50,7 +50,7 @@ struct RenderOptions {
 };
 
 lang::SourceFile read_source(const RenderOptions& options, const Environment& env) {
-  const bool is_stdin = options.file == "-";
+  const bool is_stdin = options.file == kStandardStream;
   const std::string name = !is_stdin                        ? options.file
                            : options.stdin_filename.empty() ? "<stdin>"
                                                             : options.stdin_filename;
@@ -120,7 +120,7 @@ ProgressStyle progress_style(const RenderOptions& options, const Environment& en
 
 void write_stats(const std::string& path, const std::string& json, Environment& env) {
   const std::string line = json + "\n";
-  if (path == "-") {
+  if (path == kStandardStream) {
     env.out << line << std::flush;
   } else {
     render::write_file_atomically(path, std::as_bytes(std::span(line)));

@@ -12,6 +12,11 @@ std::string_view first_name(std::string_view path) noexcept {
   return path.substr(0, path.find_first_of(". \t\r\n/"));
 }
 
+std::string_view name_behind_dot(std::string_view member) noexcept {
+  member.remove_prefix(std::min(member.find_first_not_of(". \t\r\n"), member.size()));
+  return first_name(member);
+}
+
 std::string_view declared_name(ast::Node statement) {
   const auto name = statement.first(SyntaxKind::Name);
   return name ? name->text() : std::string_view();

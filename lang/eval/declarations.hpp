@@ -41,6 +41,9 @@ class Declarations {
 /// The name that a let, param, fn or for statement declares; empty where it could not be read.
 std::string_view declared_name(ast::Node statement);
 
+/// The name of `.name`, without the blanks that may stand around it.
+std::string_view name_behind_dot(std::string_view member) noexcept;
+
 /// The first name of a path: `mat` of `mat.brushed`.
 std::string_view first_name(std::string_view path) noexcept;
 

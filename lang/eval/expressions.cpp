@@ -164,9 +164,7 @@ Computed ExpressionEvaluator::evaluate_postfix(ast::Node node) {
     if (!value) {
       value = evaluate(part);
     } else if (part.is(SyntaxKind::Member)) {
-      std::string_view name = part.text();
-      name.remove_prefix(std::min(name.find_first_not_of(". \t\r\n"), name.size()));
-      value = evaluate_member(*value, name, part.location());
+      value = evaluate_member(*value, name_behind_dot(part.text()), part.location());
     } else if (part.is(SyntaxKind::Index)) {
       value = evaluate_index(*value, part);
     } else {

@@ -86,13 +86,8 @@ Computed ExpressionEvaluator::evaluate_reference(ast::Node node) {
     std::size_t dot = path.find('.');
     while (dot != std::string_view::npos) {
       const std::size_t next = path.find('.', dot + 1);
-      std::string_view member =
-          path.substr(dot + 1, next == std::string_view::npos ? next : next - dot - 1);
-      while (!member.empty() &&
-             std::string_view(" \t\r\n").find(member.front()) != std::string_view::npos) {
-        member.remove_prefix(1);
-      }
-      value = evaluate_member(value, first_name(member), node.location());
+      value =
+          evaluate_member(value, name_behind_dot(path.substr(dot, next - dot)), node.location());
       dot = next;
     }
     return value;
