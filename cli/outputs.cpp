@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/frames.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/words.hpp"
 #include "render/image/atomic_file.hpp"
@@ -30,24 +31,28 @@ render::ImageFormat format_of(const fs::path& path) {
 }
 
 std::vector<Output> name_outputs(const OutputRequest& request) {
+  const auto numbered = [&](const std::string& name) {
+    return request.frame ? name_of_frame(name, *request.frame) : name;
+  };
   std::vector<Output> outputs;
   for (const std::string& name : request.pictures) {
     if (name == kStandardStream) {
       outputs.push_back({.path = "standard output", .is_stdout = true});
     } else {
-      outputs.push_back({.path = name, .format = format_of(name)});
+      outputs.push_back({.path = numbered(name), .format = format_of(name)});
     }
   }
   if (!outputs.empty()) return outputs;
   if (!request.of_scene.empty()) {
-    return {{.path = request.of_scene,
+    return {{.path = numbered(request.of_scene),
              .format = format_of(request.of_scene),
              .may_make_folders = true}};
   }
   if (request.input.empty()) {
     throw UsageError("a scene from `-` needs -o OUT or --stdin-filename NAME");
   }
-  const fs::path name = fs::path(request.input).stem().string() + ".png";
+  const std::string mark = request.frame ? fmt::format(".{}", kFrameMark) : "";
+  const fs::path name = numbered(fs::path(request.input).stem().string() + mark + ".png");
   return {{.path = name, .format = format_of(name)}};
 }
 

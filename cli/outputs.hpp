@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct OutputRequest {
   std::string stats;                  ///< of --stats; empty: none
   bool keeps_existing = false;        ///< --no-clobber
   int width = 0, height = 0;          ///< of the picture
+  std::optional<int> frame = {};      ///< its number takes the place of #### in names
 };
 
 /// Decides which files are written, and refuses what is known to fail before anything is rendered.

@@ -13,12 +13,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/diagnostics_output.hpp"
 #include "cli/dispatcher.hpp"
+#include "cli/frames.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
+#include "cli/scene_options.hpp"
 #include "cli/statistics.hpp"
+#include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "cli/words.hpp"
 #include "lang/compile/compile.hpp"
@@ -37,28 +39,16 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 4> kProgressWords{"auto", "plain", "json", "none"};
 
 struct RenderOptions {
-  std::string file;
-  std::string stdin_filename;
+  SceneOptions scene;
   std::vector<std::string> outputs;
   lang::Overrides overrides;
-  DiagnosticsOptions diagnostics;
+  std::optional<FrameRange> frames;
   std::string progress = "auto";
   std::string stats;
   bool ppm_text = false;
   bool keeps_existing = false;  // --no-clobber
   bool quiet = false;
 };
-
-lang::SourceFile read_source(const RenderOptions& options, const Environment& env) {
-  const bool is_stdin = options.file == kStandardStream;
-  const std::string name = !is_stdin                        ? options.file
-                           : options.stdin_filename.empty() ? "<stdin>"
-                                                            : options.stdin_filename;
-  std::error_code error;
-  std::optional<std::string> text = env.files.read(options.file, error);
-  if (!text) throw render::IoError("read", name, error.message());
-  return lang::SourceFile(name, std::move(*text));
-}
 
 /// Refuses a picture that the machine cannot hold before any of it is allocated.
 void check_memory(const render::RenderSettings& settings) {
@@ -118,36 +108,16 @@ ProgressStyle progress_style(const RenderOptions& options, const Environment& en
   return ProgressStyle::Line;
 }
 
-void write_stats(const std::string& path, const std::string& json, Environment& env) {
-  const std::string line = json + "\n";
+void write_stats(const std::string& path, const std::string& lines, Environment& env) {
   if (path == kStandardStream) {
-    env.out << line << std::flush;
+    env.out << lines << std::flush;
   } else {
-    render::write_file_atomically(path, std::as_bytes(std::span(line)));
+    render::write_file_atomically(path, std::as_bytes(std::span(lines)));
   }
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Reads and compiles the scene and prints its diagnostics; nothing when it has errors.
-std::optional<lang::LoweredScene> load_scene(const RenderOptions& options,
-                                             RenderStatistics& statistics, Environment& env) {
-  const auto start = std::chrono::steady_clock::now();
-  const lang::SourceFile source = read_source(options, env);
-  const double read_seconds = seconds_since(start);
-  lang::DiagnosticSink sink;
-  auto lowered = lang::compile(source, options.overrides, sink, statistics.compile);
-  statistics.compile.parse_seconds += read_seconds;
-  statistics.scene = source.name();
-  print_diagnostics(sink, options.diagnostics, env.err, env.err_is_terminal, env);
-  if (!lowered) return std::nullopt;
-
-  statistics.settings = lowered->settings;
-  statistics.spheres = lowered->scene.spheres.size();
-  statistics.features = required_features(lowered->scene);
-  return lowered;
 }
 
 std::uint64_t total_samples(const render::RenderSettings& settings) {
@@ -195,29 +165,120 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
   return result.nonfinite_samples > 0 ? ExitCode::Defect : ExitCode::Success;
 }
 
+/// The pictures of one scene: one, or one for each frame.
+class RenderJob {
+ public:
+  RenderJob(const RenderOptions& options, Environment& env) : options_(options), env_(env) {}
+
+  ExitCode run() {
+    const auto start = std::chrono::steady_clock::now();
+    source_.emplace(read_source(options_.scene, env_));
+    read_seconds_ = seconds_since(start);
+    compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
+    choose_frames();
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+      const bool is_last = i + 1 == frames_.size();
+      const ExitCode code = render_frame(frames_[i], is_last);
+      if (code != ExitCode::Success) return code;
+    }
+    return ExitCode::Success;
+  }
+
+ private:
+  void choose_frames() {
+    const std::optional<lang::Animation> animation = compiler_->animation();
+    if (!animation && options_.frames && !sink_.has_errors()) {
+      throw UsageError("--frames: the scene has no `animation`, so that all frames are the same");
+    }
+    if (!animation) {
+      frames_ = {std::nullopt};
+      return;
+    }
+    const FrameRange all{.first = animation->first, .last = animation->last, .step = animation->step};
+    for (const int frame : frames_of(options_.frames.value_or(all))) frames_.emplace_back(frame);
+    if (frames_.size() == 1) return;
+    for (const std::string& output : options_.outputs) {
+      if (has_frame_mark(output)) continue;
+      throw UsageError(fmt::format("{} frames cannot all be written to `{}`; put {} in its name",
+                                   frames_.size(), printable(output), kFrameMark));
+    }
+  }
+
+  /// Compiles the scene at this frame and prints its new diagnostics; nothing when it has errors.
+  std::optional<lang::LoweredScene> lower(std::optional<int> frame, RenderStatistics& statistics) {
+    lang::Overrides overrides = options_.overrides;
+    overrides.names_output = !options_.outputs.empty();
+    auto lowered = compiler_->lower(overrides, frame);
+    const bool is_first = frame == frames_.front();
+    if (is_first || !sink_.diagnostics().empty()) {
+      print_diagnostics(sink_, options_.scene.diagnostics, env_.err, env_.err_is_terminal, env_);
+    }
+    if (!lowered) return std::nullopt;
+    sink_.forget_shown();
+    statistics.scene = source_->name();
+    statistics.compile = compiler_->times();
+    if (is_first) statistics.compile.parse_seconds += read_seconds_;
+    statistics.settings = lowered->settings;
+    statistics.spheres = lowered->scene.spheres.size();
+    statistics.features = required_features(lowered->scene);
+    return lowered;
+  }
+
+  OutputRequest output_request(const lang::LoweredScene& lowered, std::optional<int> frame) const {
+    const SceneOptions& scene = options_.scene;
+    OutputRequest request{
+        .pictures = options_.outputs,
+        .of_scene = lowered.output.output,
+        .input = scene.file == kStandardStream ? scene.stdin_filename : scene.file,
+        .stats = options_.stats,
+        .keeps_existing = options_.keeps_existing,
+        .width = lowered.settings.width,
+        .height = lowered.settings.height};
+    request.frame = frame;
+    return request;
+  }
+
+  ExitCode render_frame(std::optional<int> frame, bool is_last) {
+    RenderStatistics statistics;
+    std::optional<lang::LoweredScene> lowered = lower(frame, statistics);
+    if (!lowered) return ExitCode::Findings;
+    if (is_last) {  // text and tree make room for the tracing
+      compiler_.reset();
+      source_.reset();
+    }
+
+    const render::RenderSettings settings = lowered->settings;
+    OutputRequest request = output_request(*lowered, frame);
+    // The statistics of earlier frames are there by now.
+    if (frame != frames_.front()) request.stats.clear();
+    const std::vector<Output> outputs = plan_outputs(request);
+    check_memory(settings);
+
+    const render::RenderResult result = trace(*lowered, options_, statistics, env_);
+    if (!result.is_complete) env_.err << "interrupted; saving what there is" << std::endl;
+    const auto write_start = std::chrono::steady_clock::now();
+    const std::vector<std::string> written =
+        write_pictures(outputs, options_, *lowered, result, env_);
+    statistics.write_seconds = seconds_since(write_start);
+    if (!options_.stats.empty()) {
+      stats_ += to_json(statistics, result) + "\n";
+      if (options_.stats != kStandardStream || is_last) write_stats(options_.stats, stats_, env_);
+    }
+    return conclude(options_, settings, result, written, env_);
+  }
+
+  const RenderOptions& options_;
+  Environment& env_;
+  lang::DiagnosticSink sink_;
+  std::optional<lang::SourceFile> source_;
+  std::optional<lang::Compiler> compiler_;
+  std::vector<std::optional<int>> frames_;  // nothing: a scene without an animation
+  double read_seconds_ = 0;
+  std::string stats_;  // of the frames so far, one a line
+};
+
 ExitCode run_render(const RenderOptions& options, Environment& env) {
-  RenderStatistics statistics;
-  std::optional<lang::LoweredScene> lowered = load_scene(options, statistics, env);
-  if (!lowered) return ExitCode::Findings;
-
-  const render::RenderSettings& settings = lowered->settings;
-  const std::vector<Output> outputs = plan_outputs(
-      {.pictures = options.outputs,
-       .of_scene = lowered->output.output,
-       .input = options.file == kStandardStream ? options.stdin_filename : options.file,
-       .stats = options.stats,
-       .keeps_existing = options.keeps_existing,
-       .width = settings.width,
-       .height = settings.height});
-  check_memory(settings);
-
-  const render::RenderResult result = trace(*lowered, options, statistics, env);
-  if (!result.is_complete) env.err << "interrupted; saving what there is" << std::endl;
-  const auto write_start = std::chrono::steady_clock::now();
-  const std::vector<std::string> written = write_pictures(outputs, options, *lowered, result, env);
-  statistics.write_seconds = seconds_since(write_start);
-  if (!options.stats.empty()) write_stats(options.stats, to_json(statistics, result), env);
-  return conclude(options, settings, result, written, env);
+  return RenderJob(options, env).run();
 }
 
 /// The property that a flag overrides is where its help and its words come from.
@@ -265,7 +326,7 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command =
       app.add_subcommand("render", "Render a .scene or a .json config to a picture");
-  command->add_option("FILE", options->file, "The scene; `-` reads standard input")->required();
+  add_scene_options(*command, options->scene);
   command
       ->add_option("-o,--output", options->outputs,
                    "A picture to write, by its extension (may be repeated; `-`: PNG to standard "
@@ -291,16 +352,27 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
       ->check(one_of(kProgressWords));
   command->add_option("--stats", options->stats,
                       "Write figures about the render to this file, as JSON; `-`: standard output");
-  command->add_option("--stdin-filename", options->stdin_filename,
-                      "What a scene from standard input is called in messages");
   command->add_flag("--quiet", options->quiet, "Nothing on standard error but diagnostics");
-  add_diagnostics_options(*command, options->diagnostics);
+  command
+      ->add_option_function<std::string>(
+          "--frames",
+          [options](const std::string& text) {
+            options->frames = parse_frames(text);
+            if (options->frames) return;
+            throw CLI::ValidationError(
+                "--frames",
+                fmt::format("takes A, A-B or A-BxS with whole numbers, not `{}`", printable(text)));
+          },
+          "The frames to render, every S-th of A to B; default: those of the scene's animation")
+      ->type_name("A-B[xS]");
   command->footer(
       "Examples:\n"
       "  sdlc render ball.scene\n"
       "  sdlc render ball.scene -o ball.png -o ball.exr --samples 256\n"
       "  sdlc render config.json --width 320 --samples 16 --progress none --stats stats.json\n"
-      "  cat ball.scene | sdlc render - -o - > ball.png\n\n"
+      "  cat ball.scene | sdlc render - -o - > ball.png\n"
+      "  sdlc render ring.scene --set count=200 --frames 1-24 -o ring.####.png\n\n"
+      "#### in an output's name is the number of the frame.\n"
       "png jpg tiff webp ppm gif hold 8-bit codes after the scene's tone curve; exr and hdr hold "
       "linear\n"
       "radiance. --width or --height alone keeps the aspect, both together set a new one. Ctrl-C "

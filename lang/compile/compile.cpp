@@ -1,30 +1,139 @@
 #include "lang/compile/compile.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
-#include "lang/eval/eval.hpp"
 #include "lang/json/json.hpp"
-#include "lang/syntax/syntax.hpp"
 
 namespace sdlc::lang {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+/// Counts spheres as a SceneBuilder does, and remembers where the wanted ones come from.
+class Tracer final : public ObjectSink {
+ public:
+  Tracer(const SourceFile& file, const Limits& limits, std::span<const std::uint32_t> wanted,
+         DiagnosticSink& sink)
+      : builder_(file, limits, sink), wanted_(wanted), sink_(sink) {}
+
+  void add(const Object& object) override {
+    builder_.add(object);
+    if (next_ == wanted_.size() || builder_.sphere_count() <= wanted_[next_]) return;
+    origins_.push_back({.where = object.where, .name = object.name, .chain = sink_.chain()});
+    ++next_;
+  }
+  void enter(const Object& group) override { builder_.enter(group); }
+  void leave() override { builder_.leave(); }
+
+  std::vector<Origin> take() { return std::move(origins_); }
+
+ private:
+  SceneBuilder builder_;
+  std::span<const std::uint32_t> wanted_;
+  std::size_t next_ = 0;
+  DiagnosticSink& sink_;
+  std::vector<Origin> origins_;
+};
+
+}  // namespace
+
+Compiler::Compiler(const SourceFile& file, const ProgramOptions& options, DiagnosticSink& sink)
+    : file_(file), options_(options), sink_(sink) {
+  const auto start = Clock::now();
+  if (file.format() == SourceFormat::Scene) {
+    program_ = std::make_unique<Program>(file, options, sink);
+  } else {
+    for (const SetOption& set : options.sets) sink.report(diag::unknown_param, {}, set.name);
+  }
+  times_.parse_seconds = seconds(Clock::now() - start);
+}
+
+Compiler::~Compiler() = default;
+
+std::optional<Animation> Compiler::animation() {
+  if (program_ && !std::exchange(knows_animation_, true)) {
+    animation_ = Evaluation(*program_, {}, sink_).animation();
+  }
+  return animation_;
+}
+
+void Compiler::read(ObjectSink& objects, DiagnosticSink& sink) {
+  if (!program_) return read_config(file_, objects, sink);
+  Evaluation(*program_, {.frame = frame_, .camera = overrides_.camera}, sink).run(objects);
+}
+
+std::optional<LoweredScene> Compiler::lower(const Overrides& overrides, std::optional<int> frame) {
+  overrides_ = overrides;
+  frame_ = frame;
+  const auto start = Clock::now();
+  SceneBuilder builder(file_, options_.limits, sink_);
+  read(builder, sink_);
+  const auto read = Clock::now();
+  std::optional<LoweredScene> lowered = builder.finish(overrides);
+  dropped_ = builder.dropped();
+  report_dropped();
+  times_.parse_seconds += seconds(read - start);
+  times_.lower_seconds = seconds(Clock::now() - read);
+  return lowered;
+}
+
+void Compiler::report_dropped() {
+  // More would not be shown.
+  const std::size_t count = std::min(dropped_.size(), DiagnosticSink::kMaxPerSeverity);
+  std::vector<std::uint32_t> wanted;
+  for (std::size_t i = 0; i < count; ++i) {
+    wanted.insert(wanted.end(), {dropped_[i].sphere, dropped_[i].earlier});
+  }
+  std::sort(wanted.begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  if (wanted.empty()) return;
+  const std::vector<Origin> origins = trace_added(wanted);
+  const auto origin = [&](std::uint32_t sphere) -> const Origin& {
+    const auto found = std::lower_bound(wanted.begin(), wanted.end(), sphere);
+    return origins[static_cast<std::size_t>(found - wanted.begin())];
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const Origin& dropped = origin(dropped_[i].sphere);
+    sink_
+        .report(diag::duplicate_sphere, dropped.where,
+                dropped_[i].is_exact
+                    ? "is the same as an earlier one"
+                    : "coincides with an earlier one (within 2^-40 of its radius)")
+        .label(origin(dropped_[i].earlier).where, "the earlier one, which is kept")
+        .chain(dropped.chain);
+  }
+}
+
+std::vector<Origin> Compiler::trace_added(std::span<const std::uint32_t> spheres) {
+  DiagnosticSink ignored;  // all has been said
+  Tracer tracer(file_, options_.limits, spheres, ignored);
+  read(tracer, ignored);
+  return tracer.take();
+}
+
+std::vector<Origin> Compiler::trace(std::span<const std::uint32_t> spheres) {
+  std::vector<std::uint32_t> added;
+  auto dropped = dropped_.begin();
+  for (const std::uint32_t sphere : spheres) {
+    // Each dropped sphere before it moved it one place down.
+    auto index = static_cast<std::uint32_t>(sphere + (dropped - dropped_.begin()));
+    for (; dropped != dropped_.end() && dropped->sphere <= index; ++dropped) ++index;
+    added.push_back(index);
+  }
+  return trace_added(added);
+}
+
+std::vector<std::filesystem::path> Compiler::dependencies() const {
+  return program_ ? program_->dependencies() : std::vector<std::filesystem::path>();
+}
 
 std::optional<LoweredScene> compile(const SourceFile& file, const Overrides& overrides,
-                                    DiagnosticSink& sink, CompileTimes& times) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  SceneBuilder builder(file, sink);
-  switch (file.format()) {
-    case SourceFormat::Json: read_config(file, builder, sink); break;
-    case SourceFormat::Scene: evaluate(parse(file, sink), builder, sink); break;
-  }
-  const auto parsed = Clock::now();
-  std::optional<LoweredScene> lowered = builder.finish(overrides);
-  const auto seconds = [](auto duration) {
-    return std::chrono::duration<double>(duration).count();
-  };
-  times = {.parse_seconds = seconds(parsed - start),
-           .lower_seconds = seconds(Clock::now() - parsed)};
-  return lowered;
+                                    DiagnosticSink& sink) {
+  return Compiler(file, {}, sink).lower(overrides);
 }
 
 }  // namespace sdlc::lang

@@ -1,9 +1,16 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/eval/eval.hpp"
 #include "lang/lower/scene_builder.hpp"
+#include "lang/program/program.hpp"
 #include "lang/source/source.hpp"
 
 namespace sdlc::lang {
@@ -14,9 +21,57 @@ struct CompileTimes {
   double lower_seconds = 0;  ///< making the renderer's scene of them
 };
 
-/// A text of either format as a scene for the renderer, or nothing when it has errors; what is
-/// wrong with it, warnings included, is in the sink.
+/// Where a lowered sphere comes from.
+struct Origin {
+  Location where;                ///< of the sphere in the text
+  std::string name;              ///< its own; empty where it has none
+  std::vector<ChainLink> chain;  ///< through instances, loops and files, the innermost first
+};
+
+/// A text of either format and the files it needs, read once and lowered as often as it has frames.
+/// What is wrong, warnings included, is in the sink, which refers to texts that this object holds.
+class Compiler {
+ public:
+  /// `file` must outlive the compiler.
+  Compiler(const SourceFile& file, const ProgramOptions& options, DiagnosticSink& sink);
+  ~Compiler();
+
+  /// The frames that the scene says it has; nothing where it has no `animation`.
+  std::optional<Animation> animation();
+
+  /// The scene at one frame (by default the first, or the only one there is), or nothing when it
+  /// has errors.
+  std::optional<LoweredScene> lower(const Overrides& overrides, std::optional<int> frame = {});
+
+  /// Where spheres of the scene lowered last come from, by their index in it, ascending. They are
+  /// found by evaluating once more, so that no sphere has to remember.
+  std::vector<Origin> trace(std::span<const std::uint32_t> spheres);
+
+  /// The files that the root imports and includes.
+  std::vector<std::filesystem::path> dependencies() const;
+  const CompileTimes& times() const noexcept { return times_; }
+
+ private:
+  /// Everything that the text says, in the order of `objects`.
+  void read(ObjectSink& objects, DiagnosticSink& sink);
+  /// Origins by the order in which spheres were added.
+  std::vector<Origin> trace_added(std::span<const std::uint32_t> spheres);
+  void report_dropped();
+
+  const SourceFile& file_;
+  ProgramOptions options_;
+  DiagnosticSink& sink_;
+  std::unique_ptr<Program> program_;  ///< null for a config
+  std::optional<Animation> animation_;
+  bool knows_animation_ = false;
+  Overrides overrides_;
+  std::optional<int> frame_;
+  std::vector<DroppedSphere> dropped_;
+  CompileTimes times_;
+};
+
+/// Compiles a text that has no other frames and needs no other files.
 std::optional<LoweredScene> compile(const SourceFile& file, const Overrides& overrides,
-                                    DiagnosticSink& sink, CompileTimes& times);
+                                    DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

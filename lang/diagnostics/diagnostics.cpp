@@ -30,6 +30,11 @@ DiagnosticBuilder& DiagnosticBuilder::fix(Location where, std::string replacemen
   return *this;
 }
 
+DiagnosticBuilder& DiagnosticBuilder::chain(std::vector<ChainLink> links) {
+  diagnostic_->chain = std::move(links);
+  return *this;
+}
+
 DiagnosticBuilder& DiagnosticBuilder::suggest(std::optional<std::string_view> name) {
   if (!name) return *this;
   diagnostic_->suggestion = *name;
@@ -38,6 +43,13 @@ DiagnosticBuilder& DiagnosticBuilder::suggest(std::optional<std::string_view> na
 
 DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where,
                                       std::string message) {
+  std::string identity =
+      fmt::format("{} {} {} {} {}", info.code, static_cast<const void*>(where.file),
+                  where.span.begin, where.span.end, message);
+  if (!told_.insert(std::move(identity)).second) {
+    discarded_ = {};
+    return DiagnosticBuilder(discarded_);
+  }
   std::size_t& count = info.severity == Severity::Error ? errors_ : warnings_;
   if (++count > kMaxPerSeverity) {
     discarded_ = {};
@@ -49,8 +61,14 @@ DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where
                           .labels = {},
                           .help = {},
                           .fixes = {},
-                          .suggestion = {}});
+                          .suggestion = {},
+                          .chain = chain()});
   return DiagnosticBuilder(diagnostics_.back());
+}
+
+void DiagnosticSink::forget_shown() {
+  diagnostics_.clear();
+  errors_ = warnings_ = 0;
 }
 
 std::vector<const Diagnostic*> DiagnosticSink::sorted() const {

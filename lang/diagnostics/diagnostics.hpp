@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -60,6 +61,19 @@ struct Fix {
   std::string replacement;
 };
 
+/// One step of how evaluation came to a place: "in `ring`", and where that was written.
+struct ChainLink {
+  Location where;
+  std::string message;
+};
+
+/// Knows the steps that lead to where evaluation is at this moment, the innermost first.
+class ChainSource {
+ public:
+  virtual ~ChainSource() = default;
+  virtual std::vector<ChainLink> chain() const = 0;
+};
+
 struct Diagnostic {
   const DiagnosticInfo* info = nullptr;
   Location where;  ///< the smallest wrong thing; `where.file` may be null when no text is to blame
@@ -68,6 +82,7 @@ struct Diagnostic {
   std::vector<std::string> help;  ///< what to do, in words
   std::vector<Fix> fixes;
   std::string suggestion;  ///< the name that was probably meant; empty where there is none
+  std::vector<ChainLink> chain;  ///< how evaluation came here, the innermost step first
 };
 
 /// Adds to a diagnostic that was just reported.
@@ -78,6 +93,8 @@ class DiagnosticBuilder {
   DiagnosticBuilder& label(Location where, std::string message);
   DiagnosticBuilder& help(std::string text);
   DiagnosticBuilder& fix(Location where, std::string replacement);
+  /// How evaluation came to the place, where the sink does not know it.
+  DiagnosticBuilder& chain(std::vector<ChainLink> links);
   /// "did you mean `name`?", with the replacement of the diagnostic's own span as its fix.
   DiagnosticBuilder& suggest(std::optional<std::string_view> name);
 
@@ -85,7 +102,7 @@ class DiagnosticBuilder {
   Diagnostic* diagnostic_;
 };
 
-/// Collects what the phases report. After `kMaxErrors` errors (or as many warnings) further ones
+/// Collects what the phases report; what is said twice of one place is kept once. After `kMaxErrors` errors (or as many warnings) further ones
 /// are only counted: the reader of a message about the 51st mistake is better served by a second
 /// run.
 class DiagnosticSink {
@@ -97,6 +114,15 @@ class DiagnosticSink {
                            const std::type_identity_t<Args>&... args) {
     return add(kind, where, fmt::format(fmt::runtime(kind.message), args...));
   }
+
+  /// What is reported from now on comes about by this chain; null: by none.
+  void set_chain(const ChainSource* chain) noexcept { chain_ = chain; }
+  std::vector<ChainLink> chain() const {
+    return chain_ == nullptr ? std::vector<ChainLink>() : chain_->chain();
+  }
+
+  /// Empties the sink, whose content the user has seen; none of it will be reported again.
+  void forget_shown();
 
   bool has_errors() const noexcept { return errors_ > 0; }
   std::size_t error_count() const noexcept { return errors_; }      ///< those not kept included
@@ -112,6 +138,8 @@ class DiagnosticSink {
 
   std::deque<Diagnostic> diagnostics_;  // a deque: builders keep a pointer to the last one
   Diagnostic discarded_;                // what builders of omitted diagnostics write to
+  std::unordered_set<std::string> told_;
+  const ChainSource* chain_ = nullptr;
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;
 };

@@ -75,6 +75,12 @@ int gutter_width(const std::vector<std::vector<Mark>>& files) {
   return static_cast<int>(fmt::formatted_size("{}", line));
 }
 
+/// "file:line:column"
+std::string describe_place(const Location& where) {
+  const Position position = where.file->position(where.span.begin);
+  return fmt::format("{}:{}:{}", printable(where.file->name()), position.line, position.column);
+}
+
 std::string render_diagnostic(const Diagnostic& diagnostic, const Palette& palette) {
   const bool is_error = diagnostic.info->severity == Severity::Error;
   const std::string_view color = is_error ? palette.error : palette.warning;
@@ -89,13 +95,15 @@ std::string render_diagnostic(const Diagnostic& diagnostic, const Palette& palet
     width = gutter_width(files);
     for (const auto& marks : files) {
       const Location& place = marks.front().where;
-      const Position position = place.file->position(place.span.begin);
       const bool is_first = place.file == diagnostic.where.file;
-      text += fmt::format("{:>{}}{}{}{} {}:{}:{}\n", "", width, palette.gutter,
-                          is_first ? "-->" : ":::", palette.reset, printable(place.file->name()),
-                          position.line, position.column);
+      text += fmt::format("{:>{}}{}{}{} {}\n", "", width, palette.gutter,
+                          is_first ? "-->" : ":::", palette.reset, describe_place(place));
       text += render_excerpt(marks, width, color, palette);
     }
+  }
+  for (const ChainLink& link : diagnostic.chain) {
+    text += fmt::format("{:>{}} {}={} {}, {}\n", "", width, palette.gutter, palette.reset,
+                        printable(link.message), describe_place(link.where));
   }
   for (const std::string& line : help_lines(diagnostic)) {
     text += fmt::format("{:>{}} {}= {}help:{} {}\n", "", width, palette.gutter, palette.help,

@@ -26,13 +26,17 @@ Json to_json(const Diagnostic& diagnostic) {
                {"suggestion", nullptr},
                {"labels", Json::array()},
                {"help", diagnostic.help},
-               {"fixes", Json::array()}};
+               {"fixes", Json::array()},
+               {"chain", Json::array()}};
   if (!diagnostic.suggestion.empty()) json["suggestion"] = diagnostic.suggestion;
   for (const Label& label : diagnostic.labels) {
     json["labels"].push_back({{"message", label.message}, {"location", place(label.where)}});
   }
   for (const Fix& fix : diagnostic.fixes) {
     json["fixes"].push_back({{"replacement", fix.replacement}, {"location", place(fix.where)}});
+  }
+  for (const ChainLink& link : diagnostic.chain) {
+    json["chain"].push_back({{"message", link.message}, {"location", place(link.where)}});
   }
   return json;
 }

@@ -1,14 +1,45 @@
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <string>
+
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/object/object.hpp"
-#include "lang/syntax/syntax.hpp"
+#include "lang/program/program.hpp"
+#include "lang/source/source.hpp"
 
 namespace sdlc::lang {
 
-/// Evaluates a file: every object goes to `objects`, in the order of the file, its properties
-/// checked; what is wrong is reported. An object with a mistake in it is passed too, with what is
-/// right of it.
-void evaluate(const SyntaxTree& tree, ObjectSink& objects, DiagnosticSink& sink);
+/// The frames of a film, as the root's `animation` gives them.
+struct Animation {
+  int first = 0, last = 0, step = 1;
+  double fps = 24;
+  Location where;  ///< of the statement
+};
+
+struct EvaluationOptions {
+  std::optional<int> frame = {};           ///< default: the first of the animation
+  std::optional<std::string> camera = {};  ///< chosen in place of what the file chooses
+};
+
+/// One evaluation of a program: at one frame, with one shutter. Every object goes to an ObjectSink,
+/// its properties checked: first the cameras, the background and the settings, then the rest in the
+/// order of the file. What is wrong is reported; an object with a mistake in it is passed too, with
+/// what is right of it. A camera's shutter is passed in absolute times.
+class Evaluation {
+ public:
+  Evaluation(Program& program, const EvaluationOptions& options, DiagnosticSink& sink);
+  ~Evaluation();
+
+  const std::optional<Animation>& animation() const;
+  void run(ObjectSink& objects);
+
+ private:
+  std::unique_ptr<class Evaluator> evaluator_;
+};
+
+/// Reads and evaluates a file that needs no other.
+void evaluate(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

@@ -1,102 +1,172 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/eval/builtins.hpp"
-#include "lang/eval/computed.hpp"
-#include "lang/eval/declarations.hpp"
-#include "lang/eval/scopes.hpp"
+#include "lang/eval/eval.hpp"
 #include "lang/object/object.hpp"
+#include "lang/program/program.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/value/computed.hpp"
+#include "lang/value/constructors.hpp"
 
 namespace sdlc::lang {
 
-/// Names that a file declares and this evaluator cannot use yet.
-struct DeclaredNames {
-  std::set<std::string_view> values;  ///< import
-  std::set<std::string_view> kinds;   ///< def
-};
-
-/// Computes expressions. What is wrong is reported once, where it is; what depends on it is silent.
-///
-/// It recurs as deep as the tree does, which the parser has limited, and into functions of the
-/// file's own, which kMaxCalls limits.
-class ExpressionEvaluator {
+/// Runs code. Expressions recur as deep as the tree does, which the parser has limited, and into
+/// functions and kinds of the file's own, which kMaxCalls limits.
+class Evaluator final : public ChainSource {
  public:
-  ExpressionEvaluator(const DeclaredNames& names, const Declarations& declarations, Scopes& scopes,
-                      DiagnosticSink& sink)
-      : names_(names), declarations_(declarations), scopes_(scopes), sink_(sink) {}
+  Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink);
+  ~Evaluator() override;
 
-  Computed evaluate(ast::Node node);
-  /// The value in the place of a property or argument: of its type and in its range, or monostate.
-  Value evaluate_property(const Property& property, ast::Node node);
-  /// The value of a condition; nothing where it is none, which is reported in the name of `word`.
-  std::optional<bool> evaluate_condition(ast::Node node, std::string_view word);
-  /// The value of a let, param or parameter, of its type if it declares one.
-  Computed check_declared_type(std::string_view name, std::optional<ast::Node> type, Computed value,
-                               Location where);
-  /// Counts a loop's turn or a call; false, once reported, when the file has taken too many.
-  bool take_step(Location where);
+  const std::optional<Animation>& animation() const { return animation_; }
+  void run(ObjectSink& objects);
+
+  std::vector<ChainLink> chain() const override;
 
  private:
-  Computed evaluate_inner(ast::Node node);
-  Computed evaluate_chain(ast::Node node);
-  Computed evaluate_triple(ast::Node node);
-  Computed evaluate_interval(ast::Node node);
-  Computed evaluate_reference(ast::Node node);
-  Computed evaluate_call(ast::Call call);
-  Computed evaluate_builtin(const Builtin& builtin, ast::Call call);
-  Computed evaluate_conditional(ast::Node node);
-  /// `and` or `or`: evaluates no more operands than it needs.
-  Computed evaluate_logic(ast::Node node);
-  Computed evaluate_list(ast::Node node);
-  Computed evaluate_postfix(ast::Node node);
-  Computed evaluate_member(const Computed& value, std::string_view name, Location where);
-  Computed call_declared(ast::Node function, ast::Call call);
-  Computed evaluate_index(const Computed& value, ast::Node index);
-  Computed not_supported(ast::Node node, std::string_view what);
+  /// A value at the opening and, where the time matters and the shutter is open, at the closing.
+  struct Varying {
+    std::array<Computed, 2> values = {};
+    bool reads_time = false;  ///< depends on the time
+    bool varies = false;      ///< and the shutter is open: the second value holds
+  };
 
+  /// A step into what is being evaluated.
+  struct Step {
+    enum Kind : std::uint8_t { Turn, Call, Instance, Group, Include } kind;
+    const Code* code;
+    NodeIndex node;          ///< the statement or call
+    std::string_view name;   ///< of the function or kind, or the loop's variable
+    std::size_t local = 0;   ///< of a Turn: index of the variable
+    std::uint64_t turn = 0;  ///< from 0
+  };
+  class Nested;
+
+  /// A camera, background, render or animation of the root.
+  struct Setting {
+    const Kind* kind;
+    ast::Object node;
+  };
+
+  // Phases
+  void find_settings();
+  void find_animation();
+  void find_shutter();
+  std::optional<std::string> chosen_camera();
+  Value setting_value(const Setting& setting, std::size_t property);
+  enum class Globals : std::uint8_t { TimeFree, TimeDependent };
+  void evaluate_globals(std::uint32_t module, Globals which);
+  void evaluate_all_globals(Globals which);
+  Varying evaluate_global(std::uint32_t module, std::uint32_t index);
+  /// The param's value, or that of --set in its place.
+  Varying with_setting(std::uint32_t index, Varying value);
+  void run_settings();
+  void run_file(std::uint32_t module);
+
+  // Statements
+  void run(const Code& code, std::uint32_t statement);
+  void run_block(const Code& code, std::span<const std::uint32_t> statements);
+  void run_for(const Code& code, const Statement& statement);
+  void run_if(const Code& code, const Statement& statement);
+  void run_assert(const Code& code, const Statement& statement);
+  void run_group(const Code& code, const Statement& statement);
+  void run_instance(const Code& code, const Statement& statement);
+  void run_include(const Code& code, const Statement& statement);
+  void run_object(const Code& code, const Statement& statement);
+  /// Makes object_ of the pairs of property and expression.
+  void read_object(const Code& code, const Statement& statement, const Kind& kind,
+                   std::span<const std::uint32_t> pairs);
+  void read_changing(const Code& code, std::size_t property, std::uint32_t expression);
+  Varying evaluate_over_shutter(const Code& code, std::uint32_t expression);
+  /// What expression and statement nesting costs of the machine's stack; false, once reported, when
+  /// there is too much of it.
+  bool may_nest(const Code& code, NodeIndex node);
+
+  // Expressions
+  Computed evaluate(const Code& code, std::uint32_t expression);
+  Computed evaluate_operation(const Code& code, const Expression& e);
+  Computed evaluate_chain(const Code& code, const Expression& e);
+  Computed combine(const Code& code, const Computed& left, std::uint32_t left_index,
+                   const Computed& right, std::uint32_t right_index);
+  Computed evaluate_triple(const Code& code, const Expression& e);
+  Computed evaluate_interval(const Code& code, const Expression& e);
+  Computed evaluate_list(const Code& code, const Expression& e);
+  Computed evaluate_logic(const Code& code, const Expression& e);
+  Computed evaluate_conditional(const Code& code, const Expression& e);
+  Computed evaluate_member(const Code& code, const Expression& e);
+  Computed evaluate_index(const Code& code, const Expression& e);
+  Computed evaluate_function(const Code& code, const Expression& e);
+  Computed evaluate_builtin(const Code& code, const Expression& e);
+  Computed evaluate_constructor(const Code& code, const Expression& e);
+  std::optional<bool> evaluate_condition(const Code& code, std::uint32_t expression,
+                                         std::string_view word);
+  const Computed& read(const Varying& variable);
+  /// The value if it is of the declared type; else that is reported, and it has failed.
+  Computed check_type(const Module& module, std::string_view name, const TypeInfo* type,
+                      NodeIndex declaration, Computed value, Location where);
+  /// Counts loop turns, calls and the like; false, once reported, when there are too many.
+  bool take_steps(const Code& code, NodeIndex node, std::uint64_t count = 1);
+
+  // Properties
+  /// The value in the place of a property or argument: of its type and in its range, or monostate.
+  Value property_value(const Code& code, const Property& property, std::uint32_t expression);
   Value to_property(const Property& property, const Computed& computed, ast::Node node);
-  Value evaluate_word(const Property& property, ast::Node node);
-  Value wrong_type(const Property& property, std::string_view found, ast::Node node);
 
-  const DeclaredNames& names_;
-  const Declarations& declarations_;
-  Scopes& scopes_;
+  ast::Node node(const Code& code, std::uint32_t expression) const {
+    return {*code.tree, code.expressions[expression].node};
+  }
+  Location place(const Code& code, std::uint32_t expression) const {
+    return node(code, expression).location();
+  }
+
+  Program& program_;
+  const EvaluationOptions options_;
   DiagnosticSink& sink_;
-  int depth_ = 0;  // of evaluate()
-  int calls_ = 0;  // of the file's own functions, around this moment
-  int steps_ = 0;
+  ObjectSink* objects_ = nullptr;
+
+  std::optional<Animation> animation_;
+  std::vector<Setting> settings_;
+  std::map<std::string_view, Location> unique_, cameras_;
+
+  std::array<double, 2> times_{0, 0};  // at the opening and the closing, seconds
+  bool is_open_ = false;               // the shutter is: they may differ
+  std::optional<render::Interval> shutter_;
+  std::size_t moment_ = 0;             // which of them it is now
+  bool reads_time_ = false;            // set by whatever depends on the time
+  bool center_reads_time_ = false;     // of the sphere being read
+
+  std::vector<std::vector<Varying>> globals_;      // by module
+  std::array<std::vector<bool>, 2> globals_done_;  // by Globals and module
+  std::vector<Varying> locals_;
+  std::size_t frame_ = 0;  // where the present frame begins in locals_
+
+  std::vector<Step> steps_inside_;
+  Object object_;                        // the one being read
+  int depth_ = 0;
+  int calls_ = 0;
+  std::uint64_t steps_ = 0;
 };
 
-/// At most this many arguments has a function.
-inline constexpr std::size_t kMaxArguments = 3;
+/// A step that lasts as long as it lives.
+class Evaluator::Nested {
+ public:
+  Nested(Evaluator& evaluator, const Step& step) : evaluator_(evaluator) {
+    evaluator_.steps_inside_.push_back(step);
+  }
+  ~Nested() { evaluator_.steps_inside_.pop_back(); }
+  Nested(const Nested&) = delete;
+  Nested& operator=(const Nested&) = delete;
 
-/// A built-in function: its parameters are described like properties, its body computes from their
-/// values.
-struct Function {
-  std::string_view name;
-  std::span<const Property> parameters;
+ private:
+  Evaluator& evaluator_;
 };
-
-/// What the arguments of a call are, by parameter; monostate where one is neither written nor has a
-/// default.
-struct Arguments {
-  std::array<Slot, kMaxArguments> slots;
-  bool are_valid = true;  ///< none is missing or wrong
-};
-
-std::span<const Function> all_functions() noexcept;
-const Function* find_function(std::string_view name) noexcept;
-/// Of functions that the language has and this evaluator does not yet.
-bool is_later_function(std::string_view name) noexcept;
-Computed call_function(const Function& function, const Arguments& arguments, ast::Call call,
-                       DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

@@ -60,14 +60,54 @@ void SceneBuilder::add(const Object& object) {
     case ObjectKind::Background: background_ = object; break;
     case ObjectKind::Sphere: add_sphere(object); break;
     case ObjectKind::Render: render_ = object; break;
+    case ObjectKind::Animation: is_animated_ = true; break;
+    case ObjectKind::Group: break;  // see enter()
   }
+}
+
+void SceneBuilder::enter(const Object& object) {
+  using namespace group_property;
+  const double scale = object.get<double>(kScale).value_or(1);
+  const auto placement = [&](auto translate, auto rotate) {
+    return Placement::of(translate.value_or(render::Vec3{}),
+                         rotate.value_or(AngleTriple{}).degrees, scale);
+  };
+  Group group{.placements = {placement(object.get<render::Vec3>(kTranslate),
+                                       object.get<AngleTriple>(kRotate)),
+                             placement(object.get_closing<render::Vec3>(kTranslate),
+                                       object.get_closing<AngleTriple>(kRotate))},
+              .is_moving = !object.closing.empty(),
+              .material = object.get<MaterialValue>(kMaterial)};
+  if (!groups_.empty()) {
+    const Group& outer = groups_.back();
+    for (std::size_t i = 0; i < 2; ++i) {
+      group.placements[i] = outer.placements[i].around(group.placements[i]);
+    }
+    group.is_moving = group.is_moving || outer.is_moving;
+    if (!group.material) group.material = outer.material;
+  }
+  groups_.push_back(std::move(group));
+}
+
+void SceneBuilder::leave() { groups_.pop_back(); }
+
+bool SceneBuilder::may_hold_another(Location where) {
+  if (spheres_.size() < limits_.objects) return true;
+  sink_->report(diag::too_many_objects, where, limits_.objects)
+      .help("`--limit objects=N` allows more");
+  return false;
 }
 
 void SceneBuilder::add_sphere(const Object& object) {
   using namespace sphere_property;
-  const auto center = object.get<render::Vec3>(kCenter);
-  const auto radius = object.get<double>(kRadius);
-  const auto material = object.get<MaterialValue>(kMaterial);
+  had_spheres_ = true;
+  auto center = object.get<render::Vec3>(kCenter);
+  auto radius = object.get<double>(kRadius);
+  auto material = object.get<MaterialValue>(kMaterial);
+  if (!object.slot(kMaterial).is_written) {
+    if (!groups_.empty()) material = groups_.back().material;
+    if (!material) sink_->report(diag::no_material, object.where);
+  }
   if (!center || !radius || !material) return;  // reported where it was read
   if (*radius == 0) {
     sink_->report(diag::zero_radius, object.location(kRadius));
@@ -81,15 +121,38 @@ void SceneBuilder::add_sphere(const Object& object) {
                   "the light's color * intensity");
     return;
   }
+  if (!may_hold_another(object.where)) return;
 
   const auto index = static_cast<std::uint32_t>(spheres_.size());
   if (const auto motion = object.get<MotionValue>(kMotion)) {
-    moving_.push_back(
-        {.sphere = index, .place = object.slot(kMotion).span.begin, .motion = *motion});
+    moving_.push_back({.sphere = index,
+                       .where = object.location(kMotion),
+                       .motion = *motion,
+                       .center = *center,
+                       .group = {}});
+    if (!groups_.empty()) moving_.back().group = groups_.back().placements;
+  }
+  render::Vec3 shift;
+  if (!groups_.empty() || !object.closing.empty()) {
+    const auto closing = *object.get_closing<render::Vec3>(kCenter);
+    const std::array<Placement, 2> none;
+    const auto& placements = groups_.empty() ? none : groups_.back().placements;
+    const bool is_moving =
+        !object.closing.empty() || (!groups_.empty() && groups_.back().is_moving);
+    *center = groups_.empty() ? *center : placements[0].apply(*center);
+    if (is_moving) shift = (groups_.empty() ? closing : placements[1].apply(closing)) - *center;
+    *radius *= placements[0].scale;
+    if (!is_finite(*center) || !is_finite(shift) || !(*radius > 0) || !std::isfinite(*radius)) {
+      sink_->report(diag::beyond_numbers, object.where, "where the groups around this sphere put it");
+      return;
+    }
+  }
+  if (shift != render::Vec3{} || !shifts_.empty()) {
+    shifts_.resize(index);
+    shifts_.push_back(shift);
   }
   spheres_.push_back(
       {.center = *center, .radius = *radius, .material = materials_.index_of(lowered)});
-  places_.push_back(object.where.span.begin);
 }
 
 std::optional<LoweredScene> SceneBuilder::finish(const Overrides& overrides) {
@@ -104,9 +167,10 @@ std::optional<LoweredScene> SceneBuilder::finish(const Overrides& overrides) {
     if (const auto shutter = camera->get<render::Interval>(camera_property::kShutter)) {
       lower_motion(*shutter, lowered.scene);
     } else if (!moving_.empty()) {
-      const bool is_config = file_->format() == SourceFormat::Json;
+      const Location where = moving_.front().where;
+      const bool is_config = where.file->format() == SourceFormat::Json;
       sink_
-          ->report(diag::no_effect, place_of(moving_.front().place),
+          ->report(diag::no_effect, where,
                    is_config ? "movement" : "motion")
           .help(is_config ? "without `time_interval` every sphere stays at its origin"
                           : "the camera has no `shutter`: everything stands still");
@@ -152,7 +216,7 @@ const Object* SceneBuilder::choose_camera(const Overrides& overrides) {
 
   // Without a camera there may be a plain picture; an earlier error may have taken the camera away.
   if (sink_->has_errors()) return nullptr;
-  if (!spheres_.empty() || !places_.empty()) {
+  if (had_spheres_) {
     sink_->report(diag::no_camera, whole_file())
         .help("add `camera { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }`");
     return nullptr;
@@ -246,24 +310,30 @@ void SceneBuilder::lower_background(render::Scene& scene) {
 }
 
 void SceneBuilder::lower_motion(render::Interval shutter, render::Scene& scene) {
-  std::vector<render::Vec3> shifts(moving_.empty() ? 0 : scene.spheres.size());
-  bool is_moving = false;
+  if (!moving_.empty() || !shifts_.empty()) shifts_.resize(scene.spheres.size());
   for (const MovingSphere& moving : moving_) {
     render::Sphere& sphere = scene.spheres[moving.sphere];
     const render::Interval over = moving.motion.over;
     const double duration = over.to - over.from;
-    const render::Vec3 way = moving.motion.to - sphere.center;
-    const render::Vec3 opening = sphere.center + way * ((shutter.from - over.from) / duration);
-    const render::Vec3 shift = way * ((shutter.to - shutter.from) / duration);
+    const render::Vec3 way = moving.motion.to - moving.center;
+    render::Vec3 opening = moving.center + way * ((shutter.from - over.from) / duration);
+    render::Vec3 shift = way * ((shutter.to - shutter.from) / duration);
+    if (moving.group) {
+      const auto& [at_opening, at_closing] = *moving.group;
+      const render::Vec3 closing = at_closing.apply(opening + shift);
+      opening = at_opening.apply(opening);
+      shift = closing - opening;
+    }
     if (!is_finite(opening) || !is_finite(opening + shift)) {
-      sink_->report(diag::beyond_numbers, place_of(moving.place), "where the motion leads");
+      sink_->report(diag::beyond_numbers, moving.where, "where the motion leads");
       continue;
     }
     sphere.center = opening;
-    shifts[moving.sphere] = shift;
-    is_moving = is_moving || shift != render::Vec3{};
+    shifts_[moving.sphere] = shift;
   }
-  if (is_moving) scene.shifts = std::move(shifts);
+  const bool is_moving = std::any_of(shifts_.begin(), shifts_.end(),
+                                     [](render::Vec3 shift) { return shift != render::Vec3{}; });
+  if (is_moving) scene.shifts = std::move(shifts_);
 }
 
 std::optional<int> SceneBuilder::whole(const Object& object, std::size_t property) const {
@@ -282,7 +352,7 @@ void SceneBuilder::lower_settings(const Overrides& overrides, LoweredScene& lowe
   using namespace render_property;
   if (!render_)
     render_ = Object{
-        .kind = &kind_info(ObjectKind::Render), .where = whole_file(), .name = {}, .slots = {}};
+        .kind = &kind_info(ObjectKind::Render), .where = whole_file(), .name = {}, .slots = {}, .closing = {}};
   const Object& object = *render_;
   render::RenderSettings& settings = lowered.settings;
   const auto set = [](auto& setting, const auto& value) {
@@ -299,6 +369,11 @@ void SceneBuilder::lower_settings(const Overrides& overrides, LoweredScene& lowe
   set(settings.seed, object.get<double>(kSeed));
   set(settings.seed, overrides.seed);
   set(lowered.output.output, object.get<std::string>(kOutput));
+  const std::string& output = lowered.output.output;
+  const bool is_used = !output.empty() && !overrides.names_output;
+  if (is_animated_ && is_used && output.find("####") == std::string::npos) {
+    sink_->report(diag::no_frame_number, object.location(kOutput), output);
+  }
   if (const auto tone = object.get<Word>(kTone)) lowered.output.tone = lower_tone(tone->text);
   if (overrides.tone) lowered.output.tone = lower_tone(*overrides.tone);
   if (cameras_.empty()) settings.samples = settings.depth = 1;  // a plain picture has no noise
@@ -372,11 +447,9 @@ void SceneBuilder::drop_coincident(render::Scene& scene) {
   const auto coincident = render::find_coincident(scene.spheres, scene.shifts);
   if (coincident.empty()) return;
   for (const render::CoincidentSphere& pair : coincident) {
-    sink_
-        ->report(diag::duplicate_sphere, place_of(places_[pair.sphere]),
-                 pair.is_exact ? "is the same as an earlier one"
-                               : "coincides with an earlier one (within 2^-40 of its radius)")
-        .label(place_of(places_[pair.earlier]), "the earlier one, which is kept");
+    dropped_.push_back({.sphere = static_cast<std::uint32_t>(pair.sphere),
+                        .earlier = static_cast<std::uint32_t>(pair.earlier),
+                        .is_exact = pair.is_exact});
   }
 
   std::size_t kept = 0, next = 0;

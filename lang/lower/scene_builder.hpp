@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -7,9 +8,13 @@
 
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/lower/material_table.hpp"
+#include "lang/lower/placement.hpp"
 #include "lang/object/object.hpp"
+#include "lang/source/limits.hpp"
 #include "lang/source/source.hpp"
 #include "render/image/tone.hpp"
+#include "render/math/interval.hpp"
+#include "render/math/vec3.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::lang {
@@ -20,6 +25,7 @@ struct Overrides {
   std::optional<int> width = {}, height = {}, samples = {}, depth = {}, threads = {};
   std::optional<std::uint64_t> seed = {};
   std::optional<std::string> tone = {}, camera = {};
+  bool names_output = false;  ///< the scene's own output is not used
 };
 
 /// How the picture is saved, as far as the scene says so.
@@ -35,25 +41,52 @@ struct LoweredScene {
   OutputSettings output;
 };
 
+/// A sphere that was found to coincide with an earlier one and left out. Both are numbers of
+/// spheres in the order in which they were added.
+struct DroppedSphere {
+  std::uint32_t sphere;
+  std::uint32_t earlier;
+  bool is_exact;
+};
+
 /// Makes the renderer's scene of checked objects.
 class SceneBuilder final : public ObjectSink {
  public:
-  /// `file` is the one all objects come from, and the place of a fault that has no other.
-  SceneBuilder(const SourceFile& file, DiagnosticSink& sink) : file_(&file), sink_(&sink) {}
+  /// `file` is the root, and the place of a fault that has no other.
+  SceneBuilder(const SourceFile& file, const Limits& limits, DiagnosticSink& sink)
+      : file_(&file), limits_(limits), sink_(&sink) {}
 
   void add(const Object& object) override;
+  void enter(const Object& group) override;
+  void leave() override;
 
   /// The scene, or nothing when an error has been reported, here or before. Takes what was added.
   std::optional<LoweredScene> finish(const Overrides& overrides);
 
+  std::size_t sphere_count() const noexcept { return spheres_.size(); }
+
+  /// What finish() left out, in order.
+  const std::vector<DroppedSphere>& dropped() const noexcept { return dropped_; }
+
  private:
+  /// A sphere with a `motion`, whose path waits for the shutter.
   struct MovingSphere {
     std::uint32_t sphere;
-    std::uint32_t place;  ///< of the motion in the text
+    Location where;  ///< of the motion in the text
     MotionValue motion;
+    render::Vec3 center;  ///< at motion.over.from, inside the group
+    std::optional<std::array<Placement, 2>> group;
+  };
+
+  /// A group around what is added.
+  struct Group {
+    std::array<Placement, 2> placements;  ///< at the opening and the closing, in the world
+    bool is_moving = false;
+    std::optional<MaterialValue> material;
   };
 
   void add_sphere(const Object& object);
+  bool may_hold_another(Location where);
   const Object* choose_camera(const Overrides& overrides);
   void lower_camera(const Object& camera, render::Scene& scene);
   void lower_background(render::Scene& scene);
@@ -65,20 +98,24 @@ class SceneBuilder final : public ObjectSink {
   void drop_coincident(render::Scene& scene);
 
   Location whole_file() const { return {file_, {0, 0}}; }
-  Location place_of(std::uint32_t begin) const { return {file_, {begin, begin + 1}}; }
   std::string_view name_of(const Object& object, std::size_t property) const;
   /// The value of a whole-number property, checked to fit an int; nothing where it is absent or
   /// wrong.
   std::optional<int> whole(const Object& object, std::size_t property) const;
 
   const SourceFile* file_;
+  Limits limits_;
   DiagnosticSink* sink_;
   std::vector<Object> cameras_;
   std::optional<Object> background_;
   std::optional<Object> render_;
+  bool is_animated_ = false;
   std::vector<render::Sphere> spheres_;
-  std::vector<std::uint32_t> places_;  ///< where each sphere begins in the text
+  std::vector<render::Vec3> shifts_;  ///< of the first spheres; empty: none has one
   std::vector<MovingSphere> moving_;
+  std::vector<Group> groups_;  ///< the innermost last
+  std::vector<DroppedSphere> dropped_;
+  bool had_spheres_ = false;  ///< also those that were wrong
   MaterialTable materials_;
 };
 

@@ -15,6 +15,9 @@ bool is_in(Range range, double number) noexcept {
     case Range::NonNegativeExact: return number >= 0 && number <= 0x1p53;
     case Range::Positive: return number > 0;
     case Range::AtLeastOne: return number >= 1;
+    case Range::ByteCode: return number >= 0 && number <= 255;
+    case Range::Fraction: return number >= 0 && number <= 1;
+    case Range::Kelvin: return number >= 1667 && number <= 25000;
     case Range::BetweenZeroAndHalfTurn: return number > 0 && number < 180;
   }
   return false;
@@ -30,7 +33,9 @@ bool has_type(Type type, const Value& value) noexcept {
     case Type::String: return std::holds_alternative<std::string>(value);
     case Type::Vec3: return std::holds_alternative<render::Vec3>(value);
     case Type::Angle: return std::holds_alternative<Angle>(value);
+    case Type::Angles: return std::holds_alternative<AngleTriple>(value);
     case Type::Color: return std::holds_alternative<render::LinearRgb>(value);
+    case Type::Frames:
     case Type::Interval: return std::holds_alternative<render::Interval>(value);
     case Type::Word: return std::holds_alternative<Word>(value);
     case Type::Material: return std::holds_alternative<MaterialValue>(value);
@@ -102,6 +107,14 @@ bool check_value(std::string_view name, Type type, Range range, const Value& val
   if (const auto* color = std::get_if<render::LinearRgb>(&value)) {
     return check_color(name, range, *color, where, sink);
   }
+  if (type == Type::Frames) {
+    const auto frames = std::get<render::Interval>(value);
+    const bool are_whole = check_whole_number(name, Range::NonNegative, frames.from, where, sink) &&
+                           check_whole_number(name, Range::NonNegative, frames.to, where, sink);
+    if (!are_whole || frames.from <= frames.to) return are_whole;
+    sink.report(diag::no_frames, where, to_text(frames.to), to_text(frames.from));
+    return false;
+  }
   if (const auto* motion = std::get_if<MotionValue>(&value)) {
     if (motion->over.from != motion->over.to) return true;
     sink.report(diag::empty_interval, where, name, to_text(motion->over.from));
@@ -116,14 +129,6 @@ bool check_property(const Property& property, const Value& value, Location where
   if (!check_value(property.name, property.type, property.range, value, where, sink)) return false;
   const auto* word = std::get_if<Word>(&value);
   return word == nullptr || check_word(property, *word, where, sink);
-}
-
-void check_required(const Object& object, DiagnosticSink& sink) {
-  for (std::size_t i = 0; i < object.kind->properties.size(); ++i) {
-    const Property& property = object.kind->properties[i];
-    if (property.presence == Presence::Optional || object.slots[i].is_written) continue;
-    sink.report(diag::missing, object.where, object.kind->name, property.name);
-  }
 }
 
 }  // namespace sdlc::lang

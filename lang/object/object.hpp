@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/schema/schema.hpp"
@@ -19,6 +20,13 @@ struct Angle {
   double degrees = 0;
 
   friend bool operator==(const Angle&, const Angle&) = default;
+};
+
+/// Angles about the three axes.
+struct AngleTriple {
+  render::Vec3 degrees;
+
+  friend bool operator==(const AngleTriple&, const AngleTriple&) = default;
 };
 
 /// A name that stands for itself: `tone: sqrt`.
@@ -55,7 +63,7 @@ struct MotionValue {
 /// monostate: nothing is written, or what is written was wrong and has been reported.
 using Value =
     std::variant<std::monostate, double, bool, std::string, render::Vec3, Angle, render::LinearRgb,
-                 render::Interval, Word, None, MaterialValue, MotionValue>;
+                 render::Interval, Word, None, MaterialValue, MotionValue, AngleTriple>;
 
 /// "a number", "a colour": what a message calls the value.
 std::string_view describe(const Value& value) noexcept;
@@ -71,6 +79,12 @@ struct Slot {
   bool is_written = false;  ///< also when the value was wrong
 };
 
+/// The value of a property at the closing of the shutter.
+struct ClosingValue {
+  std::size_t property;
+  Value value;
+};
+
 /// An object whose properties have been checked one by one; `slots` has one entry per row of the
 /// kind's table.
 struct Object {
@@ -79,6 +93,9 @@ struct Object {
       where;  ///< of what names it in messages: the kind's name, or the object's first character
   std::string name;  ///< `main` of `camera main`; empty where there is none
   std::array<Slot, kMaxProperties> slots;
+  /// What changes while the shutter is open, as it is at the closing; `slots` hold the opening.
+  /// Only centres of spheres and translations and rotations of groups can (ruling 29).
+  std::vector<ClosingValue> closing;
 
   const Slot& slot(std::size_t property) const { return slots[property]; }
   Location location(std::size_t property) const { return {where.file, slots[property].span}; }
@@ -86,6 +103,14 @@ struct Object {
   /// The value if it is a T (the written one, else the table's default).
   template <typename T>
   std::optional<T> get(std::size_t property) const;
+  /// The value at the closing of the shutter.
+  template <typename T>
+  std::optional<T> get_closing(std::size_t property) const {
+    for (const ClosingValue& changed : closing) {
+      if (changed.property == property) return std::get<T>(changed.value);
+    }
+    return get<T>(property);
+  }
 };
 
 /// Receives checked objects one at a time, so that no reader has to hold all of them.
@@ -93,9 +118,13 @@ class ObjectSink {
  public:
   virtual ~ObjectSink() = default;
 
-  /// An object of any kind. Its written values have passed check_value or are monostate, and
-  /// check_required has been called.
+  /// An object of any kind. Its written values have passed check_value or are monostate; what it
+  /// lacks has been reported.
   virtual void add(const Object& object) = 0;
+
+  /// What is added until leave() stands inside this group.
+  virtual void enter(const Object& /*group*/) {}
+  virtual void leave() {}
 };
 
 /// The largest whole number of a property without Range::NonNegativeExact: such values count
@@ -122,9 +151,6 @@ bool check_value(std::string_view name, Type type, Range range, const Value& val
 /// words are.
 bool check_property(const Property& property, const Value& value, Location where,
                     DiagnosticSink& sink);
-
-/// Reports every required property of the object that is not written, each at the object's place.
-void check_required(const Object& object, DiagnosticSink& sink);
 
 template <typename T>
 std::optional<T> Object::get(std::size_t property) const {

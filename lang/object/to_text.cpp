@@ -78,6 +78,11 @@ struct Writer {
   std::string operator()(bool value) const { return value ? "true" : "false"; }
   std::string operator()(const std::string& text) const { return string_literal(text); }
   std::string operator()(Angle angle) const { return lang::to_text(angle.degrees) + "deg"; }
+  std::string operator()(const AngleTriple& angles) const {
+    const auto [x, y, z] = angles.degrees;
+    return fmt::format("({}deg, {}deg, {}deg)", lang::to_text(x), lang::to_text(y),
+                       lang::to_text(z));
+  }
   std::string operator()(const Word& word) const { return word.text; }
   std::string operator()(None) const { return "none"; }
   std::string operator()(const MotionValue& motion) const {
@@ -96,6 +101,7 @@ struct Describer {
   std::string_view operator()(const std::string&) const { return "a string"; }
   std::string_view operator()(render::Vec3) const { return "a point (x, y, z)"; }
   std::string_view operator()(Angle) const { return "an angle"; }
+  std::string_view operator()(const AngleTriple&) const { return "three angles"; }
   std::string_view operator()(render::LinearRgb) const { return "a colour"; }
   std::string_view operator()(render::Interval) const { return "an interval"; }
   std::string_view operator()(const Word&) const { return "a word"; }

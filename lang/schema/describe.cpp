@@ -11,8 +11,10 @@ std::string_view describe(Type type) noexcept {
     case Type::Vec3: return "a point (x, y, z)";
     case Type::Length: return "a length";
     case Type::Angle: return "an angle";
+    case Type::Angles: return "three angles";
     case Type::Color: return "a colour";
     case Type::Interval: return "an interval a .. b";
+    case Type::Frames: return "an interval of frames";
     case Type::Word: return "a word";
     case Type::Material: return "a material";
     case Type::Motion: return "a motion";
@@ -27,6 +29,9 @@ std::string_view describe(Range range) noexcept {
     case Range::NonNegativeExact: return "from 0 to 9007199254740992";
     case Range::Positive: return "greater than 0";
     case Range::AtLeastOne: return "at least 1";
+    case Range::ByteCode: return "from 0 to 255";
+    case Range::Fraction: return "from 0 to 100%";
+    case Range::Kelvin: return "from 1667 to 25000";
     case Range::BetweenZeroAndHalfTurn: return "greater than 0 and less than 180 degrees";
   }
   return "";

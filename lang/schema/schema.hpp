@@ -21,8 +21,10 @@ enum class Type : std::uint8_t {
   Vec3,    ///< a point or a displacement, in metres
   Length,  ///< in metres
   Angle,   ///< written with a unit: 40deg
+  Angles,  ///< three of them
   Color,
   Interval,  ///< two times in seconds
+  Frames,    ///< two whole numbers
   Word,      ///< one of the property's words, or a name
   Material,
   Motion,
@@ -38,6 +40,9 @@ enum class Range : std::uint8_t {
   NonNegativeExact,  ///< at most 2^53: up to there a double holds every whole number
   Positive,
   AtLeastOne,
+  ByteCode,                ///< 0 to 255
+  Fraction,                ///< 0 to 1
+  Kelvin,                  ///< where the colour of a black body is known: 1667 to 25000
   BetweenZeroAndHalfTurn,  ///< both ends excluded
 };
 
@@ -63,7 +68,7 @@ struct Property {
   std::string_view doc;
 };
 
-enum class ObjectKind : std::uint8_t { Camera, Background, Sphere, Render };
+enum class ObjectKind : std::uint8_t { Camera, Background, Sphere, Render, Group, Animation };
 
 /// A kind of object and its table of properties.
 struct Kind {
@@ -71,6 +76,7 @@ struct Kind {
   std::string_view name;  ///< as the language writes it
   bool takes_name;        ///< `camera main { … }`
   bool is_unique;         ///< at most one in a file
+  bool is_setting;        ///< at the top level only, and not taken from an included file
   std::span<const Property> properties;
   std::string_view doc;
 };
@@ -115,6 +121,12 @@ enum : std::size_t {
   kThreads,
   kCount
 };
+}
+namespace group_property {
+enum : std::size_t { kTranslate, kRotate, kScale, kMaterial, kCount };
+}
+namespace animation_property {
+enum : std::size_t { kFrames, kFps, kStep, kCount };
 }
 inline constexpr std::size_t kMaxProperties = 9;
 

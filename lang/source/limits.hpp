@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <string_view>
+
 /// What no file may exceed, in one place.
 namespace sdlc::lang {
 
@@ -9,10 +13,32 @@ inline constexpr int kMaxNesting = 128;
 /// Calls inside calls of functions of the file's own.
 inline constexpr int kMaxCalls = 128;
 
-/// Expressions inside expressions while they are computed, through calls: what the machine's stack holds.
+/// Expressions and statements inside each other while they are evaluated, through calls and
+/// instances: what the machine's stack holds.
 inline constexpr int kMaxEvaluationDepth = 2000;
 
-/// Loop turns and calls in one file.
-inline constexpr int kMaxSteps = 100000000;
+/// What one evaluation may use up. Each has a flag, `--limit NAME=N`, and an error of its own.
+struct Limits {
+  std::uint64_t steps = 100'000'000;             ///< loop turns, calls, instances and includes
+  std::uint64_t objects = 100'000'000;           ///< spheres
+  std::uint64_t string = std::uint64_t{1} << 20; ///< bytes of one string
+  std::uint64_t include_depth = 32;              ///< files inside files
+  std::uint64_t file = std::uint64_t{256} << 20; ///< bytes of one .scene file
+};
+
+/// One row of the table of limits: its name in `--limit` and in messages.
+struct LimitInfo {
+  std::string_view name;
+  std::uint64_t Limits::*limit;
+  std::string_view doc;
+};
+
+inline constexpr std::array<LimitInfo, 5> kLimits{{
+    {"steps", &Limits::steps, "loop turns, calls, instances and includes of one evaluation"},
+    {"objects", &Limits::objects, "spheres of a scene"},
+    {"string", &Limits::string, "bytes of one string"},
+    {"include-depth", &Limits::include_depth, "files that import or include each other"},
+    {"file", &Limits::file, "bytes of one .scene file"},
+}};
 
 }  // namespace sdlc::lang

@@ -121,4 +121,10 @@ std::optional<std::string> DiskFileSystem::read(const std::filesystem::path& pat
   return text;
 }
 
+std::filesystem::path DiskFileSystem::identity(const std::filesystem::path& path) const {
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::weakly_canonical(path, error);
+  return error ? path.lexically_normal() : absolute;
+}
+
 }  // namespace sdlc::lang

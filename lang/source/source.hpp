@@ -80,6 +80,10 @@ class FileSystem {
   /// The bytes of the file, or nothing with `error` set.
   virtual std::optional<std::string> read(const std::filesystem::path& path,
                                           std::error_code& error) const = 0;
+  /// A name that is the same for every way to write the path of one file.
+  virtual std::filesystem::path identity(const std::filesystem::path& path) const {
+    return path.lexically_normal();
+  }
 };
 
 /// The files of this machine.
@@ -87,6 +91,8 @@ class DiskFileSystem final : public FileSystem {
  public:
   std::optional<std::string> read(const std::filesystem::path& path,
                                   std::error_code& error) const override;
+  /// Absolute, symbolic links followed.
+  std::filesystem::path identity(const std::filesystem::path& path) const override;
 };
 
 }  // namespace sdlc::lang

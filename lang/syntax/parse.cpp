@@ -12,6 +12,10 @@
 namespace sdlc::lang {
 namespace {
 
+/// A text that is one expression and nothing else.
+struct lone_expression
+    : pegtl::seq<grammar::space, pegtl::must<grammar::property_value, grammar::file_end>> {};
+
 /// What one reading of a text gives.
 struct Reading {
   NodeBuffer<SyntaxNode> nodes;
@@ -19,6 +23,7 @@ struct Reading {
   bool ends_in_block = false;
 };
 
+template <typename Rule>
 Reading read(const SourceFile& file, std::string_view text, DiagnosticSink& sink) {
   TreeBuilder builder(file, text, sink);
   pegtl::memory_input<pegtl::tracking_mode::lazy, pegtl::eol::lf, const char*> in(
@@ -26,7 +31,7 @@ Reading read(const SourceFile& file, std::string_view text, DiagnosticSink& sink
   bool ends_in_block = false;
   builder.push(SyntaxKind::File, {0, 0});
   try {
-    pegtl::parse<grammar::file, Build, Control>(in, builder);
+    pegtl::parse<Rule, Build, Control>(in, builder);
   } catch (const Stopped&) {
   } catch (const Reported&) {
   } catch (const UnclosedBlock&) {
@@ -50,7 +55,7 @@ SyntaxTree parse(const SourceFile& file, DiagnosticSink& sink) {
   bool is_closed_at_end = false;
   for (int i = 0; i < kMaxReadings; ++i) {
     const std::string_view text = mended ? std::string_view(*mended) : file.text();
-    reading = read(file, text, sink);
+    reading = read<grammar::file>(file, text, sink);
     if (!reading.ends_in_block || is_closed_at_end) break;
 
     const MissingBrace missing = find_missing_brace(text);
@@ -78,6 +83,13 @@ SyntaxTree parse(const SourceFile& file, DiagnosticSink& sink) {
       node.end = std::min(node.end, size);
     }
   }
+  return {file, std::move(reading.nodes), std::move(reading.comments)};
+}
+
+SyntaxTree parse_expression(const SourceFile& file, DiagnosticSink& sink) {
+  const std::optional<std::string> mended = check_characters(file, sink);
+  const std::string_view text = mended ? std::string_view(*mended) : file.text();
+  Reading reading = read<lone_expression>(file, text, sink);
   return {file, std::move(reading.nodes), std::move(reading.comments)};
 }
 

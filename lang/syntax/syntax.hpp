@@ -129,6 +129,9 @@ class SyntaxTree {
 /// of the file is read all the same. `file` must outlive the tree.
 SyntaxTree parse(const SourceFile& file, DiagnosticSink& sink);
 
+/// Reads a text that is one expression: the only child of the File.
+SyntaxTree parse_expression(const SourceFile& file, DiagnosticSink& sink);
+
 /// What a run of bytes of the text is.
 enum class PieceKind : std::uint8_t {
   Leaf,  ///< a node without children, or the head of one that has children

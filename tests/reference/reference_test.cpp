@@ -96,9 +96,8 @@ TEST_P(Reference, AgreesInBlockMeans) {
   const Pfm mean = read_pfm(kReferences / (GetParam() + ".mean.pfm"));
   const Pfm error = read_pfm(kReferences / (GetParam() + ".sem.pfm"));
   lang::DiagnosticSink sink;
-  lang::CompileTimes times;
   const auto lowered =
-      lang::compile(source, {.width = mean.width, .samples = kSamples}, sink, times);
+      lang::compile(source, {.width = mean.width, .samples = kSamples}, sink);
   ASSERT_TRUE(lowered);
   ASSERT_EQ(lowered->settings.height, mean.height);
   render::RenderMonitor monitor;

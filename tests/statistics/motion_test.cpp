@@ -22,8 +22,7 @@ render::Scene passing_sphere(const std::string& shutter) {
                   "movement": [[2, 0, 0], 0, 1]}}]}})",
                                                        shutter));
   lang::DiagnosticSink sink;
-  lang::CompileTimes times;
-  auto lowered = lang::compile(file, {}, sink, times);
+  auto lowered = lang::compile(file, {}, sink);
   EXPECT_TRUE(lowered);
   return std::move(lowered->scene);
 }

@@ -20,12 +20,30 @@ TEST(Diagnostics, CodesAndNamesAreUsedOnce) {
 TEST(DiagnosticSink, KeepsTheFirstFiftyAndCountsTheRest) {
   const SourceFile file("a", "text");
   DiagnosticSink sink;
-  for (int i = 0; i < 60; ++i) sink.report(diag::bad_utf8, {&file, {0, 1}}).help("say it");
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    sink.report(diag::bad_utf8, {&file, {i, i + 1}}).help("say it");
+  }
   sink.report(diag::zero_radius, {&file, {0, 1}});
   EXPECT_EQ(sink.error_count(), 60u);
   EXPECT_EQ(sink.warning_count(), 1u);
   EXPECT_EQ(sink.diagnostics().size(), 51u);
   EXPECT_EQ(sink.omitted_count(), 10u);
+}
+
+TEST(DiagnosticSink, TellsTheSameOfOnePlaceOnce) {
+  const SourceFile file("a", "text"), other("b", "text");
+  DiagnosticSink sink;
+  for (int i = 0; i < 3; ++i) sink.report(diag::unknown_name, {&file, {0, 1}}, "a").help("say it");
+  sink.report(diag::unknown_name, {&file, {0, 1}}, "b");
+  sink.report(diag::unknown_name, {&file, {0, 2}}, "a");
+  sink.report(diag::unknown_name, {&other, {0, 1}}, "a");
+  EXPECT_EQ(sink.error_count(), 4u);
+  EXPECT_EQ(sink.diagnostics().front().help.size(), 1u);
+
+  sink.forget_shown();
+  EXPECT_FALSE(sink.has_errors());
+  sink.report(diag::unknown_name, {&file, {0, 1}}, "a");
+  EXPECT_TRUE(sink.diagnostics().empty());
 }
 
 TEST(DiagnosticSink, SortsByFileAndThenByPlace) {

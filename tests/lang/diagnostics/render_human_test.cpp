@@ -139,9 +139,10 @@ TEST(RenderHuman, SaysWhatToWrite) {
   DiagnosticSink sink;
   const Location number{&file, span_of(file, ".5")};
   sink.report(diag::bad_utf8, number).fix(number, "0.5");
-  sink.report(diag::bad_utf8, number).fix({&file, span_of(file, ",")}, "");
-  sink.report(diag::bad_utf8, number).fix({&file, {number.span.end, number.span.end}}, "deg");
-  sink.report(diag::bad_utf8, number).fix({&file, {0, 0}}, "scene 1\n");
+  sink.report(diag::unknown_name, number, "a").fix({&file, span_of(file, ",")}, "");
+  sink.report(diag::unknown_name, number, "b")
+      .fix({&file, {number.span.end, number.span.end}}, "deg");
+  sink.report(diag::unknown_name, number, "c").fix({&file, {0, 0}}, "scene 1\n");
   const std::string text = render_diagnostics(sink, {});
   for (const char* help : {"help: write `0.5` instead of `.5`\n", "help: remove `,`\n",
                            "help: add `deg` behind `.5`\n", "help: add `scene 1…` at 1:1\n"}) {
@@ -149,10 +150,20 @@ TEST(RenderHuman, SaysWhatToWrite) {
   }
 }
 
+TEST(RenderHuman, ShowsTheChain) {
+  const SourceFile file("a.scene", "ring { }\nx\n");
+  DiagnosticSink sink;
+  sink.report(diag::bad_utf8, {&file, {9, 10}})
+      .chain({{.where = {&file, {0, 4}}, .message = "in `ring`"}});
+  EXPECT_NE(render_diagnostics(sink, {}).find("  = in `ring`, a.scene:1:1\n"), std::string::npos);
+}
+
 TEST(RenderHuman, CountsErrorsAndWarnings) {
   const SourceFile file("a.json", "x\n");
   DiagnosticSink sink;
-  for (int i = 0; i < 51; ++i) sink.report(diag::bad_utf8, {&file, {0, 1}});
+  for (int i = 0; i < 51; ++i) {
+    sink.report(diag::unknown_name, {&file, {0, 1}}, std::to_string(i));
+  }
   sink.report(diag::zero_radius, {&file, {0, 1}});
   EXPECT_TRUE(
       render_diagnostics(sink, {}).ends_with("\n51 errors, 1 warning (1 of them not shown)\n"));

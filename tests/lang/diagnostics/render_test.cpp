@@ -33,7 +33,8 @@ TEST(RenderJson, HoldsEverything) {
   sink.report(diag::unknown_property, {&file, {3, 8}}, "radus", "sphere")
       .suggest("radius")
       .label({&file, {9, 15}}, "here")
-      .help("look");
+      .help("look")
+      .chain({{.where = {&file, {9, 15}}, .message = "in `ring`"}});
   const auto json =
       nlohmann::json::parse(render_diagnostics(sink, {.format = MessageFormat::Json}));
   EXPECT_EQ(json, nlohmann::json::parse(R"({
@@ -45,7 +46,9 @@ TEST(RenderJson, HoldsEverything) {
       "labels": [{"message": "here", "location": {"file": "a.scene", "line": 2, "column": 1,
         "end_line": 2, "end_column": 7, "offset": 9, "end_offset": 15}}],
       "fixes": [{"replacement": "radius", "location": {"file": "a.scene", "line": 1, "column": 3,
-        "end_line": 1, "end_column": 8, "offset": 3, "end_offset": 8}}]
+        "end_line": 1, "end_column": 8, "offset": 3, "end_offset": 8}}],
+      "chain": [{"message": "in `ring`", "location": {"file": "a.scene", "line": 2, "column": 1,
+        "end_line": 2, "end_column": 7, "offset": 9, "end_offset": 15}}]
     }],
     "errors": 1, "warnings": 0, "omitted": 0
   })"));

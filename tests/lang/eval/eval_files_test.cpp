@@ -14,7 +14,7 @@ class EvalFiles : public testing::TestWithParam<FileCase> {};
 TEST_P(EvalFiles, ReportWhatIsExpected) {
   run_case(GetParam(), "test.scene", [](const lang::SourceFile& file, lang::DiagnosticSink& sink) {
     IgnoredObjects objects;
-    lang::evaluate(lang::parse(file, sink), objects, sink);
+    lang::evaluate(file, objects, sink);
   });
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "lang/eval/eval.hpp"
+#include "lang/program/program.hpp"
 
 // Values are compared bit by bit: a scene means the same on every machine.
 namespace sdlc::lang {
@@ -21,7 +22,7 @@ std::vector<Object> evaluate_text(const std::string& text) {
   const SourceFile file("test.scene", "scene 1\n" + text);
   DiagnosticSink sink;
   Objects objects;
-  evaluate(parse(file, sink), objects, sink);
+  evaluate(file, objects, sink);
   for (const Diagnostic& diagnostic : sink.diagnostics())
     ADD_FAILURE() << text << ": " << diagnostic.message;
   return objects.list;
@@ -137,13 +138,13 @@ TEST(Values, OfWordsAndNone) {
   EXPECT_EQ(objects[1].get<Word>(render_property::kTone), Word{"sqrt"});
 }
 
-TEST(Values, ComeInTheOrderOfTheFile) {
+TEST(Values, ComeInTheOrderOfTheFileBehindTheSettings) {
   const auto objects = evaluate_text(
       "sphere a { center: (0, 0, 0), radius: 1, material: unlit(red) } background { }"
       "sphere b { center: (0, 0, 0), radius: 1, material: unlit(red) }");
   ASSERT_EQ(objects.size(), 3u);
-  EXPECT_EQ(objects[0].name, "a");
-  EXPECT_EQ(objects[1].kind->name, "background");
+  EXPECT_EQ(objects[0].kind->name, "background");
+  EXPECT_EQ(objects[1].name, "a");
   EXPECT_EQ(objects[2].name, "b");
 }
 
@@ -242,11 +243,13 @@ TEST(Values, MayBeChainedAsLongAsAFileIs) {
 }
 
 TEST(Values, StopWhenAFileTakesTooManySteps) {
-  const SourceFile file("test.scene",
-                        "scene 1\nfor i in range(100000) { for j in range(100000) { } }");
+  const SourceFile file("test.scene", "scene 1\nfor i in range(100) { for j in range(100) { } }");
   DiagnosticSink sink;
   Objects objects;
-  evaluate(parse(file, sink), objects, sink);
+  ProgramOptions options;
+  options.limits.steps = 1000;
+  Program program(file, options, sink);
+  Evaluation(program, {}, sink).run(objects);
   ASSERT_EQ(sink.error_count(), 1u);
   EXPECT_EQ(sink.diagnostics().front().info->code, "E304");
 }

@@ -9,8 +9,7 @@ class LowerFiles : public testing::TestWithParam<FileCase> {};
 // A case of either format: the text says which.
 TEST_P(LowerFiles, ReportWhatIsExpected) {
   run_case(GetParam(), "case", [](const lang::SourceFile& file, lang::DiagnosticSink& sink) {
-    lang::CompileTimes times;
-    lang::compile(file, {}, sink, times);
+    lang::compile(file, {}, sink);
   });
 }
 

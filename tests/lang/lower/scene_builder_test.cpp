@@ -24,8 +24,7 @@ Compiled compile_text(const std::string& text, const Overrides& overrides = {}) 
   const bool is_json = text.starts_with("{");
   const SourceFile file(is_json ? "test.json" : "test.scene", is_json ? text : "scene 1\n" + text);
   DiagnosticSink sink;
-  CompileTimes times;
-  Compiled compiled{.lowered = compile(file, overrides, sink, times), .codes = {}};
+  Compiled compiled{.lowered = compile(file, overrides, sink), .codes = {}};
   for (const Diagnostic& diagnostic : sink.diagnostics()) {
     compiled.codes.emplace_back(diagnostic.info->code);
   }

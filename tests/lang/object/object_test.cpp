@@ -99,17 +99,5 @@ TEST(CheckProperty, KnowsNoneAndWords) {
   EXPECT_EQ(sink.diagnostics().back().suggestion, "sqrt");
 }
 
-TEST(CheckRequired, NamesWhatIsNotWritten) {
-  Object sphere;
-  sphere.kind = &kind_info(ObjectKind::Sphere);
-  sphere.where = kWhere;
-  sphere.slots[sphere_property::kCenter].is_written = true;
-  DiagnosticSink sink;
-  check_required(sphere, sink);
-  EXPECT_EQ(render_diagnostics(sink, {.format = MessageFormat::Concise}),
-            "a.scene:1:1: error[E107]: sphere has no `radius`\n"
-            "a.scene:1:1: error[E107]: sphere has no `material`\n");
-}
-
 }  // namespace
 }  // namespace sdlc::lang

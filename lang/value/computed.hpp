@@ -27,10 +27,6 @@ struct Triple {
   Unit unit = Unit::None;
 };
 
-struct AngleTriple {
-  render::Vec3 degrees;
-};
-
 /// `from .. to`
 struct Bounds {
   double from = 0, to = 0;
@@ -44,7 +40,7 @@ class ListValue;
 
 /// What an expression computes, with the tags and types that a property has not yet asked for.
 using Computed = std::variant<Failed, Scalar, bool, std::string, Triple, Angle, AngleTriple,
-                              render::LinearRgb, Bounds, MaterialValue, MotionValue, ListValue>;
+                              render::LinearRgb, Bounds, MaterialValue, MotionValue, Word, None, ListValue>;
 
 struct ListNode;
 

@@ -1,4 +1,4 @@
-#include "lang/eval/colors.hpp"
+#include "lang/value/colors.hpp"
 
 #include <algorithm>
 #include <cmath>

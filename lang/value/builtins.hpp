@@ -6,17 +6,20 @@
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/eval/computed.hpp"
+#include "lang/value/computed.hpp"
 
 namespace sdlc::lang {
 
-/// A call of a built-in function: its arguments, none of which has failed, and their places.
+/// A call of a built-in function with arguments none of which has failed.
 struct BuiltinCall {
   std::string_view name;
   std::span<const Computed> arguments;
-  std::span<const Location> places;
-  Location where;  ///< of the name: what is wrong with the result is reported there
+  ast::Node node;  ///< of the call; looked at only for places
   DiagnosticSink& sink;
+
+  /// Of the name: what is wrong with the result is reported there.
+  Location where() const { return node.head_location(); }
+  Location place(std::size_t argument) const { return node.child(argument)->location(); }
 };
 
 /// A function of values, written with positional arguments. What is wrong with an argument is
@@ -27,6 +30,8 @@ struct Builtin {
   std::size_t least, most;     ///< numbers of arguments
   Computed (*evaluate)(const BuiltinCall& call);
   std::string_view doc;
+
+  std::size_t index() const noexcept;  ///< in all_builtins()
 };
 
 std::span<const Builtin> all_builtins() noexcept;

@@ -1,4 +1,4 @@
-#include "lang/eval/colors.hpp"
+#include "lang/value/colors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -232,6 +232,23 @@ render::LinearRgb decode_hsl(double hue, double saturation, double lightness) no
     return lightness - a * std::max(-1.0, std::min({k - 3, 9 - k, 1.0}));
   };
   return {decode(component(0)), decode(component(8)), decode(component(4))};
+}
+
+render::LinearRgb color_of_temperature(double kelvin) noexcept {
+  const double u = 1000 / kelvin;
+  const double x =
+      kelvin <= 4000 ? ((-0.2661239 * u - 0.2343589) * u + 0.8776956) * u + 0.179910
+                     : ((-3.0258469 * u + 2.1070379) * u + 0.2226347) * u + 0.240390;
+  const double y =
+      kelvin <= 2222   ? ((-1.1063814 * x - 1.34811020) * x + 2.18555832) * x - 0.20219683
+      : kelvin <= 4000 ? ((-0.9549476 * x - 1.37418593) * x + 2.09137015) * x - 0.16748867
+                       : ((3.0817580 * x - 5.87338670) * x + 3.75112997) * x - 0.37001483;
+  const double big_x = x / y, big_z = (1 - x - y) / y;  // of luminance Y = 1
+  const double r = 3.2404542 * big_x - 1.5371385 - 0.4985314 * big_z;
+  const double g = -0.9692660 * big_x + 1.8760108 + 0.0415560 * big_z;
+  const double b = 0.0556434 * big_x - 0.2040259 + 1.0572252 * big_z;
+  const double largest = std::max({r, g, b});
+  return {std::max(r, 0.0) / largest, std::max(g, 0.0) / largest, std::max(b, 0.0) / largest};
 }
 
 }  // namespace sdlc::lang

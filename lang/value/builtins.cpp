@@ -1,15 +1,16 @@
-#include "lang/eval/builtins.hpp"
+#include "lang/value/builtins.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "lang/eval/logic.hpp"
+#include "lang/value/logic.hpp"
 #include "lang/math/elementary.hpp"
 #include "lang/math/random.hpp"
 #include "lang/object/object.hpp"
@@ -26,7 +27,7 @@ using render::Vec3;
 constexpr std::size_t kAnyNumber = static_cast<std::size_t>(-1);
 
 Computed wrong_argument(const BuiltinCall& call, std::size_t i, std::string_view wanted) {
-  call.sink.report(diag::wrong_argument, call.places[i], call.name, wanted,
+  call.sink.report(diag::wrong_argument, call.place(i), call.name, wanted,
                    describe(call.arguments[i]));
   return Failed{};
 }
@@ -37,14 +38,14 @@ const T* argument(const BuiltinCall& call, std::size_t i) noexcept {
 }
 
 Computed no_result(const BuiltinCall& call, std::string_view argument) {
-  call.sink.report(diag::no_real_result, call.where, call.name, argument);
+  call.sink.report(diag::no_real_result, call.where(), call.name, argument);
   return Failed{};
 }
 
 /// A number that has no unit, or every number where the unit is kept.
 Computed finite(const BuiltinCall& call, Scalar result) {
   if (std::isfinite(result.value)) return result;
-  call.sink.report(diag::overflow, call.where, call.name);
+  call.sink.report(diag::overflow, call.where(), call.name);
   return Failed{};
 }
 
@@ -173,7 +174,7 @@ Computed evaluate_mod(const BuiltinCall& call) {
       a != nullptr ? std::get<Scalar>((*values)[1]).value : std::get<Angle>((*values)[1]).degrees;
   const std::optional<double> result = modulo(x, y);
   if (!result) {
-    call.sink.report(diag::division_by_zero, call.where);
+    call.sink.report(diag::division_by_zero, call.where());
     return Failed{};
   }
   if (a != nullptr) return Scalar{*result, a->unit};
@@ -215,7 +216,7 @@ Computed evaluate_range(const BuiltinCall& call) {
     const auto* x = argument<Scalar>(call, i);
     if (x == nullptr || x->unit != Unit::None) return wrong_argument(call, i, "a whole number");
     if (x->value != std::floor(x->value) || std::fabs(x->value) > 0x1p53) {
-      call.sink.report(diag::not_whole, call.places[i], call.name, to_text(x->value))
+      call.sink.report(diag::not_whole, call.place(i), call.name, to_text(x->value))
           .help("round it with `floor(…)` or `round(…)`");
       return Failed{};
     }
@@ -243,7 +244,7 @@ Computed evaluate_cross(const BuiltinCall& call) {
   if (b == nullptr) return wrong_argument(call, 1, "a vector");
   const Vec3 result = cross(a->value, b->value);
   if (is_finite(result)) return Triple{result};
-  call.sink.report(diag::overflow, call.where, call.name);
+  call.sink.report(diag::overflow, call.where(), call.name);
   return Failed{};
 }
 
@@ -271,7 +272,7 @@ Computed evaluate_mix(const BuiltinCall& call) {
   const auto* t = argument<Scalar>(call, 2);
   if (t == nullptr || t->unit != Unit::None) return wrong_argument(call, 2, "a number");
   if (!are_of_one_type(call.arguments[0], call.arguments[1])) {
-    call.sink.report(diag::different_types, call.places[1], describe(call.arguments[0]),
+    call.sink.report(diag::different_types, call.place(1), describe(call.arguments[0]),
                      describe(call.arguments[1]));
     return Failed{};
   }
@@ -362,10 +363,18 @@ constexpr auto kBuiltins = std::to_array<Builtin>({
 
 std::span<const Builtin> all_builtins() noexcept { return kBuiltins; }
 
+std::size_t Builtin::index() const noexcept {
+  return static_cast<std::size_t>(this - kBuiltins.data());
+}
+
 const Builtin* find_builtin(std::string_view name) noexcept {
-  const auto found = std::find_if(kBuiltins.begin(), kBuiltins.end(),
-                                  [&](const Builtin& builtin) { return builtin.name == name; });
-  return found == kBuiltins.end() ? nullptr : &*found;
+  static const std::unordered_map<std::string_view, const Builtin*> by_name = [] {
+    std::unordered_map<std::string_view, const Builtin*> map;
+    for (const Builtin& builtin : kBuiltins) map.emplace(builtin.name, &builtin);
+    return map;
+  }();
+  const auto found = by_name.find(name);
+  return found == by_name.end() ? nullptr : found->second;
 }
 
 }  // namespace sdlc::lang

@@ -1,4 +1,4 @@
-#include "lang/eval/arithmetic.hpp"
+#include "lang/value/arithmetic.hpp"
 
 #include <cmath>
 #include <optional>
@@ -35,8 +35,8 @@ bool is_finite(const Computed& value) noexcept {
 
 class Operation {
  public:
-  Operation(const Computed& left, Operator op, const Computed& right, Location where,
-            DiagnosticSink& sink)
+  Operation(const Computed& left, Operator op, const Computed& right,
+            const OperatorPlace& where, DiagnosticSink& sink)
       : left_(left), op_(op), right_(right), where_(where), sink_(sink) {}
 
   Computed run() {
@@ -45,7 +45,7 @@ class Operation {
                             : op_ == Operator::Multiply                       ? product()
                                                                               : quotient();
     if (is_finite(result)) return result;
-    sink_.report(diag::overflow, where_, spelling(op_));
+    sink_.report(diag::overflow, where_.location(), spelling(op_));
     return Failed{};
   }
 
@@ -60,7 +60,7 @@ class Operation {
   }
 
   Computed wrong_types() {
-    sink_.report(diag::wrong_operands, where_, spelling(op_), describe(left_), describe(right_));
+    sink_.report(diag::wrong_operands, where_.location(), spelling(op_), describe(left_), describe(right_));
     return Failed{};
   }
 
@@ -123,7 +123,7 @@ class Operation {
   }
 
   Computed by_zero() {
-    sink_.report(diag::division_by_zero, where_);
+    sink_.report(diag::division_by_zero, where_.location());
     return Failed{};
   }
 
@@ -155,38 +155,48 @@ class Operation {
   const Computed& left_;
   Operator op_;
   const Computed& right_;
-  Location where_;
+  const OperatorPlace& where_;
   DiagnosticSink& sink_;
 };
 
 }  // namespace
 
+Location OperatorPlace::location() const {
+  const SyntaxTree& tree = left.tree();
+  Span span{left.span().end, right.span().begin};
+  const std::size_t first = tree.text(span).find_first_of("+-*/^");
+  if (first == std::string_view::npos) return right.location();
+  span.begin += static_cast<std::uint32_t>(first);
+  span.end = span.begin + 1;
+  return tree.location(span);
+}
+
 Computed evaluate_operation(const Computed& left, Operator op, const Computed& right,
-                            Location where, DiagnosticSink& sink) {
+                            const OperatorPlace& where, DiagnosticSink& sink) {
   return Operation(left, op, right, where, sink).run();
 }
 
-Computed evaluate_power(const Computed& base, const Computed& exponent, Location where,
+Computed evaluate_power(const Computed& base, const Computed& exponent, const OperatorPlace& where,
                         DiagnosticSink& sink) {
   if (has_failed(base) || has_failed(exponent)) return Failed{};
   const auto* x = std::get_if<Scalar>(&base);
   const auto* y = std::get_if<Scalar>(&exponent);
   if (!x || !y || y->unit != Unit::None) {
-    sink.report(diag::wrong_operands, where, "^", describe(base), describe(exponent));
+    sink.report(diag::wrong_operands, where.location(), "^", describe(base), describe(exponent));
     return Failed{};
   }
 
   const std::optional<double> result = raise(x->value, y->value);
   if (!result && x->value == 0) {
-    sink.report(diag::division_by_zero, where);
+    sink.report(diag::division_by_zero, where.location());
     return Failed{};
   }
   if (!result) {
-    sink.report(diag::no_real_result, where, "^", "a negative number and a broken exponent");
+    sink.report(diag::no_real_result, where.location(), "^", "a negative number and a broken exponent");
     return Failed{};
   }
   if (!std::isfinite(*result)) {
-    sink.report(diag::overflow, where, "^");
+    sink.report(diag::overflow, where.location(), "^");
     return Failed{};
   }
   return Scalar{*result, y->value == 1 ? x->unit : Unit::None};

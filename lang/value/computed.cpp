@@ -1,4 +1,4 @@
-#include "lang/eval/computed.hpp"
+#include "lang/value/computed.hpp"
 
 #include <utility>
 
@@ -28,6 +28,8 @@ struct Describe {
   }
   std::string_view operator()(const MaterialValue&) const { return "a material"; }
   std::string_view operator()(const MotionValue&) const { return "a motion"; }
+  std::string_view operator()(const Word&) const { return "a word"; }
+  std::string_view operator()(None) const { return "`none`"; }
   std::string_view operator()(const ListValue&) const { return "a list"; }
 };
 

@@ -4,7 +4,7 @@
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/eval/computed.hpp"
+#include "lang/value/computed.hpp"
 
 namespace sdlc::lang {
 

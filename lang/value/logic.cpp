@@ -1,4 +1,4 @@
-#include "lang/eval/logic.hpp"
+#include "lang/value/logic.hpp"
 
 #include <optional>
 

@@ -1,4 +1,4 @@
-#include "lang/eval/literals.hpp"
+#include "lang/value/literals.hpp"
 
 #include <algorithm>
 #include <array>

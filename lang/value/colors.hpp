@@ -30,4 +30,9 @@ render::LinearRgb decode_hex_color(std::string_view text) noexcept;
 /// CSS Color 4, 7.1, then decoded: `hue` in degrees, saturation and lightness from 0 to 1.
 render::LinearRgb decode_hsl(double hue, double saturation, double lightness) noexcept;
 
+/// The colour of a black body of `kelvin` from 1667 to 25000, its largest component 1 and none
+/// below 0: chromaticity by the cubic splines of Kim et al. (US patent 7024034, 2006), then CIE XYZ
+/// to linear sRGB.
+render::LinearRgb color_of_temperature(double kelvin) noexcept;
+
 }  // namespace sdlc::lang

@@ -1,0 +1,66 @@
+#include "cli/frames.hpp"
+
+#include <charconv>
+#include <cstdint>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace sdlc::cli {
+namespace {
+
+/// Takes a number off the front of the text.
+std::optional<int> take_number(std::string_view& text) {
+  int number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || number < 0) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+  return number;
+}
+
+}  // namespace
+
+std::optional<FrameRange> parse_frames(const std::string& text) {
+  std::string_view rest = text;
+  const auto first = take_number(rest);
+  if (!first) return std::nullopt;
+  FrameRange range{.first = *first, .last = *first};
+  if (rest.starts_with('-')) {
+    rest.remove_prefix(1);
+    const auto last = take_number(rest);
+    if (!last || *last < range.first) return std::nullopt;
+    range.last = *last;
+  }
+  if (rest.starts_with('x')) {
+    rest.remove_prefix(1);
+    const auto step = take_number(rest);
+    if (!step || *step < 1) return std::nullopt;
+    range.step = *step;
+  }
+  return rest.empty() ? std::optional(range) : std::nullopt;
+}
+
+std::vector<int> frames_of(const FrameRange& range) {
+  std::vector<int> frames;
+  for (std::int64_t frame = range.first; frame <= range.last; frame += range.step) {
+    frames.push_back(static_cast<int>(frame));
+  }
+  return frames;
+}
+
+bool has_frame_mark(const std::string& name) { return name.find(kFrameMark) != std::string::npos; }
+
+std::string name_of_frame(const std::string& name, int frame) {
+  const std::string_view mark = kFrameMark;
+  const std::string number = fmt::format("{:0{}}", frame, mark.size());
+  std::string result;
+  std::size_t at = 0;
+  for (std::size_t found = name.find(mark); found != std::string::npos;
+       found = name.find(mark, at)) {
+    result += name.substr(at, found - at) + number;
+    at = found + mark.size();
+  }
+  return result + name.substr(at);
+}
+
+}  // namespace sdlc::cli

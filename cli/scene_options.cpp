@@ -1,0 +1,106 @@
+#include "cli/scene_options.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/outputs.hpp"
+#include "cli/words.hpp"
+#include "render/image/io_error.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+/// The two sides of NAME=VALUE.
+std::pair<std::string, std::string> split_pair(const std::string& flag, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw CLI::ValidationError(flag, fmt::format("takes NAME=VALUE, not `{}`", printable(text)));
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+void set_limit(const std::string& text, lang::Limits& limits) {
+  const auto [name, value] = split_pair("--limit", text);
+  const auto found = std::find_if(lang::kLimits.begin(), lang::kLimits.end(),
+                                  [&name = name](const auto& limit) { return limit.name == name; });
+  if (found == lang::kLimits.end()) {
+    std::vector<std::string_view> names;
+    for (const lang::LimitInfo& limit : lang::kLimits) names.push_back(limit.name);
+    throw CLI::ValidationError("--limit", fmt::format("there is no limit `{}`{}", printable(name),
+                                                      did_you_mean(name, names)));
+  }
+  std::uint64_t number = 0;
+  const char* end = value.data() + value.size();
+  const auto [stop, error] = std::from_chars(value.data(), end, number);
+  if (error != std::errc() || stop != end) {
+    throw CLI::ValidationError(
+        "--limit", fmt::format("{} takes a whole number, not `{}`", name, printable(value)));
+  }
+  limits.*(found->limit) = number;
+}
+
+}  // namespace
+
+std::string SceneOptions::name() const {
+  if (file != kStandardStream) return file;
+  return stdin_filename.empty() ? "<stdin>" : stdin_filename;
+}
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+  command.add_option("FILE", options.file, "The scene; `-` reads standard input")->required();
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--set",
+          [&options](const std::vector<std::string>& pairs) {
+            for (const std::string& pair : pairs) {
+              auto [name, value] = split_pair("--set", pair);
+              options.sets.push_back({.name = std::move(name), .value = std::move(value)});
+            }
+          },
+          "Give a param of the scene another value (may be repeated)")
+      ->type_name("NAME=VALUE")
+      ->take_all()
+      ->expected(1);
+  command.add_flag("--sandbox", options.is_sandboxed,
+                   "Read no file outside the scene's folder");
+  std::string limits;
+  for (const lang::LimitInfo& limit : lang::kLimits) {
+    limits += fmt::format("{}{} ({}: {})", limits.empty() ? "" : ", ", limit.name,
+                          options.limits.*(limit.limit), limit.doc);
+  }
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--limit",
+          [&options](const std::vector<std::string>& pairs) {
+            for (const std::string& pair : pairs) set_limit(pair, options.limits);
+          },
+          "Change what a scene may use up: " + limits)
+      ->type_name("NAME=N")
+      ->take_all()
+      ->expected(1);
+  command.add_option("--stdin-filename", options.stdin_filename,
+                     "What a scene from standard input is called in messages");
+  add_diagnostics_options(command, options.diagnostics);
+}
+
+lang::SourceFile read_source(const SceneOptions& options, const Environment& env) {
+  std::error_code error;
+  std::optional<std::string> text = env.files.read(options.file, error);
+  if (!text) throw render::IoError("read", options.name(), error.message());
+  return lang::SourceFile(options.name(), std::move(*text));
+}
+
+lang::ProgramOptions program_options(const SceneOptions& options, const Environment& env) {
+  return {.files = &env.files,
+          .limits = options.limits,
+          .is_sandboxed = options.is_sandboxed,
+          .sets = options.sets};
+}
+
+}  // namespace sdlc::cli

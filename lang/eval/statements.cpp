@@ -1,0 +1,224 @@
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lang/eval/evaluator.hpp"
+#include "lang/json/json.hpp"
+#include "lang/source/limits.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+/// Lets only the spheres of an included config through.
+class SpheresOnly final : public ObjectSink {
+ public:
+  explicit SpheresOnly(ObjectSink& objects) : objects_(objects) {}
+  void add(const Object& object) override {
+    if (object.kind->id == ObjectKind::Sphere) objects_.add(object);
+  }
+  void enter(const Object& group) override { objects_.enter(group); }
+  void leave() override { objects_.leave(); }
+
+ private:
+  ObjectSink& objects_;
+};
+
+}  // namespace
+
+void Evaluator::run(const Code& code, std::uint32_t index) {
+  const Statement& statement = code.statements[index];
+  if (!may_nest(code, statement.node)) return;
+  ++depth_;
+  switch (statement.action) {
+    case Action::Let: {
+      const auto operands = code.operands_of(statement);
+      Varying value = evaluate_over_shutter(code, operands[1]);
+      locals_[frame_ + operands[0]] = std::move(value);
+      break;
+    }
+    case Action::For: run_for(code, statement); break;
+    case Action::If: run_if(code, statement); break;
+    case Action::Assert: run_assert(code, statement); break;
+    case Action::Object: run_object(code, statement); break;
+    case Action::Group: run_group(code, statement); break;
+    case Action::Instance: run_instance(code, statement); break;
+    case Action::Include: run_include(code, statement); break;
+  }
+  --depth_;
+}
+
+void Evaluator::run_block(const Code& code, std::span<const std::uint32_t> statements) {
+  for (const std::uint32_t statement : statements) run(code, statement);
+}
+
+void Evaluator::run_for(const Code& code, const Statement& statement) {
+  const auto operands = code.operands_of(statement);
+  const std::uint32_t slot = operands[0], expression = operands[1];
+  const Varying lists = evaluate_over_shutter(code, expression);
+  if (has_failed(lists.values[0])) return;
+  const auto* list = std::get_if<ListValue>(&lists.values[0]);
+  if (list == nullptr) {
+    const Location where = place(code, expression);
+    auto report = sink_.report(diag::not_a_list, where, describe(lists.values[0]));
+    if (const auto* bounds = std::get_if<Bounds>(&lists.values[0])) {
+      report.help("`range` excludes its end")
+          .fix(where,
+               fmt::format("range({}, {})", to_text(bounds->from), to_text(bounds->to + 1)));
+    }
+    return;
+  }
+  // Elements that depend on the time do so one by one, as long as their number does not.
+  const auto* closing = lists.varies ? std::get_if<ListValue>(&lists.values[1]) : nullptr;
+  if (closing != nullptr && closing->size() != list->size()) {
+    sink_.report(diag::changes_in_shutter, place(code, expression), "for");
+    closing = nullptr;
+  }
+
+  const ast::Node node(*code.tree, statement.node);
+  const auto name = node.first(SyntaxKind::Name);
+  const Nested step(*this, {.kind = Step::Turn,
+                            .code = &code,
+                            .node = statement.node,
+                            .name = name ? name->text() : std::string_view(),
+                            .local = frame_ + slot});
+  const std::size_t step_index = steps_inside_.size() - 1;
+  // What is wrong in one turn is most likely wrong in all: it is told once.
+  const std::size_t errors = sink_.error_count();
+  for (std::size_t i = 0; i < list->size() && sink_.error_count() == errors; ++i) {
+    steps_inside_[step_index].turn = i;
+    Varying& variable = locals_[frame_ + slot];
+    variable.values[0] = (*list)[i];
+    variable.reads_time = lists.reads_time;
+    variable.varies = closing != nullptr;
+    if (closing != nullptr) variable.values[1] = (*closing)[i];
+    if (!take_steps(code, code.expressions[expression].node)) return;
+    run_block(code, operands.subspan(3, operands[2]));
+  }
+}
+
+void Evaluator::run_if(const Code& code, const Statement& statement) {
+  const auto operands = code.operands_of(statement);
+  for (std::size_t i = 0; i + 1 < operands.size(); i += 2 + operands[i + 1]) {
+    const std::uint32_t condition = operands[i];
+    bool holds = true;
+    if (condition != kNothing) {
+      reads_time_ = false;
+      const auto value = evaluate_condition(code, condition, "if");
+      if (!value) return;
+      holds = *value;
+      if (reads_time_ && is_open_) {
+        moment_ = 1;
+        const auto closing = evaluate_condition(code, condition, "if");
+        moment_ = 0;
+        if (closing && *closing != holds) {
+          sink_.report(diag::changes_in_shutter, place(code, condition), "if");
+        }
+      }
+    }
+    if (holds) return run_block(code, operands.subspan(i + 2, operands[i + 1]));
+  }
+}
+
+void Evaluator::run_assert(const Code& code, const Statement& statement) {
+  const auto operands = code.operands_of(statement);
+  const auto holds = evaluate_condition(code, operands[0], "assert");
+  if (!holds || *holds) return;
+  const Computed text = evaluate(code, operands[1]);
+  if (const auto* words = std::get_if<std::string>(&text)) {
+    sink_.report(diag::failed_assertion, place(code, operands[0]), *words);
+  } else if (!has_failed(text)) {
+    sink_.report(diag::wrong_argument, place(code, operands[1]), "assert", "a string",
+                 describe(text));
+  }
+}
+
+void Evaluator::run_object(const Code& code, const Statement& statement) {
+  center_reads_time_ = false;
+  read_object(code, statement, kind_info(statement.kind), code.operands_of(statement));
+  const Slot& motion = object_.slots[sphere_property::kMotion];
+  if (statement.kind == ObjectKind::Sphere && center_reads_time_ && motion.is_written) {
+    sink_.report(diag::two_motions, object_.location(sphere_property::kMotion));
+  }
+  objects_->add(object_);
+}
+
+void Evaluator::run_group(const Code& code, const Statement& statement) {
+  const auto operands = code.operands_of(statement);
+  read_object(code, statement, kind_info(ObjectKind::Group), operands.subspan(1, 2 * operands[0]));
+  const ast::Object written{ast::Node(*code.tree, statement.node)};
+  const auto name = written.name();
+  const Nested step(*this, {.kind = Step::Group,
+                            .code = &code,
+                            .node = statement.node,
+                            .name = name ? name->text() : std::string_view()});
+  objects_->enter(object_);
+  run_block(code, operands.subspan(2 * operands[0] + 2));
+  objects_->leave();
+}
+
+void Evaluator::run_instance(const Code& code, const Statement& statement) {
+  const auto operands = code.operands_of(statement);
+  const Module& module = program_.module(operands[0]);
+  const Definition& def = module.defs[operands[1]];
+  const auto pairs = operands.subspan(3, 2 * operands[2]);
+  const auto arguments = operands.subspan(3 + pairs.size());
+  if (!take_steps(code, statement.node)) return;
+  if (calls_ == kMaxCalls) {
+    sink_.report(diag::too_deep, ast::Node(*code.tree, statement.node).head_location(), kMaxCalls);
+    return;
+  }
+
+  const std::size_t base = locals_.size();
+  locals_.resize(base + def.frame_size);
+  bool is_broken = false;
+  const auto take = [&](std::size_t i, const Code& from, std::uint32_t expression) {
+    const Parameter& parameter = def.parameters[i];
+    Varying value = evaluate_over_shutter(from, expression);
+    for (Computed& moment : value.values) {
+      moment = check_type(module, parameter.name, parameter.type, parameter.node,
+                          std::move(moment), place(from, expression));
+    }
+    is_broken = is_broken || has_failed(value.values[0]);
+    locals_[base + i] = std::move(value);
+  };
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] != kNothing) take(i, code, arguments[i]);
+  }
+  read_object(code, statement, kind_info(ObjectKind::Group), pairs);
+  if (!is_broken) {
+    const Nested step(*this, {.kind = Step::Instance,
+                              .code = &code,
+                              .node = statement.node,
+                              .name = def.name});
+    objects_->enter(object_);
+    const std::size_t frame = std::exchange(frame_, base);
+    ++calls_;
+    // A default may use the parameters before it.
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      if (arguments[i] == kNothing) take(i, module.code, def.parameters[i].default_value);
+    }
+    if (!is_broken) run_block(module.code, def.block);
+    --calls_;
+    frame_ = frame;
+    objects_->leave();
+  }
+  locals_.resize(base);
+}
+
+void Evaluator::run_include(const Code& code, const Statement& statement) {
+  const std::uint32_t included = code.operands_of(statement)[0];
+  if (!take_steps(code, statement.node)) return;
+  const Nested step(*this, {.kind = Step::Include, .code = &code, .node = statement.node, .name = {}});
+  if (included >= kConfigs) {
+    SpheresOnly spheres(*objects_);
+    read_config(program_.config(included), spheres, sink_);
+    return;
+  }
+  evaluate_globals(included, Globals::TimeFree);
+  evaluate_globals(included, Globals::TimeDependent);
+  const std::size_t frame = std::exchange(frame_, locals_.size());
+  run_file(included);
+  frame_ = frame;
+}
+
+}  // namespace sdlc::lang

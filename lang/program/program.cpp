@@ -1,0 +1,166 @@
+#include "lang/program/program.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "lang/program/resolver.hpp"
+#include "lang/text/nearest_name.hpp"
+#include "lang/value/literals.hpp"
+
+namespace sdlc::lang {
+
+namespace fs = std::filesystem;
+
+Program::Program(const SourceFile& root, const ProgramOptions& options, DiagnosticSink& sink)
+    : options_(options) {
+  fs::path path = root.name();
+  root_folder_ = path.parent_path();
+  if (options_.files != nullptr) {
+    root_folder_ = options_.files->identity(root_folder_.empty() ? "." : root_folder_);
+    loaded_.emplace(options_.files->identity(path).string(), kRoot);
+  }
+  add_module(root, std::move(path), kNothing, sink);
+  for (const SetOption& option : options_.sets) add_setting(option, sink);
+}
+
+void Program::add_setting(const SetOption& option, DiagnosticSink& sink) {
+  const Module& root = module(kRoot);
+  const SourceFile& file =
+      sources_.emplace_back(fmt::format("--set {}", option.name), option.value);
+  const auto found = root.global_names.find(option.name);
+  const bool is_param = found != root.global_names.end() && root.globals[found->second].is_param;
+  if (is_param) {
+    settings_.push_back({.global = found->second, .file = &file});
+    return;
+  }
+  std::vector<std::string_view> names;
+  for (const Global& global : root.globals) {
+    if (global.is_param) names.push_back(global.name);
+  }
+  auto report = sink.report(diag::unknown_param, {}, option.name);
+  if (const auto nearest = nearest_name(option.name, names)) {
+    report.help(fmt::format("did you mean `{}`?", *nearest));
+  } else if (!names.empty()) {
+    report.help(fmt::format("its params are {}", fmt::join(names, ", ")));
+  }
+}
+
+std::optional<ParamSetting> Program::setting_of(std::uint32_t global) const {
+  // The last one wins, as with other flags.
+  const auto found = std::find_if(settings_.rbegin(), settings_.rend(),
+                                  [&](const ParamSetting& s) { return s.global == global; });
+  return found == settings_.rend() ? std::nullopt : std::optional(*found);
+}
+
+const Code& Program::resolve_setting(const ParamSetting& setting, std::uint32_t& expression,
+                                     DiagnosticSink& sink) {
+  const auto index = module_count();
+  modules_.push_back(
+      std::make_unique<Module>(*setting.file, parse_expression(*setting.file, sink)));
+  expression = Resolver(*this, index, sink).resolve_expression();
+  return module(index).code;
+}
+
+std::uint32_t Program::add_module(const SourceFile& file, fs::path path, std::uint32_t parent,
+                                  DiagnosticSink& sink) {
+  const auto index = static_cast<std::uint32_t>(modules_.size());
+  if (file.text().size() > options_.limits.file) {
+    sink.report(diag::file_too_large, {&file, {0, 0}}, options_.limits.file);
+  }
+  const bool is_readable = file.text().size() <= options_.limits.file;
+  static const SourceFile kEmpty("", "scene 1");
+  modules_.push_back(
+      std::make_unique<Module>(file, parse(is_readable ? file : kEmpty, sink)));
+  modules_[index]->path = std::move(path);
+  modules_[index]->parent = parent;
+  Resolver(*this, index, sink).resolve_declarations();
+  return index;
+}
+
+bool Program::is_allowed(const fs::path& path) const {
+  if (!options_.is_sandboxed) return true;
+  const fs::path inside = options_.files->identity(path).lexically_relative(root_folder_);
+  return !inside.empty() && *inside.begin() != "..";
+}
+
+std::optional<std::string> Program::read(const fs::path& path, ast::Node name,
+                                         DiagnosticSink& sink) const {
+  if (options_.files == nullptr) {
+    sink.report(diag::unreadable_file, name.location(), path.string(), "there are no other files");
+    return std::nullopt;
+  }
+  if (!is_allowed(path)) {
+    sink.report(diag::outside_sandbox, name.location(), path.string());
+    return std::nullopt;
+  }
+  std::error_code error;
+  std::optional<std::string> text = options_.files->read(path, error);
+  if (!text) {
+    sink.report(diag::unreadable_file, name.location(), path.string(), error.message())
+        .help("the path is relative to the folder of this file");
+  }
+  return text;
+}
+
+std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
+                            DiagnosticSink& sink) {
+  const Computed value = evaluate_string(name, sink);
+  const auto* written = std::get_if<std::string>(&value);
+  if (written == nullptr) return kNothing;
+  const fs::path path =
+      (modules_[from]->path.parent_path() / *written).lexically_normal();
+  const std::string identity =
+      options_.files != nullptr ? options_.files->identity(path).string() : path.string();
+
+  if (const auto known = loaded_.find(identity); known != loaded_.end()) {
+    const std::uint32_t module = known->second;
+    std::vector<std::string> circle;
+    for (std::uint32_t i = from; i != kNothing; i = modules_[i]->parent) {
+      circle.push_back(fmt::format("`{}`", modules_[i]->file->name()));
+      if (i != module) continue;
+      std::reverse(circle.begin(), circle.end());
+      circle.push_back(circle.front());
+      sink.report(diag::file_circle, name.location(), modules_[module]->file->name())
+          .help(fmt::format("the circle is {}", fmt::join(circle, " → ")));
+      return kNothing;
+    }
+    const bool is_usable = module != kNothing && (is_include || module < kConfigs);
+    if (!is_usable && module != kNothing) sink.report(diag::import_of_config, name.location());
+    return is_usable ? module : kNothing;
+  }
+
+  std::uint64_t depth = 0;
+  for (std::uint32_t i = from; i != kNothing; i = modules_[i]->parent) ++depth;
+  if (depth > options_.limits.include_depth) {
+    sink.report(diag::too_many_files_deep, name.location(), options_.limits.include_depth);
+    return kNothing;
+  }
+
+  loaded_.emplace(identity, kNothing);
+  std::optional<std::string> text = read(path, name, sink);
+  if (!text) return kNothing;
+  dependencies_.push_back(path);
+  const SourceFile& file = sources_.emplace_back(path.string(), std::move(*text));
+  if (file.format() == SourceFormat::Json) {
+    loaded_[identity] = kConfigs + static_cast<std::uint32_t>(configs_.size());
+    configs_.push_back(&file);
+    if (is_include) return loaded_[identity];
+    sink.report(diag::import_of_config, name.location())
+        .help("`include` places the spheres of a JSON config");
+    return kNothing;
+  }
+  loaded_[identity] = module_count();
+  return add_module(file, path, from, sink);
+}
+
+std::uint32_t Program::resolve(std::uint32_t module, ast::Node statement, Code& code,
+                      std::uint32_t& frame_size, DiagnosticSink& sink) {
+  code.clear();
+  return Resolver(*this, module, sink).resolve_statement(statement, code, frame_size);
+}
+
+}  // namespace sdlc::lang

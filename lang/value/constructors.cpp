@@ -1,0 +1,165 @@
+#include "lang/value/constructors.hpp"
+
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "lang/value/colors.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+constexpr auto kCodes = std::to_array<Property>({
+    {.name = "r",
+     .type = Type::Number,
+     .range = Range::ByteCode,
+     .presence = Presence::Required,
+     .doc = "Red."},
+    {.name = "g",
+     .type = Type::Number,
+     .range = Range::ByteCode,
+     .presence = Presence::Required,
+     .doc = "Green."},
+    {.name = "b",
+     .type = Type::Number,
+     .range = Range::ByteCode,
+     .presence = Presence::Required,
+     .doc = "Blue."},
+});
+
+constexpr auto kComponents = std::to_array<Property>({
+    {.name = "r", .type = Type::Number, .presence = Presence::Required, .doc = "Red."},
+    {.name = "g", .type = Type::Number, .presence = Presence::Required, .doc = "Green."},
+    {.name = "b", .type = Type::Number, .presence = Presence::Required, .doc = "Blue."},
+});
+
+constexpr auto kHsl = std::to_array<Property>({
+    {.name = "hue",
+     .type = Type::Angle,
+     .presence = Presence::Required,
+     .doc = "0deg red, 120deg green, 240deg blue."},
+    {.name = "saturation",
+     .type = Type::Number,
+     .range = Range::Fraction,
+     .presence = Presence::Required,
+     .doc = "0% grey, 100% pure."},
+    {.name = "lightness",
+     .type = Type::Number,
+     .range = Range::Fraction,
+     .presence = Presence::Required,
+     .doc = "0% black, 100% white."},
+});
+
+constexpr auto kKelvin = std::to_array<Property>({
+    {.name = "temperature",
+     .type = Type::Number,
+     .range = Range::Kelvin,
+     .presence = Presence::Required,
+     .doc = "In kelvins: 2700 a light bulb, 6500 daylight."},
+});
+
+constexpr auto kLine = std::to_array<Property>({
+    {.name = "to",
+     .type = Type::Vec3,
+     .presence = Presence::Required,
+     .doc = "Where the centre is at the end of `over`."},
+    {.name = "over",
+     .type = Type::Interval,
+     .presence = Presence::Required,
+     .doc = "From when to when, in seconds."},
+});
+
+double number(const ConstructorArguments& arguments, std::size_t i) {
+  return std::get<double>(arguments[i]);
+}
+
+Computed make_rgb(const Constructor& /*self*/, const ConstructorArguments& in) {
+  return render::LinearRgb{decode_srgb(number(in, 0)), decode_srgb(number(in, 1)),
+                           decode_srgb(number(in, 2))};
+}
+
+Computed make_linear(const Constructor& /*self*/, const ConstructorArguments& in) {
+  return render::LinearRgb{number(in, 0), number(in, 1), number(in, 2)};
+}
+
+Computed make_linear255(const Constructor& /*self*/, const ConstructorArguments& in) {
+  return render::LinearRgb{number(in, 0) / 255, number(in, 1) / 255, number(in, 2) / 255};
+}
+
+Computed make_hsl(const Constructor& /*self*/, const ConstructorArguments& in) {
+  return decode_hsl(std::get<Angle>(in[0]).degrees, number(in, 1), number(in, 2));
+}
+
+Computed make_kelvin(const Constructor& /*self*/, const ConstructorArguments& in) {
+  return color_of_temperature(number(in, 0));
+}
+
+Computed make_line(const Constructor& /*self*/, const ConstructorArguments& in) {
+  return MotionValue{std::get<render::Vec3>(in[0]), std::get<render::Interval>(in[1])};
+}
+
+Computed make_material(const Constructor& self, const ConstructorArguments& in) {
+  const auto materials = all_materials();
+  const auto info = std::find_if(materials.begin(), materials.end(), [&](const MaterialInfo& m) {
+    return m.arguments.data() == self.parameters.data();
+  });
+  MaterialValue material{.kind = info->id, .color = {}, .parameter = 0, .exact_fresnel = false};
+  // A material has at most one argument of each type, so the type tells where the value goes.
+  for (const Value& value : in) {
+    if (const auto* color = std::get_if<render::LinearRgb>(&value)) material.color = *color;
+    if (const auto* parameter = std::get_if<double>(&value)) material.parameter = *parameter;
+    if (const auto* word = std::get_if<Word>(&value))
+      material.exact_fresnel = word->text == "exact";
+  }
+  return material;
+}
+
+}  // namespace
+
+std::span<const Constructor> all_constructors() noexcept {
+  static const std::vector<Constructor> constructors = [] {
+    std::vector<Constructor> all{
+        {"rgb", kCodes, "A colour by its sRGB codes, as CSS and image editors give them.",
+         make_rgb},
+        {"linear", kComponents, "A colour by its linear components; 1 is white.", make_linear},
+        {"linear255", kComponents, "A colour by its linear components; 255 is white.",
+         make_linear255},
+        {"hsl", kHsl, "A colour by hue, saturation and lightness, as CSS defines them.", make_hsl},
+        {"kelvin", kKelvin,
+         "The colour of a black body, its largest component 1 (cubic of Kim et al.).",
+         make_kelvin},
+        {"line", kLine, "A straight motion of a sphere's centre.", make_line}};
+    for (const MaterialInfo& material : all_materials())
+      all.push_back({material.name, material.arguments, material.doc, make_material});
+    return all;
+  }();
+  return constructors;
+}
+
+std::size_t Constructor::index() const noexcept {
+  return static_cast<std::size_t>(this - all_constructors().data());
+}
+
+const Constructor* find_constructor(std::string_view name) noexcept {
+  static const std::unordered_map<std::string_view, const Constructor*> by_name = [] {
+    std::unordered_map<std::string_view, const Constructor*> map;
+    for (const Constructor& constructor : all_constructors())
+      map.emplace(constructor.name, &constructor);
+    return map;
+  }();
+  const auto found = by_name.find(name);
+  return found == by_name.end() ? nullptr : found->second;
+}
+
+Value default_of(const Property& parameter) {
+  if (const auto* number = std::get_if<double>(&parameter.default_value)) return *number;
+  if (const auto* word = std::get_if<std::string_view>(&parameter.default_value))
+    return Word{std::string(*word)};
+  if (const auto* triple = std::get_if<std::array<double, 3>>(&parameter.default_value)) {
+    return render::LinearRgb{(*triple)[0], (*triple)[1], (*triple)[2]};
+  }
+  return {};
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "lang/object/object.hpp"
+#include "lang/schema/schema.hpp"
+#include "lang/value/computed.hpp"
+
+namespace sdlc::lang {
+
+/// At most this many arguments has a constructor.
+inline constexpr std::size_t kMaxArguments = 3;
+
+/// The arguments of a constructor, by parameter: each of its type and in its range, written or by
+/// default.
+using ConstructorArguments = std::array<Value, kMaxArguments>;
+
+/// A function that makes a colour, a material or a motion. Its parameters have names and are
+/// described like properties.
+struct Constructor {
+  std::string_view name;
+  std::span<const Property> parameters;
+  std::string_view doc;
+  Computed (*construct)(const Constructor& constructor, const ConstructorArguments& arguments);
+
+  std::size_t index() const noexcept;  ///< in all_constructors()
+};
+
+std::span<const Constructor> all_constructors() noexcept;
+const Constructor* find_constructor(std::string_view name) noexcept;
+
+/// The default of a parameter; monostate where it has none.
+Value default_of(const Property& parameter);
+
+}  // namespace sdlc::lang

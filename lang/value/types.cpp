@@ -1,0 +1,37 @@
+#include "lang/value/types.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace sdlc::lang {
+namespace {
+
+template <typename T>
+bool is(const Computed& value) {
+  return std::holds_alternative<T>(value);
+}
+
+constexpr auto kTypes = std::to_array<TypeInfo>({
+    {"number", is<Scalar>, "A number, with or without a unit: 3, 20cm, 15%."},
+    {"bool", is<bool>, "true or false."},
+    {"string", is<std::string>, "A text in double quotes."},
+    {"vec3", is<Triple>, "A point or direction (x, y, z)."},
+    {"angle", is<Angle>, "40deg, 0.5turn, 1rad."},
+    {"angles", is<AngleTriple>, "Three angles in parentheses."},
+    {"color", is<render::LinearRgb>, "A colour: red, #80b3ff, rgb(…)."},
+    {"interval", is<Bounds>, "a .. b"},
+    {"list", is<ListValue>, "Values of one type: [1, 2, 3], range(10)."},
+    {"material", is<MaterialValue>, "diffuse(…), specular(…) and so on."},
+});
+
+}  // namespace
+
+std::span<const TypeInfo> all_types() noexcept { return kTypes; }
+
+const TypeInfo* find_type(std::string_view name) noexcept {
+  const auto found = std::find_if(kTypes.begin(), kTypes.end(),
+                                  [&](const TypeInfo& type) { return type.name == name; });
+  return found == kTypes.end() ? nullptr : &*found;
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "lang/value/computed.hpp"
+
+namespace sdlc::lang {
+
+/// A name of a type, as `param` and parameters write it.
+struct TypeInfo {
+  std::string_view name;
+  bool (*holds)(const Computed& value);
+  std::string_view doc;
+};
+
+std::span<const TypeInfo> all_types() noexcept;
+/// The type of this name, or null.
+const TypeInfo* find_type(std::string_view name) noexcept;
+
+}  // namespace sdlc::lang
