@@ -1,11 +1,12 @@
 #include "lang/lower/material_table.hpp"
 
 #include <bit>
+#include <utility>
 
 namespace sdlc::lang {
 namespace {
 
-std::uint64_t hash(const render::Material& material) {
+std::uint32_t hash(const render::Material& material) {
   std::uint64_t h =
       static_cast<std::uint64_t>(material.type) * 2 + static_cast<std::uint64_t>(material.fresnel);
   for (const double v :
@@ -14,28 +15,36 @@ std::uint64_t hash(const render::Material& material) {
     h = (h ^ std::bit_cast<std::uint64_t>(v + 0.0)) * 0x9E3779B97F4A7C15u;
     h ^= h >> 32;
   }
-  return h;
+  return static_cast<std::uint32_t>(h);
 }
 
 }  // namespace
 
 std::uint32_t MaterialTable::index_of(const render::Material& material) {
   if (2 * materials_.size() >= slots_.size()) grow();
-  std::size_t slot = hash(material) & (slots_.size() - 1);
-  for (; slots_[slot] != kEmpty; slot = (slot + 1) & (slots_.size() - 1)) {
-    if (materials_[slots_[slot]] == material) return slots_[slot];
+  const std::uint32_t own_hash = hash(material);
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t i = own_hash & mask;
+  for (; slots_[i].index != kEmpty; i = (i + 1) & mask) {
+    if (slots_[i].hash == own_hash && materials_[slots_[i].index] == material) {
+      return slots_[i].index;
+    }
   }
-  slots_[slot] = static_cast<std::uint32_t>(materials_.size());
+  const auto index = static_cast<std::uint32_t>(materials_.size());
+  slots_[i] = {.hash = own_hash, .index = index};
   materials_.push_back(material);
-  return slots_[slot];
+  return index;
 }
 
 void MaterialTable::grow() {
-  slots_.assign(slots_.empty() ? 16 : 2 * slots_.size(), kEmpty);
-  for (std::uint32_t i = 0; i < materials_.size(); ++i) {
-    std::size_t slot = hash(materials_[i]) & (slots_.size() - 1);
-    while (slots_[slot] != kEmpty) slot = (slot + 1) & (slots_.size() - 1);
-    slots_[slot] = i;
+  const std::vector<Slot> old =
+      std::exchange(slots_, std::vector<Slot>(slots_.empty() ? 16 : 2 * slots_.size()));
+  const std::size_t mask = slots_.size() - 1;
+  for (const Slot& slot : old) {
+    if (slot.index == kEmpty) continue;
+    std::size_t i = slot.hash & mask;
+    while (slots_[i].index != kEmpty) i = (i + 1) & mask;
+    slots_[i] = slot;
   }
 }
 

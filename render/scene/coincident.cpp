@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <span>
+
+#include "render/scene/suspects.hpp"
 
 namespace sdlc::render {
 namespace {
 
-constexpr double kTolerance = 0x1p-40;  // of the radius
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
 /// Finds groups by splitting: along one coordinate after another the spheres are sorted and cut
@@ -21,9 +21,8 @@ class CoincidenceSearch {
       : spheres_(spheres), shifts_(shifts) {}
 
   std::vector<CoincidentSphere> run() {
-    std::vector<std::uint32_t> all(spheres_.size());
-    std::iota(all.begin(), all.end(), 0u);
-    split(all, 0, 0);
+    std::vector<std::uint32_t> suspects = find_suspects(spheres_);
+    split(suspects, 0, 0);
     std::sort(found_.begin(), found_.end(),
               [](const auto& a, const auto& b) { return a.sphere < b.sphere; });
     return std::move(found_);
@@ -48,7 +47,8 @@ class CoincidenceSearch {
 
   bool within_tolerance(std::uint32_t a, std::uint32_t b) const {
     for (int k = 0; k < coordinates(); ++k) {
-      if (std::fabs(coordinate(a, k) - coordinate(b, k)) > kTolerance * spheres_[a].radius) {
+      if (std::fabs(coordinate(a, k) - coordinate(b, k)) >
+          kCoincidenceTolerance * spheres_[a].radius) {
         return false;
       }
     }
@@ -77,7 +77,7 @@ class CoincidenceSearch {
         // Radii are the first coordinate, so that a group has radii of one size before the others
         // are cut; until then each pair has its own tolerance.
         const double size = k == 0 ? spheres_[group[i]].radius : radius;
-        if (gap <= kTolerance * size) continue;
+        if (gap <= kCoincidenceTolerance * size) continue;
         split(group.subspan(begin, i - begin), next, 1);
         begin = i;
       }
@@ -98,7 +98,7 @@ class CoincidenceSearch {
     std::multimap<double, std::uint32_t> kept;
     for (const std::uint32_t i : group) {
       const double place = coordinate(i, axis);
-      const double reach = 2 * kTolerance * spheres_[i].radius;
+      const double reach = 2 * kCoincidenceTolerance * spheres_[i].radius;
       std::uint32_t earliest = kNone;
       for (auto k = kept.lower_bound(place - reach); k != kept.end() && k->first <= place + reach;
            ++k) {
