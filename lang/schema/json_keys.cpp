@@ -75,9 +75,13 @@ const JsonObject& json_rendering() {
        .presence = Presence::Required,
        .target = &render(),
        .property = kDepth},
-      {.key = "in_parallel", .type = JsonType::Bool, .doc = "false: one thread."},
+      {.key = "in_parallel",
+       .type = JsonType::Bool,
+       .setting = JsonSetting::InParallel,
+       .doc = "false: one thread."},
       {.key = "number_cores",
        .type = JsonType::WholeNumber,
+       .setting = JsonSetting::NumberCores,
        .range = Range::NonNegative,
        .doc = "Threads; 0 or too many: all."},
   });
@@ -93,6 +97,7 @@ const JsonObject& json_saving() {
        .property = render_property::kOutput},
       {.key = "gamma_correct",
        .type = JsonType::Bool,
+       .setting = JsonSetting::GammaCorrect,
        .doc = "true: the square root of the linear value is saved; else the linear value."},
   });
   static const JsonObject object{.name = "saving", .keys = keys};

@@ -21,19 +21,20 @@ constexpr auto kCameraProperties = std::to_array<Property>({
      .type = Type::Vec3,
      .default_value = std::array{0.0, 1.0, 0.0},
      .default_text = "(0, 1, 0)",
-     .doc = "The direction that points up in the picture; any length but 0, not along the view."},
+     .doc = "The direction that points up in the picture; of any length but 0, and not along the"
+            " view."},
     {.name = "fov",
      .type = Type::Angle,
      .range = Range::BetweenZeroAndHalfTurn,
      .presence = Presence::Required,
-     .doc = "Vertical field of view, from bottom to top."},
+     .doc = "The angle seen, from the bottom of the picture to its top."},
     {.name = "view_height",
      .type = Type::Number,
      .range = Range::Positive,
      .default_value = 2.0,
      .default_text = "2",
-     .doc = "The view plane at distance 1 is view_height * tan(fov / 2) high; 2 makes fov the "
-            "angle seen."},
+     .doc = "The view plane at distance 1 is `view_height * tan(fov / 2)` high; at 2, `fov` is "
+            "the angle seen."},
     {.name = "aspect",
      .type = Type::Number,
      .range = Range::Positive,
@@ -44,7 +45,8 @@ constexpr auto kCameraProperties = std::to_array<Property>({
      .type = Type::Interval,
      .default_text = "none",
      .reads_none = true,
-     .doc = "The times between which the shutter is open; none: everything stands still."},
+     .doc = "From when to when the shutter is open, counted from the frame's `time`; `none`: "
+            "everything stands still."},
 });
 static_assert(kCameraProperties.size() == camera_property::kCount);
 
@@ -56,8 +58,8 @@ constexpr auto kBackgroundProperties = std::to_array<Property>({
     {.name = "bottom",
      .type = Type::Color,
      .range = Range::NonNegative,
-     .doc =
-         "Radiance from straight below; joined linearly with top by the height of the direction."},
+     .doc = "Radiance from straight below; between it and `top`, linear in the height of the "
+            "direction."},
     {.name = "top",
      .type = Type::Color,
      .range = Range::NonNegative,
@@ -69,19 +71,19 @@ constexpr auto kSphereProperties = std::to_array<Property>({
     {.name = "center",
      .type = Type::Vec3,
      .presence = Presence::Required,
-     .doc = "World position of the centre, in metres."},
+     .doc = "Where its middle is, in metres."},
     {.name = "radius",
      .type = Type::Length,
      .range = Range::NonNegative,
      .presence = Presence::Required,
-     .doc = "From centre to surface, in metres."},
+     .doc = "From the middle to the surface, in metres; a sphere of radius 0 is never seen."},
     {.name = "material",
      .type = Type::Material,
-     .doc = "What light does at the surface; may be given by a group around the sphere instead."},
+     .doc = "What light does at the surface; by default the material of the nearest group around"
+            " it that has one."},
     {.name = "motion",
      .type = Type::Motion,
-     .doc = "line(to: p, over: t0 .. t1): the centre moves from `center` at t0 to `to` at t1, and "
-            "on beyond both."},
+     .doc = "`line(…)`: how the centre moves while the shutter is open."},
 });
 static_assert(kSphereProperties.size() == sphere_property::kCount);
 
@@ -95,33 +97,37 @@ constexpr auto kRenderProperties = std::to_array<Property>({
     {.name = "height",
      .type = Type::WholeNumber,
      .range = Range::AtLeastOne,
-     .doc = "Height in pixels; width / aspect, rounded down, where it is not given."},
+     .doc = "Height of the picture in pixels; by default its width over its aspect, rounded "
+            "down."},
     {.name = "samples",
      .type = Type::WholeNumber,
      .range = Range::AtLeastOne,
      .default_value = 64.0,
      .default_text = "64",
-     .doc = "Camera paths per pixel."},
+     .doc = "Paths per pixel; four times as many halve the noise."},
     {.name = "depth",
      .type = Type::WholeNumber,
      .range = Range::AtLeastOne,
      .default_value = 16.0,
      .default_text = "16",
      .doc = "Rays per path, the camera's included; a path cut off by it is black."},
-    {.name = "output", .type = Type::String, .doc = "The picture's file."},
+    {.name = "output",
+     .type = Type::String,
+     .doc = "The picture's file; the extension picks the format."},
     {.name = "tone",
      .type = Type::Word,
      .default_value = std::string_view("srgb"),
      .default_text = "srgb",
      .words = kToneWords,
-     .doc = "Transfer curve of pictures that are not linear by nature."},
+     .doc = "How light becomes the codes of png, jpg and other 8-bit pictures; exr and hdr stay "
+            "linear."},
     {.name = "camera", .type = Type::Word, .doc = "Which camera, where there are several."},
     {.name = "seed",
      .type = Type::WholeNumber,
      .range = Range::NonNegativeExact,
      .default_value = 0.0,
      .default_text = "0",
-     .doc = "Picks the random numbers."},
+     .doc = "Picks the random numbers: another seed, other noise."},
     {.name = "threads",
      .type = Type::WholeNumber,
      .range = Range::NonNegative,
@@ -140,8 +146,8 @@ constexpr auto kGroupProperties = std::to_array<Property>({
     {.name = "rotate",
      .type = Type::Angles,
      .default_text = "(0deg, 0deg, 0deg)",
-     .doc = "Turns about the x, then the y, then the z axis; counterclockwise seen against the "
-            "axis."},
+     .doc = "Turns what is inside about the x, then the y, then the z axis; counterclockwise, "
+            "seen from the tip of the axis."},
     {.name = "scale",
      .type = Type::Number,
      .range = Range::Positive,
@@ -150,7 +156,7 @@ constexpr auto kGroupProperties = std::to_array<Property>({
      .doc = "Factor of all distances and radii inside."},
     {.name = "material",
      .type = Type::Material,
-     .doc = "Of the spheres inside that have none; the nearest group's holds."},
+     .doc = "Of the spheres inside that have none of their own; the nearest group's counts."},
 });
 static_assert(kGroupProperties.size() == group_property::kCount);
 
@@ -158,13 +164,13 @@ constexpr auto kAnimationProperties = std::to_array<Property>({
     {.name = "frames",
      .type = Type::Frames,
      .presence = Presence::Required,
-     .doc = "The numbers of the first and the last frame."},
+     .doc = "The numbers of the first and the last frame, whole and from 0 on."},
     {.name = "fps",
      .type = Type::Number,
      .range = Range::Positive,
      .default_value = 24.0,
      .default_text = "24",
-     .doc = "Frames a second: `time` is frame / fps."},
+     .doc = "Frames in a second: `time` is frame / fps."},
     {.name = "step",
      .type = Type::WholeNumber,
      .range = Range::AtLeastOne,
@@ -233,7 +239,8 @@ constexpr auto kSpecularArguments = std::to_array<Property>({
      .range = Range::NonNegative,
      .default_value = 0.0,
      .default_text = "0",
-     .doc = "Radius of the ball that the mirrored direction ends in; 0 is a mirror."},
+     .doc = "Blurs the mirror: the direction ends in a ball of this radius around the tip of the"
+            " mirrored one. 0 is sharp."},
 });
 constexpr auto kTransmissiveArguments = std::to_array<Property>({
     {.name = "color",
@@ -246,13 +253,14 @@ constexpr auto kTransmissiveArguments = std::to_array<Property>({
      .type = Type::Number,
      .range = Range::Positive,
      .presence = Presence::Required,
-     .doc = "Index of refraction inside over outside."},
+     .doc = "Index of refraction inside over that outside: 1.5 for glass in air."},
     {.name = "fresnel",
      .type = Type::Word,
      .default_value = std::string_view("schlick"),
      .default_text = "schlick",
      .words = kFresnelWords,
-     .doc = "How the share of reflected light is computed."},
+     .doc = "How the share of reflected light is computed: by Schlick's approximation or "
+            "Fresnel's equations."},
 });
 constexpr auto kEmissiveArguments = std::to_array<Property>({
     {.name = "color",
@@ -265,14 +273,14 @@ constexpr auto kEmissiveArguments = std::to_array<Property>({
      .range = Range::NonNegative,
      .default_value = 1.0,
      .default_text = "1",
-     .doc = "The radiance is color * intensity."},
+     .doc = "The radiance is `color * intensity`."},
 });
 constexpr auto kUnlitArguments = std::to_array<Property>({
     {.name = "color",
      .type = Type::Color,
      .range = Range::NonNegative,
      .presence = Presence::Required,
-     .doc = "What is seen, whatever the light."},
+     .doc = "What is seen."},
 });
 
 constexpr auto kMaterials = std::to_array<MaterialInfo>({
@@ -285,22 +293,22 @@ constexpr auto kMaterials = std::to_array<MaterialInfo>({
      .name = "specular",
      .json_name = "specular",
      .arguments = kSpecularArguments,
-     .doc = "Metal: mirrors, sharply or with fuzz."},
+     .doc = "A mirror, sharp or blurred: metals."},
     {.id = MaterialKind::Transmissive,
      .name = "transmissive",
      .json_name = "transmissive",
      .arguments = kTransmissiveArguments,
-     .doc = "Glass: reflects and refracts."},
+     .doc = "Glass, water: reflects and refracts."},
     {.id = MaterialKind::Emissive,
      .name = "emissive",
      .json_name = "emissive",
      .arguments = kEmissiveArguments,
-     .doc = "A light; ends the path."},
+     .doc = "A light; paths end here."},
     {.id = MaterialKind::Unlit,
      .name = "unlit",
      .json_name = "no_texture",
      .arguments = kUnlitArguments,
-     .doc = "A flat colour; ends the path."},
+     .doc = "A colour that is seen as it is, whatever the light; paths end here."},
 });
 
 }  // namespace

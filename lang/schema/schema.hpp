@@ -150,16 +150,20 @@ std::string_view describe(JsonType type) noexcept;
 
 struct JsonObject;
 
+/// What a key means to the reader of configs where it stands for no single property.
+enum class JsonSetting : std::uint8_t { None, GammaCorrect, InParallel, NumberCores };
+
 /// One key of an object of the JSON config format.
 struct JsonKey {
   std::string_view key;
   JsonType type;
   Presence presence = Presence::Optional;
   /// Where the value goes: a property of `target`, whose range it must meet too. No target: see
-  /// `object`, or the reader knows the key by itself (number_cores), or the key has no effect.
+  /// `object` and `setting`; with neither, the key has no effect.
   const Kind* target = nullptr;
   std::size_t property = 0;
   const JsonObject* object = nullptr;  ///< of Object: what is inside
+  JsonSetting setting = JsonSetting::None;
   Range range = Range::Any;  ///< of keys without a target
   std::string_view doc = {};
 };

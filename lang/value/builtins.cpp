@@ -10,10 +10,11 @@
 
 #include <fmt/format.h>
 
-#include "lang/value/logic.hpp"
 #include "lang/math/elementary.hpp"
 #include "lang/math/random.hpp"
 #include "lang/object/object.hpp"
+#include "lang/value/arithmetic.hpp"
+#include "lang/value/logic.hpp"
 #include "render/math/color.hpp"
 #include "render/math/power_of_two.hpp"
 #include "render/math/vec3.hpp"
@@ -24,17 +25,23 @@ namespace {
 using render::LinearRgb;
 using render::Vec3;
 
+constexpr std::string_view kAngle = "an angle";
 constexpr std::size_t kAnyNumber = static_cast<std::size_t>(-1);
 
 Computed wrong_argument(const BuiltinCall& call, std::size_t i, std::string_view wanted) {
-  call.sink.report(diag::wrong_argument, call.place(i), call.name, wanted,
-                   describe(call.arguments[i]));
+  const Location where = call.place(i);
+  auto report =
+      call.sink.report(diag::wrong_argument, where, call.name, wanted, describe(call.arguments[i]));
+  const bool is_literal = call.node.child(i)->is(SyntaxKind::Number);
+  if (wanted == kAngle && is_literal && holds_alternative<Scalar>(call.arguments[i])) {
+    report.fix({where.file, {where.span.end, where.span.end}}, "deg");
+  }
   return Failed{};
 }
 
 template <typename T>
 const T* argument(const BuiltinCall& call, std::size_t i) noexcept {
-  return std::get_if<T>(&call.arguments[i]);
+  return get_if<T>(&call.arguments[i]);
 }
 
 Computed no_result(const BuiltinCall& call, std::string_view argument) {
@@ -91,12 +98,12 @@ Computed evaluate_log(const BuiltinCall& call) {
 template <double (*function)(double) noexcept>
 Computed of_angle(const BuiltinCall& call) {
   const auto* x = argument<Angle>(call, 0);
-  return x == nullptr ? wrong_argument(call, 0, "an angle") : Scalar{function(x->degrees)};
+  return x == nullptr ? wrong_argument(call, 0, kAngle) : Scalar{function(x->degrees)};
 }
 
 Computed evaluate_tan(const BuiltinCall& call) {
   const auto* x = argument<Angle>(call, 0);
-  if (x == nullptr) return wrong_argument(call, 0, "an angle");
+  if (x == nullptr) return wrong_argument(call, 0, kAngle);
   const std::optional<double> result = tan_degrees(x->degrees);
   return result ? Computed(Scalar{*result}) : no_result(call, "an odd multiple of 90deg");
 }
@@ -119,65 +126,82 @@ Computed evaluate_atan2(const BuiltinCall& call) {
 
 // Of several values of one type
 
-/// The arguments, or the elements of the list that is the only one; nothing when they are not all
-/// numbers or not all angles, which is reported.
-std::optional<std::vector<Computed>> comparable_values(const BuiltinCall& call) {
-  std::vector<Computed> values(call.arguments.begin(), call.arguments.end());
-  const auto* list = values.size() == 1 ? std::get_if<ListValue>(&values[0]) : nullptr;
-  if (list != nullptr) {
-    const ListValue elements = *list;
-    values.clear();
-    for (std::size_t i = 0; i < elements.size(); ++i) values.push_back(elements[i]);
-  }
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool is_ordered =
-        std::holds_alternative<Scalar>(values[i]) || std::holds_alternative<Angle>(values[i]);
-    if (is_ordered && are_of_one_type(values[0], values[i])) continue;
-    wrong_argument(call, list != nullptr ? 0 : i, "numbers, or angles, of one unit");
-    return std::nullopt;
-  }
-  if (!values.empty()) return values;
-  no_result(call, "an empty list");
-  return std::nullopt;
+bool is_less(const Computed& a, const Computed& b) {
+  if (const auto* x = get_if<Scalar>(&a)) return x->value < get<Scalar>(b).value;
+  return get<Angle>(a).degrees < get<Angle>(b).degrees;
 }
 
-bool is_less(const Computed& a, const Computed& b) {
-  if (const auto* x = std::get_if<Scalar>(&a)) return x->value < std::get<Scalar>(b).value;
-  return std::get<Angle>(a).degrees < std::get<Angle>(b).degrees;
-}
+/// The arguments, or the elements of the list that is the only one. A list is not copied: `range`
+/// makes long ones of nothing.
+class Comparable {
+ public:
+  explicit Comparable(const BuiltinCall& call)
+      : call_(call), list_(call.arguments.size() == 1 ? argument<ListValue>(call, 0) : nullptr) {}
+
+  std::size_t size() const { return list_ != nullptr ? list_->size() : call_.arguments.size(); }
+  Computed operator[](std::size_t i) const {
+    return list_ != nullptr ? (*list_)[i] : call_.arguments[i];
+  }
+  /// Whether they are some numbers, or some angles; if not, that is reported.
+  bool check() const {
+    const Computed first = size() > 0 ? (*this)[0] : Computed();
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Computed value = (*this)[i];
+      const bool is_ordered = holds_alternative<Scalar>(value) || holds_alternative<Angle>(value);
+      if (is_ordered && are_of_one_type(first, value)) continue;
+      wrong_argument(call_, list_ != nullptr ? 0 : i, "numbers, or angles, of one unit");
+      return false;
+    }
+    if (size() == 0) no_result(call_, "an empty list");
+    return size() > 0;
+  }
+
+ private:
+  const BuiltinCall& call_;
+  const ListValue* list_;
+};
 
 Computed evaluate_min(const BuiltinCall& call) {
-  const auto values = comparable_values(call);
-  if (!values) return Failed{};
-  return *std::min_element(values->begin(), values->end(), is_less);
+  const Comparable values(call);
+  if (!values.check()) return Failed{};
+  Computed least = values[0];
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (is_less(values[i], least)) least = values[i];
+  }
+  return least;
 }
 
 Computed evaluate_max(const BuiltinCall& call) {
-  const auto values = comparable_values(call);
-  if (!values) return Failed{};
-  return *std::max_element(values->begin(), values->end(), is_less);
+  const Comparable values(call);
+  if (!values.check()) return Failed{};
+  Computed greatest = values[0];
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (is_less(greatest, values[i])) greatest = values[i];
+  }
+  return greatest;
 }
 
 Computed evaluate_clamp(const BuiltinCall& call) {
-  const auto values = comparable_values(call);
-  if (!values) return Failed{};
-  if (is_less((*values)[2], (*values)[1])) return no_result(call, "a low end above the high one");
-  return std::clamp((*values)[0], (*values)[1], (*values)[2], is_less);
+  const Comparable values(call);
+  if (!values.check()) return Failed{};
+  const Computed x = values[0], low = values[1], high = values[2];
+  if (is_less(high, low)) return no_result(call, "a low end above the high one");
+  return is_less(x, low) ? low : is_less(high, x) ? high : x;
 }
 
 Computed evaluate_mod(const BuiltinCall& call) {
-  const auto values = comparable_values(call);
-  if (!values) return Failed{};
-  const auto* a = std::get_if<Scalar>(values->data());
-  const double x = a != nullptr ? a->value : std::get<Angle>((*values)[0]).degrees;
-  const double y =
-      a != nullptr ? std::get<Scalar>((*values)[1]).value : std::get<Angle>((*values)[1]).degrees;
+  const Comparable values(call);
+  if (!values.check()) return Failed{};
+  const Computed a = values[0], b = values[1];
+  const auto* number = get_if<Scalar>(&a);
+  const double x = number != nullptr ? number->value : get<Angle>(a).degrees;
+  const double y = number != nullptr ? get<Scalar>(b).value : get<Angle>(b).degrees;
   const std::optional<double> result = modulo(x, y);
   if (!result) {
     call.sink.report(diag::division_by_zero, call.where());
     return Failed{};
   }
-  if (a != nullptr) return Scalar{*result, a->unit};
+  if (number != nullptr) return Scalar{*result, number->unit};
   return Angle{*result};
 }
 
@@ -185,16 +209,14 @@ Computed evaluate_mod(const BuiltinCall& call) {
 
 Computed evaluate_sum(const BuiltinCall& call) {
   const auto* list = argument<ListValue>(call, 0);
-  if (list == nullptr) return wrong_argument(call, 0, "a list of numbers");
-  Scalar sum;
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const Computed element = (*list)[i];
-    const auto* number = std::get_if<Scalar>(&element);
-    if (number == nullptr) return wrong_argument(call, 0, "a list of numbers");
-    sum.value += number->value;
-    if (sum.unit == Unit::None) sum.unit = number->unit;
+  if (list == nullptr) return wrong_argument(call, 0, "a list");
+  if (list->size() == 0) return Scalar{};
+  Computed sum = (*list)[0];
+  const ast::Node place = *call.node.child(0);
+  for (std::size_t i = 1; i < list->size() && !has_failed(sum); ++i) {
+    sum = evaluate_operation(sum, Operator::Add, (*list)[i], {place, place}, call.sink);
   }
-  return finite(call, sum);
+  return sum;
 }
 
 Computed evaluate_len(const BuiltinCall& call) {
@@ -204,10 +226,16 @@ Computed evaluate_len(const BuiltinCall& call) {
 }
 
 Computed evaluate_str(const BuiltinCall& call) {
-  if (const auto* x = argument<Scalar>(call, 0)) return to_text(x->value);
-  if (const auto* flag = argument<bool>(call, 0)) return std::string(*flag ? "true" : "false");
   if (const auto* text = argument<std::string>(call, 0)) return *text;
-  return wrong_argument(call, 0, "a number, true or false, or a string");
+  if (const auto* flag = argument<bool>(call, 0)) return to_text(Value(*flag));
+  if (const auto* x = argument<Scalar>(call, 0)) {
+    return to_text(x->value) + (x->unit == Unit::Length ? "m" : x->unit == Unit::Time ? "s" : "");
+  }
+  if (const auto* angle = argument<Angle>(call, 0)) return to_text(Value(*angle));
+  if (const auto* v = argument<Triple>(call, 0)) return to_text(Value(v->value));
+  if (const auto* angles = argument<AngleTriple>(call, 0)) return to_text(Value(*angles));
+  if (const auto* color = argument<LinearRgb>(call, 0)) return to_text(Value(*color));
+  return wrong_argument(call, 0, "a number, angle, point, colour, string, true or false");
 }
 
 Computed evaluate_range(const BuiltinCall& call) {
@@ -281,13 +309,24 @@ Computed evaluate_mix(const BuiltinCall& call) {
     const auto* b = argument<Scalar>(call, 1);
     return finite(call, {mixed(a->value, b->value), a->unit == Unit::None ? b->unit : a->unit});
   }
+  const auto checked = [&](auto result, bool is_finite) {
+    if (is_finite) return Computed(result);
+    call.sink.report(diag::overflow, call.where(), call.name);
+    return Computed(Failed{});
+  };
   if (const auto* a = argument<Triple>(call, 0)) {
-    return Triple{mixed(a->value, argument<Triple>(call, 1)->value), a->unit};
+    const auto* b = argument<Triple>(call, 1);
+    const Vec3 result = mixed(a->value, b->value);
+    return checked(Triple{result, a->unit == Unit::None ? b->unit : a->unit}, is_finite(result));
   }
   if (const auto* a = argument<Angle>(call, 0)) {
-    return Angle{mixed(a->degrees, argument<Angle>(call, 1)->degrees)};
+    const double result = mixed(a->degrees, argument<Angle>(call, 1)->degrees);
+    return checked(Angle{result}, std::isfinite(result));
   }
-  if (const auto* a = argument<LinearRgb>(call, 0)) return mixed(*a, *argument<LinearRgb>(call, 1));
+  if (const auto* a = argument<LinearRgb>(call, 0)) {
+    const LinearRgb result = mixed(*a, *argument<LinearRgb>(call, 1));
+    return checked(result, is_finite(result));
+  }
   return wrong_argument(call, 0, "two numbers, vectors, angles or colours");
 }
 
@@ -319,44 +358,55 @@ Computed evaluate_noise(const BuiltinCall& call) {
 }
 
 constexpr auto kBuiltins = std::to_array<Builtin>({
-    {"sqrt", "sqrt(x)", 1, 1, evaluate_sqrt, "Square root of a number that is not negative."},
-    {"abs", "abs(x)", 1, 1, evaluate_abs, "Without its sign."},
-    {"min", "min(a, b, …)", 1, kAnyNumber, evaluate_min,
-     "The least of the arguments, or of a list."},
-    {"max", "max(a, b, …)", 1, kAnyNumber, evaluate_max,
-     "The greatest of the arguments, or of a list."},
-    {"clamp", "clamp(x, low, high)", 3, 3, evaluate_clamp, "x, but not below low nor above high."},
-    {"floor", "floor(x)", 1, 1, keeping_unit<round_down>, "The next whole number below."},
-    {"ceil", "ceil(x)", 1, 1, keeping_unit<round_up>, "The next whole number above."},
-    {"round", "round(x)", 1, 1, keeping_unit<round_half_away>,
-     "The nearest whole number, of two the one farther from 0."},
-    {"exp", "exp(x)", 1, 1, evaluate_exp, "e to the power of x."},
-    {"log", "log(x)", 1, 1, evaluate_log, "The natural logarithm of a positive number."},
-    {"sin", "sin(angle)", 1, 1, of_angle<sin_degrees>, "Sine."},
-    {"cos", "cos(angle)", 1, 1, of_angle<cos_degrees>, "Cosine."},
-    {"tan", "tan(angle)", 1, 1, evaluate_tan, "Tangent."},
-    {"asin", "asin(x)", 1, 1, arc<asin_degrees>,
-     "The angle between -90deg and 90deg whose sine is x."},
-    {"acos", "acos(x)", 1, 1, arc<acos_degrees>,
-     "The angle between 0deg and 180deg whose cosine is x."},
-    {"atan2", "atan2(y, x)", 2, 2, evaluate_atan2,
-     "The angle from the x axis to the point (x, y)."},
-    {"mod", "mod(a, b)", 2, 2, evaluate_mod,
-     "What is left of a after whole multiples of b, with b's sign."},
-    {"sum", "sum(list)", 1, 1, evaluate_sum, "The sum of a list of numbers."},
-    {"len", "len(list)", 1, 1, evaluate_len, "How many elements a list has."},
-    {"str", "str(x)", 1, 1, evaluate_str, "The shortest text that reads back as the same value."},
-    {"dot", "dot(a, b)", 2, 2, evaluate_dot, "Inner product of two vectors."},
-    {"cross", "cross(a, b)", 2, 2, evaluate_cross, "Vector product, right-handed."},
-    {"length", "length(v)", 1, 1, evaluate_length, "Length of a vector."},
-    {"normalize", "normalize(v)", 1, 1, evaluate_normalize,
-     "The vector of length 1 in v's direction."},
-    {"mix", "mix(a, b, t)", 3, 3, evaluate_mix, "a (1 - t) + b t; colours are mixed as light."},
-    {"random", "random(a, …)", 1, kAnyNumber, evaluate_random,
-     "Uniform in [0, 1): the same arguments give the same number."},
-    {"noise", "noise(p)", 1, 1, evaluate_noise, "Smooth noise between -1 and 1, in space."},
-    {"range", "range(n), range(a, b), range(a, b, step)", 1, 3, evaluate_range,
-     "The whole numbers from 0 or a up to, and without, n or b."},
+    {"sqrt", "sqrt(x)", 1, 1, evaluate_sqrt, "numbers",
+     "Square root of a number that is not negative."},
+    {"abs", "abs(x)", 1, 1, evaluate_abs, "numbers", "The number or angle without its sign."},
+    {"min", "min(a, b, …)", 1, kAnyNumber, evaluate_min, "numbers",
+     "The least of numbers or angles, or of a list of them."},
+    {"max", "max(a, b, …)", 1, kAnyNumber, evaluate_max, "numbers",
+     "The greatest of numbers or angles, or of a list of them."},
+    {"clamp", "clamp(x, low, high)", 3, 3, evaluate_clamp, "numbers",
+     "`x`, but not below `low` nor above `high`; of angles too."},
+    {"floor", "floor(x)", 1, 1, keeping_unit<round_down>, "numbers",
+     "The greatest whole number that is not above `x`."},
+    {"ceil", "ceil(x)", 1, 1, keeping_unit<round_up>, "numbers",
+     "The least whole number that is not below `x`."},
+    {"round", "round(x)", 1, 1, keeping_unit<round_half_away>, "numbers",
+     "The nearest whole number; of two, the one farther from 0."},
+    {"exp", "exp(x)", 1, 1, evaluate_exp, "numbers", "e to the power of `x`."},
+    {"log", "log(x)", 1, 1, evaluate_log, "numbers", "The natural logarithm of a positive number."},
+    {"sin", "sin(angle)", 1, 1, of_angle<sin_degrees>, "angles", "Sine."},
+    {"cos", "cos(angle)", 1, 1, of_angle<cos_degrees>, "angles", "Cosine."},
+    {"tan", "tan(angle)", 1, 1, evaluate_tan, "angles",
+     "Tangent; there is none at odd multiples of 90deg."},
+    {"asin", "asin(x)", 1, 1, arc<asin_degrees>, "angles",
+     "The angle from -90deg to 90deg whose sine is `x`."},
+    {"acos", "acos(x)", 1, 1, arc<acos_degrees>, "angles",
+     "The angle from 0deg to 180deg whose cosine is `x`."},
+    {"atan2", "atan2(y, x)", 2, 2, evaluate_atan2, "angles",
+     "The angle from the x axis to the point (x, y), from -180deg to 180deg."},
+    {"mod", "mod(a, b)", 2, 2, evaluate_mod, "numbers",
+     "What is left of `a` after whole multiples of `b`, exactly, with the sign of `b`; of angles"
+     " too."},
+    {"sum", "sum(list)", 1, 1, evaluate_sum, "lists",
+     "The sum of what is in a list: numbers, points, angles or colours."},
+    {"len", "len(list)", 1, 1, evaluate_len, "lists", "How many elements a list has."},
+    {"str", "str(x)", 1, 1, evaluate_str, "lists",
+     "The shortest text that reads back as the same value; a string as it is."},
+    {"dot", "dot(a, b)", 2, 2, evaluate_dot, "vectors", "Inner product."},
+    {"cross", "cross(a, b)", 2, 2, evaluate_cross, "vectors", "Vector product, right-handed."},
+    {"length", "length(v)", 1, 1, evaluate_length, "vectors",
+     "Length, with the unit of the vector."},
+    {"normalize", "normalize(v)", 1, 1, evaluate_normalize, "vectors",
+     "The vector of length 1 in the direction of `v`, which is not (0, 0, 0)."},
+    {"mix", "mix(a, b, t)", 3, 3, evaluate_mix, "numbers",
+     "`a * (1 - t) + b * t` of numbers, angles, vectors or colours."},
+    {"random", "random(a, …)", 1, kAnyNumber, evaluate_random, "randomness",
+     "Uniform from 0 up to, and without, 1: the same arguments give the same number."},
+    {"noise", "noise(p)", 1, 1, evaluate_noise, "randomness",
+     "Smooth noise between -1 and 1 at a point of space."},
+    {"range", "range(n), range(a, b), range(a, b, step)", 1, 3, evaluate_range, "lists",
+     "The whole numbers from 0 or `a` up to, and without, `n` or `b`."},
 });
 
 }  // namespace

@@ -29,6 +29,7 @@ struct Builtin {
   std::string_view signature;  ///< as the reference shows it: "clamp(x, low, high)"
   std::size_t least, most;     ///< numbers of arguments
   Computed (*evaluate)(const BuiltinCall& call);
+  std::string_view topic;  ///< under which the reference lists it: "numbers"
   std::string_view doc;
 
   std::size_t index() const noexcept;  ///< in all_builtins()

@@ -8,20 +8,20 @@ namespace {
 
 template <typename T>
 bool is(const Computed& value) {
-  return std::holds_alternative<T>(value);
+  return holds_alternative<T>(value);
 }
 
 constexpr auto kTypes = std::to_array<TypeInfo>({
-    {"number", is<Scalar>, "A number, with or without a unit: 3, 20cm, 15%."},
-    {"bool", is<bool>, "true or false."},
-    {"string", is<std::string>, "A text in double quotes."},
-    {"vec3", is<Triple>, "A point or direction (x, y, z)."},
-    {"angle", is<Angle>, "40deg, 0.5turn, 1rad."},
-    {"angles", is<AngleTriple>, "Three angles in parentheses."},
-    {"color", is<render::LinearRgb>, "A colour: red, #80b3ff, rgb(…)."},
-    {"interval", is<Bounds>, "a .. b"},
-    {"list", is<ListValue>, "Values of one type: [1, 2, 3], range(10)."},
-    {"material", is<MaterialValue>, "diffuse(…), specular(…) and so on."},
+    {"number", is<Scalar>, "A number, with or without a unit: `3`, `20cm`, `15%`."},
+    {"bool", is<bool>, "`true` or `false`."},
+    {"string", is<std::string>, "A text: `\"ring.png\"`."},
+    {"vec3", is<Triple>, "A point or direction: `(x, y, z)`."},
+    {"angle", is<Angle>, "An angle: `40deg`, `0.5turn`, `1rad`."},
+    {"angles", is<AngleTriple>, "Three angles: `(0deg, 30deg, 0deg)`."},
+    {"color", is<render::LinearRgb>, "A colour: `red`, `#80b3ff`, `rgb(128, 179, 255)`."},
+    {"interval", is<Bounds>, "From one number to another: `0s .. 20ms`."},
+    {"list", is<ListValue>, "Values of one type: `[1, 2, 3]`, `range(10)`."},
+    {"material", is<MaterialValue>, "A material: `diffuse(color: red)`."},
 });
 
 }  // namespace

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What the tests of the documentation read of a Markdown page.
+namespace sdlc::test {
+
+/// A fenced block of code.
+struct CodeBlock {
+  std::string heading;             ///< of the section it stands in
+  std::uint32_t line = 0;          ///< of its opening fence, from 1
+  std::vector<std::string> words;  ///< behind the opening fence
+  std::string text;
+};
+
+std::vector<CodeBlock> code_blocks_of(std::string_view page);
+
+/// A part of a page between `<!-- generated: NAME -->` and `<!-- end -->`, each on a line of its
+/// own.
+struct GeneratedPart {
+  std::string name;
+  std::string text;
+};
+
+std::vector<GeneratedPart> generated_parts_of(std::string_view page);
+
+/// The page with the part of this name replaced.
+std::string replace_generated_part(std::string_view page, const GeneratedPart& part);
+
+}  // namespace sdlc::test
