@@ -24,7 +24,8 @@ class Dispatcher {
   Command chosen_;
 };
 
-// One function a subcommand, in the file of its name.
+// One function a subcommand, in NAME_command.cpp.
+void add_inspect_command(CLI::App& app, Dispatcher& dispatcher);
 void add_render_command(CLI::App& app, Dispatcher& dispatcher);
 
 }  // namespace sdlc::cli

@@ -1,7 +1,6 @@
 #include "cli/frames.hpp"
 
 #include <charconv>
-#include <cstdint>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -30,12 +29,12 @@ std::optional<FrameRange> parse_frames(const std::string& text) {
     const auto last = take_number(rest);
     if (!last || *last < range.first) return std::nullopt;
     range.last = *last;
-  }
-  if (rest.starts_with('x')) {
-    rest.remove_prefix(1);
-    const auto step = take_number(rest);
-    if (!step || *step < 1) return std::nullopt;
-    range.step = *step;
+    if (rest.starts_with('x')) {
+      rest.remove_prefix(1);
+      const auto step = take_number(rest);
+      if (!step || *step < 1) return std::nullopt;
+      range.step = *step;
+    }
   }
   return rest.empty() ? std::optional(range) : std::nullopt;
 }
@@ -46,6 +45,10 @@ std::vector<int> frames_of(const FrameRange& range) {
     frames.push_back(static_cast<int>(frame));
   }
   return frames;
+}
+
+std::int64_t frame_count(const FrameRange& range) {
+  return (std::int64_t{range.last} - range.first) / range.step + 1;
 }
 
 bool has_frame_mark(const std::string& name) { return name.find(kFrameMark) != std::string::npos; }

@@ -1,10 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "lang/eval/eval.hpp"
 
 namespace sdlc::cli {
 
@@ -18,6 +17,9 @@ std::optional<FrameRange> parse_frames(const std::string& text);
 
 /// The numbers of the frames to render, ascending.
 std::vector<int> frames_of(const FrameRange& range);
+
+/// How many they are.
+std::int64_t frame_count(const FrameRange& range);
 
 /// Stands in file names for the number of the frame.
 inline constexpr const char* kFrameMark = "####";

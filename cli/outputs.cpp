@@ -10,6 +10,7 @@
 #include "cli/frames.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/words.hpp"
+#include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/io_error.hpp"
 
@@ -30,30 +31,24 @@ render::ImageFormat format_of(const fs::path& path) {
                                     did_you_mean(written, known)));
 }
 
+std::string numbered(const std::string& name, std::optional<int> frame) {
+  return frame ? name_of_frame(name, *frame) : name;
+}
+
 std::vector<Output> name_outputs(const OutputRequest& request) {
-  const auto numbered = [&](const std::string& name) {
-    return request.frame ? name_of_frame(name, *request.frame) : name;
-  };
   std::vector<Output> outputs;
   for (const std::string& name : request.pictures) {
     if (name == kStandardStream) {
       outputs.push_back({.path = "standard output", .is_stdout = true});
     } else {
-      outputs.push_back({.path = numbered(name), .format = format_of(name)});
+      outputs.push_back({.path = numbered(name, request.frame), .format = format_of(name)});
     }
   }
   if (!outputs.empty()) return outputs;
-  if (!request.of_scene.empty()) {
-    return {{.path = numbered(request.of_scene),
-             .format = format_of(request.of_scene),
-             .may_make_folders = true}};
-  }
-  if (request.input.empty()) {
-    throw UsageError("a scene from `-` needs -o OUT or --stdin-filename NAME");
-  }
-  const std::string mark = request.frame ? fmt::format(".{}", kFrameMark) : "";
-  const fs::path name = numbered(fs::path(request.input).stem().string() + mark + ".png");
-  return {{.path = name, .format = format_of(name)}};
+  const auto name = default_picture(request.of_scene, request.input, request.frame);
+  if (!name) throw UsageError("a scene from `-` needs -o OUT or --stdin-filename NAME");
+  return {
+      {.path = *name, .format = format_of(*name), .may_make_folders = !request.of_scene.empty()}};
 }
 
 void check_distinct(const std::vector<Output>& outputs, const std::string& stats) {
@@ -69,7 +64,7 @@ void check_distinct(const std::vector<Output>& outputs, const std::string& stats
   std::sort(names.begin(), names.end());
   const auto same = std::adjacent_find(names.begin(), names.end());
   if (same != names.end())
-    throw UsageError(fmt::format("two outputs go to `{}`", printable(*same)));
+    throw UsageError(fmt::format("two outputs go to `{}`", lang::printable(*same)));
 }
 
 void check_absent(const fs::path& path) {
@@ -81,6 +76,14 @@ void check_absent(const fs::path& path) {
 }
 
 }  // namespace
+
+std::optional<std::string> default_picture(const std::string& of_scene, const std::string& input,
+                                           std::optional<int> frame) {
+  if (!of_scene.empty()) return numbered(of_scene, frame);
+  if (input.empty()) return std::nullopt;
+  const std::string mark = frame ? fmt::format(".{}", kFrameMark) : "";
+  return numbered(fs::path(input).stem().string() + mark + ".png", frame);
+}
 
 std::vector<Output> plan_outputs(const OutputRequest& request) {
   const std::vector<Output> outputs = name_outputs(request);

@@ -31,6 +31,11 @@ struct OutputRequest {
   std::optional<int> frame = {};      ///< its number takes the place of #### in names
 };
 
+/// The picture's file when the command line names none: the scene's own, else the stem of the
+/// input's with .png; nothing where neither has a name. A frame's number is put in.
+std::optional<std::string> default_picture(const std::string& of_scene, const std::string& input,
+                                           std::optional<int> frame);
+
 /// Decides which files are written, and refuses what is known to fail before anything is rendered.
 /// It changes nothing. Throws UsageError and render::IoError.
 std::vector<Output> plan_outputs(const OutputRequest& request);

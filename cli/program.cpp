@@ -15,6 +15,7 @@
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "cli/words.hpp"
+#include "lang/text/display_width.hpp"
 #include "render/image/io_error.hpp"
 
 namespace sdlc::cli {
@@ -75,6 +76,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
       "Examples:\n"
       "  sdlc render ball.scene                  renders to ball.png\n"
       "  sdlc render old.json -o old.exr         a JSON config, to linear radiance\n"
+      "  sdlc inspect ball.scene                 what the scene lowers to and requires\n"
       "  sdlc render --help                      all about one command\n\n"
       "Exit status: 0 done, 1 the scene has errors, 2 wrong usage or a file cannot be read or "
       "written,\n"
@@ -84,6 +86,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
   app.require_subcommand(0, 1);
   Dispatcher dispatcher;
   add_render_command(app, dispatcher);
+  add_inspect_command(app, dispatcher);
 
   try {
     // CLI11 takes its arguments last first.
@@ -119,10 +122,10 @@ ExitCode run_program(std::span<const std::string> arguments, Environment& env) {
     env.err << fmt::format("error: {}\n", error.what());
     return ExitCode::Usage;
   } catch (const render::IoError& error) {
-    env.err << fmt::format("error: {}\n", printable(error.what()));
+    env.err << fmt::format("error: {}\n", lang::printable(error.what()));
     return ExitCode::Usage;
   } catch (const std::filesystem::filesystem_error& error) {
-    env.err << fmt::format("error: {}\n", printable(error.what()));
+    env.err << fmt::format("error: {}\n", lang::printable(error.what()));
     return ExitCode::Usage;
   } catch (const std::bad_alloc&) {
     env.err << "error: not enough memory for this scene and picture\n";

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/format_numbers.hpp"
+
 namespace sdlc::cli {
 
 ProgressReporter::ProgressReporter(ProgressStyle style, const render::RenderMonitor& monitor,
@@ -63,25 +65,6 @@ void ProgressReporter::report(double seconds) {
     next_fraction_ = fraction + 0.05;
     next_seconds_ = seconds + 10;
   }
-}
-
-std::string format_seconds(double seconds) {
-  if (seconds < 1) return fmt::format("{:.0f} ms", 1000 * seconds);
-  if (seconds < 60) return fmt::format("{:.1f} s", seconds);
-  const auto whole = static_cast<std::uint64_t>(seconds);
-  if (seconds < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
-}
-
-std::string format_count(double count) {
-  const char* prefix = "";
-  for (const char* next : {" k", " M", " G", " T"}) {
-    if (count < 1000) break;
-    count /= 1000;
-    prefix = next;
-  }
-  const int decimals = *prefix == '\0' ? 0 : count < 10 ? 2 : count < 100 ? 1 : 0;
-  return fmt::format("{:.{}f}{}", count, decimals, prefix);
 }
 
 }  // namespace sdlc::cli

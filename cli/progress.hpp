@@ -43,9 +43,4 @@ class ProgressReporter {
   std::thread thread_;
 };
 
-/// "850 ms", "12.3 s", "4 min 05 s", "2 h 10 min".
-std::string format_seconds(double seconds);
-/// A count with a metric prefix and three digits: "7.12 M".
-std::string format_count(double count);
-
 }  // namespace sdlc::cli

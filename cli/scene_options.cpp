@@ -11,6 +11,7 @@
 
 #include "cli/outputs.hpp"
 #include "cli/words.hpp"
+#include "lang/text/display_width.hpp"
 #include "render/image/io_error.hpp"
 
 namespace sdlc::cli {
@@ -20,7 +21,8 @@ namespace {
 std::pair<std::string, std::string> split_pair(const std::string& flag, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
-    throw CLI::ValidationError(flag, fmt::format("takes NAME=VALUE, not `{}`", printable(text)));
+    throw CLI::ValidationError(flag,
+                               fmt::format("takes NAME=VALUE, not `{}`", lang::printable(text)));
   }
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
@@ -32,24 +34,29 @@ void set_limit(const std::string& text, lang::Limits& limits) {
   if (found == lang::kLimits.end()) {
     std::vector<std::string_view> names;
     for (const lang::LimitInfo& limit : lang::kLimits) names.push_back(limit.name);
-    throw CLI::ValidationError("--limit", fmt::format("there is no limit `{}`{}", printable(name),
-                                                      did_you_mean(name, names)));
+    throw CLI::ValidationError(
+        "--limit",
+        fmt::format("there is no limit `{}`{}", lang::printable(name), did_you_mean(name, names)));
   }
   std::uint64_t number = 0;
   const char* end = value.data() + value.size();
   const auto [stop, error] = std::from_chars(value.data(), end, number);
   if (error != std::errc() || stop != end) {
     throw CLI::ValidationError(
-        "--limit", fmt::format("{} takes a whole number, not `{}`", name, printable(value)));
+        "--limit", fmt::format("{} takes a whole number, not `{}`", name, lang::printable(value)));
   }
   limits.*(found->limit) = number;
 }
 
 }  // namespace
 
+std::string SceneOptions::given_name() const {
+  return file == kStandardStream ? stdin_filename : file;
+}
+
 std::string SceneOptions::name() const {
-  if (file != kStandardStream) return file;
-  return stdin_filename.empty() ? "<stdin>" : stdin_filename;
+  const std::string given = given_name();
+  return given.empty() ? "<stdin>" : given;
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
@@ -66,9 +73,9 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
           "Give a param of the scene another value (may be repeated)")
       ->type_name("NAME=VALUE")
       ->take_all()
-      ->expected(1);
-  command.add_flag("--sandbox", options.is_sandboxed,
-                   "Read no file outside the scene's folder");
+      ->expected(1)
+      ->allow_extra_args(false);  // FILE may stand behind it
+  command.add_flag("--sandbox", options.is_sandboxed, "Read no file outside the scene's folder");
   std::string limits;
   for (const lang::LimitInfo& limit : lang::kLimits) {
     limits += fmt::format("{}{} ({}: {})", limits.empty() ? "" : ", ", limit.name,
@@ -83,7 +90,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
           "Change what a scene may use up: " + limits)
       ->type_name("NAME=N")
       ->take_all()
-      ->expected(1);
+      ->expected(1)
+      ->allow_extra_args(false);  // FILE may stand behind it
   command.add_option("--stdin-filename", options.stdin_filename,
                      "What a scene from standard input is called in messages");
   add_diagnostics_options(command, options.diagnostics);

@@ -24,6 +24,8 @@ struct SceneOptions {
 
   /// What the scene is called in messages, and where its own files are looked for.
   std::string name() const;
+  /// The same; empty for standard input without --stdin-filename.
+  std::string given_name() const;
 };
 
 void add_scene_options(CLI::App& command, SceneOptions& options);

@@ -1,35 +1,11 @@
 #include "cli/statistics.hpp"
 
-#include <algorithm>
-#include <array>
-#include <utility>
-
 #include <nlohmann/json.hpp>
 
 #include "cli/environment.hpp"
 #include "cli/version.hpp"
 
 namespace sdlc::cli {
-
-std::vector<std::string> required_features(const render::Scene& scene) {
-  using render::MaterialType;
-  static constexpr std::array<std::pair<MaterialType, const char*>, 5> kNames{{
-      {MaterialType::Diffuse, "diffuse"},
-      {MaterialType::Specular, "specular"},
-      {MaterialType::Transmissive, "transmissive"},
-      {MaterialType::Emissive, "emissive"},
-      {MaterialType::Unlit, "unlit"},
-  }};
-  std::vector<std::string> features;
-  if (!scene.shifts.empty()) features.emplace_back("motion");
-  if (!scene.background.is_constant()) features.emplace_back("gradient");
-  for (const auto& [type, name] : kNames) {
-    const bool is_used = std::any_of(scene.materials.begin(), scene.materials.end(),
-                                     [type = type](const auto& m) { return m.type == type; });
-    if (is_used) features.emplace_back(name);
-  }
-  return features;
-}
 
 std::string to_json(const RenderStatistics& statistics, const render::RenderResult& result) {
   const auto per_second = [&](std::uint64_t count) {
@@ -46,8 +22,8 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"seed", settings.seed},
       {"threads", result.threads},
       {"instruction_set", kInstructionSet},
-      {"precision", "double"},
-      {"kernel", "scalar"},
+      {"precision", result.kernel.precision},
+      {"kernel", result.kernel.name},
       {"features", statistics.features},
       {"parse_seconds", statistics.compile.parse_seconds},
       {"lower_seconds", statistics.compile.lower_seconds},
@@ -60,6 +36,7 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"rays_per_second", per_second(result.rays)},
       {"peak_rss_bytes", peak_resident_bytes()},
       {"render_rss_bytes", statistics.render_rss_bytes},
+      {"bvh_bytes", result.bvh_bytes},
       {"relative_error", nullptr},  // not estimated
       {"relative_error_interval", nullptr},
       {"truncated_paths", result.truncated_paths},

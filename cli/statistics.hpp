@@ -2,9 +2,9 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "lang/compile/compile.hpp"
-#include "render/scene/scene.hpp"
 #include "render/tiles/render.hpp"
 
 namespace sdlc::cli {
@@ -19,10 +19,6 @@ struct RenderStatistics {
   double write_seconds = 0;
   std::size_t render_rss_bytes = 0;  ///< while tracing
 };
-
-/// What this scene asks of the renderer: "motion", "gradient" and the material types it uses, in a
-/// fixed order.
-std::vector<std::string> required_features(const render::Scene& scene);
 
 /// The statistics as one line of JSON; its field names are fixed.
 std::string to_json(const RenderStatistics& statistics, const render::RenderResult& result);

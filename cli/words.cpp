@@ -6,12 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "lang/text/display_width.hpp"
 #include "lang/text/nearest_name.hpp"
 
 namespace sdlc::cli {
-
-std::string printable(std::string_view text) { return lang::printable(text); }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates) {
   const auto nearest = lang::nearest_name(name, candidates);

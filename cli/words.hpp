@@ -11,9 +11,6 @@ namespace sdlc::cli {
 /// probably meant.
 CLI::Validator one_of(std::span<const std::string_view> words);
 
-/// Text of the user's or of a file as it may be printed: nothing in it controls the terminal.
-std::string printable(std::string_view text);
-
 /// " (did you mean `x`?)", or nothing.
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates);
 

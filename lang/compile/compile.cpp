@@ -4,7 +4,9 @@
 #include <chrono>
 #include <utility>
 
+#include "lang/ast/ast.hpp"
 #include "lang/json/json.hpp"
+#include "lang/program/resolver.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -82,8 +84,9 @@ std::optional<LoweredScene> Compiler::lower(const Overrides& overrides, std::opt
 }
 
 void Compiler::report_dropped() {
-  // More would not be shown.
-  const std::size_t count = std::min(dropped_.size(), DiagnosticSink::kMaxPerSeverity);
+  // More would not be shown, but many may be of one place, which is told once.
+  constexpr std::size_t kMostTraced = 10'000;
+  const std::size_t count = std::min(dropped_.size(), kMostTraced);
   std::vector<std::uint32_t> wanted;
   for (std::size_t i = 0; i < count; ++i) {
     wanted.insert(wanted.end(), {dropped_[i].sphere, dropped_[i].earlier});
@@ -100,9 +103,8 @@ void Compiler::report_dropped() {
     const Origin& dropped = origin(dropped_[i].sphere);
     sink_
         .report(diag::duplicate_sphere, dropped.where,
-                dropped_[i].is_exact
-                    ? "is the same as an earlier one"
-                    : "coincides with an earlier one (within 2^-40 of its radius)")
+                dropped_[i].is_exact ? "is the same as an earlier one"
+                                     : "coincides with an earlier one (within 2^-40 of its radius)")
         .label(origin(dropped_[i].earlier).where, "the earlier one, which is kept")
         .chain(dropped.chain);
   }
@@ -125,6 +127,40 @@ std::vector<Origin> Compiler::trace(std::span<const std::uint32_t> spheres) {
     added.push_back(index);
   }
   return trace_added(added);
+}
+
+void Compiler::read_all_files() {
+  if (!program_) return;
+  // Declarations were resolved when their file was read. The other statements of a file matter, and
+  // are resolved, once some code includes it.
+  std::vector<std::uint32_t> included{Program::kRoot};
+  std::vector<bool> is_included{true};
+  const auto take_includes = [&](const Code& code) {
+    for (const Statement& statement : code.statements) {
+      if (statement.action != Action::Include) continue;
+      const std::uint32_t module = code.operands_of(statement)[0];
+      if (module >= kConfigs) continue;  // a config includes nothing
+      is_included.resize(program_->module_count());
+      if (is_included[module]) continue;
+      is_included[module] = true;
+      included.push_back(module);
+    }
+  };
+  std::uint32_t declarations_done = 0;
+  for (std::size_t i = 0; i < included.size(); ++i) {
+    const Module& file = program_->module(included[i]);
+    Code code(file.tree);
+    Resolver resolver(*program_, included[i], sink_);
+    for (const ast::Node statement : ast::Node(file.tree, 0).children()) {
+      std::uint32_t frame_size = 0;
+      code.clear();
+      resolver.resolve_statement(statement, code, frame_size);
+      take_includes(code);
+    }
+    for (; declarations_done < program_->module_count(); ++declarations_done) {
+      take_includes(program_->module(declarations_done).code);
+    }
+  }
 }
 
 std::vector<std::filesystem::path> Compiler::dependencies() const {

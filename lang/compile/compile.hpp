@@ -47,7 +47,11 @@ class Compiler {
   /// found by evaluating once more, so that no sphere has to remember.
   std::vector<Origin> trace(std::span<const std::uint32_t> spheres);
 
-  /// The files that the root imports and includes.
+  /// Reads the files that could be included whatever the values are, without evaluating anything.
+  void read_all_files();
+
+  /// The files that the root imports and includes, as far as they have been read, in the order in
+  /// which they were.
   std::vector<std::filesystem::path> dependencies() const;
   const CompileTimes& times() const noexcept { return times_; }
 

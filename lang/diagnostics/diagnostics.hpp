@@ -81,7 +81,7 @@ struct Diagnostic {
   std::vector<Label> labels;
   std::vector<std::string> help;  ///< what to do, in words
   std::vector<Fix> fixes;
-  std::string suggestion;  ///< the name that was probably meant; empty where there is none
+  std::string suggestion;        ///< the name that was probably meant; empty where there is none
   std::vector<ChainLink> chain;  ///< how evaluation came here, the innermost step first
 };
 
@@ -102,9 +102,9 @@ class DiagnosticBuilder {
   Diagnostic* diagnostic_;
 };
 
-/// Collects what the phases report; what is said twice of one place is kept once. After `kMaxErrors` errors (or as many warnings) further ones
-/// are only counted: the reader of a message about the 51st mistake is better served by a second
-/// run.
+/// Collects what the phases report; what is said twice of one place is kept once. After
+/// `kMaxErrors` errors (or as many warnings) further ones are only counted: the reader of a message
+/// about the 51st mistake is better served by a second run.
 class DiagnosticSink {
  public:
   static constexpr std::size_t kMaxPerSeverity = 50;

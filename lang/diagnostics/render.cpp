@@ -10,10 +10,7 @@ namespace {
 
 std::string render_concise(const Diagnostic& diagnostic) {
   std::string line;
-  if (diagnostic.where.file != nullptr) {
-    const Position position = diagnostic.where.file->position(diagnostic.where.span.begin);
-    line = fmt::format("{}:{}:{}: ", diagnostic.where.file->name(), position.line, position.column);
-  }
+  if (diagnostic.where.file != nullptr) line = describe_place(diagnostic.where) + ": ";
   line += fmt::format("{}[{}]: {}", severity_name(diagnostic.info->severity), diagnostic.info->code,
                       diagnostic.message);
   if (!diagnostic.suggestion.empty()) {
@@ -26,6 +23,11 @@ std::string render_concise(const Diagnostic& diagnostic) {
 
 std::string_view severity_name(Severity severity) noexcept {
   return severity == Severity::Error ? "error" : "warning";
+}
+
+std::string describe_place(const Location& where) {
+  const Position position = where.file->position(where.span.begin);
+  return fmt::format("{}:{}:{}", printable(where.file->name()), position.line, position.column);
 }
 
 std::string render_diagnostics(const DiagnosticSink& sink,

@@ -14,6 +14,9 @@ struct RenderDiagnosticsOptions {
   bool color = false;  ///< ANSI colours; only the human format has any
 };
 
+/// "file:line:column" of where the span begins, as it may be printed.
+std::string describe_place(const Location& where);
+
 /// The sink's diagnostics as text, by place. Human shows the source line with carets under the
 /// span, labels, help and a closing count; Concise is one line each, `file:line:col:
 /// severity[CODE]: message`, then

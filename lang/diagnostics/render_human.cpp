@@ -5,6 +5,7 @@
 
 #include "lang/diagnostics/excerpt.hpp"
 #include "lang/diagnostics/formats.hpp"
+#include "lang/diagnostics/render.hpp"
 #include "lang/text/display_width.hpp"
 
 namespace sdlc::lang {
@@ -73,12 +74,6 @@ int gutter_width(const std::vector<std::vector<Mark>>& files) {
     }
   }
   return static_cast<int>(fmt::formatted_size("{}", line));
-}
-
-/// "file:line:column"
-std::string describe_place(const Location& where) {
-  const Position position = where.file->position(where.span.begin);
-  return fmt::format("{}:{}:{}", printable(where.file->name()), position.line, position.column);
 }
 
 std::string render_diagnostic(const Diagnostic& diagnostic, const Palette& palette) {

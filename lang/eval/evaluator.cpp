@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "lang/program/resolver.hpp"
+#include "lang/value/literals.hpp"
 #include "lang/value/logic.hpp"
 
 // The phases of an evaluation. `time` follows from the animation, and the shutter's times from the
@@ -60,8 +62,17 @@ Evaluator::~Evaluator() { sink_.set_chain(nullptr); }
 // The chain
 
 std::vector<ChainLink> Evaluator::chain() const {
+  // Of a deep recursion the two ends tell enough.
+  constexpr std::ptrdiff_t kMaxLinksAtAnEnd = 5;
   std::vector<ChainLink> links;
   for (auto step = steps_inside_.rbegin(); step != steps_inside_.rend(); ++step) {
+    if (steps_inside_.rend() - step > kMaxLinksAtAnEnd &&
+        step - steps_inside_.rbegin() >= kMaxLinksAtAnEnd) {
+      const auto last = steps_inside_.rend() - kMaxLinksAtAnEnd;
+      links.push_back({.where = links.back().where,
+                       .message = fmt::format("{} more steps", last - step)});
+      step = last;
+    }
     const ast::Node node(*step->code->tree, step->node);
     ChainLink link{.where = node.head_location(), .message = {}};
     switch (step->kind) {
@@ -76,7 +87,7 @@ std::vector<ChainLink> Evaluator::chain() const {
         break;
       case Step::Turn: {
         const Computed& value = locals_[step->local].values[0];
-        const auto* number = std::get_if<Scalar>(&value);
+        const auto* number = get_if<Scalar>(&value);
         link.message = number != nullptr
                            ? fmt::format("with {} = {}", step->name, to_text(number->value))
                            : fmt::format("with {} in turn {}", step->name, step->turn + 1);
@@ -123,11 +134,16 @@ void Evaluator::find_settings() {
   }
 }
 
-Value Evaluator::setting_value(const Setting& setting, std::size_t property) {
+Code Evaluator::resolve(const Setting& setting) {
   Code code(setting.node.node.tree());
-  std::uint32_t frame_size = 0;
-  program_.resolve(Program::kRoot, setting.node.node, code, frame_size, sink_);
-  if (code.statements.empty()) return {};
+  std::uint32_t frame_size = 0;  // none: it holds expressions only
+  Resolver(program_, Program::kRoot, sink_)
+      .resolve_statement(setting.node.node, code, frame_size);
+  return code;
+}
+
+Value Evaluator::setting_value(const Setting& setting, std::size_t property) {
+  const Code code = resolve(setting);
   const std::uint32_t expression = expression_of(code, code.statements.back(), property);
   if (expression == kNothing) return {};
   return property_value(code, setting.kind->properties[property], expression);
@@ -136,9 +152,7 @@ Value Evaluator::setting_value(const Setting& setting, std::size_t property) {
 void Evaluator::find_animation() {
   for (const Setting& setting : settings_) {
     if (setting.kind->id != ObjectKind::Animation) continue;
-    Code code(setting.node.node.tree());
-    std::uint32_t frame_size = 0;
-    program_.resolve(Program::kRoot, setting.node.node, code, frame_size, sink_);
+    const Code code = resolve(setting);
     read_object(code, code.statements.back(), *setting.kind,
                 code.operands_of(code.statements.back()));
     const auto frames = object_.get<render::Interval>(animation_property::kFrames);
@@ -159,7 +173,7 @@ std::optional<std::string> Evaluator::chosen_camera() {
   for (const Setting& setting : settings_) {
     if (setting.kind->id != ObjectKind::Render) continue;
     const Value camera = setting_value(setting, render_property::kCamera);
-    if (const auto* word = std::get_if<Word>(&camera)) return word->text;
+    if (const auto* word = get_if<Word>(&camera)) return word->text;
   }
   return std::nullopt;
 }
@@ -171,7 +185,7 @@ void Evaluator::find_shutter() {
     const auto own_name = setting.node.name();
     if (name && (!own_name || own_name->text() != *name)) continue;
     const Value shutter = setting_value(setting, camera_property::kShutter);
-    const auto* interval = std::get_if<render::Interval>(&shutter);
+    const auto* interval = get_if<render::Interval>(&shutter);
     if (interval == nullptr) return;
     const double time = times_[0];
     times_ = {time + interval->from, time + interval->to};
@@ -184,14 +198,12 @@ void Evaluator::find_shutter() {
 
 void Evaluator::run_settings() {
   for (const Setting& setting : settings_) {
-    Code code(setting.node.node.tree());
-    std::uint32_t frame_size = 0;
-    program_.resolve(Program::kRoot, setting.node.node, code, frame_size, sink_);
+    const Code code = resolve(setting);
     const Statement& statement = code.statements.back();
     read_object(code, statement, *setting.kind, code.operands_of(statement));
     Slot& shutter = object_.slots[camera_property::kShutter];
     if (setting.kind->id == ObjectKind::Camera && shutter_ &&
-        std::holds_alternative<render::Interval>(shutter.value)) {
+        holds_alternative<render::Interval>(shutter.value)) {
       shutter.value = *shutter_;
     }
     objects_->add(object_);
@@ -248,20 +260,33 @@ Evaluator::Varying Evaluator::with_setting(std::uint32_t index, Varying value) {
   if (!setting) return value;
   const Global& global = program_.module(Program::kRoot).globals[index];
   const Computed& original = value.values[0];
-  const bool is_text = std::holds_alternative<std::string>(original) ||
+  const bool is_text = holds_alternative<std::string>(original) ||
                        (global.type != nullptr && global.type->name == "string");
-  if (is_text) return {.values = {setting->file->text().empty() ? std::string() : std::string(setting->file->text())}};
+  const Location whole{setting->file,
+                       {0, static_cast<std::uint32_t>(setting->file->text().size())}};
+  if (is_text) {
+    if (!check_string_size(setting->file->text().size(), program_.limits(), whole, sink_)) return {};
+    return {.values = {std::string(setting->file->text())}};
+  }
+  if (setting->file->text().find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    sink_.report(diag::no_value, whole, fmt::format("--set {}", global.name));
+    return {};
+  }
   std::uint32_t expression = kNothing;
   const Code& code = program_.resolve_setting(*setting, expression, sink_);
+  reads_time_ = false;
   Computed computed = evaluate(code, expression);
+  if (reads_time_) {
+    sink_.report(diag::depends_on_time, whole, global.name);
+    return {};
+  }
   if (has_failed(computed) || has_failed(original)) return {.values = {computed}};
   const bool fits = global.type != nullptr ? global.type->holds(computed)
                                            : are_of_one_type(original, computed);
   if (fits) return {.values = {computed}};
   const ast::Node statement(program_.module(Program::kRoot).tree, global.node);
   sink_
-      .report(diag::set_type, {setting->file, {0, static_cast<std::uint32_t>(setting->file->text().size())}},
-              global.name, describe(original), describe(computed))
+      .report(diag::set_type, whole, global.name, describe(original), describe(computed))
       .label(statement.first(SyntaxKind::Name)->location(), "declared here");
   return {};
 }
@@ -277,10 +302,12 @@ void Evaluator::run(ObjectSink& objects) {
 void Evaluator::run_file(std::uint32_t module) {
   const Module& file = program_.module(module);
   Code code(file.tree);
+  Resolver resolver(program_, module, sink_);
   for (const ast::Node statement : ast::Node(file.tree, 0).children()) {
     if (is_declaration(statement.kind()) || is_setting(file, statement)) continue;
     std::uint32_t frame_size = 0;
-    const std::uint32_t index = program_.resolve(module, statement, code, frame_size, sink_);
+    code.clear();
+    const std::uint32_t index = resolver.resolve_statement(statement, code, frame_size);
     if (index == kNothing) continue;
     locals_.resize(frame_ + frame_size);
     run(code, index);

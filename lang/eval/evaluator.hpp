@@ -61,6 +61,7 @@ class Evaluator final : public ChainSource {
   void find_animation();
   void find_shutter();
   std::optional<std::string> chosen_camera();
+  Code resolve(const Setting& setting);
   Value setting_value(const Setting& setting, std::size_t property);
   enum class Globals : std::uint8_t { TimeFree, TimeDependent };
   void evaluate_globals(std::uint32_t module, Globals which);
@@ -80,6 +81,8 @@ class Evaluator final : public ChainSource {
   void run_group(const Code& code, const Statement& statement);
   void run_instance(const Code& code, const Statement& statement);
   void run_include(const Code& code, const Statement& statement);
+  /// Whether the file is being run already, which is reported.
+  bool is_in_circle(const Code& code, const Statement& statement, std::uint32_t file);
   void run_object(const Code& code, const Statement& statement);
   /// Makes object_ of the pairs of property and expression.
   void read_object(const Code& code, const Statement& statement, const Kind& kind,
@@ -92,8 +95,12 @@ class Evaluator final : public ChainSource {
 
   // Expressions
   Computed evaluate(const Code& code, std::uint32_t expression);
+  /// The same where a number is likely: the value if it is one; else kNoNumber, with the value in
+  /// `other`. Numbers stay in registers on their way through arithmetic.
+  Scalar evaluate_number(const Code& code, std::uint32_t expression, Computed& other);
+  Scalar evaluate_chain(const Code& code, const Expression& e, Computed& other);
   Computed evaluate_operation(const Code& code, const Expression& e);
-  Computed evaluate_chain(const Code& code, const Expression& e);
+  Computed evaluate_power(const Code& code, const Expression& e);
   Computed combine(const Code& code, const Computed& left, std::uint32_t left_index,
                    const Computed& right, std::uint32_t right_index);
   Computed evaluate_triple(const Code& code, const Expression& e);
@@ -114,10 +121,16 @@ class Evaluator final : public ChainSource {
                       NodeIndex declaration, Computed value, Location where);
   /// Counts loop turns, calls and the like; false, once reported, when there are too many.
   bool take_steps(const Code& code, NodeIndex node, std::uint64_t count = 1);
+  /// Whether one more call or instance may stand inside those that there are; if not, that has been
+  /// reported.
+  bool may_call(const Code& code, NodeIndex node);
+  void end_call();
 
   // Properties
   /// The value in the place of a property or argument: of its type and in its range, or monostate.
   Value property_value(const Code& code, const Property& property, std::uint32_t expression);
+  /// The same of a property that must not depend on the time.
+  Value timeless_value(const Code& code, const Property& property, std::uint32_t expression);
   Value to_property(const Property& property, const Computed& computed, ast::Node node);
 
   ast::Node node(const Code& code, std::uint32_t expression) const {
@@ -152,6 +165,8 @@ class Evaluator final : public ChainSource {
   Object object_;                        // the one being read
   int depth_ = 0;
   int calls_ = 0;
+  bool has_called_too_deep_ = false;
+  std::vector<std::uint32_t> files_inside_;  // that are being run through includes
   std::uint64_t steps_ = 0;
 };
 

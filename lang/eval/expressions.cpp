@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,34 +13,45 @@
 #include "lang/source/limits.hpp"
 #include "lang/value/arithmetic.hpp"
 #include "lang/value/builtins.hpp"
+#include "lang/value/literals.hpp"
 #include "lang/value/logic.hpp"
 
 namespace sdlc::lang {
 namespace {
 
+/// What stands for "no number" where a Scalar is asked for: no value has this unit.
+constexpr Scalar kNoNumber{0, static_cast<Unit>(0xFF)};
+
+bool is_number(Scalar scalar) noexcept { return scalar.unit != kNoNumber.unit; }
+
 bool are_compatible(Unit a, Unit b) noexcept {
   return a == b || a == Unit::None || b == Unit::None;
 }
 
-/// `a op b` of two numbers where nothing can be wrong with it; what most expressions consist of.
-std::optional<Scalar> combine_numbers(Scalar a, Operator op, Scalar b) noexcept {
-  Scalar result;
-  switch (op) {
-    case Operator::Add:
-    case Operator::Subtract:
-      if (!are_compatible(a.unit, b.unit)) return std::nullopt;
-      result = {op == Operator::Add ? a.value + b.value : a.value - b.value,
-                a.unit == Unit::None ? b.unit : a.unit};
-      break;
-    case Operator::Multiply:
-      if (a.unit != Unit::None && b.unit != Unit::None) return std::nullopt;
-      result = {a.value * b.value, a.unit == Unit::None ? b.unit : a.unit};
-      break;
-    default:
-      if (b.unit != Unit::None || b.value == 0) return std::nullopt;
-      result = {a.value / b.value, a.unit};
+/// `a op b` of two numbers where nothing can be wrong with it, what most expressions consist of;
+/// else kNoNumber.
+Scalar combine_numbers(Scalar a, Operator op, Scalar b) noexcept {
+  // Units are in the way of few sums and fewer products; one test finds those without any.
+  const bool has_unit = a.unit != Unit::None || b.unit != Unit::None;
+  if (has_unit) {
+    const bool is_sum = op == Operator::Add || op == Operator::Subtract;
+    const bool is_good = is_number(a) && is_number(b) &&
+                         (is_sum                        ? are_compatible(a.unit, b.unit)
+                          : op == Operator::Multiply ? a.unit == Unit::None || b.unit == Unit::None
+                                                     : b.unit == Unit::None);
+    if (!is_good) return kNoNumber;
   }
-  return std::isfinite(result.value) ? std::optional(result) : std::nullopt;
+  const Unit unit = a.unit == Unit::None ? b.unit : a.unit;
+  double result = 0;
+  switch (op) {
+    case Operator::Add: result = a.value + b.value; break;
+    case Operator::Subtract: result = a.value - b.value; break;
+    case Operator::Multiply: result = a.value * b.value; break;
+    default:
+      if (b.value == 0) return kNoNumber;
+      result = a.value / b.value;
+  }
+  return std::isfinite(result) ? Scalar{result, unit} : kNoNumber;
 }
 
 }  // namespace
@@ -55,16 +67,58 @@ bool Evaluator::may_nest(const Code& code, NodeIndex node) {
   return false;
 }
 
+bool Evaluator::may_call(const Code& code, NodeIndex node) {
+  // Where each call makes two, all of them would come here one after the other: the outermost call
+  // is given up.
+  if (has_called_too_deep_) return false;
+  if (calls_ < kMaxCalls) return true;
+  has_called_too_deep_ = true;
+  sink_.report(diag::too_deep, ast::Node(*code.tree, node).head_location(), kMaxCalls);
+  return false;
+}
+
+void Evaluator::end_call() {
+  if (--calls_ == 0) has_called_too_deep_ = false;
+}
+
 bool Evaluator::take_steps(const Code& code, NodeIndex node, std::uint64_t count) {
   const std::uint64_t most = program_.limits().steps;
   if (count <= most - std::min(most, steps_)) {
     steps_ += count;
     return true;
   }
-  steps_ = most;
+  // It is told once: whatever comes now takes too many steps too.
+  constexpr auto kAll = std::numeric_limits<std::uint64_t>::max();
+  if (std::exchange(steps_, kAll) == kAll) return false;
   sink_.report(diag::too_many_steps, ast::Node(*code.tree, node).location(), most)
       .help("`--limit steps=N` allows more");
   return false;
+}
+
+Scalar Evaluator::evaluate_number(const Code& code, std::uint32_t index, Computed& other) {
+  const Expression& e = code.expressions[index];
+  const Computed* value = &other;
+  switch (e.op) {
+    case Op::Number: return {code.numbers[e.first], static_cast<Unit>(e.detail)};
+    case Op::Local: value = &read(locals_[frame_ + e.first]); break;
+    case Op::Global: {
+      const std::uint32_t* operands = code.operands.data() + e.first;
+      value = &read(globals_[operands[0]][operands[1]]);
+      break;
+    }
+    case Op::Sum:
+    case Op::Product: {
+      if (!may_nest(code, e.node)) break;
+      ++depth_;
+      const Scalar result = evaluate_chain(code, e, other);
+      --depth_;
+      return result;
+    }
+    default: other = evaluate(code, index);
+  }
+  if (const auto* number = get_if<Scalar>(value)) return *number;
+  if (value != &other) other = *value;
+  return kNoNumber;
 }
 
 Computed Evaluator::evaluate(const Code& code, std::uint32_t index) {
@@ -90,8 +144,12 @@ Computed Evaluator::evaluate(const Code& code, std::uint32_t index) {
 Computed Evaluator::evaluate_operation(const Code& code, const Expression& e) {
   switch (e.op) {
     case Op::Sum:
-    case Op::Product:
-    case Op::Power: return evaluate_chain(code, e);
+    case Op::Product: {
+      Computed other;
+      const Scalar number = evaluate_chain(code, e, other);
+      return is_number(number) ? Computed(number) : other;
+    }
+    case Op::Power: return evaluate_power(code, e);
     case Op::Builtin: return evaluate_builtin(code, e);
     case Op::Triple: return evaluate_triple(code, e);
     case Op::Constructor: return evaluate_constructor(code, e);
@@ -108,8 +166,8 @@ Computed Evaluator::evaluate_operation(const Code& code, const Expression& e) {
     case Op::Comparison: {
       const auto operands = code.operands_of(e);
       const Computed left = evaluate(code, operands[0]);
-      const auto* list = std::get_if<ListValue>(&left);
-      if (list != nullptr && !take_steps(code, e.node, list->size())) return Failed{};
+      const auto* list = get_if<ListValue>(&left);
+      if (list != nullptr && !take_steps(code, e.node, list->weight())) return Failed{};
       return evaluate_comparison(left, code.expressions[operands[1]].before,
                                  evaluate(code, operands[1]),
                                  ast::Node(*code.tree, e.node).location(), sink_);
@@ -128,7 +186,7 @@ Computed Evaluator::evaluate_operation(const Code& code, const Expression& e) {
 std::optional<bool> Evaluator::evaluate_condition(const Code& code, std::uint32_t expression,
                                                   std::string_view word) {
   const Computed value = evaluate(code, expression);
-  if (const auto* flag = std::get_if<bool>(&value)) return *flag;
+  if (const auto* flag = get_if<bool>(&value)) return *flag;
   if (!has_failed(value)) {
     sink_.report(diag::not_a_condition, place(code, expression), word, describe(value));
   }
@@ -140,38 +198,43 @@ std::optional<bool> Evaluator::evaluate_condition(const Code& code, std::uint32_
 Computed Evaluator::combine(const Code& code, const Computed& left, std::uint32_t left_index,
                             const Computed& right, std::uint32_t right_index) {
   const Operator op = code.expressions[right_index].before;
-  const auto* text = std::get_if<std::string>(&left);
-  const auto* more = std::get_if<std::string>(&right);
+  const auto* text = get_if<std::string>(&left);
+  const auto* more = get_if<std::string>(&right);
   if (text == nullptr || more == nullptr || op != Operator::Add) {
     return lang::evaluate_operation(
         left, op, right, {node(code, left_index), node(code, right_index)}, sink_);
   }
-  if (text->size() + more->size() <= program_.limits().string) return *text + *more;
-  sink_.report(diag::string_too_long, place(code, right_index), program_.limits().string)
-      .help("`--limit string=N` allows more");
-  return Failed{};
+  const bool is_good = check_string_size(text->size() + more->size(), program_.limits(),
+                                         place(code, right_index), sink_);
+  return is_good ? Computed(*text + *more) : Failed{};
 }
 
-Computed Evaluator::evaluate_chain(const Code& code, const Expression& e) {
+Computed Evaluator::evaluate_power(const Code& code, const Expression& e) {
   const auto operands = code.operands_of(e);
-  Computed result = evaluate(code, operands[0]);
-  for (std::size_t i = 1; i < operands.size(); ++i) {
-    const Computed right = evaluate(code, operands[i]);
-    if (e.op == Op::Power) {
-      result = evaluate_power(result, right, {node(code, operands[i - 1]), node(code, operands[i])},
-                              sink_);
+  const Computed base = evaluate(code, operands[0]);
+  return lang::evaluate_power(base, evaluate(code, operands[1]),
+                              {node(code, operands[0]), node(code, operands[1])}, sink_);
+}
+
+Scalar Evaluator::evaluate_chain(const Code& code, const Expression& e, Computed& other) {
+  const std::uint32_t* operands = code.operands.data() + e.first;
+  Scalar left = evaluate_number(code, operands[0], other);
+  for (std::uint32_t i = 1; i < e.count; ++i) {
+    Computed right_other;
+    const Scalar right = evaluate_number(code, operands[i], right_other);
+    const Scalar result = combine_numbers(left, code.expressions[operands[i]].before, right);
+    if (is_number(result)) {
+      left = result;
       continue;
     }
-    const auto* a = std::get_if<Scalar>(&result);
-    const auto* b = std::get_if<Scalar>(&right);
-    const auto numbers =
-        a != nullptr && b != nullptr
-            ? combine_numbers(*a, code.expressions[operands[i]].before, *b)
-            : std::nullopt;
-    result = numbers ? Computed(*numbers)
-                     : combine(code, result, operands[i - 1], right, operands[i]);
+    // Not two numbers, or something is wrong with them.
+    if (is_number(left)) other = left;
+    if (is_number(right)) right_other = right;
+    other = combine(code, other, operands[i - 1], right_other, operands[i]);
+    const auto* number = get_if<Scalar>(&other);
+    left = number != nullptr ? *number : kNoNumber;
   }
-  return result;
+  return left;
 }
 
 Computed Evaluator::evaluate_logic(const Code& code, const Expression& e) {
@@ -203,17 +266,18 @@ Computed Evaluator::evaluate_triple(const Code& code, const Expression& e) {
   bool has_failed_component = false;
   std::uint32_t first_number = kNothing;
   for (const std::uint32_t operand : code.operands_of(e)) {
-    const Computed value = evaluate(code, operand);
-    if (const auto* scalar = std::get_if<Scalar>(&value)) {
+    Computed value;
+    const Scalar scalar = evaluate_number(code, operand, value);
+    if (is_number(scalar)) {
       if (first_number == kNothing) first_number = operand;
-      if (!are_compatible(unit, scalar->unit)) {
+      if (!are_compatible(unit, scalar.unit)) {
         sink_.report(diag::mixed_triple, place(code, operand),
-                     describe(Computed(Scalar{0, unit})), describe(value));
+                     describe(Computed(Scalar{0, unit})), describe(Computed(scalar)));
         has_failed_component = true;
       }
-      if (scalar->unit != Unit::None) unit = scalar->unit;
-      components[count] = scalar->value;
-    } else if (const auto* angle = std::get_if<Angle>(&value)) {
+      if (scalar.unit != Unit::None) unit = scalar.unit;
+      components[count] = scalar.value;
+    } else if (const auto* angle = get_if<Angle>(&value)) {
       components[count] = angle->degrees;
       ++angles;
     } else {
@@ -242,8 +306,8 @@ Computed Evaluator::evaluate_interval(const Code& code, const Expression& e) {
   const auto operands = code.operands_of(e);
   const Computed from = evaluate(code, operands[0]), to = evaluate(code, operands[1]);
   if (has_failed(from) || has_failed(to)) return Failed{};
-  const auto* a = std::get_if<Scalar>(&from);
-  const auto* b = std::get_if<Scalar>(&to);
+  const auto* a = get_if<Scalar>(&from);
+  const auto* b = get_if<Scalar>(&to);
   if (a != nullptr && b != nullptr && are_compatible(a->unit, b->unit)) {
     return Bounds{a->value, b->value, a->unit == Unit::None ? b->unit : a->unit};
   }
@@ -280,9 +344,9 @@ Computed Evaluator::evaluate_member(const Code& code, const Expression& e) {
   const auto component = [&](render::Vec3 v) {
     return e.detail == 'x' ? v.x : e.detail == 'y' ? v.y : v.z;
   };
-  const auto* triple = std::get_if<Triple>(&value);
+  const auto* triple = get_if<Triple>(&value);
   if (triple != nullptr && e.detail != 0) return Scalar{component(triple->value), triple->unit};
-  const auto* angles = std::get_if<AngleTriple>(&value);
+  const auto* angles = get_if<AngleTriple>(&value);
   if (angles != nullptr && e.detail != 0) return Angle{component(angles->degrees)};
 
   const ast::Node member(*code.tree, e.node);
@@ -298,14 +362,14 @@ Computed Evaluator::evaluate_index(const Code& code, const Expression& e) {
   const auto operands = code.operands_of(e);
   const Computed value = evaluate(code, operands[0]), position = evaluate(code, operands[1]);
   if (has_failed(value) || has_failed(position)) return Failed{};
-  const auto* list = std::get_if<ListValue>(&value);
+  const auto* list = get_if<ListValue>(&value);
   if (list == nullptr) {
     sink_.report(diag::wrong_operand, ast::Node(*code.tree, e.node).location(), "[ ]",
                  describe(value));
     return Failed{};
   }
   const Location where = place(code, operands[1]);
-  const auto* number = std::get_if<Scalar>(&position);
+  const auto* number = get_if<Scalar>(&position);
   if (number == nullptr || number->unit != Unit::None) {
     sink_.report(diag::wrong_argument, where, "[ ]", "a whole number", describe(position));
     return Failed{};
@@ -336,9 +400,13 @@ Computed Evaluator::evaluate_builtin(const Code& code, const Expression& e) {
   const std::span<Computed> arguments(count > kFew ? many.data() : few.data(), count);
   bool is_broken = false;
   for (std::size_t i = 0; i < count; ++i) {
-    arguments[i] = evaluate(code, operands[i + 1]);
+    const Scalar number = evaluate_number(code, operands[i + 1], arguments[i]);
+    if (is_number(number)) {
+      arguments[i] = number;
+      continue;
+    }
     is_broken = is_broken || has_failed(arguments[i]);
-    const auto* list = std::get_if<ListValue>(&arguments[i]);
+    const auto* list = get_if<ListValue>(&arguments[i]);
     if (list != nullptr && !take_steps(code, e.node, list->size())) return Failed{};
   }
   if (is_broken) return Failed{};
@@ -360,7 +428,7 @@ Computed Evaluator::evaluate_constructor(const Code& code, const Expression& e) 
       arguments[i] = default_of(parameter);
     } else {
       arguments[i] = property_value(code, parameter, operand);
-      is_broken = is_broken || std::holds_alternative<std::monostate>(arguments[i]);
+      is_broken = is_broken || holds_alternative<std::monostate>(arguments[i]);
     }
   }
   if (is_broken) return Failed{};
@@ -384,10 +452,7 @@ Computed Evaluator::evaluate_function(const Code& code, const Expression& e) {
   const Definition& function = module.functions[operands[1]];
   const auto arguments = operands.subspan(2);
   if (!take_steps(code, e.node)) return Failed{};
-  if (calls_ == kMaxCalls) {
-    sink_.report(diag::too_deep, ast::Node(*code.tree, e.node).head_location(), kMaxCalls);
-    return Failed{};
-  }
+  if (!may_call(code, e.node)) return Failed{};
 
   const std::size_t base = locals_.size();
   locals_.resize(base + function.frame_size);
@@ -418,7 +483,7 @@ Computed Evaluator::evaluate_function(const Code& code, const Expression& e) {
                      place(module.code, parameter.default_value));
     }
     result = evaluate(module.code, function.body);
-    --calls_;
+    end_call();
     frame_ = frame;
   }
   locals_.resize(base);

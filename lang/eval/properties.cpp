@@ -5,13 +5,35 @@
 // Values in the place of properties: what each type takes, and what changes with the time.
 namespace sdlc::lang {
 
+namespace {
+
+/// Writes `deg` behind each number of a triple.
+void add_degrees(DiagnosticBuilder& report, ast::Node triple) {
+  report.help("angles have a unit: `(0deg, 30deg, 0deg)`");
+  if (!triple.is(SyntaxKind::Triple)) return;
+  for (const ast::Node component : triple.children()) {
+    const bool is_number = component.is(SyntaxKind::Number) ||
+                           (component.is(SyntaxKind::Negative) && component.child(0) &&
+                            component.child(0)->is(SyntaxKind::Number));
+    const std::uint32_t end = component.span().end;
+    if (is_number) report.fix(triple.tree().location({end, end}), "deg");
+  }
+}
+
+/// Whether the kind's properties hold for all times: there is one picture size, one film.
+bool is_timeless(const Kind& kind) noexcept {
+  return kind.id == ObjectKind::Render || kind.id == ObjectKind::Animation;
+}
+
+}  // namespace
+
 Value Evaluator::property_value(const Code& code, const Property& property,
                                 std::uint32_t expression) {
   const Computed computed = evaluate(code, expression);
   if (has_failed(computed)) return {};
   const ast::Node written = node(code, expression);
   Value value = to_property(property, computed, written);
-  if (std::holds_alternative<std::monostate>(value)) return {};
+  if (holds_alternative<std::monostate>(value)) return {};
   return check_property(property, value, written.location(), sink_) ? std::move(value) : Value{};
 }
 
@@ -19,39 +41,49 @@ Value Evaluator::to_property(const Property& property, const Computed& computed,
   const auto wrong = [&] {
     auto report = sink_.report(diag::wrong_type, node.location(), property.name,
                                describe(property.type), describe(computed));
-    const auto* text = std::get_if<std::string>(&computed);
-    const bool lacks_unit = property.type == Type::Angle && std::get_if<Scalar>(&computed);
+    const auto* text = get_if<std::string>(&computed);
+    const bool lacks_unit = property.type == Type::Angle && get_if<Scalar>(&computed);
     if (lacks_unit) report.help("an angle has a unit: `40deg`, or `(…) * 1deg`");
+    if (property.type == Type::Angles && get_if<Triple>(&computed)) add_degrees(report, node);
     if (property.type == Type::Word && text != nullptr) {
       report.help("a word stands without quotes").fix(node.location(), *text);
     }
     return Value{};
   };
-  if (const auto* scalar = std::get_if<Scalar>(&computed)) {
+  if (const auto* scalar = get_if<Scalar>(&computed)) {
     const bool takes_unit = scalar->unit == Unit::None ||
                             (scalar->unit == Unit::Length && property.type == Type::Length);
     const bool is_bare_angle = property.type == Type::Angle && !node.is(SyntaxKind::Number);
     return takes_unit && !is_bare_angle ? Value(scalar->value) : wrong();
   }
-  if (const auto* triple = std::get_if<Triple>(&computed)) {
+  if (const auto* triple = get_if<Triple>(&computed)) {
     return triple->unit != Unit::Time ? Value(triple->value) : wrong();
   }
-  if (const auto* bounds = std::get_if<Bounds>(&computed)) {
+  if (const auto* bounds = get_if<Bounds>(&computed)) {
     const bool takes_unit = bounds->unit == Unit::None ||
                             (bounds->unit == Unit::Time && property.type == Type::Interval);
     return takes_unit ? Value(render::Interval{bounds->from, bounds->to}) : wrong();
   }
-  if (const auto* flag = std::get_if<bool>(&computed)) return *flag;
-  if (const auto* angle = std::get_if<Angle>(&computed)) return *angle;
-  if (const auto* angles = std::get_if<AngleTriple>(&computed)) return *angles;
-  if (const auto* color = std::get_if<render::LinearRgb>(&computed)) return *color;
-  if (const auto* material = std::get_if<MaterialValue>(&computed)) return *material;
-  if (const auto* motion = std::get_if<MotionValue>(&computed)) return *motion;
-  if (const auto* word = std::get_if<Word>(&computed)) return *word;
-  if (std::holds_alternative<None>(computed)) return None{};
-  const auto* text = std::get_if<std::string>(&computed);
+  if (const auto* flag = get_if<bool>(&computed)) return *flag;
+  if (const auto* angle = get_if<Angle>(&computed)) return *angle;
+  if (const auto* angles = get_if<AngleTriple>(&computed)) return *angles;
+  if (const auto* color = get_if<render::LinearRgb>(&computed)) return *color;
+  if (const auto* material = get_if<MaterialValue>(&computed)) return *material;
+  if (const auto* motion = get_if<MotionValue>(&computed)) return *motion;
+  if (const auto* word = get_if<Word>(&computed)) return *word;
+  if (holds_alternative<None>(computed)) return None{};
+  const auto* text = get_if<std::string>(&computed);
   if (text != nullptr && property.type != Type::Word) return *text;
   return wrong();
+}
+
+Value Evaluator::timeless_value(const Code& code, const Property& property,
+                                std::uint32_t expression) {
+  const Computed computed = evaluate(code, expression);
+  if (!reads_time_) return property_value(code, property, expression);
+  reads_time_ = false;
+  sink_.report(diag::depends_on_time, place(code, expression), property.name);
+  return {};
 }
 
 void Evaluator::read_object(const Code& code, const Statement& statement, const Kind& kind,
@@ -64,6 +96,7 @@ void Evaluator::read_object(const Code& code, const Statement& statement, const 
   object_.where = written.kind_location();
   const auto name = written.name();
   object_.name = name ? name->text() : std::string_view();
+  object_.is_broken = written.is_broken();
 
   for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
     const std::uint32_t property = pairs[i], expression = pairs[i + 1];
@@ -75,7 +108,9 @@ void Evaluator::read_object(const Code& code, const Statement& statement, const 
     slot.is_written = true;
     slot.span = node(code, expression).span();
     reads_time_ = false;
-    slot.value = property_value(code, kind.properties[property], expression);
+    slot.value = is_timeless(kind)
+                     ? timeless_value(code, kind.properties[property], expression)
+                     : property_value(code, kind.properties[property], expression);
     if (reads_time_) read_changing(code, property, expression);
   }
 }
@@ -88,20 +123,16 @@ void Evaluator::read_changing(const Code& code, std::size_t property, std::uint3
   const bool may_move = is_center || (kind.id == ObjectKind::Group &&
                                       (property == group_property::kTranslate ||
                                        property == group_property::kRotate));
-  if (kind.id == ObjectKind::Render || kind.id == ObjectKind::Animation) {
-    sink_.report(diag::depends_on_time, place(code, expression), info.name);
-    return;
-  }
   if (is_center) center_reads_time_ = true;
   const Value& opening = object_.slots[property].value;
   const bool is_shutter =
       kind.id == ObjectKind::Camera && property == camera_property::kShutter;
-  if (!is_open_ || is_shutter || std::holds_alternative<std::monostate>(opening)) return;
+  if (!is_open_ || is_shutter || holds_alternative<std::monostate>(opening)) return;
 
   moment_ = 1;
   Value closing = property_value(code, info, expression);
   moment_ = 0;
-  if (std::holds_alternative<std::monostate>(closing) || closing == opening) return;
+  if (holds_alternative<std::monostate>(closing) || closing == opening) return;
   if (may_move) {
     object_.closing.push_back({property, std::move(closing)});
   } else {

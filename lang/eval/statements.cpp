@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "lang/eval/evaluator.hpp"
 #include "lang/json/json.hpp"
@@ -56,11 +60,11 @@ void Evaluator::run_for(const Code& code, const Statement& statement) {
   const std::uint32_t slot = operands[0], expression = operands[1];
   const Varying lists = evaluate_over_shutter(code, expression);
   if (has_failed(lists.values[0])) return;
-  const auto* list = std::get_if<ListValue>(&lists.values[0]);
+  const auto* list = get_if<ListValue>(&lists.values[0]);
   if (list == nullptr) {
     const Location where = place(code, expression);
     auto report = sink_.report(diag::not_a_list, where, describe(lists.values[0]));
-    if (const auto* bounds = std::get_if<Bounds>(&lists.values[0])) {
+    if (const auto* bounds = get_if<Bounds>(&lists.values[0])) {
       report.help("`range` excludes its end")
           .fix(where,
                fmt::format("range({}, {})", to_text(bounds->from), to_text(bounds->to + 1)));
@@ -68,7 +72,7 @@ void Evaluator::run_for(const Code& code, const Statement& statement) {
     return;
   }
   // Elements that depend on the time do so one by one, as long as their number does not.
-  const auto* closing = lists.varies ? std::get_if<ListValue>(&lists.values[1]) : nullptr;
+  const auto* closing = lists.varies ? get_if<ListValue>(&lists.values[1]) : nullptr;
   if (closing != nullptr && closing->size() != list->size()) {
     sink_.report(diag::changes_in_shutter, place(code, expression), "for");
     closing = nullptr;
@@ -124,7 +128,7 @@ void Evaluator::run_assert(const Code& code, const Statement& statement) {
   const auto holds = evaluate_condition(code, operands[0], "assert");
   if (!holds || *holds) return;
   const Computed text = evaluate(code, operands[1]);
-  if (const auto* words = std::get_if<std::string>(&text)) {
+  if (const auto* words = get_if<std::string>(&text)) {
     sink_.report(diag::failed_assertion, place(code, operands[0]), *words);
   } else if (!has_failed(text)) {
     sink_.report(diag::wrong_argument, place(code, operands[1]), "assert", "a string",
@@ -143,8 +147,11 @@ void Evaluator::run_object(const Code& code, const Statement& statement) {
 }
 
 void Evaluator::run_group(const Code& code, const Statement& statement) {
-  const auto operands = code.operands_of(statement);
+  auto operands = code.operands_of(statement);
+  run_block(code, operands.subspan(1, operands[0]));
+  operands = operands.subspan(1 + operands[0]);
   read_object(code, statement, kind_info(ObjectKind::Group), operands.subspan(1, 2 * operands[0]));
+  operands = operands.subspan(1 + 2 * operands[0]);
   const ast::Object written{ast::Node(*code.tree, statement.node)};
   const auto name = written.name();
   const Nested step(*this, {.kind = Step::Group,
@@ -152,7 +159,7 @@ void Evaluator::run_group(const Code& code, const Statement& statement) {
                             .node = statement.node,
                             .name = name ? name->text() : std::string_view()});
   objects_->enter(object_);
-  run_block(code, operands.subspan(2 * operands[0] + 2));
+  run_block(code, operands.subspan(1));
   objects_->leave();
 }
 
@@ -163,10 +170,7 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
   const auto pairs = operands.subspan(3, 2 * operands[2]);
   const auto arguments = operands.subspan(3 + pairs.size());
   if (!take_steps(code, statement.node)) return;
-  if (calls_ == kMaxCalls) {
-    sink_.report(diag::too_deep, ast::Node(*code.tree, statement.node).head_location(), kMaxCalls);
-    return;
-  }
+  if (!may_call(code, statement.node)) return;
 
   const std::size_t base = locals_.size();
   locals_.resize(base + def.frame_size);
@@ -198,11 +202,27 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
       if (arguments[i] == kNothing) take(i, module.code, def.parameters[i].default_value);
     }
     if (!is_broken) run_block(module.code, def.block);
-    --calls_;
+    end_call();
     frame_ = frame;
     objects_->leave();
   }
   locals_.resize(base);
+}
+
+bool Evaluator::is_in_circle(const Code& code, const Statement& statement, std::uint32_t file) {
+  // Most circles are found when the files are read. One that an import has read before is not: it
+  // placed nothing.
+  const auto first = std::find(files_inside_.begin(), files_inside_.end(), file);
+  if (first == files_inside_.end()) return false;
+  std::vector<std::string> circle;
+  for (auto inside = first; inside != files_inside_.end(); ++inside) {
+    circle.push_back(fmt::format("`{}`", program_.module(*inside).file->name()));
+  }
+  circle.push_back(circle.front());
+  const auto name = ast::Node(*code.tree, statement.node).first(SyntaxKind::String);
+  sink_.report(diag::file_circle, name->location(), program_.module(file).file->name())
+      .help(fmt::format("the circle is {}", fmt::join(circle, " → ")));
+  return true;
 }
 
 void Evaluator::run_include(const Code& code, const Statement& statement) {
@@ -214,10 +234,13 @@ void Evaluator::run_include(const Code& code, const Statement& statement) {
     read_config(program_.config(included), spheres, sink_);
     return;
   }
+  if (is_in_circle(code, statement, included)) return;
   evaluate_globals(included, Globals::TimeFree);
   evaluate_globals(included, Globals::TimeDependent);
   const std::size_t frame = std::exchange(frame_, locals_.size());
+  files_inside_.push_back(included);
   run_file(included);
+  files_inside_.pop_back();
   frame_ = frame;
 }
 

@@ -56,7 +56,7 @@ void ConfigReader::take_element(const Tape& tape, std::uint32_t element) {
       slot.value = std::monostate();
       continue;
     }
-    const std::uint32_t value = members.values[row];
+    const std::uint32_t value = members.value(row);
     slot.span = tape[value].span;
     slot.value = key.type == JsonType::Material
                      ? materials_.read(tape, value, at(tape[members.names[row]].content()))
@@ -121,7 +121,7 @@ void ConfigReader::read_object(const JsonKey& key, const Tape& tape) {
   for (std::size_t row = 0; row < table.keys.size(); ++row) {
     if (!has_value(tape, members, row)) continue;
     const JsonKey& inner = table.keys[row];
-    const std::uint32_t value = members.values[row];
+    const std::uint32_t value = members.value(row);
     const Range range =
         inner.target != nullptr ? inner.target->properties[inner.property].range : inner.range;
     set(inner, values_.read(inner, range, tape, value), tape[value].span);
@@ -135,12 +135,13 @@ void ConfigReader::set(const JsonKey& key, Value value, Span span) {
                      : key.target->id == ObjectKind::Background ? background_
                                                                 : render_;
     object.slots[key.property] = std::move(slot);
-  } else if (key.key == "gamma_correct") {
-    gamma_correct_ = std::move(slot);
-  } else if (key.key == "in_parallel") {
-    in_parallel_ = std::move(slot);
-  } else if (key.key == "number_cores") {
-    number_cores_ = std::move(slot);
+    return;
+  }
+  switch (key.setting) {
+    case JsonSetting::None: break;
+    case JsonSetting::GammaCorrect: gamma_correct_ = std::move(slot); break;
+    case JsonSetting::InParallel: in_parallel_ = std::move(slot); break;
+    case JsonSetting::NumberCores: number_cores_ = std::move(slot); break;
   }
 }
 
@@ -195,7 +196,7 @@ void ConfigReader::set_tone() {
   tone = {.value = Word{"linear"}, .span = part("saving").value, .is_written = true};
   if (!gamma_correct_.is_written) return;
   tone.span = gamma_correct_.span;
-  const auto* is_corrected = std::get_if<bool>(&gamma_correct_.value);
+  const auto* is_corrected = get_if<bool>(&gamma_correct_.value);
   if (is_corrected == nullptr) {
     tone.value = std::monostate();
   } else if (*is_corrected) {
@@ -206,7 +207,7 @@ void ConfigReader::set_tone() {
 void ConfigReader::set_threads() {
   Slot& threads = render_.slots[render_property::kThreads];
   threads = number_cores_;
-  const auto* is_parallel = std::get_if<bool>(&in_parallel_.value);
+  const auto* is_parallel = get_if<bool>(&in_parallel_.value);
   const bool is_serial = is_parallel != nullptr && !*is_parallel;
   if (is_serial) threads = {.value = 1.0, .span = in_parallel_.span, .is_written = true};
 }

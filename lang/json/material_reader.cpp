@@ -69,10 +69,10 @@ Value MaterialReader::read(const Tape& tape, std::uint32_t node, Location where)
       is_good &= key.presence == Presence::Optional;
       continue;
     }
-    const Value value = values_.read(key, argument.range, tape, members.values[row]);
-    if (const auto* color = std::get_if<render::LinearRgb>(&value)) {
+    const Value value = values_.read(key, argument.range, tape, members.value(row));
+    if (const auto* color = get_if<render::LinearRgb>(&value)) {
       material.color = *color;
-    } else if (const auto* parameter = std::get_if<double>(&value)) {
+    } else if (const auto* parameter = get_if<double>(&value)) {
       material.parameter = *parameter;
     } else {
       is_good = false;

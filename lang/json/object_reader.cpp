@@ -16,15 +16,6 @@ std::string_view member_name(const SourceFile& file, const JsonNode& name, std::
   return buffer;
 }
 
-std::optional<std::size_t> find_key(std::span<const JsonKey> keys, std::string_view name,
-                                    std::size_t guess) noexcept {
-  if (guess < keys.size() && keys[guess].key == name) return guess;
-  for (std::size_t row = 0; row < keys.size(); ++row) {
-    if (keys[row].key == name) return row;
-  }
-  return std::nullopt;
-}
-
 std::optional<std::size_t> diagnose_unknown_key(std::span<const JsonKey> keys,
                                                 std::string_view object, std::string_view name,
                                                 Location where, DiagnosticSink& sink) {
@@ -59,14 +50,11 @@ Members find_members(const SourceFile& file, const Tape& tape, std::uint32_t obj
       diagnose_duplicate_key(name, where, {&file, tape[members.names[*row]].content()}, sink);
     } else {
       members.names[*row] = i;
-      members.values[*row] = i + 1;
       guess = *row + 1;
     }
   }
   for (const auto& [row, name] : guesses) {
-    if (members.names[row] != 0) continue;
-    members.names[row] = name;
-    members.values[row] = name + 1;
+    if (members.names[row] == 0) members.names[row] = name;
   }
   return members;
 }
@@ -76,7 +64,7 @@ void check_required(const SourceFile& file, const Tape& tape, const Members& mem
   for (std::size_t row = 0; row < table.keys.size(); ++row) {
     const JsonKey& key = table.keys[row];
     if (key.presence == Presence::Optional || has_value(tape, members, row)) continue;
-    const std::uint32_t null = members.values[row];
+    const std::uint32_t null = members.value(row);
     sink.report(diag::missing, null != 0 ? Location{&file, tape[null].span} : where, table.name,
                 key.key);
   }

@@ -69,15 +69,16 @@ void SceneBuilder::enter(const Object& object) {
   using namespace group_property;
   const double scale = object.get<double>(kScale).value_or(1);
   const auto placement = [&](auto translate, auto rotate) {
-    return Placement::of(translate.value_or(render::Vec3{}),
-                         rotate.value_or(AngleTriple{}).degrees, scale);
+    return Placement::of(translate.value_or(render::Vec3{}), rotate.value_or(AngleTriple{}).degrees,
+                         scale);
   };
   Group group{.placements = {placement(object.get<render::Vec3>(kTranslate),
                                        object.get<AngleTriple>(kRotate)),
                              placement(object.get_closing<render::Vec3>(kTranslate),
                                        object.get_closing<AngleTriple>(kRotate))},
               .is_moving = !object.closing.empty(),
-              .material = object.get<MaterialValue>(kMaterial)};
+              .material = object.get<MaterialValue>(kMaterial),
+              .has_bad_material = object.slot(kMaterial).is_written || object.is_broken};
   if (!groups_.empty()) {
     const Group& outer = groups_.back();
     for (std::size_t i = 0; i < 2; ++i) {
@@ -85,6 +86,7 @@ void SceneBuilder::enter(const Object& object) {
     }
     group.is_moving = group.is_moving || outer.is_moving;
     if (!group.material) group.material = outer.material;
+    group.has_bad_material = group.has_bad_material || outer.has_bad_material;
   }
   groups_.push_back(std::move(group));
 }
@@ -93,6 +95,7 @@ void SceneBuilder::leave() { groups_.pop_back(); }
 
 bool SceneBuilder::may_hold_another(Location where) {
   if (spheres_.size() < limits_.objects) return true;
+  if (std::exchange(is_full_, true)) return false;  // it is told once
   sink_->report(diag::too_many_objects, where, limits_.objects)
       .help("`--limit objects=N` allows more");
   return false;
@@ -106,7 +109,9 @@ void SceneBuilder::add_sphere(const Object& object) {
   auto material = object.get<MaterialValue>(kMaterial);
   if (!object.slot(kMaterial).is_written) {
     if (!groups_.empty()) material = groups_.back().material;
-    if (!material) sink_->report(diag::no_material, object.where);
+    const bool is_reported =
+        object.is_broken || (!groups_.empty() && groups_.back().has_bad_material);
+    if (!material && !is_reported) sink_->report(diag::no_material, object.where);
   }
   if (!center || !radius || !material) return;  // reported where it was read
   if (*radius == 0) {
@@ -143,7 +148,8 @@ void SceneBuilder::add_sphere(const Object& object) {
     if (is_moving) shift = (groups_.empty() ? closing : placements[1].apply(closing)) - *center;
     *radius *= placements[0].scale;
     if (!is_finite(*center) || !is_finite(shift) || !(*radius > 0) || !std::isfinite(*radius)) {
-      sink_->report(diag::beyond_numbers, object.where, "where the groups around this sphere put it");
+      sink_->report(diag::beyond_numbers, object.where,
+                    "where the groups around this sphere put it");
       return;
     }
   }
@@ -162,16 +168,15 @@ std::optional<LoweredScene> SceneBuilder::finish(const Overrides& overrides) {
   lower_background(lowered.scene);
 
   const Object* camera = choose_camera(overrides);
+  for (const Object& declared : cameras_) lowered.cameras.push_back(declared.name);
   if (camera != nullptr) {
-    lower_camera(*camera, lowered.scene);
+    lower_camera(*camera, lowered);
     if (const auto shutter = camera->get<render::Interval>(camera_property::kShutter)) {
       lower_motion(*shutter, lowered.scene);
     } else if (!moving_.empty()) {
       const Location where = moving_.front().where;
       const bool is_config = where.file->format() == SourceFormat::Json;
-      sink_
-          ->report(diag::no_effect, where,
-                   is_config ? "movement" : "motion")
+      sink_->report(diag::no_effect, where, is_config ? "movement" : "motion")
           .help(is_config ? "without `time_interval` every sphere stays at its origin"
                           : "the camera has no `shutter`: everything stands still");
     }
@@ -182,6 +187,7 @@ std::optional<LoweredScene> SceneBuilder::finish(const Overrides& overrides) {
   if (sink_->has_errors()) return std::nullopt;
 
   drop_coincident(lowered.scene);
+  lowered.dropped_spheres = dropped_.size();
   return lowered;
 }
 
@@ -224,7 +230,10 @@ const Object* SceneBuilder::choose_camera(const Overrides& overrides) {
   const bool has_size = (overrides.width || (render_ && render_->slot(kWidth).is_written)) &&
                         (overrides.height || (render_ && render_->slot(kHeight).is_written));
   const bool has_color = background_ && background_->slot(background_property::kColor).is_written;
-  if (!has_size || !has_color) sink_->report(diag::nothing_to_render, whole_file());
+  if (!has_size || !has_color) {
+    sink_->report(diag::nothing_to_render, whole_file())
+        .help("a file that only declares names is for `import`, one of spheres needs a `camera`");
+  }
   return nullptr;
 }
 
@@ -236,7 +245,7 @@ std::string_view SceneBuilder::name_of(const Object& object, std::size_t propert
   return object.kind->properties[property].name;
 }
 
-void SceneBuilder::lower_camera(const Object& object, render::Scene& scene) {
+void SceneBuilder::lower_camera(const Object& object, LoweredScene& lowered) {
   using namespace camera_property;
   const auto from = object.get<render::Vec3>(kFrom);
   const auto at = object.get<render::Vec3>(kAt);
@@ -273,8 +282,12 @@ void SceneBuilder::lower_camera(const Object& object, render::Scene& scene) {
     sink_->report(diag::beyond_numbers, object.where, "the width or height of the view plane");
     return;
   }
-  scene.camera = {
+  lowered.scene.camera = {
       .from = *from, .at = *at, .up = *up, .plane_height = plane_height, .aspect = *aspect};
+  lowered.camera = {.name = object.name,
+                    .fov = *fov,
+                    .view_height = *view_height,
+                    .shutter = object.get<render::Interval>(kShutter)};
 }
 
 void SceneBuilder::lower_background(render::Scene& scene) {
@@ -351,8 +364,12 @@ std::optional<int> SceneBuilder::whole(const Object& object, std::size_t propert
 void SceneBuilder::lower_settings(const Overrides& overrides, LoweredScene& lowered) {
   using namespace render_property;
   if (!render_)
-    render_ = Object{
-        .kind = &kind_info(ObjectKind::Render), .where = whole_file(), .name = {}, .slots = {}, .closing = {}};
+    render_ = Object{.kind = &kind_info(ObjectKind::Render),
+                     .where = whole_file(),
+                     .name = {},
+                     .is_broken = false,
+                     .slots = {},
+                     .closing = {}};
   const Object& object = *render_;
   render::RenderSettings& settings = lowered.settings;
   const auto set = [](auto& setting, const auto& value) {

@@ -34,11 +34,22 @@ struct OutputSettings {
   render::Tone tone = render::Tone::Srgb;
 };
 
+/// What is written of a camera and cannot be read off render::Camera.
+struct WrittenCamera {
+  std::string name;  ///< empty where it has none
+  Angle fov;
+  double view_height = 2;
+  std::optional<render::Interval> shutter;  ///< absolute times in seconds; nothing: none
+};
+
 /// A scene ready for the renderer. A plain picture is a scene without spheres.
 struct LoweredScene {
   render::Scene scene;
   render::RenderSettings settings;
   OutputSettings output;
+  std::vector<std::string> cameras;     ///< the names of all, as they are declared
+  std::optional<WrittenCamera> camera;  ///< the chosen one; nothing: a plain picture
+  std::size_t dropped_spheres = 0;      ///< that coincided with earlier ones
 };
 
 /// A sphere that was found to coincide with an earlier one and left out. Both are numbers of
@@ -83,12 +94,13 @@ class SceneBuilder final : public ObjectSink {
     std::array<Placement, 2> placements;  ///< at the opening and the closing, in the world
     bool is_moving = false;
     std::optional<MaterialValue> material;
+    bool has_bad_material = false;  ///< one is written that was wrong, here or further out
   };
 
   void add_sphere(const Object& object);
   bool may_hold_another(Location where);
   const Object* choose_camera(const Overrides& overrides);
-  void lower_camera(const Object& camera, render::Scene& scene);
+  void lower_camera(const Object& camera, LoweredScene& lowered);
   void lower_background(render::Scene& scene);
   void lower_motion(render::Interval shutter, render::Scene& scene);
   void lower_settings(const Overrides& overrides, LoweredScene& lowered);
@@ -116,6 +128,7 @@ class SceneBuilder final : public ObjectSink {
   std::vector<Group> groups_;  ///< the innermost last
   std::vector<DroppedSphere> dropped_;
   bool had_spheres_ = false;  ///< also those that were wrong
+  bool is_full_ = false;      ///< there were more than may be
   MaterialTable materials_;
 };
 

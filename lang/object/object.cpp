@@ -28,18 +28,18 @@ bool has_type(Type type, const Value& value) noexcept {
   switch (type) {
     case Type::Number:
     case Type::WholeNumber:
-    case Type::Length: return std::holds_alternative<double>(value);
-    case Type::Bool: return std::holds_alternative<bool>(value);
-    case Type::String: return std::holds_alternative<std::string>(value);
-    case Type::Vec3: return std::holds_alternative<render::Vec3>(value);
-    case Type::Angle: return std::holds_alternative<Angle>(value);
-    case Type::Angles: return std::holds_alternative<AngleTriple>(value);
-    case Type::Color: return std::holds_alternative<render::LinearRgb>(value);
+    case Type::Length: return holds_alternative<double>(value);
+    case Type::Bool: return holds_alternative<bool>(value);
+    case Type::String: return holds_alternative<std::string>(value);
+    case Type::Vec3: return holds_alternative<render::Vec3>(value);
+    case Type::Angle: return holds_alternative<Angle>(value);
+    case Type::Angles: return holds_alternative<AngleTriple>(value);
+    case Type::Color: return holds_alternative<render::LinearRgb>(value);
     case Type::Frames:
-    case Type::Interval: return std::holds_alternative<render::Interval>(value);
-    case Type::Word: return std::holds_alternative<Word>(value);
-    case Type::Material: return std::holds_alternative<MaterialValue>(value);
-    case Type::Motion: return std::holds_alternative<MotionValue>(value);
+    case Type::Interval: return holds_alternative<render::Interval>(value);
+    case Type::Word: return holds_alternative<Word>(value);
+    case Type::Material: return holds_alternative<MaterialValue>(value);
+    case Type::Motion: return holds_alternative<MotionValue>(value);
   }
   return false;
 }
@@ -72,7 +72,9 @@ bool check_range(std::string_view name, Range range, double number, Location whe
 bool check_whole_number(std::string_view name, Range range, double number, Location where,
                         DiagnosticSink& sink) {
   if (number != std::floor(number)) {
-    sink.report(diag::not_whole, where, name, to_text(number));
+    auto report = sink.report(diag::not_whole, where, name, to_text(number));
+    const bool has_functions = where.file != nullptr && where.file->format() == SourceFormat::Scene;
+    if (has_functions) report.help("round it with `floor(…)` or `round(…)`");
     return false;
   }
   if (!check_range(name, range, number, where, sink)) return false;
@@ -85,37 +87,37 @@ bool check_whole_number(std::string_view name, Range range, double number, Locat
 
 bool check_value(std::string_view name, Type type, Range range, const Value& value, Location where,
                  DiagnosticSink& sink) {
-  if (std::holds_alternative<std::monostate>(value)) return false;
+  if (holds_alternative<std::monostate>(value)) return false;
   if (!has_type(type, value)) {
     auto report = sink.report(diag::wrong_type, where, name, describe(type), describe(value));
-    const bool lacks_unit = type == Type::Angle && std::holds_alternative<double>(value);
+    const bool lacks_unit = type == Type::Angle && holds_alternative<double>(value);
     if (lacks_unit) report.fix({where.file, {where.span.end, where.span.end}}, "deg");
     return false;
   }
 
   if (type == Type::WholeNumber) {
-    return check_whole_number(name, range, std::get<double>(value), where, sink);
+    return check_whole_number(name, range, get<double>(value), where, sink);
   }
-  if (const auto* number = std::get_if<double>(&value)) {
+  if (const auto* number = get_if<double>(&value)) {
     return check_range(name, range, *number, where, sink);
   }
-  if (const auto* angle = std::get_if<Angle>(&value)) {
+  if (const auto* angle = get_if<Angle>(&value)) {
     if (is_in(range, angle->degrees)) return true;
     sink.report(diag::out_of_range, where, name, describe(range), to_text(value));
     return false;
   }
-  if (const auto* color = std::get_if<render::LinearRgb>(&value)) {
+  if (const auto* color = get_if<render::LinearRgb>(&value)) {
     return check_color(name, range, *color, where, sink);
   }
   if (type == Type::Frames) {
-    const auto frames = std::get<render::Interval>(value);
+    const auto frames = get<render::Interval>(value);
     const bool are_whole = check_whole_number(name, Range::NonNegative, frames.from, where, sink) &&
                            check_whole_number(name, Range::NonNegative, frames.to, where, sink);
     if (!are_whole || frames.from <= frames.to) return are_whole;
     sink.report(diag::no_frames, where, to_text(frames.to), to_text(frames.from));
     return false;
   }
-  if (const auto* motion = std::get_if<MotionValue>(&value)) {
+  if (const auto* motion = get_if<MotionValue>(&value)) {
     if (motion->over.from != motion->over.to) return true;
     sink.report(diag::empty_interval, where, name, to_text(motion->over.from));
     return false;
@@ -125,9 +127,9 @@ bool check_value(std::string_view name, Type type, Range range, const Value& val
 
 bool check_property(const Property& property, const Value& value, Location where,
                     DiagnosticSink& sink) {
-  if (property.reads_none && std::holds_alternative<None>(value)) return true;
+  if (property.reads_none && holds_alternative<None>(value)) return true;
   if (!check_value(property.name, property.type, property.range, value, where, sink)) return false;
-  const auto* word = std::get_if<Word>(&value);
+  const auto* word = get_if<Word>(&value);
   return word == nullptr || check_word(property, *word, where, sink);
 }
 

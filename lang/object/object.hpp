@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/object/variant.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/source/source.hpp"
 #include "render/math/color.hpp"
@@ -62,8 +63,8 @@ struct MotionValue {
 
 /// monostate: nothing is written, or what is written was wrong and has been reported.
 using Value =
-    std::variant<std::monostate, double, bool, std::string, render::Vec3, Angle, render::LinearRgb,
-                 render::Interval, Word, None, MaterialValue, MotionValue, AngleTriple>;
+    Variant<std::monostate, double, bool, render::Vec3, Angle, AngleTriple, render::LinearRgb,
+            render::Interval, None, MaterialValue, MotionValue, std::string, Word>;
 
 /// "a number", "a colour": what a message calls the value.
 std::string_view describe(const Value& value) noexcept;
@@ -91,7 +92,8 @@ struct Object {
   const Kind* kind = nullptr;
   Location
       where;  ///< of what names it in messages: the kind's name, or the object's first character
-  std::string name;  ///< `main` of `camera main`; empty where there is none
+  std::string name;        ///< `main` of `camera main`; empty where there is none
+  bool is_broken = false;  ///< something of it could not be read: what is missing may be that
   std::array<Slot, kMaxProperties> slots;
   /// What changes while the shutter is open, as it is at the closing; `slots` hold the opening.
   /// Only centres of spheres and translations and rotations of groups can (ruling 29).
@@ -107,7 +109,7 @@ struct Object {
   template <typename T>
   std::optional<T> get_closing(std::size_t property) const {
     for (const ClosingValue& changed : closing) {
-      if (changed.property == property) return std::get<T>(changed.value);
+      if (changed.property == property) return lang::get<T>(changed.value);
     }
     return get<T>(property);
   }
@@ -154,16 +156,15 @@ bool check_property(const Property& property, const Value& value, Location where
 
 template <typename T>
 std::optional<T> Object::get(std::size_t property) const {
-  if (const T* value = std::get_if<T>(&slots[property].value)) return *value;
+  if (const T* value = get_if<T>(&slots[property].value)) return *value;
   if (slots[property].is_written) return std::nullopt;
   const Default& fallback = kind->properties[property].default_value;
   if constexpr (std::is_same_v<T, double> || std::is_same_v<T, bool>) {
-    if (const T* value = std::get_if<T>(&fallback)) return *value;
+    if (const T* value = get_if<T>(&fallback)) return *value;
   } else if constexpr (std::is_same_v<T, Word>) {
-    if (const auto* word = std::get_if<std::string_view>(&fallback))
-      return Word{std::string(*word)};
+    if (const auto* word = get_if<std::string_view>(&fallback)) return Word{std::string(*word)};
   } else if constexpr (std::is_same_v<T, render::Vec3> || std::is_same_v<T, render::LinearRgb>) {
-    if (const auto* triple = std::get_if<std::array<double, 3>>(&fallback)) {
+    if (const auto* triple = get_if<std::array<double, 3>>(&fallback)) {
       return T{(*triple)[0], (*triple)[1], (*triple)[2]};
     }
   }

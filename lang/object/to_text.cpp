@@ -112,8 +112,8 @@ struct Describer {
 
 }  // namespace
 
-std::string to_text(const Value& value) { return std::visit(Writer{}, value); }
+std::string to_text(const Value& value) { return visit(Writer{}, value); }
 
-std::string_view describe(const Value& value) noexcept { return std::visit(Describer{}, value); }
+std::string_view describe(const Value& value) noexcept { return visit(Describer{}, value); }
 
 }  // namespace sdlc::lang

@@ -58,7 +58,8 @@ enum class Action : std::uint8_t {
   If,       ///< [condition or kNothing, block]...
   Assert,   ///< condition, message
   Object,   ///< [property or kNothing, expression]...; `kind` says of what
-  Group,    ///< number of properties, [property or kNothing, expression]..., block
+  Group,    ///< number of lets, lets, which the properties may use; number of properties, [property
+            ///< or kNothing, expression]...; block, with the lets in their places
   Instance, ///< module, def, number of group properties, [property, expression]..., then an
             ///< argument or kNothing a parameter
   Include,  ///< module, or index of a config plus kConfigs

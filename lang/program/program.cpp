@@ -15,6 +15,13 @@ namespace sdlc::lang {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Of the language that the parser reads.
+constexpr std::string_view kVersion = "1";
+
+}  // namespace
+
 Program::Program(const SourceFile& root, const ProgramOptions& options, DiagnosticSink& sink)
     : options_(options) {
   fs::path path = root.name();
@@ -98,7 +105,9 @@ std::optional<std::string> Program::read(const fs::path& path, ast::Node name,
     return std::nullopt;
   }
   std::error_code error;
-  std::optional<std::string> text = options_.files->read(path, error);
+  // A file of this name, not standard input.
+  const fs::path read_path = path == "-" ? fs::path("./-") : path;
+  std::optional<std::string> text = options_.files->read(read_path, error);
   if (!text) {
     sink.report(diag::unreadable_file, name.location(), path.string(), error.message())
         .help("the path is relative to the folder of this file");
@@ -109,7 +118,7 @@ std::optional<std::string> Program::read(const fs::path& path, ast::Node name,
 std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
                             DiagnosticSink& sink) {
   const Computed value = evaluate_string(name, sink);
-  const auto* written = std::get_if<std::string>(&value);
+  const auto* written = get_if<std::string>(&value);
   if (written == nullptr) return kNothing;
   const fs::path path =
       (modules_[from]->path.parent_path() / *written).lexically_normal();
@@ -154,13 +163,12 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
     return kNothing;
   }
   loaded_[identity] = module_count();
-  return add_module(file, path, from, sink);
-}
-
-std::uint32_t Program::resolve(std::uint32_t module, ast::Node statement, Code& code,
-                      std::uint32_t& frame_size, DiagnosticSink& sink) {
-  code.clear();
-  return Resolver(*this, module, sink).resolve_statement(statement, code, frame_size);
+  const std::uint32_t added = add_module(file, path, from, sink);
+  // Of a file that was not read no name is unknown.
+  const auto version = ast::Node(modules_[added]->tree, 0).first(SyntaxKind::Version);
+  const bool is_other = version && version->text() != kVersion;
+  if (is_other || file.text().size() > options_.limits.file) loaded_[identity] = kNothing;
+  return loaded_[identity];
 }
 
 }  // namespace sdlc::lang

@@ -110,12 +110,6 @@ class Program {
   const Code& resolve_setting(const ParamSetting& setting, std::uint32_t& expression,
                               DiagnosticSink& sink);
 
-  /// Makes code of one statement of a module's top level that is no declaration; reads what it
-  /// includes. Returns its index in the code, or kNothing where it is broken; `frame_size` is how
-  /// many slots it needs.
-  std::uint32_t resolve(std::uint32_t module, ast::Node statement, Code& code, std::uint32_t& frame_size,
-               DiagnosticSink& sink);
-
  private:
   friend class Resolver;
 

@@ -54,7 +54,10 @@ std::uint32_t Resolver::expression(ast::Node node, const Property* property) {
     case SyntaxKind::Number: return number(node);
     case SyntaxKind::String: {
       Computed text = evaluate_string(node, sink_);
-      return constant(node, std::move(text));
+      const auto* value = get_if<std::string>(&text);
+      const bool is_good = value == nullptr || check_string_size(value->size(), program_.limits(),
+                                                                 node.location(), sink_);
+      return is_good ? constant(node, std::move(text)) : broken(node);
     }
     case SyntaxKind::Color: return constant(node, decode_hex_color(node.text()));
     case SyntaxKind::True: return constant(node, true);
@@ -84,7 +87,7 @@ std::uint32_t Resolver::expression(ast::Node node, const Property* property) {
 
 std::uint32_t Resolver::number(ast::Node node) {
   const Computed value = evaluate_number(node, sink_);
-  const auto* scalar = std::get_if<Scalar>(&value);
+  const auto* scalar = get_if<Scalar>(&value);
   if (scalar == nullptr) return constant(node, value);
   code_->numbers.push_back(scalar->value);
   return add(Op::Number, node, static_cast<std::uint32_t>(code_->numbers.size() - 1), 0,
@@ -192,6 +195,11 @@ std::uint32_t Resolver::unknown_import(ast::Node node, std::span<const std::stri
     if (!known.empty()) report.help(fmt::format("name what is in it: `{}.{}`", names[0], known[0]));
     return broken(node);
   }
+  if (module.function_names.contains(names[1])) {
+    sink_.report(diag::function_as_value, node.location(), node.text())
+        .help(fmt::format("call it: `{}(…)`", node.text()));
+    return broken(node);
+  }
   auto report = sink_.report(diag::unknown_name, node.location(), node.text());
   if (const auto nearest = nearest_name(names[1], known)) {
     report.suggest(fmt::format("{}.{}", names[0], *nearest));
@@ -210,7 +218,9 @@ std::uint32_t Resolver::unknown_name(ast::Node node, std::string_view name) {
   // The file's own names first: among equals they are the likelier ones.
   std::vector<std::string_view> known;
   for (const Local& local : locals_) known.push_back(local.name);
-  for (const Global& global : module_.globals) known.push_back(global.name);
+  for (const Global& global : module_.globals) {
+    if (global.name != declaring_) known.push_back(global.name);
+  }
   for (const auto& [import, module] : module_.imports) known.push_back(import);
   for (const NamedColor& color : named_colors()) known.push_back(color.name);
   known.insert(known.end(), {"pi", "time"});
@@ -258,6 +268,7 @@ std::uint32_t Resolver::call(ast::Call call) {
     }
   }
   auto report = sink_.report(diag::unknown_function, call.callee_location(), callee);
+  if (!import) report.suggest(nearest_import(names));
   if (import) {
     std::vector<std::string_view> known;
     for (const Definition& function : program_.module(*import).functions)

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "lang/program/path.hpp"
 #include "lang/text/nearest_name.hpp"
@@ -69,14 +71,20 @@ std::optional<std::uint32_t> find(const Map& map, std::string_view name) {
 /// Forgets at its end what was declared while it lived.
 class Resolver::Scope {
  public:
-  explicit Scope(Resolver& resolver) : resolver_(resolver), size_(resolver.locals_.size()) {}
-  ~Scope() { resolver_.locals_.resize(size_); }
+  explicit Scope(Resolver& resolver)
+      : resolver_(resolver),
+        size_(resolver.locals_.size()),
+        block_begin_(std::exchange(resolver.block_begin_, size_)) {}
+  ~Scope() {
+    resolver_.locals_.resize(size_);
+    resolver_.block_begin_ = block_begin_;
+  }
   Scope(const Scope&) = delete;
   Scope& operator=(const Scope&) = delete;
 
  private:
   Resolver& resolver_;
-  std::size_t size_;
+  std::size_t size_, block_begin_;
 };
 
 Resolver::Resolver(Program& program, std::uint32_t module, DiagnosticSink& sink)
@@ -104,6 +112,15 @@ std::optional<std::uint32_t> Resolver::find_import(std::string_view name) const 
   return find(module_.imports, name);
 }
 
+std::optional<std::string> Resolver::nearest_import(
+    std::span<const std::string_view> names) const {
+  std::vector<std::string_view> known;
+  for (const auto& [name, module] : module_.imports) known.push_back(name);
+  const auto nearest = nearest_name(names[0], known);
+  if (!nearest) return std::nullopt;
+  return fmt::format("{}.{}", *nearest, fmt::join(names.subspan(1), "."));
+}
+
 // Declarations
 
 void Resolver::resolve_declarations() {
@@ -125,6 +142,11 @@ void Resolver::resolve_declarations() {
 bool Resolver::add_name(std::unordered_map<std::string_view, std::uint32_t>& names,
                         std::string_view what, ast::Node name, std::uint32_t index) {
   if (names.try_emplace(name.text(), index).second) return true;
+  report_duplicate(what, name);
+  return false;
+}
+
+void Resolver::report_duplicate(std::string_view what, ast::Node name) {
   // Where the first one stands: one of the statements before this one.
   std::optional<Location> first;
   for (const ast::Node statement : ast::Node(module_.tree, 0).children()) {
@@ -136,7 +158,6 @@ bool Resolver::add_name(std::unordered_map<std::string_view, std::uint32_t>& nam
   }
   auto report = sink_.report(diag::duplicate, name.location(), what, name.text());
   if (first) report.label(*first, "first declared here");
-  return false;
 }
 
 void Resolver::collect(ast::Node statement) {
@@ -148,7 +169,7 @@ void Resolver::collect(ast::Node statement) {
     case SyntaxKind::Let:
     case SyntaxKind::Param:
       if (module_.imports.contains(name->text())) {
-        sink_.report(diag::duplicate, name->location(), "value", name->text());
+        report_duplicate("value", *name);
       } else if (add_name(module_.global_names, "value", *name, next(module_.globals))) {
         module_.globals.push_back({.name = name->text(),
                                    .node = statement.index(),
@@ -197,7 +218,7 @@ void Resolver::import_file(ast::Node statement) {
   const auto name = statement.first(SyntaxKind::Name);
   if (!file || !name) return;
   if (module_.imports.contains(name->text()) || module_.global_names.contains(name->text())) {
-    sink_.report(diag::duplicate, name->location(), "value", name->text());
+    report_duplicate("value", *name);
     return;
   }
   module_.imports.emplace(name->text(), program_.load(index_, *file, false, sink_));
@@ -208,7 +229,9 @@ void Resolver::resolve_global(Global& global) {
   uses_ = {};
   frame_size_ = 0;
   if (const auto type = statement.first(SyntaxKind::TypeName)) global.type = resolve_type(*type);
+  declaring_ = global.name;
   if (const auto value = expression_of(statement)) global.value = expression(*value);
+  declaring_ = {};
 }
 
 void Resolver::resolve_definition(Definition& definition) {
@@ -271,7 +294,12 @@ std::uint32_t Resolver::statement(ast::Node node, bool is_top) {
     case SyntaxKind::Include: return include_statement(node);
     case SyntaxKind::Property: {
       const ast::Labeled property{node};
-      sink_.report(diag::property_outside, property.label_location(), property.label());
+      auto report =
+          sink_.report(diag::property_outside, property.label_location(), property.label());
+      if (!is_top) {
+        report.help(fmt::format("it stands in its object itself: `{}: if … then … else …`",
+                                property.label()));
+      }
       return kNothing;
     }
     case SyntaxKind::Import:
@@ -292,9 +320,7 @@ void Resolver::block(ast::Node node) {
   const Scope scope(*this);
   const std::size_t mark = pending_.size();
   pending_.push_back(0);
-  const bool is_group = node.is(SyntaxKind::Object);
   for (const ast::Node child : node.children()) {
-    if (is_group && child.is(SyntaxKind::Property)) continue;  // the group's own
     const std::uint32_t index = statement(child, false);
     if (index != kNothing) pending_.push_back(index);
   }
@@ -303,7 +329,15 @@ void Resolver::block(ast::Node node) {
 
 std::uint32_t Resolver::let_statement(ast::Node node) {
   const auto value = expression_of(node);
+  declaring_ = declared_name(node);
   const std::uint32_t result = value ? expression(*value) : broken(node);
+  declaring_ = {};
+  const auto name = node.first(SyntaxKind::Name);
+  const bool is_again = name && std::any_of(locals_.begin() + static_cast<std::ptrdiff_t>(block_begin_),
+                                            locals_.end(), [&](const Local& local) {
+                                              return local.name == name->text();
+                                            });
+  if (is_again) sink_.report(diag::duplicate, name->location(), "value", name->text());
   const std::size_t mark = pending_.size();
   pending_.insert(pending_.end(), {declare(declared_name(node)), result});
   return add_statement(Action::Let, node, mark);
@@ -331,11 +365,12 @@ std::uint32_t Resolver::if_statement(ast::Node node) {
       has_condition = false;
     } else {
       const std::uint32_t condition = expression(child);
+      if (has_condition) pending_.push_back(0);  // the block before it could not be read
       pending_.push_back(condition);
       has_condition = true;
     }
   }
-  if (has_condition) pending_.push_back(0);  // its block could not be read
+  if (has_condition) pending_.push_back(0);
   return add_statement(Action::If, node, mark);
 }
 
@@ -377,7 +412,7 @@ std::uint32_t Resolver::object(ast::Object node, bool is_top) {
   const std::vector<std::string_view> names = split_path(path);
   const auto module = find_import(names[0]);
   if (!module) {
-    sink_.report(diag::unknown_kind, node.kind_location(), path);
+    sink_.report(diag::unknown_kind, node.kind_location(), path).suggest(nearest_import(names));
     return kNothing;
   }
   if (*module == kNothing) return kNothing;  // reported where it is imported
@@ -421,7 +456,10 @@ void Resolver::misplaced(std::string_view kind, ast::Node statement) {
   const Location where = is_object ? statement.head_location() : word_location(statement);
   const std::string_view word = is_object ? statement.head() : statement_word(statement.kind());
   auto report = sink_.report(diag::properties_only, where, kind, word);
-  if (statement.is(SyntaxKind::If)) report.help("write `radius: if … then … else …`");
+  if (!statement.is(SyntaxKind::If)) return;
+  const auto block = statement.first(SyntaxKind::Block);
+  const auto property = block ? block->first(SyntaxKind::Property) : std::nullopt;
+  if (property) report.help(fmt::format("write `{}: if … then … else …`", property->head()));
 }
 
 void Resolver::Slots::reset(std::string_view kind_) {
@@ -479,11 +517,11 @@ void Resolver::read_property(ast::Labeled node) {
   }
 }
 
-void Resolver::read_properties(ast::Object node, bool holds_statements) {
+void Resolver::read_properties(ast::Object node) {
   for (const ast::Node child : node.children()) {
     if (child.is(SyntaxKind::Property)) {
       read_property({child});
-    } else if (!holds_statements && !child.is(SyntaxKind::Name) && !child.is(SyntaxKind::Error)) {
+    } else if (!child.is(SyntaxKind::Name) && !child.is(SyntaxKind::Error)) {
       misplaced(slots_.kind, child);
     }
   }
@@ -503,10 +541,10 @@ void Resolver::push_properties(std::size_t first) {
 
 std::uint32_t Resolver::object_of(const Kind& kind, ast::Object node) {
   check_name(kind, node);
-  const bool is_group = kind.id == ObjectKind::Group;
+  if (kind.id == ObjectKind::Group) return group(kind, node);
   slots_.reset(kind.name);
   for (const Property& property : kind.properties) slots_.add(property.name, &property);
-  read_properties(node, is_group);
+  read_properties(node);
   for (std::size_t i = 0; i < kind.properties.size(); ++i) {
     const Property& property = kind.properties[i];
     const bool is_missing =
@@ -516,16 +554,42 @@ std::uint32_t Resolver::object_of(const Kind& kind, ast::Object node) {
       sink_.report(diag::missing, node.kind_location(), kind.name, property.name);
     }
   }
-
   const std::size_t mark = pending_.size();
-  if (!is_group) {
-    push_properties(0);
-    return add_statement(Action::Object, node.node, mark, kind.id);
+  push_properties(0);
+  return add_statement(Action::Object, node.node, mark, kind.id);
+}
+
+std::uint32_t Resolver::group(const Kind& kind, ast::Object node) {
+  const Scope scope(*this);
+  Slots own;
+  own.reset(kind.name);
+  for (const Property& property : kind.properties) own.add(property.name, &property);
+  std::vector<std::uint32_t> lets, statements;
+  for (const ast::Node child : node.children()) {
+    if (child.is(SyntaxKind::Property)) {
+      std::swap(slots_, own);
+      read_property({child});
+      std::swap(slots_, own);
+      continue;
+    }
+    const std::uint32_t index = statement(child, false);
+    if (index == kNothing) continue;
+    statements.push_back(index);
+    if (child.is(SyntaxKind::Let)) lets.push_back(index);
   }
+  // The properties are needed before the statements, and may use the lets before them.
+  std::swap(slots_, own);
+  const std::size_t mark = pending_.size();
+  const auto push = [&](const std::vector<std::uint32_t>& list) {
+    pending_.push_back(static_cast<std::uint32_t>(list.size()));
+    pending_.insert(pending_.end(), list.begin(), list.end());
+  };
+  push(lets);
+  const std::size_t size_at = pending_.size();
   pending_.push_back(0);
   push_properties(0);
-  pending_[mark] = static_cast<std::uint32_t>((pending_.size() - mark - 1) / 2);
-  block(node.node);
+  pending_[size_at] = static_cast<std::uint32_t>((pending_.size() - size_at - 1) / 2);
+  push(statements);
   return add_statement(Action::Group, node.node, mark, kind.id);
 }
 
@@ -539,7 +603,7 @@ std::uint32_t Resolver::instance_of(std::uint32_t module, std::uint32_t def, ast
     const bool is_taken = slots_.index_of(property.name) < parameters.size();
     slots_.add(is_taken ? std::string_view() : property.name, &property);
   }
-  read_properties(node, false);
+  read_properties(node);
   bool is_complete = true;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (slots_.given[i].is_written || parameters[i].has_default) continue;

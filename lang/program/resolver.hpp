@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -43,6 +44,8 @@ class Resolver {
   std::uint32_t declare(std::string_view name);
   /// The module behind an import's name; kNothing where it could not be read.
   std::optional<std::uint32_t> find_import(std::string_view name) const;
+  /// The path with the import that was probably meant in place of its first name.
+  std::optional<std::string> nearest_import(std::span<const std::string_view> names) const;
 
   // Declarations
   void collect(ast::Node statement);
@@ -50,6 +53,7 @@ class Resolver {
   void import_file(ast::Node statement);
   bool add_name(std::unordered_map<std::string_view, std::uint32_t>& names, std::string_view what,
                 ast::Node name, std::uint32_t index);
+  void report_duplicate(std::string_view what, ast::Node name);
   void resolve_global(Global& global);
   void resolve_definition(Definition& definition);
   const TypeInfo* resolve_type(ast::Node node);
@@ -63,14 +67,15 @@ class Resolver {
   std::uint32_t include_statement(ast::Node node);
   std::uint32_t object(ast::Object node, bool is_top);
   std::uint32_t object_of(const Kind& kind, ast::Object node);
+  std::uint32_t group(const Kind& kind, ast::Object node);
   std::uint32_t instance_of(std::uint32_t module, std::uint32_t def, ast::Object node);
   std::uint32_t unknown_kind(ast::Object node, std::uint32_t scope);
-  /// Pushes the number of statements in a Block or a group, and then they.
+  /// Pushes the number of statements in a Block, and then they.
   void block(ast::Node node);
   void misplaced(std::string_view kind, ast::Node statement);
   void top_level_only(ast::Node statement);
   void check_name(const Kind& kind, ast::Object node);
-  void read_properties(ast::Object node, bool holds_statements);
+  void read_properties(ast::Object node);
   void read_property(ast::Labeled node);
   std::size_t guess_property(ast::Labeled node);
   /// Pushes pairs of the index, counted from `first`, and the value of each property from there on.
@@ -105,7 +110,7 @@ class Resolver {
                               ObjectKind kind = ObjectKind::Sphere);
 
   /// The properties of the object that is being resolved. They hold expressions only, so that there
-  /// is one such object at a time; the vectors are kept for the next one.
+  /// is one such object at a time (a group puts its own aside); the vectors are kept for the next.
   struct Slots {
     /// What a property is called, and what it takes where a table says so.
     struct Name {
@@ -137,7 +142,9 @@ class Resolver {
   Code* code_;
   std::vector<std::uint32_t> pending_;  // operands of what is being resolved
   std::vector<Local> locals_;
+  std::size_t block_begin_ = 0;  // of the innermost block's own, in locals_
   std::uint32_t frame_size_ = 0;
+  std::string_view declaring_;  // what no unknown name in its own value was meant to be
   Uses uses_;  // of the declaration being resolved
   Slots slots_;
 };

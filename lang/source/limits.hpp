@@ -19,11 +19,11 @@ inline constexpr int kMaxEvaluationDepth = 2000;
 
 /// What one evaluation may use up. Each has a flag, `--limit NAME=N`, and an error of its own.
 struct Limits {
-  std::uint64_t steps = 100'000'000;             ///< loop turns, calls, instances and includes
-  std::uint64_t objects = 100'000'000;           ///< spheres
-  std::uint64_t string = std::uint64_t{1} << 20; ///< bytes of one string
-  std::uint64_t include_depth = 32;              ///< files inside files
-  std::uint64_t file = std::uint64_t{256} << 20; ///< bytes of one .scene file
+  std::uint64_t steps = 100'000'000;              ///< loop turns, calls, instances and includes
+  std::uint64_t objects = 100'000'000;            ///< spheres
+  std::uint64_t string = std::uint64_t{1} << 20;  ///< bytes of one string
+  std::uint64_t include_depth = 32;               ///< files inside files
+  std::uint64_t file = std::uint64_t{256} << 20;  ///< bytes of one .scene file
 };
 
 /// One row of the table of limits: its name in `--limit` and in messages.

@@ -24,19 +24,18 @@ std::string_view spelling(Operator op) noexcept {
 
 /// The numbers of a value of any type that computes componentwise.
 bool is_finite(const Computed& value) noexcept {
-  if (const auto* scalar = std::get_if<Scalar>(&value)) return std::isfinite(scalar->value);
-  if (const auto* triple = std::get_if<Triple>(&value)) return render::is_finite(triple->value);
-  if (const auto* angle = std::get_if<Angle>(&value)) return std::isfinite(angle->degrees);
-  if (const auto* angles = std::get_if<AngleTriple>(&value))
-    return render::is_finite(angles->degrees);
-  if (const auto* color = std::get_if<LinearRgb>(&value)) return render::is_finite(*color);
+  if (const auto* scalar = get_if<Scalar>(&value)) return std::isfinite(scalar->value);
+  if (const auto* triple = get_if<Triple>(&value)) return render::is_finite(triple->value);
+  if (const auto* angle = get_if<Angle>(&value)) return std::isfinite(angle->degrees);
+  if (const auto* angles = get_if<AngleTriple>(&value)) return render::is_finite(angles->degrees);
+  if (const auto* color = get_if<LinearRgb>(&value)) return render::is_finite(*color);
   return true;
 }
 
 class Operation {
  public:
-  Operation(const Computed& left, Operator op, const Computed& right,
-            const OperatorPlace& where, DiagnosticSink& sink)
+  Operation(const Computed& left, Operator op, const Computed& right, const OperatorPlace& where,
+            DiagnosticSink& sink)
       : left_(left), op_(op), right_(right), where_(where), sink_(sink) {}
 
   Computed run() {
@@ -52,15 +51,16 @@ class Operation {
  private:
   template <typename T>
   const T* left() const noexcept {
-    return std::get_if<T>(&left_);
+    return get_if<T>(&left_);
   }
   template <typename T>
   const T* right() const noexcept {
-    return std::get_if<T>(&right_);
+    return get_if<T>(&right_);
   }
 
   Computed wrong_types() {
-    sink_.report(diag::wrong_operands, where_.location(), spelling(op_), describe(left_), describe(right_));
+    sink_.report(diag::wrong_operands, where_.location(), spelling(op_), describe(left_),
+                 describe(right_));
     return Failed{};
   }
 
@@ -98,17 +98,17 @@ class Operation {
   }
 
   static Computed scaled(const Computed& value, Scalar factor) {
-    if (const auto* scalar = std::get_if<Scalar>(&value)) {
+    if (const auto* scalar = get_if<Scalar>(&value)) {
       return Scalar{scalar->value * factor.value, product_unit(scalar->unit, factor.unit)};
     }
-    if (const auto* triple = std::get_if<Triple>(&value)) {
+    if (const auto* triple = get_if<Triple>(&value)) {
       return Triple{triple->value * factor.value, product_unit(triple->unit, factor.unit)};
     }
-    if (const auto* angle = std::get_if<Angle>(&value)) return Angle{angle->degrees * factor.value};
-    if (const auto* angles = std::get_if<AngleTriple>(&value)) {
+    if (const auto* angle = get_if<Angle>(&value)) return Angle{angle->degrees * factor.value};
+    if (const auto* angles = get_if<AngleTriple>(&value)) {
       return AngleTriple{angles->degrees * factor.value};
     }
-    if (const auto* color = std::get_if<LinearRgb>(&value)) return *color * factor.value;
+    if (const auto* color = get_if<LinearRgb>(&value)) return *color * factor.value;
     return Failed{};
   }
 
@@ -179,8 +179,8 @@ Computed evaluate_operation(const Computed& left, Operator op, const Computed& r
 Computed evaluate_power(const Computed& base, const Computed& exponent, const OperatorPlace& where,
                         DiagnosticSink& sink) {
   if (has_failed(base) || has_failed(exponent)) return Failed{};
-  const auto* x = std::get_if<Scalar>(&base);
-  const auto* y = std::get_if<Scalar>(&exponent);
+  const auto* x = get_if<Scalar>(&base);
+  const auto* y = get_if<Scalar>(&exponent);
   if (!x || !y || y->unit != Unit::None) {
     sink.report(diag::wrong_operands, where.location(), "^", describe(base), describe(exponent));
     return Failed{};
@@ -192,7 +192,8 @@ Computed evaluate_power(const Computed& base, const Computed& exponent, const Op
     return Failed{};
   }
   if (!result) {
-    sink.report(diag::no_real_result, where.location(), "^", "a negative number and a broken exponent");
+    sink.report(diag::no_real_result, where.location(), "^",
+                "a negative number and a broken exponent");
     return Failed{};
   }
   if (!std::isfinite(*result)) {
@@ -203,12 +204,10 @@ Computed evaluate_power(const Computed& base, const Computed& exponent, const Op
 }
 
 Computed evaluate_negative(const Computed& operand, Location where, DiagnosticSink& sink) {
-  if (const auto* scalar = std::get_if<Scalar>(&operand))
-    return Scalar{-scalar->value, scalar->unit};
-  if (const auto* triple = std::get_if<Triple>(&operand))
-    return Triple{-triple->value, triple->unit};
-  if (const auto* angle = std::get_if<Angle>(&operand)) return Angle{-angle->degrees};
-  if (const auto* angles = std::get_if<AngleTriple>(&operand)) return AngleTriple{-angles->degrees};
+  if (const auto* scalar = get_if<Scalar>(&operand)) return Scalar{-scalar->value, scalar->unit};
+  if (const auto* triple = get_if<Triple>(&operand)) return Triple{-triple->value, triple->unit};
+  if (const auto* angle = get_if<Angle>(&operand)) return Angle{-angle->degrees};
+  if (const auto* angles = get_if<AngleTriple>(&operand)) return AngleTriple{-angles->degrees};
   if (!has_failed(operand)) sink.report(diag::wrong_operand, where, "-", describe(operand));
   return Failed{};
 }

@@ -236,9 +236,8 @@ render::LinearRgb decode_hsl(double hue, double saturation, double lightness) no
 
 render::LinearRgb color_of_temperature(double kelvin) noexcept {
   const double u = 1000 / kelvin;
-  const double x =
-      kelvin <= 4000 ? ((-0.2661239 * u - 0.2343589) * u + 0.8776956) * u + 0.179910
-                     : ((-3.0258469 * u + 2.1070379) * u + 0.2226347) * u + 0.240390;
+  const double x = kelvin <= 4000 ? ((-0.2661239 * u - 0.2343589) * u + 0.8776956) * u + 0.179910
+                                  : ((-3.0258469 * u + 2.1070379) * u + 0.2226347) * u + 0.240390;
   const double y =
       kelvin <= 2222   ? ((-1.1063814 * x - 1.34811020) * x + 2.18555832) * x - 0.20219683
       : kelvin <= 4000 ? ((-0.9549476 * x - 1.37418593) * x + 2.09137015) * x - 0.16748867

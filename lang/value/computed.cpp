@@ -1,5 +1,7 @@
 #include "lang/value/computed.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace sdlc::lang {
@@ -37,12 +39,21 @@ struct Describe {
 
 /// The elements of a list, and the only owner of lists inside it.
 struct ListNode {
-  explicit ListNode(std::vector<Computed> values_) : values(std::move(values_)) {}
+  explicit ListNode(std::vector<Computed> values_) : values(std::move(values_)) {
+    weight = values.size();
+    for (const Computed& value : values) {
+      const auto* list = get_if<ListValue>(&value);
+      if (list == nullptr) break;  // the elements are of one type
+      constexpr auto kMost = std::numeric_limits<std::uint64_t>::max();
+      weight += std::min(list->weight(), kMost - weight);
+    }
+  }
   ListNode(const ListNode&) = delete;
   ListNode& operator=(const ListNode&) = delete;
   ~ListNode() { ListValue::release(std::move(values)); }
 
   std::vector<Computed> values;
+  std::uint64_t weight = 0;
 };
 
 ListValue::ListValue(std::vector<Computed> values)
@@ -50,6 +61,8 @@ ListValue::ListValue(std::vector<Computed> values)
 
 ListValue::ListValue(double first, double step, std::size_t count)
     : first_(first), step_(step), count_(count) {}
+
+std::uint64_t ListValue::weight() const noexcept { return node_ ? node_->weight : count_; }
 
 Computed ListValue::operator[](std::size_t i) const {
   if (node_) return node_->values[i];
@@ -62,7 +75,7 @@ void ListValue::release(std::vector<Computed> values) {
   std::vector<std::shared_ptr<ListNode>> waiting;
   const auto take_lists = [&](std::vector<Computed>& from) {
     for (Computed& value : from) {
-      auto* list = std::get_if<ListValue>(&value);
+      auto* list = value.get_if_unshared<ListValue>();
       if (list != nullptr && list->node_ && list->node_.use_count() == 1) {
         waiting.push_back(std::move(list->node_));
       }
@@ -76,6 +89,6 @@ void ListValue::release(std::vector<Computed> values) {
   }
 }
 
-std::string_view describe(const Computed& value) noexcept { return std::visit(Describe(), value); }
+std::string_view describe(const Computed& value) noexcept { return visit(Describe(), value); }
 
 }  // namespace sdlc::lang

@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "lang/object/object.hpp"
+#include "lang/object/variant.hpp"
 #include "render/math/color.hpp"
 #include "render/math/vec3.hpp"
 
@@ -39,8 +39,8 @@ struct Failed {};
 class ListValue;
 
 /// What an expression computes, with the tags and types that a property has not yet asked for.
-using Computed = std::variant<Failed, Scalar, bool, std::string, Triple, Angle, AngleTriple,
-                              render::LinearRgb, Bounds, MaterialValue, MotionValue, Word, None, ListValue>;
+using Computed = Variant<Failed, Scalar, bool, Triple, Angle, AngleTriple, render::LinearRgb,
+                         Bounds, MaterialValue, MotionValue, None, std::string, Word, ListValue>;
 
 struct ListNode;
 
@@ -53,6 +53,9 @@ class ListValue {
   ListValue(double first, double step, std::size_t count);
 
   std::size_t size() const noexcept { return count_; }
+  /// Elements of it and of the lists inside it, each as often as it stands there; 2^64 - 1 where
+  /// there are more. What looking at all of them costs.
+  std::uint64_t weight() const noexcept;
   /// Precondition: i < size().
   Computed operator[](std::size_t i) const;
 
@@ -65,9 +68,7 @@ class ListValue {
   std::size_t count_ = 0;
 };
 
-inline bool has_failed(const Computed& value) noexcept {
-  return std::holds_alternative<Failed>(value);
-}
+inline bool has_failed(const Computed& value) noexcept { return holds_alternative<Failed>(value); }
 
 /// "a number", "a length": what a message calls the value.
 std::string_view describe(const Computed& value) noexcept;

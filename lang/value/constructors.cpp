@@ -38,17 +38,17 @@ constexpr auto kHsl = std::to_array<Property>({
     {.name = "hue",
      .type = Type::Angle,
      .presence = Presence::Required,
-     .doc = "0deg red, 120deg green, 240deg blue."},
+     .doc = "`0deg` is red, `120deg` green, `240deg` blue."},
     {.name = "saturation",
      .type = Type::Number,
      .range = Range::Fraction,
      .presence = Presence::Required,
-     .doc = "0% grey, 100% pure."},
+     .doc = "`0%` is grey, `100%` pure."},
     {.name = "lightness",
      .type = Type::Number,
      .range = Range::Fraction,
      .presence = Presence::Required,
-     .doc = "0% black, 100% white."},
+     .doc = "`0%` is black, `100%` white."},
 });
 
 constexpr auto kKelvin = std::to_array<Property>({
@@ -56,7 +56,7 @@ constexpr auto kKelvin = std::to_array<Property>({
      .type = Type::Number,
      .range = Range::Kelvin,
      .presence = Presence::Required,
-     .doc = "In kelvins: 2700 a light bulb, 6500 daylight."},
+     .doc = "In kelvins: 2700 is a light bulb, 6500 daylight."},
 });
 
 constexpr auto kLine = std::to_array<Property>({
@@ -67,11 +67,11 @@ constexpr auto kLine = std::to_array<Property>({
     {.name = "over",
      .type = Type::Interval,
      .presence = Presence::Required,
-     .doc = "From when to when, in seconds."},
+     .doc = "From when to when, in seconds of the film; the ends differ."},
 });
 
 double number(const ConstructorArguments& arguments, std::size_t i) {
-  return std::get<double>(arguments[i]);
+  return get<double>(arguments[i]);
 }
 
 Computed make_rgb(const Constructor& /*self*/, const ConstructorArguments& in) {
@@ -88,7 +88,7 @@ Computed make_linear255(const Constructor& /*self*/, const ConstructorArguments&
 }
 
 Computed make_hsl(const Constructor& /*self*/, const ConstructorArguments& in) {
-  return decode_hsl(std::get<Angle>(in[0]).degrees, number(in, 1), number(in, 2));
+  return decode_hsl(get<Angle>(in[0]).degrees, number(in, 1), number(in, 2));
 }
 
 Computed make_kelvin(const Constructor& /*self*/, const ConstructorArguments& in) {
@@ -96,7 +96,7 @@ Computed make_kelvin(const Constructor& /*self*/, const ConstructorArguments& in
 }
 
 Computed make_line(const Constructor& /*self*/, const ConstructorArguments& in) {
-  return MotionValue{std::get<render::Vec3>(in[0]), std::get<render::Interval>(in[1])};
+  return MotionValue{get<render::Vec3>(in[0]), get<render::Interval>(in[1])};
 }
 
 Computed make_material(const Constructor& self, const ConstructorArguments& in) {
@@ -107,10 +107,9 @@ Computed make_material(const Constructor& self, const ConstructorArguments& in) 
   MaterialValue material{.kind = info->id, .color = {}, .parameter = 0, .exact_fresnel = false};
   // A material has at most one argument of each type, so the type tells where the value goes.
   for (const Value& value : in) {
-    if (const auto* color = std::get_if<render::LinearRgb>(&value)) material.color = *color;
-    if (const auto* parameter = std::get_if<double>(&value)) material.parameter = *parameter;
-    if (const auto* word = std::get_if<Word>(&value))
-      material.exact_fresnel = word->text == "exact";
+    if (const auto* color = get_if<render::LinearRgb>(&value)) material.color = *color;
+    if (const auto* parameter = get_if<double>(&value)) material.parameter = *parameter;
+    if (const auto* word = get_if<Word>(&value)) material.exact_fresnel = word->text == "exact";
   }
   return material;
 }
@@ -120,16 +119,19 @@ Computed make_material(const Constructor& self, const ConstructorArguments& in) 
 std::span<const Constructor> all_constructors() noexcept {
   static const std::vector<Constructor> constructors = [] {
     std::vector<Constructor> all{
-        {"rgb", kCodes, "A colour by its sRGB codes, as CSS and image editors give them.",
-         make_rgb},
-        {"linear", kComponents, "A colour by its linear components; 1 is white.", make_linear},
-        {"linear255", kComponents, "A colour by its linear components; 255 is white.",
+        {"rgb", kCodes, "By its sRGB codes, as CSS and image editors give them.", make_rgb},
+        {"linear", kComponents, "By its linear components; 1 is white, and more is brighter.",
+         make_linear},
+        {"linear255", kComponents, "By its linear components; 255 is white, as in JSON configs.",
          make_linear255},
-        {"hsl", kHsl, "A colour by hue, saturation and lightness, as CSS defines them.", make_hsl},
+        {"hsl", kHsl, "By hue, saturation and lightness, as CSS defines them.", make_hsl},
         {"kelvin", kKelvin,
-         "The colour of a black body, its largest component 1 (cubic of Kim et al.).",
+         "The colour of a glowing black body, its largest component 1 (cubic of Kim et al.).",
          make_kelvin},
-        {"line", kLine, "A straight motion of a sphere's centre.", make_line}};
+        {"line", kLine,
+         "A straight motion of a sphere's centre: at `center` when `over` begins, at `to` when it "
+         "ends, and on beyond both.",
+         make_line}};
     for (const MaterialInfo& material : all_materials())
       all.push_back({material.name, material.arguments, material.doc, make_material});
     return all;
@@ -153,10 +155,10 @@ const Constructor* find_constructor(std::string_view name) noexcept {
 }
 
 Value default_of(const Property& parameter) {
-  if (const auto* number = std::get_if<double>(&parameter.default_value)) return *number;
-  if (const auto* word = std::get_if<std::string_view>(&parameter.default_value))
+  if (const auto* number = get_if<double>(&parameter.default_value)) return *number;
+  if (const auto* word = get_if<std::string_view>(&parameter.default_value))
     return Word{std::string(*word)};
-  if (const auto* triple = std::get_if<std::array<double, 3>>(&parameter.default_value)) {
+  if (const auto* triple = get_if<std::array<double, 3>>(&parameter.default_value)) {
     return render::LinearRgb{(*triple)[0], (*triple)[1], (*triple)[2]};
   }
   return {};

@@ -175,4 +175,11 @@ Computed evaluate_string(ast::Node node, DiagnosticSink& sink) {
   return value;
 }
 
+bool check_string_size(std::uint64_t bytes, const Limits& limits, Location where,
+                       DiagnosticSink& sink) {
+  if (bytes <= limits.string) return true;
+  sink.report(diag::string_too_long, where, limits.string).help("`--limit string=N` allows more");
+  return false;
+}
+
 }  // namespace sdlc::lang

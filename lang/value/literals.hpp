@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/source/limits.hpp"
+#include "lang/source/source.hpp"
 #include "lang/value/computed.hpp"
 
 namespace sdlc::lang {
@@ -13,5 +16,9 @@ namespace sdlc::lang {
 Computed evaluate_number(ast::Node node, DiagnosticSink& sink);
 /// A String without its quotes and escapes. Reports halves of surrogate pairs.
 Computed evaluate_string(ast::Node node, DiagnosticSink& sink);
+
+/// Whether a string may be this long; if not, that is reported at `where`.
+bool check_string_size(std::uint64_t bytes, const Limits& limits, Location where,
+                       DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

@@ -1,6 +1,8 @@
 #include "lang/value/logic.hpp"
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace sdlc::lang {
 namespace {
@@ -8,13 +10,15 @@ namespace {
 bool agree(Unit a, Unit b) noexcept { return a == b || a == Unit::None || b == Unit::None; }
 
 std::optional<Unit> unit_of(const Computed& value) noexcept {
-  if (const auto* scalar = std::get_if<Scalar>(&value)) return scalar->unit;
-  if (const auto* triple = std::get_if<Triple>(&value)) return triple->unit;
-  if (const auto* bounds = std::get_if<Bounds>(&value)) return bounds->unit;
+  if (const auto* scalar = get_if<Scalar>(&value)) return scalar->unit;
+  if (const auto* triple = get_if<Triple>(&value)) return triple->unit;
+  if (const auto* bounds = get_if<Bounds>(&value)) return bounds->unit;
   return std::nullopt;
 }
 
-/// Equality of two values of one alternative, lists left out.
+bool are_lists_equal(const ListValue& a, const ListValue& b);
+
+/// Equality of two values of one alternative.
 struct Equal {
   bool operator()(Failed, Failed) const { return true; }
   bool operator()(Scalar a, Scalar b) const { return a.value == b.value; }
@@ -25,18 +29,29 @@ struct Equal {
   bool operator()(const T& a, const T& b) const {
     return a == b;
   }
-  template <typename A, typename B>
-  bool operator()(const A&, const B&) const {
-    return false;
-  }
-  bool operator()(const ListValue& a, const ListValue& b) const {
-    if (a.size() != b.size()) return false;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      if (!are_equal(a[i], b[i]).value_or(false)) return false;
-    }
-    return true;
-  }
+  bool operator()(const ListValue& a, const ListValue& b) const { return are_lists_equal(a, b); }
 };
+
+/// Lists may stand in lists as deep as a file is long: a loop, where a comparison would recur.
+bool are_lists_equal(const ListValue& a, const ListValue& b) {
+  std::vector<std::pair<ListValue, ListValue>> waiting{{a, b}};
+  while (!waiting.empty()) {
+    const auto [left, right] = std::move(waiting.back());
+    waiting.pop_back();
+    if (left.size() != right.size()) return false;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const Computed x = left[i], y = right[i];
+      const auto* inner = get_if<ListValue>(&x);
+      const auto* other = get_if<ListValue>(&y);
+      if (inner != nullptr && other != nullptr) {
+        waiting.emplace_back(*inner, *other);
+      } else if (!are_equal(x, y).value_or(false)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
 
 template <typename T>
 bool compare(const T& a, Operator op, const T& b) noexcept {
@@ -67,7 +82,7 @@ bool are_of_one_type(const Computed& a, const Computed& b) noexcept {
 
 std::optional<bool> are_equal(const Computed& a, const Computed& b) {
   if (!are_of_one_type(a, b)) return std::nullopt;
-  return std::visit(Equal(), a, b);
+  return visit([&]<typename T>(const T& value) { return Equal()(value, get<T>(b)); }, a);
 }
 
 Computed evaluate_comparison(const Computed& left, Operator op, const Computed& right,
@@ -80,11 +95,11 @@ Computed evaluate_comparison(const Computed& left, Operator op, const Computed& 
     return Failed{};
   }
   if (are_of_one_type(left, right)) {
-    if (const auto* a = std::get_if<Scalar>(&left)) {
-      return compare(a->value, op, std::get<Scalar>(right).value);
+    if (const auto* a = get_if<Scalar>(&left)) {
+      return compare(a->value, op, get<Scalar>(right).value);
     }
-    if (const auto* a = std::get_if<Angle>(&left)) {
-      return compare(a->degrees, op, std::get<Angle>(right).degrees);
+    if (const auto* a = get_if<Angle>(&left)) {
+      return compare(a->degrees, op, get<Angle>(right).degrees);
     }
   }
   sink.report(diag::wrong_operands, where, spelling(op), describe(left), describe(right));

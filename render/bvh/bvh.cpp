@@ -208,4 +208,12 @@ std::size_t Bvh::memory_bytes() const noexcept {
          shifts_.capacity() * sizeof(Vec3) + indices_.capacity() * sizeof(std::uint32_t);
 }
 
+std::size_t Bvh::estimated_bytes(std::size_t spheres, bool is_moving) noexcept {
+  // Leaves hold several spheres: .14 to .40 nodes a sphere were counted, on scenes from spheres of
+  // one centre to sparse ones; the vector of nodes has grown by doubling.
+  constexpr std::size_t kSpheresPerNode = 3;
+  return spheres / kSpheresPerNode * sizeof(Node) +
+         spheres * (sizeof(BvhSphere) + sizeof(std::uint32_t) + (is_moving ? sizeof(Vec3) : 0));
+}
+
 }  // namespace sdlc::render

@@ -50,6 +50,9 @@ class Bvh {
     return spheres_[slot].center;
   }
   std::size_t memory_bytes() const noexcept;
+  /// What memory_bytes() will be, without building anything: from half to twice as much, for a
+  /// thousand spheres or more.
+  static std::size_t estimated_bytes(std::size_t spheres, bool is_moving) noexcept;
 
  private:
   friend class BvhBuilder;

@@ -119,8 +119,13 @@ int thread_count(int asked) {
 
 }  // namespace
 
+Kernel choose_kernel(const Scene& /*scene*/) noexcept {
+  return {.precision = "double", .name = "scalar", .reason = "there is no other yet"};
+}
+
 RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor) {
   RenderResult result;
+  result.kernel = choose_kernel(scene);
   const auto build_start = std::chrono::steady_clock::now();
   const PathIntegrator integrator(std::move(scene), settings.depth);
   result.build_seconds = seconds_since(build_start);

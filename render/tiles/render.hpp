@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string_view>
 
 #include "render/image/picture.hpp"
 #include "render/scene/scene.hpp"
@@ -19,10 +20,21 @@ struct RenderMonitor {
   std::function<void()> on_tracing;
 };
 
+/// How paths are traced, in words that users are told.
+struct Kernel {
+  std::string_view precision;  ///< of the numbers
+  std::string_view name;
+  std::string_view reason;  ///< why this one
+};
+
+/// The kernel that render() uses for the scene.
+Kernel choose_kernel(const Scene& scene) noexcept;
+
 /// A picture and how it came about.
 struct RenderResult {
   Picture picture;           ///< mean radiance; pixels that were not reached are black
   bool is_complete = false;  ///< false after a cancelled render
+  Kernel kernel;
   int threads = 0;           ///< that were asked for, after 0 became all of the machine
   std::uint64_t camera_samples = 0;
   std::uint64_t rays = 0;

@@ -49,19 +49,5 @@ TEST(ProgressReporter, IsSilentElsewhere) {
       << "ten seconds are not over";
 }
 
-TEST(FormatSeconds, UsesTheUnitThatReadsBest) {
-  EXPECT_EQ(format_seconds(0.0123), "12 ms");
-  EXPECT_EQ(format_seconds(59.94), "59.9 s");
-  EXPECT_EQ(format_seconds(245), "4 min 05 s");
-  EXPECT_EQ(format_seconds(7800), "2 h 10 min");
-}
-
-TEST(FormatCount, KeepsThreeDigits) {
-  EXPECT_EQ(format_count(999), "999");
-  EXPECT_EQ(format_count(1234), "1.23 k");
-  EXPECT_EQ(format_count(71.2e6), "71.2 M");
-  EXPECT_EQ(format_count(7.1e14), "710 T");
-}
-
 }  // namespace
 }  // namespace sdlc::cli

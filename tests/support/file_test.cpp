@@ -37,17 +37,27 @@ std::vector<std::string> split_lines(std::string_view text) {
   return lines;
 }
 
-std::optional<std::string> case_name(const std::string& line) {
-  static const std::regex header("--- (\\w+) ---");
+std::optional<std::string> name_in(const std::string& line, const std::regex& header) {
   std::smatch match;
   if (!std::regex_match(line, match, header)) return std::nullopt;
   return match[1];
 }
 
-/// The expectation that the line is, if it is one, about the text line `number`.
-std::optional<Remark> parse_expectation(const std::string& line, std::uint32_t number) {
-  static const std::regex below("(//\\s*)(\\^+) ([A-Z]\\d\\d\\d|label|fix): (.*)");
-  static const std::regex by_number("// @(\\d+)\\+(\\d+) ([A-Z]\\d\\d\\d|label|fix): (.*)");
+std::optional<std::string> case_name(const std::string& line) {
+  static const std::regex header("--- (\\w+) ---");
+  return name_in(line, header);
+}
+
+std::optional<std::string> text_name(const std::string& line) {
+  static const std::regex header("=== (\\S.*) ===");
+  return name_in(line, header);
+}
+
+/// The expectation that the line is, if it is one, about the line `number` of a text.
+std::optional<Remark> parse_expectation(const std::string& line, std::size_t text,
+                                        std::uint32_t number) {
+  static const std::regex below("(//\\s*)(\\^+) ([A-Z]\\d\\d\\d|label|fix|chain): (.*)");
+  static const std::regex by_number("// @(\\d+)\\+(\\d+) ([A-Z]\\d\\d\\d|label|fix|chain): (.*)");
   static const std::regex help("// help: (.*)");
   if (!line.starts_with("//")) return std::nullopt;
   std::smatch match;
@@ -56,7 +66,8 @@ std::optional<Remark> parse_expectation(const std::string& line, std::uint32_t n
                   .column = static_cast<std::uint32_t>(column),
                   .length = static_cast<std::uint32_t>(length),
                   .kind = match[3],
-                  .message = match[4]};
+                  .message = match[4],
+                  .text = text};
   };
   if (std::regex_match(line, match, below)) {
     return remark(static_cast<std::size_t>(match[1].length()) + 1,
@@ -66,7 +77,7 @@ std::optional<Remark> parse_expectation(const std::string& line, std::uint32_t n
     return remark(std::stoul(match[1]), std::stoul(match[2]));
   }
   if (std::regex_match(line, match, help)) {
-    return Remark{.line = number, .kind = "help", .message = match[1]};
+    return Remark{.line = number, .kind = "help", .message = match[1], .text = text};
   }
   return std::nullopt;
 }
@@ -82,32 +93,61 @@ std::string to_line(const Remark& remark) {
                      remark.length, remark.kind, remark.message);
 }
 
-/// A remark at the place, which ends with its first line.
-Remark remark_at(const lang::Location& where, const FileCase& file_case, std::string_view kind,
-                 std::string_view message) {
-  const lang::SourceFile& file = *where.file;
-  const lang::Position position = file.position(where.span.begin);
-  const std::uint32_t line_end =
-      file.line_begin(position.line) + static_cast<std::uint32_t>(file.line(position.line).size());
-  const std::uint32_t end = std::max(where.span.begin, std::min(where.span.end, line_end));
-  const std::size_t length = lang::count_code_points(file.text({where.span.begin, end}));
-  Remark remark{.line = position.line,
-                .column = position.column,
-                .length = static_cast<std::uint32_t>(std::max<std::size_t>(length, 1)),
-                .kind = std::string(kind),
-                .message = lang::printable(message)};
+/// Makes remarks about places in the texts of a case.
+class Remarker {
+ public:
+  Remarker(const FileCase& file_case, std::string_view file_name)
+      : file_case_(file_case), file_name_(file_name) {}
 
-  // The end of the text is behind the last line break, where no line of the case stands.
-  const auto last_line = static_cast<std::uint32_t>(file_case.lines.size());
-  if (remark.line > last_line) {
-    remark.line = last_line;
-    remark.column = 1;
-    if (last_line > 0) {
-      remark.column += static_cast<std::uint32_t>(lang::count_code_points(file.line(last_line)));
+  /// A remark at the place, which ends with its first line.
+  Remark at(const lang::Location& where, std::string_view kind, std::string_view message) const {
+    const std::optional<std::size_t> text = text_of(where.file);
+    if (!text) {
+      const bool is_empty = file_case_.texts.front().lines.empty();
+      return {.line = is_empty ? 0u : 1u,
+              .column = 1,
+              .length = 1,
+              .kind = std::string(kind),
+              .message = lang::printable(message)};
     }
+    const lang::SourceFile& file = *where.file;
+    const lang::Position position = file.position(where.span.begin);
+    const std::uint32_t line_end = file.line_begin(position.line) +
+                                   static_cast<std::uint32_t>(file.line(position.line).size());
+    const std::uint32_t end = std::max(where.span.begin, std::min(where.span.end, line_end));
+    const std::size_t length = lang::count_code_points(file.text({where.span.begin, end}));
+    Remark remark{.line = position.line,
+                  .column = position.column,
+                  .length = static_cast<std::uint32_t>(std::max<std::size_t>(length, 1)),
+                  .kind = std::string(kind),
+                  .message = lang::printable(message),
+                  .text = *text};
+
+    // The end of the text is behind the last line break, where no line of the case stands.
+    const auto last_line = static_cast<std::uint32_t>(file_case_.texts[*text].lines.size());
+    if (remark.line > last_line) {
+      remark.line = last_line;
+      remark.column = 1;
+      if (last_line > 0) {
+        remark.column += static_cast<std::uint32_t>(lang::count_code_points(file.line(last_line)));
+      }
+    }
+    return remark;
   }
-  return remark;
-}
+
+ private:
+  std::optional<std::size_t> text_of(const lang::SourceFile* file) const {
+    if (file == nullptr) return std::nullopt;
+    if (file->name() == file_name_) return 0;
+    for (std::size_t i = 1; i < file_case_.texts.size(); ++i) {
+      if (file_case_.texts[i].name == file->name()) return i;
+    }
+    return std::nullopt;
+  }
+
+  const FileCase& file_case_;
+  std::string_view file_name_;
+};
 
 bool is_diagnostic(const Remark& remark) {
   return remark.kind.size() == 4 && remark.kind != "help";
@@ -137,7 +177,7 @@ void update(const FileCase& file_case, const std::vector<Remark>& remarks) {
 
 }  // namespace
 
-std::string FileCase::text() const {
+std::string CaseText::text() const {
   static const std::regex byte("⟦([0-9A-F]{2})⟧");
   std::string text;
   for (const std::string& line : lines) {
@@ -157,30 +197,46 @@ void PrintTo(const FileCase& file_case, std::ostream* out) {
   *out << file_case.file.filename().string() << ": " << file_case.name;
 }
 
+std::optional<std::string> CaseFiles::read(const fs::path& path, std::error_code& error) const {
+  for (const CaseText& text : file_case_.texts) {
+    if (!text.name.empty() && !text.is_flag() && text.name == path.generic_string()) {
+      return text.text();
+    }
+  }
+  error = std::make_error_code(std::errc::no_such_file_or_directory);
+  return std::nullopt;
+}
+
 std::vector<FileCase> parse_cases(std::string_view text, const fs::path& file) {
   std::vector<FileCase> cases;
-  const auto end_case = [&] {
-    // A blank line before the next case separates, it is no part of the text.
-    if (!cases.empty() && !cases.back().lines.empty() && cases.back().lines.back().empty()) {
-      cases.back().lines.pop_back();
-    }
+  const auto end_text = [&] {
+    if (cases.empty()) return;
+    // A blank line before the next text separates, it is no part of the text.
+    std::vector<std::string>& lines = cases.back().texts.back().lines;
+    if (!lines.empty() && lines.back().empty()) lines.pop_back();
   };
   for (const std::string& line : split_lines(text)) {
     if (const auto name = case_name(line)) {
-      end_case();
-      cases.push_back({.file = file, .name = *name, .lines = {}, .expected = {}});
+      end_text();
+      cases.push_back({.file = file, .name = *name});
       continue;
     }
     if (cases.empty()) continue;  // what stands before the first case is about the file
     FileCase& file_case = cases.back();
-    const auto number = static_cast<std::uint32_t>(file_case.lines.size());
-    if (auto remark = parse_expectation(line, number)) {
+    if (const auto name = text_name(line)) {
+      end_text();
+      file_case.texts.push_back({.name = *name});
+      continue;
+    }
+    CaseText& last = file_case.texts.back();
+    const auto number = static_cast<std::uint32_t>(last.lines.size());
+    if (auto remark = parse_expectation(line, file_case.texts.size() - 1, number)) {
       file_case.expected.push_back(std::move(*remark));
     } else {
-      file_case.lines.push_back(line);
+      last.lines.push_back(line);
     }
   }
-  end_case();
+  end_text();
   return cases;
 }
 
@@ -202,48 +258,61 @@ std::vector<FileCase> load_cases(std::string_view folder) {
 
 std::string replace_expectations(std::string_view file_text, const FileCase& file_case,
                                  const std::vector<Remark>& remarks) {
-  std::string text;
+  std::string result;
   bool is_inside = false;
+  std::size_t text = 0;
   std::uint32_t number = 0;
+  const auto begin_text = [&](std::size_t index) {
+    text = index;
+    number = 0;
+  };
   const auto write_remarks = [&] {
     for (const Remark& remark : remarks) {
-      if (remark.line == number) text += to_line(remark) + "\n";
+      if (remark.text == text && remark.line == number) result += to_line(remark) + "\n";
     }
   };
   for (const std::string& line : split_lines(file_text)) {
-    if (const auto name = case_name(line)) {
+    const auto name = case_name(line);
+    if (name) {
       is_inside = *name == file_case.name;
-      number = 0;
-      text += line + "\n";
-      if (is_inside) write_remarks();
-    } else if (!is_inside) {
-      text += line + "\n";
-    } else if (!parse_expectation(line, number)) {
-      ++number;
-      text += line + "\n";
-      write_remarks();
+      begin_text(0);
     }
+    const bool is_head = name || (is_inside && text_name(line));
+    if (is_head && !name) begin_text(text + 1);
+    if (is_head || !is_inside) {
+      result += line + "\n";
+    } else if (parse_expectation(line, text, number)) {
+      continue;
+    } else {
+      ++number;
+      result += line + "\n";
+    }
+    if (is_inside) write_remarks();
   }
-  return text;
+  return result;
 }
 
-std::vector<Remark> remarks_of(const lang::DiagnosticSink& sink, const FileCase& file_case) {
+std::vector<Remark> remarks_of(const lang::DiagnosticSink& sink, const FileCase& file_case,
+                               std::string_view file_name) {
+  const Remarker remarker(file_case, file_name);
   std::vector<Remark> remarks;
   for (const lang::Diagnostic* diagnostic : sink.sorted()) {
-    lang::Location where = diagnostic->where;
-    const lang::SourceFile nowhere("", "");
-    if (where.file == nullptr) where.file = &nowhere;
-    remarks.push_back(remark_at(where, file_case, diagnostic->info->code, diagnostic->message));
-    const std::uint32_t line = remarks.back().line;
+    remarks.push_back(remarker.at(diagnostic->where, diagnostic->info->code, diagnostic->message));
+    const Remark own = remarks.back();
     for (const lang::Label& label : diagnostic->labels) {
-      remarks.push_back(remark_at(label.where, file_case, "label", label.message));
+      remarks.push_back(remarker.at(label.where, "label", label.message));
     }
     for (const lang::Fix& fix : diagnostic->fixes) {
-      remarks.push_back(
-          remark_at(fix.where, file_case, "fix", fmt::format("`{}`", fix.replacement)));
+      remarks.push_back(remarker.at(fix.where, "fix", fmt::format("`{}`", fix.replacement)));
     }
     for (const std::string& help : diagnostic->help) {
-      remarks.push_back({.line = line, .kind = "help", .message = lang::printable(help)});
+      remarks.push_back(
+          {.line = own.line, .kind = "help", .message = lang::printable(help), .text = own.text});
+    }
+    std::size_t number = 0;
+    for (const lang::ChainLink& link : diagnostic->chain) {
+      remarks.push_back(
+          remarker.at(link.where, "chain", fmt::format("{} {}", ++number, link.message)));
     }
   }
   return remarks;
@@ -252,9 +321,11 @@ std::vector<Remark> remarks_of(const lang::DiagnosticSink& sink, const FileCase&
 std::string compare(const FileCase& file_case, const std::vector<Remark>& remarks) {
   std::string problems;
   const auto complain = [&](std::string_view what, const Remark& remark) {
-    const std::string line = remark.line > 0 ? file_case.lines[remark.line - 1] : "(empty)";
-    problems += fmt::format("{} at line {} of the case:\n{}\n{}\n", what, remark.line, line,
-                            to_line(remark));
+    const CaseText& text = file_case.texts[remark.text];
+    const std::string line = remark.line > 0 ? text.lines[remark.line - 1] : "(empty)";
+    const std::string of = text.name.empty() ? "the case" : text.name;
+    problems +=
+        fmt::format("{} at line {} of {}:\n{}\n{}\n", what, remark.line, of, line, to_line(remark));
   };
   std::vector<Remark> unexpected = remarks;
   for (const Remark& expected : file_case.expected) {
@@ -271,11 +342,13 @@ std::string compare(const FileCase& file_case, const std::vector<Remark>& remark
   return problems;
 }
 
-void run_case(const FileCase& file_case, std::string_view file_name, const Reader& reader) {
-  const lang::SourceFile file{std::string(file_name), file_case.text()};
+void run_program_case(const FileCase& file_case, std::string_view file_name,
+                      const ProgramReader& reader) {
+  const lang::SourceFile file{std::string(file_name), file_case.texts.front().text()};
+  const CaseFiles files(file_case);
   lang::DiagnosticSink sink;
-  reader(file, sink);
-  const std::vector<Remark> remarks = remarks_of(sink, file_case);
+  const std::shared_ptr<const void> texts = reader(file, files, sink);
+  const std::vector<Remark> remarks = remarks_of(sink, file_case, file_name);
   if (std::getenv("SDLC_UPDATE") != nullptr) return update(file_case, remarks);
 
   const std::string problems = compare(file_case, remarks);
@@ -283,6 +356,16 @@ void run_case(const FileCase& file_case, std::string_view file_name, const Reade
     ADD_FAILURE() << file_case.file.string() << ", case " << file_case.name << ":\n"
                   << problems << "SDLC_UPDATE=1 rewrites the expectations.";
   }
+}
+
+void run_case(const FileCase& file_case, std::string_view file_name, const Reader& reader) {
+  ASSERT_EQ(file_case.texts.size(), 1u) << "more texts than this test reads";
+  run_program_case(file_case, file_name,
+                   [&](const lang::SourceFile& file, const lang::FileSystem& /*files*/,
+                       lang::DiagnosticSink& sink) {
+                     reader(file, sink);
+                     return nullptr;
+                   });
 }
 
 }  // namespace sdlc::test

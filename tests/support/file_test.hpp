@@ -4,8 +4,11 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -23,32 +26,56 @@
 ///
 /// Every diagnostic must be expected, with its code, message, first column and length (of a span
 /// over several lines, the length on the first), and every expectation must come true. A case
-/// without expectations says that nothing is reported. `fix`, `label` and `help` are compared where
-/// they are given. Carets count code points; where they cannot stand below (the first two columns),
-/// `// @COLUMN+LENGTH E105: …` says it. ⟦FF⟧ in a text is the byte with that hexadecimal number.
-/// SDLC_UPDATE=1 rewrites the expectations.
+/// without expectations says that nothing is reported. `fix`, `label`, `help` and `chain` are
+/// compared where they are given; the links of a chain are numbered, `chain: 1 in `ring``, the
+/// innermost first, and stand where they point to. Carets count code points; where they cannot
+/// stand below (the first two columns), `// @COLUMN+LENGTH E105: …` says it. ⟦FF⟧ in a text is the
+/// byte with that hexadecimal number. SDLC_UPDATE=1 rewrites the expectations.
+///
+/// A line `=== materials.scene ===` inside a case ends its first text and begins another file, one
+/// that the first can import or include; expectations stand in the file that they are about. A name
+/// that begins with `--` is that of a flag, whose value is the text: `=== --set count ===`.
 namespace sdlc::test {
 
-/// One remark about the text of a case: a diagnostic (`kind` is its code), or its label, fix or
-/// help.
+/// One remark about a text of a case: a diagnostic (`kind` is its code), or its label, fix, help or
+/// link of its chain.
 struct Remark {
   std::uint32_t line = 0, column = 0, length = 0;  ///< from 1; of help only the line counts
   std::string kind;
   std::string message;
+  std::size_t text = 0;  ///< index in FileCase::texts
 
   friend bool operator==(const Remark&, const Remark&) = default;
+};
+
+struct CaseText {
+  std::string name;                     ///< as `=== NAME ===` gives it; empty of the first text
+  std::vector<std::string> lines = {};  ///< as they stand in the file
+
+  bool is_flag() const { return name.starts_with("--"); }
+  /// What is to be read: the lines with ⟦…⟧ replaced.
+  std::string text() const;
 };
 
 struct FileCase {
   std::filesystem::path file;
   std::string name;
-  std::vector<std::string> lines;  ///< of the text, as they stand in the file
-  std::vector<Remark> expected;
-
-  /// What is to be read: the lines with ⟦…⟧ replaced.
-  std::string text() const;
+  std::vector<CaseText> texts = {{}};  ///< at least one
+  std::vector<Remark> expected = {};
 };
 void PrintTo(const FileCase& file_case, std::ostream* out);
+
+/// The texts of a case by their names, the first and the flags left out.
+class CaseFiles final : public lang::FileSystem {
+ public:
+  explicit CaseFiles(const FileCase& file_case) : file_case_(file_case) {}
+
+  std::optional<std::string> read(const std::filesystem::path& path,
+                                  std::error_code& error) const override;
+
+ private:
+  const FileCase& file_case_;
+};
 
 /// The cases of all files in tests/files/FOLDER, by file name and place.
 std::vector<FileCase> load_cases(std::string_view folder);
@@ -58,8 +85,11 @@ std::vector<FileCase> parse_cases(std::string_view text, const std::filesystem::
 std::string replace_expectations(std::string_view file_text, const FileCase& file_case,
                                  const std::vector<Remark>& remarks);
 
-/// What the sink holds, as remarks: each diagnostic followed by its labels, fixes and help.
-std::vector<Remark> remarks_of(const lang::DiagnosticSink& sink, const FileCase& file_case);
+/// What the sink holds, as remarks: each diagnostic followed by its labels, fixes, help and chain.
+/// `file_name` is what the first text is called; what is about no text of the case is told at its
+/// beginning.
+std::vector<Remark> remarks_of(const lang::DiagnosticSink& sink, const FileCase& file_case,
+                               std::string_view file_name);
 
 /// What is wrong with the remarks; empty if they are as expected.
 std::string compare(const FileCase& file_case, const std::vector<Remark>& remarks);
@@ -69,6 +99,15 @@ using Reader = std::function<void(const lang::SourceFile&, lang::DiagnosticSink&
 /// Reads the case's text under the name `file_name` and fails the current test if the outcome is
 /// not as expected, or writes the outcome to the case's file.
 void run_case(const FileCase& file_case, std::string_view file_name, const Reader& reader);
+
+/// Reads a text and the files that it asks for; returns what holds the texts that the sink refers
+/// to.
+using ProgramReader = std::function<std::shared_ptr<const void>(
+    const lang::SourceFile&, const lang::FileSystem&, lang::DiagnosticSink&)>;
+
+/// The same for a case of several files.
+void run_program_case(const FileCase& file_case, std::string_view file_name,
+                      const ProgramReader& reader);
 
 /// Names a parametrised test after its case.
 struct CaseName {

@@ -1,4 +1,8 @@
+#include <memory>
+
 #include "lang/eval/eval.hpp"
+#include "lang/program/program.hpp"
+#include "tests/support/case_flags/case_flags.hpp"
 #include "tests/support/file_test.hpp"
 
 namespace sdlc::test {
@@ -12,10 +16,15 @@ class IgnoredObjects final : public lang::ObjectSink {
 class EvalFiles : public testing::TestWithParam<FileCase> {};
 
 TEST_P(EvalFiles, ReportWhatIsExpected) {
-  run_case(GetParam(), "test.scene", [](const lang::SourceFile& file, lang::DiagnosticSink& sink) {
-    IgnoredObjects objects;
-    lang::evaluate(file, objects, sink);
-  });
+  run_program_case(
+      GetParam(), "test.scene",
+      [](const lang::SourceFile& file, const lang::FileSystem& files, lang::DiagnosticSink& sink) {
+        const auto program =
+            std::make_shared<lang::Program>(file, program_options(GetParam(), files), sink);
+        IgnoredObjects objects;
+        lang::Evaluation(*program, {}, sink).run(objects);
+        return program;
+      });
 }
 
 INSTANTIATE_TEST_SUITE_P(Eval, EvalFiles, testing::ValuesIn(load_cases("eval")), CaseName());

@@ -133,7 +133,7 @@ TEST(Values, OfWordsAndNone) {
       "white, tone: sqrt }");
   ASSERT_EQ(objects.size(), 2u);
   EXPECT_EQ(objects[0].name, "white");
-  EXPECT_TRUE(std::holds_alternative<None>(objects[0].slot(camera_property::kShutter).value));
+  EXPECT_TRUE(holds_alternative<None>(objects[0].slot(camera_property::kShutter).value));
   EXPECT_EQ(objects[1].get<Word>(render_property::kCamera), Word{"white"});
   EXPECT_EQ(objects[1].get<Word>(render_property::kTone), Word{"sqrt"});
 }

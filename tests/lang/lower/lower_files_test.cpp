@@ -1,4 +1,7 @@
+#include <memory>
+
 #include "lang/compile/compile.hpp"
+#include "tests/support/case_flags/case_flags.hpp"
 #include "tests/support/file_test.hpp"
 
 namespace sdlc::test {
@@ -8,9 +11,14 @@ class LowerFiles : public testing::TestWithParam<FileCase> {};
 
 // A case of either format: the text says which.
 TEST_P(LowerFiles, ReportWhatIsExpected) {
-  run_case(GetParam(), "case", [](const lang::SourceFile& file, lang::DiagnosticSink& sink) {
-    lang::compile(file, {}, sink);
-  });
+  run_program_case(
+      GetParam(), "case",
+      [](const lang::SourceFile& file, const lang::FileSystem& files, lang::DiagnosticSink& sink) {
+        const auto compiler =
+            std::make_shared<lang::Compiler>(file, program_options(GetParam(), files), sink);
+        compiler->lower({});
+        return compiler;
+      });
 }
 
 INSTANTIATE_TEST_SUITE_P(Lower, LowerFiles, testing::ValuesIn(load_cases("lower")), CaseName());

@@ -145,5 +145,21 @@ TEST(Bvh, GivesEqualDistancesToTheLowerIndex) {
   EXPECT_EQ(bvh.index_in_scene(hit.sphere), 0u);
 }
 
+TEST(Bvh, TakesAboutAsManyBytesAsEstimated) {
+  Random random(2);
+  constexpr std::size_t kCount = 20'000;
+  for (const double radius : {1e-5, 0.02, 0.3}) {
+    for (const bool is_moving : {false, true}) {
+      std::vector<Sphere> spheres;
+      for (std::size_t i = 0; i < kCount; ++i) spheres.push_back({random.in_box(0.7), radius});
+      const std::vector<Vec3> shifts(is_moving ? kCount : 0, Vec3{0.001, 0, 0});
+      const auto built = static_cast<double>(Bvh(spheres, shifts).memory_bytes());
+      const auto estimated = static_cast<double>(Bvh::estimated_bytes(kCount, is_moving));
+      EXPECT_GT(estimated, built / 2) << radius << (is_moving ? ", moving" : "");
+      EXPECT_LT(estimated, built * 2) << radius << (is_moving ? ", moving" : "");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sdlc::render

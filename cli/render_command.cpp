@@ -1,11 +1,8 @@
-#include "render/tiles/render.hpp"
-
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
-#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +10,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/clock.hpp"
 #include "cli/dispatcher.hpp"
+#include "cli/format_numbers.hpp"
 #include "cli/frames.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
+#include "cli/override_options.hpp"
 #include "cli/progress.hpp"
+#include "cli/scene_figures.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/statistics.hpp"
 #include "cli/usage_error.hpp"
@@ -25,11 +26,11 @@
 #include "cli/words.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/lower/scene_builder.hpp"
-#include "lang/object/object.hpp"
-#include "lang/schema/schema.hpp"
+#include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
+#include "render/tiles/render.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -96,7 +97,7 @@ std::vector<std::string> write_pictures(const std::vector<Output>& outputs,
       if (output.may_make_folders) folders.emplace(path);
       render::write_picture(path, result.picture, write);
     }
-    names.push_back(printable(path.string()));
+    names.push_back(lang::printable(path.string()));
   }
   return names;
 }
@@ -114,10 +115,6 @@ void write_stats(const std::string& path, const std::string& lines, Environment&
   } else {
     render::write_file_atomically(path, std::as_bytes(std::span(lines)));
   }
-}
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 std::uint64_t total_samples(const render::RenderSettings& settings) {
@@ -194,13 +191,14 @@ class RenderJob {
       frames_ = {std::nullopt};
       return;
     }
-    const FrameRange all{.first = animation->first, .last = animation->last, .step = animation->step};
+    const FrameRange all{
+        .first = animation->first, .last = animation->last, .step = animation->step};
     for (const int frame : frames_of(options_.frames.value_or(all))) frames_.emplace_back(frame);
     if (frames_.size() == 1) return;
     for (const std::string& output : options_.outputs) {
       if (has_frame_mark(output)) continue;
       throw UsageError(fmt::format("{} frames cannot all be written to `{}`; put {} in its name",
-                                   frames_.size(), printable(output), kFrameMark));
+                                   frames_.size(), lang::printable(output), kFrameMark));
     }
   }
 
@@ -220,20 +218,18 @@ class RenderJob {
     if (is_first) statistics.compile.parse_seconds += read_seconds_;
     statistics.settings = lowered->settings;
     statistics.spheres = lowered->scene.spheres.size();
-    statistics.features = required_features(lowered->scene);
+    statistics.features = required_features(lowered->scene, count_materials(lowered->scene));
     return lowered;
   }
 
   OutputRequest output_request(const lang::LoweredScene& lowered, std::optional<int> frame) const {
-    const SceneOptions& scene = options_.scene;
-    OutputRequest request{
-        .pictures = options_.outputs,
-        .of_scene = lowered.output.output,
-        .input = scene.file == kStandardStream ? scene.stdin_filename : scene.file,
-        .stats = options_.stats,
-        .keeps_existing = options_.keeps_existing,
-        .width = lowered.settings.width,
-        .height = lowered.settings.height};
+    OutputRequest request{.pictures = options_.outputs,
+                          .of_scene = lowered.output.output,
+                          .input = options_.scene.given_name(),
+                          .stats = options_.stats,
+                          .keeps_existing = options_.keeps_existing,
+                          .width = lowered.settings.width,
+                          .height = lowered.settings.height};
     request.frame = frame;
     return request;
   }
@@ -281,45 +277,6 @@ ExitCode run_render(const RenderOptions& options, Environment& env) {
   return RenderJob(options, env).run();
 }
 
-/// The property that a flag overrides is where its help and its words come from.
-const lang::Property& render_property(std::size_t index) {
-  return lang::kind_info(lang::ObjectKind::Render).properties[index];
-}
-
-/// A flag for a property that is a word or a name.
-void add_override(CLI::App& command, std::size_t index, std::optional<std::string>& value) {
-  const lang::Property& property = render_property(index);
-  CLI::Option* option =
-      command.add_option(fmt::format("--{}", property.name), value, std::string(property.doc));
-  if (!property.words.empty()) option->check(one_of(property.words));
-}
-
-/// A flag for a property that is a whole number, written in decimal digits.
-template <typename T>
-void add_override(CLI::App& command, std::size_t index, std::optional<T>& value) {
-  const lang::Property& property = render_property(index);
-  const T lowest = property.range == lang::Range::AtLeastOne ? 1 : 0;
-  const T highest = std::is_same_v<T, int> ? static_cast<T>(lang::kMaxWholeNumber)
-                                           : std::numeric_limits<T>::max();
-  const std::string flag = fmt::format("--{}", property.name);
-  command
-      .add_option_function<std::string>(
-          flag,
-          [=, &value](const std::string& text) {
-            T number{};
-            const char* end = text.data() + text.size();
-            const auto [stop, error] = std::from_chars(text.data(), end, number);
-            if (error != std::errc() || stop != end || number < lowest || number > highest) {
-              throw CLI::ValidationError(
-                  flag, fmt::format("takes a whole number from {} to {}, not `{}`", lowest, highest,
-                                    printable(text)));
-            }
-            value = number;
-          },
-          std::string(property.doc))
-      ->type_name("N");
-}
-
 }  // namespace
 
 void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
@@ -332,19 +289,9 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
                    "A picture to write, by its extension (may be repeated; `-`: PNG to standard "
                    "output). Default: the scene's own, else FILE's stem with .png")
       ->take_all()
-      ->expected(1);
-  {
-    using namespace lang::render_property;
-    lang::Overrides& overrides = options->overrides;
-    add_override(*command, kWidth, overrides.width);
-    add_override(*command, kHeight, overrides.height);
-    add_override(*command, kSamples, overrides.samples);
-    add_override(*command, kDepth, overrides.depth);
-    add_override(*command, kSeed, overrides.seed);
-    add_override(*command, kThreads, overrides.threads);
-    add_override(*command, kTone, overrides.tone);
-    add_override(*command, kCamera, overrides.camera);
-  }
+      ->expected(1)
+      ->allow_extra_args(false);  // FILE may stand behind it
+  add_override_options(*command, options->overrides);
   command->add_flag("--ppm-text", options->ppm_text, "Write PPM as decimal numbers");
   command->add_flag("--no-clobber,!--overwrite", options->keeps_existing,
                     "Refuse to replace files");
@@ -360,8 +307,8 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
             options->frames = parse_frames(text);
             if (options->frames) return;
             throw CLI::ValidationError(
-                "--frames",
-                fmt::format("takes A, A-B or A-BxS with whole numbers, not `{}`", printable(text)));
+                "--frames", fmt::format("takes A, A-B or A-BxS with whole numbers, not `{}`",
+                                        lang::printable(text)));
           },
           "The frames to render, every S-th of A to B; default: those of the scene's animation")
       ->type_name("A-B[xS]");

@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/clock.hpp"
+#include "cli/dispatcher.hpp"
+#include "cli/inspect_report.hpp"
+#include "cli/outputs.hpp"
+#include "cli/override_options.hpp"
+#include "cli/scene_figures.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/usage_error.hpp"
+#include "cli/whole_number.hpp"
+#include "lang/compile/compile.hpp"
+#include "lang/object/object.hpp"
+#include "lang/text/display_width.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+struct InspectOptions {
+  SceneOptions scene;
+  lang::Overrides overrides;
+  std::optional<int> frame;
+  bool wants_files = false;           // --deps
+  std::vector<std::uint32_t> traced;  // --where
+
+  bool is_json() const { return scene.diagnostics.format == "json"; }
+};
+
+class InspectJob {
+ public:
+  InspectJob(const InspectOptions& options, Environment& env)
+      : options_(options),
+        env_(env),
+        start_(std::chrono::steady_clock::now()),
+        source_(read_source(options.scene, env)),
+        read_seconds_(seconds_since(start_)),
+        compiler_(source_, program_options(options.scene, env), sink_) {}
+
+  ExitCode run() {
+    if (options_.wants_files) return tell_files();
+    const std::optional<lang::Animation> animation = compiler_.animation();
+    if (options_.frame && !animation && !sink_.has_errors()) {
+      throw UsageError("--frame: the scene has no `animation`, so that all frames are the same");
+    }
+    std::optional<lang::LoweredScene> lowered = compiler_.lower(options_.overrides, options_.frame);
+    print_new_diagnostics();
+    if (!lowered) return ExitCode::Findings;
+    if (!options_.traced.empty()) {
+      tell_origins(lowered->scene);
+    } else {
+      const InspectReport report = make_report(std::move(*lowered), animation);
+      env_.out << (options_.is_json() ? to_json(report) : to_text(report));
+    }
+    return ExitCode::Success;
+  }
+
+ private:
+  void print_new_diagnostics() {
+    print_diagnostics(sink_, options_.scene.diagnostics, env_.err, env_.err_is_terminal, env_);
+  }
+
+  /// What has been read beside the scene itself.
+  std::vector<std::string> dependencies() const {
+    std::vector<std::string> names;
+    for (const auto& path : compiler_.dependencies()) names.push_back(path.string());
+    return names;
+  }
+
+  ExitCode tell_files() {
+    compiler_.read_all_files();
+    print_new_diagnostics();
+    std::vector<std::string> names = dependencies();
+    // Standard input is no file unless it was given the name of one.
+    const std::string scene = options_.scene.given_name();
+    if (!scene.empty()) names.insert(names.begin(), scene);
+    if (options_.is_json()) {
+      env_.out << to_json(names);
+    } else {
+      for (const std::string& name : names) {
+        env_.out << (env_.out_is_terminal ? lang::printable(name) : name) << '\n';
+      }
+    }
+    return sink_.has_errors() ? ExitCode::Findings : ExitCode::Success;
+  }
+
+  void tell_origins(const render::Scene& scene) {
+    std::vector<std::uint32_t> wanted = options_.traced;
+    std::ranges::sort(wanted);
+    wanted.erase(std::ranges::unique(wanted).begin(), wanted.end());
+    if (wanted.back() >= scene.spheres.size()) {
+      const std::size_t count = scene.spheres.size();
+      throw UsageError(fmt::format(
+          "--where: there is no sphere {}; {}", wanted.back(),
+          count == 0 ? "the scene has none" : fmt::format("they are 0 to {}", count - 1)));
+    }
+    const std::vector<lang::Origin> origins = compiler_.trace(wanted);
+    std::vector<TracedSphere> spheres;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const render::Sphere& sphere = scene.spheres[wanted[i]];
+      spheres.push_back({.index = wanted[i],
+                         .sphere = sphere,
+                         .shift = scene.shifts.empty() ? render::Vec3{} : scene.shifts[wanted[i]],
+                         .material = scene.materials[sphere.material].type,
+                         .origin = origins[i]});
+    }
+    env_.out << (options_.is_json() ? to_json(spheres) : to_text(spheres));
+  }
+
+  InspectReport make_report(lang::LoweredScene lowered,
+                            const std::optional<lang::Animation>& animation) const {
+    const render::Scene& scene = lowered.scene;
+    std::optional<int> frame;
+    if (animation) frame = options_.frame.value_or(animation->first);
+    InspectReport report{
+        .scene = source_.name(),
+        .dependencies = dependencies(),
+        .animation = animation,
+        .frame = frame.value_or(0),
+        .lowered = {},
+        .output = default_picture(lowered.output.output, options_.scene.given_name(), frame),
+        .materials = count_materials(scene),
+        .spheres = measure_spheres(scene),
+        .memory = estimate_memory(scene, lowered.settings),
+        .features = {},
+        .kernel = render::choose_kernel(scene),
+        .times = compiler_.times()};
+    report.features = required_features(scene, report.materials);
+    report.times.parse_seconds += read_seconds_;
+    report.lowered = std::move(lowered);
+    return report;
+  }
+
+  const InspectOptions& options_;
+  Environment& env_;
+  std::chrono::steady_clock::time_point start_;
+  lang::SourceFile source_;
+  double read_seconds_;
+  lang::DiagnosticSink sink_;
+  lang::Compiler compiler_;
+};
+
+}  // namespace
+
+void add_inspect_command(CLI::App& app, Dispatcher& dispatcher) {
+  auto options = std::make_shared<InspectOptions>();
+  CLI::App* command =
+      app.add_subcommand("inspect", "Tell what a scene lowers to and requires, without rendering");
+  add_scene_options(*command, options->scene);
+  command->get_option("--format")
+      ->description("How diagnostics are printed; json: what is asked for is JSON too");
+  add_whole_number(
+      *command, "--frame", {.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber)},
+      [options](std::uint64_t frame) { options->frame = static_cast<int>(frame); },
+      "The frame to look at; default: the first of the scene's animation");
+  CLI::Option* deps =
+      command->add_flag("--deps", options->wants_files,
+                        "Only the files that the scene reads: one a line, the scene itself first");
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--where",
+          [options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              options->traced.push_back(static_cast<std::uint32_t>(
+                  parse_whole_number("--where", text, {.highest = UINT32_MAX})));
+            }
+          },
+          "Only where the N-th sphere, counted from 0, stands in the text, and by which groups, "
+          "loops and files (may be repeated)")
+      ->type_name("N")
+      ->take_all()
+      ->expected(1)
+      ->excludes(deps);
+  add_override_options(*command, options->overrides);
+  // All commands take it; this one has nothing else to say there.
+  command->add_flag("--quiet")->description("Nothing on standard error but diagnostics");
+  command->footer(
+      "Examples:\n"
+      "  sdlc inspect ball.scene\n"
+      "  sdlc inspect ring.scene --set count=200 --frame 12\n"
+      "  sdlc inspect ring.scene --where 17\n"
+      "  sdlc inspect ring.scene --deps\n"
+      "  sdlc inspect ring.scene --format json | jq .memory.total_bytes\n\n"
+      "Nothing is rendered or written. docs/inspect.md explains the figures and the JSON fields.");
+  dispatcher.on(command, [options](Environment& env) { return InspectJob(*options, env).run(); });
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,174 @@
+#include <nlohmann/json.hpp>
+
+#include "cli/frames.hpp"
+#include "cli/inspect_report.hpp"
+#include "cli/version.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json triple(render::Vec3 v) { return {v.x, v.y, v.z}; }
+Json triple(render::LinearRgb c) { return {c.r, c.g, c.b}; }
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+Json animation_json(const InspectReport& report) {
+  if (!report.animation) return nullptr;
+  const auto& [first, last, step, fps, where] = *report.animation;
+  return {{"first", first},
+          {"last", last},
+          {"step", step},
+          {"count", frame_count({.first = first, .last = last, .step = step})},
+          {"fps", fps}};
+}
+
+Json spheres_json(const InspectReport& report) {
+  Json json{{"count", report.lowered.scene.spheres.size()},
+            {"moving", report.spheres ? report.spheres->moving : 0},
+            {"dropped", report.lowered.dropped_spheres},
+            {"bounds", nullptr},
+            {"smallest", nullptr},
+            {"largest", nullptr},
+            {"radius_ratio", nullptr},
+            {"extent", nullptr},
+            {"scale_ratio", nullptr}};
+  if (!report.spheres) return json;
+  const SphereFigures& figures = *report.spheres;
+  const auto sphere = [](const SphereFigures::Radius& radius) -> Json {
+    return {{"radius", radius.radius}, {"sphere", radius.sphere}};
+  };
+  json["bounds"] = {{"min", triple(figures.low)}, {"max", triple(figures.high)}};
+  json["smallest"] = sphere(figures.smallest);
+  json["largest"] = sphere(figures.largest);
+  json["radius_ratio"] = figures.radius_ratio();
+  json["extent"] = figures.extent;
+  json["scale_ratio"] = figures.scale_ratio();
+  return json;
+}
+
+Json materials_json(const MaterialCounts& counts) {
+  std::size_t distinct = 0;
+  Json types = Json::object();
+  for (const MaterialFigures& row : counts) {
+    distinct += row.materials;
+    types[std::string(material_name(row.type))] = {{"spheres", row.spheres},
+                                                   {"distinct", row.materials}};
+  }
+  return {{"distinct", distinct}, {"types", std::move(types)}};
+}
+
+Json camera_json(const lang::LoweredScene& lowered) {
+  if (!lowered.camera) return nullptr;
+  const render::Camera& camera = lowered.scene.camera;
+  Json json{{"name", text_or_null(lowered.camera->name)},
+            {"from", triple(camera.from)},
+            {"at", triple(camera.at)},
+            {"up", triple(camera.up)},
+            {"fov_degrees", lowered.camera->fov.degrees},
+            {"view_height", lowered.camera->view_height},
+            {"aspect", camera.aspect},
+            {"shutter", nullptr}};
+  if (const auto& shutter = lowered.camera->shutter) {
+    json["shutter"] = {{"open_seconds", shutter->from}, {"close_seconds", shutter->to}};
+  }
+  return json;
+}
+
+Json picture_json(const InspectReport& report) {
+  const render::RenderSettings& settings = report.lowered.settings;
+  return {{"width", settings.width},
+          {"height", settings.height},
+          {"samples", settings.samples},
+          {"depth", settings.depth},
+          {"seed", settings.seed},
+          {"threads", settings.threads},
+          {"tone", tone_name(report.lowered.output.tone)},
+          {"output", report.output ? Json(*report.output) : Json()}};
+}
+
+Json memory_json(const InspectReport& report) {
+  const MemoryFigures& memory = report.memory;
+  const std::size_t count = report.lowered.scene.spheres.size();
+  return {{"spheres_bytes", memory.spheres},
+          {"motion_bytes", memory.motion},
+          {"materials_bytes", memory.materials},
+          {"bvh_bytes_estimated", memory.bvh},
+          {"picture_bytes", memory.picture},
+          {"total_bytes", memory.total()},
+          {"bytes_per_sphere", count > 0 ? Json(memory.per_sphere(count)) : Json()}};
+}
+
+/// Lines and columns from 1, columns in code points, as in diagnostics.
+Json location_json(const lang::Location& where) {
+  const lang::Position position = where.file->position(where.span.begin);
+  return {{"file", where.file->name()}, {"line", position.line}, {"column", position.column}};
+}
+
+std::string dump(const Json& json) {
+  // ASCII only: the output is safe on a terminal, and bytes that are not UTF-8 do not end it.
+  constexpr bool kIsAscii = true;
+  return json.dump(2, ' ', kIsAscii, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string to_json(const InspectReport& report) {
+  const lang::LoweredScene& lowered = report.lowered;
+  const render::Background& background = lowered.scene.background;
+  Json cameras = Json::array();
+  for (const std::string& name : lowered.cameras) cameras.push_back(text_or_null(name));
+  Json frame, time;
+  if (report.animation) {
+    frame = report.frame;
+    time = report.frame / report.animation->fps;
+  }
+  return dump({{"scene", report.scene},
+               {"dependencies", report.dependencies},
+               {"animation", animation_json(report)},
+               {"frame", frame},
+               {"time_seconds", time},
+               {"spheres", spheres_json(report)},
+               {"materials", materials_json(report.materials)},
+               {"cameras", std::move(cameras)},
+               {"camera", camera_json(lowered)},
+               {"background",
+                {{"kind", background.is_constant() ? "color" : "gradient"},
+                 {"bottom", triple(background.bottom)},
+                 {"top", triple(background.top)}}},
+               {"picture", picture_json(report)},
+               {"features", report.features},
+               {"precision", report.kernel.precision},
+               {"kernel", report.kernel.name},
+               {"kernel_reason", report.kernel.reason},
+               {"instruction_set", kInstructionSet},
+               {"memory", memory_json(report)},
+               {"parse_seconds", report.times.parse_seconds},
+               {"lower_seconds", report.times.lower_seconds}});
+}
+
+std::string to_json(std::span<const TracedSphere> spheres) {
+  Json json = Json::array();
+  for (const TracedSphere& traced : spheres) {
+    Json chain = Json::array();
+    for (const lang::ChainLink& link : traced.origin.chain) {
+      chain.push_back({{"message", link.message}, {"location", location_json(link.where)}});
+    }
+    json.push_back({{"sphere", traced.index},
+                    {"name", text_or_null(traced.origin.name)},
+                    {"center", triple(traced.sphere.center)},
+                    {"shift", triple(traced.shift)},
+                    {"radius", traced.sphere.radius},
+                    {"material", material_name(traced.material)},
+                    {"location", location_json(traced.origin.where)},
+                    {"chain", std::move(chain)}});
+  }
+  return dump(json);
+}
+
+std::string to_json(std::span<const std::string> files) {
+  return dump(Json(std::vector<std::string>(files.begin(), files.end())));
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/scene_figures.hpp"
+#include "lang/compile/compile.hpp"
+#include "lang/eval/eval.hpp"
+#include "lang/lower/scene_builder.hpp"
+#include "render/tiles/render.hpp"
+
+/// What `sdlc inspect` prints.
+namespace sdlc::cli {
+
+/// Everything about a scene at one frame.
+struct InspectReport {
+  std::string scene;                      ///< the file, as the user named it
+  std::vector<std::string> dependencies;  ///< the files that were read beside it
+  std::optional<lang::Animation> animation;
+  int frame = 0;  ///< of the animation: what follows is at its time
+  lang::LoweredScene lowered;
+  std::optional<std::string> output;  ///< the picture's file; nothing where nothing names it
+  MaterialCounts materials;
+  std::optional<SphereFigures> spheres;
+  MemoryFigures memory;
+  std::vector<std::string> features;
+  render::Kernel kernel;
+  lang::CompileTimes times;
+};
+
+/// A sphere and where it comes from.
+struct TracedSphere {
+  std::uint32_t index = 0;
+  render::Sphere sphere;
+  render::Vec3 shift;
+  render::MaterialType material = render::MaterialType::Diffuse;
+  lang::Origin origin;
+};
+
+std::string to_text(const InspectReport& report);
+std::string to_text(std::span<const TracedSphere> spheres);
+/// Field names are fixed: docs/inspect.md lists them.
+std::string to_json(const InspectReport& report);
+std::string to_json(std::span<const TracedSphere> spheres);
+/// An array of the names.
+std::string to_json(std::span<const std::string> files);
+
+/// The word for the curve: "srgb", "sqrt" or "linear".
+std::string_view tone_name(render::Tone tone) noexcept;
+
+}  // namespace sdlc::cli

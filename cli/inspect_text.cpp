@@ -1,0 +1,219 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/format_numbers.hpp"
+#include "cli/frames.hpp"
+#include "cli/inspect_report.hpp"
+#include "cli/version.hpp"
+#include "lang/diagnostics/render.hpp"
+#include "lang/text/display_width.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+std::string plural(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", format_whole(count), noun, count == 1 ? "" : "s");
+}
+
+std::string triple(double x, double y, double z) {
+  return fmt::format("({}, {}, {})", format_rounded(x), format_rounded(y), format_rounded(z));
+}
+std::string triple(render::Vec3 v) { return triple(v.x, v.y, v.z); }
+std::string linear(render::LinearRgb c) { return "linear" + triple(c.r, c.g, c.b); }
+
+/// A name as the user may have given it, or what stands in its place.
+std::string name_or(const std::string& name, std::string_view otherwise) {
+  return name.empty() ? std::string(otherwise) : lang::printable(name);
+}
+
+/// Rows of two columns: what it is, and what is said of it.
+class Sheet {
+ public:
+  void row(std::string_view label, std::string_view text) {
+    text_ += fmt::format("{:<{}}{}\n", label, kLabelWidth, text);
+  }
+  void detail(std::string_view label, std::string_view text) {
+    row(fmt::format("  {}", label), text);
+  }
+  void gap() { text_ += '\n'; }
+
+  std::string take() { return std::move(text_); }
+
+ private:
+  static constexpr int kLabelWidth = 16;
+
+  std::string text_;
+};
+
+void write_files(const InspectReport& report, Sheet& sheet) {
+  std::string text = lang::printable(report.scene);
+  if (!report.dependencies.empty()) {
+    text += fmt::format(", which reads {}", plural(report.dependencies.size(), "other file"));
+  }
+  sheet.row("scene", text);
+  if (!report.animation) return;
+  const auto& [first, last, step, fps, where] = *report.animation;
+  const auto count = frame_count({.first = first, .last = last, .step = step});
+  sheet.row("animation", fmt::format("{}: {} .. {}{}, {} a second",
+                                     plural(static_cast<std::size_t>(count), "frame"), first, last,
+                                     step == 1 ? "" : fmt::format(" in steps of {}", step),
+                                     format_rounded(fps)));
+  sheet.detail("shown",
+               fmt::format("frame {}, at {} s", report.frame, format_rounded(report.frame / fps)));
+}
+
+void write_spheres(const InspectReport& report, Sheet& sheet) {
+  const std::size_t dropped = report.lowered.dropped_spheres;
+  if (!report.spheres) {
+    sheet.row("spheres", report.lowered.camera ? "none" : "none: a plain picture");
+    return;
+  }
+  const SphereFigures& figures = *report.spheres;
+  std::string text = format_whole(report.lowered.scene.spheres.size());
+  if (figures.moving > 0) text += fmt::format(", {} of them moving", format_whole(figures.moving));
+  if (dropped > 0) {
+    text += fmt::format("; {} more dropped as {}", format_whole(dropped),
+                        dropped == 1 ? "a duplicate" : "duplicates");
+  }
+  sheet.row("spheres", text);
+  sheet.detail("bounds", fmt::format("{} to {}{}", triple(figures.low), triple(figures.high),
+                                     figures.moving > 0 ? ", while the shutter is open" : ""));
+  sheet.detail("radii",
+               fmt::format("{} (sphere {}) to {} (sphere {}), ratio {}",
+                           format_rounded(figures.smallest.radius), figures.smallest.sphere,
+                           format_rounded(figures.largest.radius), figures.largest.sphere,
+                           format_rounded(figures.radius_ratio())));
+  sheet.detail("extent",
+               fmt::format("{} from the camera, {} smallest radii", format_rounded(figures.extent),
+                           format_rounded(figures.scale_ratio())));
+}
+
+void write_materials(const MaterialCounts& counts, Sheet& sheet) {
+  std::size_t distinct = 0, widest = 0;
+  for (const MaterialFigures& row : counts) {
+    distinct += row.materials;
+    widest = std::max(widest, plural(row.spheres, "sphere").size());
+  }
+  if (distinct == 0) return;
+  sheet.row("materials", fmt::format("{} distinct", format_whole(distinct)));
+  for (const MaterialFigures& row : counts) {
+    if (row.spheres == 0) continue;
+    sheet.detail(material_name(row.type),
+                 fmt::format("{:<{}}  {} distinct", plural(row.spheres, "sphere"), widest,
+                             format_whole(row.materials)));
+  }
+}
+
+void write_camera(const lang::LoweredScene& lowered, Sheet& sheet) {
+  if (!lowered.camera) return;
+  const lang::WrittenCamera& chosen = *lowered.camera;
+  std::string text = name_or(chosen.name, "without a name");
+  if (lowered.cameras.size() > 1) {
+    std::vector<std::string> names;
+    for (const std::string& name : lowered.cameras) names.push_back(name_or(name, "one unnamed"));
+    text += fmt::format(", chosen of {}", fmt::join(names, ", "));
+  }
+  sheet.row("camera", text);
+  const render::Camera& camera = lowered.scene.camera;
+  sheet.detail("from", triple(camera.from));
+  sheet.detail("at", triple(camera.at));
+  std::string fov = format_rounded(chosen.fov.degrees) + "deg";
+  if (chosen.view_height != 2) fov += ", view_height " + format_rounded(chosen.view_height);
+  sheet.detail("fov", fov);
+  sheet.detail("shutter", chosen.shutter ? fmt::format("open from {} s to {} s",
+                                                       format_rounded(chosen.shutter->from),
+                                                       format_rounded(chosen.shutter->to))
+                                         : "none: nothing moves");
+}
+
+void write_picture(const InspectReport& report, Sheet& sheet) {
+  const render::Background& background = report.lowered.scene.background;
+  sheet.row("background", background.is_constant()
+                              ? linear(background.bottom)
+                              : fmt::format("gradient, bottom {}, top {}",
+                                            linear(background.bottom), linear(background.top)));
+  const render::RenderSettings& settings = report.lowered.settings;
+  sheet.row(
+      "picture",
+      fmt::format("{} x {} pixels, {}, depth {}, seed {}, tone {}", settings.width, settings.height,
+                  plural(static_cast<std::size_t>(settings.samples), "sample"), settings.depth,
+                  settings.seed, tone_name(report.lowered.output.tone)));
+  sheet.detail("output",
+               report.output ? lang::printable(*report.output) : "no name: `render` needs -o OUT");
+}
+
+void write_requirements(const InspectReport& report, Sheet& sheet) {
+  sheet.row("requires", report.features.empty()
+                            ? "nothing special"
+                            : fmt::format("{}", fmt::join(report.features, ", ")));
+  sheet.detail("kernel", fmt::format("{} precision, {}, for {} ({})", report.kernel.precision,
+                                     report.kernel.name, kInstructionSet, report.kernel.reason));
+}
+
+void write_memory(const InspectReport& report, Sheet& sheet) {
+  const MemoryFigures& memory = report.memory;
+  const std::size_t count = report.lowered.scene.spheres.size();
+  std::string text = format_bytes(memory.total());
+  if (count > 0) text += fmt::format(", {:.0f} B a sphere", memory.per_sphere(count));
+  sheet.row("memory", text);
+  if (count > 0) {
+    sheet.detail("spheres", format_bytes(memory.spheres));
+    if (memory.motion > 0) sheet.detail("motion", format_bytes(memory.motion));
+    sheet.detail("materials", format_bytes(memory.materials));
+    sheet.detail("hierarchy", format_bytes(memory.bvh) + ", estimated without building it");
+  }
+  sheet.detail("picture", format_bytes(memory.picture));
+}
+
+}  // namespace
+
+std::string_view tone_name(render::Tone tone) noexcept {
+  switch (tone) {
+    case render::Tone::Srgb: return "srgb";
+    case render::Tone::Sqrt: return "sqrt";
+    case render::Tone::Linear: break;
+  }
+  return "linear";
+}
+
+std::string to_text(const InspectReport& report) {
+  Sheet sheet;
+  write_files(report, sheet);
+  sheet.gap();
+  write_spheres(report, sheet);
+  write_materials(report.materials, sheet);
+  sheet.gap();
+  write_camera(report.lowered, sheet);
+  write_picture(report, sheet);
+  sheet.gap();
+  write_requirements(report, sheet);
+  write_memory(report, sheet);
+  sheet.row("time",
+            fmt::format("{} to parse, {} to lower", format_seconds(report.times.parse_seconds),
+                        format_seconds(report.times.lower_seconds)));
+  return sheet.take();
+}
+
+std::string to_text(std::span<const TracedSphere> spheres) {
+  std::string text;
+  for (const TracedSphere& traced : spheres) {
+    const std::string& name = traced.origin.name;
+    text += fmt::format("sphere {}{}: center {}, radius {}, {}\n", traced.index,
+                        name.empty() ? "" : fmt::format(" `{}`", lang::printable(name)),
+                        triple(traced.sphere.center), format_rounded(traced.sphere.radius),
+                        material_name(traced.material));
+    if (traced.shift != render::Vec3{}) {
+      text += fmt::format("  moves by {} while the shutter is open\n", triple(traced.shift));
+    }
+    text += fmt::format("  at {}\n", lang::describe_place(traced.origin.where));
+    for (const lang::ChainLink& link : traced.origin.chain) {
+      text += fmt::format("  {}, {}\n", lang::printable(link.message),
+                          lang::describe_place(link.where));
+    }
+  }
+  return text;
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "lang/lower/scene_builder.hpp"
+
+namespace sdlc::cli {
+
+/// The flags that win over the scene's own settings: one for each property of `render` that
+/// Overrides has, named and explained by the property's row in its table.
+void add_override_options(CLI::App& command, lang::Overrides& overrides);
+
+}  // namespace sdlc::cli

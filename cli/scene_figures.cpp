@@ -1,0 +1,100 @@
+#include "cli/scene_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/bvh/bvh.hpp"
+#include "render/math/color.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+using render::Vec3;
+
+Vec3 lower_corner(Vec3 a, Vec3 b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+Vec3 upper_corner(Vec3 a, Vec3 b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
+}  // namespace
+
+std::string_view material_name(render::MaterialType type) noexcept {
+  switch (type) {
+    case render::MaterialType::Diffuse: return "diffuse";
+    case render::MaterialType::Specular: return "specular";
+    case render::MaterialType::Transmissive: return "transmissive";
+    case render::MaterialType::Emissive: return "emissive";
+    case render::MaterialType::Unlit: break;
+  }
+  return "unlit";
+}
+
+MaterialCounts count_materials(const render::Scene& scene) {
+  using render::MaterialType;
+  MaterialCounts counts{{{MaterialType::Diffuse},
+                         {MaterialType::Specular},
+                         {MaterialType::Transmissive},
+                         {MaterialType::Emissive},
+                         {MaterialType::Unlit}}};
+  std::vector<std::size_t> spheres_of(scene.materials.size());
+  for (const render::Sphere& sphere : scene.spheres) ++spheres_of[sphere.material];
+  for (std::size_t i = 0; i < spheres_of.size(); ++i) {
+    if (spheres_of[i] == 0) continue;  // its spheres were dropped
+    const auto row = std::ranges::find(counts, scene.materials[i].type, &MaterialFigures::type);
+    ++row->materials;
+    row->spheres += spheres_of[i];
+  }
+  return counts;
+}
+
+std::vector<std::string> required_features(const render::Scene& scene,
+                                           const MaterialCounts& materials) {
+  std::vector<std::string> features;
+  if (!scene.shifts.empty()) features.emplace_back("motion");
+  if (!scene.background.is_constant()) features.emplace_back("gradient");
+  for (const MaterialFigures& row : materials) {
+    if (row.spheres > 0) features.emplace_back(material_name(row.type));
+  }
+  return features;
+}
+
+std::optional<SphereFigures> measure_spheres(const render::Scene& scene) {
+  if (scene.spheres.empty()) return std::nullopt;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  SphereFigures figures{.low = {kInfinity, kInfinity, kInfinity},
+                        .high = {-kInfinity, -kInfinity, -kInfinity},
+                        .smallest = {.sphere = 0, .radius = kInfinity},
+                        .largest = {}};
+  const auto add = [&](Vec3 center, double radius) {
+    const Vec3 reach{radius, radius, radius};
+    figures.low = lower_corner(figures.low, center - reach);
+    figures.high = upper_corner(figures.high, center + reach);
+    const Vec3 way = center - scene.camera.from;
+    figures.extent = std::max(figures.extent, std::hypot(way.x, way.y, way.z) + radius);
+  };
+  for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
+    const auto& [center, radius, material] = scene.spheres[i];
+    add(center, radius);
+    if (radius < figures.smallest.radius) figures.smallest = {.sphere = i, .radius = radius};
+    if (radius > figures.largest.radius) figures.largest = {.sphere = i, .radius = radius};
+    if (scene.shifts.empty() || scene.shifts[i] == Vec3{}) continue;
+    add(center + scene.shifts[i], radius);
+    ++figures.moving;
+  }
+  return figures;
+}
+
+MemoryFigures estimate_memory(const render::Scene& scene, const render::RenderSettings& settings) {
+  const bool is_moving = !scene.shifts.empty();
+  return {.spheres = scene.spheres.size() * sizeof(render::Sphere),
+          .motion = scene.shifts.size() * sizeof(Vec3),
+          .materials = scene.materials.size() * sizeof(render::Material),
+          .bvh = render::Bvh::estimated_bytes(scene.spheres.size(), is_moving),
+          .picture = static_cast<std::size_t>(settings.width) *
+                     static_cast<std::size_t>(settings.height) * sizeof(render::LinearRgb)};
+}
+
+}  // namespace sdlc::cli

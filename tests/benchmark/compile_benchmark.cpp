@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "lang/compile/compile.hpp"
+#include "tests/benchmark/sphere_field.hpp"
+
+// How fast texts become scenes for the renderer, and in how much memory. The measure of a megabyte
+// is what nlohmann::json takes to parse the same JSON to its tree. One thread; what is compared is
+// measured in turns, and medians are told.
+namespace sdlc::test {
+namespace {
+
+struct Options {
+  int spheres = 1000000;
+  int repeats = 5;
+};
+
+lang::LoweredScene compile(const lang::SourceFile& file, int spheres) {
+  lang::DiagnosticSink sink;
+  std::optional<lang::LoweredScene> scene = lang::compile(file, {}, sink);
+  if (!scene) throw std::runtime_error(sink.diagnostics().front().message);
+  if (scene->scene.spheres.size() != static_cast<std::size_t>(spheres)) {
+    throw std::runtime_error(fmt::format("{}: spheres are missing", file.name()));
+  }
+  return std::move(*scene);
+}
+
+/// A number of bytes that the system tells of this process, such as VmHWM, its peak so far.
+double process_bytes(const std::string& key) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with(key + ":")) return std::stod(line.substr(key.size() + 1)) * 1024;
+  }
+  throw std::runtime_error("/proc/self/status has no " + key);
+}
+
+/// The most memory that making a text and compiling it takes, in sizes of that text. In a process
+/// of its own, since memory that an earlier compilation gave back would not count. Call it before
+/// the process has used any.
+double measure_memory(const std::string& name, std::string (*make_text)(int), int spheres) {
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no child process");
+  if (child == 0) {
+    const double before = process_bytes("VmRSS");
+    const lang::SourceFile file(name, make_text(spheres));
+    compile(file, spheres);
+    const double multiple =
+        (process_bytes("VmHWM") - before) / static_cast<double>(file.text().size());
+    _exit(write(ends[1], &multiple, sizeof multiple) == sizeof multiple ? 0 : 1);
+  }
+  close(ends[1]);
+  double multiple = 0;
+  const bool is_read = read(ends[0], &multiple, sizeof multiple) == sizeof multiple;
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  if (!is_read) throw std::runtime_error("the child process failed");
+  return multiple;
+}
+
+/// How long it takes to make something; not how long to take it down.
+template <typename Make>
+double seconds_to(const Make& make) {
+  const auto begin = std::chrono::steady_clock::now();
+  [[maybe_unused]] const auto made = make();
+  const auto end = std::chrono::steady_clock::now();
+  return std::chrono::duration<double>(end - begin).count();
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// The medians of what the functions return, which are called in turns.
+std::vector<double> measure_in_turns(int repeats,
+                                     const std::vector<std::function<double()>>& functions) {
+  std::vector<std::vector<double>> results(functions.size());
+  for (int i = 0; i < repeats; ++i) {
+    for (std::size_t k = 0; k < functions.size(); ++k) results[k].push_back(functions[k]());
+  }
+  std::vector<double> medians;
+  for (const auto& values : results) medians.push_back(median(values));
+  return medians;
+}
+
+Options read_options(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; i += 2) {
+    const std::string_view name = argv[i];
+    int* value = name == "--spheres"   ? &options.spheres
+                 : name == "--repeats" ? &options.repeats
+                                       : nullptr;
+    if (value == nullptr || i + 1 == argc || (*value = std::atoi(argv[i + 1])) < 1) {
+      throw std::runtime_error("usage: compile_benchmark [--spheres N] [--repeats N]");
+    }
+  }
+  return options;
+}
+
+void run(const Options& options) {
+  const int spheres = options.spheres;
+  const double json_memory = measure_memory("field.json", field_as_json, spheres);
+  const double scene_memory = measure_memory("field.scene", field_as_scene, spheres);
+
+  const lang::SourceFile json("field.json", field_as_json(spheres));
+  const lang::SourceFile scene("field.scene", field_as_scene(spheres));
+  const lang::SourceFile loop("loop.scene", loop_as_scene(spheres));
+  const auto seconds = measure_in_turns(
+      options.repeats,
+      {[&] { return seconds_to([&] { return nlohmann::json::parse(json.text()); }); },
+       [&] { return seconds_to([&] { return compile(json, spheres); }); },
+       [&] { return seconds_to([&] { return compile(scene, spheres); }); },
+       [&] { return seconds_to([&] { return compile(loop, spheres); }); }});
+
+  const auto speed = [](const lang::SourceFile& file, double time) {
+    return static_cast<double>(file.text().size()) / time / 1e6;
+  };
+  const double json_speed = speed(json, seconds[1]), peer_speed = speed(json, seconds[0]);
+  const double scene_speed = speed(scene, seconds[2]);
+  fmt::print("{} spheres, medians of {}\n", spheres, options.repeats);
+  fmt::print("nlohmann::json         {:8.1f} MB/s\n", peer_speed);
+  fmt::print("JSON to scene          {:8.1f} MB/s  {:5.2f} times nlohmann (at least 1.5)\n",
+             json_speed, json_speed / peer_speed);
+  fmt::print("scene text to scene    {:8.1f} MB/s  {:5.2f} times nlohmann (at least 0.6)\n",
+             scene_speed, scene_speed / peer_speed);
+  fmt::print("loop to scene          {:8.2f} million spheres/s (at least 2)\n",
+             spheres / seconds[3] / 1e6);
+  fmt::print("peak memory of JSON    {:8.2f} times the text, itself included (at most 6)\n",
+             json_memory);
+  fmt::print("peak memory of scene   {:8.2f} times the text, itself included (at most 6)\n",
+             scene_memory);
+}
+
+}  // namespace
+}  // namespace sdlc::test
+
+int main(int argc, char** argv) {
+  try {
+    sdlc::test::run(sdlc::test::read_options(argc, argv));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "compile_benchmark: {}\n", error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
