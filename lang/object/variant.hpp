@@ -47,9 +47,11 @@ class Variant {
     }
   }
 
+#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 // An empty value's storage is copied as it is; no one looks into it.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
   Variant(const Variant& other) noexcept : storage_(other.storage_), index_(other.index_) {
     if (is_boxed()) ++box()->uses;
   }
@@ -74,7 +76,9 @@ class Variant {
   ~Variant() {
     if (is_boxed()) release();
   }
+#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
+#endif
 
   std::size_t index() const noexcept { return index_; }
 

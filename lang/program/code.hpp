@@ -16,53 +16,53 @@ inline constexpr std::uint32_t kNothing = 0xFFFFFFFF;
 
 /// What an expression does. `operands` are entries of Code::operands, most of them expressions.
 enum class Op : std::uint8_t {
-  Broken,      ///< operands: what is evaluated for its mistakes only; the result has failed
-  Number,      ///< first: in Code::numbers; `detail` is the Unit
-  Constant,    ///< first: in Code::constants
-  Time,        ///< `time`
-  Local,       ///< first: slot of the frame
-  Global,      ///< operands: module, global
-  Negative,    ///< operand
-  Not,         ///< operand
-  Sum,         ///< operands; each but the first has its operator in `before`
-  Product,     ///< likewise
-  Power,       ///< base, exponent
-  And,         ///< operands
-  Or,          ///< operands
-  Comparison,  ///< left, right; the operator is right's `before`
-  Interval,    ///< from, to
-  Triple,      ///< three
-  List,        ///< elements
-  Conditional, ///< condition, value, …, value
-  Member,      ///< operand; `detail` is 'x', 'y' or 'z', or 0 for what no value has
-  Index,       ///< list, position
-  Function,    ///< module, function, then an argument or kNothing a parameter
-  Builtin,     ///< index in all_builtins(), arguments
-  Constructor, ///< index in all_constructors(), then an argument or kNothing a parameter
+  Broken,       ///< operands: what is evaluated for its mistakes only; the result has failed
+  Number,       ///< first: in Code::numbers; `detail` is the Unit
+  Constant,     ///< first: in Code::constants
+  Time,         ///< `time`
+  Local,        ///< first: slot of the frame
+  Global,       ///< operands: module, global
+  Negative,     ///< operand
+  Not,          ///< operand
+  Sum,          ///< operands; each but the first has its operator in `before`
+  Product,      ///< likewise
+  Power,        ///< base, exponent
+  And,          ///< operands
+  Or,           ///< operands
+  Comparison,   ///< left, right; the operator is right's `before`
+  Interval,     ///< from, to
+  Triple,       ///< three
+  List,         ///< elements
+  Conditional,  ///< condition, value, …, value
+  Member,       ///< operand; `detail` is 'x', 'y' or 'z', or 0 for what no value has
+  Index,        ///< list, position
+  Function,     ///< module, function, then an argument or kNothing a parameter
+  Builtin,      ///< index in all_builtins(), arguments
+  Constructor,  ///< index in all_constructors(), then an argument or kNothing a parameter
 };
 
 struct Expression {
   Op op = Op::Broken;
   Operator before = Operator::None;  ///< in front of an operand of a chain
   std::uint8_t detail = 0;
-  NodeIndex node = 0;        ///< what is wrong with the value is reported there
-  std::uint32_t first = 0;   ///< of the operands
-  std::uint32_t count = 0;   ///< of the operands
+  NodeIndex node = 0;       ///< what is wrong with the value is reported there
+  std::uint32_t first = 0;  ///< of the operands
+  std::uint32_t count = 0;  ///< of the operands
 };
 static_assert(sizeof(Expression) == 16);
 
 /// What a statement does. A block is written as the number of its statements and then they.
 enum class Action : std::uint8_t {
-  Let,      ///< slot, expression
-  For,      ///< slot, list, block
-  If,       ///< [condition or kNothing, block]...
-  Assert,   ///< condition, message
-  Object,   ///< [property or kNothing, expression]...; `kind` says of what
-  Group,    ///< number of lets, lets, which the properties may use; number of properties, [property
-            ///< or kNothing, expression]...; block, with the lets in their places
-  Instance, ///< module, def, number of group properties, [property, expression]..., then an
-            ///< argument or kNothing a parameter
-  Include,  ///< module, or index of a config plus kConfigs
+  Let,     ///< slot, expression
+  For,     ///< slot, list, block
+  If,      ///< [condition or kNothing, block]...
+  Assert,  ///< condition, message
+  Object,  ///< [property or kNothing, expression]...; `kind` says of what
+  Group,   ///< number of lets, lets, which the properties may use; number of properties, [property
+           ///< or kNothing, expression]...; block, with the lets in their places
+  Instance,  ///< module, def, number of group properties, [property, expression]..., then an
+             ///< argument or kNothing a parameter
+  Include,   ///< module, or index of a config plus kConfigs
 };
 
 struct Statement {

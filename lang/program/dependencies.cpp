@@ -105,7 +105,8 @@ class Sorter {
     }
     names.push_back(names.front());
     const ast::Node statement(module_.tree, module_.globals[value].node);
-    sink_.report(diag::depends_on_itself, statement.first(SyntaxKind::Name)->location(),
+    sink_
+        .report(diag::depends_on_itself, statement.first(SyntaxKind::Name)->location(),
                 graph_.name(value))
         .help(fmt::format("the circle is {}", fmt::join(names, " → ")));
   }

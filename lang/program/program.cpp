@@ -80,8 +80,7 @@ std::uint32_t Program::add_module(const SourceFile& file, fs::path path, std::ui
   }
   const bool is_readable = file.text().size() <= options_.limits.file;
   static const SourceFile kEmpty("", "scene 1");
-  modules_.push_back(
-      std::make_unique<Module>(file, parse(is_readable ? file : kEmpty, sink)));
+  modules_.push_back(std::make_unique<Module>(file, parse(is_readable ? file : kEmpty, sink)));
   modules_[index]->path = std::move(path);
   modules_[index]->parent = parent;
   Resolver(*this, index, sink).resolve_declarations();
@@ -120,8 +119,7 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
   const Computed value = evaluate_string(name, sink);
   const auto* written = get_if<std::string>(&value);
   if (written == nullptr) return kNothing;
-  const fs::path path =
-      (modules_[from]->path.parent_path() / *written).lexically_normal();
+  const fs::path path = (modules_[from]->path.parent_path() / *written).lexically_normal();
   const std::string identity =
       options_.files != nullptr ? options_.files->identity(path).string() : path.string();
 

@@ -44,9 +44,9 @@ struct Definition {
   NodeIndex node = 0;  ///< the statement
   std::vector<Parameter> parameters;
   std::uint32_t frame_size = 0;
-  std::uint32_t body = kNothing;        ///< of a fn: expression
-  std::vector<std::uint32_t> block;     ///< of a def: statements
-  bool uses_time = false;               ///< of a fn: perhaps
+  std::uint32_t body = kNothing;     ///< of a fn: expression
+  std::vector<std::uint32_t> block;  ///< of a def: statements
+  bool uses_time = false;            ///< of a fn: perhaps
 };
 
 /// A file of the language, its declarations resolved. Its other statements are resolved when they
@@ -55,8 +55,8 @@ struct Module {
   Module(const SourceFile& file_, SyntaxTree tree_) : file(&file_), tree(std::move(tree_)) {}
 
   const SourceFile* file;
-  std::filesystem::path path;      ///< by which its own imports are found
-  std::uint32_t parent = kNothing; ///< the module that asked for it first
+  std::filesystem::path path;       ///< by which its own imports are found
+  std::uint32_t parent = kNothing;  ///< the module that asked for it first
   SyntaxTree tree;
   Code code{tree};
   std::vector<Global> globals;
@@ -116,8 +116,8 @@ class Program {
   /// What the String node names, read: a module, a config (only where `is_include`), or kNothing
   /// when there is none, which has been reported.
   std::uint32_t load(std::uint32_t from, ast::Node name, bool is_include, DiagnosticSink& sink);
-  std::uint32_t add_module(const SourceFile& file, std::filesystem::path path,
-                           std::uint32_t parent, DiagnosticSink& sink);
+  std::uint32_t add_module(const SourceFile& file, std::filesystem::path path, std::uint32_t parent,
+                           DiagnosticSink& sink);
   void add_setting(const SetOption& option, DiagnosticSink& sink);
   bool is_allowed(const std::filesystem::path& path) const;
   std::optional<std::string> read(const std::filesystem::path& path, ast::Node name,
@@ -127,7 +127,7 @@ class Program {
   std::filesystem::path root_folder_;
   std::vector<std::unique_ptr<Module>> modules_;
   std::vector<const SourceFile*> configs_;
-  std::deque<SourceFile> sources_;  ///< of all files but the root
+  std::deque<SourceFile> sources_;                         ///< of all files but the root
   std::unordered_map<std::string, std::uint32_t> loaded_;  ///< by identity; kNothing: unreadable
   std::vector<std::filesystem::path> dependencies_;
   std::vector<ParamSetting> settings_;

@@ -360,8 +360,7 @@ std::uint32_t Resolver::call_of(Op op, std::span<const std::uint32_t> callee,
     }
     const bool is_placed = index < parameters.size() && pending_[first + index] == kNothing;
     if (index < parameters.size() && !is_placed) {
-      const ast::Node earlier(*code_->tree,
-                              code_->expressions[pending_[first + index]].node);
+      const ast::Node earlier(*code_->tree, code_->expressions[pending_[first + index]].node);
       sink_.report(diag::duplicate, where, "argument", name_of(parameters[index]))
           .label(earlier.location(), "first given here");
     }

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "lang/ast/ast.hpp"
@@ -145,8 +146,27 @@ class Resolver {
   std::size_t block_begin_ = 0;  // of the innermost block's own, in locals_
   std::uint32_t frame_size_ = 0;
   std::string_view declaring_;  // what no unknown name in its own value was meant to be
-  Uses uses_;  // of the declaration being resolved
+  Uses uses_;                   // of the declaration being resolved
   Slots slots_;
+};
+
+/// Forgets at its end what was declared while it lived.
+class Resolver::Scope {
+ public:
+  explicit Scope(Resolver& resolver)
+      : resolver_(resolver),
+        size_(resolver.locals_.size()),
+        block_begin_(std::exchange(resolver.block_begin_, size_)) {}
+  ~Scope() {
+    resolver_.locals_.resize(size_);
+    resolver_.block_begin_ = block_begin_;
+  }
+  Scope(const Scope&) = delete;
+  Scope& operator=(const Scope&) = delete;
+
+ private:
+  Resolver& resolver_;
+  std::size_t size_, block_begin_;
 };
 
 }  // namespace sdlc::lang

@@ -143,7 +143,7 @@ TEST(Motion, StandsStillWithoutAShutter) {
   EXPECT_TRUE(lowered.scene.shifts.empty());
   EXPECT_THAT(paths_in(lowered),
               ElementsAre(Path{{1.5, 0, 0}, {1.5, 0, 0}}, Path{{1.5, 6.5, 0}, {1.5, 6.5, 0}}));
-  EXPECT_EQ(lowered.scene.spheres[0].radius, 2.5);
+  EXPECT_EQ(lowered.scene.spheres.at(0).radius, 2.5);
 }
 
 TEST(Motion, IsOfTheChosenCamerasShutter) {
@@ -154,8 +154,9 @@ TEST(Motion, IsOfTheChosenCamerasShutter) {
   EXPECT_THAT(paths_of(two + "render { camera: still }"), ElementsAre(Path{{0, 0, 0}, {0, 0, 0}}));
   EXPECT_THAT(paths_of(two + "render { camera: moving }"), ElementsAre(Path{{1, 0, 0}, {2, 0, 0}}));
   Compilation compilation({.root = two + "render { camera: still }"});
-  EXPECT_THAT(paths_in(*compilation.lower({.camera = "moving"})),
-              ElementsAre(Path{{1, 0, 0}, {2, 0, 0}}));
+  const auto lowered = compilation.lower({.camera = "moving"});
+  ASSERT_TRUE(lowered);
+  EXPECT_THAT(paths_in(*lowered), ElementsAre(Path{{1, 0, 0}, {2, 0, 0}}));
 }
 
 TEST(Motion, KeepsEachShiftBesideItsSphere) {
@@ -173,6 +174,7 @@ TEST(Motion, TellsSpheresApartThatMeetAtTheOpening) {
   Compilation compilation({.root = shutter("1s .. 2s") + ball("(1, 0, 0)") + ball("(t, 0, 0)") +
                                    ball("(t, 0, 0)") + ball("(3, 0, 0)") + ball("(3 * t, 0, 0)")});
   const auto lowered = compilation.lower();
+  ASSERT_TRUE(lowered);
   EXPECT_THAT(compilation.codes(), ElementsAre("W401"));
   EXPECT_THAT(paths_in(*lowered),
               ElementsAre(Path{{1, 0, 0}, {1, 0, 0}}, Path{{1, 0, 0}, {2, 0, 0}},
@@ -186,6 +188,10 @@ TEST(Motion, LeavesNoShiftsWhereNothingMoves) {
     EXPECT_TRUE(scene_of({.root = shutter("1s .. 2s") + text}).scene.shifts.empty()) << text;
   }
   EXPECT_TRUE(scene_of({.root = shutter("1s .. 1s") + ball("(t, 0, 0)")}).scene.shifts.empty());
+  const auto line = scene_of(
+      {.root = shutter("1s .. 1s") + "sphere { center: (0, 0, 0), radius: 1, material: unlit(red), "
+                                     "motion: line(to: (1, 0, 0), over: 0s .. 1s) }"});
+  EXPECT_TRUE(line.scene.shifts.empty());
 }
 
 TEST(Opening, DecidesOnTheCamera) {
@@ -194,6 +200,7 @@ TEST(Opening, DecidesOnTheCamera) {
                "1s .. 2s }\n" +
                ball("(0, 0, 0)")});
   const auto lowered = compilation.lower();
+  ASSERT_TRUE(lowered);
   EXPECT_THAT(compilation.codes(), ElementsAre("W404", "W404"));
   EXPECT_EQ(lowered->scene.camera.from, (Vec3{0, 0, 6}));
   EXPECT_EQ(lowered->scene.camera.at, (Vec3{1, 0, 0}));
@@ -206,6 +213,7 @@ TEST(Opening, DecidesOnSizesMaterialsAndTheSky) {
                "group { scale: t, material: unlit(linear(2 * t, 0, 0)) sphere { "
                "center: (1, 0, 0), radius: 3 * t } }"});
   const auto lowered = compilation.lower();
+  ASSERT_TRUE(lowered);
   EXPECT_THAT(compilation.codes(), ElementsAre("W404", "W404", "W404", "W404"));
   EXPECT_EQ(lowered->scene.background.top.r, 1);
   EXPECT_EQ(lowered->scene.materials.at(0).color.r, 2);
@@ -222,6 +230,7 @@ TEST(Opening, DecidesOnCountsAndConditions) {
                                    ball("(t, 5, 0)") + "} else { " + ball("(0, 9, 0)") + "}\n" +
                                    ball("(if t < 1.5 then 7 else 8, 0, 0)")});
   const auto lowered = compilation.lower();
+  ASSERT_TRUE(lowered);
   EXPECT_THAT(compilation.codes(), ElementsAre("W404", "W404"));
   EXPECT_THAT(paths_in(*lowered),
               ElementsAre(Path{{0, 0, 0}, {0, 0, 0}}, Path{{1, 5, 0}, {2, 5, 0}},

@@ -105,20 +105,20 @@ TEST(Groups, NestAsDeepAsTheyAreWritten) {
       "0deg, 90deg) group { scale: 2 " +
       ball("(1, 0, 0)") + "} } } " + ball("(0, 1, 0)") + "}" + ball("(7, 8, 9)"));
   ASSERT_EQ(spheres.size(), 3u);
-  EXPECT_EQ(spheres[0].center, (Vec3{3, 0, 2}));
-  EXPECT_EQ(spheres[0].radius, 1);
-  EXPECT_EQ(spheres[1].center, (Vec3{0, 0, 1}));
-  EXPECT_EQ(spheres[1].radius, 0.5);
-  EXPECT_EQ(spheres[2].center, (Vec3{7, 8, 9})) << "behind the groups";
+  EXPECT_EQ(spheres.at(0).center, (Vec3{3, 0, 2}));
+  EXPECT_EQ(spheres.at(0).radius, 1);
+  EXPECT_EQ(spheres.at(1).center, (Vec3{0, 0, 1}));
+  EXPECT_EQ(spheres.at(1).radius, 0.5);
+  EXPECT_EQ(spheres.at(2).center, (Vec3{7, 8, 9})) << "behind the groups";
 }
 
 TEST(Groups, MultiplyTheirScalesIntoRadii) {
   const auto spheres = spheres_of("group { scale: 3 group { scale: 0.5 " + ball("(1, 0, 0)") +
                                   "} " + ball("(2, 0, 0)") + "}");
   ASSERT_EQ(spheres.size(), 2u);
-  EXPECT_EQ(spheres[0].radius, 0.75);
-  EXPECT_EQ(spheres[0].center, (Vec3{1.5, 0, 0}));
-  EXPECT_EQ(spheres[1].radius, 1.5);
+  EXPECT_EQ(spheres.at(0).radius, 0.75);
+  EXPECT_EQ(spheres.at(0).center, (Vec3{1.5, 0, 0}));
+  EXPECT_EQ(spheres.at(1).radius, 1.5);
 }
 
 TEST(Groups, PlaceInstancesAndIncludedFilesTheSameWay) {
@@ -151,7 +151,7 @@ std::vector<double> reds_of(const std::string& text) {
   const LoweredScene lowered = test::scene_of({.root = kCamera + text});
   std::vector<double> reds;
   for (const render::Sphere& sphere : lowered.scene.spheres) {
-    reds.push_back(lowered.scene.materials[sphere.material].color.r);
+    reds.push_back(lowered.scene.materials.at(sphere.material).color.r);
   }
   return reds;
 }

@@ -153,9 +153,9 @@ TEST(Duplicates, OfOneStatementAreOneWarning) {
 }
 
 TEST(Duplicates, OfOneStatementDoNotHideThoseOfAnother) {
-  const auto told = told_about({.root = kCamera + "for i in range(200) { " +
-                                        ball("many", "(0, 0, 0)") + "}\n" +
-                                        ball("other", "(5, 0, 0)") + ball("other", "(5, 0, 0)")});
+  const auto told =
+      told_about({.root = kCamera + "for i in range(200) { " + ball("many", "(0, 0, 0)") + "}\n" +
+                          ball("other", "(5, 0, 0)") + ball("other", "(5, 0, 0)")});
   EXPECT_EQ(told.size(), 2u);
 }
 

@@ -50,6 +50,9 @@ TEST(Rulings, Ruling09_ALetOfABlockIsVisibleBehindItInItsBlock) {
       ElementsAre(Vec3{5, 2, 0}, Vec3{5, 0, 0}, Vec3{1, 0, 0}));
   EXPECT_THAT(errors_of("if true { " + ball_at("(y, 0, 0)") + " let y = 1 }"), ElementsAre("E101"));
   EXPECT_THAT(errors_of("if true { let y = 1 } let z = y"), ElementsAre("E101"));
+  EXPECT_THAT(centers_of({.root = "if true { let x = 2 if true { let x = 3 " +
+                                  ball_at("(x, 0, 0)") + "} " + ball_at("(x, 0, 0)") + "}"}),
+              ElementsAre(Vec3{3, 0, 0}, Vec3{2, 0, 0}));
 }
 
 TEST(Rulings, Ruling09_SomeStatementsStandAtTheTopOnly) {
@@ -119,7 +122,7 @@ TEST(Rulings, Ruling12_ABareWordIsThePropertysOwn) {
   EXPECT_EQ(lowered.output.tone, render::Tone::Sqrt);
   EXPECT_EQ(lowered.scene.camera.from.x, 1);
   ASSERT_EQ(lowered.scene.materials.size(), 1u);
-  EXPECT_EQ(lowered.scene.materials[0].fresnel, render::Fresnel::Exact);
+  EXPECT_EQ(lowered.scene.materials.at(0).fresnel, render::Fresnel::Exact);
 }
 
 TEST(Rulings, Ruling13_OnlyGroupsDefsLoopsAndConditionsHoldStatements) {
@@ -171,9 +174,9 @@ TEST(Rulings, Ruling14_EachInstanceIsAGroup) {
                                   "dot { translate: (0, 0, 5), rotate: (0deg, 0deg, 90deg), "
                                   "scale: 2, material: unlit(lime) }"});
   ASSERT_EQ(lowered.scene.spheres.size(), 1u);
-  EXPECT_EQ(lowered.scene.spheres[0].center, (Vec3{0, 2, 5}));
-  EXPECT_EQ(lowered.scene.spheres[0].radius, 2);
-  EXPECT_EQ(lowered.scene.materials[0].color, (render::LinearRgb{0, 1, 0}));
+  EXPECT_EQ(lowered.scene.spheres.at(0).center, (Vec3{0, 2, 5}));
+  EXPECT_EQ(lowered.scene.spheres.at(0).radius, 2);
+  EXPECT_EQ(lowered.scene.materials.at(0).color, (render::LinearRgb{0, 1, 0}));
 }
 
 TEST(Rulings, Ruling14_AParameterNamedMaterialTakesThatOnesPlace) {
@@ -182,7 +185,7 @@ TEST(Rulings, Ruling14_AParameterNamedMaterialTakesThatOnesPlace) {
       "def pair(material = unlit(red)) {\n"
       "  sphere { center: (0, 0, 0), radius: 1, material: material }\n}\n";
   const auto lowered = scene_of({.root = kCamera + def + "pair { material: unlit(lime) }"});
-  EXPECT_EQ(lowered.scene.materials[0].color, (render::LinearRgb{0, 1, 0}));
+  EXPECT_EQ(lowered.scene.materials.at(0).color, (render::LinearRgb{0, 1, 0}));
   EXPECT_THAT(
       codes_of({.root = kCamera + "def one(material) { sphere { center: (0, 0, 0), radius: 1 } }\n"
                                   "one { material: unlit(lime) }"}),
@@ -254,7 +257,7 @@ TEST(Rulings, Ruling15_TheSpheresOfAConfigCanBeIncluded) {
                 .files = {{"a.json", config}}});
   EXPECT_THAT(centers_in(lowered), ElementsAre(Vec3{3, 4, 6}));
   EXPECT_EQ(lowered.settings.width, 960);
-  EXPECT_EQ(lowered.scene.materials[0].color, (render::LinearRgb{0.2, 0.4, 1}));
+  EXPECT_EQ(lowered.scene.materials.at(0).color, (render::LinearRgb{0.2, 0.4, 1}));
 }
 
 TEST(Rulings, Ruling15_ACircleOfFilesIsAnErrorThatShowsTheCircle) {

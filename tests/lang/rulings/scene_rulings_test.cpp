@@ -28,8 +28,8 @@ std::pair<Vec3, Vec3> path_of(const std::string& text, std::optional<int> frame 
     ADD_FAILURE() << lowered.scene.spheres.size() << " spheres: " << text;
     return {};
   }
-  const Vec3 opening = lowered.scene.spheres[0].center;
-  return {opening, lowered.scene.shifts.empty() ? opening : opening + lowered.scene.shifts[0]};
+  const Vec3 opening = lowered.scene.spheres.at(0).center;
+  return {opening, lowered.scene.shifts.empty() ? opening : opening + lowered.scene.shifts.at(0)};
 }
 
 Vec3 center_of(const std::string& text, std::optional<int> frame = {}) {
@@ -95,11 +95,12 @@ TEST(Rulings, Ruling29_WhatElseDependsOnTimeIsThatOfTheOpeningWithAWarning) {
     Compilation compilation({.root = camera + changing.text});
     const auto lowered = compilation.lower();
     const auto told = compilation.told();
+    ASSERT_TRUE(lowered) << changing.text;
     ASSERT_EQ(told.size(), 1u) << changing.text;
     EXPECT_EQ(told[0].code, "W404") << changing.text;
     EXPECT_THAT(told[0].message, HasSubstr("`" + changing.what + "`")) << changing.text;
     ASSERT_EQ(lowered->scene.spheres.size(), 1u) << changing.text;
-    EXPECT_EQ(lowered->scene.spheres[0].radius, 1) << changing.text;
+    EXPECT_EQ(lowered->scene.spheres.at(0).radius, 1) << changing.text;
     EXPECT_EQ(lowered->scene.shifts.size(), 0u) << changing.text;
   }
   EXPECT_THAT(codes_of({.root = "camera { from: (0, 0, 5 + " + t +
@@ -180,7 +181,7 @@ TEST(Rulings, Ruling31_TheNearestMaterialWins) {
            "  group { sphere { center: (3, 0, 0), radius: 1 } } }"});
   std::vector<double> reds;
   for (const render::Sphere& sphere : lowered.scene.spheres) {
-    reds.push_back(lowered.scene.materials[sphere.material].color.r);
+    reds.push_back(lowered.scene.materials.at(sphere.material).color.r);
   }
   EXPECT_THAT(reds, ElementsAre(1, 2, 3, 1));
   EXPECT_THAT(codes_of({.root = kCamera + "group { sphere { center: (0, 0, 0), radius: 1 } }"}),

@@ -169,6 +169,12 @@ TEST(Rulings, Ruling20_ProductsWithPlainNumbersKeepTheTagAndOthersDropIt) {
   EXPECT_THAT(radius("6m / 2s"), IsEmpty());
   EXPECT_THAT(radius("1 / 2s"), IsEmpty());
   EXPECT_THAT(radius("sqrt(4s)"), IsEmpty());
+  const auto place = [](const std::string& expression) {
+    return errors_of("group { translate: " + expression + " }");
+  };
+  EXPECT_THAT(place("2 * (1s, 0, 0) / 3"), ElementsAre("E201"));
+  EXPECT_THAT(place("(1s, 0, 0) / 1s"), IsEmpty());
+  EXPECT_THAT(place("(1s, 0, 0) * 2m"), IsEmpty());
 }
 
 TEST(Rulings, Ruling21_WhereAWholeNumberIsMeantAPartIsAnErrorThatNamesTheRemedy) {
@@ -198,6 +204,7 @@ TEST(Rulings, Ruling22_EqualityIsExactAndOfOneType) {
   EXPECT_TRUE(is_true("0.1 + 0.2 != 0.3"));
   EXPECT_TRUE(is_true("\"a\" == \"a\" and (1, 2, 3) == (1, 2, 3) and red == #f00"));
   EXPECT_TRUE(is_true("unlit(red) == unlit(#f00) and [1, 2] != [1, 2, 3]"));
+  EXPECT_TRUE(is_true("[[1], [2, 3]] == [[1], [2, 3]] and [[1], [2, 3]] != [[1], [2, 4]]"));
   for (const char* wrong : {"1 == \"1\"", "1 == true", "1deg == 1", "red == (1, 0, 0)"}) {
     EXPECT_THAT(errors_in(wrong), ElementsAre("E224")) << wrong;
   }

@@ -1,0 +1,258 @@
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lang/ast/statements.hpp"
+#include "lang/program/path.hpp"
+#include "lang/program/resolver.hpp"
+#include "lang/text/nearest_name.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+const Kind* find_kind(std::string_view name) noexcept {
+  const auto kinds = all_kinds();
+  const auto found =
+      std::find_if(kinds.begin(), kinds.end(), [&](const Kind& kind) { return kind.name == name; });
+  return found == kinds.end() ? nullptr : &*found;
+}
+template <typename Map>
+std::optional<std::uint32_t> find(const Map& map, std::string_view name) {
+  if (map.empty()) return std::nullopt;
+  const auto found = map.find(name);
+  return found == map.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace
+
+std::uint32_t Resolver::object(ast::Object node, bool is_top) {
+  const std::string_view path = node.kind();
+  const bool is_path = path.find('.') != std::string_view::npos;
+  if (!is_path) {
+    if (const auto def = find(module_.def_names, path)) return instance_of(index_, *def, node);
+    const Kind* kind = find_kind(path);
+    if (kind == nullptr) return unknown_kind(node, index_);
+    if (kind->is_setting && !is_top) {
+      sink_.report(diag::top_level_only, node.kind_location(), kind->name);
+      return kNothing;
+    }
+    return object_of(*kind, node);
+  }
+
+  const std::vector<std::string_view> names = split_path(path);
+  const auto module = find_import(names[0]);
+  if (!module) {
+    sink_.report(diag::unknown_kind, node.kind_location(), path).suggest(nearest_import(names));
+    return kNothing;
+  }
+  if (*module == kNothing) return kNothing;  // reported where it is imported
+  const auto def =
+      names.size() == 2 ? find(program_.module(*module).def_names, names[1]) : std::nullopt;
+  return def ? instance_of(*module, *def, node) : unknown_kind(node, *module);
+}
+
+std::uint32_t Resolver::unknown_kind(ast::Object node, std::uint32_t scope) {
+  std::vector<std::string_view> names;
+  const Module& module = program_.module(scope);
+  for (const Definition& def : module.defs) names.push_back(def.name);
+  std::string_view written = node.kind();
+  if (scope == index_) {
+    for (const Kind& known : all_kinds()) names.push_back(known.name);
+  } else {
+    written = split_path(written).back();
+  }
+  auto report = sink_.report(diag::unknown_kind, node.kind_location(), node.kind());
+  const auto nearest = nearest_name(written, names);
+  if (scope == index_) {
+    report.suggest(nearest);
+  } else if (nearest) {
+    report.suggest(fmt::format("{}.{}", split_path(node.kind())[0], *nearest));
+  }
+  if (module_.function_names.contains(node.kind())) {
+    report.help(fmt::format("`{}` is a function; `def` makes a kind of object", node.kind()));
+  }
+  // What stands inside may have mistakes of its own, but no one knows which names it may use.
+  return kNothing;
+}
+
+void Resolver::check_name(const Kind& kind, ast::Object node) {
+  const auto name = node.name();
+  if (!name || kind.takes_name) return;
+  sink_.report(diag::takes_no_name, name->location(), kind.name).fix(name->location(), "");
+}
+
+void Resolver::misplaced(std::string_view kind, ast::Node statement) {
+  const bool is_object = statement.is(SyntaxKind::Object);
+  const Location where = is_object ? statement.head_location() : ast::word_location(statement);
+  const std::string_view word =
+      is_object ? statement.head() : ast::statement_word(statement.kind());
+  auto report = sink_.report(diag::properties_only, where, kind, word);
+  if (!statement.is(SyntaxKind::If)) return;
+  const auto block = statement.first(SyntaxKind::Block);
+  const auto property = block ? block->first(SyntaxKind::Property) : std::nullopt;
+  if (property) report.help(fmt::format("write `{}: if … then … else …`", property->head()));
+}
+
+void Resolver::Slots::reset(std::string_view kind_) {
+  kind = kind_;
+  names.clear();
+  given.clear();
+  others.clear();
+}
+
+void Resolver::Slots::add(std::string_view name, const Property* property) {
+  names.push_back({name, property});
+  given.emplace_back();
+}
+
+std::size_t Resolver::Slots::index_of(std::string_view name) const {
+  std::size_t index = 0;
+  while (index < names.size() && names[index].name != name) ++index;
+  return index;
+}
+
+/// Where the value of an unknown property goes: to the one that was probably meant, unless that one
+/// stands there too. What is missing only because of a slip of the pen is not missing.
+std::size_t Resolver::guess_property(ast::Labeled node) {
+  std::vector<std::string_view> names;
+  for (const Slots::Name& known : slots_.names) names.push_back(known.name);
+  const auto nearest = nearest_name(node.label(), names);
+  sink_.report(diag::unknown_property, node.label_location(), node.label(), slots_.kind)
+      .suggest(nearest);
+  const std::size_t index = nearest ? slots_.index_of(*nearest) : names.size();
+  return index < names.size() && !slots_.given[index].is_written ? index : names.size();
+}
+
+void Resolver::read_property(ast::Labeled node) {
+  const std::size_t none = slots_.names.size();
+  std::size_t index = slots_.index_of(node.label());
+  const bool is_guess = index == none;
+  if (is_guess) {
+    index = guess_property(node);
+  } else if (slots_.given[index].is_written && !slots_.given[index].is_guess) {
+    sink_.report(diag::duplicate, node.label_location(), "property", node.label())
+        .label(node.node.tree().location(slots_.given[index].span), "first given here");
+    index = none;
+  }
+
+  const auto value = node.value();
+  const Property* property = index == none ? nullptr : slots_.names[index].property;
+  const std::uint32_t result = value ? expression(*value, property) : broken(node.node);
+  if (index == none) {
+    slots_.others.push_back(result);
+  } else {
+    slots_.given[index] = {.value = result,
+                           .span = value ? value->span() : node.node.span(),
+                           .is_written = true,
+                           .is_guess = is_guess};
+  }
+}
+
+void Resolver::read_properties(ast::Object node) {
+  for (const ast::Node child : node.children()) {
+    if (child.is(SyntaxKind::Property)) {
+      read_property({child});
+    } else if (!child.is(SyntaxKind::Name) && !child.is(SyntaxKind::Error)) {
+      misplaced(slots_.kind, child);
+    }
+  }
+}
+
+void Resolver::push_properties(std::size_t first) {
+  for (std::size_t i = first; i < slots_.given.size(); ++i) {
+    if (!slots_.given[i].is_written) continue;
+    pending_.push_back(static_cast<std::uint32_t>(i - first));
+    pending_.push_back(slots_.given[i].value);
+  }
+  for (const std::uint32_t other : slots_.others) {
+    pending_.push_back(kNothing);
+    pending_.push_back(other);
+  }
+}
+
+std::uint32_t Resolver::object_of(const Kind& kind, ast::Object node) {
+  check_name(kind, node);
+  if (kind.id == ObjectKind::Group) return group(kind, node);
+  slots_.reset(kind.name);
+  for (const Property& property : kind.properties) slots_.add(property.name, &property);
+  read_properties(node);
+  for (std::size_t i = 0; i < kind.properties.size(); ++i) {
+    const Property& property = kind.properties[i];
+    const bool is_missing = property.presence == Presence::Required && !slots_.given[i].is_written;
+    // A property that could not be read may be the one that is missing.
+    if (is_missing && !node.is_broken()) {
+      sink_.report(diag::missing, node.kind_location(), kind.name, property.name);
+    }
+  }
+  const std::size_t mark = pending_.size();
+  push_properties(0);
+  return add_statement(Action::Object, node.node, mark, kind.id);
+}
+
+std::uint32_t Resolver::group(const Kind& kind, ast::Object node) {
+  const Scope scope(*this);
+  Slots own;
+  own.reset(kind.name);
+  for (const Property& property : kind.properties) own.add(property.name, &property);
+  std::vector<std::uint32_t> lets, statements;
+  for (const ast::Node child : node.children()) {
+    if (child.is(SyntaxKind::Property)) {
+      std::swap(slots_, own);
+      read_property({child});
+      std::swap(slots_, own);
+      continue;
+    }
+    const std::uint32_t index = statement(child, false);
+    if (index == kNothing) continue;
+    statements.push_back(index);
+    if (child.is(SyntaxKind::Let)) lets.push_back(index);
+  }
+  // The properties are needed before the statements, and may use the lets before them.
+  std::swap(slots_, own);
+  const std::size_t mark = pending_.size();
+  const auto push = [&](const std::vector<std::uint32_t>& list) {
+    pending_.push_back(static_cast<std::uint32_t>(list.size()));
+    pending_.insert(pending_.end(), list.begin(), list.end());
+  };
+  push(lets);
+  const std::size_t size_at = pending_.size();
+  pending_.push_back(0);
+  push_properties(0);
+  pending_[size_at] = static_cast<std::uint32_t>((pending_.size() - size_at - 1) / 2);
+  push(statements);
+  return add_statement(Action::Group, node.node, mark, kind.id);
+}
+
+std::uint32_t Resolver::instance_of(std::uint32_t module, std::uint32_t def, ast::Object node) {
+  const Module& owner = program_.module(module);
+  const std::vector<Parameter>& parameters = owner.defs[def].parameters;
+  slots_.reset(node.kind());
+  for (const Parameter& parameter : parameters) slots_.add(parameter.name, nullptr);
+  for (const Property& property : kind_info(ObjectKind::Group).properties) {
+    // A parameter named `material` takes the place of the group's.
+    const bool is_taken = slots_.index_of(property.name) < parameters.size();
+    slots_.add(is_taken ? std::string_view() : property.name, &property);
+  }
+  read_properties(node);
+  bool is_complete = true;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (slots_.given[i].is_written || parameters[i].has_default) continue;
+    is_complete = false;
+    if (node.is_broken()) continue;
+    sink_.report(diag::missing, node.kind_location(), node.kind(), parameters[i].name)
+        .label(ast::Node(owner.tree, parameters[i].node).head_location(), "declared here");
+  }
+  if (!is_complete) return kNothing;
+
+  const std::size_t mark = pending_.size();
+  pending_.insert(pending_.end(), {module, def, 0});
+  push_properties(parameters.size());
+  pending_[mark + 2] = static_cast<std::uint32_t>((pending_.size() - mark - 3) / 2);
+  for (std::size_t i = 0; i < parameters.size(); ++i) pending_.push_back(slots_.given[i].value);
+  return add_statement(Action::Instance, node.node, mark, ObjectKind::Group);
+}
+
+}  // namespace sdlc::lang
