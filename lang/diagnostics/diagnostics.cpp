@@ -43,6 +43,10 @@ DiagnosticBuilder& DiagnosticBuilder::suggest(std::optional<std::string_view> na
 
 DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where,
                                       std::string message) {
+  if (is_muted_) {
+    discarded_ = {};
+    return DiagnosticBuilder(discarded_);
+  }
   std::string identity =
       fmt::format("{} {} {} {} {}", info.code, static_cast<const void*>(where.file),
                   where.span.begin, where.span.end, message);

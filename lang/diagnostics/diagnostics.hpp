@@ -121,6 +121,9 @@ class DiagnosticSink {
     return chain_ == nullptr ? std::vector<ChainLink>() : chain_->chain();
   }
 
+  /// While it is muted, whatever is reported is lost.
+  void set_muted(bool is_muted) noexcept { is_muted_ = is_muted; }
+
   /// Empties the sink, whose content the user has seen; none of it will be reported again.
   void forget_shown();
 
@@ -140,6 +143,7 @@ class DiagnosticSink {
   Diagnostic discarded_;                // what builders of omitted diagnostics write to
   std::unordered_set<std::string> told_;
   const ChainSource* chain_ = nullptr;
+  bool is_muted_ = false;
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;
 };

@@ -30,9 +30,8 @@ bool is_setting(const Module& file, ast::Node statement) {
   const std::string_view name = ast::Object{statement}.kind();
   const auto kinds = all_kinds();
   return !file.def_names.contains(name) &&
-         std::any_of(kinds.begin(), kinds.end(), [&](const Kind& kind) {
-           return kind.is_setting && kind.name == name;
-         });
+         std::any_of(kinds.begin(), kinds.end(),
+                     [&](const Kind& kind) { return kind.is_setting && kind.name == name; });
 }
 
 bool is_declaration(SyntaxKind kind) noexcept {
@@ -53,8 +52,13 @@ Evaluator::Evaluator(Program& program, const EvaluationOptions& options, Diagnos
     const double time = options_.frame.value_or(animation_->first) / animation_->fps;
     times_ = {time, time};
   }
+  // What the shutter is made of is wanted at the frame's own time. That is a time at which nothing
+  // else may be asked for, so that nothing is wrong with what has no value then.
+  sink_.set_muted(true);
   evaluate_all_globals(Globals::TimeDependent);
+  sink_.set_muted(false);
   find_shutter();
+  evaluate_all_globals(Globals::TimeDependent);
 }
 
 Evaluator::~Evaluator() { sink_.set_chain(nullptr); }
@@ -70,7 +74,7 @@ std::vector<ChainLink> Evaluator::chain() const {
         step - steps_inside_.rbegin() >= kMaxLinksAtAnEnd) {
       const auto last = steps_inside_.rend() - kMaxLinksAtAnEnd;
       links.push_back({.where = links.back().where,
-                       .message = fmt::format("{} more steps", last - step)});
+                       .message = fmt::format("{} more steps like this", last - step)});
       step = last;
     }
     const ast::Node node(*step->code->tree, step->node);
@@ -118,8 +122,7 @@ void Evaluator::find_settings() {
       const auto [first, is_new] =
           unique_.try_emplace(setting.kind->name, setting.node.kind_location());
       if (!is_new) {
-        sink_
-            .report(diag::duplicate, setting.node.kind_location(), "object", setting.kind->name)
+        sink_.report(diag::duplicate, setting.node.kind_location(), "object", setting.kind->name)
             .label(first->second, "first given here");
       }
     }
@@ -137,8 +140,7 @@ void Evaluator::find_settings() {
 Code Evaluator::resolve(const Setting& setting) {
   Code code(setting.node.node.tree());
   std::uint32_t frame_size = 0;  // none: it holds expressions only
-  Resolver(program_, Program::kRoot, sink_)
-      .resolve_statement(setting.node.node, code, frame_size);
+  Resolver(program_, Program::kRoot, sink_).resolve_statement(setting.node.node, code, frame_size);
   return code;
 }
 
@@ -190,7 +192,6 @@ void Evaluator::find_shutter() {
     const double time = times_[0];
     times_ = {time + interval->from, time + interval->to};
     is_open_ = true;
-    evaluate_all_globals(Globals::TimeDependent);
     shutter_ = render::Interval{times_[0], times_[1]};
     return;
   }
@@ -265,7 +266,8 @@ Evaluator::Varying Evaluator::with_setting(std::uint32_t index, Varying value) {
   const Location whole{setting->file,
                        {0, static_cast<std::uint32_t>(setting->file->text().size())}};
   if (is_text) {
-    if (!check_string_size(setting->file->text().size(), program_.limits(), whole, sink_)) return {};
+    if (!check_string_size(setting->file->text().size(), program_.limits(), whole, sink_))
+      return {};
     return {.values = {std::string(setting->file->text())}};
   }
   if (setting->file->text().find_first_not_of(" \t\r\n") == std::string_view::npos) {
@@ -281,12 +283,11 @@ Evaluator::Varying Evaluator::with_setting(std::uint32_t index, Varying value) {
     return {};
   }
   if (has_failed(computed) || has_failed(original)) return {.values = {computed}};
-  const bool fits = global.type != nullptr ? global.type->holds(computed)
-                                           : are_of_one_type(original, computed);
+  const bool fits =
+      global.type != nullptr ? global.type->holds(computed) : are_of_one_type(original, computed);
   if (fits) return {.values = {computed}};
   const ast::Node statement(program_.module(Program::kRoot).tree, global.node);
-  sink_
-      .report(diag::set_type, whole, global.name, describe(original), describe(computed))
+  sink_.report(diag::set_type, whole, global.name, describe(original), describe(computed))
       .label(statement.first(SyntaxKind::Name)->location(), "declared here");
   return {};
 }
@@ -304,11 +305,13 @@ void Evaluator::run_file(std::uint32_t module) {
   Code code(file.tree);
   Resolver resolver(program_, module, sink_);
   for (const ast::Node statement : ast::Node(file.tree, 0).children()) {
-    if (is_declaration(statement.kind()) || is_setting(file, statement)) continue;
+    if (is_declaration(statement.kind())) continue;
+    const bool is_left_out = is_setting(file, statement);  // of an included file: checked, not used
+    if (is_left_out && module == Program::kRoot) continue;
     std::uint32_t frame_size = 0;
     code.clear();
     const std::uint32_t index = resolver.resolve_statement(statement, code, frame_size);
-    if (index == kNothing) continue;
+    if (index == kNothing || is_left_out) continue;
     locals_.resize(frame_ + frame_size);
     run(code, index);
     locals_.resize(frame_);

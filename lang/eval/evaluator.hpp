@@ -152,9 +152,9 @@ class Evaluator final : public ChainSource {
   std::array<double, 2> times_{0, 0};  // at the opening and the closing, seconds
   bool is_open_ = false;               // the shutter is: they may differ
   std::optional<render::Interval> shutter_;
-  std::size_t moment_ = 0;             // which of them it is now
-  bool reads_time_ = false;            // set by whatever depends on the time
-  bool center_reads_time_ = false;     // of the sphere being read
+  std::size_t moment_ = 0;          // which of them it is now
+  bool reads_time_ = false;         // set by whatever depends on the time
+  bool center_reads_time_ = false;  // of the sphere being read
 
   std::vector<std::vector<Varying>> globals_;      // by module
   std::array<std::vector<bool>, 2> globals_done_;  // by Globals and module
@@ -162,7 +162,7 @@ class Evaluator final : public ChainSource {
   std::size_t frame_ = 0;  // where the present frame begins in locals_
 
   std::vector<Step> steps_inside_;
-  Object object_;                        // the one being read
+  Object object_;  // the one being read
   int depth_ = 0;
   int calls_ = 0;
   bool has_called_too_deep_ = false;

@@ -36,7 +36,7 @@ Scalar combine_numbers(Scalar a, Operator op, Scalar b) noexcept {
   if (has_unit) {
     const bool is_sum = op == Operator::Add || op == Operator::Subtract;
     const bool is_good = is_number(a) && is_number(b) &&
-                         (is_sum                        ? are_compatible(a.unit, b.unit)
+                         (is_sum                     ? are_compatible(a.unit, b.unit)
                           : op == Operator::Multiply ? a.unit == Unit::None || b.unit == Unit::None
                                                      : b.unit == Unit::None);
     if (!is_good) return kNoNumber;
@@ -201,8 +201,8 @@ Computed Evaluator::combine(const Code& code, const Computed& left, std::uint32_
   const auto* text = get_if<std::string>(&left);
   const auto* more = get_if<std::string>(&right);
   if (text == nullptr || more == nullptr || op != Operator::Add) {
-    return lang::evaluate_operation(
-        left, op, right, {node(code, left_index), node(code, right_index)}, sink_);
+    return lang::evaluate_operation(left, op, right,
+                                    {node(code, left_index), node(code, right_index)}, sink_);
   }
   const bool is_good = check_string_size(text->size() + more->size(), program_.limits(),
                                          place(code, right_index), sink_);
@@ -271,8 +271,8 @@ Computed Evaluator::evaluate_triple(const Code& code, const Expression& e) {
     if (is_number(scalar)) {
       if (first_number == kNothing) first_number = operand;
       if (!are_compatible(unit, scalar.unit)) {
-        sink_.report(diag::mixed_triple, place(code, operand),
-                     describe(Computed(Scalar{0, unit})), describe(Computed(scalar)));
+        sink_.report(diag::mixed_triple, place(code, operand), describe(Computed(Scalar{0, unit})),
+                     describe(Computed(scalar)));
         has_failed_component = true;
       }
       if (scalar.unit != Unit::None) unit = scalar.unit;
@@ -293,8 +293,7 @@ Computed Evaluator::evaluate_triple(const Code& code, const Expression& e) {
   const render::Vec3 value{components[0], components[1], components[2]};
   if (angles == 3) return AngleTriple{value};
   if (angles == 0) return Triple{value, unit};
-  auto report =
-      sink_.report(diag::mixed_triple, place(code, first_number), "an angle", "a number");
+  auto report = sink_.report(diag::mixed_triple, place(code, first_number), "an angle", "a number");
   if (node(code, first_number).is(SyntaxKind::Number)) {
     const std::uint32_t end = node(code, first_number).span().end;
     report.fix(code.tree->location({end, end}), "deg");
@@ -311,8 +310,8 @@ Computed Evaluator::evaluate_interval(const Code& code, const Expression& e) {
   if (a != nullptr && b != nullptr && are_compatible(a->unit, b->unit)) {
     return Bounds{a->value, b->value, a->unit == Unit::None ? b->unit : a->unit};
   }
-  sink_.report(diag::wrong_operands, ast::Node(*code.tree, e.node).location(), "..",
-               describe(from), describe(to));
+  sink_.report(diag::wrong_operands, ast::Node(*code.tree, e.node).location(), "..", describe(from),
+               describe(to));
   return Failed{};
 }
 
@@ -467,10 +466,8 @@ Computed Evaluator::evaluate_function(const Code& code, const Expression& e) {
   }
   Computed result = Failed{};
   if (!is_broken) {
-    const Nested step(*this, {.kind = Step::Call,
-                              .code = &code,
-                              .node = e.node,
-                              .name = function.name});
+    const Nested step(*this,
+                      {.kind = Step::Call, .code = &code, .node = e.node, .name = function.name});
     const std::size_t frame = std::exchange(frame_, base);
     ++calls_;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -481,8 +478,9 @@ Computed Evaluator::evaluate_function(const Code& code, const Expression& e) {
           check_type(module, parameter.name, parameter.type, parameter.node,
                      evaluate(module.code, parameter.default_value),
                      place(module.code, parameter.default_value));
+      is_broken = is_broken || has_failed(locals_[base + i].values[0]);
     }
-    result = evaluate(module.code, function.body);
+    if (!is_broken) result = evaluate(module.code, function.body);
     end_call();
     frame_ = frame;
   }

@@ -108,9 +108,8 @@ void Evaluator::read_object(const Code& code, const Statement& statement, const 
     slot.is_written = true;
     slot.span = node(code, expression).span();
     reads_time_ = false;
-    slot.value = is_timeless(kind)
-                     ? timeless_value(code, kind.properties[property], expression)
-                     : property_value(code, kind.properties[property], expression);
+    slot.value = is_timeless(kind) ? timeless_value(code, kind.properties[property], expression)
+                                   : property_value(code, kind.properties[property], expression);
     if (reads_time_) read_changing(code, property, expression);
   }
 }
@@ -118,15 +117,13 @@ void Evaluator::read_object(const Code& code, const Statement& statement, const 
 void Evaluator::read_changing(const Code& code, std::size_t property, std::uint32_t expression) {
   const Kind& kind = *object_.kind;
   const Property& info = kind.properties[property];
-  const bool is_center =
-      kind.id == ObjectKind::Sphere && property == sphere_property::kCenter;
-  const bool may_move = is_center || (kind.id == ObjectKind::Group &&
-                                      (property == group_property::kTranslate ||
-                                       property == group_property::kRotate));
+  const bool is_center = kind.id == ObjectKind::Sphere && property == sphere_property::kCenter;
+  const bool may_move =
+      is_center || (kind.id == ObjectKind::Group && (property == group_property::kTranslate ||
+                                                     property == group_property::kRotate));
   if (is_center) center_reads_time_ = true;
   const Value& opening = object_.slots[property].value;
-  const bool is_shutter =
-      kind.id == ObjectKind::Camera && property == camera_property::kShutter;
+  const bool is_shutter = kind.id == ObjectKind::Camera && property == camera_property::kShutter;
   if (!is_open_ || is_shutter || holds_alternative<std::monostate>(opening)) return;
 
   moment_ = 1;

@@ -11,23 +11,6 @@
 #include "lang/source/limits.hpp"
 
 namespace sdlc::lang {
-namespace {
-
-/// Lets only the spheres of an included config through.
-class SpheresOnly final : public ObjectSink {
- public:
-  explicit SpheresOnly(ObjectSink& objects) : objects_(objects) {}
-  void add(const Object& object) override {
-    if (object.kind->id == ObjectKind::Sphere) objects_.add(object);
-  }
-  void enter(const Object& group) override { objects_.enter(group); }
-  void leave() override { objects_.leave(); }
-
- private:
-  ObjectSink& objects_;
-};
-
-}  // namespace
 
 void Evaluator::run(const Code& code, std::uint32_t index) {
   const Statement& statement = code.statements[index];
@@ -66,8 +49,7 @@ void Evaluator::run_for(const Code& code, const Statement& statement) {
     auto report = sink_.report(diag::not_a_list, where, describe(lists.values[0]));
     if (const auto* bounds = get_if<Bounds>(&lists.values[0])) {
       report.help("`range` excludes its end")
-          .fix(where,
-               fmt::format("range({}, {})", to_text(bounds->from), to_text(bounds->to + 1)));
+          .fix(where, fmt::format("range({}, {})", to_text(bounds->from), to_text(bounds->to + 1)));
     }
     return;
   }
@@ -148,6 +130,8 @@ void Evaluator::run_object(const Code& code, const Statement& statement) {
 
 void Evaluator::run_group(const Code& code, const Statement& statement) {
   auto operands = code.operands_of(statement);
+  // The lets run for the properties here and in their places again: by then a loop before them may
+  // have used their slots.
   run_block(code, operands.subspan(1, operands[0]));
   operands = operands.subspan(1 + operands[0]);
   read_object(code, statement, kind_info(ObjectKind::Group), operands.subspan(1, 2 * operands[0]));
@@ -179,8 +163,8 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
     const Parameter& parameter = def.parameters[i];
     Varying value = evaluate_over_shutter(from, expression);
     for (Computed& moment : value.values) {
-      moment = check_type(module, parameter.name, parameter.type, parameter.node,
-                          std::move(moment), place(from, expression));
+      moment = check_type(module, parameter.name, parameter.type, parameter.node, std::move(moment),
+                          place(from, expression));
     }
     is_broken = is_broken || has_failed(value.values[0]);
     locals_[base + i] = std::move(value);
@@ -190,10 +174,8 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
   }
   read_object(code, statement, kind_info(ObjectKind::Group), pairs);
   if (!is_broken) {
-    const Nested step(*this, {.kind = Step::Instance,
-                              .code = &code,
-                              .node = statement.node,
-                              .name = def.name});
+    const Nested step(
+        *this, {.kind = Step::Instance, .code = &code, .node = statement.node, .name = def.name});
     objects_->enter(object_);
     const std::size_t frame = std::exchange(frame_, base);
     ++calls_;
@@ -228,10 +210,10 @@ bool Evaluator::is_in_circle(const Code& code, const Statement& statement, std::
 void Evaluator::run_include(const Code& code, const Statement& statement) {
   const std::uint32_t included = code.operands_of(statement)[0];
   if (!take_steps(code, statement.node)) return;
-  const Nested step(*this, {.kind = Step::Include, .code = &code, .node = statement.node, .name = {}});
+  const Nested step(*this,
+                    {.kind = Step::Include, .code = &code, .node = statement.node, .name = {}});
   if (included >= kConfigs) {
-    SpheresOnly spheres(*objects_);
-    read_config(program_.config(included), spheres, sink_);
+    read_spheres(program_.config(included), *objects_, sink_);
     return;
   }
   if (is_in_circle(code, statement, included)) return;

@@ -217,4 +217,9 @@ void read_config(const SourceFile& file, ObjectSink& objects, DiagnosticSink& si
   if (parse_config(file, streamed_key(), reader, sink)) reader.finish();
 }
 
+void read_spheres(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink) {
+  ConfigReader reader(file, objects, sink);
+  parse_config(file, streamed_key(), reader, sink);
+}
+
 }  // namespace sdlc::lang

@@ -12,4 +12,7 @@ namespace sdlc::lang {
 /// other objects are, with the wrong values left out, unless the text could not be read to its end.
 void read_config(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink);
 
+/// The same, but hands on the spheres only, and requires nothing else to be there.
+void read_spheres(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink);
+
 }  // namespace sdlc::lang

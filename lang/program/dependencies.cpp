@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <unordered_map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,31 +44,37 @@ class Graph {
   const std::vector<Uses>&globals_, &functions_;
 };
 
-/// A depth-first walk with a stack of its own: a file may chain a million values.
+/// Tarjan's strongly connected components, which come out with those they use before them. The
+/// stack is its own: a file may chain a million values.
 class Sorter {
  public:
   Sorter(Module& module, Graph& graph, DiagnosticSink& sink)
-      : module_(module),
-        graph_(graph),
-        sink_(sink),
-        states_(graph.size(), State::New),
-        is_circular_(graph.size(), false) {}
+      : module_(module), graph_(graph), sink_(sink), marks_(graph.size()) {}
 
   void run() {
     for (std::size_t root = 0; root < graph_.size(); ++root) {
-      if (states_[root] == State::New) walk_from(root);
+      if (marks_[root].number == kNew) walk_from(root);
     }
   }
 
  private:
-  enum class State : std::uint8_t { New, OnTheWay, Done };
+  static constexpr std::size_t kNew = static_cast<std::size_t>(-1);
+
+  struct Mark {
+    std::size_t number = kNew;  ///< in the order of discovery
+    std::size_t lowest = kNew;  ///< the lowest number that can be reached
+    bool is_open = false;       ///< its component is not complete
+    std::size_t component = kNew;
+  };
   struct Visit {
     std::size_t node;
     std::size_t next_use = 0;
   };
 
   void enter(std::size_t node) {
-    states_[node] = State::OnTheWay;
+    marks_[node] = {.number = count_, .lowest = count_, .is_open = true, .component = kNew};
+    ++count_;
+    open_.push_back(node);
     way_.push_back({.node = node});
   }
 
@@ -77,45 +84,88 @@ class Sorter {
       const std::size_t current = way_.back().node;
       if (way_.back().next_use < graph_.degree(current)) {
         const std::size_t used = graph_.used(current, way_.back().next_use++);
-        if (states_[used] == State::OnTheWay) report_circle(used);
-        if (states_[used] == State::New) enter(used);
+        if (marks_[used].number == kNew) {
+          enter(used);
+        } else if (marks_[used].is_open) {
+          marks_[current].lowest = std::min(marks_[current].lowest, marks_[used].number);
+        }
         continue;
       }
-      states_[current] = State::Done;
-      if (graph_.is_global(current) && !is_circular_[current]) {
-        module_.order.push_back(static_cast<std::uint32_t>(current));
-      }
       way_.pop_back();
+      if (!way_.empty()) {
+        Mark& user = marks_[way_.back().node];
+        user.lowest = std::min(user.lowest, marks_[current].lowest);
+      }
+      if (marks_[current].lowest == marks_[current].number) close_component(current);
     }
   }
 
-  void report_circle(std::size_t start) {
-    const auto first = std::find_if(way_.begin(), way_.end(),
-                                    [&](const Visit& visit) { return visit.node == start; });
+  void close_component(std::size_t first) {
+    const auto begin = std::find(open_.rbegin(), open_.rend(), first).base() - 1;
+    std::vector<std::size_t> component(begin, open_.end());
+    open_.erase(begin, open_.end());
+    for (const std::size_t node : component) {
+      marks_[node].is_open = false;
+      marks_[node].component = first;
+    }
+    const auto global = std::find_if(component.begin(), component.end(),
+                                     [&](std::size_t node) { return graph_.is_global(node); });
     // Functions may call each other in a circle; it is a value that cannot wait for itself.
-    const bool has_value = std::any_of(
-        first, way_.end(), [&](const Visit& visit) { return graph_.is_global(visit.node); });
-    if (!has_value) return;
+    if (global == component.end()) return;
+    if (component.size() > 1 || uses_itself(first)) return report_circle(*global);
+    module_.order.push_back(static_cast<std::uint32_t>(first));
+  }
+
+  bool uses_itself(std::size_t node) const {
+    for (std::size_t i = 0; i < graph_.degree(node); ++i) {
+      if (graph_.used(node, i) == node) return true;
+    }
+    return false;
+  }
+
+  /// The shortest way from the node back to itself, inside its component.
+  std::vector<std::size_t> circle_of(std::size_t start) const {
+    std::unordered_map<std::size_t, std::size_t> comes_from;
+    std::vector<std::size_t> found{start};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      for (std::size_t use = 0; use < graph_.degree(found[i]); ++use) {
+        const std::size_t used = graph_.used(found[i], use);
+        const bool is_inside = marks_[used].component == marks_[start].component;
+        if (!is_inside || !comes_from.try_emplace(used, found[i]).second) continue;
+        if (used != start) {
+          found.push_back(used);
+          continue;
+        }
+        std::vector<std::size_t> circle{start};
+        for (std::size_t node = found[i]; node != start; node = comes_from.at(node)) {
+          circle.push_back(node);
+        }
+        std::reverse(circle.begin() + 1, circle.end());
+        return circle;
+      }
+    }
+    return {start};
+  }
+
+  void report_circle(std::size_t global) {
     std::vector<std::string> names;
-    std::size_t value = start;
-    for (auto visit = first; visit != way_.end(); ++visit) {
-      is_circular_[visit->node] = true;
-      if (!graph_.is_global(value)) value = visit->node;
-      names.push_back(fmt::format("`{}`", graph_.name(visit->node)));
+    for (const std::size_t node : circle_of(global)) {
+      names.push_back(fmt::format("`{}`", graph_.name(node)));
     }
     names.push_back(names.front());
-    const ast::Node statement(module_.tree, module_.globals[value].node);
+    const ast::Node statement(module_.tree, module_.globals[global].node);
     sink_
         .report(diag::depends_on_itself, statement.first(SyntaxKind::Name)->location(),
-                graph_.name(value))
+                graph_.name(global))
         .help(fmt::format("the circle is {}", fmt::join(names, " → ")));
   }
 
   Module& module_;
   Graph& graph_;
   DiagnosticSink& sink_;
-  std::vector<State> states_;
-  std::vector<bool> is_circular_;
+  std::vector<Mark> marks_;
+  std::size_t count_ = 0;
+  std::vector<std::size_t> open_;
   std::vector<Visit> way_;
 };
 

@@ -103,6 +103,10 @@ std::optional<std::string> Program::read(const fs::path& path, ast::Node name,
     sink.report(diag::outside_sandbox, name.location(), path.string());
     return std::nullopt;
   }
+  if (options_.files->is_special(path)) {
+    sink.report(diag::unreadable_file, name.location(), path.string(), "it is no regular file");
+    return std::nullopt;
+  }
   std::error_code error;
   // A file of this name, not standard input.
   const fs::path read_path = path == "-" ? fs::path("./-") : path;

@@ -121,6 +121,12 @@ std::optional<std::string> DiskFileSystem::read(const std::filesystem::path& pat
   return text;
 }
 
+bool DiskFileSystem::is_special(const std::filesystem::path& path) const {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  return std::filesystem::exists(status) && std::filesystem::is_other(status);
+}
+
 std::filesystem::path DiskFileSystem::identity(const std::filesystem::path& path) const {
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::weakly_canonical(path, error);

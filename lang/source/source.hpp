@@ -80,6 +80,8 @@ class FileSystem {
   /// The bytes of the file, or nothing with `error` set.
   virtual std::optional<std::string> read(const std::filesystem::path& path,
                                           std::error_code& error) const = 0;
+  /// Whether it is there and neither a file nor a folder, such as a pipe: reading it may not end.
+  virtual bool is_special(const std::filesystem::path& /*path*/) const { return false; }
   /// A name that is the same for every way to write the path of one file.
   virtual std::filesystem::path identity(const std::filesystem::path& path) const {
     return path.lexically_normal();
@@ -91,6 +93,7 @@ class DiskFileSystem final : public FileSystem {
  public:
   std::optional<std::string> read(const std::filesystem::path& path,
                                   std::error_code& error) const override;
+  bool is_special(const std::filesystem::path& path) const override;
   /// Absolute, symbolic links followed.
   std::filesystem::path identity(const std::filesystem::path& path) const override;
 };

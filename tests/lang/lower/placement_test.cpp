@@ -140,6 +140,14 @@ TEST(Groups, OfAnInstanceEncloseItsBodyOnly) {
               ElementsAre(Vec3{1, 0, 5}, Vec3{1, 1, 5}, Vec3{2, 0, 0}, Vec3{2, 2, 0}));
 }
 
+TEST(Groups, MayUseTheirOwnLets) {
+  const auto spheres =
+      spheres_of("group { let s = 3 scale: s, translate: (s, 0, 0) " + ball("(s, 0, 0)") + "}");
+  ASSERT_EQ(spheres.size(), 1u);
+  EXPECT_EQ(spheres[0].center, (Vec3{12, 0, 0}));
+  EXPECT_EQ(spheres[0].radius, 1.5);
+}
+
 TEST(Groups, LeaveNoTraceWhereTheyHoldNothing) {
   EXPECT_THAT(centers_of("group { translate: (1, 1, 1) } group { if false { " + ball("(0, 0, 0)") +
                          "} } " + ball("(2, 0, 0)")),
