@@ -1,11 +1,14 @@
 #pragma once
 
+#include <memory>
+#include <ostream>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/environment.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/diagnostics/render.hpp"
 
 namespace sdlc::cli {
 
@@ -17,7 +20,19 @@ struct DiagnosticsOptions {
 
 void add_diagnostics_options(CLI::App& command, DiagnosticsOptions& options);
 
-/// The sink's diagnostics to `out` in the format asked for; nothing when there are none.
+/// The same for a command whose own answer has the format asked for: human, concise or json.
+void add_answer_options(CLI::App& command, DiagnosticsOptions& options);
+
+/// Whether --color, NO_COLOR and where the output goes ask for colours.
+bool wants_color(const DiagnosticsOptions& options, bool is_terminal, const Environment& env);
+
+/// Writes to `out`, which must outlive it, in the format asked for.
+std::unique_ptr<lang::DiagnosticWriter> make_writer(const DiagnosticsOptions& options,
+                                                    std::ostream& out, bool is_terminal,
+                                                    const Environment& env);
+
+/// The sink's diagnostics to `out` in the format asked for. When there are none, only a format that
+/// is a document is written: it says so.
 void print_diagnostics(const lang::DiagnosticSink& sink, const DiagnosticsOptions& options,
                        std::ostream& out, bool is_terminal, const Environment& env);
 

@@ -25,7 +25,12 @@ class Dispatcher {
 };
 
 // One function a subcommand, in NAME_command.cpp.
+void add_convert_command(CLI::App& app, Dispatcher& dispatcher);
+void add_explain_command(CLI::App& app, Dispatcher& dispatcher);
+void add_fmt_command(CLI::App& app, Dispatcher& dispatcher);
 void add_inspect_command(CLI::App& app, Dispatcher& dispatcher);
+void add_lint_command(CLI::App& app, Dispatcher& dispatcher);
 void add_render_command(CLI::App& app, Dispatcher& dispatcher);
+void add_schema_command(CLI::App& app, Dispatcher& dispatcher);
 
 }  // namespace sdlc::cli

@@ -50,16 +50,18 @@ class InspectJob {
     if (options_.frame && !animation && !sink_.has_errors()) {
       throw UsageError("--frame: the scene has no `animation`, so that all frames are the same");
     }
-    std::optional<lang::LoweredScene> lowered = compiler_.lower(options_.overrides, options_.frame);
+    lang::LoweredScene lowered = compiler_.lower_partly(options_.overrides, options_.frame);
     print_new_diagnostics();
-    if (!lowered) return ExitCode::Findings;
+    // Of a scene with errors the rest is told. That of one which says nothing is nothing.
+    const bool is_empty = lowered.scene.spheres.empty() && !lowered.camera;
+    if (sink_.has_errors() && is_empty) return ExitCode::Findings;
     if (!options_.traced.empty()) {
-      tell_origins(lowered->scene);
+      tell_origins(lowered.scene);
     } else {
-      const InspectReport report = make_report(std::move(*lowered), animation);
+      const InspectReport report = make_report(std::move(lowered), animation);
       env_.out << (options_.is_json() ? to_json(report) : to_text(report));
     }
-    return ExitCode::Success;
+    return sink_.has_errors() ? ExitCode::Findings : ExitCode::Success;
   }
 
  private:
@@ -121,6 +123,7 @@ class InspectJob {
     if (animation) frame = options_.frame.value_or(animation->first);
     InspectReport report{
         .scene = source_.name(),
+        .errors = sink_.counts().errors,
         .dependencies = dependencies(),
         .animation = animation,
         .frame = frame.value_or(0),
@@ -188,7 +191,8 @@ void add_inspect_command(CLI::App& app, Dispatcher& dispatcher) {
       "  sdlc inspect ring.scene --where 17\n"
       "  sdlc inspect ring.scene --deps\n"
       "  sdlc inspect ring.scene --format json | jq .memory.total_bytes\n\n"
-      "Nothing is rendered or written. docs/inspect.md explains the figures and the JSON fields.");
+      "Of a scene with errors it tells what is left without them, and exits with 1. Nothing is "
+      "rendered or\nwritten. docs/inspect.md explains the figures and the JSON fields.");
   dispatcher.on(command, [options](Environment& env) { return InspectJob(*options, env).run(); });
 }
 

@@ -43,6 +43,7 @@ Json spheres_json(const InspectReport& report) {
   json["smallest"] = sphere(figures.smallest);
   json["largest"] = sphere(figures.largest);
   json["radius_ratio"] = figures.radius_ratio();
+  if (!report.lowered.camera) return json;
   json["extent"] = figures.extent;
   json["scale_ratio"] = figures.scale_ratio();
   return json;
@@ -78,8 +79,9 @@ Json camera_json(const lang::LoweredScene& lowered) {
 
 Json picture_json(const InspectReport& report) {
   const render::RenderSettings& settings = report.lowered.settings;
-  return {{"width", settings.width},
-          {"height", settings.height},
+  const bool is_size_known = settings.width > 0;
+  return {{"width", is_size_known ? Json(settings.width) : Json()},
+          {"height", is_size_known ? Json(settings.height) : Json()},
           {"samples", settings.samples},
           {"depth", settings.depth},
           {"seed", settings.seed},
@@ -125,6 +127,7 @@ std::string to_json(const InspectReport& report) {
     time = report.frame / report.animation->fps;
   }
   return dump({{"scene", report.scene},
+               {"is_complete", report.errors == 0},
                {"dependencies", report.dependencies},
                {"animation", animation_json(report)},
                {"frame", frame},

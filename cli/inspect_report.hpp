@@ -18,6 +18,7 @@ namespace sdlc::cli {
 /// Everything about a scene at one frame.
 struct InspectReport {
   std::string scene;                      ///< the file, as the user named it
+  std::size_t errors = 0;                 ///< that the scene has; without what they are about
   std::vector<std::string> dependencies;  ///< the files that were read beside it
   std::optional<lang::Animation> animation;
   int frame = 0;  ///< of the animation: what follows is at its time

@@ -53,6 +53,10 @@ void write_files(const InspectReport& report, Sheet& sheet) {
     text += fmt::format(", which reads {}", plural(report.dependencies.size(), "other file"));
   }
   sheet.row("scene", text);
+  if (report.errors > 0) {
+    sheet.detail("incomplete", fmt::format("{}; what follows is the scene without what is wrong",
+                                           plural(report.errors, "error")));
+  }
   if (!report.animation) return;
   const auto& [first, last, step, fps, where] = *report.animation;
   const auto count = frame_count({.first = first, .last = last, .step = step});
@@ -67,7 +71,8 @@ void write_files(const InspectReport& report, Sheet& sheet) {
 void write_spheres(const InspectReport& report, Sheet& sheet) {
   const std::size_t dropped = report.lowered.dropped_spheres;
   if (!report.spheres) {
-    sheet.row("spheres", report.lowered.camera ? "none" : "none: a plain picture");
+    const bool is_plain = !report.lowered.camera && report.errors == 0;
+    sheet.row("spheres", is_plain ? "none: a plain picture" : "none");
     return;
   }
   const SphereFigures& figures = *report.spheres;
@@ -85,6 +90,7 @@ void write_spheres(const InspectReport& report, Sheet& sheet) {
                            format_rounded(figures.smallest.radius), figures.smallest.sphere,
                            format_rounded(figures.largest.radius), figures.largest.sphere,
                            format_rounded(figures.radius_ratio())));
+  if (!report.lowered.camera) return;
   sheet.detail("extent",
                fmt::format("{} from the camera, {} smallest radii", format_rounded(figures.extent),
                            format_rounded(figures.scale_ratio())));
@@ -107,7 +113,10 @@ void write_materials(const MaterialCounts& counts, Sheet& sheet) {
 }
 
 void write_camera(const lang::LoweredScene& lowered, Sheet& sheet) {
-  if (!lowered.camera) return;
+  if (!lowered.camera) {
+    if (!lowered.scene.spheres.empty()) sheet.row("camera", "none");
+    return;
+  }
   const lang::WrittenCamera& chosen = *lowered.camera;
   std::string text = name_or(chosen.name, "without a name");
   if (lowered.cameras.size() > 1) {
@@ -135,11 +144,13 @@ void write_picture(const InspectReport& report, Sheet& sheet) {
                               : fmt::format("gradient, bottom {}, top {}",
                                             linear(background.bottom), linear(background.top)));
   const render::RenderSettings& settings = report.lowered.settings;
-  sheet.row(
-      "picture",
-      fmt::format("{} x {} pixels, {}, depth {}, seed {}, tone {}", settings.width, settings.height,
-                  plural(static_cast<std::size_t>(settings.samples), "sample"), settings.depth,
-                  settings.seed, tone_name(report.lowered.output.tone)));
+  const std::string size = settings.width > 0
+                               ? fmt::format("{} x {} pixels", settings.width, settings.height)
+                               : "of unknown size";
+  sheet.row("picture",
+            fmt::format("{}, {}, depth {}, seed {}, tone {}", size,
+                        plural(static_cast<std::size_t>(settings.samples), "sample"),
+                        settings.depth, settings.seed, tone_name(report.lowered.output.tone)));
   sheet.detail("output",
                report.output ? lang::printable(*report.output) : "no name: `render` needs -o OUT");
 }

@@ -76,9 +76,14 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
       "Examples:\n"
       "  sdlc render ball.scene                  renders to ball.png\n"
       "  sdlc render old.json -o old.exr         a JSON config, to linear radiance\n"
+      "  sdlc lint scenes/                       what is wrong, without rendering\n"
+      "  sdlc fmt scenes/                        the one layout for all of them\n"
+      "  sdlc convert old.json                   a JSON config as a scene, or a scene as a config\n"
       "  sdlc inspect ball.scene                 what the scene lowers to and requires\n"
+      "  sdlc explain E104                       what a message means\n"
       "  sdlc render --help                      all about one command\n\n"
-      "Exit status: 0 done, 1 the scene has errors, 2 wrong usage or a file cannot be read or "
+      "Exit status: 0 done, 1 the scene has errors or findings, 2 wrong usage or a file cannot be "
+      "read or "
       "written,\n"
       "3 a defect in sdlc, 130 interrupted.");
   bool wants_version = false;
@@ -87,6 +92,11 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
   Dispatcher dispatcher;
   add_render_command(app, dispatcher);
   add_inspect_command(app, dispatcher);
+  add_lint_command(app, dispatcher);
+  add_fmt_command(app, dispatcher);
+  add_convert_command(app, dispatcher);
+  add_explain_command(app, dispatcher);
+  add_schema_command(app, dispatcher);
 
   try {
     // CLI11 takes its arguments last first.

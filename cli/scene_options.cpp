@@ -50,31 +50,7 @@ void set_limit(const std::string& text, lang::Limits& limits) {
 
 }  // namespace
 
-std::string SceneOptions::given_name() const {
-  return file == kStandardStream ? stdin_filename : file;
-}
-
-std::string SceneOptions::name() const {
-  const std::string given = given_name();
-  return given.empty() ? "<stdin>" : given;
-}
-
-void add_scene_options(CLI::App& command, SceneOptions& options) {
-  command.add_option("FILE", options.file, "The scene; `-` reads standard input")->required();
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--set",
-          [&options](const std::vector<std::string>& pairs) {
-            for (const std::string& pair : pairs) {
-              auto [name, value] = split_pair("--set", pair);
-              options.sets.push_back({.name = std::move(name), .value = std::move(value)});
-            }
-          },
-          "Give a param of the scene another value (may be repeated)")
-      ->type_name("NAME=VALUE")
-      ->take_all()
-      ->expected(1)
-      ->allow_extra_args(false);  // FILE may stand behind it
+void add_reading_options(CLI::App& command, ReadingOptions& options) {
   command.add_flag("--sandbox", options.is_sandboxed, "Read no file outside the scene's folder");
   std::string limits;
   for (const lang::LimitInfo& limit : lang::kLimits) {
@@ -94,21 +70,66 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
       ->allow_extra_args(false);  // FILE may stand behind it
   command.add_option("--stdin-filename", options.stdin_filename,
                      "What a scene from standard input is called in messages");
+}
+
+std::string stdin_name(const ReadingOptions& options) {
+  return options.stdin_filename.empty() ? "<stdin>" : options.stdin_filename;
+}
+
+std::string read_text(const std::string& path, const std::string& name, const Environment& env) {
+  std::error_code error;
+  std::optional<std::string> text = env.files.read(path, error);
+  if (!text) throw render::IoError("read", name, error.message());
+  return std::move(*text);
+}
+
+lang::ProgramOptions program_options(const ReadingOptions& options, const Environment& env) {
+  return {.files = &env.files,
+          .limits = options.limits,
+          .is_sandboxed = options.is_sandboxed,
+          .sets = {}};
+}
+
+std::string SceneOptions::given_name() const {
+  return file == kStandardStream ? reading.stdin_filename : file;
+}
+
+std::string SceneOptions::name() const {
+  return file == kStandardStream ? stdin_name(reading) : file;
+}
+
+void add_set_option(CLI::App& command, std::vector<lang::SetOption>& sets) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--set",
+          [&sets](const std::vector<std::string>& pairs) {
+            for (const std::string& pair : pairs) {
+              auto [name, value] = split_pair("--set", pair);
+              sets.push_back({.name = std::move(name), .value = std::move(value)});
+            }
+          },
+          "Give a param of the scene another value (may be repeated)")
+      ->type_name("NAME=VALUE")
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false);  // FILE may stand behind it
+}
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+  command.add_option("FILE", options.file, "The scene; `-` reads standard input")->required();
+  add_set_option(command, options.sets);
+  add_reading_options(command, options.reading);
   add_diagnostics_options(command, options.diagnostics);
 }
 
 lang::SourceFile read_source(const SceneOptions& options, const Environment& env) {
-  std::error_code error;
-  std::optional<std::string> text = env.files.read(options.file, error);
-  if (!text) throw render::IoError("read", options.name(), error.message());
-  return lang::SourceFile(options.name(), std::move(*text));
+  return lang::SourceFile(options.name(), read_text(options.file, options.name(), env));
 }
 
 lang::ProgramOptions program_options(const SceneOptions& options, const Environment& env) {
-  return {.files = &env.files,
-          .limits = options.limits,
-          .is_sandboxed = options.is_sandboxed,
-          .sets = options.sets};
+  lang::ProgramOptions program = program_options(options.reading, env);
+  program.sets = options.sets;
+  return program;
 }
 
 }  // namespace sdlc::cli

@@ -13,13 +13,28 @@
 
 namespace sdlc::cli {
 
-/// What every command that reads a scene is told of it.
-struct SceneOptions {
-  std::string file;
+/// How scenes are read.
+struct ReadingOptions {
   std::string stdin_filename;
-  std::vector<lang::SetOption> sets;
   lang::Limits limits;
   bool is_sandboxed = false;
+};
+
+void add_reading_options(CLI::App& command, ReadingOptions& options);
+
+/// What a scene from standard input is called in messages.
+std::string stdin_name(const ReadingOptions& options);
+
+/// The text of `path`, which messages call `name`. Throws render::IoError.
+std::string read_text(const std::string& path, const std::string& name, const Environment& env);
+
+lang::ProgramOptions program_options(const ReadingOptions& options, const Environment& env);
+
+/// What a command that reads one scene is told of it.
+struct SceneOptions {
+  std::string file;
+  std::vector<lang::SetOption> sets;
+  ReadingOptions reading;
   DiagnosticsOptions diagnostics;
 
   /// What the scene is called in messages, and where its own files are looked for.
@@ -27,6 +42,9 @@ struct SceneOptions {
   /// The same; empty for standard input without --stdin-filename.
   std::string given_name() const;
 };
+
+/// --set NAME=VALUE
+void add_set_option(CLI::App& command, std::vector<lang::SetOption>& sets);
 
 void add_scene_options(CLI::App& command, SceneOptions& options);
 

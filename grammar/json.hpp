@@ -50,8 +50,9 @@ struct digits : plus<digit> {};
 struct int_   : sor<one<'0'>, digits> {};
 struct frac   : seq<one<'.'>, digits> {};
 struct exp    : seq<one<'e', 'E'>, opt<one<'-', '+'>>, digits> {};
-struct number : seq<opt<one<'-'>>, int_, opt<frac>, opt<exp>, not_at<word_char>> {};
-struct malformed_number : seq<sor<digit, one<'-', '+', '.'>>, star<word_char>> {};
+struct operation : seq<one<'/', '*'>, digit> {};
+struct number : seq<opt<one<'-'>>, int_, opt<frac>, opt<exp>, not_at<sor<word_char, operation>>> {};
+struct malformed_number : seq<sor<digit, one<'-', '+', '.'>>, star<sor<word_char, operation>>> {};
 
 // Escapes. A code point beyond U+FFFF is written as a pair of surrogates; one alone is nothing.
 struct escaped_char   : one<'"', '\\', '/', 'b', 'f', 'n', 'r', 't'> {};
@@ -87,12 +88,17 @@ struct closing_curly_quote : curly_quote {};
 struct curly_quoted_char   : seq<not_at<curly_quote>, not_one<'\n', '\r'>> {};
 struct curly_quoted : seq<opening_curly_quote, star<curly_quoted_char>, must<closing_curly_quote>> {};
 
+// What a reader has reported and replaced before; see lang/json/mend_syntax.hpp.
+struct mended_value  : one<'\x1A'> {};
+struct mended_member : one<'\x1C'> {};
+struct mended_name   : seq<one<'\x1D'>, star<word_char>> {};
+
 struct array;
 struct object;
-struct value_by_habit : sor<malformed_number, single_quoted, curly_quoted, word> {};
+struct value_by_habit : sor<malformed_number, single_quoted, curly_quoted, word, mended_value> {};
 struct value          : sor<string, number, array, object, literal, value_by_habit> {};
 struct begins_value   : at<sor<ranges<'0', '9', 'a', 'z', 'A', 'Z'>,
-                               one<'"', '\'', '{', '[', '-', '+', '.'>, curly_quote>> {};
+                               one<'"', '\'', '{', '[', '-', '+', '.', '\x1A', '\x1D'>, curly_quote>> {};
 
 struct missing_value_separator : begins_value {};
 struct trailing_separator      : at<one<']', '}'>> {};
@@ -109,14 +115,15 @@ struct array           : seq<begin_array, ws, array_content, must<end_array>> {}
 struct equals_sign            : one<'='> {};
 struct missing_name_separator : begins_value {};
 struct name_separation        : sor<name_separator, equals_sign, missing_name_separator> {};
-struct bare_name      : word {};
-struct member_name    : sor<string, single_quoted, curly_quoted, bare_name> {};
+struct bare_name      : seq<ranges<'a', 'z', 'A', 'Z'>, star<word_char>, opt<one<'"'>>> {};
+struct member_name    : sor<string, single_quoted, curly_quoted, bare_name, mended_name> {};
 struct missing_value  : at<sor<value_separator, end_object>> {};
 struct member_value   : sor<value, missing_value> {};
 struct missing_member : at<value_separator> {};
 struct present_member : seq<member_name, ws, must<name_separation>, ws, must<member_value>, ws> {};
-struct first_member   : sor<present_member, missing_member> {};
-struct member         : sor<present_member, missing_member> {};
+struct left_member    : seq<mended_member, ws> {};
+struct first_member   : sor<present_member, missing_member, left_member> {};
+struct member         : sor<present_member, missing_member, left_member> {};
 struct next_member    : sor<seq<value_separator, ws, sor<trailing_separator, must<member>>>,
                             seq<missing_value_separator, must<present_member>>> {};
 struct object_content : sor<at<end_object>, seq<must<first_member>, star<next_member>>> {};

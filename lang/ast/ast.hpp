@@ -129,6 +129,8 @@ struct Call {
 
   std::string_view callee() const noexcept { return node.head(); }
   Location callee_location() const noexcept { return node.head_location(); }
+  /// Whether arguments are missing that could not be read.
+  bool is_broken() const noexcept { return node.is_broken() || !node.text().ends_with(')'); }
   Children arguments() const noexcept { return node.children(); }
 };
 

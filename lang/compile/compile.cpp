@@ -25,16 +25,35 @@ class Tracer final : public ObjectSink {
   void add(const Object& object) override {
     builder_.add(object);
     if (next_ == wanted_.size() || builder_.sphere_count() <= wanted_[next_]) return;
-    origins_.push_back({.where = object.where, .name = object.name, .chain = sink_.chain()});
+    origins_.push_back({.where = object.where,
+                        .material = material_of(object),
+                        .name = object.name,
+                        .chain = sink_.chain()});
     ++next_;
   }
-  void enter(const Object& group) override { builder_.enter(group); }
-  void leave() override { builder_.leave(); }
+  void enter(const Object& group) override {
+    const bool has_own = group.slot(group_property::kMaterial).is_written;
+    materials_.push_back(has_own              ? group.location(group_property::kMaterial)
+                         : materials_.empty() ? Location{}
+                                              : materials_.back());
+    builder_.enter(group);
+  }
+  void leave() override {
+    materials_.pop_back();
+    builder_.leave();
+  }
 
   std::vector<Origin> take() { return std::move(origins_); }
 
  private:
+  Location material_of(const Object& sphere) const {
+    const bool has_own = sphere.slot(sphere_property::kMaterial).is_written;
+    return has_own || materials_.empty() ? sphere.location(sphere_property::kMaterial)
+                                         : materials_.back();
+  }
+
   SceneBuilder builder_;
+  std::vector<Location> materials_;  // of the groups around
   std::span<const std::uint32_t> wanted_;
   std::size_t next_ = 0;
   DiagnosticSink& sink_;
@@ -44,8 +63,11 @@ class Tracer final : public ObjectSink {
 }  // namespace
 
 Compiler::Compiler(const SourceFile& file, const ProgramOptions& options, DiagnosticSink& sink)
-    : file_(file), options_(options), sink_(sink) {
+    : file_(file), options_(options), sink_(sink), allowances_(std::make_shared<Allowances>()) {
   const auto start = Clock::now();
+  sink.set_allowances([allowances = allowances_](const DiagnosticInfo& info, Location where) {
+    return allowances->allow(info, where);
+  });
   if (file.format() == SourceFormat::Scene) {
     program_ = std::make_unique<Program>(file, options, sink);
   } else {
@@ -68,19 +90,42 @@ void Compiler::read(ObjectSink& objects, DiagnosticSink& sink) {
   Evaluation(*program_, {.frame = frame_, .camera = overrides_.camera}, sink).run(objects);
 }
 
-std::optional<LoweredScene> Compiler::lower(const Overrides& overrides, std::optional<int> frame) {
+LoweredScene Compiler::build(const Overrides& overrides, std::optional<int> frame,
+                             Purpose purpose) {
   overrides_ = overrides;
   frame_ = frame;
   const auto start = Clock::now();
-  SceneBuilder builder(file_, options_.limits, sink_);
+  SceneBuilder builder(file_, options_.limits, sink_, purpose);
   read(builder, sink_);
   const auto read = Clock::now();
-  std::optional<LoweredScene> lowered = builder.finish(overrides);
+  LoweredScene lowered = builder.finish(overrides);
   dropped_ = builder.dropped();
-  report_dropped();
+  // What went wrong may be why two are equal.
+  if (!sink_.has_errors()) report_dropped();
   times_.parse_seconds += seconds(read - start);
   times_.lower_seconds = seconds(Clock::now() - read);
   return lowered;
+}
+
+std::optional<LoweredScene> Compiler::lower(const Overrides& overrides, std::optional<int> frame) {
+  LoweredScene lowered = build(overrides, frame, Purpose::Picture);
+  return sink_.has_errors() ? std::nullopt : std::optional(std::move(lowered));
+}
+
+LoweredScene Compiler::lower_partly(const Overrides& overrides, std::optional<int> frame) {
+  return build(overrides, frame, Purpose::Picture);
+}
+
+void Compiler::check(const std::function<void(const LoweredScene&)>& look) {
+  const auto check_frame = [&](std::optional<int> frame) {
+    const LoweredScene lowered = build({}, frame, Purpose::Check);
+    if (look && !sink_.has_errors()) look(lowered);
+  };
+  const std::optional<Animation> film = animation();
+  check_frame({});
+  if (!film) return;
+  const int last = film->first + (film->last - film->first) / film->step * film->step;
+  if (last != film->first) check_frame(last);
 }
 
 void Compiler::report_dropped() {

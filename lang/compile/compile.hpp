@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "lang/allowances/allowances.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/eval/eval.hpp"
 #include "lang/lower/scene_builder.hpp"
@@ -24,6 +26,7 @@ struct CompileTimes {
 /// Where a lowered sphere comes from.
 struct Origin {
   Location where;                ///< of the sphere in the text
+  Location material;             ///< of its material, or that of the group that gives it one
   std::string name;              ///< its own; empty where it has none
   std::vector<ChainLink> chain;  ///< through instances, loops and files, the innermost first
 };
@@ -43,9 +46,23 @@ class Compiler {
   /// has errors.
   std::optional<LoweredScene> lower(const Overrides& overrides, std::optional<int> frame = {});
 
+  /// The same for those who can use a scene from which something is missing: whatever is right is
+  /// there, whether or not errors have been reported.
+  LoweredScene lower_partly(const Overrides& overrides, std::optional<int> frame = {});
+
+  /// Reports what is wrong with the text, whichever camera and frame will be asked for: a film's
+  /// first and last frames are evaluated, and a file without a camera may be a part of others.
+  /// `look` is shown the scene of each as long as there are no errors; it may trace spheres of it.
+  void check(const std::function<void(const LoweredScene&)>& look = {});
+
   /// Where spheres of the scene lowered last come from, by their index in it, ascending. They are
   /// found by evaluating once more, so that no sphere has to remember.
   std::vector<Origin> trace(std::span<const std::uint32_t> spheres);
+
+  /// The text's statements; null of a config.
+  const Program* program() const noexcept { return program_.get(); }
+  /// What comments of the files allow.
+  Allowances& allowances() noexcept { return *allowances_; }
 
   /// Reads the files that could be included whatever the values are, without evaluating anything.
   void read_all_files();
@@ -58,6 +75,7 @@ class Compiler {
  private:
   /// Everything that the text says, in the order of `objects`.
   void read(ObjectSink& objects, DiagnosticSink& sink);
+  LoweredScene build(const Overrides& overrides, std::optional<int> frame, Purpose purpose);
   /// Origins by the order in which spheres were added.
   std::vector<Origin> trace_added(std::span<const std::uint32_t> spheres);
   void report_dropped();
@@ -65,7 +83,8 @@ class Compiler {
   const SourceFile& file_;
   ProgramOptions options_;
   DiagnosticSink& sink_;
-  std::unique_ptr<Program> program_;  ///< null for a config
+  std::shared_ptr<Allowances> allowances_;  ///< the sink asks it, perhaps for longer than we live
+  std::unique_ptr<Program> program_;        ///< null for a config
   std::optional<Animation> animation_;
   bool knows_animation_ = false;
   Overrides overrides_;

@@ -26,7 +26,12 @@ DiagnosticBuilder& DiagnosticBuilder::help(std::string text) {
 }
 
 DiagnosticBuilder& DiagnosticBuilder::fix(Location where, std::string replacement) {
-  diagnostic_->fixes.push_back({where, std::move(replacement)});
+  diagnostic_->fixes.push_back({where, std::move(replacement), true});
+  return *this;
+}
+
+DiagnosticBuilder& DiagnosticBuilder::unsafe_fix(Location where, std::string replacement) {
+  diagnostic_->fixes.push_back({where, std::move(replacement), false});
   return *this;
 }
 
@@ -38,26 +43,37 @@ DiagnosticBuilder& DiagnosticBuilder::chain(std::vector<ChainLink> links) {
 DiagnosticBuilder& DiagnosticBuilder::suggest(std::optional<std::string_view> name) {
   if (!name) return *this;
   diagnostic_->suggestion = *name;
-  return fix(diagnostic_->where, std::string(*name));
+  return unsafe_fix(diagnostic_->where, std::string(*name));
+}
+
+DiagnosticCounts& DiagnosticCounts::operator+=(const DiagnosticCounts& other) noexcept {
+  errors += other.errors;
+  warnings += other.warnings;
+  omitted += other.omitted;
+  return *this;
+}
+
+DiagnosticBuilder DiagnosticSink::discard() {
+  discarded_ = {};
+  return DiagnosticBuilder(discarded_, false);
 }
 
 DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where,
                                       std::string message) {
-  if (is_muted_) {
-    discarded_ = {};
-    return DiagnosticBuilder(discarded_);
-  }
+  if (is_muted_) return discard();
+  const bool is_error = info.severity == Severity::Error;
+  if (!is_error && is_allowed_ && is_allowed_(info, where)) return discard();
   std::string identity =
       fmt::format("{} {} {} {} {}", info.code, static_cast<const void*>(where.file),
                   where.span.begin, where.span.end, message);
-  if (!told_.insert(std::move(identity)).second) {
-    discarded_ = {};
-    return DiagnosticBuilder(discarded_);
+  if (!told_.insert(std::move(identity)).second) return discard();
+  if (is_wanted_ && !is_wanted_(info)) {
+    if (is_error) ++unwanted_errors_;
+    return discard();
   }
-  std::size_t& count = info.severity == Severity::Error ? errors_ : warnings_;
-  if (++count > kMaxPerSeverity) {
-    discarded_ = {};
-    return DiagnosticBuilder(discarded_);
+  if (++(is_error ? counts_.errors : counts_.warnings) > kMaxPerSeverity) {
+    ++counts_.omitted;
+    return discard();
   }
   diagnostics_.push_back({.info = &info,
                           .where = where,
@@ -72,7 +88,8 @@ DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where
 
 void DiagnosticSink::forget_shown() {
   diagnostics_.clear();
-  errors_ = warnings_ = 0;
+  counts_ = {};
+  unwanted_errors_ = 0;
 }
 
 std::vector<const Diagnostic*> DiagnosticSink::sorted() const {

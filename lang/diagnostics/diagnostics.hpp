@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -55,10 +56,12 @@ struct Label {
   std::string message;
 };
 
-/// A replacement of one span of the text by another.
+/// A replacement of one span of the text by another. It is safe when the text can have been meant
+/// in no other way and nothing that a person wrote is lost; `lint --fix` makes those by itself.
 struct Fix {
   Location where;
   std::string replacement;
+  bool is_safe = false;
 };
 
 /// One step of how evaluation came to a place: "in `ring`", and where that was written.
@@ -88,23 +91,43 @@ struct Diagnostic {
 /// Adds to a diagnostic that was just reported.
 class DiagnosticBuilder {
  public:
-  explicit DiagnosticBuilder(Diagnostic& diagnostic) noexcept : diagnostic_(&diagnostic) {}
+  explicit DiagnosticBuilder(Diagnostic& diagnostic, bool is_kept = true) noexcept
+      : diagnostic_(&diagnostic), is_kept_(is_kept) {}
+
+  /// Whether anybody will read what is added: what is costly to find is not looked for else.
+  bool is_kept() const noexcept { return is_kept_; }
 
   DiagnosticBuilder& label(Location where, std::string message);
   DiagnosticBuilder& help(std::string text);
+  /// Nothing where the text is empty.
+  DiagnosticBuilder& help_if(std::string_view text) {
+    return text.empty() ? *this : help(std::string(text));
+  }
   DiagnosticBuilder& fix(Location where, std::string replacement);
+  /// A fix that is a guess.
+  DiagnosticBuilder& unsafe_fix(Location where, std::string replacement);
   /// How evaluation came to the place, where the sink does not know it.
   DiagnosticBuilder& chain(std::vector<ChainLink> links);
-  /// "did you mean `name`?", with the replacement of the diagnostic's own span as its fix.
+  /// "did you mean `name`?", with the replacement of the diagnostic's own span as its unsafe fix.
   DiagnosticBuilder& suggest(std::optional<std::string_view> name);
 
  private:
   Diagnostic* diagnostic_;
+  bool is_kept_;
+};
+
+/// How many diagnostics there were.
+struct DiagnosticCounts {
+  std::size_t errors = 0, warnings = 0;  ///< those not kept included
+  std::size_t omitted = 0;               ///< of both, those not kept
+
+  friend bool operator==(const DiagnosticCounts&, const DiagnosticCounts&) = default;
+  DiagnosticCounts& operator+=(const DiagnosticCounts& other) noexcept;
 };
 
 /// Collects what the phases report; what is said twice of one place is kept once. After
-/// `kMaxErrors` errors (or as many warnings) further ones are only counted: the reader of a message
-/// about the 51st mistake is better served by a second run.
+/// `kMaxPerSeverity` errors (or as many warnings) further ones are only counted: the reader of a
+/// message about the 51st mistake is better served by a second run.
 class DiagnosticSink {
  public:
   static constexpr std::size_t kMaxPerSeverity = 50;
@@ -113,6 +136,11 @@ class DiagnosticSink {
   DiagnosticBuilder report(const DiagnosticKind<Args...>& kind, Location where,
                            const std::type_identity_t<Args>&... args) {
     return add(kind, where, fmt::format(fmt::runtime(kind.message), args...));
+  }
+
+  /// The same with the message made.
+  DiagnosticBuilder report_as(const DiagnosticInfo& info, Location where, std::string message) {
+    return add(info, where, std::move(message));
   }
 
   /// What is reported from now on comes about by this chain; null: by none.
@@ -124,13 +152,25 @@ class DiagnosticSink {
   /// While it is muted, whatever is reported is lost.
   void set_muted(bool is_muted) noexcept { is_muted_ = is_muted; }
 
+  /// Which diagnostics are wanted. The others count as errors for the phases, but nobody is told of
+  /// them.
+  void set_filter(std::function<bool(const DiagnosticInfo&)> is_wanted) {
+    is_wanted_ = std::move(is_wanted);
+  }
+
+  /// Which warnings the text itself allows: nobody is told of those. Errors cannot be allowed.
+  void set_allowances(std::function<bool(const DiagnosticInfo&, Location)> is_allowed) {
+    is_allowed_ = std::move(is_allowed);
+  }
+
   /// Empties the sink, whose content the user has seen; none of it will be reported again.
   void forget_shown();
 
-  bool has_errors() const noexcept { return errors_ > 0; }
-  std::size_t error_count() const noexcept { return errors_; }      ///< those not kept included
-  std::size_t warning_count() const noexcept { return warnings_; }  ///< likewise
-  std::size_t omitted_count() const noexcept { return errors_ + warnings_ - diagnostics_.size(); }
+  bool has_errors() const noexcept { return error_count() > 0; }
+  /// Those not kept and those not wanted included.
+  std::size_t error_count() const noexcept { return counts_.errors + unwanted_errors_; }
+  /// Of those that are wanted.
+  const DiagnosticCounts& counts() const noexcept { return counts_; }
   /// What was kept, in the order it was reported.
   const std::deque<Diagnostic>& diagnostics() const noexcept { return diagnostics_; }
   /// What was kept, by place: files in the order they were first mentioned, then offsets.
@@ -138,14 +178,17 @@ class DiagnosticSink {
 
  private:
   DiagnosticBuilder add(const DiagnosticInfo& info, Location where, std::string message);
+  DiagnosticBuilder discard();
 
   std::deque<Diagnostic> diagnostics_;  // a deque: builders keep a pointer to the last one
   Diagnostic discarded_;                // what builders of omitted diagnostics write to
   std::unordered_set<std::string> told_;
   const ChainSource* chain_ = nullptr;
+  std::function<bool(const DiagnosticInfo&)> is_wanted_;             // empty: all are
+  std::function<bool(const DiagnosticInfo&, Location)> is_allowed_;  // empty: none is
   bool is_muted_ = false;
-  std::size_t errors_ = 0;
-  std::size_t warnings_ = 0;
+  DiagnosticCounts counts_;
+  std::size_t unwanted_errors_ = 0;
 };
 
 }  // namespace sdlc::lang

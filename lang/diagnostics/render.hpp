@@ -1,26 +1,64 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <ostream>
 #include <string>
+#include <string_view>
 
 #include "lang/diagnostics/diagnostics.hpp"
 
 namespace sdlc::lang {
 
-enum class MessageFormat : std::uint8_t { Human, Concise, Json };
+enum class MessageFormat : std::uint8_t { Human, Concise, Json, Sarif, Github, Gitlab, Junit };
+
+/// What reports for other programs (Sarif and those behind it) hold besides the diagnostics.
+struct ReportFacts {
+  std::string version = {};  ///< of sdlc
+  /// Files in this folder are called by their paths from it; empty: as the user named them.
+  std::filesystem::path root = {};
+  /// The page of Markdown that explains a code; nothing where there is none.
+  std::function<std::optional<std::string_view>(std::string_view code)> page_of = {};
+};
 
 struct RenderDiagnosticsOptions {
   MessageFormat format = MessageFormat::Human;
   bool color = false;  ///< ANSI colours; only the human format has any
+  ReportFacts facts = {};
 };
 
 /// "file:line:column" of where the span begins, as it may be printed.
 std::string describe_place(const Location& where);
 
-/// The sink's diagnostics as text, by place. Human shows the source line with carets under the
-/// span, labels, help and a closing count; Concise is one line each, `file:line:col:
-/// severity[CODE]: message`, then
-/// `; did you mean X?` where there is a suggestion; Json is one object with an array `diagnostics`.
+/// Writes diagnostics as text.
+///
+/// * Human shows the source line with carets under the span, labels, help and a closing count.
+/// * Concise is one line each, `file:line:col: severity[CODE]: message`, then `; did you mean X?`
+///   where there is a suggestion.
+/// * Json is one object with an array `diagnostics`.
+/// * Sarif is a log of SARIF 2.1.0 with one run, as code scanning of GitHub reads it.
+/// * Github is one workflow command each, which GitHub Actions shows at the line.
+/// * Gitlab is a Code Quality report.
+/// * Junit is a suite a file and a failed case a diagnostic, for whatever shows results of tests.
+class DiagnosticWriter {
+ public:
+  virtual ~DiagnosticWriter() = default;
+
+  /// The file that is looked at from now on, as the user named it; what is found may be in others.
+  virtual void enter(const std::string& /*name*/) {}
+  virtual void write(const Diagnostic& diagnostic) = 0;
+  /// Writes what stands behind all of them.
+  virtual void finish(const DiagnosticCounts& counts) = 0;
+};
+
+/// `out` must outlive the writer.
+std::unique_ptr<DiagnosticWriter> make_diagnostic_writer(const RenderDiagnosticsOptions& options,
+                                                         std::ostream& out);
+
+/// All of the sink's diagnostics, by place.
 std::string render_diagnostics(const DiagnosticSink& sink, const RenderDiagnosticsOptions& options);
 
 }  // namespace sdlc::lang

@@ -18,13 +18,17 @@ std::string in_backticks(std::string_view text) {
   return fmt::format("`{}{}`", printable(abbreviated(line)), rest);
 }
 
+std::string_view without_blanks_behind(std::string_view text) {
+  return text.substr(0, text.find_last_not_of(" \n") + 1);
+}
+
 /// What the fix does, in words.
 std::string describe_fix(const Diagnostic& diagnostic, const Fix& fix) {
   const Span span = fix.where.span;
   const std::string old = in_backticks(fix.where.file->text(span));
   if (fix.replacement.empty()) return "remove " + old;
   if (fix.replacement == " ") return "write a space instead";
-  const std::string replacement = in_backticks(fix.replacement);
+  const std::string replacement = in_backticks(without_blanks_behind(fix.replacement));
   if (span.size() > 0) return fmt::format("write {} instead of {}", replacement, old);
 
   const Span wrong = diagnostic.where.span;
@@ -111,25 +115,32 @@ std::string plural(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-std::string summary(const DiagnosticSink& sink) {
+std::string summary(const DiagnosticCounts& counts) {
   std::string text;
-  if (sink.error_count() > 0) text = plural(sink.error_count(), "error");
-  if (sink.warning_count() > 0) {
-    text += (text.empty() ? "" : ", ") + plural(sink.warning_count(), "warning");
-  }
-  if (sink.omitted_count() > 0)
-    text += fmt::format(" ({} of them not shown)", sink.omitted_count());
+  if (counts.errors > 0) text = plural(counts.errors, "error");
+  if (counts.warnings > 0) text += (text.empty() ? "" : ", ") + plural(counts.warnings, "warning");
+  if (counts.omitted > 0) text += fmt::format(" ({} of them not shown)", counts.omitted);
   return text.empty() ? text : text + "\n";
 }
 
+class HumanWriter final : public DiagnosticWriter {
+ public:
+  HumanWriter(std::ostream& out, bool has_color) : out_(out), palette_(make_palette(has_color)) {}
+
+  void write(const Diagnostic& diagnostic) override {
+    out_ << render_diagnostic(diagnostic, palette_);
+  }
+  void finish(const DiagnosticCounts& counts) override { out_ << summary(counts); }
+
+ private:
+  std::ostream& out_;
+  Palette palette_;
+};
+
 }  // namespace
 
-std::string render_human(const DiagnosticSink& sink, bool has_color) {
-  const Palette palette = make_palette(has_color);
-  std::string text;
-  for (const Diagnostic* diagnostic : sink.sorted())
-    text += render_diagnostic(*diagnostic, palette);
-  return text + summary(sink);
+std::unique_ptr<DiagnosticWriter> make_human_writer(std::ostream& out, bool has_color) {
+  return std::make_unique<HumanWriter>(out, has_color);
 }
 
 }  // namespace sdlc::lang

@@ -33,7 +33,9 @@ Json to_json(const Diagnostic& diagnostic) {
     json["labels"].push_back({{"message", label.message}, {"location", place(label.where)}});
   }
   for (const Fix& fix : diagnostic.fixes) {
-    json["fixes"].push_back({{"replacement", fix.replacement}, {"location", place(fix.where)}});
+    json["fixes"].push_back({{"replacement", fix.replacement},
+                             {"is_safe", fix.is_safe},
+                             {"location", place(fix.where)}});
   }
   for (const ChainLink& link : diagnostic.chain) {
     json["chain"].push_back({{"message", link.message}, {"location", place(link.where)}});
@@ -41,19 +43,31 @@ Json to_json(const Diagnostic& diagnostic) {
   return json;
 }
 
+class JsonWriter final : public DiagnosticWriter {
+ public:
+  explicit JsonWriter(std::ostream& out) : out_(out) {}
+
+  void write(const Diagnostic& diagnostic) override { diagnostics_.push_back(to_json(diagnostic)); }
+
+  void finish(const DiagnosticCounts& counts) override {
+    const Json json = {{"diagnostics", std::move(diagnostics_)},
+                       {"errors", counts.errors},
+                       {"warnings", counts.warnings},
+                       {"omitted", counts.omitted}};
+    // ASCII only: the output is safe on a terminal, and bytes that are not UTF-8 do not end it.
+    constexpr bool kIsAscii = true;
+    out_ << json.dump(2, ' ', kIsAscii, Json::error_handler_t::replace) << '\n';
+  }
+
+ private:
+  std::ostream& out_;
+  Json diagnostics_ = Json::array();
+};
+
 }  // namespace
 
-std::string render_json(const DiagnosticSink& sink) {
-  Json json = {{"diagnostics", Json::array()},
-               {"errors", sink.error_count()},
-               {"warnings", sink.warning_count()},
-               {"omitted", sink.omitted_count()}};
-  for (const Diagnostic* diagnostic : sink.sorted()) {
-    json["diagnostics"].push_back(to_json(*diagnostic));
-  }
-  // ASCII only: the output is safe on a terminal, and bytes that are not UTF-8 do not end it.
-  constexpr bool kIsAscii = true;
-  return json.dump(2, ' ', kIsAscii, Json::error_handler_t::replace) + "\n";
+std::unique_ptr<DiagnosticWriter> make_json_writer(std::ostream& out) {
+  return std::make_unique<JsonWriter>(out);
 }
 
 }  // namespace sdlc::lang

@@ -59,6 +59,7 @@ Evaluator::Evaluator(Program& program, const EvaluationOptions& options, Diagnos
   sink_.set_muted(false);
   find_shutter();
   evaluate_all_globals(Globals::TimeDependent);
+  check_defaults();
 }
 
 Evaluator::~Evaluator() { sink_.set_chain(nullptr); }
@@ -290,6 +291,27 @@ Evaluator::Varying Evaluator::with_setting(std::uint32_t index, Varying value) {
   sink_.report(diag::set_type, whole, global.name, describe(original), describe(computed))
       .label(statement.first(SyntaxKind::Name)->location(), "declared here");
   return {};
+}
+
+/// A default that is written out is of the parameter's type, whether or not a call ever needs it.
+void Evaluator::check_defaults() {
+  for (std::uint32_t i = 0; i < program_.module_count(); ++i) {
+    const Module& file = program_.module(i);
+    for (const std::vector<Definition>* list : {&file.functions, &file.defs}) {
+      for (const Definition& definition : *list) {
+        for (const Parameter& parameter : definition.parameters) check_default(file, parameter);
+      }
+    }
+  }
+}
+
+void Evaluator::check_default(const Module& file, const Parameter& parameter) {
+  const std::uint32_t expression = parameter.default_value;
+  if (expression == kNothing) return;
+  const Op op = file.code.expressions[expression].op;
+  if (op != Op::Number && op != Op::Constant) return;
+  check_type(file, parameter.name, parameter.type, parameter.node, evaluate(file.code, expression),
+             place(file.code, expression));
 }
 
 // Files

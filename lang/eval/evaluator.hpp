@@ -116,6 +116,8 @@ class Evaluator final : public ChainSource {
   std::optional<bool> evaluate_condition(const Code& code, std::uint32_t expression,
                                          std::string_view word);
   const Computed& read(const Varying& variable);
+  void check_defaults();
+  void check_default(const Module& file, const Parameter& parameter);
   /// The value if it is of the declared type; else that is reported, and it has failed.
   Computed check_type(const Module& module, std::string_view name, const TypeInfo* type,
                       NodeIndex declaration, Computed value, Location where);
@@ -131,7 +133,8 @@ class Evaluator final : public ChainSource {
   Value property_value(const Code& code, const Property& property, std::uint32_t expression);
   /// The same of a property that must not depend on the time.
   Value timeless_value(const Code& code, const Property& property, std::uint32_t expression);
-  Value to_property(const Property& property, const Computed& computed, ast::Node node);
+  /// Nothing where no property of any type takes it, or the tag of its unit is another.
+  static Value to_value(const Property& property, const Computed& computed);
 
   ast::Node node(const Code& code, std::uint32_t expression) const {
     return {*code.tree, code.expressions[expression].node};

@@ -188,7 +188,9 @@ std::optional<bool> Evaluator::evaluate_condition(const Code& code, std::uint32_
   const Computed value = evaluate(code, expression);
   if (const auto* flag = get_if<bool>(&value)) return *flag;
   if (!has_failed(value)) {
-    sink_.report(diag::not_a_condition, place(code, expression), word, describe(value));
+    auto report =
+        sink_.report(diag::not_a_condition, place(code, expression), word, describe(value));
+    if (holds_alternative<Scalar>(value)) report.help("compare it, as in `x > 0`");
   }
   return std::nullopt;
 }
@@ -296,7 +298,7 @@ Computed Evaluator::evaluate_triple(const Code& code, const Expression& e) {
   auto report = sink_.report(diag::mixed_triple, place(code, first_number), "an angle", "a number");
   if (node(code, first_number).is(SyntaxKind::Number)) {
     const std::uint32_t end = node(code, first_number).span().end;
-    report.fix(code.tree->location({end, end}), "deg");
+    report.unsafe_fix(code.tree->location({end, end}), "deg");
   }
   return Failed{};
 }
@@ -354,6 +356,9 @@ Computed Evaluator::evaluate_member(const Code& code, const Expression& e) {
   auto report = sink_.report(diag::no_member, member.location(), describe(value),
                              name.substr(std::min(name.find_first_not_of(" \t\r\n"), name.size())));
   if (triple != nullptr || angles != nullptr) report.help("its members are `.x`, `.y` and `.z`");
+  if (holds_alternative<ListValue>(value)) {
+    report.help("`len(list)` is how many elements it has, and `list[0]` the first of them");
+  }
   return Failed{};
 }
 
@@ -363,8 +368,9 @@ Computed Evaluator::evaluate_index(const Code& code, const Expression& e) {
   if (has_failed(value) || has_failed(position)) return Failed{};
   const auto* list = get_if<ListValue>(&value);
   if (list == nullptr) {
-    sink_.report(diag::wrong_operand, ast::Node(*code.tree, e.node).location(), "[ ]",
-                 describe(value));
+    auto report = sink_.report(diag::wrong_operand, ast::Node(*code.tree, e.node).location(), "[ ]",
+                               describe(value));
+    if (holds_alternative<Triple>(value)) report.help("its members are `.x`, `.y` and `.z`");
     return Failed{};
   }
   const Location where = place(code, operands[1]);

@@ -1,24 +1,12 @@
 #include <string>
 
 #include "lang/eval/evaluator.hpp"
+#include "lang/eval/type_hints.hpp"
 
 // Values in the place of properties: what each type takes, and what changes with the time.
 namespace sdlc::lang {
 
 namespace {
-
-/// Writes `deg` behind each number of a triple.
-void add_degrees(DiagnosticBuilder& report, ast::Node triple) {
-  report.help("angles have a unit: `(0deg, 30deg, 0deg)`");
-  if (!triple.is(SyntaxKind::Triple)) return;
-  for (const ast::Node component : triple.children()) {
-    const bool is_number = component.is(SyntaxKind::Number) ||
-                           (component.is(SyntaxKind::Negative) && component.child(0) &&
-                            component.child(0)->is(SyntaxKind::Number));
-    const std::uint32_t end = component.span().end;
-    if (is_number) report.fix(triple.tree().location({end, end}), "deg");
-  }
-}
 
 /// Whether the kind's properties hold for all times: there is one picture size, one film.
 bool is_timeless(const Kind& kind) noexcept {
@@ -32,37 +20,30 @@ Value Evaluator::property_value(const Code& code, const Property& property,
   const Computed computed = evaluate(code, expression);
   if (has_failed(computed)) return {};
   const ast::Node written = node(code, expression);
-  Value value = to_property(property, computed, written);
-  if (holds_alternative<std::monostate>(value)) return {};
+  Value value = to_value(property, computed);
+  const bool is_none = property.reads_none && holds_alternative<None>(value);
+  if (!is_none && !has_type(property.type, value)) {
+    auto report = sink_.report(diag::wrong_type, written.location(), property.name,
+                               describe(property.type), describe(computed));
+    add_type_hint(report, property.type, computed, written);
+    return {};
+  }
   return check_property(property, value, written.location(), sink_) ? std::move(value) : Value{};
 }
 
-Value Evaluator::to_property(const Property& property, const Computed& computed, ast::Node node) {
-  const auto wrong = [&] {
-    auto report = sink_.report(diag::wrong_type, node.location(), property.name,
-                               describe(property.type), describe(computed));
-    const auto* text = get_if<std::string>(&computed);
-    const bool lacks_unit = property.type == Type::Angle && get_if<Scalar>(&computed);
-    if (lacks_unit) report.help("an angle has a unit: `40deg`, or `(…) * 1deg`");
-    if (property.type == Type::Angles && get_if<Triple>(&computed)) add_degrees(report, node);
-    if (property.type == Type::Word && text != nullptr) {
-      report.help("a word stands without quotes").fix(node.location(), *text);
-    }
-    return Value{};
-  };
+Value Evaluator::to_value(const Property& property, const Computed& computed) {
   if (const auto* scalar = get_if<Scalar>(&computed)) {
     const bool takes_unit = scalar->unit == Unit::None ||
                             (scalar->unit == Unit::Length && property.type == Type::Length);
-    const bool is_bare_angle = property.type == Type::Angle && !node.is(SyntaxKind::Number);
-    return takes_unit && !is_bare_angle ? Value(scalar->value) : wrong();
+    return takes_unit ? Value(scalar->value) : Value{};
   }
   if (const auto* triple = get_if<Triple>(&computed)) {
-    return triple->unit != Unit::Time ? Value(triple->value) : wrong();
+    return triple->unit != Unit::Time ? Value(triple->value) : Value{};
   }
   if (const auto* bounds = get_if<Bounds>(&computed)) {
     const bool takes_unit = bounds->unit == Unit::None ||
                             (bounds->unit == Unit::Time && property.type == Type::Interval);
-    return takes_unit ? Value(render::Interval{bounds->from, bounds->to}) : wrong();
+    return takes_unit ? Value(render::Interval{bounds->from, bounds->to}) : Value{};
   }
   if (const auto* flag = get_if<bool>(&computed)) return *flag;
   if (const auto* angle = get_if<Angle>(&computed)) return *angle;
@@ -72,9 +53,8 @@ Value Evaluator::to_property(const Property& property, const Computed& computed,
   if (const auto* motion = get_if<MotionValue>(&computed)) return *motion;
   if (const auto* word = get_if<Word>(&computed)) return *word;
   if (holds_alternative<None>(computed)) return None{};
-  const auto* text = get_if<std::string>(&computed);
-  if (text != nullptr && property.type != Type::Word) return *text;
-  return wrong();
+  if (const auto* text = get_if<std::string>(&computed)) return *text;
+  return {};
 }
 
 Value Evaluator::timeless_value(const Code& code, const Property& property,

@@ -11,6 +11,17 @@
 #include "lang/source/limits.hpp"
 
 namespace sdlc::lang {
+namespace {
+
+/// The whole numbers of the interval `a .. b` as a list: `range(a, b + 1)`.
+std::string as_range(ast::Node interval, const Bounds& bounds) {
+  const std::string_view from = interval.child(0)->text(), to = interval.child(1)->text();
+  const bool is_literal = to == to_text(bounds.to);
+  return fmt::format("range({}, {})", from,
+                     is_literal ? to_text(bounds.to + 1) : fmt::format("{} + 1", to));
+}
+
+}  // namespace
 
 void Evaluator::run(const Code& code, std::uint32_t index) {
   const Statement& statement = code.statements[index];
@@ -48,8 +59,12 @@ void Evaluator::run_for(const Code& code, const Statement& statement) {
     const Location where = place(code, expression);
     auto report = sink_.report(diag::not_a_list, where, describe(lists.values[0]));
     if (const auto* bounds = get_if<Bounds>(&lists.values[0])) {
-      report.help("`range` excludes its end")
-          .fix(where, fmt::format("range({}, {})", to_text(bounds->from), to_text(bounds->to + 1)));
+      report.help("`a .. b` is not a list; `range(a, b)` is, and excludes b");
+      const ast::Node written = node(code, expression);
+      if (written.is(SyntaxKind::Interval)) report.fix(where, as_range(written, *bounds));
+    }
+    if (holds_alternative<Scalar>(lists.values[0])) {
+      report.help("`range(n)` is the list of the n numbers from 0 on");
     }
     return;
   }
@@ -153,7 +168,7 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
   const Definition& def = module.defs[operands[1]];
   const auto pairs = operands.subspan(3, 2 * operands[2]);
   const auto arguments = operands.subspan(3 + pairs.size());
-  if (!take_steps(code, statement.node)) return;
+  if (!take_steps(code, statement.node, kInstanceSteps)) return;
   if (!may_call(code, statement.node)) return;
 
   const std::size_t base = locals_.size();
@@ -209,11 +224,14 @@ bool Evaluator::is_in_circle(const Code& code, const Statement& statement, std::
 
 void Evaluator::run_include(const Code& code, const Statement& statement) {
   const std::uint32_t included = code.operands_of(statement)[0];
-  if (!take_steps(code, statement.node)) return;
+  const SourceFile& file =
+      included >= kConfigs ? program_.config(included) : *program_.module(included).file;
+  const std::uint64_t steps = kIncludeSteps + file.text().size() / kIncludedBytesPerStep;
+  if (!take_steps(code, statement.node, steps)) return;
   const Nested step(*this,
                     {.kind = Step::Include, .code = &code, .node = statement.node, .name = {}});
   if (included >= kConfigs) {
-    read_spheres(program_.config(included), *objects_, sink_);
+    read_spheres(file, *objects_, sink_);
     return;
   }
   if (is_in_circle(code, statement, included)) return;

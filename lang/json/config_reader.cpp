@@ -71,6 +71,7 @@ ConfigReader::Part& ConfigReader::part(std::string_view key) {
 }
 
 void ConfigReader::take_member(const Tape& tape) {
+  if (tape[0].type == JsonNodeType::Error) return;  // no name, as has been reported
   const auto keys = json_config().keys;
   std::string buffer;
   const std::string_view name = member_name(*file_, tape[0], buffer);

@@ -86,6 +86,7 @@ std::optional<MaterialKind> MaterialReader::read_kind(const Tape& tape, std::uin
   std::string buffer;
   const std::uint32_t end = tape[node].next;
   for (std::uint32_t i = node + 1; i + 1 < end; i = tape[i + 1].next) {
+    if (tape[i].type == JsonNodeType::Error) continue;
     if (member_name(*file_, tape[i], buffer) == kType.key) return read_type(tape, i + 1);
   }
   if (tape[node].is_complete) sink_->report(diag::missing, where, "the material", kType.key);

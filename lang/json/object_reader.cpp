@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "lang/schema/habits.hpp"
 #include "lang/text/display_width.hpp"
 #include "lang/text/nearest_name.hpp"
 
@@ -16,12 +17,40 @@ std::string_view member_name(const SourceFile& file, const JsonNode& name, std::
   return buffer;
 }
 
+namespace {
+
+/// Whether the name is what the language, or another habit, calls that which the key stands for.
+bool is_called(const JsonKey& key, std::string_view name) {
+  if (key.target != nullptr) {
+    const std::string_view property = key.target->properties[key.property].name;
+    const auto habit = property_habit(*key.target, name);
+    return property == name || (habit && habit->meant == property);
+  }
+  const bool is_argument =
+      key.object == nullptr && key.setting == JsonSetting::None && key.type != JsonType::Spheres;
+  if (!is_argument) return false;
+  const auto own_habit = argument_habit(key.key);
+  const std::string_view argument = own_habit ? own_habit->meant : key.key;
+  const auto habit = argument_habit(name);
+  return argument == name || (habit && habit->meant == argument);
+}
+
+std::optional<std::string_view> key_by_habit(std::span<const JsonKey> keys, std::string_view name) {
+  for (const JsonKey& key : keys) {
+    if (is_called(key, name)) return key.key;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::size_t> diagnose_unknown_key(std::span<const JsonKey> keys,
                                                 std::string_view object, std::string_view name,
                                                 Location where, DiagnosticSink& sink) {
   std::vector<std::string_view> names;
   for (const JsonKey& key : keys) names.push_back(key.key);
-  const auto meant = nearest_name(name, names);
+  auto meant = key_by_habit(keys, name);
+  if (!meant) meant = nearest_name(name, names);
   sink.report(diag::unknown_key, where, abbreviated(name), object).suggest(meant);
   return meant ? find_key(keys, *meant) : std::nullopt;
 }
@@ -40,6 +69,7 @@ Members find_members(const SourceFile& file, const Tape& tape, std::uint32_t obj
   const std::uint32_t end = tape[object].next;
   // Where the text broke off, the last name may be without a value.
   for (std::uint32_t i = object + 1; i + 1 < end; i = tape[i + 1].next) {
+    if (tape[i].type == JsonNodeType::Error) continue;  // no name, as has been reported
     const std::string_view name = member_name(file, tape[i], buffer);
     const auto row = find_key(table.keys, name, guess);
     const Location where{&file, tape[i].content()};

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <tao/pegtl/memory_input.hpp>
@@ -12,6 +13,8 @@
 
 #include "grammar/json.hpp"
 #include "lang/json/mend.hpp"
+#include "lang/json/mend_brackets.hpp"
+#include "lang/json/mend_syntax.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/text/display_width.hpp"
 #include "lang/text/utf8.hpp"
@@ -26,16 +29,6 @@ namespace pegtl = tao::pegtl;
 struct Stopped {};
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-
-/// How a message shows a character that is not allowed.
-std::string describe_character(char32_t c) {
-  std::string text = fmt::format("U+{:04X}", static_cast<std::uint32_t>(c));
-  if (c < 0x20 || c == 0x7F) return text;
-  std::string shown;
-  append_utf8(c, shown);
-  return is_unsafe_on_terminal(c) || display_width(c) == 0 ? text
-                                                           : fmt::format("`{}` ({})", shown, text);
-}
 
 /// Whether a number too far from 1 for a double is too large, not too small: the place of its first
 /// digit that is not 0 decides. Precondition: `text` is a number of JSON and not 0.
@@ -60,9 +53,15 @@ bool is_large(std::string_view text) {
 /// text.
 class Parser {
  public:
-  Parser(const SourceFile& file, std::string_view streamed, ConfigParts& parts,
-         DiagnosticSink& sink)
-      : file_(&file), text_(file.text()), streamed_(streamed), parts_(&parts), sink_(&sink) {}
+  /// `text` is that of the file, or of `mended`.
+  Parser(const SourceFile& file, std::string_view text, const MendedText* mended,
+         std::string_view streamed, ConfigParts& parts, DiagnosticSink& sink)
+      : file_(&file),
+        mended_(mended),
+        text_(text),
+        streamed_(streamed),
+        parts_(&parts),
+        sink_(&sink) {}
 
   // What is read.
 
@@ -71,7 +70,7 @@ class Parser {
       sink_->report(diag::too_deep, at(bracket), kMaxNesting);
       throw Stopped{};
     }
-    if (depth_ == 0) parts_->begin(bracket);
+    if (depth_ == 0) parts_->begin(in_file(bracket));
     is_streaming_ |= depth_ == 1 && type == JsonNodeType::Array && is_streamed_name();
     open_[depth_++] = {static_cast<std::uint32_t>(tape_.size()), bracket};
     if (depth_ > 1) add(type, bracket);
@@ -82,7 +81,9 @@ class Parser {
     if (depth_ == 0) return;
     if (depth_ == 1) is_streaming_ = false;
     tape_[open.node].next = static_cast<std::uint32_t>(tape_.size());
-    tape_[open.node].span.end = end;
+    // What a bracket ends that is missing in the text may lack more.
+    if (mended_ != nullptr && mended_->is_added(end - 1)) tape_[open.node].is_complete = false;
+    tape_[open.node].span.end = in_file({end, end}).end;
   }
 
   void add_number(Span span) { add_number(span, text_.substr(span.begin, span.size())); }
@@ -131,6 +132,29 @@ class Parser {
     parts_->take_member(tape_);
   }
 
+  // What has been mended before, with a report.
+
+  void add_mended_value(Span span) {
+    if (is_of_file(span)) stop("a value", span.begin);
+    add(JsonNodeType::Error, span);
+  }
+  /// A name in the text whose closing quote is missing, or none.
+  void add_mended_name(Span span) {
+    if (is_of_file(span)) stop("a key in double quotes", span.begin);
+    if (span.size() == 1) {
+      leave_incomplete();
+      add(JsonNodeType::Error, span);
+      return;
+    }
+    ++span.end;  // where the quote belongs
+    add(JsonNodeType::String, span).quote_size = 1;
+  }
+  void leave_out_member(Span span) {
+    if (is_of_file(span)) stop("a key in double quotes", span.begin);
+    leave_incomplete();
+  }
+  bool is_complete() const noexcept { return is_complete_; }
+
   // What is read as if mended.
 
   void mend_number(Span span) {
@@ -164,6 +188,16 @@ class Parser {
     add_string(span);
   }
 
+  void mend_bare_name(Span span) {
+    if (text_[span.end - 1] != '"') return mend_bare_string(span, "a key without quotes is");
+    // Its other quote is there.
+    sink_->report(diag::expected, at(span), "`\"` in front of a key")
+        .fix(at({span.begin, span.begin}), "\"");
+    --span.end;
+    begin_string({span.begin, span.begin});
+    add_string(span);
+  }
+
   void mend_quotes(Span span, std::string_view what) {
     const std::uint32_t quote = opening_quote_.size();
     const auto content = text_.substr(span.begin + quote, span.size() - 2 * quote);
@@ -173,7 +207,7 @@ class Parser {
   }
 
   void mend_comment(Span span) {
-    sink_->report(diag::not_in_json, at(span), "comments are").fix(at(span), "");
+    sink_->report(diag::not_in_json, at(span), "comments are").unsafe_fix(at(span), "");
   }
 
   void mend_blank(Span span) {
@@ -210,7 +244,9 @@ class Parser {
   void mend_missing_value(std::uint32_t offset) {
     const Location gap = gap_before(offset);
     sink_->report(diag::expected, gap, "a value");
-    add(JsonNodeType::Error, gap.span);
+    tape_.push_back({.span = gap.span,
+                     .next = static_cast<std::uint32_t>(tape_.size() + 1),
+                     .type = JsonNodeType::Error});
   }
 
   void mend_missing_member(std::uint32_t offset) {
@@ -289,7 +325,24 @@ class Parser {
     Span bracket;
   };
 
-  Location at(Span span) const { return {file_, span}; }
+  Location at(Span span) const { return {file_, in_file(span)}; }
+  Span in_file(Span span) const {
+    return mended_ == nullptr ? span
+                              : Span{mended_->in_source(span.begin), mended_->in_source(span.end)};
+  }
+
+  /// Whether the file itself has the character that stands for something mended.
+  bool is_of_file(Span mark) const {
+    return file_->text()[in_file(mark).begin] == text_[mark.begin];
+  }
+  /// What is left out of an object or of the config cannot be said to be missing.
+  void leave_incomplete() {
+    if (depth_ > 1) {
+      tape_[open_[depth_ - 1].node].is_complete = false;
+    } else {
+      is_complete_ = false;
+    }
+  }
 
   bool follows_quote(std::uint32_t offset) const { return offset > 0 && text_[offset - 1] == '"'; }
 
@@ -305,13 +358,11 @@ class Parser {
     return at({offset, offset});
   }
 
-  bool is_streamed_name() const {
-    return text_.substr(tape_[0].content().begin, tape_[0].content().size()) == streamed_;
-  }
+  bool is_streamed_name() const { return file_->text(tape_[0].content()) == streamed_; }
 
   JsonNode& add(JsonNodeType type, Span span) {
     const auto next = static_cast<std::uint32_t>(tape_.size() + 1);
-    return tape_.emplace_back(JsonNode{.span = span, .next = next, .type = type});
+    return tape_.emplace_back(JsonNode{.span = in_file(span), .next = next, .type = type});
   }
 
   void add_number(Span span, std::string_view text) {
@@ -372,7 +423,9 @@ class Parser {
   }
 
   const SourceFile* file_;
-  std::string_view text_;
+  const MendedText* mended_;
+  std::string_view
+      text_;  ///< the spans of what is read count its bytes, those of the tape the file's
   std::string_view streamed_;
   ConfigParts* parts_;
   DiagnosticSink* sink_;
@@ -381,6 +434,7 @@ class Parser {
   std::array<Open, kMaxNesting> open_;
   int depth_ = 0;
   bool is_streaming_ = false;
+  bool is_complete_ = true;
   bool has_escapes_ = false;  ///< of the string being read
   Span opening_comment_;
   Span opening_quote_;           ///< likewise
@@ -427,7 +481,10 @@ SDLC_JSON_ACTION(block_comment, parser.mend_comment(span))
 SDLC_JSON_ACTION(foreign_blank, parser.mend_blank(span))
 SDLC_JSON_ACTION(malformed_number, parser.mend_number(span))
 SDLC_JSON_ACTION(word, parser.mend_word(span))
-SDLC_JSON_ACTION(bare_name, parser.mend_bare_string(span, "a key without quotes is"))
+SDLC_JSON_ACTION(mended_value, parser.add_mended_value(span))
+SDLC_JSON_ACTION(mended_name, parser.add_mended_name(span))
+SDLC_JSON_ACTION(mended_member, parser.leave_out_member(span))
+SDLC_JSON_ACTION(bare_name, parser.mend_bare_name(span))
 SDLC_JSON_ACTION(opening_single_quote, parser.begin_string(span))
 SDLC_JSON_ACTION(single_quoted, parser.mend_quotes(span, "single quotes are"))
 SDLC_JSON_ACTION(opening_curly_quote, parser.begin_string(span))
@@ -498,12 +555,17 @@ struct Control : pegtl::normal<Rule> {
 
 bool parse_config(const SourceFile& file, std::string_view streamed, ConfigParts& parts,
                   DiagnosticSink& sink) {
-  Parser parser(file, streamed, parts, sink);
-  const std::string_view text = file.text();
+  std::optional<std::string> readable = mend_syntax(file, sink);
+  const std::optional<MendedText> mended = mend_brackets(file, readable, sink);
+  const std::string_view text = mended     ? std::string_view(mended->text())
+                                : readable ? std::string_view(*readable)
+                                           : file.text();
+  Parser parser(file, text, mended ? &*mended : nullptr, streamed, parts, sink);
   pegtl::memory_input<pegtl::tracking_mode::lazy, pegtl::eol::lf_crlf, const char*> in(
       text.data(), text.data() + text.size(), file.name().c_str());
   try {
-    return pegtl::parse<grammar::text, Action, Control>(in, parser, text.data());
+    return pegtl::parse<grammar::text, Action, Control>(in, parser, text.data()) &&
+           parser.is_complete();
   } catch (const Stopped&) {
     parser.give_up();
     return false;

@@ -57,9 +57,13 @@ bool is_along(render::Vec3 a, render::Vec3 b) {
 void SceneBuilder::add(const Object& object) {
   switch (object.kind->id) {
     case ObjectKind::Camera: cameras_.push_back(object); break;
-    case ObjectKind::Background: background_ = object; break;
+    case ObjectKind::Background:
+      if (!background_) background_ = object;  // a second one has been reported
+      break;
     case ObjectKind::Sphere: add_sphere(object); break;
-    case ObjectKind::Render: render_ = object; break;
+    case ObjectKind::Render:
+      if (!render_) render_ = object;
+      break;
     case ObjectKind::Animation: is_animated_ = true; break;
     case ObjectKind::Group: break;  // see enter()
   }
@@ -76,11 +80,24 @@ void SceneBuilder::enter(const Object& object) {
                                        object.get<AngleTriple>(kRotate)),
                              placement(object.get_closing<render::Vec3>(kTranslate),
                                        object.get_closing<AngleTriple>(kRotate))},
+              .middle = {},
               .is_moving = !object.closing.empty(),
+              .is_turning = false,
               .material = object.get<MaterialValue>(kMaterial),
               .has_bad_material = object.slot(kMaterial).is_written || object.is_broken};
+  if (purpose_ == Purpose::Check) {
+    const auto translate = object.get<render::Vec3>(kTranslate).value_or(render::Vec3{});
+    const auto translate_to = object.get_closing<render::Vec3>(kTranslate).value_or(translate);
+    const auto rotate = object.get<AngleTriple>(kRotate).value_or(AngleTriple{});
+    const auto rotate_to = object.get_closing<AngleTriple>(kRotate).value_or(rotate);
+    group.middle = Placement::of((translate + translate_to) * 0.5,
+                                 (rotate.degrees + rotate_to.degrees) * 0.5, scale);
+    group.is_turning = rotate != rotate_to;
+  }
   if (!groups_.empty()) {
     const Group& outer = groups_.back();
+    group.middle = outer.middle.around(group.middle);
+    group.is_turning = group.is_turning || outer.is_turning;
     for (std::size_t i = 0; i < 2; ++i) {
       group.placements[i] = outer.placements[i].around(group.placements[i]);
     }
@@ -111,7 +128,10 @@ void SceneBuilder::add_sphere(const Object& object) {
     if (!groups_.empty()) material = groups_.back().material;
     const bool is_reported =
         object.is_broken || (!groups_.empty() && groups_.back().has_bad_material);
-    if (!material && !is_reported) sink_->report(diag::no_material, object.where);
+    if (!material && !is_reported && !is_part()) {
+      sink_->report(diag::no_material, object.where)
+          .help("give it or a group around it one, such as `material: diffuse(color: white)`");
+    }
   }
   if (!center || !radius || !material) return;  // reported where it was read
   if (*radius == 0) {
@@ -144,6 +164,8 @@ void SceneBuilder::add_sphere(const Object& object) {
     const auto& placements = groups_.empty() ? none : groups_.back().placements;
     const bool is_moving =
         !object.closing.empty() || (!groups_.empty() && groups_.back().is_moving);
+    const bool is_turning = !groups_.empty() && groups_.back().is_turning;
+    if (is_turning && !object.slot(kMotion).is_written) find_bent_path(index, *center, closing);
     *center = groups_.empty() ? *center : placements[0].apply(*center);
     if (is_moving) shift = (groups_.empty() ? closing : placements[1].apply(closing)) - *center;
     *radius *= placements[0].scale;
@@ -161,7 +183,16 @@ void SceneBuilder::add_sphere(const Object& object) {
       {.center = *center, .radius = *radius, .material = materials_.index_of(lowered)});
 }
 
-std::optional<LoweredScene> SceneBuilder::finish(const Overrides& overrides) {
+void SceneBuilder::find_bent_path(std::uint32_t sphere, render::Vec3 opening,
+                                  render::Vec3 closing) {
+  const Group& group = groups_.back();
+  const render::Vec3 from = group.placements[0].apply(opening);
+  const render::Vec3 to = group.placements[1].apply(closing);
+  const render::Vec3 middle = group.middle.apply((opening + closing) * 0.5);
+  bent_paths_.push_back({.sphere = sphere, .sagitta = length(middle - (from + to) * 0.5)});
+}
+
+LoweredScene SceneBuilder::finish(const Overrides& overrides) {
   LoweredScene lowered;
   lowered.scene.spheres = std::move(spheres_);
   lowered.scene.materials = materials_.take();
@@ -169,11 +200,15 @@ std::optional<LoweredScene> SceneBuilder::finish(const Overrides& overrides) {
 
   const Object* camera = choose_camera(overrides);
   for (const Object& declared : cameras_) lowered.cameras.push_back(declared.name);
+  if (purpose_ == Purpose::Check) {
+    check_cameras(lowered);
+    find_places(lowered);
+  }
   if (camera != nullptr) {
     lower_camera(*camera, lowered);
     if (const auto shutter = camera->get<render::Interval>(camera_property::kShutter)) {
       lower_motion(*shutter, lowered.scene);
-    } else if (!moving_.empty()) {
+    } else if (!moving_.empty() && !has_open_shutter()) {
       const Location where = moving_.front().where;
       const bool is_config = where.file->format() == SourceFormat::Json;
       sink_->report(diag::no_effect, where, is_config ? "movement" : "motion")
@@ -182,11 +217,8 @@ std::optional<LoweredScene> SceneBuilder::finish(const Overrides& overrides) {
     }
   }
   lower_settings(overrides, lowered);
-  if (sink_->has_errors()) return std::nullopt;
   lower_size(camera, overrides, lowered);
-  if (sink_->has_errors()) return std::nullopt;
-
-  drop_coincident(lowered.scene);
+  drop_coincident(lowered);
   lowered.dropped_spheres = dropped_.size();
   return lowered;
 }
@@ -209,10 +241,23 @@ const Object* SceneBuilder::choose_camera(const Overrides& overrides) {
   if (!wanted.empty()) {
     const auto found = std::find(names.begin(), names.end(), wanted);
     if (found != names.end()) return &cameras_[static_cast<std::size_t>(found - names.begin())];
-    sink_->report(diag::unknown_camera, where, wanted).suggest(nearest_name(wanted, names));
+    const auto nearest = nearest_name(wanted, names);
+    if (!overrides.camera) {
+      auto report = sink_->report(diag::unknown_camera, where, wanted).suggest(nearest);
+      if (nearest) {
+        const auto named = std::find(names.begin(), names.end(), *nearest);
+        report.label(cameras_[static_cast<std::size_t>(named - names.begin())].where,
+                     fmt::format("`{}` is declared here", *nearest));
+      }
+      return nullptr;
+    }
+    // The name stands on the command line, where no text of a file is to blame.
+    auto report = sink_->report(diag::unknown_camera, {}, wanted);
+    if (nearest) report.help(fmt::format("did you mean `{}`?", *nearest));
     return nullptr;
   }
   if (cameras_.size() == 1) return &cameras_.front();
+  if (cameras_.size() > 1 && purpose_ == Purpose::Check) return &cameras_.front();
   if (cameras_.size() > 1) {
     sink_->report(diag::ambiguous_camera, cameras_[1].where, static_cast<int>(cameras_.size()))
         .label(cameras_[0].where, "the first camera")
@@ -220,12 +265,17 @@ const Object* SceneBuilder::choose_camera(const Overrides& overrides) {
     return nullptr;
   }
 
-  // Without a camera there may be a plain picture; an earlier error may have taken the camera away.
-  if (sink_->has_errors()) return nullptr;
+  // An earlier error may have taken the camera away.
+  if (!sink_->has_errors() && !is_part()) check_for_picture(overrides);
+  return nullptr;
+}
+
+void SceneBuilder::check_for_picture(const Overrides& overrides) {
+  using namespace render_property;
   if (had_spheres_) {
     sink_->report(diag::no_camera, whole_file())
         .help("add `camera { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }`");
-    return nullptr;
+    return;
   }
   const bool has_size = (overrides.width || (render_ && render_->slot(kWidth).is_written)) &&
                         (overrides.height || (render_ && render_->slot(kHeight).is_written));
@@ -234,7 +284,6 @@ const Object* SceneBuilder::choose_camera(const Overrides& overrides) {
     sink_->report(diag::nothing_to_render, whole_file())
         .help("a file that only declares names is for `import`, one of spheres needs a `camera`");
   }
-  return nullptr;
 }
 
 std::string_view SceneBuilder::name_of(const Object& object, std::size_t property) const {
@@ -253,10 +302,10 @@ void SceneBuilder::lower_camera(const Object& object, LoweredScene& lowered) {
   const auto fov = object.get<Angle>(kFov);
   const auto view_height = object.get<double>(kViewHeight);
   const auto aspect = object.get<double>(kAspect);
-  if (!from || !at || !up || !fov || !view_height || !aspect) return;  // reported where it was read
-
-  const render::Vec3 view = render::direction_between(*from, *at);
-  if (view == render::Vec3{}) {
+  // What is absent here was reported where it was read; the others are checked nonetheless.
+  const bool has_view = from && at;
+  const render::Vec3 view = has_view ? render::direction_between(*from, *at) : render::Vec3{};
+  if (has_view && view == render::Vec3{}) {
     sink_
         ->report(diag::no_view_direction, object.location(kAt), name_of(object, kFrom),
                  name_of(object, kAt))
@@ -265,18 +314,19 @@ void SceneBuilder::lower_camera(const Object& object, LoweredScene& lowered) {
   }
   const Location up_place =
       object.slot(kUp).is_written ? object.location(kUp) : object.location(kAt);
-  if (*up == render::Vec3{}) {
+  if (up && *up == render::Vec3{}) {
     sink_->report(diag::no_up_direction, up_place, "is zero")
         .help("`up` is the direction that points up in the picture, such as (0, 1, 0)");
     return;
   }
-  if (is_along(view, *up)) {
+  if (has_view && up && is_along(view, *up)) {
     sink_->report(diag::no_up_direction, up_place, "runs along the view")
         .help(
             "choose an `up` that is not parallel to the line from the camera to the point it "
             "looks at, such as (0, 0, 1)");
     return;
   }
+  if (!has_view || !up || !fov || !view_height || !aspect) return;
   const double plane_height = *view_height * tan_half(*fov);
   if (!(plane_height * std::max(1.0, *aspect) <= kLargestPlane)) {
     sink_->report(diag::beyond_numbers, object.where, "the width or height of the view plane");
@@ -288,6 +338,42 @@ void SceneBuilder::lower_camera(const Object& object, LoweredScene& lowered) {
                     .fov = *fov,
                     .view_height = *view_height,
                     .shutter = object.get<render::Interval>(kShutter)};
+}
+
+bool SceneBuilder::has_open_shutter() const {
+  return purpose_ == Purpose::Check && std::ranges::any_of(cameras_, [](const Object& camera) {
+           return camera.get<render::Interval>(camera_property::kShutter).has_value();
+         });
+}
+
+void SceneBuilder::check_cameras(LoweredScene& lowered) {
+  using namespace camera_property;
+  for (const Object& declared : cameras_) {
+    lowered.camera.reset();
+    lower_camera(declared, lowered);
+    if (!lowered.camera) continue;
+    lowered.checked_cameras.push_back({.name = declared.name,
+                                       .camera = lowered.scene.camera,
+                                       .shutter = lowered.camera->shutter,
+                                       .from = declared.location(kFrom),
+                                       .aspect = {}});
+    if (declared.slot(kAspect).is_written) {
+      lowered.checked_cameras.back().aspect = declared.location(kAspect);
+    }
+  }
+  lowered.camera.reset();
+}
+
+void SceneBuilder::find_places(LoweredScene& lowered) const {
+  using namespace render_property;
+  if (background_) lowered.places.background = background_->where;
+  if (!render_) return;
+  const auto place = [&](std::size_t property) {
+    return render_->slot(property).is_written ? render_->location(property) : Location{};
+  };
+  lowered.places.width = place(kWidth);
+  lowered.places.height = place(kHeight);
+  lowered.places.depth = place(kDepth);
 }
 
 void SceneBuilder::lower_background(render::Scene& scene) {
@@ -306,14 +392,14 @@ void SceneBuilder::lower_background(render::Scene& scene) {
     return;
   }
   if (!has_ends) {
-    if (!object.slot(kColor).is_written) {
+    if (!object.slot(kColor).is_written && !object.is_broken) {
       sink_->report(diag::missing, object.where, "background", "color")
           .help("give a `color`, or `bottom` and `top`");
     }
     return;
   }
   for (const std::size_t end : {kBottom, kTop}) {
-    if (object.slot(end).is_written) continue;
+    if (object.slot(end).is_written || object.is_broken) continue;
     sink_->report(diag::missing, object.where, "background", object.kind->properties[end].name)
         .help("a gradient has both a `bottom` and a `top`");
   }
@@ -399,9 +485,15 @@ void SceneBuilder::lower_settings(const Overrides& overrides, LoweredScene& lowe
 void SceneBuilder::lower_size(const Object* camera, const Overrides& overrides,
                               LoweredScene& lowered) {
   using namespace render_property;
-  const std::optional<int> written_width =
-      render_->slot(kWidth).is_written ? whole(*render_, kWidth) : std::nullopt;
+  std::optional<int> written_width;
+  if (render_->slot(kWidth).is_written) written_width = whole(*render_, kWidth);
   const std::optional<int> written_height = whole(*render_, kHeight);
+  // What is wrong has been reported; the size that follows from the rest would be another.
+  const bool lacks_width = render_->slot(kWidth).is_written && !written_width;
+  const bool lacks_height = render_->slot(kHeight).is_written && !written_height;
+  const bool lacks_camera = !lowered.camera && sink_->has_errors();
+  lowered.settings.width = lowered.settings.height = 0;
+  if (lacks_width || lacks_height || lacks_camera) return;
   const bool is_aspect_written =
       camera != nullptr && camera->slot(camera_property::kAspect).is_written;
   double& aspect = lowered.scene.camera.aspect;
@@ -445,22 +537,29 @@ void SceneBuilder::lower_size(const Object* camera, const Overrides& overrides,
   }
 
   if (height < 1) {
-    const Location where =
-        render_->slot(kWidth).is_written ? render_->location(kWidth) : whole_file();
+    Location where = whole_file();
+    if (is_aspect_written) where = camera->location(camera_property::kAspect);
+    if (render_->slot(kWidth).is_written) where = render_->location(kWidth);
     sink_->report(diag::no_rows, where, static_cast<int>(width), to_text(proportion))
-        .help("the height is width / aspect, rounded down; make the picture wider");
+        .help(
+            "the height is width / aspect, rounded down; make the picture wider, or the aspect "
+            "smaller");
   } else if (!(width * height <= static_cast<double>(render::kMaxPicturePixels))) {
     const Location where =
         render_->slot(kWidth).is_written ? render_->location(kWidth) : whole_file();
-    sink_->report(diag::picture_too_large, where, fmt::format("{:.0f}", width),
-                  fmt::format("{:.0f}", height));
+    sink_
+        ->report(diag::picture_too_large, where, fmt::format("{:.0f}", width),
+                 fmt::format("{:.0f}", height))
+        .help(fmt::format("it may have {} pixels in all", render::kMaxPicturePixels));
   } else {
     lowered.settings.width = static_cast<int>(width);
     lowered.settings.height = static_cast<int>(height);
   }
 }
 
-void SceneBuilder::drop_coincident(render::Scene& scene) {
+void SceneBuilder::drop_coincident(LoweredScene& lowered) {
+  render::Scene& scene = lowered.scene;
+  lowered.bent_paths = std::move(bent_paths_);
   const auto coincident = render::find_coincident(scene.spheres, scene.shifts);
   if (coincident.empty()) return;
   for (const render::CoincidentSphere& pair : coincident) {
@@ -479,6 +578,14 @@ void SceneBuilder::drop_coincident(render::Scene& scene) {
     if (!scene.shifts.empty()) scene.shifts[kept] = scene.shifts[i];
     ++kept;
   }
+  // What was dropped has no path, and each moves those behind it one place down.
+  next = 0;
+  std::erase_if(lowered.bent_paths, [&](BentPath& path) {
+    while (next < coincident.size() && coincident[next].sphere < path.sphere) ++next;
+    const bool is_dropped = next < coincident.size() && coincident[next].sphere == path.sphere;
+    path.sphere -= static_cast<std::uint32_t>(next);
+    return is_dropped;
+  });
   scene.spheres.resize(kept);
   if (!scene.shifts.empty()) scene.shifts.resize(kept);
 }

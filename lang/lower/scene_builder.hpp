@@ -42,6 +42,26 @@ struct WrittenCamera {
   std::optional<render::Interval> shutter;  ///< absolute times in seconds; nothing: none
 };
 
+/// A camera as a check finds it: all are looked at, not only the chosen one.
+struct CheckedCamera {
+  std::string name;  ///< empty where it has none
+  render::Camera camera;
+  std::optional<render::Interval> shutter;
+  Location from;    ///< where it stands, in the text
+  Location aspect;  ///< no file: not written
+};
+
+/// Where the text says something; no file: it does not.
+struct WrittenPlaces {
+  Location background, width, height, depth;
+};
+
+/// A sphere that groups turn while the shutter is open, whose centre nevertheless goes straight.
+struct BentPath {
+  std::uint32_t sphere;  ///< index in the scene
+  double sagitta;        ///< how far the middle of the way is from where it would be
+};
+
 /// A scene ready for the renderer. A plain picture is a scene without spheres.
 struct LoweredScene {
   render::Scene scene;
@@ -50,6 +70,11 @@ struct LoweredScene {
   std::vector<std::string> cameras;     ///< the names of all, as they are declared
   std::optional<WrittenCamera> camera;  ///< the chosen one; nothing: a plain picture
   std::size_t dropped_spheres = 0;      ///< that coincided with earlier ones
+
+  // Of a check.
+  std::vector<CheckedCamera> checked_cameras;  ///< that have no mistake; empty: a part of others
+  WrittenPlaces places;
+  std::vector<BentPath> bent_paths;  ///< by index
 };
 
 /// A sphere that was found to coincide with an earlier one and left out. Both are numbers of
@@ -60,19 +85,29 @@ struct DroppedSphere {
   bool is_exact;
 };
 
+/// What a scene is made for.
+enum class Purpose : std::uint8_t {
+  Picture,  ///< of one camera, which must be there
+  Check,    ///< of the text: all cameras are looked at, and a file without any may be a part of
+            ///< others
+};
+
 /// Makes the renderer's scene of checked objects.
 class SceneBuilder final : public ObjectSink {
  public:
   /// `file` is the root, and the place of a fault that has no other.
-  SceneBuilder(const SourceFile& file, const Limits& limits, DiagnosticSink& sink)
-      : file_(&file), limits_(limits), sink_(&sink) {}
+  SceneBuilder(const SourceFile& file, const Limits& limits, DiagnosticSink& sink,
+               Purpose purpose = Purpose::Picture)
+      : file_(&file), limits_(limits), sink_(&sink), purpose_(purpose) {}
 
   void add(const Object& object) override;
   void enter(const Object& group) override;
   void leave() override;
 
-  /// The scene, or nothing when an error has been reported, here or before. Takes what was added.
-  std::optional<LoweredScene> finish(const Overrides& overrides);
+  /// The scene: all of it unless an error has been reported, here or before; else what could be
+  /// made, where a picture without width and height is one whose size is not known. Takes what was
+  /// added.
+  LoweredScene finish(const Overrides& overrides);
 
   std::size_t sphere_count() const noexcept { return spheres_.size(); }
 
@@ -92,22 +127,37 @@ class SceneBuilder final : public ObjectSink {
   /// A group around what is added.
   struct Group {
     std::array<Placement, 2> placements;  ///< at the opening and the closing, in the world
+    Placement middle;                     ///< half-way between
     bool is_moving = false;
+    bool is_turning = false;
     std::optional<MaterialValue> material;
     bool has_bad_material = false;  ///< one is written that was wrong, here or further out
   };
 
+  /// Whether the root says nothing of a picture, as files do that are only placed in others. The
+  /// settings are added before anything else.
+  bool is_part() const noexcept {
+    return purpose_ == Purpose::Check && cameras_.empty() && !background_ && !render_ &&
+           !is_animated_;
+  }
+
   void add_sphere(const Object& object);
   bool may_hold_another(Location where);
   const Object* choose_camera(const Overrides& overrides);
+  void check_for_picture(const Overrides& overrides);
   void lower_camera(const Object& camera, LoweredScene& lowered);
+  /// Whether a check finds a camera with a shutter, chosen or not.
+  bool has_open_shutter() const;
+  void check_cameras(LoweredScene& lowered);
+  void find_places(LoweredScene& lowered) const;
   void lower_background(render::Scene& scene);
   void lower_motion(render::Interval shutter, render::Scene& scene);
   void lower_settings(const Overrides& overrides, LoweredScene& lowered);
   /// Width, height and the aspect of the view plane, which the camera's aspect and both formats'
   /// sizes decide.
   void lower_size(const Object* camera, const Overrides& overrides, LoweredScene& lowered);
-  void drop_coincident(render::Scene& scene);
+  void find_bent_path(std::uint32_t sphere, render::Vec3 opening, render::Vec3 closing);
+  void drop_coincident(LoweredScene& lowered);
 
   Location whole_file() const { return {file_, {0, 0}}; }
   std::string_view name_of(const Object& object, std::size_t property) const;
@@ -118,6 +168,7 @@ class SceneBuilder final : public ObjectSink {
   const SourceFile* file_;
   Limits limits_;
   DiagnosticSink* sink_;
+  Purpose purpose_;
   std::vector<Object> cameras_;
   std::optional<Object> background_;
   std::optional<Object> render_;
@@ -127,8 +178,9 @@ class SceneBuilder final : public ObjectSink {
   std::vector<MovingSphere> moving_;
   std::vector<Group> groups_;  ///< the innermost last
   std::vector<DroppedSphere> dropped_;
-  bool had_spheres_ = false;  ///< also those that were wrong
-  bool is_full_ = false;      ///< there were more than may be
+  std::vector<BentPath> bent_paths_;  ///< by the order in which spheres were added
+  bool had_spheres_ = false;          ///< also those that were wrong
+  bool is_full_ = false;              ///< there were more than may be
   MaterialTable materials_;
 };
 

@@ -23,7 +23,8 @@ bool is_in(Range range, double number) noexcept {
   return false;
 }
 
-/// Whether the value is of the C++ type that stands for the type of the table.
+}  // namespace
+
 bool has_type(Type type, const Value& value) noexcept {
   switch (type) {
     case Type::Number:
@@ -43,6 +44,8 @@ bool has_type(Type type, const Value& value) noexcept {
   }
   return false;
 }
+
+namespace {
 
 bool check_color(std::string_view name, Range range, render::LinearRgb color, Location where,
                  DiagnosticSink& sink) {
@@ -89,9 +92,7 @@ bool check_value(std::string_view name, Type type, Range range, const Value& val
                  DiagnosticSink& sink) {
   if (holds_alternative<std::monostate>(value)) return false;
   if (!has_type(type, value)) {
-    auto report = sink.report(diag::wrong_type, where, name, describe(type), describe(value));
-    const bool lacks_unit = type == Type::Angle && holds_alternative<double>(value);
-    if (lacks_unit) report.fix({where.file, {where.span.end, where.span.end}}, "deg");
+    sink.report(diag::wrong_type, where, name, describe(type), describe(value));
     return false;
   }
 

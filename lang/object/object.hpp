@@ -142,6 +142,9 @@ bool check_range(std::string_view name, Range range, double number, Location whe
 bool check_whole_number(std::string_view name, Range range, double number, Location where,
                         DiagnosticSink& sink);
 
+/// Whether the value is of the C++ type that stands for the type of the table; its range aside.
+bool has_type(Type type, const Value& value) noexcept;
+
 /// Whether `value` has the property's type and is in its range; what is wrong is reported at
 /// `where` under the name `name` (the JSON format has other names). A number serves as a length, a
 /// whole number must be whole. monostate is wrong silently: it has been reported. None is never

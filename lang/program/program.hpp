@@ -13,6 +13,8 @@
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/program/code.hpp"
+#include "lang/program/lost_names.hpp"
+#include "lang/program/misspellings.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/source/source.hpp"
 #include "lang/syntax/syntax.hpp"
@@ -47,6 +49,7 @@ struct Definition {
   std::uint32_t body = kNothing;     ///< of a fn: expression
   std::vector<std::uint32_t> block;  ///< of a def: statements
   bool uses_time = false;            ///< of a fn: perhaps
+  bool is_broken = false;            ///< its parameters are perhaps others
 };
 
 /// A file of the language, its declarations resolved. Its other statements are resolved when they
@@ -64,6 +67,9 @@ struct Module {
   std::unordered_map<std::string_view, std::uint32_t> global_names, function_names, def_names;
   std::unordered_map<std::string_view, std::uint32_t> imports;  ///< modules; kNothing: not readable
   std::vector<std::uint32_t> order;  ///< of the globals: each behind those it uses
+  /// Made when an unknown name asks for them.
+  std::unique_ptr<const Misspellings> misspellings;
+  std::unique_ptr<const LostNames> lost_names;
 };
 
 /// The value that the command line gives a param: the text behind `--set NAME=`.

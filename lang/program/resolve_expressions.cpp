@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -24,6 +25,20 @@ const Property* property_of(const Property& parameter) { return &parameter; }
 const Property* property_of(const Parameter& /*parameter*/) { return nullptr; }
 bool is_required(const Property& parameter) { return parameter.presence == Presence::Required; }
 bool is_required(const Parameter& parameter) { return !parameter.has_default; }
+
+template <typename Parameters>
+std::size_t index_of_name(const Parameters& parameters, std::string_view name) {
+  std::size_t index = 0;
+  while (index < parameters.size() && name_of(parameters[index]) != name) ++index;
+  return index;
+}
+
+bool has_argument(ast::Call call, std::string_view label) {
+  for (const ast::Node argument : call.arguments()) {
+    if (argument.is(SyntaxKind::Argument) && argument.head() == label) return true;
+  }
+  return false;
+}
 
 bool reads_words(const Property* property) {
   return property != nullptr && (property->type == Type::Word || property->reads_none);
@@ -167,7 +182,7 @@ std::uint32_t Resolver::reference(ast::Node node, const Property* property) {
     const Module& module = program_.module(*import);
     const auto found =
         names.size() > 1 ? module.global_names.find(names[1]) : module.global_names.end();
-    if (found == module.global_names.end()) return unknown_import(node, names, module);
+    if (found == module.global_names.end()) return unknown_import(node, names, *import);
     uses_.time = uses_.time || module.globals[found->second].uses_time;
     value = global(*import, found->second);
     used = 2;
@@ -187,7 +202,8 @@ std::uint32_t Resolver::reference(ast::Node node, const Property* property) {
 }
 
 std::uint32_t Resolver::unknown_import(ast::Node node, std::span<const std::string_view> names,
-                                       const Module& module) {
+                                       std::uint32_t module_index) {
+  const Module& module = program_.module(module_index);
   std::vector<std::string_view> known;
   for (const Global& global : module.globals) known.push_back(global.name);
   if (names.size() == 1) {
@@ -200,9 +216,12 @@ std::uint32_t Resolver::unknown_import(ast::Node node, std::span<const std::stri
         .help(fmt::format("call it: `{}(…)`", node.text()));
     return broken(node);
   }
+  if (is_excused(module_index, names[1], node.span().begin)) return broken(node);
   auto report = sink_.report(diag::unknown_name, node.location(), node.text());
   if (const auto nearest = nearest_name(names[1], known)) {
+    const Global& global = module.globals[module.global_names.at(*nearest)];
     report.suggest(fmt::format("{}.{}", names[0], *nearest));
+    label_declared(report, {module.tree, global.node});
   }
   return broken(node);
 }
@@ -215,6 +234,11 @@ std::uint32_t Resolver::unknown_name(ast::Node node, std::string_view name) {
         .help(fmt::format("call it: `{}(…)`", name));
     return broken(node);
   }
+  if (is_excused(index_, name, node.span().begin)) return broken(node);
+  const Location where = node.tree().location(
+      {node.span().begin, node.span().begin + static_cast<std::uint32_t>(name.size())});
+  auto report = sink_.report(diag::unknown_name, where, name);
+  if (!report.is_kept()) return broken(node);
   // The file's own names first: among equals they are the likelier ones.
   std::vector<std::string_view> known;
   for (const Local& local : locals_) known.push_back(local.name);
@@ -224,9 +248,8 @@ std::uint32_t Resolver::unknown_name(ast::Node node, std::string_view name) {
   for (const auto& [import, module] : module_.imports) known.push_back(import);
   for (const NamedColor& color : named_colors()) known.push_back(color.name);
   known.insert(known.end(), {"pi", "time"});
-  const Location where = node.tree().location(
-      {node.span().begin, node.span().begin + static_cast<std::uint32_t>(name.size())});
-  sink_.report(diag::unknown_name, where, name).suggest(nearest_name(name, known));
+  report.suggest(nearest_name(name, known));
+  label_unused(report, node.span().begin);
   return broken(node);
 }
 
@@ -244,16 +267,7 @@ std::uint32_t Resolver::call(ast::Call call) {
       return call_of(Op::Constructor, std::span(&index, 1), constructor->parameters, call);
     }
     if (const Builtin* builtin = find_builtin(callee)) return builtin_call(*builtin, call);
-    std::vector<std::string_view> known;
-    for (const Definition& function : module_.functions) known.push_back(function.name);
-    for (const Constructor& constructor : all_constructors()) known.push_back(constructor.name);
-    for (const Builtin& builtin : all_builtins()) known.push_back(builtin.name);
-    auto report = sink_.report(diag::unknown_function, call.callee_location(), callee)
-                      .suggest(nearest_name(callee, known));
-    if (module_.def_names.contains(callee)) {
-      report.help(fmt::format("`{}` is a kind of object; write `{} {{ … }}`", callee, callee));
-    }
-    return operands_of(call.node, Op::Broken);
+    return unknown_function(call);
   }
 
   const auto names = split_path(callee);
@@ -267,15 +281,57 @@ std::uint32_t Resolver::call(ast::Call call) {
       return function_call(*import, found->second, call);
     }
   }
-  auto report = sink_.report(diag::unknown_function, call.callee_location(), callee);
-  if (!import) report.suggest(nearest_import(names));
-  if (import) {
-    std::vector<std::string_view> known;
-    for (const Definition& function : program_.module(*import).functions)
-      known.push_back(function.name);
-    if (const auto nearest = nearest_name(names.back(), known)) {
-      report.suggest(fmt::format("{}.{}", names[0], *nearest));
-    }
+  return unknown_imported_function(call, names, import);
+}
+
+std::uint32_t Resolver::unknown_function(ast::Call call) {
+  const std::string_view callee = call.callee();
+  if (is_excused(index_, callee, call.node.span().begin)) {
+    return operands_of(call.node, Op::Broken);
+  }
+  std::vector<std::string_view> known;
+  for (const Definition& function : module_.functions) known.push_back(function.name);
+  for (const Constructor& constructor : all_constructors()) known.push_back(constructor.name);
+  for (const Builtin& builtin : all_builtins()) known.push_back(builtin.name);
+  const auto habit = function_habit(callee);
+  const auto nearest = meant_name(habit, callee, known);
+  auto report =
+      sink_.report(diag::unknown_function, call.callee_location(), callee).suggest(nearest);
+  if (habit) report.help_if(habit->help);
+  label_unused(report, call.node.span().begin);
+  if (module_.def_names.contains(callee)) {
+    report.help(fmt::format("`{}` is a kind of object; write `{} {{ … }}`", callee, callee));
+  }
+  // The arguments of what was probably meant may be words.
+  const Constructor* meant = nearest ? find_constructor(*nearest) : nullptr;
+  if (meant == nullptr) return operands_of(call.node, Op::Broken);
+  const Guess guess(*this);
+  const auto index = static_cast<std::uint32_t>(meant->index());
+  return call_of(Op::Constructor, std::span(&index, 1), meant->parameters, call);
+}
+
+std::uint32_t Resolver::unknown_imported_function(ast::Call call,
+                                                  std::span<const std::string_view> names,
+                                                  std::optional<std::uint32_t> import) {
+  const bool is_own = !import;
+  const std::string_view name = is_own ? names.front() : names.back();
+  if (is_excused(is_own ? index_ : *import, name, call.node.span().begin)) {
+    return operands_of(call.node, Op::Broken);
+  }
+  auto report = sink_.report(diag::unknown_function, call.callee_location(), call.callee());
+  if (is_own) {
+    report.suggest(nearest_import(names));
+    return operands_of(call.node, Op::Broken);
+  }
+  std::vector<std::string_view> known;
+  for (const Definition& function : program_.module(*import).functions) {
+    known.push_back(function.name);
+  }
+  if (const auto nearest = nearest_name(name, known)) {
+    const Module& module = program_.module(*import);
+    const Definition& function = module.functions[module.function_names.at(*nearest)];
+    report.suggest(fmt::format("{}.{}", names[0], *nearest));
+    label_declared(report, {module.tree, function.node});
   }
   return operands_of(call.node, Op::Broken);
 }
@@ -321,6 +377,10 @@ std::uint32_t Resolver::builtin_call(const Builtin& builtin, ast::Call call) {
   return add_with(Op::Broken, call.node, mark);
 }
 
+bool Resolver::is_broken_function(Op op, std::span<const std::uint32_t> callee) const {
+  return op == Op::Function && program_.module(callee[0]).functions[callee[1]].is_broken;
+}
+
 template <typename Parameters>
 std::uint32_t Resolver::call_of(Op op, std::span<const std::uint32_t> callee,
                                 const Parameters& parameters, ast::Call call) {
@@ -329,7 +389,10 @@ std::uint32_t Resolver::call_of(Op op, std::span<const std::uint32_t> callee,
   const std::size_t first = pending_.size();
   pending_.resize(first + parameters.size(), kNothing);
   std::size_t positional = 0;
-  bool has_labels = false, is_good = true;
+  // Where an argument or a bracket could not be read, the others may not stand where they should.
+  const bool is_broken =
+      call.is_broken() || std::exchange(is_guess_, false) || is_broken_function(op, callee);
+  bool has_labels = false, is_good = !is_broken, has_too_many = false;
   for (const ast::Node argument : call.arguments()) {
     if (argument.is(SyntaxKind::Error)) {
       is_good = false;
@@ -343,19 +406,28 @@ std::uint32_t Resolver::call_of(Op op, std::span<const std::uint32_t> callee,
       const ast::Labeled labeled{argument};
       where = labeled.label_location();
       value = labeled.value();
-      index = 0;
-      while (index < parameters.size() && name_of(parameters[index]) != labeled.label()) ++index;
+      index = index_of_name(parameters, labeled.label());
       if (index == parameters.size()) {
         std::vector<std::string_view> names;
         for (const auto& parameter : parameters) names.push_back(name_of(parameter));
-        sink_.report(diag::unknown_argument, where, labeled.label(), call.callee())
-            .suggest(nearest_name(labeled.label(), names));
+        const bool is_told = is_broken_function(op, callee) ||
+                             (op == Op::Function && callee[0] == index_ &&
+                              is_excused(index_, labeled.label(), argument.span().begin));
+        const auto habit = op == Op::Function ? std::nullopt : argument_habit(labeled.label());
+        const auto nearest = meant_name(habit, labeled.label(), names);
+        if (!is_told && (nearest || !is_broken)) {
+          sink_.report(diag::unknown_argument, where, labeled.label(), call.callee())
+              .suggest(nearest);
+        }
+        // It is the argument that was probably meant, unless that one is there too.
+        const bool is_free = nearest && !has_argument(call, *nearest);
+        if (is_free) index = index_of_name(parameters, *nearest);
       }
     } else if (has_labels) {
-      sink_.report(diag::positional_behind_named, where);
+      if (!is_broken) sink_.report(diag::positional_behind_named, where);
     } else if (positional < parameters.size()) {
       index = positional++;
-    } else {
+    } else if (!is_broken && !std::exchange(has_too_many, true)) {
       sink_.report(diag::too_many_arguments, where, call.callee(), parameters.size());
     }
     const bool is_placed = index < parameters.size() && pending_[first + index] == kNothing;

@@ -34,7 +34,7 @@ std::uint32_t Resolver::object(ast::Object node, bool is_top) {
   if (!is_path) {
     if (const auto def = find(module_.def_names, path)) return instance_of(index_, *def, node);
     const Kind* kind = find_kind(path);
-    if (kind == nullptr) return unknown_kind(node, index_);
+    if (kind == nullptr) return unknown_kind(node, index_, is_top);
     if (kind->is_setting && !is_top) {
       sink_.report(diag::top_level_only, node.kind_location(), kind->name);
       return kNothing;
@@ -45,16 +45,17 @@ std::uint32_t Resolver::object(ast::Object node, bool is_top) {
   const std::vector<std::string_view> names = split_path(path);
   const auto module = find_import(names[0]);
   if (!module) {
+    if (is_excused(index_, names[0], node.node.span().begin)) return kNothing;
     sink_.report(diag::unknown_kind, node.kind_location(), path).suggest(nearest_import(names));
-    return kNothing;
+    return object_of_no_kind(node);
   }
   if (*module == kNothing) return kNothing;  // reported where it is imported
   const auto def =
       names.size() == 2 ? find(program_.module(*module).def_names, names[1]) : std::nullopt;
-  return def ? instance_of(*module, *def, node) : unknown_kind(node, *module);
+  return def ? instance_of(*module, *def, node) : unknown_kind(node, *module, is_top);
 }
 
-std::uint32_t Resolver::unknown_kind(ast::Object node, std::uint32_t scope) {
+std::uint32_t Resolver::unknown_kind(ast::Object node, std::uint32_t scope, bool is_top) {
   std::vector<std::string_view> names;
   const Module& module = program_.module(scope);
   for (const Definition& def : module.defs) names.push_back(def.name);
@@ -64,24 +65,64 @@ std::uint32_t Resolver::unknown_kind(ast::Object node, std::uint32_t scope) {
   } else {
     written = split_path(written).back();
   }
+  if (is_excused(scope, written, node.node.span().begin)) return kNothing;
   auto report = sink_.report(diag::unknown_kind, node.kind_location(), node.kind());
-  const auto nearest = nearest_name(written, names);
+  if (scope == index_) label_unused(report, node.node.span().begin);
+  const auto habit = scope == index_ ? kind_habit(written) : std::nullopt;
+  const auto nearest = meant_name(habit, written, names);
+  if (habit) report.help_if(habit->help);
   if (scope == index_) {
     report.suggest(nearest);
   } else if (nearest) {
     report.suggest(fmt::format("{}.{}", split_path(node.kind())[0], *nearest));
+    label_declared(report, {module.tree, module.defs[module.def_names.at(*nearest)].node});
   }
   if (module_.function_names.contains(node.kind())) {
     report.help(fmt::format("`{}` is a function; `def` makes a kind of object", node.kind()));
   }
-  // What stands inside may have mistakes of its own, but no one knows which names it may use.
-  return kNothing;
+  if (!nearest) return object_of_no_kind(node);
+  if (scope == index_) return object_as(*nearest, node, is_top);
+  const Guess guess(*this);
+  return instance_of(scope, *find(module.def_names, *nearest), node);
+}
+
+/// What a misspelt kind holds is read as that of the kind which was probably meant.
+std::uint32_t Resolver::object_as(std::string_view kind, ast::Object node, bool is_top) {
+  // Nor is anything missing of what may be another kind.
+  const Guess guess(*this);
+  if (const auto def = find(module_.def_names, kind)) return instance_of(index_, *def, node);
+  const Kind& known = *find_kind(kind);
+  return known.is_setting && !is_top ? kNothing : object_of(known, node);
+}
+
+/// No one knows which properties an unknown kind has, and which words they take; what they are
+/// computed from may be wrong all the same. It is a group that does nothing, whose material no one
+/// misses.
+std::uint32_t Resolver::object_of_no_kind(ast::Object node) {
+  const Scope scope(*this);
+  std::vector<std::uint32_t> values, statements;
+  for (const ast::Node child : node.children()) {
+    if (child.is(SyntaxKind::Property)) {
+      const auto value = ast::Labeled{child}.value();
+      const bool is_word = value && value->is(SyntaxKind::Reference);
+      if (value && !is_word) values.push_back(expression(*value));
+    } else if (const auto index = statement(child, false); index != kNothing) {
+      statements.push_back(index);
+    }
+  }
+  const std::size_t mark = pending_.size();
+  const auto pairs = static_cast<std::uint32_t>(values.size() + 1);
+  pending_.insert(pending_.end(), {0, pairs, group_property::kMaterial, broken(node.node)});
+  for (const std::uint32_t value : values) pending_.insert(pending_.end(), {kNothing, value});
+  pending_.push_back(static_cast<std::uint32_t>(statements.size()));
+  pending_.insert(pending_.end(), statements.begin(), statements.end());
+  return add_statement(Action::Group, node.node, mark, ObjectKind::Group);
 }
 
 void Resolver::check_name(const Kind& kind, ast::Object node) {
   const auto name = node.name();
   if (!name || kind.takes_name) return;
-  sink_.report(diag::takes_no_name, name->location(), kind.name).fix(name->location(), "");
+  sink_.report(diag::takes_no_name, name->location(), kind.name).unsafe_fix(name->location(), "");
 }
 
 void Resolver::misplaced(std::string_view kind, ast::Node statement) {
@@ -98,6 +139,7 @@ void Resolver::misplaced(std::string_view kind, ast::Node statement) {
 
 void Resolver::Slots::reset(std::string_view kind_) {
   kind = kind_;
+  is_broken = false;
   names.clear();
   given.clear();
   others.clear();
@@ -119,9 +161,25 @@ std::size_t Resolver::Slots::index_of(std::string_view name) const {
 std::size_t Resolver::guess_property(ast::Labeled node) {
   std::vector<std::string_view> names;
   for (const Slots::Name& known : slots_.names) names.push_back(known.name);
-  const auto nearest = nearest_name(node.label(), names);
-  sink_.report(diag::unknown_property, node.label_location(), node.label(), slots_.kind)
-      .suggest(nearest);
+  const bool is_own = module_.def_names.contains(slots_.kind);
+  const Kind* kind = is_own ? nullptr : find_kind(slots_.kind);
+  const auto habit = kind != nullptr ? property_habit(*kind, node.label()) : std::nullopt;
+  const auto nearest = meant_name(habit, node.label(), names);
+  const bool is_told =
+      slots_.is_broken || (is_own && is_excused(index_, node.label(), node.node.span().begin));
+  if (!is_told) {
+    auto report =
+        sink_.report(diag::unknown_property, node.label_location(), node.label(), slots_.kind)
+            .suggest(nearest);
+    if (habit) report.help_if(habit->help);
+    if (is_own) label_unused(report, node.node.span().begin);
+  }
+  if (habit && !habit->in_place_of.empty()) {
+    Slots::Given& other = slots_.given[slots_.index_of(habit->in_place_of)];
+    if (!other.is_written) {
+      other = {.value = broken(node.node), .span = {}, .is_written = true, .is_guess = true};
+    }
+  }
   const std::size_t index = nearest ? slots_.index_of(*nearest) : names.size();
   return index < names.size() && !slots_.given[index].is_written ? index : names.size();
 }
@@ -157,7 +215,20 @@ void Resolver::read_properties(ast::Object node) {
       read_property({child});
     } else if (!child.is(SyntaxKind::Name) && !child.is(SyntaxKind::Error)) {
       misplaced(slots_.kind, child);
+      expect_inside(child);
     }
+  }
+}
+
+/// A property that stands in a misplaced `if` or `for` is not missing.
+void Resolver::expect_inside(ast::Node statement) {
+  for (const ast::Node child : statement.children()) {
+    if (child.is(SyntaxKind::Block)) expect_inside(child);
+    if (!child.is(SyntaxKind::Property)) continue;
+    const std::size_t index = slots_.index_of(child.head());
+    if (index == slots_.names.size() || slots_.given[index].is_written) continue;
+    slots_.given[index] = {
+        .value = broken(child), .span = child.span(), .is_written = true, .is_guess = true};
   }
 }
 
@@ -183,7 +254,7 @@ std::uint32_t Resolver::object_of(const Kind& kind, ast::Object node) {
     const Property& property = kind.properties[i];
     const bool is_missing = property.presence == Presence::Required && !slots_.given[i].is_written;
     // A property that could not be read may be the one that is missing.
-    if (is_missing && !node.is_broken()) {
+    if (is_missing && !node.is_broken() && !is_guess_) {
       sink_.report(diag::missing, node.kind_location(), kind.name, property.name);
     }
   }
@@ -230,6 +301,7 @@ std::uint32_t Resolver::instance_of(std::uint32_t module, std::uint32_t def, ast
   const Module& owner = program_.module(module);
   const std::vector<Parameter>& parameters = owner.defs[def].parameters;
   slots_.reset(node.kind());
+  slots_.is_broken = owner.defs[def].is_broken;
   for (const Parameter& parameter : parameters) slots_.add(parameter.name, nullptr);
   for (const Property& property : kind_info(ObjectKind::Group).properties) {
     // A parameter named `material` takes the place of the group's.
@@ -241,7 +313,7 @@ std::uint32_t Resolver::instance_of(std::uint32_t module, std::uint32_t def, ast
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (slots_.given[i].is_written || parameters[i].has_default) continue;
     is_complete = false;
-    if (node.is_broken()) continue;
+    if (node.is_broken() || slots_.is_broken || is_guess_) continue;
     sink_.report(diag::missing, node.kind_location(), node.kind(), parameters[i].name)
         .label(ast::Node(owner.tree, parameters[i].node).head_location(), "declared here");
   }

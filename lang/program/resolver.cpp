@@ -41,12 +41,54 @@ std::optional<std::uint32_t> Resolver::find_import(std::string_view name) const 
   return found == module_.imports.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::optional<std::string_view> meant_name(const std::optional<Habit>& habit, std::string_view name,
+                                           std::span<const std::string_view> known) {
+  if (!habit) return nearest_name(name, known);
+  const bool is_known = std::ranges::find(known, habit->meant) != known.end();
+  return is_known ? std::optional(habit->meant) : std::nullopt;
+}
+
 std::optional<std::string> Resolver::nearest_import(std::span<const std::string_view> names) const {
   std::vector<std::string_view> known;
   for (const auto& [name, module] : module_.imports) known.push_back(name);
   const auto nearest = nearest_name(names[0], known);
   if (!nearest) return std::nullopt;
   return fmt::format("{}.{}", *nearest, fmt::join(names.subspan(1), "."));
+}
+
+bool Resolver::is_excused(std::uint32_t module, std::string_view name, std::uint32_t use) {
+  Module& declaring = *program_.modules_[module];
+  if (!declaring.lost_names) declaring.lost_names = std::make_unique<LostNames>(declaring.tree);
+  if (declaring.lost_names->contains(name)) return true;
+  if (module != index_) return false;
+  const Misspelling* misspelling = find_misspelling(use);
+  if (misspelling == nullptr || !misspelling->is_certain) return false;
+  sink_
+      .report(diag::misspelt_declaration, misspelling->declared, misspelling->name,
+              misspelling->meant)
+      .suggest(misspelling->meant)
+      .label(misspelling->used, fmt::format("`{}` is used here", misspelling->meant));
+  return true;
+}
+
+const Misspelling* Resolver::find_misspelling(std::uint32_t use) {
+  if (!module_.misspellings) {
+    module_.misspellings = std::make_unique<Misspellings>(module_.tree);
+  }
+  return module_.misspellings->find(use);
+}
+
+void Resolver::label_unused(DiagnosticBuilder& report, std::uint32_t use) {
+  const Misspelling* misspelling = find_misspelling(use);
+  if (misspelling == nullptr) return;
+  report.label(misspelling->declared,
+               fmt::format("nothing uses `{}`, which is declared here", misspelling->name));
+}
+
+void Resolver::label_declared(DiagnosticBuilder& report, ast::Node statement) {
+  if (const auto name = statement.first(SyntaxKind::Name)) {
+    report.label(name->location(), fmt::format("`{}` is declared here", name->text()));
+  }
 }
 
 // Declarations
@@ -90,7 +132,7 @@ void Resolver::report_duplicate(std::string_view what, ast::Node name) {
 
 void Resolver::collect(ast::Node statement) {
   const auto name = statement.first(SyntaxKind::Name);
-  if (!name) return;
+  if (!name || name->span().size() == 0) return;
   const auto next = [](const auto& list) { return static_cast<std::uint32_t>(list.size()); };
   switch (statement.kind()) {
     case SyntaxKind::Import: return import_file(statement);
@@ -118,16 +160,39 @@ void Resolver::collect(ast::Node statement) {
   }
 }
 
+namespace {
+
+/// Whether something is wrong between the name and the end of the parameters.
+bool has_broken_parameters(ast::Node statement) {
+  std::uint32_t end = statement.span().begin;
+  std::optional<Span> error;
+  for (const ast::Node child : statement.children()) {
+    if (child.is(SyntaxKind::Name) || child.is(SyntaxKind::Parameter)) {
+      if (child.is_broken()) return true;
+      end = child.span().end;
+    } else if (error) {
+      return true;  // behind it is what the parameters are for
+    } else if (child.is(SyntaxKind::Error)) {
+      error = child.span();
+    }
+  }
+  if (!error) return false;
+  return statement.tree().text({end, error->begin}).find(')') == std::string_view::npos;
+}
+
+}  // namespace
+
 void Resolver::collect_definition(ast::Node statement, Definition& definition) {
   definition.name = ast::declared_name(statement);
   definition.node = statement.index();
+  definition.is_broken = has_broken_parameters(statement);
+  std::unordered_map<std::string_view, Location> declared;
   for (const ast::Node child : statement.children()) {
     if (!child.is(SyntaxKind::Parameter)) continue;
-    const auto same = std::find_if(definition.parameters.begin(), definition.parameters.end(),
-                                   [&](const Parameter& p) { return p.name == child.head(); });
-    if (same != definition.parameters.end()) {
+    const auto [same, is_new] = declared.try_emplace(child.head(), child.head_location());
+    if (!is_new) {
       sink_.report(diag::duplicate, child.head_location(), "parameter", child.head())
-          .label(ast::Node(module_.tree, same->node).head_location(), "first declared here");
+          .label(same->second, "first declared here");
       continue;
     }
     const bool is_placement =
@@ -191,7 +256,7 @@ const TypeInfo* Resolver::resolve_type(ast::Node node) {
   std::vector<std::string_view> names;
   for (const TypeInfo& known : all_types()) names.push_back(known.name);
   sink_.report(diag::unknown_type, node.location(), node.text())
-      .suggest(nearest_name(node.text(), names));
+      .suggest(meant_name(type_habit(node.text()), node.text(), names));
   return nullptr;
 }
 

@@ -14,10 +14,15 @@
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/program/dependencies.hpp"
 #include "lang/program/program.hpp"
+#include "lang/schema/habits.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/value/builtins.hpp"
 
 namespace sdlc::lang {
+
+/// The name that was meant: what a habit says, else the nearest of those that are known.
+std::optional<std::string_view> meant_name(const std::optional<Habit>& habit, std::string_view name,
+                                           std::span<const std::string_view> known);
 
 /// Finds out what each name of one file means, and makes code of its statements. Every unknown name
 /// is reported, whether its place is ever reached or not.
@@ -40,11 +45,21 @@ class Resolver {
     std::uint32_t slot;
   };
   class Scope;
+  class Guess;
 
   const Local* find_local(std::string_view name) const;
   std::uint32_t declare(std::string_view name);
   /// The module behind an import's name; kNothing where it could not be read.
   std::optional<std::uint32_t> find_import(std::string_view name) const;
+  /// Whether the name that is used at this byte is unknown only because its declaration in the
+  /// module could not be read, or is misspelt, which is reported then.
+  bool is_excused(std::uint32_t module, std::string_view name, std::uint32_t use);
+  const Misspelling* find_misspelling(std::uint32_t use);
+  /// Shows the declaration that the unknown name was perhaps meant to be one of, if nothing uses
+  /// it.
+  void label_unused(DiagnosticBuilder& report, std::uint32_t use);
+  /// Shows the declaration in another file that was probably meant.
+  static void label_declared(DiagnosticBuilder& report, ast::Node statement);
   /// The path with the import that was probably meant in place of its first name.
   std::optional<std::string> nearest_import(std::span<const std::string_view> names) const;
 
@@ -70,13 +85,16 @@ class Resolver {
   std::uint32_t object_of(const Kind& kind, ast::Object node);
   std::uint32_t group(const Kind& kind, ast::Object node);
   std::uint32_t instance_of(std::uint32_t module, std::uint32_t def, ast::Object node);
-  std::uint32_t unknown_kind(ast::Object node, std::uint32_t scope);
+  std::uint32_t unknown_kind(ast::Object node, std::uint32_t scope, bool is_top);
+  std::uint32_t object_as(std::string_view kind, ast::Object node, bool is_top);
+  std::uint32_t object_of_no_kind(ast::Object node);
   /// Pushes the number of statements in a Block, and then they.
   void block(ast::Node node);
   void misplaced(std::string_view kind, ast::Node statement);
   void top_level_only(ast::Node statement);
   void check_name(const Kind& kind, ast::Object node);
   void read_properties(ast::Object node);
+  void expect_inside(ast::Node statement);
   void read_property(ast::Labeled node);
   std::size_t guess_property(ast::Labeled node);
   /// Pushes pairs of the index, counted from `first`, and the value of each property from there on.
@@ -97,7 +115,11 @@ class Resolver {
   std::uint32_t function_call(std::uint32_t module, std::uint32_t function, ast::Call call);
   std::uint32_t unknown_name(ast::Node node, std::string_view name);
   std::uint32_t unknown_import(ast::Node node, std::span<const std::string_view> names,
-                               const Module& module);
+                               std::uint32_t module);
+  std::uint32_t unknown_function(ast::Call call);
+  std::uint32_t unknown_imported_function(ast::Call call, std::span<const std::string_view> names,
+                                          std::optional<std::uint32_t> import);
+  bool is_broken_function(Op op, std::span<const std::uint32_t> callee) const;
   std::uint32_t conditional(ast::Node node, const Property* property);
   std::uint32_t broken(ast::Node node);
   std::uint32_t constant(ast::Node node, Computed value);
@@ -129,6 +151,7 @@ class Resolver {
     std::vector<Name> names;
     std::vector<Given> given;
     std::vector<std::uint32_t> others;  ///< expressions in no property's place
+    bool is_broken = false;             ///< there may be other names, which could not be read
 
     void reset(std::string_view kind);
     void add(std::string_view name, const Property* property);
@@ -145,9 +168,24 @@ class Resolver {
   std::vector<Local> locals_;
   std::size_t block_begin_ = 0;  // of the innermost block's own, in locals_
   std::uint32_t frame_size_ = 0;
+  bool is_guess_ = false;       // the kind of the object, or the function, is misspelt
   std::string_view declaring_;  // what no unknown name in its own value was meant to be
   Uses uses_;                   // of the declaration being resolved
   Slots slots_;
+};
+
+/// While it lives, what is resolved is what was probably meant.
+class Resolver::Guess {
+ public:
+  explicit Guess(Resolver& resolver)
+      : resolver_(resolver), outer_(std::exchange(resolver.is_guess_, true)) {}
+  ~Guess() { resolver_.is_guess_ = outer_; }
+  Guess(const Guess&) = delete;
+  Guess& operator=(const Guess&) = delete;
+
+ private:
+  Resolver& resolver_;
+  bool outer_;
 };
 
 /// Forgets at its end what was declared while it lived.

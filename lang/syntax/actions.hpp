@@ -20,9 +20,6 @@ namespace pegtl = tao::pegtl;
 using pegtl::apply_mode;
 using pegtl::rewind_mode;
 
-/// Thrown at the end of a text inside a block.
-struct UnclosedBlock {};
-
 // What is reported where the grammar is committed
 
 template <typename Rule>
@@ -33,13 +30,16 @@ struct Control : pegtl::normal<Rule> {
     const std::uint32_t at = builder.offset(in.current());
     builder.mark_error(at);
     if constexpr (std::is_same_v<Rule, grammar::block_end>) {
-      throw UnclosedBlock{};
+      const std::uint32_t begin = builder.opener;
+      builder.sink().report(diag::unclosed, builder.location({begin, begin + 1}), "{");
+      throw Stopped{};
     } else if constexpr (std::is_same_v<Rule, grammar::comment_block_end>) {
       const std::uint32_t begin = builder.comment_begin;
       builder.sink().report(diag::unclosed, builder.location({begin, begin + 2}), "/*");
       throw Stopped{};
     } else {
-      diagnose_expected(builder, at, expected<Rule>);
+      // That a bracket is missing has been reported; what it ends too soon follows from that.
+      if (!builder.is_added(at)) diagnose_expected(builder, at, expected<Rule>);
       throw Reported{};
     }
   }
@@ -194,6 +194,11 @@ struct Nest : pegtl::maybe_nothing {
     Level level(builder, {end - kLength, end});
     const bool matched = SDLC_MATCH;
     level.leave();
+    if constexpr (kOpener == Opener::Bracket) {
+      // What such a bracket holds may not be what was meant: no one should count on it.
+      const std::uint32_t last = builder.token_end();
+      if (matched && builder.is_uncertain(last - 1)) builder.push(SyntaxKind::Error, {last, last});
+    }
     return matched;
   }
 
@@ -351,9 +356,34 @@ template <>
 struct Build<grammar::reference> : Node<SyntaxKind::Reference> {
   SDLC_SURROUND {
     if (in.empty() || !is_letter(in.peek_char())) return false;
+    if (begins_object(builder, builder.offset(in.current()))) return false;
     return Node::match<Rule, A, M, Action, Ctrl>(in, builder);
   }
+
+ private:
+  /// Whether it is rather the next line's statement, and the value is missing.
+  static bool begins_object(const TreeBuilder& builder, std::uint32_t at) {
+    if (builder.in_head) return false;
+    const std::string_view text = builder.text();
+    const std::uint32_t end = builder.token_end();
+    if (text.substr(end, at - end).find('\n') == std::string_view::npos) return false;
+    return looks_like_object(text, at);
+  }
 };
+
+/// The head of a block, whose value a brace follows.
+struct BlockHead : pegtl::maybe_nothing {
+  SDLC_SURROUND {
+    const bool outer = std::exchange(builder.in_head, true);
+    const bool matched = SDLC_MATCH;
+    builder.in_head = outer;
+    return matched;
+  }
+};
+template <>
+struct Build<grammar::for_list> : BlockHead {};
+template <>
+struct Build<grammar::if_condition> : BlockHead {};
 
 /// An expression. One that is just a number, as nearly all are where speed matters, skips the
 /// levels of precedence in which no operator would be found (with them the parser took twice as
@@ -403,7 +433,10 @@ struct Build<grammar::disjunction> : Chain<SyntaxKind::Or> {
 template <>
 struct Build<grammar::arguments_inside> : Nest<Opener::Bracket, 1> {
   SDLC_SURROUND {
-    builder.node(builder.size() - 1).kind = SyntaxKind::Call;
+    SyntaxNode& callee = builder.node(builder.size() - 1);
+    const bool has_name = !builder.is_added(callee.begin);
+    callee.kind = has_name ? SyntaxKind::Call : SyntaxKind::Error;
+    if (!has_name) callee.head = 0;
     return Nest::match<Rule, A, M, Action, Ctrl>(in, builder);
   }
 };
@@ -485,9 +518,21 @@ template <>
 struct Build<grammar::object_block> : pegtl::maybe_nothing {
   SDLC_SURROUND {
     const bool outer = std::exchange(builder.in_object, true);
+    const bool was_group = std::exchange(builder.in_group, is_group(builder));
     const bool matched = SDLC_MATCH;
     builder.in_object = outer;
+    builder.in_group = was_group;
     return matched;
+  }
+
+ private:
+  /// Whether the object is of the one kind that holds statements. Behind its node stands that of
+  /// its name, if it has one.
+  static bool is_group(TreeBuilder& builder) {
+    const NodeIndex last = builder.size() - 1;
+    const bool has_name = builder.node(last).kind == SyntaxKind::Name;
+    const SyntaxNode& object = builder.node(has_name ? last - 1 : last);
+    return builder.text().substr(object.begin, object.head) == "group";
   }
 };
 
@@ -527,12 +572,17 @@ struct Build<grammar::statement> : pegtl::maybe_nothing {
     try {
       if (match_or_rewind<Rule, A, Action, Ctrl>(in, builder)) {
         builder.set_last_statement(before.nodes);
+        if (before.in_object && !before.in_group &&
+            builder.node(before.nodes).kind != SyntaxKind::Property) {
+          builder.has_misplaced = builder.has_misplaced || is_shallow(builder, begin);
+        }
         return true;
       }
     } catch (const Reported&) {
       const RecoveryOptions options{.open = builder.brackets - before.brackets,
                                     .open_block = builder.blocks > before.blocks};
       before.restore(builder);
+      builder.poison_last_part(before.nodes);
       const std::uint32_t wrong = builder.error_at();
       skip_to(in, builder, wrong, find_next(builder, begin, wrong, options));
       return true;
@@ -555,22 +605,34 @@ struct Build<grammar::statement> : pegtl::maybe_nothing {
           token_end(b.token_end()),
           brackets(b.brackets),
           blocks(b.blocks),
-          in_object(b.in_object) {}
+          in_object(b.in_object),
+          in_group(b.in_group),
+          in_head(b.in_head) {}
     void restore(TreeBuilder& b) const noexcept {
       b.brackets = brackets;
       b.blocks = blocks;
       b.in_object = in_object;
+      b.in_group = in_group;
+      b.in_head = in_head;
     }
 
     NodeIndex nodes;
     std::uint32_t token_end, brackets, blocks;
-    bool in_object;
+    bool in_object, in_group, in_head;
   };
+
+  /// Whether the statement at `begin`, in an object, stands where the object should have ended.
+  static bool is_shallow(const TreeBuilder& builder, std::uint32_t begin) {
+    const std::string_view text = builder.text();
+    return is_first_of_line(text, begin) &&
+           indent_of_line(text, begin) <= indent_of_line(text, builder.opener);
+  }
 
   /// The next statement from `from` on, and at least one byte behind `begin`.
   static std::uint32_t find_next(TreeBuilder& builder, std::uint32_t begin, std::uint32_t from,
                                  RecoveryOptions options) {
-    options.is_patient = builder.sink().omitted_count() == 0;
+    options.indent = indent_of_line(builder.text(), begin);
+    options.is_patient = builder.sink().counts().omitted == 0;
     const std::uint32_t next = next_statement(builder.text(), from, options);
     return next > begin ? next : next_statement(builder.text(), begin + 1, {});
   }

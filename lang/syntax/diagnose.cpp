@@ -5,52 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "lang/syntax/habits.hpp"
 #include "lang/syntax/recovery.hpp"
 #include "lang/syntax/scan.hpp"
 #include "lang/syntax/tree_builder.hpp"
 
 namespace sdlc::lang {
 namespace {
-
-/// What people write from habit, from other languages or from word processors.
-struct Habit {
-  std::string_view text;
-  std::string_view replacement;  ///< what the language writes; empty with `deletes` false: see help
-  std::string_view help;
-  bool deletes = false;
-};
-
-constexpr auto kHabits = std::to_array<Habit>({
-    {"&&", "and", "write `and`"},
-    {"||", "or", "write `or`"},
-    {"!==", "!=", "write `!=`"},
-    {"===", "==", "write `==`"},
-    {"!", "not ", "write `not`"},
-    {"=>", "", "a function is `fn f(x) = …`; at least is written `>=`"},
-    {"=<", "<=", "write `<=`"},
-    {"<>", "!=", "write `!=`"},
-    {"**", "^", "write `^`"},
-    {"++", "", "values never change"},
-    {"+=", "", "values never change"},
-    {"%", "", "write `mod(a, b)`"},
-    {"?", "", "write `if … then … else …`"},
-    {";", "", "a statement ends by itself", true},
-    {"°", "deg", "write `deg`"},
-    {"−", "-", "this is the minus of a word processor"},
-    {"–", "-", "this is a dash"},
-    {"×", "*", "write `*`"},
-    {"·", "*", "write `*`"},
-    {"÷", "/", "write `/`"},
-    {"≤", "<=", "write `<=`"},
-    {"≥", ">=", "write `>=`"},
-    {"≠", "!=", "write `!=`"},
-    {"…", "..", "write `..`"},
-    {"“", "\"", "these are the quotes of a word processor"},
-    {"”", "\"", "these are the quotes of a word processor"},
-    {"„", "\"", "these are the quotes of a word processor"},
-    {"‘", "\"", "these are the quotes of a word processor"},
-    {"’", "\"", "these are the quotes of a word processor"},
-});
 
 constexpr auto kUnits =
     std::to_array<std::string_view>({"deg", "rad", "turn", "mm", "ms", "cm", "km", "m", "s", "%"});
@@ -66,13 +27,18 @@ class Diagnosis {
   void expected(std::string_view words) {
     if (separate_unit() || habit() || single_quotes() || missing_value(words)) return;
     const bool goes_on = words.starts_with("a block") || words.starts_with("`then`") ||
-                         words.ends_with("`)`") || words.ends_with("`]`");
+                         words.starts_with("`,` and a message") || words.ends_with("`)`") ||
+                         words.ends_with("`]`");
     if (goes_on && assignment()) return;
     const bool wants_is = words.starts_with("`=`");
     // Behind a comma the bracket does not close yet.
     const bool behind_comma = words.starts_with("`,` or") && at_ > 0 && last_char() == ',';
     auto report = report_expected(behind_comma ? "a value" : words);
     if (wants_is && char_at(text_, at_) == ':') report.fix(where(found_), "=");
+    if (words == "a type after `:`" && is_value(char_at(text_, at_))) {
+      const std::uint32_t colon = builder_.token_end() - 1;
+      report.help("a default follows `=`").unsafe_fix(where({colon, colon + 1}), "=");
+    }
     if (words == "a block in braces" && word() == "then") {
       report.help("`if … then …` is a value; a statement is `if … { … }`");
     }
@@ -81,7 +47,8 @@ class Diagnosis {
       report.label(where({builder_.opener, builder_.opener + 1}), "opened here");
       const std::uint32_t end = builder_.token_end();
       const bool is_next_value = is_value(char_at(text_, at_)) && !looks_like_statement(text_, at_);
-      if (!behind_comma && is_next_value && builder_.is_in_file(at_)) {
+      if (!behind_comma && is_next_value) {
+        if (!is_on_next_line_) builder_.poison_last_name();
         report.help("commas stand between values").fix(where({end, end}), ",");
       }
     }
@@ -105,19 +72,28 @@ class Diagnosis {
       return here(found_.end);
     }
     if (c == '{') return {stray_block()};
-    if (c == '#') return here(hash_comment());
+    const bool is_comment = is_first_of_line(text_, at_) || !is_idchar(char_at(text_, at_ + 1));
+    if (c == '#' && is_comment) return here(hash_comment());
     if (c == ';' && habit()) return here(found_.end);
     if (separate_unit() || habit() || assignment()) {
       builder_.poison_last_statement();
       return {found_.end};
     }
+    poison_what_goes_on();
     if (is_letter(c)) return {word_statement()};
     is_on_next_line_ = false;
     report_expected("a statement");
-    return {found_.end};
+    return {c == '#' ? end_of_identifier(text_, at_ + 1) : found_.end};
   }
 
  private:
+  /// What stands in the line of the last statement, and no comma between, was perhaps meant to be a
+  /// part of it.
+  void poison_what_goes_on() {
+    const bool goes_on = !is_on_next_line_ && last_char() != ',' && is_value(char_at(text_, at_));
+    if (goes_on) builder_.poison_last_statement();
+  }
+
   /// The next statement begins behind the blanks at `end`.
   Resumption here(std::uint32_t end) const { return {skip_blanks(text_, end), true}; }
   Location where(Span span) const { return builder_.location(span); }
@@ -136,7 +112,7 @@ class Diagnosis {
   std::string found_text() const {
     if (is_on_next_line_) return "the end of the line";
     if (found_.size() == 0) return "the end of the file";
-    if (!builder_.is_in_file(found_.begin)) return "the end of the block";
+    if (builder_.is_added(found_.begin)) return "the end of the block";
     const std::string_view token = text(found_);
     return fmt::format("`{}`", token.size() <= 40 ? token : token.substr(0, 1));
   }
@@ -179,6 +155,7 @@ class Diagnosis {
   /// `=` where a value could go on.
   bool assignment() {
     if (char_at(text_, at_) != '=' || char_at(text_, at_ + 1) == '=') return false;
+    builder_.poison_last_name();
     builder_.sink()
         .report(diag::foreign, where(found_), "=")
         .help("write `==` to compare, `:` for a property or an argument");
@@ -266,7 +243,7 @@ class Diagnosis {
         report.help("a property is `name: value`").fix(where({name.end, next + 1}), ":");
       } else {
         report.help("a value gets its name by `let name = value`")
-            .fix(where({name.begin, name.begin}), "let ");
+            .unsafe_fix(where({name.begin, name.begin}), "let ");
       }
       return next + 1;
     }

@@ -180,9 +180,7 @@ std::uint32_t diagnose_string(TreeBuilder& builder, std::uint32_t begin) {
   builder.sink()
       .report(diag::unclosed, builder.location({begin, begin + 1}), "\"")
       .help("a string ends in the line that it begins in");
-  // What closes brackets at the end of the line was hardly meant to be part of the string.
-  const std::size_t last = text.find_last_not_of(" \t\r)]},", at - 1);
-  return std::max(begin + 1, static_cast<std::uint32_t>(last + 1));
+  return end_of_unclosed_string(text, begin);
 }
 
 bool check_color(TreeBuilder& builder, Span color) {
@@ -198,7 +196,7 @@ bool check_color(TreeBuilder& builder, Span color) {
   } else if (digits.size() == 4 || digits.size() == 8) {
     builder.sink()
         .report(diag::bad_color, where, text, "colours have no alpha")
-        .fix(where, std::string(text.substr(0, 1 + digits.size() / 4 * 3)));
+        .unsafe_fix(where, std::string(text.substr(0, 1 + digits.size() / 4 * 3)));
   } else {
     builder.sink().report(diag::bad_color, where, text,
                           fmt::format("it takes 3 or 6 digits, not {}", digits.size()));

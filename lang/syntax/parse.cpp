@@ -1,10 +1,10 @@
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "lang/syntax/actions.hpp"
 #include "lang/syntax/characters.hpp"
+#include "lang/syntax/mending.hpp"
 #include "lang/syntax/recovery.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "lang/syntax/tree_builder.hpp"
@@ -20,76 +20,72 @@ struct lone_expression
 struct Reading {
   NodeBuffer<SyntaxNode> nodes;
   std::vector<Comment> comments;
-  bool ends_in_block = false;
+  bool has_misplaced = false;
 };
 
+/// Counts bytes of the file instead of those of the mended text.
+void move_to_file(Reading& reading, const MendedText& mending) {
+  const auto move = [&](auto& span) {
+    span.begin = mending.in_source(span.begin);
+    span.end = mending.in_source(span.end);
+  };
+  for (SyntaxNode& node : reading.nodes.span()) move(node);
+  for (Comment& comment : reading.comments) move(comment.span);
+}
+
 template <typename Rule>
-Reading read(const SourceFile& file, std::string_view text, DiagnosticSink& sink) {
-  TreeBuilder builder(file, text, sink);
+Reading read(const SourceFile& file, std::string_view text, const MendedText* mending,
+             DiagnosticSink& sink) {
+  TreeBuilder builder(file, text, mending, sink);
   pegtl::memory_input<pegtl::tracking_mode::lazy, pegtl::eol::lf, const char*> in(
       text.data(), text.data() + text.size(), "");
-  bool ends_in_block = false;
   builder.push(SyntaxKind::File, {0, 0});
   try {
     pegtl::parse<Rule, Build, Control>(in, builder);
   } catch (const Stopped&) {
   } catch (const Reported&) {
-  } catch (const UnclosedBlock&) {
-    ends_in_block = true;
   }
   builder.close(0);
   builder.node(0).end = static_cast<std::uint32_t>(text.size());
-  return {builder.take_nodes(), builder.take_comments(), ends_in_block};
+  Reading reading{builder.take_nodes(), builder.take_comments(), builder.has_misplaced};
+  if (mending != nullptr) move_to_file(reading, *mending);
+  return reading;
+}
+
+/// Reads the text, and if something is wrong with it, once more as it is mended. If that leaves as
+/// much wrong as before, nothing was mended.
+template <typename Rule>
+Reading read_mended(const SourceFile& file, std::string_view text, DiagnosticSink& sink) {
+  const DiagnosticSink before = sink;
+  Reading reading = read<Rule>(file, text, nullptr, sink);
+  const bool is_sound = sink.error_count() == before.error_count() && !reading.has_misplaced;
+  if (is_sound) return reading;
+
+  DiagnosticSink other = before;
+  const auto mending = mend(file, text, reading.has_misplaced, other);
+  if (!mending) return reading;
+  const std::size_t told = other.error_count();
+  Reading mended = read<Rule>(file, mending->text(), &*mending, other);
+  const std::size_t still_wrong = other.error_count() - told;
+  const std::size_t was_wrong = sink.error_count() - before.error_count();
+  if (still_wrong > 0 && still_wrong >= was_wrong) return reading;
+  sink = std::move(other);
+  return mended;
 }
 
 }  // namespace
 
 SyntaxTree parse(const SourceFile& file, DiagnosticSink& sink) {
-  // How often a file with unclosed blocks is read anew; each time one more is closed where its
-  // indentation says that it ends.
-  constexpr int kMaxReadings = 8;
-
-  std::optional<std::string> mended = check_characters(file, sink);
-  DiagnosticSink before = sink;
-  Reading reading;
-  bool is_closed_at_end = false;
-  for (int i = 0; i < kMaxReadings; ++i) {
-    const std::string_view text = mended ? std::string_view(*mended) : file.text();
-    reading = read<grammar::file>(file, text, sink);
-    if (!reading.ends_in_block || is_closed_at_end) break;
-
-    const MissingBrace missing = find_missing_brace(text);
-    if (i + 1 < kMaxReadings && missing.mend_at) {
-      std::string closed(text);
-      if (*missing.mend_at == closed.size()) {
-        closed.append(missing.count, '}');
-        is_closed_at_end = true;
-      } else {
-        closed[*missing.mend_at] = '}';
-      }
-      mended = std::move(closed);
-      sink = before;
-      report_missing_brace(file, missing, sink);
-      before = sink;
-    } else {
-      report_missing_brace(file, missing, sink);
-      break;
-    }
-  }
-  const auto size = static_cast<std::uint32_t>(file.text().size());
-  if (mended && mended->size() > size) {
-    for (SyntaxNode& node : reading.nodes.span()) {
-      node.begin = std::min(node.begin, size);
-      node.end = std::min(node.end, size);
-    }
-  }
+  const std::optional<std::string> checked = check_characters(file, sink);
+  const std::string_view text = checked ? std::string_view(*checked) : file.text();
+  Reading reading = read_mended<grammar::file>(file, text, sink);
   return {file, std::move(reading.nodes), std::move(reading.comments)};
 }
 
 SyntaxTree parse_expression(const SourceFile& file, DiagnosticSink& sink) {
-  const std::optional<std::string> mended = check_characters(file, sink);
-  const std::string_view text = mended ? std::string_view(*mended) : file.text();
-  Reading reading = read<lone_expression>(file, text, sink);
+  const std::optional<std::string> checked = check_characters(file, sink);
+  const std::string_view text = checked ? std::string_view(*checked) : file.text();
+  Reading reading = read<lone_expression>(file, text, nullptr, sink);
   return {file, std::move(reading.nodes), std::move(reading.comments)};
 }
 

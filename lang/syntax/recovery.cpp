@@ -38,96 +38,12 @@ Beginning classify(std::string_view text, std::uint32_t at) {
   return is_named ? Beginning::Statement : Beginning::None;
 }
 
-/// The braces that the text does not close, outermost first.
-std::vector<std::uint32_t> unclosed_braces(std::string_view text) {
-  std::vector<std::uint32_t> open;
-  for (std::uint32_t at = 0; at < text.size();) {
-    const std::uint32_t behind = end_of_opaque(text, at);
-    if (behind > at) {
-      at = behind;
-      continue;
-    }
-    if (text[at] == '{') open.push_back(at);
-    if (text[at] == '}' && !open.empty()) open.pop_back();
-    ++at;
-  }
-  return open;
+/// Whether the line's first token at `at` is not a part of the line before.
+bool may_begin_statement(std::string_view text, std::uint32_t at) {
+  constexpr auto kJoints = std::to_array<std::string_view>({"and", "or", "then", "else"});
+  const std::string_view word = text.substr(at, end_of_identifier(text, at) - at);
+  return !word.empty() && std::find(kJoints.begin(), kJoints.end(), word) == kJoints.end();
 }
-
-/// Looks for the first line that is not indented deeper than the block that it stands in, nor its
-/// end.
-class IndentScan {
- public:
-  explicit IndentScan(std::string_view text) : text_(text) {}
-
-  std::optional<MissingBrace> run(std::uint32_t opener) {
-    for (std::uint32_t at = opener; at < text_.size();) {
-      if (text_[at] == '\n' && !blocks_.empty() && brackets_ == 0) {
-        const std::uint32_t line = at + 1;
-        at = skip_blanks(text_, line);
-        if (is_shallow(at, at - line)) return missing_before(at);
-        continue;
-      }
-      const std::uint32_t behind = end_of_opaque(text_, at);
-      if (behind == at) {
-        count_brackets(at);
-        if (!is_blank(text_[at])) token_end_ = at + 1;
-        ++at;
-      } else {
-        if (text_[at] == '"') token_end_ = behind;
-        at = behind;
-      }
-    }
-    return std::nullopt;
-  }
-
- private:
-  struct Block {
-    std::uint32_t opener;
-    std::uint32_t indent;
-  };
-
-  static bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-
-  bool is_shallow(std::uint32_t at, std::uint32_t indent) const {
-    const char c = char_at(text_, at);
-    const bool is_empty = at >= text_.size() || c == '\n' || end_of_comment(text_, at) > at;
-    if (is_empty || c == '{') return false;
-    // A closing brace may stand as deep as the line of the opening one.
-    if (c == '}') return blocks_.size() > 1 && indent < blocks_.back().indent;
-    return indent <= blocks_.back().indent;
-  }
-
-  MissingBrace missing_before(std::uint32_t at) const {
-    MissingBrace missing{
-        .opener = blocks_.back().opener, .before = token_at(text_, at), .mend_at = {}};
-    if (is_blank(char_at(text_, token_end_))) missing.mend_at = token_end_;
-    return missing;
-  }
-
-  void count_brackets(std::uint32_t at) {
-    switch (text_[at]) {
-      case '{':
-        blocks_.push_back({at, indent_of_line(text_, at)});
-        brackets_ = 0;
-        break;
-      case '}':
-        if (!blocks_.empty()) blocks_.pop_back();
-        brackets_ = 0;
-        break;
-      case '(':
-      case '[': ++brackets_; break;
-      case ')':
-      case ']': brackets_ -= brackets_ > 0; break;
-      default: break;
-    }
-  }
-
-  std::string_view text_;
-  std::vector<Block> blocks_;
-  std::uint32_t brackets_ = 0;
-  std::uint32_t token_end_ = 0;
-};
 
 }  // namespace
 
@@ -145,7 +61,10 @@ std::uint32_t next_statement(std::string_view text, std::uint32_t from, Recovery
   // Where to go on if a statement begins at `at`, the first token of a line.
   const auto at_line = [&](std::uint32_t at) {
     const Beginning beginning = classify(text, at);
-    if (beginning == Beginning::None) return kNowhere;
+    if (beginning == Beginning::None) {
+      const bool is_next = open.empty() && indent_of_line(text, at) <= options.indent;
+      return is_next && may_begin_statement(text, at) ? at : kNowhere;
+    }
     if (open.empty()) return at;
     if (open_blocks > 0) return kNowhere;
     if (beginning == Beginning::Statement || !options.is_patient) return std::min(property, at);
@@ -200,6 +119,17 @@ bool looks_like_statement(std::string_view text, std::uint32_t at) {
   return classify(text, at) != Beginning::None;
 }
 
+bool looks_like_object(std::string_view text, std::uint32_t at) {
+  std::uint32_t end = end_of_identifier(text, at);
+  while (char_at(text, end) == '.' && is_letter(char_at(text, end + 1))) {
+    end = end_of_identifier(text, end + 1);
+  }
+  const std::uint32_t next = skip_blanks(text, end);
+  if (char_at(text, next) == '{') return true;
+  const std::uint32_t name_end = end_of_identifier(text, next);
+  return name_end > next && char_at(text, skip_blanks(text, name_end)) == '{';
+}
+
 Span trim(std::string_view text, Span span) noexcept {
   const auto is_blank = [&](std::uint32_t at) {
     return text[at] == ' ' || text[at] == '\t' || text[at] == '\n' || text[at] == '\r';
@@ -207,28 +137,6 @@ Span trim(std::string_view text, Span span) noexcept {
   while (span.begin < span.end && is_blank(span.end - 1)) --span.end;
   while (span.begin < span.end && is_blank(span.begin)) ++span.begin;
   return span;
-}
-
-MissingBrace find_missing_brace(std::string_view text) {
-  const std::vector<std::uint32_t> unclosed = unclosed_braces(text);
-  const std::size_t count = std::max<std::size_t>(unclosed.size(), 1);
-  const std::uint32_t outermost = unclosed.empty() ? 0 : unclosed.front();
-  if (auto missing = IndentScan(text).run(outermost)) return *missing;
-  return {.opener = outermost, .before = {}, .mend_at = text.size(), .count = count};
-}
-
-void report_missing_brace(const SourceFile& file, const MissingBrace& missing,
-                          DiagnosticSink& sink) {
-  const Location opener{&file, {missing.opener, missing.opener + 1}};
-  if (!missing.before) {
-    sink.report(diag::unclosed, opener, "{");
-    return;
-  }
-  const std::uint32_t at = missing.before->begin;
-  sink.report(diag::missing_brace, {&file, *missing.before})
-      .label(opener, "opened here")
-      .help("close the block in front of this line, or indent what belongs to it")
-      .fix({&file, {at, at}}, "}\n" + std::string(at - line_begin(file.text(), at), ' '));
 }
 
 }  // namespace sdlc::lang

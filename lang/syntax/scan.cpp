@@ -59,6 +59,11 @@ std::uint32_t end_of_string(std::string_view text, std::uint32_t at) noexcept {
   return at;
 }
 
+std::uint32_t end_of_unclosed_string(std::string_view text, std::uint32_t at) noexcept {
+  const std::size_t last = text.find_last_not_of(" \t\r)]},", end_of_string(text, at) - 1);
+  return std::max(at + 1, as_offset(last + 1, text));
+}
+
 std::uint32_t end_of_opaque(std::string_view text, std::uint32_t at) noexcept {
   return char_at(text, at) == '"' ? end_of_string(text, at) : end_of_comment(text, at);
 }

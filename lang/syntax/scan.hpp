@@ -29,6 +29,9 @@ std::uint32_t skip_space(std::string_view text, std::uint32_t at) noexcept;
 std::uint32_t end_of_comment(std::string_view text, std::uint32_t at) noexcept;
 /// Behind the string that begins at `at`, closed or at the end of its line; `at` if none does.
 std::uint32_t end_of_string(std::string_view text, std::uint32_t at) noexcept;
+/// Where a string ends that is never closed, without the brackets at the end of its line: they were
+/// hardly meant to be part of it. Precondition: `"` at `at`.
+std::uint32_t end_of_unclosed_string(std::string_view text, std::uint32_t at) noexcept;
 /// Behind the comment or string that begins at `at`; `at` if none does.
 std::uint32_t end_of_opaque(std::string_view text, std::uint32_t at) noexcept;
 /// Behind the bracket that matches the one at `at`; `at` if none does.

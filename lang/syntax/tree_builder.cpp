@@ -1,5 +1,7 @@
 #include "lang/syntax/tree_builder.hpp"
 
+#include <utility>
+
 namespace sdlc::lang {
 
 void TreeBuilder::wrap(NodeIndex first, SyntaxKind kind) {
@@ -33,6 +35,25 @@ void TreeBuilder::mark_error(std::uint32_t at) {
   }
   error_at_ = at;
   push(SyntaxKind::Error, {token_end_, token_end_});
+}
+
+void TreeBuilder::poison_last_name() {
+  // Behind it stands the Error that marks the place.
+  if (nodes_.size() < 2) return;
+  SyntaxNode& last = nodes_[nodes_.size() - 2];
+  if (last.kind == SyntaxKind::Reference) last.kind = SyntaxKind::Error;
+}
+
+void TreeBuilder::poison_last_part(NodeIndex statement) {
+  if (statement >= nodes_.size()) return;
+  NodeIndex part = kNone, mark = kNone;
+  const NodeIndex end = statement + nodes_[statement].extent;
+  for (NodeIndex child = statement + 1; child < end; child += nodes_[child].extent) {
+    part = std::exchange(mark, child);
+  }
+  if (part == kNone || nodes_[mark].kind != SyntaxKind::Error) return;
+  const bool is_value = nodes_[part].kind > SyntaxKind::Block;
+  if (is_value && nodes_[mark].begin == nodes_[part].end) nodes_[part].kind = SyntaxKind::Error;
 }
 
 void TreeBuilder::poison_last_statement() {

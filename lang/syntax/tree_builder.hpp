@@ -8,6 +8,7 @@
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/source/source.hpp"
 #include "lang/syntax/syntax.hpp"
+#include "lang/text/mended_text.hpp"
 
 namespace sdlc::lang {
 
@@ -22,22 +23,30 @@ struct Stopped {};
 /// The nodes of the tree while it grows, and what the reporter of a mistake wants to know of the
 /// place.
 ///
-/// `text` is the file's text, or a copy of the same length, mended where the reader would stumble.
+/// `text` is the file's text, a copy of the same length, or that of `mending`. The nodes count the
+/// bytes of `text`.
 class TreeBuilder {
  public:
-  TreeBuilder(const SourceFile& file, std::string_view text, DiagnosticSink& sink)
+  TreeBuilder(const SourceFile& file, std::string_view text, const MendedText* mending,
+              DiagnosticSink& sink)
       // Four bytes a node suffice for all but the densest text. What is not used is never touched.
-      : file_(&file), text_(text), sink_(&sink), nodes_(text.size() / 4 + 16) {}
+      : file_(&file), text_(text), mending_(mending), sink_(&sink), nodes_(text.size() / 4 + 16) {}
 
   std::string_view text() const noexcept { return text_; }
   DiagnosticSink& sink() noexcept { return *sink_; }
-  Location location(Span span) const noexcept {
-    const auto size = static_cast<std::uint32_t>(file_->text().size());
-    return {file_, {std::min(span.begin, size), std::min(span.end, size)}};
+  Location location(Span span) const noexcept { return {file_, in_file(span)}; }
+  Span in_file(Span span) const noexcept {
+    return mending_ == nullptr
+               ? span
+               : Span{mending_->in_source(span.begin), mending_->in_source(span.end)};
   }
-  /// Whether the file itself has the text's character at `at`.
-  bool is_in_file(std::uint32_t at) const noexcept {
-    return at < file_->text().size() && file_->text()[at] == text_[at];
+  /// Whether the bracket at `at` is one that the file lacks.
+  bool is_added(std::uint32_t at) const noexcept {
+    return mending_ != nullptr && mending_->is_added(at);
+  }
+  /// Whether the bracket at `at` ends a pair that perhaps should end elsewhere.
+  bool is_uncertain(std::uint32_t at) const noexcept {
+    return mending_ != nullptr && mending_->is_uncertain(at);
   }
   std::uint32_t offset(const char* at) const noexcept {
     return static_cast<std::uint32_t>(at - text_.data());
@@ -77,6 +86,12 @@ class TreeBuilder {
   /// Turns the last child of the last statement into an Error: what follows it showed that it was
   /// misread.
   void poison_last_statement();
+  /// Makes an Error of the name in front of the mistake, if a name it is: it is perhaps only a part
+  /// of what was meant.
+  void poison_last_name();
+  /// The same of the last part of the statement at `statement`, if the mistake stands right behind
+  /// it.
+  void poison_last_part(NodeIndex statement);
   void set_last_statement(NodeIndex statement) noexcept { last_statement_ = statement; }
 
   NodeBuffer<SyntaxNode> take_nodes() { return std::move(nodes_); }
@@ -90,6 +105,9 @@ class TreeBuilder {
   std::uint32_t comment_begin = 0;  ///< where the outermost comment is opened
   std::uint32_t label_end = 0;      ///< of the last label
   bool in_object = false;           ///< the innermost block is an object's
+  bool in_group = false;            ///< that object is a group
+  bool in_head = false;             ///< in the list of a `for` or the condition of an `if`
+  bool has_misplaced = false;       ///< a statement stands where its object should have ended
   Operator op = Operator::None;     ///< the last one read
 
   static constexpr NodeIndex kNone = 0xFFFFFFFF;
@@ -97,6 +115,7 @@ class TreeBuilder {
  private:
   const SourceFile* file_;
   std::string_view text_;
+  const MendedText* mending_;
   DiagnosticSink* sink_;
   NodeBuffer<SyntaxNode> nodes_;
   std::vector<Comment> comments_;

@@ -34,7 +34,9 @@ Computed wrong_argument(const BuiltinCall& call, std::size_t i, std::string_view
       call.sink.report(diag::wrong_argument, where, call.name, wanted, describe(call.arguments[i]));
   const bool is_literal = call.node.child(i)->is(SyntaxKind::Number);
   if (wanted == kAngle && is_literal && holds_alternative<Scalar>(call.arguments[i])) {
-    report.fix({where.file, {where.span.end, where.span.end}}, "deg");
+    report.unsafe_fix({where.file, {where.span.end, where.span.end}}, "deg");
+  } else if (wanted == kAngle && holds_alternative<Scalar>(call.arguments[i])) {
+    report.help("a number becomes an angle by `x * 1deg`");
   }
   return Failed{};
 }
@@ -300,9 +302,7 @@ Computed evaluate_mix(const BuiltinCall& call) {
   const auto* t = argument<Scalar>(call, 2);
   if (t == nullptr || t->unit != Unit::None) return wrong_argument(call, 2, "a number");
   if (!are_of_one_type(call.arguments[0], call.arguments[1])) {
-    call.sink.report(diag::different_types, call.place(1), describe(call.arguments[0]),
-                     describe(call.arguments[1]));
-    return Failed{};
+    return wrong_argument(call, 1, fmt::format("{} like the first", describe(call.arguments[0])));
   }
   const auto mixed = [&](auto a, auto b) { return a * (1 - t->value) + b * t->value; };
   if (const auto* a = argument<Scalar>(call, 0)) {

@@ -122,7 +122,7 @@ TEST_F(SceneFlags, ALimitStopsTheSceneWithAnErrorOfItsOwn) {
   EXPECT_THAT(error_with("include-depth=0"), HasSubstr("E307"));
   EXPECT_THAT(error_with("file=20"), HasSubstr("E308"));
   EXPECT_THAT(error_with("steps=100 --limit steps=2"), HasSubstr("E304")) << "the last one";
-  EXPECT_EQ(sphere_count("scene/all.scene --limit steps=4 --limit objects=3 --limit string=10 "
+  EXPECT_EQ(sphere_count("scene/all.scene --limit steps=100 --limit objects=3 --limit string=10 "
                          "--limit include-depth=1 --limit file=1000"),
             3);
 }

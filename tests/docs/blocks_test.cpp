@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <ostream>
+#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -12,11 +15,12 @@
 
 #include <gtest/gtest.h>
 
-#include "lang/compile/compile.hpp"
-#include "lang/diagnostics/diagnostics.hpp"
-#include "lang/diagnostics/render.hpp"
+#include "cli/environment.hpp"
+#include "cli/program.hpp"
 #include "lang/source/source.hpp"
 #include "tests/docs/markdown.hpp"
+#include "tests/support/file_test.hpp"
+#include "tests/support/folder_lock.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -24,18 +28,33 @@
 // opening fence says how; the first word is for those who colour it (GitHub has no colours for the
 // language, and takes those of Rust).
 //
-//   rust scene [NAME]        a complete file, which compiles without a word
-//   rust scene-part          the same without `scene 1`, and without a camera if it needs none
-//   rust scene-values        lines `expression // result` or `expression // error: message`;
-//                            behind a `;` is what the reader is told; declarations hold for the
-//                            lines below them
-//   rust scene-wrong [NAME]  a file whose mistakes the next block shows
-//   rust scene-file NAME     a file that others of the page import or include
-//   json                     a config, which compiles without a word
-//   text message [A => B]    all that is printed about the last file above, once B has taken the
-//                            place of A in it
-//   sh                       lines `sdlc …` that succeed without a word, in a folder with the files
-//                            of the page that have a NAME; the pictures are made small
+//   rust scene [NAME FLAG…]
+//     a complete file, about which `sdlc inspect NAME FLAG…` says nothing; on the page of a warning
+//     it is `sdlc lint`
+//   rust scene-part
+//     the same without `scene 1`, and without a camera if it needs none
+//   rust scene-values
+//     lines `expression // result` or `expression // error: message`; behind a `;` is what the
+//     reader is told; declarations hold for the lines below them
+//   rust scene-wrong [NAME FLAG…]
+//     a file whose mistakes the next block shows
+//   rust scene-file NAME
+//     a file that others of its section, or of the page, import or include
+//   rust scene-unformatted         statements of which `sdlc fmt` makes those of the next block, a
+//   rust scene-formatted           `scene-formatted`; SDLC_UPDATE=1 rewrites that
+//   json [config [NAME FLAG…]]
+//     a config, as `scene` is a scene; so are `json config-wrong` and `json config-file`
+//   text message [A => B]
+//     all that is printed about the last file above, once B has taken the place of A in it;
+//     SDLC_UPDATE=1 rewrites it
+//   text session
+//     lines `$ COMMAND`, each with what it prints below it, run one after the other in a folder
+//     with the files of its section; SDLC_UPDATE=1 rewrites it
+//   sh
+//     lines `sdlc …` that succeed without a word, in a folder with the files of the page that have
+//     a NAME; the pictures are made small
+//
+// ⟦FF⟧ in a file is the byte with that hexadecimal number, ⟦a×9⟧ the letter nine times.
 namespace sdlc::test {
 namespace {
 
@@ -65,15 +84,28 @@ std::string word(const CodeBlock& block, std::size_t i) {
   return i < block.words.size() ? block.words[i] : std::string();
 }
 
-/// A block that is a text of the language by itself.
+std::string kind_of(const CodeBlock& block) {
+  const bool is_plain_json = word(block, 0) == "json" && block.words.size() == 1;
+  return is_plain_json ? "config" : word(block, 1);
+}
+
+/// A block that is a text of one of the formats by itself.
 bool is_file(const CodeBlock& block) {
-  const std::string kind = word(block, 1);
-  return kind == "scene" || kind == "scene-wrong" || kind == "scene-file" || kind == "scene-part";
+  static const std::vector<std::string> kinds{"scene",  "scene-wrong",  "scene-file", "scene-part",
+                                              "config", "config-wrong", "config-file"};
+  return std::ranges::find(kinds, kind_of(block)) != kinds.end();
 }
 
 std::string file_name(const CodeBlock& block) {
   const std::string name = word(block, 2);
-  return name.empty() ? "page.scene" : name;
+  if (!name.empty()) return name;
+  return kind_of(block).starts_with("config") ? "config.json" : "page.scene";
+}
+
+std::vector<std::string> flags_of(const CodeBlock& block) {
+  constexpr std::size_t kFirst = 3;
+  const auto count = static_cast<std::ptrdiff_t>(std::min(kFirst, block.words.size()));
+  return {block.words.begin() + count, block.words.end()};
 }
 
 /// The block with what a reader adds in his head: the version, and a camera, at the end so that no
@@ -84,50 +116,62 @@ std::string complete(std::string text) {
   return has_camera ? text : text + std::string(kCamera);
 }
 
-/// The named files of a page.
+/// The named files of a page, those of the example's own section first, and the text of the
+/// example.
 class PageFiles final : public lang::FileSystem {
  public:
-  explicit PageFiles(const Page& page) : page_(page) {}
+  PageFiles(const Example& example, std::string name, std::string text)
+      : example_(example), name_(std::move(name)), text_(std::move(text)) {}
 
   std::optional<std::string> read(const fs::path& path, std::error_code& error) const override {
-    for (const CodeBlock& block : page_.blocks) {
-      if (is_file(block) && word(block, 2) == path.string()) return block.text;
+    if (path.string() == name_) return text_;
+    const CodeBlock* found = nullptr;
+    for (const CodeBlock& block : example_.page->blocks) {
+      if (!is_file(block) || word(block, 2) != path.string()) continue;
+      if (found == nullptr || block.heading == example_.block().heading) found = &block;
     }
+    if (found != nullptr) return with_bytes(found->text);
     error = std::make_error_code(std::errc::no_such_file_or_directory);
     return std::nullopt;
   }
 
  private:
-  const Page& page_;
+  const Example& example_;
+  std::string name_, text_;
 };
 
-/// What is reported of one text.
-class Compiled {
- public:
-  Compiled(const Page& page, std::string name, std::string text)
-      : files_(page), file_(std::move(name), std::move(text)) {
-    lang::ProgramOptions options;
-    options.files = &files_;
-    compiler_.emplace(file_, options, sink_);
-    compiler_->animation();
-    compiler_->lower({});
-  }
+/// The command that says what a page is about: warnings are found by `lint`, which tells them on
+/// standard output.
+std::string command_of(const Page& page) {
+  const fs::path path = page.path;
+  const bool is_of_warning = path.parent_path() == "docs/explain" && path.stem().string()[0] != 'E';
+  return is_of_warning && path.stem() != "README" ? "lint" : "inspect";
+}
 
-  /// As the program prints it; empty where there is nothing to say.
-  std::string messages() const {
-    return sink_.diagnostics().empty() ? "" : lang::render_diagnostics(sink_, {});
-  }
-  /// The first error alone.
-  std::string first_message() const {
-    return sink_.diagnostics().empty() ? "" : sink_.sorted().front()->message;
-  }
+/// What that command says about a text.
+std::string messages(const Example& example, const std::string& name, const std::string& text,
+                     std::span<const std::string> flags = {}) {
+  const PageFiles files(example, name, with_bytes(text));
+  std::ostringstream out, err;
+  cli::Environment env{.files = files, .out = out, .err = err};
+  std::vector<std::string> arguments{command_of(*example.page), name};
+  arguments.insert(arguments.end(), flags.begin(), flags.end());
+  cli::run_program(arguments, env);
+  return arguments.front() == "lint" ? out.str() : err.str();
+}
 
- private:
-  PageFiles files_;
-  lang::SourceFile file_;
-  lang::DiagnosticSink sink_;
-  std::optional<lang::Compiler> compiler_;
-};
+/// The same of a block that is a file.
+std::string messages(const Example& example) {
+  const CodeBlock& block = example.block();
+  return messages(example, file_name(block), block.text, flags_of(block));
+}
+
+/// The message of the first error alone, or warning.
+std::string first_message(const std::string& messages) {
+  const std::string line = messages.substr(0, messages.find('\n'));
+  const std::size_t behind_code = line.find("]: ");
+  return behind_code == std::string::npos ? line : line.substr(behind_code + 3);
+}
 
 std::string trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \n");
@@ -144,15 +188,13 @@ void check_value(const Example& example, const std::string& declarations, const 
   const std::string result = trimmed(claim.substr(0, claim.find(';')));
   constexpr std::string_view kError = "error: ";
   if (result.starts_with(kError)) {
-    const Compiled compiled(*example.page, "page.scene",
-                            complete(declarations + "let it = " + expression + "\n"));
-    EXPECT_EQ(compiled.first_message(), result.substr(kError.size())) << line;
+    const std::string told =
+        messages(example, "page.scene", complete(declarations + "let it = " + expression + "\n"));
+    EXPECT_EQ(first_message(told), result.substr(kError.size())) << line;
     return;
   }
-  const Compiled compiled(
-      *example.page, "page.scene",
-      complete(declarations + "assert (" + expression + ") == (" + result + "), \"it is not\"\n"));
-  EXPECT_EQ(compiled.messages(), "") << line;
+  const std::string claimed = "assert (" + expression + ") == (" + result + "), \"it is not\"\n";
+  EXPECT_EQ(messages(example, "page.scene", complete(declarations + claimed)), "") << line;
 }
 
 bool is_declaration(const std::string& line) {
@@ -169,6 +211,12 @@ void check_values(const Example& example) {
       check_value(example, declarations, line);
     }
   }
+}
+
+void update(const Example& example, const std::string& text) {
+  const fs::path path = fs::path(SDLC_SOURCE_DIR) / example.page->path;
+  const FolderLock lock(path.parent_path());
+  write_text(path, replace_code_block(content_of(path), example.index, text));
 }
 
 void check_message(const Example& example) {
@@ -193,8 +241,31 @@ void check_message(const Example& example) {
     ASSERT_NE(text.find(from), std::string::npos) << from;
     text.replace(text.find(from), from.size(), to);
   }
-  EXPECT_EQ(Compiled(*example.page, file_name(file), complete(text)).messages(),
-            example.block().text);
+  if (kind_of(file) == "scene-part") text = complete(text);
+  const std::string told = messages(example, file_name(file), text, flags_of(file));
+  if (std::getenv("SDLC_UPDATE") != nullptr) return update(example, told);
+  EXPECT_EQ(told, example.block().text) << "SDLC_UPDATE=1 rewrites it.";
+}
+
+/// What `sdlc fmt` makes of statements.
+std::string formatted(const Example& example, const std::string& statements) {
+  constexpr std::string_view kVersion = "scene 1\n";
+  const PageFiles files(example, "-", std::string(kVersion) + statements);
+  std::ostringstream out, err;
+  cli::Environment env{.files = files, .out = out, .err = err};
+  cli::run_program(std::vector<std::string>{"fmt", "-"}, env);
+  EXPECT_EQ(err.str(), "");
+  return out.str().substr(std::min(kVersion.size(), out.str().size()));
+}
+
+void check_formatted(const Example& example) {
+  const std::string& text = example.block().text;
+  ASSERT_GT(example.index, 0u);
+  const CodeBlock& before = example.page->blocks[example.index - 1];
+  ASSERT_EQ(kind_of(before), "scene-unformatted");
+  const std::string outcome = formatted(example, before.text);
+  if (std::getenv("SDLC_UPDATE") != nullptr) return update(example, outcome);
+  EXPECT_EQ(outcome, text) << "SDLC_UPDATE=1 rewrites it.";
 }
 
 /// The command with the real program and a small picture where it does not say how large.
@@ -207,14 +278,36 @@ std::string small_command(const std::string& line) {
   return command + " --quiet";
 }
 
+/// Writes the files of the page, or of the example's own section, that have a name.
+void write_files(const Example& example, bool of_page, const TemporaryFolder& folder) {
+  for (const CodeBlock& block : example.page->blocks) {
+    const bool is_near = of_page || block.heading == example.block().heading;
+    if (!is_file(block) || word(block, 2).empty() || !is_near) continue;
+    fs::create_directories((folder / word(block, 2)).parent_path());
+    write_text(folder / word(block, 2), with_bytes(block.text));
+  }
+}
+
+void check_session(const Example& example) {
+  const TemporaryFolder folder;
+  write_files(example, false, folder);
+  std::string session;
+  std::istringstream lines(example.block().text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("$ ")) continue;
+    const std::string command = line.substr(2);
+    const bool is_ours = command.starts_with("sdlc ");
+    const ProgramResult result = run_shell(
+        folder.path(), "( " + (is_ours ? "\"$SDLC\"" + command.substr(4) : command) + " ) 2>&1");
+    session += line + "\n" + result.out;
+  }
+  if (std::getenv("SDLC_UPDATE") != nullptr) return update(example, session);
+  EXPECT_EQ(session, example.block().text) << "SDLC_UPDATE=1 rewrites it.";
+}
+
 void check_commands(const Example& example) {
   const TemporaryFolder folder;
-  for (const CodeBlock& block : example.page->blocks) {
-    if (is_file(block) && !word(block, 2).empty()) {
-      fs::create_directories((folder / word(block, 2)).parent_path());
-      write_text(folder / word(block, 2), block.text);
-    }
-  }
+  write_files(example, true, folder);
   std::istringstream lines(example.block().text);
   for (std::string line; std::getline(lines, line);) {
     ASSERT_TRUE(line.starts_with("sdlc ")) << line;
@@ -226,23 +319,29 @@ void check_commands(const Example& example) {
 
 void check(const Example& example) {
   const CodeBlock& block = example.block();
-  const std::string language = word(block, 0), kind = word(block, 1);
-  if (language == "json") {
-    EXPECT_EQ(Compiled(*example.page, "config.json", block.text).messages(), "");
-  } else if (kind == "scene") {
-    EXPECT_EQ(Compiled(*example.page, file_name(block), block.text).messages(), "");
+  const std::string kind = kind_of(block);
+  if (kind == "scene" || kind == "config") {
+    EXPECT_EQ(messages(example), "");
   } else if (kind == "scene-part") {
-    EXPECT_EQ(Compiled(*example.page, "page.scene", complete(block.text)).messages(), "");
+    EXPECT_EQ(messages(example, "page.scene", complete(block.text)), "");
   } else if (kind == "scene-values") {
     check_values(example);
-  } else if (kind == "scene-wrong") {
+  } else if (kind == "scene-wrong" || kind == "config-wrong") {
     ASSERT_LT(example.index + 1, example.page->blocks.size());
-    EXPECT_EQ(word(example.page->blocks[example.index + 1], 1), "message");
-  } else if (kind == "scene-file") {
+    const std::string next = kind_of(example.page->blocks[example.index + 1]);
+    EXPECT_TRUE(next == "message" || next == "session") << next;
+  } else if (kind == "scene-file" || kind == "config-file") {
     EXPECT_NE(word(block, 2), "");
+  } else if (kind == "scene-unformatted") {
+    ASSERT_LT(example.index + 1, example.page->blocks.size());
+    EXPECT_EQ(kind_of(example.page->blocks[example.index + 1]), "scene-formatted");
+  } else if (kind == "scene-formatted") {
+    check_formatted(example);
   } else if (kind == "message") {
     check_message(example);
-  } else if (language == "sh") {
+  } else if (kind == "session") {
+    check_session(example);
+  } else if (word(block, 0) == "sh") {
     check_commands(example);
   } else {
     FAIL() << "nobody says what this block is";
@@ -260,10 +359,23 @@ std::string test_name(const Page& page, const CodeBlock& block, int ordinal) {
   return name + std::to_string(ordinal);
 }
 
+/// Every page whose blocks are run, from the root of the repository.
+std::vector<std::string> page_paths() {
+  const fs::path root = SDLC_SOURCE_DIR;
+  std::vector<std::string> paths;
+  for (const auto& entry : fs::directory_iterator(root / "docs/explain")) {
+    paths.push_back(fs::relative(entry.path(), root).string());
+  }
+  std::ranges::sort(paths);
+  paths.insert(paths.begin(), {"README.md", "docs/language.md", "docs/mistakes.md",
+                               "docs/json-config.md", "docs/format.md", "docs/convert.md"});
+  return paths;
+}
+
 std::vector<Example> examples() {
   static const std::vector<Page> pages = [] {
     std::vector<Page> all;
-    for (const char* path : {"README.md", "docs/language.md", "docs/json-config.md"}) {
+    for (const std::string& path : page_paths()) {
       all.push_back({path, code_blocks_of(content_of(fs::path(SDLC_SOURCE_DIR) / path))});
     }
     return all;

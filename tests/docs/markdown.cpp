@@ -61,6 +61,20 @@ std::vector<CodeBlock> code_blocks_of(std::string_view page) {
   return blocks;
 }
 
+std::string replace_code_block(std::string_view page, std::size_t index, std::string_view text) {
+  std::string result;
+  std::size_t fences = 0;
+  for (const std::string& line : lines_of(page)) {
+    const bool was_inside = fences == 2 * index + 1;
+    fences += line.starts_with(kFence);
+    const bool is_inside = fences == 2 * index + 1;
+    if (was_inside && is_inside) continue;
+    if (was_inside) result += text;
+    result += line + "\n";
+  }
+  return result;
+}
+
 std::vector<GeneratedPart> generated_parts_of(std::string_view page) {
   std::vector<GeneratedPart> parts;
   bool is_inside = false;

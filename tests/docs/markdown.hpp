@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -17,6 +18,9 @@ struct CodeBlock {
 };
 
 std::vector<CodeBlock> code_blocks_of(std::string_view page);
+
+/// The page with the text of its block number `index`, counted from 0, replaced.
+std::string replace_code_block(std::string_view page, std::size_t index, std::string_view text);
 
 /// A part of a page between `<!-- generated: NAME -->` and `<!-- end -->`, each on a line of its
 /// own.

@@ -10,14 +10,12 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/text/display_width.hpp"
 #include "lang/text/utf8.hpp"
+#include "tests/support/folder_lock.hpp"
 
 namespace sdlc::test {
 namespace {
@@ -153,22 +151,6 @@ bool is_diagnostic(const Remark& remark) {
   return remark.kind.size() == 4 && remark.kind != "help";
 }
 
-/// Keeps other processes that update cases of the same folder waiting.
-class FolderLock {
- public:
-  explicit FolderLock(const fs::path& folder) : fd_(open(folder.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (fd_ < 0 || flock(fd_, LOCK_EX) != 0) {
-      throw std::runtime_error("cannot lock " + folder.string());
-    }
-  }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-  ~FolderLock() { close(fd_); }
-
- private:
-  int fd_;
-};
-
 void update(const FileCase& file_case, const std::vector<Remark>& remarks) {
   const FolderLock lock(file_case.file.parent_path());
   const std::string text = replace_expectations(read_file(file_case.file), file_case, remarks);
@@ -177,20 +159,28 @@ void update(const FileCase& file_case, const std::vector<Remark>& remarks) {
 
 }  // namespace
 
-std::string CaseText::text() const {
-  static const std::regex byte("⟦([0-9A-F]{2})⟧");
-  std::string text;
-  for (const std::string& line : lines) {
-    auto rest = line.cbegin();
-    for (std::smatch match; std::regex_search(rest, line.cend(), match, byte);) {
-      text.append(match.prefix().first, match.prefix().second);
-      text += static_cast<char>(std::stoi(match[1], nullptr, 16));
-      rest = match.suffix().first;
+std::string with_bytes(std::string_view text) {
+  static const std::regex mark("⟦(?:([0-9A-F]{2})|(\\w)×(\\d+))⟧");
+  std::string result;
+  std::cmatch match;
+  const char* rest = text.data();
+  const char* const end = rest + text.size();
+  while (std::regex_search(rest, end, match, mark)) {
+    result.append(rest, match[0].first);
+    if (match[1].matched) {
+      result += static_cast<char>(std::stoi(match[1], nullptr, 16));
+    } else {
+      result.append(std::stoul(match[3]), *match[2].first);
     }
-    text.append(rest, line.cend());
-    text += '\n';
+    rest = match[0].second;
   }
-  return text;
+  return result.append(rest, end);
+}
+
+std::string CaseText::text() const {
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  return with_bytes(text);
 }
 
 void PrintTo(const FileCase& file_case, std::ostream* out) {

@@ -30,12 +30,16 @@
 /// compared where they are given; the links of a chain are numbered, `chain: 1 in `ring``, the
 /// innermost first, and stand where they point to. Carets count code points; where they cannot
 /// stand below (the first two columns), `// @COLUMN+LENGTH E105: …` says it. ⟦FF⟧ in a text is the
-/// byte with that hexadecimal number. SDLC_UPDATE=1 rewrites the expectations.
+/// byte with that hexadecimal number, ⟦a×9⟧ the letter nine times. SDLC_UPDATE=1 rewrites the
+/// expectations.
 ///
 /// A line `=== materials.scene ===` inside a case ends its first text and begins another file, one
 /// that the first can import or include; expectations stand in the file that they are about. A name
 /// that begins with `--` is that of a flag, whose value is the text: `=== --set count ===`.
 namespace sdlc::test {
+
+/// The text with ⟦…⟧ replaced by what it stands for.
+std::string with_bytes(std::string_view text);
 
 /// One remark about a text of a case: a diagnostic (`kind` is its code), or its label, fix, help or
 /// link of its chain.
@@ -53,7 +57,7 @@ struct CaseText {
   std::vector<std::string> lines = {};  ///< as they stand in the file
 
   bool is_flag() const { return name.starts_with("--"); }
-  /// What is to be read: the lines with ⟦…⟧ replaced.
+  /// What is to be read: the lines, `with_bytes`.
   std::string text() const;
 };
 

@@ -24,10 +24,21 @@ TEST(DiagnosticSink, KeepsTheFirstFiftyAndCountsTheRest) {
     sink.report(diag::bad_utf8, {&file, {i, i + 1}}).help("say it");
   }
   sink.report(diag::zero_radius, {&file, {0, 1}});
-  EXPECT_EQ(sink.error_count(), 60u);
-  EXPECT_EQ(sink.warning_count(), 1u);
+  EXPECT_EQ(sink.counts(), (DiagnosticCounts{.errors = 60, .warnings = 1, .omitted = 10}));
   EXPECT_EQ(sink.diagnostics().size(), 51u);
-  EXPECT_EQ(sink.omitted_count(), 10u);
+}
+
+TEST(DiagnosticSink, KeepsWhatIsWantedAndKnowsOfOtherErrors) {
+  const SourceFile file("a", "text");
+  DiagnosticSink sink;
+  sink.set_filter([](const DiagnosticInfo& info) { return info.code == "E101"; });
+  sink.report(diag::bad_utf8, {&file, {0, 1}}).help("lost");
+  EXPECT_TRUE(sink.has_errors());
+  EXPECT_EQ(sink.counts(), DiagnosticCounts{});
+  sink.report(diag::unknown_name, {&file, {1, 2}}, "a");
+  sink.report(diag::zero_radius, {&file, {1, 2}});
+  EXPECT_EQ(sink.counts(), (DiagnosticCounts{.errors = 1, .warnings = 0, .omitted = 0}));
+  EXPECT_EQ(sink.diagnostics().size(), 1u);
 }
 
 TEST(DiagnosticSink, TellsTheSameOfOnePlaceOnce) {

@@ -145,7 +145,7 @@ TEST(RenderHuman, SaysWhatToWrite) {
   sink.report(diag::unknown_name, number, "c").fix({&file, {0, 0}}, "scene 1\n");
   const std::string text = render_diagnostics(sink, {});
   for (const char* help : {"help: write `0.5` instead of `.5`\n", "help: remove `,`\n",
-                           "help: add `deg` behind `.5`\n", "help: add `scene 1…` at 1:1\n"}) {
+                           "help: add `deg` behind `.5`\n", "help: add `scene 1` at 1:1\n"}) {
     EXPECT_NE(text.find(help), std::string::npos) << help << text;
   }
 }

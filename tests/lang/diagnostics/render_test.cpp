@@ -45,7 +45,7 @@ TEST(RenderJson, HoldsEverything) {
                    "offset": 3, "end_offset": 8},
       "labels": [{"message": "here", "location": {"file": "a.scene", "line": 2, "column": 1,
         "end_line": 2, "end_column": 7, "offset": 9, "end_offset": 15}}],
-      "fixes": [{"replacement": "radius", "location": {"file": "a.scene", "line": 1, "column": 3,
+      "fixes": [{"replacement": "radius", "is_safe": false, "location": {"file": "a.scene", "line": 1, "column": 3,
         "end_line": 1, "end_column": 8, "offset": 3, "end_offset": 8}}],
       "chain": [{"message": "in `ring`", "location": {"file": "a.scene", "line": 2, "column": 1,
         "end_line": 2, "end_column": 7, "offset": 9, "end_offset": 15}}]

@@ -91,6 +91,17 @@ TEST(DamagedText, AMillionBracketsAreTooDeep) {
   }
 }
 
+TEST(DamagedText, ALongLineOfMistakesIsReadOnce) {
+  for (const std::string_view unit : {"(", "1 ", "a ", "\"a\" ", "'", "\"a\": (", "#", ":", ";",
+                                      "(1, ", "a\" ", "? ", "\"a ", "x)"}) {
+    for (const std::string_view begin : {"{", "{\"a\": ", "{\"a\": ["}) {
+      std::string text(begin);
+      while (text.size() < 200'000) text += unit;
+      EXPECT_GT(read(std::move(text)), 0u) << begin << unit;
+    }
+  }
+}
+
 TEST(DamagedText, AMillionMistakesAreCounted) {
   std::string text = "{\"spheres\": [";
   for (int i = 0; i < 1'000'000; ++i) text += "+1,";

@@ -215,7 +215,7 @@ TEST(ReadConfig, AWrongSettingIsWrittenWithoutAValue) {
 
 TEST(ReadConfig, ASphereIsHandedOnAsSoonAsItIsClosed) {
   const std::string text = config(sphere(R"({"type": "diffuse", "color": [0, 0, 0]})"));
-  const Reading reading(text.substr(0, text.size() - 2));
+  const Reading reading(text.substr(0, text.size() - 2) + "/* never closed");
   EXPECT_EQ(reading.sink.error_count(), 1u);
   EXPECT_THAT(reading.objects.kinds(), ElementsAre(ObjectKind::Sphere));
 }

@@ -47,14 +47,6 @@ TEST(CheckValue, WantsTheType) {
             "`it` takes a colour, not a point (x, y, z)");
 }
 
-TEST(CheckValue, MendsAnAngleWithoutUnit) {
-  DiagnosticSink sink;
-  EXPECT_FALSE(check_value("fov", Type::Angle, Range::Any, 40.0, kWhere, sink));
-  const Fix& fix = sink.diagnostics().front().fixes.at(0);
-  EXPECT_EQ(fix.replacement, "deg");
-  EXPECT_EQ(fix.where.span, (Span{5, 5}));
-}
-
 TEST(CheckValue, WantsTheRange) {
   EXPECT_EQ(complaint(Type::Length, Range::NonNegative, 0.0), "");
   EXPECT_EQ(complaint(Type::Length, Range::NonNegative, -1.0), "`it` must be at least 0, not -1");

@@ -1,10 +1,10 @@
 #include "tests/support/compilation/compilation.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <gtest/gtest.h>
 
+#include "lang/diagnostics/fixes.hpp"
 #include "lang/eval/eval.hpp"
 
 namespace sdlc::test {
@@ -129,17 +129,7 @@ std::string with_fixes(const std::string& root) {
   lang::Program program(file, {}, sink);
   RecordedObjects objects;
   lang::Evaluation(program, {}, sink).run(objects);
-  std::vector<lang::Fix> fixes;
-  for (const lang::Diagnostic& diagnostic : sink.diagnostics()) {
-    fixes.insert(fixes.end(), diagnostic.fixes.begin(), diagnostic.fixes.end());
-  }
-  std::ranges::stable_sort(fixes, std::greater<>(),
-                           [](const lang::Fix& fix) { return fix.where.span.begin; });
-  std::string text(file.text());
-  for (const lang::Fix& fix : fixes) {
-    text.replace(fix.where.span.begin, fix.where.span.size(), fix.replacement);
-  }
-  return text;
+  return lang::apply_fixes(file, sink.sorted(), true).text;
 }
 
 }  // namespace sdlc::test

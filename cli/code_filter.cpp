@@ -1,0 +1,75 @@
+#include "cli/code_filter.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "cli/words.hpp"
+#include "lang/text/display_width.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+/// The length of the longest beginning of `code` among `beginnings`; 0 where there is none.
+std::size_t longest(const std::vector<std::string>& beginnings, std::string_view code) {
+  std::size_t size = 0;
+  for (const std::string& beginning : beginnings) {
+    if (code.starts_with(beginning)) size = std::max(size, beginning.size());
+  }
+  return size;
+}
+
+bool fits_some_code(std::string_view beginning) {
+  return std::ranges::any_of(lang::all_diagnostics(), [&](const lang::DiagnosticInfo* info) {
+    return info->code.starts_with(beginning);
+  });
+}
+
+void add_codes(CLI::App& command, const std::string& flag, std::vector<std::string>& codes,
+               const std::string& doc) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          flag,
+          [flag, &codes](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              try {
+                codes.push_back(parse_code(text));
+              } catch (const std::invalid_argument& error) {
+                throw CLI::ValidationError(flag, error.what());
+              }
+            }
+          },
+          doc)
+      ->type_name("CODES")
+      ->delimiter(',')
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false);  // FILE may stand behind it
+}
+
+}  // namespace
+
+std::string parse_code(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::toupper(c); });
+  if (!text.empty() && fits_some_code(text)) return text;
+  std::vector<std::string_view> codes;
+  for (const lang::DiagnosticInfo* info : lang::all_diagnostics()) codes.push_back(info->code);
+  throw std::invalid_argument(fmt::format("no diagnostic has a code that begins with `{}`{}",
+                                          lang::printable(text), did_you_mean(text, codes)));
+}
+
+std::optional<bool> CodeFilter::answer(std::string_view code) const {
+  const std::size_t against = longest(ignored, code);
+  if (!selected.empty()) return longest(selected, code) > against;
+  return against > 0 ? std::optional(false) : std::nullopt;
+}
+
+void add_code_filter(CLI::App& command, CodeFilter& filter) {
+  add_codes(command, "--select", filter.selected,
+            "Only diagnostics with these codes or beginnings of codes, such as E104,W4");
+  add_codes(command, "--ignore", filter.ignored, "All but these");
+}
+
+}  // namespace sdlc::cli

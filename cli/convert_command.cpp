@@ -1,0 +1,260 @@
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/diagnostics_output.hpp"
+#include "cli/dispatcher.hpp"
+#include "cli/outputs.hpp"
+#include "cli/scene_files.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/usage_error.hpp"
+#include "cli/whole_number.hpp"
+#include "cli/words.hpp"
+#include "lang/convert/convert.hpp"
+#include "lang/diagnostics/render.hpp"
+#include "lang/object/object.hpp"
+#include "lang/text/display_width.hpp"
+#include "render/image/atomic_file.hpp"
+#include "render/image/io_error.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 2> kFormats{"scene", "json"};
+
+std::string_view name_of(lang::SourceFormat format) {
+  return kFormats[format == lang::SourceFormat::Scene ? 0 : 1];
+}
+
+struct ConvertCommandOptions {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string to;
+  bool is_strict = false;
+  bool overwrites = false;
+  bool quiet = false;
+  lang::ConvertOptions conversion;
+  std::vector<lang::SetOption> sets;
+  ReadingOptions reading;
+  DiagnosticsOptions diagnostics;
+};
+
+/// A text to be converted.
+struct Input {
+  std::string name;                ///< `-`: standard input
+  std::optional<fs::path> folder;  ///< that it was found in, if only its folder was named
+};
+
+std::vector<Input> find_inputs(const std::vector<std::string>& arguments, const Environment& env) {
+  std::vector<Input> inputs;
+  std::set<std::string> names;
+  for (const std::string& argument : arguments) {
+    std::error_code ignored;
+    const bool is_folder = fs::is_directory(argument, ignored);
+    for (const std::string& name : find_scene_files({argument}, env)) {
+      if (!names.insert(name).second) continue;
+      std::optional<fs::path> folder;
+      if (is_folder) folder = fs::path(argument).lexically_normal();
+      inputs.push_back({name, std::move(folder)});
+    }
+  }
+  return inputs;
+}
+
+class ConvertJob {
+ public:
+  ConvertJob(const ConvertCommandOptions& options, Environment& env)
+      : options_(options),
+        env_(env),
+        inputs_(find_inputs(options.inputs, env)),
+        writer_(make_writer(options.diagnostics, env.err, env.err_is_terminal, env)) {
+    std::error_code ignored;
+    const bool is_one_file = inputs_.size() == 1 && !inputs_.front().folder;
+    writes_folder_ = !options.output.empty() && options.output != kStandardStream &&
+                     (!is_one_file || options.output.ends_with('/') ||
+                      fs::is_directory(options.output, ignored));
+    if (options.output == kStandardStream && inputs_.size() > 1) {
+      throw UsageError("-o -: several texts would run into each other; name a folder");
+    }
+  }
+
+  ExitCode run() {
+    for (const Input& input : inputs_) {
+      try {
+        convert(input);
+      } catch (const render::IoError& error) {
+        fail(error.what());
+      }
+    }
+    writer_->finish(counts_);
+    if (inputs_.size() > 1 && tells_progress()) {
+      env_.err << fmt::format("{} of {} converted\n", converted_,
+                              converted_ + refused_ + unusable_);
+    }
+    return unusable_ > 0 ? ExitCode::Usage : refused_ > 0 ? ExitCode::Findings : ExitCode::Success;
+  }
+
+ private:
+  bool tells_progress() const { return !options_.quiet && options_.diagnostics.format == "human"; }
+
+  /// What has nothing to do with the text: a file cannot be read or written.
+  void fail(std::string_view reason) {
+    ++unusable_;
+    env_.err << fmt::format("error: {}\n", lang::printable(reason));
+  }
+
+  void convert(const Input& input) {
+    const std::string shown =
+        input.name == kStandardStream ? stdin_name(options_.reading) : input.name;
+    const lang::SourceFile file(shown, read_text(input.name, shown, env_));
+    if (name_of(file.format()) == options_.to) {
+      if (!input.folder) fail(fmt::format("`{}` is one already: --to {}", shown, options_.to));
+      return;
+    }
+
+    const std::optional<fs::path> target = target_of(input, file.format());
+    if (target && !may_write(*target, file.format())) return;
+    const std::optional<std::string> text = convert(file);
+    if (!text) {
+      ++refused_;
+    } else if (target) {
+      const render::ParentFolders folders(*target);
+      render::write_file_atomically(*target, std::as_bytes(std::span(*text)));
+      ++converted_;
+      if (tells_progress()) {
+        env_.err << fmt::format("{} -> {}\n", lang::printable(shown),
+                                lang::printable(target->string()));
+      }
+    } else {
+      env_.out << *text;
+      ++converted_;
+    }
+  }
+
+  std::optional<std::string> convert(const lang::SourceFile& file) {
+    lang::DiagnosticSink sink;
+    lang::ProgramOptions program = program_options(options_.reading, env_);
+    program.sets = options_.sets;
+    lang::Conversion conversion(file, program, sink);
+    std::optional<std::string> text = conversion.run(options_.conversion);
+    for (const lang::Diagnostic* diagnostic : sink.sorted()) writer_->write(*diagnostic);
+    counts_ += sink.counts();
+    if (!text || !options_.is_strict || sink.counts().warnings == 0) return text;
+    env_.err << fmt::format("error: {} has warnings, and --strict takes them for errors\n",
+                            lang::printable(file.name()));
+    return std::nullopt;
+  }
+
+  /// Where the converted text goes; nothing: to standard output.
+  std::optional<fs::path> target_of(const Input& input, lang::SourceFormat format) const {
+    const bool is_stdin = input.name == kStandardStream;
+    if (options_.output == kStandardStream) return std::nullopt;
+    if (is_stdin && options_.output.empty()) return std::nullopt;
+    if (!options_.output.empty() && !writes_folder_) return options_.output;
+
+    const fs::path path = is_stdin ? fs::path(stdin_name(options_.reading)) : fs::path(input.name);
+    fs::path name = path;
+    if (writes_folder_) {
+      name = fs::path(options_.output) /
+             (input.folder ? path.lexically_relative(*input.folder) : path.filename());
+    }
+    return name.replace_extension(format == lang::SourceFormat::Scene ? ".json" : ".scene");
+  }
+
+  bool may_write(const fs::path& target, lang::SourceFormat source) {
+    const std::string shown = target.string();
+    const bool is_wrong_name = !options_.output.empty() && !writes_folder_ &&
+                               target.extension() == fmt::format(".{}", name_of(source));
+    if (is_wrong_name) {
+      fail(fmt::format("`{}` has the extension of the format that is converted from", shown));
+      return false;
+    }
+    if (!targets_.insert(fs::absolute(target).lexically_normal().string()).second) {
+      fail(fmt::format("`{}` would be written twice", shown));
+      return false;
+    }
+    // What -o names is meant to be replaced; a file that happens to stand beside is not.
+    if (options_.output.empty() && !options_.overwrites && fs::exists(target)) {
+      fail(fmt::format("`{}` is there already; --overwrite replaces it, -o names another", shown));
+      return false;
+    }
+    return true;
+  }
+
+  const ConvertCommandOptions& options_;
+  Environment& env_;
+  std::vector<Input> inputs_;
+  bool writes_folder_ = false;
+  std::unique_ptr<lang::DiagnosticWriter> writer_;
+  lang::DiagnosticCounts counts_;
+  std::set<std::string> targets_;
+  std::size_t converted_ = 0;
+  std::size_t refused_ = 0;   // errors in the text, or nothing that the other format could hold
+  std::size_t unusable_ = 0;  // files
+};
+
+void add_choice_options(CLI::App& command, lang::ConvertOptions& options) {
+  const auto properties = lang::kind_info(lang::ObjectKind::Render).properties;
+  command.add_option("--camera", options.camera, "The camera to convert, where there are several");
+  command
+      .add_option("--tone", options.tone,
+                  "In place of the scene's own; a config has sqrt and linear")
+      ->check(one_of(properties[lang::render_property::kTone].words));
+  add_whole_number(
+      command, "--frame", {.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber)},
+      [&options](std::uint64_t frame) { options.frame = static_cast<int>(frame); },
+      "The frame of a film to convert");
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& app, Dispatcher& dispatcher) {
+  auto options = std::make_shared<ConvertCommandOptions>();
+  CLI::App* command =
+      app.add_subcommand("convert", "Turn JSON configs into scenes, and scenes into configs");
+  command
+      ->add_option("IN", options->inputs,
+                   "Scenes, JSON configs, folders of them; `-` reads standard input")
+      ->required();
+  command->add_option("-o,--output", options->output,
+                      "The file; the folder for several, where the tree is mirrored; `-`: standard "
+                      "output. Default: beside IN, with the other extension");
+  command->add_option("--to", options->to, "The format to convert to; default: the other one")
+      ->check(one_of(kFormats));
+  command->add_flag("--strict", options->is_strict, "Write nothing where there are warnings");
+  command->add_flag("--overwrite", options->overwrites,
+                    "Replace files that are there, although -o does not name them");
+  add_choice_options(*command, options->conversion);
+  add_set_option(*command, options->sets);
+  add_reading_options(*command, options->reading);
+  add_diagnostics_options(*command, options->diagnostics);
+  command->add_flag("--quiet", options->quiet, "Nothing on standard error but diagnostics");
+  command->footer(
+      "Examples:\n"
+      "  sdlc convert old.json                    to old.scene\n"
+      "  sdlc convert old.json -o -               to standard output\n"
+      "  sdlc convert configs/ -o scenes/         all that is in a folder, at any depth\n"
+      "  sdlc convert ring.scene --tone sqrt      to ring.json, if it can be said there\n"
+      "  sdlc convert film.scene --frame 12 -o frame.json\n\n"
+      "Both render to the same picture. docs/convert.md tells what becomes of what. Exit status: 0 "
+      "all converted,\n"
+      "1 a text has errors or cannot be written in the other format, 2 a file cannot be read or "
+      "written.");
+  dispatcher.on(command, [options](Environment& env) { return ConvertJob(*options, env).run(); });
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,210 @@
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/diagnostics_output.hpp"
+#include "cli/dispatcher.hpp"
+#include "cli/outputs.hpp"
+#include "cli/scene_files.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/unified_diff.hpp"
+#include "cli/usage_error.hpp"
+#include "cli/whole_number.hpp"
+#include "lang/format/format.hpp"
+#include "lang/text/display_width.hpp"
+#include "render/image/atomic_file.hpp"
+#include "render/image/io_error.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+struct FmtOptions {
+  std::vector<std::string> arguments;
+  std::string stdin_filename;
+  DiagnosticsOptions diagnostics;
+  std::optional<lang::LineRange> lines;
+  bool checks = false;      // --check
+  bool shows_diff = false;  // --diff
+  bool quiet = false;
+};
+
+/// `A:B`, two lines counted from 1.
+lang::LineRange parse_lines(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) {
+    throw CLI::ValidationError("--range",
+                               fmt::format("takes FIRST:LAST, not `{}`", lang::printable(text)));
+  }
+  const auto line = [](const std::string& number) {
+    return static_cast<std::uint32_t>(
+        parse_whole_number("--range", number, {.lowest = 1, .highest = UINT32_MAX}));
+  };
+  const lang::LineRange lines{line(text.substr(0, colon)), line(text.substr(colon + 1))};
+  if (lines.first > lines.last) {
+    throw CLI::ValidationError("--range", "the first line comes before the last");
+  }
+  return lines;
+}
+
+class FmtJob {
+ public:
+  FmtJob(const FmtOptions& options, Environment& env)
+      : options_(options),
+        env_(env),
+        names_(find_scene_files(options.arguments, env, SceneFiles::Scenes)),
+        writer_(make_writer(options.diagnostics, env.err, env.err_is_terminal, env)) {}
+
+  ExitCode run() {
+    if (options_.lines && names_.size() > 1) {
+      throw UsageError("--range: lines of one file only can be asked for");
+    }
+    for (const std::string& name : names_) refuse_json(name, name, {});
+    for (const std::string& name : names_) visit(name);
+    if (counts_.errors > 0) writer_->finish(counts_);
+    env_.out.flush();
+    if (!options_.quiet) conclude();
+    if (unreadable_ > 0) return ExitCode::Usage;
+    return counts_.errors > 0 || (changed_ > 0 && only_tells()) ? ExitCode::Findings
+                                                                : ExitCode::Success;
+  }
+
+ private:
+  bool only_tells() const { return options_.checks || options_.shows_diff; }
+
+  static void refuse_json(const std::string& name, const std::string& shown,
+                          std::string_view text) {
+    if (name == kStandardStream && text.empty()) return;
+    if (lang::source_format_of(shown, text) == lang::SourceFormat::Scene) return;
+    throw UsageError(fmt::format("`{}` is a JSON config, and `fmt` is for .scene files",
+                                 lang::printable(shown)));
+  }
+
+  void visit(const std::string& name) {
+    try {
+      const bool is_stdin = name == kStandardStream;
+      const std::string shown =
+          !is_stdin ? name
+                    : (options_.stdin_filename.empty() ? "<stdin>" : options_.stdin_filename);
+      const std::string text = read_text(name, shown, env_);
+      refuse_json(name, shown, text);
+      lang::DiagnosticSink sink;
+      sink.set_filter(
+          [](const lang::DiagnosticInfo& info) { return info.severity == lang::Severity::Error; });
+      const lang::SourceFile file(shown, text);
+      if (const auto formatted = lang::format_file(file, sink, options_.lines)) {
+        settle(name, shown, text, *formatted);
+      } else {
+        leave_alone(shown, sink);
+      }
+    } catch (const render::IoError& error) {
+      ++unreadable_;
+      env_.err << fmt::format("error: {}\n", lang::printable(error.what()));
+    }
+  }
+
+  void settle(const std::string& name, const std::string& shown, const std::string& text,
+              const std::string& formatted) {
+    const bool is_changed = text != formatted;
+    if (options_.shows_diff) {
+      show_diff(shown, text, formatted);
+    } else if (options_.checks) {
+      if (is_changed) env_.out << (env_.out_is_terminal ? lang::printable(shown) : shown) << '\n';
+    } else if (name == kStandardStream) {
+      env_.out << formatted;
+    } else if (is_changed) {
+      render::write_file_atomically(name, std::as_bytes(std::span(formatted)));
+      if (!options_.quiet) env_.err << fmt::format("formatted {}\n", lang::printable(shown));
+    }
+    if (is_changed) ++changed_;
+  }
+
+  void show_diff(const std::string& shown, const std::string& text, const std::string& formatted) {
+    const std::string diff = unified_diff(shown, text, formatted);
+    if (!wants_color(options_.diagnostics, env_.out_is_terminal, env_)) {
+      env_.out << diff;
+      return;
+    }
+    std::string_view rest = diff;
+    while (!rest.empty()) {
+      const std::string_view line = rest.substr(0, rest.find('\n'));
+      rest.remove_prefix(line.size() + 1);
+      const std::string_view color = line.starts_with("@@") ? "\x1b[36m"
+                                     : line.starts_with("---") || line.starts_with("+++")
+                                         ? "\x1b[1m"
+                                     : line.starts_with('-') ? "\x1b[31m"
+                                     : line.starts_with('+') ? "\x1b[32m"
+                                                             : "";
+      env_.out << color << line << (color.empty() ? "\n" : "\x1b[0m\n");
+    }
+  }
+
+  void leave_alone(const std::string& shown, const lang::DiagnosticSink& sink) {
+    for (const lang::Diagnostic* diagnostic : sink.sorted()) writer_->write(*diagnostic);
+    counts_ += sink.counts();
+    left_alone_.push_back(shown);
+  }
+
+  void conclude() {
+    for (const std::string& name : left_alone_) {
+      env_.err << fmt::format("left alone for its errors: {}\n", lang::printable(name));
+    }
+    if (only_tells() && changed_ > 0) {
+      env_.err << fmt::format("{} file{} would be formatted\n", changed_, changed_ == 1 ? "" : "s");
+    }
+  }
+
+  const FmtOptions& options_;
+  Environment& env_;
+  std::vector<std::string> names_;
+  std::unique_ptr<lang::DiagnosticWriter> writer_;
+  lang::DiagnosticCounts counts_;
+  std::vector<std::string> left_alone_;
+  std::size_t changed_ = 0;
+  std::size_t unreadable_ = 0;
+};
+
+}  // namespace
+
+void add_fmt_command(CLI::App& app, Dispatcher& dispatcher) {
+  auto options = std::make_shared<FmtOptions>();
+  CLI::App* command = app.add_subcommand("fmt", "Give scenes the one layout that all scenes have");
+  command
+      ->add_option("FILE", options->arguments,
+                   "Scenes and folders of them; `-` formats standard input to standard output")
+      ->required();
+  CLI::Option* check =
+      command->add_flag("--check", options->checks, "Only list the files that would change");
+  command->add_flag("--diff", options->shows_diff, "Only show what would change, as a patch")
+      ->excludes(check);
+  command
+      ->add_option_function<std::string>(
+          "--range", [options](const std::string& text) { options->lines = parse_lines(text); },
+          "Format the statements that touch these lines, counted from 1, and nothing else")
+      ->type_name("FIRST:LAST");
+  command->add_option("--stdin-filename", options->stdin_filename,
+                      "What a scene from standard input is called in messages");
+  add_diagnostics_options(*command, options->diagnostics);
+  command->add_flag("--quiet", options->quiet, "Nothing on standard error but errors");
+  command->footer(
+      "Examples:\n"
+      "  sdlc fmt ball.scene\n"
+      "  sdlc fmt scenes/ --check\n"
+      "  sdlc fmt scenes/ --diff | patch -p0\n"
+      "  sdlc fmt - --range 12:20 --stdin-filename ball.scene <ball.scene\n\n"
+      "Files are written whole or not at all, and only those that change. One with syntax errors "
+      "is "
+      "left\n"
+      "alone. docs/format.md describes the layout. Exit status: 0 done, or nothing to do; 1 "
+      "syntax errors,\n"
+      "or with --check and --diff files that would change; 2 a file cannot be read or written.");
+  dispatcher.on(command, [options](Environment& env) { return FmtJob(*options, env).run(); });
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,325 @@
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/code_filter.hpp"
+#include "cli/diagnostics_output.hpp"
+#include "cli/dispatcher.hpp"
+#include "cli/lint_config.hpp"
+#include "cli/outputs.hpp"
+#include "cli/scene_files.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/unified_diff.hpp"
+#include "cli/usage_error.hpp"
+#include "cli/whole_number.hpp"
+#include "lang/compile/compile.hpp"
+#include "lang/diagnostics/fixes.hpp"
+#include "lang/diagnostics/render.hpp"
+#include "lang/lint/lint.hpp"
+#include "lang/text/display_width.hpp"
+#include "render/image/atomic_file.hpp"
+#include "render/image/io_error.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+struct LintOptions {
+  std::vector<std::string> arguments;
+  ReadingOptions reading;
+  DiagnosticsOptions diagnostics;
+  CodeFilter filter;
+  bool fixes = false;         // --fix
+  bool fixes_unsafe = false;  // --unsafe-fixes
+  bool shows_diff = false;    // --diff
+  LintConfigOptions config;
+  std::optional<std::uint64_t> most_warnings;  // of all files; else each config has its own limit
+  bool quiet = false;
+};
+
+std::string plural(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+/// One file and what is wrong with it.
+class Linted {
+ public:
+  /// `wants` may be called as long as this lives.
+  Linted(std::string name, std::string text, const LintOptions& options, const Environment& env,
+         std::function<bool(const lang::DiagnosticInfo&)> wants)
+      : file_(std::move(name), std::move(text)) {
+    sink_.set_filter(std::move(wants));
+    compiler_.emplace(file_, program_options(options.reading, env), sink_);
+    lang::lint(*compiler_, file_, sink_);
+  }
+
+  const lang::SourceFile& file() const { return file_; }
+  const lang::DiagnosticSink& sink() const { return sink_; }
+
+ private:
+  lang::SourceFile file_;
+  lang::DiagnosticSink sink_;
+  std::optional<lang::Compiler> compiler_;  // holds texts that the sink refers to
+};
+
+/// Whether diagnostics are wanted, by their codes.
+using Decided = std::unordered_map<std::string_view, bool>;
+
+/// The warnings in the files of one config.
+struct WarningCount {
+  std::size_t found = 0;
+  std::uint64_t allowed = 0;
+};
+
+class LintJob {
+ public:
+  LintJob(const LintOptions& options, Environment& env)
+      : options_(options),
+        env_(env),
+        names_(find_scene_files(options.arguments, env)),
+        configs_(options.config, env),
+        // The mended text of standard input goes where the findings would.
+        out_(writes_text_to_stdout() ? env.err : env.out),
+        writer_(make_writer(options.diagnostics, out_,
+                            writes_text_to_stdout() ? env.err_is_terminal : env.out_is_terminal,
+                            env)) {}
+
+  ExitCode run() {
+    for (const std::string& name : names_) configs_.of(shown_name(name));
+    refuse_wrong_configs();
+    for (const std::string& name : names_) lint(name);
+    if (!options_.shows_diff) writer_->finish(counts_);
+    out_.flush();
+    if (!options_.quiet) conclude();
+    refuse_wrong_configs();  // of files that were imported
+    if (unreadable_ > 0) return ExitCode::Usage;
+    if (options_.shows_diff) return mended_ == 0 ? ExitCode::Success : ExitCode::Findings;
+    return is_clean() ? ExitCode::Success : ExitCode::Findings;
+  }
+
+ private:
+  bool applies_fixes() const {
+    return options_.fixes || options_.fixes_unsafe || options_.shows_diff;
+  }
+  bool writes_text_to_stdout() const {
+    return applies_fixes() && !options_.shows_diff &&
+           std::ranges::find(names_, kStandardStream) != names_.end();
+  }
+
+  std::string shown_name(const std::string& name) const {
+    return name == kStandardStream ? stdin_name(options_.reading) : name;
+  }
+
+  void refuse_wrong_configs() const {
+    if (configs_.errors().empty()) return;
+    throw UsageError(fmt::format("{}", fmt::join(configs_.errors(), "\nerror: ")));
+  }
+
+  /// Flags decide before configs.
+  bool wants(const lang::DiagnosticInfo& info, const std::string& place) {
+    if (const auto answer = options_.filter.answer(info.code)) return *answer;
+    return configs_.of(place).wants(info.code, std::filesystem::absolute(place).lexically_normal());
+  }
+
+  std::unique_ptr<Linted> linted(const std::string& name, std::string text) {
+    // A scene may report a million times; each code is decided once.
+    auto is_wanted = [this, place = shown_name(name),
+                      decided = Decided()](const lang::DiagnosticInfo& info) mutable {
+      const auto [answer, is_new] = decided.emplace(info.code, false);
+      if (is_new) answer->second = wants(info, place);
+      return answer->second;
+    };
+    return std::make_unique<Linted>(shown_name(name), std::move(text), options_, env_,
+                                    std::move(is_wanted));
+  }
+
+  void lint(const std::string& name) {
+    try {
+      std::string text = read_text(name, shown_name(name), env_);
+      if (!options_.shows_diff) writer_->enter(shown_name(name));
+      const auto result =
+          applies_fixes() ? mend(name, std::move(text)) : linted(name, std::move(text));
+      if (!options_.shows_diff) tell(*result, shown_name(name));
+    } catch (const render::IoError& error) {
+      ++unreadable_;
+      env_.err << fmt::format("error: {}\n", lang::printable(error.what()));
+    }
+  }
+
+  /// Applies fixes until nothing is left to apply: what one uncovers may have a fix too.
+  std::unique_ptr<Linted> mend(const std::string& name, std::string text) {
+    constexpr int kMostRounds = 10;
+    const std::string original = text;
+    auto result = linted(name, text);
+    std::size_t mended = 0;
+    for (int round = 0; round < kMostRounds; ++round) {
+      auto [fixed, applied] =
+          lang::apply_fixes(result->file(), result->sink().sorted(), options_.fixes_unsafe);
+      if (applied == 0) break;
+      mended += applied;
+      text = std::move(fixed);
+      result = linted(name, text);
+    }
+    if (options_.shows_diff) {
+      env_.out << unified_diff(shown_name(name), original, text);
+    } else if (name == kStandardStream) {
+      env_.out << text << std::flush;
+    } else if (text != original) {
+      render::write_file_atomically(name, std::as_bytes(std::span(text)));
+    }
+    mended_ += mended;
+    if (mended > 0) ++mended_files_;
+    return result;
+  }
+
+  /// Each once, though several of the files may read the one that it is about; and none that the
+  /// config of an imported file does not want there.
+  void tell(const Linted& linted, const std::string& place) {
+    lang::DiagnosticCounts counts = linted.sink().counts();
+    for (const lang::Diagnostic* diagnostic : linted.sink().sorted()) {
+      const lang::SourceFile* file = diagnostic->where.file;
+      const bool is_own = file == nullptr || file == &linted.file();
+      const std::string its_place = is_own ? place : file->name();
+      const bool is_wanted = is_own || wants(*diagnostic->info, its_place);
+      const bool is_error = diagnostic->info->severity == lang::Severity::Error;
+      if (is_wanted && told_.insert(identity(*diagnostic)).second) {
+        writer_->write(*diagnostic);
+        count_fixes(*diagnostic);
+        if (!is_error) count_warnings(its_place, 1);
+      } else {
+        --(is_error ? counts.errors : counts.warnings);
+      }
+    }
+    count_warnings(place, linted.sink().counts().warnings - kept_warnings(linted.sink()));
+    counts_ += counts;
+  }
+
+  static std::size_t kept_warnings(const lang::DiagnosticSink& sink) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(sink.diagnostics(), [](const lang::Diagnostic& diagnostic) {
+          return diagnostic.info->severity == lang::Severity::Warning;
+        }));
+  }
+
+  void count_warnings(const std::string& place, std::size_t count) {
+    const LintConfig& config = configs_.of(place);
+    WarningCount& warnings = warnings_[&config];
+    warnings.found += count;
+    warnings.allowed = config.most_warnings.value_or(0);
+  }
+
+  bool is_clean() const {
+    if (counts_.errors > 0) return false;
+    if (options_.most_warnings) return counts_.warnings <= *options_.most_warnings;
+    return std::ranges::all_of(
+        warnings_, [](const auto& each) { return each.second.found <= each.second.allowed; });
+  }
+
+  std::string identity(const lang::Diagnostic& diagnostic) const {
+    const auto& [file, span] = diagnostic.where;
+    const std::string path = file == nullptr ? "" : env_.files.identity(file->name()).string();
+    return fmt::format("{}\n{} {} {} {}", path, span.begin, span.end, diagnostic.info->code,
+                       diagnostic.message);
+  }
+
+  void count_fixes(const lang::Diagnostic& diagnostic) {
+    if (diagnostic.fixes.empty()) return;
+    const bool is_safe = std::ranges::all_of(diagnostic.fixes, &lang::Fix::is_safe);
+    ++(is_safe ? safe_fixes_ : unsafe_fixes_);
+  }
+
+  void conclude() {
+    if (mended_ > 0) {
+      env_.err << fmt::format("{} {} in {}\n", options_.shows_diff ? "would mend" : "mended",
+                              plural(mended_, "finding"), plural(mended_files_, "file"));
+    }
+    if (options_.shows_diff || options_.diagnostics.format != "human") return;
+    if (counts_ == lang::DiagnosticCounts{} && unreadable_ == 0) {
+      env_.err << fmt::format("{} checked, nothing found\n", plural(names_.size(), "file"));
+    }
+    if (safe_fixes_ > 0 && !applies_fixes()) {
+      env_.err << fmt::format("{} can be mended with --fix\n", plural(safe_fixes_, "finding"));
+    }
+    if (unsafe_fixes_ > 0 && !options_.fixes_unsafe) {
+      env_.err << fmt::format("{} can be mended with --unsafe-fixes; look at the outcome\n",
+                              plural(unsafe_fixes_, "finding"));
+    }
+  }
+
+  const LintOptions& options_;
+  Environment& env_;
+  std::vector<std::string> names_;
+  LintConfigs configs_;
+  std::ostream& out_;
+  std::unique_ptr<lang::DiagnosticWriter> writer_;
+  std::unordered_set<std::string> told_;
+  lang::DiagnosticCounts counts_;
+  std::map<const LintConfig*, WarningCount> warnings_;
+  std::size_t unreadable_ = 0;
+  std::size_t mended_ = 0, mended_files_ = 0;
+  std::size_t safe_fixes_ = 0, unsafe_fixes_ = 0;  // of what is still there
+};
+
+}  // namespace
+
+void add_lint_command(CLI::App& app, Dispatcher& dispatcher) {
+  auto options = std::make_shared<LintOptions>();
+  CLI::App* command =
+      app.add_subcommand("lint", "Report mistakes in scenes without rendering them");
+  command
+      ->add_option("FILE", options->arguments,
+                   "Scenes, JSON configs, folders of them; `-` reads standard input")
+      ->required();
+  add_reading_options(*command, options->reading);
+  add_diagnostics_options(*command, options->diagnostics);
+  add_code_filter(*command, options->filter);
+  command->add_flag("--fix", options->fixes,
+                    "Apply the fixes that leave no doubt, and tell what is left; the text of "
+                    "standard input goes to standard output");
+  command->add_flag("--unsafe-fixes", options->fixes_unsafe,
+                    "Apply those that are guesses too, such as the nearest name");
+  command->add_flag("--diff", options->shows_diff,
+                    "Write nothing; show as a patch what --fix or --unsafe-fixes would change");
+  add_whole_number(
+      *command, "--max-warnings", {},
+      [options](std::uint64_t count) { options->most_warnings = count; },
+      "So many warnings are no failure; default: none");
+  CLI::Option* config =
+      command
+          ->add_option("--config", options->config.file,
+                       "The settings of all files; default: the nearest .sdlc.toml of each")
+          ->type_name("FILE");
+  command->add_flag("--no-config", options->config.is_unused, "Look for no .sdlc.toml")
+      ->excludes(config);
+  command->add_flag("--quiet", options->quiet, "Nothing but findings");
+  command->footer(
+      "Examples:\n"
+      "  sdlc lint ball.scene\n"
+      "  sdlc lint scenes/ old-config.json --format concise\n"
+      "  sdlc lint ball.scene --fix\n"
+      "  sdlc lint scenes/ --fix --diff\n"
+      "  sdlc lint scenes/ --select E --ignore E213\n"
+      "  cat ball.scene | sdlc lint - --stdin-filename ball.scene --format json\n\n"
+      "Findings go to standard output. In folders it looks at .scene files and at .json files that "
+      "look like\n"
+      "configs. A file without a camera, background or settings is taken as a part of others. "
+      "`sdlc explain CODE`\n"
+      "tells all about a finding. Exit status: 0 nothing found, 1 findings, 2 a file cannot be "
+      "read or written.");
+  dispatcher.on(command, [options](Environment& env) { return LintJob(*options, env).run(); });
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,77 @@
+#include "cli/scene_files.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "cli/usage_error.hpp"
+#include "lang/schema/schema.hpp"
+#include "lang/text/display_width.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether two keys of the format stand in the text: a config with mistakes in it is one too, and
+/// other JSON is left alone.
+bool looks_like_config(const fs::path& path, const Environment& env) {
+  std::error_code error;
+  const std::optional<std::string> text = env.files.read(path, error);
+  if (!text) return true;  // whoever reads it says why it cannot be read
+  const auto is_there = [&](const lang::JsonKey& key) {
+    return text->find(fmt::format("\"{}\"", key.key)) != std::string::npos;
+  };
+  return std::ranges::count_if(lang::json_config().keys, is_there) >= 2;
+}
+
+bool is_wanted(const fs::path& path, const Environment& env, SceneFiles wanted) {
+  if (path.extension() == ".scene") return true;
+  if (wanted == SceneFiles::Scenes) return false;
+  return path.extension() == ".json" && looks_like_config(path, env);
+}
+
+std::vector<std::string> scenes_in(const fs::path& folder, const Environment& env,
+                                   SceneFiles wanted) {
+  std::vector<std::string> names;
+  for (fs::recursive_directory_iterator entry(folder), end; entry != end; ++entry) {
+    const fs::path& path = entry->path();
+    const bool is_hidden = path.filename().string().starts_with('.');
+    if (entry->is_directory()) {
+      if (is_hidden) entry.disable_recursion_pending();
+    } else if (!is_hidden && entry->is_regular_file() && is_wanted(path, env, wanted)) {
+      names.push_back(path.lexically_normal().string());
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> find_scene_files(const std::vector<std::string>& arguments,
+                                          const Environment& env, SceneFiles wanted) {
+  std::vector<std::string> names;
+  for (const std::string& argument : arguments) {
+    std::error_code error;
+    if (!fs::is_directory(argument, error)) {
+      names.push_back(argument);
+      continue;
+    }
+    const std::vector<std::string> found = scenes_in(argument, env, wanted);
+    if (found.empty()) {
+      throw UsageError(fmt::format("there are no scenes in `{}`", lang::printable(argument)));
+    }
+    names.insert(names.end(), found.begin(), found.end());
+  }
+  std::vector<std::string> each;
+  for (std::string& name : names) {
+    if (std::ranges::find(each, name) == each.end()) each.push_back(std::move(name));
+  }
+  return each;
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,31 @@
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/config_schema.hpp"
+#include "cli/dispatcher.hpp"
+#include "cli/language_tables.hpp"
+
+namespace sdlc::cli {
+
+void add_schema_command(CLI::App& app, Dispatcher& dispatcher) {
+  auto is_language = std::make_shared<bool>(false);
+  CLI::App* command =
+      app.add_subcommand("schema", "Print the JSON Schema of configs, or the language's tables");
+  command->add_flag("--language", *is_language,
+                    "The kinds, properties, materials, functions, types, limits, colours and "
+                    "diagnostics of the language instead, as JSON");
+  // All commands take it; this one has nothing else to say.
+  command->add_flag("--quiet")->description("Has no effect here");
+  command->footer(
+      "Examples:\n"
+      "  sdlc schema > sdlc-config.schema.json\n"
+      "  sdlc schema --language | jq '.functions[].signature'\n\n"
+      "The schema is of draft 2020-12. docs/json-config.md tells how an editor uses it.");
+  dispatcher.on(command, [is_language](Environment& env) {
+    env.out << (*is_language ? language_tables() : config_schema()).dump(2) << '\n';
+    return ExitCode::Success;
+  });
+}
+
+}  // namespace sdlc::cli

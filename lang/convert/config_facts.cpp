@@ -1,0 +1,167 @@
+#include "lang/convert/config_facts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "lang/convert/config_number.hpp"
+#include "lang/convert/material_names.hpp"
+#include "lang/json/object_reader.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+constexpr std::uint32_t kValue = 1;  // of a member on its tape
+constexpr double kWhite = 255;
+
+const MaterialInfo& kind_of(const ConfigValue& material) {
+  const std::string type = material.find("type")->value.string();
+  const auto kinds = all_materials();
+  return *std::ranges::find(kinds, type, &MaterialInfo::json_name);
+}
+
+/// All numbers of the material, as they are before anything is done with them.
+std::string identity_of(const ConfigValue& material) {
+  const MaterialInfo& info = kind_of(material);
+  std::string identity(1, static_cast<char>(info.id));
+  const auto add = [&](double number) {
+    std::array<char, sizeof number> bytes;
+    std::memcpy(bytes.data(), &number, sizeof number);
+    identity.append(bytes.data(), bytes.size());
+  };
+  for (const JsonKey& key : json_material_keys(info.id)) {
+    const ConfigValue value = material.find(key.key)->value;
+    if (key.type == JsonType::Number) add(value.number());
+    if (key.type != JsonType::Color) continue;
+    for (const ConfigValue& component : value.elements()) add(component.number());
+  }
+  return identity;
+}
+
+render::LinearRgb color_value(const ConfigValue& color) {
+  const auto c = color.elements();
+  return {c[0].number() / kWhite, c[1].number() / kWhite, c[2].number() / kWhite};
+}
+
+ConfigMaterial read_material(const ConfigValue& material) {
+  const MaterialInfo& info = kind_of(material);
+  ConfigMaterial read;
+  std::vector<std::string> arguments;
+  read.value.kind = info.id;
+  for (const JsonKey& key : json_material_keys(info.id)) {
+    const ConfigValue value = material.find(key.key)->value;
+    const bool is_color = key.type == JsonType::Color;
+    if (is_color) {
+      read.value.color = color_value(value);
+    } else {
+      read.value.parameter = value.number();
+    }
+    const Property& argument = info.arguments[key.property];
+    if (is_default(argument, key, value)) continue;
+    arguments.push_back(fmt::format("{}: {}", argument.name,
+                                    is_color ? color_text(value) : std::string(value.spelling())));
+  }
+  read.text = fmt::format("{}({})", info.name, fmt::join(arguments, ", "));
+  return read;
+}
+
+/// `red` where each component is 0 or 1.
+std::optional<std::string_view> pure_color(const std::vector<ConfigValue>& color) {
+  static constexpr std::array<std::string_view, 8> kNames{"black", "blue",    "lime",   "cyan",
+                                                          "red",   "magenta", "yellow", "white"};
+  std::size_t index = 0;
+  for (const ConfigValue& component : color) {
+    const bool is_full = component.number() == kWhite;
+    if (!is_full && !have_same_bits(component.number(), 0)) return std::nullopt;
+    index = index * 2 + (is_full ? 1 : 0);
+  }
+  return kNames[index];
+}
+
+/// The components on the scale where white is 1, if they are shorter there.
+std::optional<std::string> fraction_color(const std::vector<ConfigValue>& color) {
+  std::string text;
+  std::size_t plain_size = 0, size = 0;
+  for (const ConfigValue& component : color) {
+    const double fraction = component.number() / kWhite;
+    // The way back must lead to the number that was written.
+    const ScaledComponent back = to_config_scale(fraction, {});
+    if (!back.is_exact || !have_same_bits(back.number, component.number())) return std::nullopt;
+    const std::string spelling = config_number(fraction);
+    text += (text.empty() ? "" : ", ") + spelling;
+    size += spelling.size();
+    plain_size += component.spelling().size();
+  }
+  if (size >= plain_size) return std::nullopt;
+  return text;
+}
+
+}  // namespace
+
+bool is_default(const Property& property, const JsonKey& key, const ConfigValue& value) {
+  if (const auto* number = std::get_if<double>(&property.default_value)) {
+    return have_same_bits(*number, value.number());
+  }
+  const auto* triple = std::get_if<std::array<double, 3>>(&property.default_value);
+  if (triple == nullptr) return false;
+  const double scale = key.type == JsonType::Color ? kWhite : 1;
+  const auto v = value.elements();
+  return have_same_bits((*triple)[0] * scale, v[0].number()) &&
+         have_same_bits((*triple)[1] * scale, v[1].number()) &&
+         have_same_bits((*triple)[2] * scale, v[2].number());
+}
+
+std::string triple_text(const ConfigValue& triple) {
+  const auto v = triple.elements();
+  return fmt::format("({}, {}, {})", v[0].spelling(), v[1].spelling(), v[2].spelling());
+}
+
+std::string color_text(const ConfigValue& color) {
+  const std::vector<ConfigValue> components = color.elements();
+  if (const auto name = pure_color(components)) return std::string(*name);
+  if (const auto fractions = fraction_color(components)) {
+    return fmt::format("linear({})", *fractions);
+  }
+  return "linear255" + triple_text(color);
+}
+
+void ConfigFacts::take_element(const Tape& tape, std::uint32_t element) {
+  const ConfigValue material = ConfigValue(*file_, tape, element).find("material")->value;
+  const auto [place, is_new] = indices_.emplace(identity_of(material), materials_.size());
+  if (is_new) materials_.push_back(read_material(material));
+  ++materials_[place->second].uses;
+}
+
+void ConfigFacts::take_member(const Tape& tape) {
+  std::string buffer;
+  const std::string_view name = member_name(*file_, tape[0], buffer);
+  const ConfigValue value(*file_, tape, kValue);
+  if (name == "camera") {
+    has_shutter_ = tape[kValue].type == JsonNodeType::Object && value.find("time_interval");
+  } else if (name == "spheres" && tape[kValue].type == JsonNodeType::Array) {
+    // Empty, unless the key is written with escapes, so that they were not streamed.
+    for (std::uint32_t i = kValue + 1; i < tape[kValue].next; i = tape[i].next) {
+      take_element(tape, i);
+    }
+  }
+}
+
+void ConfigFacts::finish() {
+  MaterialNames names;
+  for (ConfigMaterial& material : materials_) {
+    if (material.uses > 1) material.name = names.name_of(material.value);
+  }
+}
+
+const ConfigMaterial& ConfigFacts::material_of(const ConfigValue& material) const {
+  return materials_[indices_.at(identity_of(material))];
+}
+
+}  // namespace sdlc::lang

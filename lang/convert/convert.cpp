@@ -1,0 +1,173 @@
+#include "lang/convert/convert.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "lang/convert/writers.hpp"
+#include "lang/eval/eval.hpp"
+#include "lang/format/format.hpp"
+#include "lang/json/json.hpp"
+#include "lang/syntax/syntax.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+/// While it lives, the sink is deaf to warnings but those of the kind `heard`.
+class WarningsOff {
+ public:
+  explicit WarningsOff(DiagnosticSink& sink, std::string_view heard = {}) : sink_(sink) {
+    sink_.set_filter([heard](const DiagnosticInfo& info) {
+      return info.severity == Severity::Error || info.code == heard;
+    });
+  }
+  WarningsOff(const WarningsOff&) = delete;
+  WarningsOff& operator=(const WarningsOff&) = delete;
+  ~WarningsOff() { sink_.set_filter({}); }
+
+ private:
+  DiagnosticSink& sink_;
+};
+
+void collect_number(std::string_view spelling, std::vector<double>& numbers) {
+  std::string digits(spelling);
+  std::erase(digits, '_');
+  double number = 0;
+  const char* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, number);
+  if (error == std::errc() && stop == end) numbers.push_back(number);
+}
+
+/// The numbers that stand in calls of `linear255`, ascending.
+std::vector<double> scaled_numbers(const SyntaxTree& tree) {
+  std::vector<double> numbers;
+  const auto nodes = tree.nodes();
+  std::size_t end = 0;  // of the call
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const SyntaxNode& node = nodes[i];
+    const bool is_call = node.kind == SyntaxKind::Call &&
+                         tree.text({node.begin, node.begin + node.head}) == "linear255";
+    if (is_call) end = i + node.extent;
+    if (i < end && node.kind == SyntaxKind::Number) collect_number(tree.text(node.span()), numbers);
+  }
+  std::ranges::sort(numbers);
+  return numbers;
+}
+
+LoweredScene lower_config(const SourceFile& config, DiagnosticSink& sink) {
+  SceneBuilder builder(config, {}, sink);
+  read_config(config, builder, sink);
+  return builder.finish({});
+}
+
+LoweredScene lower_scene(const SourceFile& scene, DiagnosticSink& sink) {
+  SceneBuilder builder(scene, {}, sink);
+  evaluate(scene, builder, sink);
+  return builder.finish({});
+}
+
+void require(bool is_right, const DiagnosticSink& sink) {
+  if (is_right && !sink.has_errors()) return;
+  const std::string reason = sink.has_errors() ? sink.diagnostics().front().message : "";
+  throw std::logic_error("the converted text is another picture; " + reason);
+}
+
+}  // namespace
+
+Conversion::Conversion(const SourceFile& file, const ProgramOptions& options, DiagnosticSink& sink)
+    : file_(file), options_(options), sink_(sink) {
+  const WarningsOff off(sink);
+  if (file.format() == SourceFormat::Scene) {
+    program_ = std::make_unique<Program>(file, options, sink);
+  } else {
+    for (const SetOption& set : options.sets) sink.report(diag::unknown_param, {}, set.name);
+  }
+}
+
+Conversion::~Conversion() = default;
+
+std::optional<std::string> Conversion::run(const ConvertOptions& options) {
+  return program_ ? to_config(options) : to_scene();
+}
+
+std::optional<std::string> Conversion::to_scene() {
+  LoweredScene lowered;
+  {
+    const WarningsOff off(sink_);
+    SceneBuilder builder(file_, options_.limits, sink_);
+    read_config(file_, builder, sink_);
+    lowered = builder.finish({});
+  }
+  if (sink_.has_errors()) return std::nullopt;
+
+  const SourceFile unformatted("converted.scene", write_scene(file_, sink_));
+  if (!may_be_read(unformatted, lowered)) return std::nullopt;
+  DiagnosticSink sink;
+  std::string text = format_file(unformatted, sink).value_or("");
+  const SourceFile scene("converted.scene", text);
+  const LoweredScene again = lower_scene(scene, sink);
+  require(is_same_picture(lowered, again, true), sink);
+  return text;
+}
+
+bool Conversion::may_be_read(const SourceFile& scene, const LoweredScene& lowered) {
+  const Limits& limits = options_.limits;
+  const char* help = "no limit holds for a config, but this one for the scene that comes of it";
+  if (lowered.output.output.size() > limits.string) {
+    sink_.report(diag::string_too_long, {&file_, {0, 0}}, limits.string).help(help);
+  }
+  if (scene.text().size() > limits.file) {
+    sink_.report(diag::file_too_large, {&file_, {0, 0}}, limits.file).help(help);
+  }
+  return !sink_.has_errors();
+}
+
+std::optional<std::string> Conversion::to_config(const ConvertOptions& options) {
+  const Overrides overrides{.tone = options.tone, .camera = options.camera};
+  SceneBuilder builder(file_, options_.limits, sink_);
+  ConfigWriter writer(builder, options.camera,
+                      scaled_numbers(program_->module(Program::kRoot).tree), sink_);
+  std::optional<Animation> film;
+  LoweredScene lowered;
+  {
+    const WarningsOff off(sink_, diag::rounded_color.code);
+    Evaluation evaluation(*program_, {.frame = options.frame, .camera = options.camera}, sink_);
+    film = evaluation.animation();
+    if (film && !options.frame) {
+      sink_.report(diag::not_in_config, film->where, "a film")
+          .help("`--frame N` converts one of its frames");
+    }
+    evaluation.run(writer);
+    lowered = builder.finish(overrides);
+  }
+  if (options.frame && !film && !sink_.has_errors()) {
+    sink_.report(diag::no_effect, {}, "--frame").help("the scene has no `animation`");
+  }
+  std::string text = writer.finish(lowered, film ? options.frame : std::nullopt);
+  if (sink_.has_errors()) return std::nullopt;
+
+  const SourceFile config("converted.json", text);
+  DiagnosticSink sink;
+  const LoweredScene again = lower_config(config, sink);
+  require(is_same_picture(lowered, again, writer.has_all_colors()), sink);
+  return text;
+}
+
+bool is_same_picture(const LoweredScene& a, const LoweredScene& b, bool compares_colors) {
+  const render::Camera &ca = a.scene.camera, &cb = b.scene.camera;
+  const render::Background &ba = a.scene.background, &bb = b.scene.background;
+  const bool has_same_view = ca.from == cb.from && ca.at == cb.at && ca.up == cb.up &&
+                             ca.plane_height == cb.plane_height && ca.aspect == cb.aspect;
+  const bool has_same_settings =
+      a.settings.width == b.settings.width && a.settings.height == b.settings.height &&
+      a.settings.samples == b.settings.samples && a.settings.depth == b.settings.depth &&
+      a.settings.seed == b.settings.seed && a.output.tone == b.output.tone;
+  const bool has_same_colors = !compares_colors || (a.scene.materials == b.scene.materials &&
+                                                    ba.bottom == bb.bottom && ba.top == bb.top);
+  return (has_same_view || !a.camera) && has_same_settings && has_same_colors &&
+         a.scene.spheres == b.scene.spheres && a.scene.shifts == b.scene.shifts;
+}
+
+}  // namespace sdlc::lang

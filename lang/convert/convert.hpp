@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/lower/scene_builder.hpp"
+#include "lang/program/program.hpp"
+#include "lang/source/source.hpp"
+
+namespace sdlc::lang {
+
+/// What of a scene is written as a config, where it holds more than one of something.
+struct ConvertOptions {
+  std::optional<int> frame = {};                      ///< of a film
+  std::optional<std::string> camera = {}, tone = {};  ///< in place of the scene's own
+};
+
+/// A text of one format, to be written in the other one. Of what the text itself is warned about
+/// nothing is told: the warnings are about what the other format cannot hold.
+class Conversion {
+ public:
+  /// `file` must outlive the conversion, and the conversion what is done with the sink's
+  /// diagnostics.
+  Conversion(const SourceFile& file, const ProgramOptions& options, DiagnosticSink& sink);
+  ~Conversion();
+
+  /// The text in the other format, which lowers to the same picture; nothing where an error has
+  /// been reported. Throws std::logic_error where it would be another picture: a defect.
+  std::optional<std::string> run(const ConvertOptions& options);
+
+ private:
+  std::optional<std::string> to_scene();
+  std::optional<std::string> to_config(const ConvertOptions& options);
+  /// Whether the limits allow for the scene; if not, that is reported.
+  bool may_be_read(const SourceFile& scene, const LoweredScene& lowered);
+
+  const SourceFile& file_;
+  ProgramOptions options_;
+  DiagnosticSink& sink_;
+  std::unique_ptr<Program> program_;  ///< null for a config
+};
+
+}  // namespace sdlc::lang

@@ -1,0 +1,110 @@
+#include "lang/eval/type_hints.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "lang/value/colors.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+Location behind(ast::Node node) { return node.tree().location({node.span().end, node.span().end}); }
+
+bool is_literal_number(ast::Node node) {
+  if (node.is(SyntaxKind::Number)) return true;
+  const auto operand = node.is(SyntaxKind::Negative) ? node.child(0) : std::nullopt;
+  return operand && operand->is(SyntaxKind::Number);
+}
+
+void hint_angle(DiagnosticBuilder& report, const Computed& given, ast::Node written) {
+  if (!holds_alternative<Scalar>(given)) return;
+  if (is_literal_number(written)) {
+    report.unsafe_fix(behind(written), "deg");
+  } else {
+    report.help("an angle has a unit: `40deg`, or `(…) * 1deg`");
+  }
+}
+
+void hint_angles(DiagnosticBuilder& report, const Computed& given, ast::Node written) {
+  report.help("these are three angles, about x, y and z: `(0deg, 30deg, 0deg)`");
+  if (!holds_alternative<Triple>(given) || !written.is(SyntaxKind::Triple)) return;
+  for (const ast::Node component : written.children()) {
+    if (is_literal_number(component)) report.unsafe_fix(behind(component), "deg");
+  }
+}
+
+bool is_color(std::string_view text) {
+  const auto is_hex = [](unsigned char c) { return std::isxdigit(c) != 0; };
+  if (text.starts_with('#')) {
+    text.remove_prefix(1);
+    return (text.size() == 3 || text.size() == 6) && std::ranges::all_of(text, is_hex);
+  }
+  return find_named_color(text).has_value();
+}
+
+void hint_color(DiagnosticBuilder& report, const Computed& given, ast::Node written) {
+  if (const auto* text = get_if<std::string>(&given)) {
+    const bool is_written = written.is(SyntaxKind::String) && is_color(*text);
+    if (is_written) {
+      report.help("a colour stands without quotes").fix(written.location(), *text);
+      return;
+    }
+  }
+  if (holds_alternative<Triple>(given)) {
+    report.help(
+        "`rgb(r, g, b)` from 0 to 255 as on a screen, or `linear(r, g, b)` where 1 is white");
+    return;
+  }
+  report.help("a colour is `#ff8000`, `rgb(255, 128, 0)` or a name of CSS such as `tomato`");
+}
+
+void hint_material(DiagnosticBuilder& report, const Computed& given, ast::Node written) {
+  if (holds_alternative<render::LinearRgb>(given)) {
+    report.unsafe_fix(written.location(), fmt::format("diffuse(color: {})", written.text()));
+  } else {
+    report.help(
+        "a material is `diffuse(color: …)`, `specular`, `transmissive`, `emissive` or `unlit`");
+  }
+}
+
+void hint_triple(DiagnosticBuilder& report, const Computed& given, ast::Node written) {
+  const auto* list = get_if<ListValue>(&given);
+  const bool is_point = list != nullptr && list->size() == 3 && written.is(SyntaxKind::List);
+  if (!is_point) return;
+  const std::string_view text = written.text();
+  report.help("a point stands in parentheses")
+      .fix(written.location(), fmt::format("({})", text.substr(1, text.size() - 2)));
+}
+
+void hint_interval(DiagnosticBuilder& report, Type wanted) {
+  report.help(wanted == Type::Frames ? "two whole numbers: `1 .. 48`" : "two times: `0s .. 20ms`");
+}
+
+}  // namespace
+
+void add_type_hint(DiagnosticBuilder& report, Type wanted, const Computed& given,
+                   ast::Node written) {
+  const auto* text = get_if<std::string>(&given);
+  switch (wanted) {
+    case Type::Angle: return hint_angle(report, given, written);
+    case Type::Angles: return hint_angles(report, given, written);
+    case Type::Color: return hint_color(report, given, written);
+    case Type::Material: return hint_material(report, given, written);
+    case Type::Vec3: return hint_triple(report, given, written);
+    case Type::Frames:
+    case Type::Interval: return hint_interval(report, wanted);
+    case Type::Motion: report.help("a motion is `line(to: (1, 0, 0), over: 0s .. 1s)`"); return;
+    case Type::Word:
+      if (text != nullptr)
+        report.help("a word stands without quotes").fix(written.location(), *text);
+      return;
+    default: return;
+  }
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,265 @@
+#include <vector>
+
+#include "lang/format/composer.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+bool is_chain(SyntaxKind kind) {
+  switch (kind) {
+    case SyntaxKind::Or:
+    case SyntaxKind::And:
+    case SyntaxKind::Comparison:
+    case SyntaxKind::Interval:
+    case SyntaxKind::Sum:
+    case SyntaxKind::Product: return true;
+    default: return false;
+  }
+}
+
+/// What opens with a bracket that its inside can be indented from.
+bool is_bracketed(ast::Node node) {
+  return node.is(SyntaxKind::Call) || node.is(SyntaxKind::List) || node.is(SyntaxKind::Triple);
+}
+
+/// Whether many of its like read well side by side.
+bool is_plain(ast::Node node) {
+  switch (node.kind()) {
+    case SyntaxKind::Number:
+    case SyntaxKind::String:
+    case SyntaxKind::Color:
+    case SyntaxKind::True:
+    case SyntaxKind::False:
+    case SyntaxKind::Reference: return true;
+    case SyntaxKind::Negative: return is_plain(*node.child(0));
+    case SyntaxKind::Triple: {
+      for (const ast::Node part : node.children()) {
+        if (part.is(SyntaxKind::Triple) || !is_plain(part)) return false;
+      }
+      return true;
+    }
+    default: return false;
+  }
+}
+
+bool are_plain(ast::Children nodes) {
+  for (const ast::Node node : nodes) {
+    if (!is_plain(node)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+/// `is_aligned`: the expression begins its line, or would if it were broken, so that the lines of a
+/// chain stand below each other without being indented.
+void Composer::expression(ast::Node node, bool is_aligned) {
+  switch (node.kind()) {
+    case SyntaxKind::Conditional: conditional(node); break;
+    case SyntaxKind::Or:
+    case SyntaxKind::And:
+    case SyntaxKind::Comparison:
+    case SyntaxKind::Interval:
+    case SyntaxKind::Sum:
+    case SyntaxKind::Product: chain(node, is_aligned); break;
+    case SyntaxKind::Not:
+      token();
+      layout_.space();
+      expression(*node.child(0));
+      break;
+    case SyntaxKind::Negative:
+      token();
+      expression(*node.child(0));
+      break;
+    case SyntaxKind::Power: power(node); break;
+    case SyntaxKind::Postfix:
+      for (const ast::Node part : node.children()) expression(part);
+      break;
+    case SyntaxKind::Index:
+    case SyntaxKind::Group: enclosed(*node.child(0)); break;
+    case SyntaxKind::Call: call(node); break;
+    case SyntaxKind::Triple:
+      sequence(node.children(), false, [this](ast::Node part) { expression(part); });
+      break;
+    case SyntaxKind::List: list(node); break;
+    default: tokens_until(node.span().end); break;
+  }
+}
+
+/// The value behind a `=` or `:`. A chain goes to a line of its own before it is broken itself.
+void Composer::assigned(ast::Node value) {
+  if (!is_chain(value.kind()) && !value.is(SyntaxKind::Conditional)) {
+    layout_.space();
+    return expression(value);
+  }
+  layout_.open_group();
+  layout_.indent();
+  line();
+  expression(value, true);
+  layout_.dedent();
+  layout_.close_group();
+}
+
+void Composer::chain(ast::Node chain, bool is_aligned) {
+  leading_comments();
+  layout_.open_group();
+  bool is_first = true;
+  for (const ast::Node operand : chain.children()) {
+    if (!is_first) operator_and_line();
+    expression(operand);
+    if (is_first && !is_aligned) layout_.indent();
+    is_first = false;
+  }
+  if (!is_aligned) layout_.dedent();
+  layout_.close_group();
+}
+
+void Composer::power(ast::Node power) {
+  expression(*power.child(0));
+  token();  // ^
+  expression(*power.child(1));
+}
+
+/// A conditional that its author broke in front of an `else` stays so, as a table of cases does.
+void Composer::conditional(ast::Node conditional) {
+  leading_comments();
+  layout_.open_group();
+  const auto parts = conditional.children();
+  bool is_first = true;
+  for (auto part = parts.begin(); part != parts.end(); ++part) {
+    if (!is_first) {
+      if (tokens_.is_broken_ahead()) layout_.break_group();
+      line();
+      token();  // else
+      layout_.space();
+    }
+    is_first = false;
+    const ast::Node condition = *part;
+    if (behind(part) == parts.end()) {
+      expression(condition);
+      break;
+    }
+    layout_.open_group();
+    token();  // if
+    layout_.space();
+    expression(condition);
+    layout_.indent();
+    line();
+    token();  // then
+    layout_.space();
+    expression(*++part);
+    layout_.dedent();
+    layout_.close_group();
+  }
+  layout_.close_group();
+}
+
+/// `(value)` or `[index]`
+void Composer::enclosed(ast::Node value) {
+  token();
+  layout_.open_group();
+  layout_.indent();
+  soft_line();
+  expression(value, true);
+  comments_before_closer();
+  layout_.dedent();
+  layout_.soft_line();
+  token();
+  layout_.close_group();
+}
+
+/// `(a, b, c)`: on one line, or one a line. What is hugged stands between the brackets as it is.
+template <typename Elements, typename Compose>
+void Composer::sequence(const Elements& elements, bool is_hugged, Compose compose) {
+  token();
+  if (is_hugged) {
+    compose(*elements.begin());
+    comma(Comma::None);
+    return token();
+  }
+  layout_.open_group();
+  layout_.indent();
+  bool is_first = true;
+  for (const ast::Node element : elements) {
+    if (!is_first) comma(Comma::Always);
+    is_first ? soft_line() : line();
+    compose(element);
+    is_first = false;
+  }
+  if (!is_first) comma(Comma::IfBroken);
+  comments_before_closer();
+  layout_.dedent();
+  layout_.soft_line();
+  token();
+  layout_.close_group();
+}
+
+void Composer::parameters(ast::Node declaration) {
+  std::vector<ast::Node> all;
+  for (const ast::Node child : declaration.children()) {
+    if (child.is(SyntaxKind::Parameter)) all.push_back(child);
+  }
+  sequence(all, false, [this](ast::Node each) { parameter(each); });
+}
+
+void Composer::call(ast::Node call) {
+  tokens_until(call.head_span().end);
+  const auto arguments = call.children();
+  const bool has_one =
+      arguments.begin() != arguments.end() && behind(arguments.begin()) == arguments.end();
+  sequence(arguments, has_one && is_hugged(*arguments.begin(), tokens_.peek().span.end),
+           [this](ast::Node each) { argument(each); });
+}
+
+/// Whether the only argument of a call is bracketed itself, so that two indents would be one too
+/// many: `normalize(cross(`. `inside`: where the call's bracket is open.
+bool Composer::is_hugged(ast::Node argument, std::uint32_t inside) const {
+  const ast::Node value = argument.is(SyntaxKind::Argument) ? *argument.child(0) : argument;
+  if (!is_bracketed(value) || skip_blanks(inside) != argument.span().begin) return false;
+  const std::string_view text = tree_.file().text();
+  std::uint32_t closer = skip_blanks(argument.span().end);
+  if (text[closer] == ',') closer = skip_blanks(closer + 1);
+  return text[closer] == ')';
+}
+
+void Composer::argument(ast::Node argument) {
+  if (!argument.is(SyntaxKind::Argument)) return expression(argument);
+  token();  // label
+  token();  // :
+  assigned(*argument.child(0));
+}
+
+/// A list whose author broke it behind its bracket keeps its rows, as long as they fit.
+void Composer::list(ast::Node list) {
+  token();  // [
+  layout_.open_group();
+  const auto elements = list.children();
+  const bool is_empty = elements.begin() == elements.end() && !tokens_.has_comments();
+  const bool keeps_rows = !is_empty && tokens_.is_broken_ahead();
+  const bool is_filled = keeps_rows || are_plain(elements);
+  if (keeps_rows) layout_.break_group();
+  layout_.indent();
+  bool is_first = true, ends_row = false;
+  for (const ast::Node element : elements) {
+    if (!is_first) {
+      ends_row = tokens_.is_broken_ahead();
+      comma(Comma::Always);
+      ends_row = keeps_rows && (ends_row || tokens_.is_broken_ahead());
+    }
+    // A line of its own group is broken where the element behind it does not fit.
+    const bool is_row_filled = is_filled && !is_first && !ends_row;
+    if (is_row_filled) layout_.open_group();
+    is_first ? soft_line() : ends_row ? row_line() : line();
+    expression(element);
+    if (is_row_filled) layout_.close_group();
+    is_first = false;
+  }
+  if (!is_first) comma(Comma::IfBroken);
+  comments_before_closer();
+  layout_.dedent();
+  layout_.soft_line();
+  token();  // ]
+  layout_.close_group();
+}
+
+}  // namespace sdlc::lang

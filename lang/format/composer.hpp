@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "lang/ast/ast.hpp"
+#include "lang/format/format.hpp"
+#include "lang/format/layout.hpp"
+#include "lang/format/tokens.hpp"
+#include "lang/syntax/syntax.hpp"
+
+namespace sdlc::lang {
+
+inline ast::Children::Iterator behind(ast::Children::Iterator at) noexcept { return ++at; }
+
+/// Walks a tree and composes the layout of its text. The tree tells what follows, the tokens are
+/// taken from the text one by one, and with each the comments in front of it.
+class Composer {
+ public:
+  /// `depth`: of the blocks that the statements stand in.
+  Composer(const SyntaxTree& tree, std::uint32_t depth)
+      : tree_(tree),
+        tokens_(tree),
+        layout_(tree.file().text()),
+        printer_(tree.file().text(), depth * kFormatIndent) {}
+
+  /// All of the file.
+  std::string file();
+
+  struct Run {
+    std::string text;
+    Span replaced;  ///< what it takes the place of, with the blanks around it in its lines
+  };
+  /// Statements that stand side by side, the first of them first of its line, with the comments
+  /// that stand in front of each and behind it in its line. `begin`: where the token in front of
+  /// the first one ends; `next`: the statement behind them.
+  Run run(std::span<const ast::Node> statements, std::uint32_t begin,
+          std::optional<ast::Node> next);
+
+ private:
+  // Tokens and what is between them
+
+  void token();
+  void tokens_until(std::uint32_t end);
+  void space_and_token() { layout_.space(), token(); }
+  void comment();
+  void leading_comments();
+  void trailing_comments();
+  void line();
+  void soft_line();
+  void row_line();
+  void space_or_line();
+  void comments_before_closer();
+  void operator_and_line();
+
+  enum class Comma : std::uint8_t { None, Always, IfFlat, IfBroken };
+  void comma(Comma comma);
+
+  // Statements
+
+  void statement(ast::Node statement);
+  void separator(ast::Node statement, std::optional<ast::Node> next);
+  void property(ast::Node property);
+  void import();
+  void param(ast::Node param);
+  void fn(ast::Node fn);
+  void def(ast::Node def);
+  void assertion(ast::Node assertion);
+  void for_loop(ast::Node loop);
+  void condition(ast::Node condition);
+  void object(ast::Node object);
+  void block(ast::Node block, ast::Children::Iterator first);
+  void braces(ast::Node block, ast::Children::Iterator first);
+  bool is_hugged_block(ast::Node block, ast::Children::Iterator first) const;
+  void parameters(ast::Node declaration);
+  void parameter(ast::Node parameter);
+
+  // Expressions
+
+  void expression(ast::Node node, bool is_aligned = false);
+  void assigned(ast::Node value);
+  void chain(ast::Node chain, bool is_aligned);
+  void power(ast::Node power);
+  void conditional(ast::Node conditional);
+  void enclosed(ast::Node value);
+  void list(ast::Node list);
+  template <typename Elements, typename Compose>
+  void sequence(const Elements& elements, bool is_hugged, Compose compose);
+  void call(ast::Node call);
+  bool is_hugged(ast::Node node, std::uint32_t inside) const;
+  void argument(ast::Node argument);
+  std::uint32_t skip_blanks(std::uint32_t at) const noexcept;
+
+  const SyntaxTree& tree_;
+  TokenReader tokens_;
+  Layout layout_;
+  LayoutPrinter printer_;
+};
+
+}  // namespace sdlc::lang

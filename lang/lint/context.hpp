@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "lang/compile/compile.hpp"
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/lower/scene_builder.hpp"
+#include "lang/source/source.hpp"
+#include "lang/syntax/syntax.hpp"
+#include "render/scene/scene.hpp"
+
+namespace sdlc::lang {
+
+/// Somewhere in the text: a location, or what of a sphere of the scene stands there. Where that is
+/// will be found out for all findings at once.
+struct LintPlace {
+  enum Part : std::uint8_t { Text, Sphere, Material } part = Text;
+  Location where = {};
+  std::uint32_t sphere = 0;  ///< index in the scene
+
+  static LintPlace of(Location where) { return {.part = Text, .where = where, .sphere = 0}; }
+  static LintPlace of_sphere(std::uint32_t i) { return {.part = Sphere, .where = {}, .sphere = i}; }
+  static LintPlace of_material(std::uint32_t sphere) {
+    return {.part = Material, .where = {}, .sphere = sphere};
+  }
+};
+
+/// A diagnostic on its way to the sink.
+struct Finding {
+  struct PlaceLabel {
+    LintPlace place;
+    std::string message;
+  };
+
+  const DiagnosticInfo* info;
+  std::string message;
+  LintPlace place = {};
+  std::vector<PlaceLabel> labels = {};
+  std::vector<std::string> help = {};
+  std::vector<Fix> fixes = {};
+};
+
+/// What the rules look at, and where they put what they find.
+class LintContext {
+ public:
+  /// Of one rule no more spheres are told: others of one place would be told once anyway.
+  static constexpr std::size_t kMostFindings = 1000;
+
+  LintContext(const SourceFile& file, const SyntaxTree* tree, Compiler& compiler,
+              const LoweredScene& lowered)
+      : file_(file), tree_(tree), compiler_(compiler), lowered_(lowered) {}
+
+  const SourceFile& file() const noexcept { return file_; }
+  /// Of the root; null of a config.
+  const SyntaxTree* tree() const noexcept { return tree_; }
+  const LoweredScene& lowered() const noexcept { return lowered_; }
+  const render::Scene& scene() const noexcept { return lowered_.scene; }
+  std::span<const render::Sphere> spheres() const noexcept { return lowered_.scene.spheres; }
+  const render::Material& material_of(std::uint32_t sphere) const {
+    return scene().materials[spheres()[sphere].material];
+  }
+  bool is_transmissive(std::uint32_t sphere) const {
+    return material_of(sphere).type == render::MaterialType::Transmissive;
+  }
+  render::Vec3 shift_of(std::uint32_t sphere) const {
+    return scene().shifts.empty() ? render::Vec3{} : scene().shifts[sphere];
+  }
+  /// Whether it has no camera of its own, so that others decide how it is looked at.
+  bool is_part() const noexcept { return lowered_.checked_cameras.empty(); }
+
+  /// The first sphere of each material that some sphere has.
+  std::vector<std::uint32_t> spheres_of_materials() const;
+
+  /// Where spheres come from, ascending; evaluates the scene once more.
+  std::vector<Origin> trace(std::span<const std::uint32_t> spheres) {
+    return compiler_.trace(spheres);
+  }
+
+  template <typename... Args>
+  Finding& add(const DiagnosticKind<Args...>& kind, LintPlace place,
+               const std::type_identity_t<Args>&... args) {
+    findings_.push_back({.info = &kind,
+                         .message = fmt::format(fmt::runtime(kind.message), args...),
+                         .place = place});
+    return findings_.back();
+  }
+  std::vector<Finding> take_findings() { return std::move(findings_); }
+
+ private:
+  const SourceFile& file_;
+  const SyntaxTree* tree_;
+  Compiler& compiler_;
+  const LoweredScene& lowered_;
+  std::vector<Finding> findings_;
+};
+
+}  // namespace sdlc::lang

@@ -1,0 +1,40 @@
+#include <string_view>
+
+#include "lang/ast/ast.hpp"
+#include "lang/lint/context.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+/// Looks at the operators of one sum.
+void check_sum(LintContext& context, ast::Node sum) {
+  const std::string_view text = context.file().text();
+  std::uint32_t end = 0;  // of the operand before
+  for (const ast::Node operand : sum.children()) {
+    const std::uint32_t begin = operand.span().begin;
+    const bool is_lopsided = operand.op() == Operator::Subtract && begin > end + 1 &&
+                             text[begin - 1] == '-' && is_blank(text[begin - 2]);
+    if (is_lopsided) {
+      const Location where = sum.tree().location({begin - 1, begin});
+      Finding& finding = context.add(diag::lopsided_minus, LintPlace::of(where));
+      finding.help.push_back("for two elements write a comma in front of it");
+      finding.fixes.push_back({where, "- ", true});
+    }
+    end = operand.span().end;
+  }
+}
+
+}  // namespace
+
+/// A blank stands before a `-` and none behind it, as in `[x -1]`. That is a list of one element,
+/// x − 1, and looks like one of two. The fix writes what it is.
+void check_lopsided_minus(LintContext& context) {
+  const SyntaxTree& tree = *context.tree();
+  for (NodeIndex i = 0; i < tree.nodes().size(); ++i) {
+    if (tree[i].kind == SyntaxKind::Sum) check_sum(context, ast::Node(tree, i));
+  }
+}
+
+}  // namespace sdlc::lang

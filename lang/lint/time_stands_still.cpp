@@ -1,0 +1,38 @@
+#include <algorithm>
+
+#include "lang/ast/ast.hpp"
+#include "lang/lint/context.hpp"
+#include "lang/lint/names.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+bool is_open(const CheckedCamera& camera) {
+  return camera.shutter && camera.shutter->from != camera.shutter->to;
+}
+
+bool is_film(const SyntaxTree& tree) {
+  for (const ast::Node statement : ast::Node(tree, 0).children()) {
+    if (statement.is(SyntaxKind::Object) && ast::Object{statement}.kind() == "animation") {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+/// The root reads `time`, has no `animation`, and no camera has an open shutter. `time` is the
+/// frame's number over `fps`, 0 without an animation, and varies only while a shutter is open: here
+/// it is always 0. Files without cameras leave that to others.
+void check_time_stands_still(LintContext& context) {
+  if (context.tree() == nullptr || context.is_part() || is_film(*context.tree())) return;
+  if (std::ranges::any_of(context.lowered().checked_cameras, is_open)) return;
+  const auto time = FileNames(*context.tree()).time();
+  if (!time) return;
+  Finding& finding = context.add(diag::time_stands_still, LintPlace::of(*time));
+  finding.help.push_back(
+      "the file has no `animation { frames: …, fps: … }`, and no camera a `shutter: … .. …`");
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,87 @@
+#include "lang/program/lost_names.hpp"
+
+#include <algorithm>
+
+#include "lang/ast/ast.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+bool is_letter(char c) noexcept {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool is_idchar(char c) noexcept { return is_letter(c) || (c >= '0' && c <= '9'); }
+
+std::size_t end_of_word(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_idchar(text[at])) ++at;
+  return at;
+}
+std::size_t skip_blanks(std::string_view text, std::size_t at) {
+  while (at < text.size() && (text[at] == ' ' || text[at] == '\t')) ++at;
+  return at;
+}
+
+}  // namespace
+
+LostNames::LostNames(const SyntaxTree& tree) {
+  for (NodeIndex i = 0; i < tree.nodes().size(); ++i) {
+    const ast::Node node(tree, i);
+    if (node.is(SyntaxKind::Error)) read_skipped(node.text());
+    if (node.is(SyntaxKind::Import) && !node.first(SyntaxKind::Name)) read_alias(node);
+    const bool declares = node.is(SyntaxKind::Fn) || node.is(SyntaxKind::Def);
+    if (!declares) continue;
+    const auto name = node.first(SyntaxKind::Name);
+    if (!name || name->span().size() > 0) continue;
+    // The name has run together with that of the first parameter.
+    const std::string_view rest = tree.file().text().substr(name->span().begin);
+    merged_.push_back(rest.substr(0, end_of_word(rest, 0)));
+  }
+}
+
+/// Of an import that could not be read to its end, every word of the line may be its name.
+void LostNames::read_alias(ast::Node import) {
+  const auto file = import.first(SyntaxKind::String);
+  if (!file) return;
+  std::string_view rest = import.tree().file().text().substr(file->span().end);
+  rest = rest.substr(0, rest.find('\n'));
+  for (std::size_t at = 0; at < rest.size();) {
+    const std::size_t end = is_letter(rest[at]) ? end_of_word(rest, at) : at + 1;
+    if (is_letter(rest[at])) merged_.push_back(rest.substr(at, end - at));
+    at = end;
+  }
+}
+
+/// A name is declared where a word stands in front of it and `=`, `(` or `:` behind, where `as`
+/// stands in front, or where the statement begins with it and `=` follows.
+void LostNames::read_skipped(std::string_view text) {
+  std::string_view last;
+  bool is_beside = false;
+  for (std::size_t at = 0; at < text.size();) {
+    if (!is_letter(text[at])) {
+      is_beside = is_beside && (text[at] == ' ' || text[at] == '\t');
+      ++at;
+      continue;
+    }
+    const std::size_t end = end_of_word(text, at);
+    const std::string_view word = text.substr(at, end - at);
+    const std::size_t behind = skip_blanks(text, end);
+    const char next = behind < text.size() ? text[behind] : '\0';
+    const bool is_declared =
+        is_beside && (next == '=' || next == '(' || next == ':' || last == "as");
+    const bool is_assigned = at == 0 && next == '=';
+    if (is_declared || is_assigned) names_.insert(word);
+    if (is_assigned) merged_.push_back(word);
+    last = word;
+    is_beside = true;
+    at = end;
+  }
+}
+
+bool LostNames::contains(std::string_view name) const {
+  if (names_.contains(name)) return true;
+  return std::any_of(merged_.begin(), merged_.end(), [&](std::string_view word) {
+    return word.starts_with(name) || word.ends_with(name);
+  });
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,299 @@
+#include "lang/syntax/mending.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "lang/syntax/habits.hpp"
+#include "lang/syntax/layout.hpp"
+#include "lang/syntax/scan.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+/// Above this a text is hardly written by hand, and its tokens take more memory than they are
+/// worth.
+constexpr std::size_t kLongestText = std::size_t{1} << 20;
+
+bool ends_in_comment(std::string_view text) {
+  for (std::uint32_t at = 0; at < text.size();) {
+    const std::uint32_t behind = end_of_opaque(text, at);
+    const bool is_block = text[at] == '/' && char_at(text, at + 1) == '*';
+    if (is_block && behind == text.size()) return !text.ends_with("*/");
+    at = std::max(behind, at + 1);
+  }
+  return false;
+}
+
+/// Whether the token, a closing bracket, stands where a value should.
+bool stands_for_value(std::string_view text, const std::vector<LayoutToken>& tokens,
+                      std::uint32_t token) {
+  if (token == 0 || tokens[token].kind != LayoutKind::Close) return false;
+  const LayoutToken& last = tokens[token - 1];
+  return last.kind == LayoutKind::Label || text.substr(last.begin, last.end - last.begin) == "=";
+}
+
+/// Tells what is wrong with words and brackets.
+class Report {
+ public:
+  Report(const SourceFile& file, std::string_view text, const std::vector<LayoutToken>& tokens,
+         DiagnosticSink& sink)
+      : file_(file), text_(text), tokens_(tokens), sink_(sink) {}
+
+  void words() {
+    for (const LayoutToken& token : tokens_) {
+      if (token.meant.empty()) continue;
+      const Span span{token.begin, token.end};
+      const std::string_view written = text_.substr(span.begin, span.size());
+      if (written == "=") {
+        equals(token);
+      } else if (token.kind == LayoutKind::Operator) {
+        sign(written, span);
+      } else if (token.kind != LayoutKind::Close) {
+        // What closes a pair of the wrong kind goes without saying.
+        auto report = sink_.report(diag::expected, where(span),
+                                   fmt::format("`{}`, found `{}`", token.meant, written));
+        if (token.kind != LayoutKind::Open) report.suggest(token.meant);
+      }
+    }
+  }
+
+  void brackets(const std::vector<BracketFault>& faults) {
+    for (std::size_t i = 0; i < faults.size(); ++i) {
+      const BracketFault& fault = faults[i];
+      switch (fault.kind) {
+        case BracketFault::MissingMark: missing_mark(fault); break;
+        case BracketFault::MissingThird: missing_third(fault); break;
+        case BracketFault::Swapped: swapped(fault); break;
+        case BracketFault::Surplus:
+          // Of a bracket in another's place it has been told what it should be.
+          if (i == 0 || faults[i - 1].token != fault.token) surplus(fault);
+          break;
+        case BracketFault::MissingOpen: missing_opening(fault); break;
+        case BracketFault::MissingClose:
+          if (fault.token == tokens_.size()) return missing_at_end(faults, i);
+          i += missing_closing(faults, i) - 1;
+          break;
+      }
+    }
+  }
+
+ private:
+  Location where(Span span) const {
+    const auto size = static_cast<std::uint32_t>(file_.text().size());
+    return {&file_, {std::min(span.begin, size), std::min(span.end, size)}};
+  }
+  Span span_of(std::uint32_t token) const { return {tokens_[token].begin, tokens_[token].end}; }
+  Span gap_before(std::uint32_t token) const {
+    const std::uint32_t end = token == 0 ? 0 : tokens_[token - 1].end;
+    return {end, end};
+  }
+  void label_opener(DiagnosticBuilder& report, const BracketFault& fault) const {
+    if (fault.partner != BracketFault::kNone) {
+      report.label(where(span_of(fault.partner)), "opened here");
+    }
+  }
+
+  void equals(const LayoutToken& token) {
+    const Span span{token.begin, token.end};
+    auto report = sink_.report(diag::foreign, where(span), "=");
+    if (token.meant == "==") {
+      report.help("write `==` to compare").unsafe_fix(where(span), "==");
+    } else {
+      const std::uint32_t begin = (&token - 1)->end;
+      const std::string_view what = token.is_call ? "an argument" : "a property";
+      report.help(fmt::format("{} is `name: value`", what)).fix(where({begin, token.end}), ":");
+    }
+  }
+
+  void sign(std::string_view written, Span span) {
+    const Habit& habit = *find_habit(written);
+    auto report = sink_.report(diag::foreign, where(span), written);
+    if (written == ";") {
+      report.help("commas stand between values").fix(where(span), ",");
+    } else {
+      report.help(std::string(habit.help)).fix(where(span), std::string(habit.replacement));
+    }
+  }
+
+  void missing_mark(const BracketFault& fault) {
+    const LayoutToken& opener = tokens_[fault.partner];
+    const bool is_list = opener.bracket == '[';
+    const std::string_view words = fault.bracket == ':'               ? "`:` or `,`"
+                                   : is_list                          ? "`,` or `]`"
+                                   : opener.is_call || opener.is_head ? "`,` or `)`"
+                                                                      : "`)`";
+    auto report = expected(fault.token, words);
+    const Location gap = where(gap_before(fault.token));
+    if (fault.bracket == ':') {
+      report.help("an argument is `name: value`").unsafe_fix(gap, ":");
+      return;
+    }
+    report.label(where(span_of(fault.partner)), "opened here")
+        .help("commas stand between values")
+        .fix(gap, ",");
+  }
+
+  void missing_third(const BracketFault& fault) {
+    expected(fault.token, "`,` and a third value: a point has three");
+  }
+
+  /// Another bracket stands in its place.
+  void replaced(const BracketFault& fault) {
+    auto report = expected(fault.token, fmt::format("`{}`", fault.bracket), true);
+    label_opener(report, fault);
+    report.unsafe_fix(where(span_of(fault.token)), std::string(1, fault.bracket));
+  }
+
+  void swapped(const BracketFault& fault) {
+    const Span first = span_of(fault.token), second = span_of(fault.token + 1);
+    auto report = expected(fault.token, fmt::format("`{}`", fault.bracket));
+    report.unsafe_fix(where(first), std::string(text_.substr(second.begin, second.size())))
+        .unsafe_fix(where(second), std::string(text_.substr(first.begin, first.size())));
+  }
+
+  void surplus(const BracketFault& fault) {
+    const Location place = where(span_of(fault.token));
+    const bool opens = fault.bracket == '(' || fault.bracket == '[' || fault.bracket == '{';
+    const std::string_view bracket(&fault.bracket, 1);
+    if (opens) {
+      sink_.report(diag::unclosed, place, bracket).unsafe_fix(place, "");
+    } else {
+      sink_.report(diag::unmatched, place, bracket).unsafe_fix(place, "");
+    }
+  }
+
+  /// A bracket is missing in front of the token: at the end of the line before it, if it is the
+  /// first of its own.
+  DiagnosticBuilder expected(const BracketFault& fault) {
+    return expected(fault.token, fmt::format("`{}`", fault.bracket), has_lines(fault));
+  }
+
+  /// What is opened at the end of a line is closed in a line of its own.
+  bool has_lines(const BracketFault& fault) const {
+    return fault.kind == BracketFault::MissingClose && fault.partner != BracketFault::kNone &&
+           fault.partner + 1 < fault.token && tokens_[fault.partner + 1].is_first;
+  }
+
+  DiagnosticBuilder expected(std::uint32_t index, std::string_view words, bool has_lines = false) {
+    const LayoutToken& token = tokens_[index];
+    const bool ends_line = token.is_first && index > 0 && !has_lines;
+    const std::string_view found = text_.substr(token.begin, token.end - token.begin);
+    const std::string what = ends_line ? "the end of the line" : fmt::format("`{}`", found);
+    return sink_.report(diag::expected, where(ends_line ? gap_before(index) : span_of(index)),
+                        fmt::format("{}, found {}", words, what));
+  }
+
+  void missing_opening(const BracketFault& fault) {
+    auto report = expected(fault);
+    if (fault.partner != BracketFault::kNone) {
+      report.label(where(span_of(fault.partner)), "closed here");
+    }
+    const std::uint32_t at = gap_before(fault.token).end;
+    if (fault.bracket == '{') {
+      report.unsafe_fix(where({at, at}), " {");
+    } else {
+      const std::uint32_t begin = tokens_[fault.token].begin;
+      report.unsafe_fix(where({begin, begin}), std::string(1, fault.bracket));
+    }
+  }
+
+  /// Those missing at one place are one mistake, of parentheses or of blocks; how many they are.
+  std::size_t missing_closing(const std::vector<BracketFault>& faults, std::size_t first) {
+    const BracketFault& fault = faults[first];
+    const bool is_block = fault.bracket == '}';
+    std::size_t end = first + 1;
+    while (end < faults.size() && faults[end].kind == BracketFault::MissingClose &&
+           faults[end].token == fault.token && (faults[end].bracket == '}') == is_block) {
+      ++end;
+    }
+    const bool is_one_line = fault.partner != BracketFault::kNone &&
+                             tokens_[fault.partner].line == tokens_[fault.token - 1].line;
+    const bool is_replaced = end < faults.size() && faults[end].token == fault.token &&
+                             faults[end].kind == BracketFault::Surplus;
+    if (is_replaced) {
+      replaced(fault);
+      return end - first;
+    }
+    if (is_block && tokens_[fault.token].is_first && !is_one_line) {
+      missing_brace(fault);
+      return end - first;
+    }
+    auto report = expected(fault);
+    std::string brackets = is_block ? " " : "";
+    for (std::size_t i = first; i < end; ++i) {
+      label_opener(report, faults[i]);
+      brackets += faults[i].bracket;
+    }
+    report.unsafe_fix(where(gap_before(fault.token)), brackets);
+    return end - first;
+  }
+
+  void missing_brace(const BracketFault& fault) {
+    const std::uint32_t at = tokens_[fault.token].begin;
+    auto report = sink_.report(diag::missing_brace, where(span_of(fault.token)));
+    label_opener(report, fault);
+    const std::uint32_t indent =
+        fault.partner == BracketFault::kNone ? 0 : tokens_[fault.partner].indent;
+    report.help("close the block in front of this line, or indent what belongs to it")
+        .unsafe_fix(where({at, at}), "}\n" + std::string(indent, ' '));
+  }
+
+  /// Where the text ends too soon: one error, however many brackets are open.
+  void missing_at_end(const std::vector<BracketFault>& faults, std::size_t first) {
+    const BracketFault& fault = faults[first];
+    std::string closing;
+    for (std::size_t i = first; i < faults.size(); ++i) closing += faults[i].bracket;
+    const Span place = end_of_text(fault);
+    auto report = sink_.report(diag::expected, where(place),
+                               fmt::format("`{}`, found the end of the file", fault.bracket));
+    for (std::size_t i = first; i < faults.size(); ++i) label_opener(report, faults[i]);
+    report.unsafe_fix(where(place), closing);
+  }
+
+  /// Where the bracket would stand: in the line behind the last token, if its block has lines of
+  /// its own.
+  Span end_of_text(const BracketFault& fault) const {
+    const std::uint32_t end = tokens_.back().end;
+    const bool has_lines = fault.bracket == '}' && fault.partner != BracketFault::kNone &&
+                           tokens_[fault.partner].line < tokens_.back().line;
+    const std::size_t line_end = text_.find('\n', end);
+    if (!has_lines || line_end == std::string_view::npos) return {end, end};
+    const auto next = static_cast<std::uint32_t>(line_end + 1);
+    return {next, next};
+  }
+
+  const SourceFile& file_;
+  std::string_view text_;
+  const std::vector<LayoutToken>& tokens_;
+  DiagnosticSink& sink_;
+};
+
+}  // namespace
+
+std::optional<MendedText> mend(const SourceFile& file, std::string_view text, bool may_mismatch,
+                               DiagnosticSink& sink) {
+  if (text.size() > kLongestText) return std::nullopt;
+  const std::vector<LayoutToken> tokens = scan_layout(text);
+  const bool has_words = std::any_of(tokens.begin(), tokens.end(),
+                                     [](const LayoutToken& token) { return !token.meant.empty(); });
+  BracketRepair repair;
+  if (may_mismatch || !has_matching_brackets(tokens)) repair = repair_brackets(tokens);
+  const bool is_cut_off = ends_in_comment(text);
+  std::erase_if(repair.faults, [&](const BracketFault& fault) {
+    // What a comment swallowed may have closed them.
+    if (fault.token == tokens.size()) return is_cut_off;
+    // A bracket in the place of a value says less than that the value is missing.
+    return fault.kind == BracketFault::Surplus && stands_for_value(text, tokens, fault.token);
+  });
+  find_missing_marks(tokens, repair);
+  if (repair.faults.empty() && !has_words) return std::nullopt;
+  Report report(file, text, tokens, sink);
+  report.words();
+  report.brackets(repair.faults);
+  return MendedText(text, tokens, repair);
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,251 @@
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace sdlc::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kClean = R"(scene 1
+camera main { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }
+sphere ball { center: (0, 0, 0), radius: 1, material: diffuse(color: white) }
+)";
+
+/// A safe fix at `;`, a guess at `radus`, none at the division.
+constexpr const char* kWrong = R"(scene 1
+let size = 1 / 0
+let tall = 2;
+camera main { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }
+sphere ball { center: (0, 0, 0), radus: 1, material: diffuse(color: white) }
+)";
+
+constexpr const char* kWrongConcisely =
+    "wrong.scene:2:14: error[E215]: division by zero\n"
+    "wrong.scene:3:13: error[E012]: `;` is not part of the language here\n"
+    "wrong.scene:5:34: error[E104]: unknown property `radus` of sphere; did you mean radius?\n";
+
+class LintCommand : public testing::Test {
+ protected:
+  LintCommand() {
+    write("clean.scene", kClean);
+    write("wrong.scene", kWrong);
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::filesystem::create_directories((folder_ / name).parent_path());
+    write_text(folder_ / name, text);
+  }
+  std::string read(const std::string& name) const { return content_of(folder_ / name); }
+  ProgramResult run(const std::string& arguments) const {
+    return run_shell(folder_.path(), "\"$SDLC\" lint " + arguments);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(LintCommand, SaysNothingOnStandardOutputOfACleanFile) {
+  const ProgramResult result = run("clean.scene");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err, "1 file checked, nothing found\n");
+  EXPECT_EQ(run("clean.scene --quiet").err, "");
+}
+
+TEST_F(LintCommand, TellsAllFindingsOnStandardOutput) {
+  const ProgramResult result = run("wrong.scene --format concise");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.out, kWrongConcisely);
+  EXPECT_EQ(result.err, "");
+}
+
+TEST_F(LintCommand, CountsTheFindingsOfAllFilesOnce) {
+  write("also.scene", "scene 1\nimport \"wrong.scene\" as w\nlet x = w.heavy\n");
+  const ProgramResult result = run("clean.scene also.scene wrong.scene");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("also.scene:3:9"));
+  EXPECT_THAT(result.out, HasSubstr("\n4 errors\n"));
+}
+
+TEST_F(LintCommand, MakesOneJsonDocumentOfAllFiles) {
+  write("warns.scene",
+        std::string(kClean) + "sphere { center: (3, 0, 0), radius: 0, material: unlit(red) }\n");
+  const ProgramResult result = run("wrong.scene warns.scene --format json");
+  EXPECT_EQ(result.exit_code, 1);
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["errors"], 3);
+  EXPECT_EQ(json["warnings"], 1);
+  EXPECT_EQ(json["diagnostics"].size(), 4u);
+  EXPECT_EQ(json["diagnostics"][1]["fixes"][0]["is_safe"], true);
+  EXPECT_EQ(json["diagnostics"][2]["fixes"][0]["is_safe"], false);
+}
+
+TEST_F(LintCommand, ReadsStandardInputUnderAnyName) {
+  const ProgramResult result =
+      run("- --stdin-filename other/wrong.scene --format concise <wrong.scene");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("other/wrong.scene:2:14: error[E215]"));
+  EXPECT_THAT(run("- --format concise <wrong.scene").out, HasSubstr("<stdin>:2:14"));
+}
+
+TEST_F(LintCommand, LooksIntoFolders) {
+  write("scenes/b/deep.scene", kWrong);
+  write("scenes/.hidden/c.scene", kWrong);
+  write("scenes/package.json", R"({"name": "no config", "camera": "no"})");
+  write("scenes/a.json", R"({"camera": {}, "rendering": {}, "saving": {}, "radus": 1})");
+  const ProgramResult result = run("scenes --format concise");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("scenes/a.json:1:"));
+  EXPECT_THAT(result.out, HasSubstr("scenes/b/deep.scene:2:14"));
+  EXPECT_THAT(result.out, Not(HasSubstr("hidden")));
+  EXPECT_THAT(result.out, Not(HasSubstr("package")));
+}
+
+TEST_F(LintCommand, RefusesAFolderWithoutScenes) {
+  std::filesystem::create_directory(folder_ / "empty");
+  const ProgramResult result = run("empty");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err, "error: there are no scenes in `empty`\n");
+}
+
+TEST_F(LintCommand, GoesOnBehindAFileThatIsNotThere) {
+  const ProgramResult result = run("missing.scene wrong.scene --format concise");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("cannot read `missing.scene`"));
+  EXPECT_EQ(result.out, kWrongConcisely);
+}
+
+TEST_F(LintCommand, TakesAFileWithoutCameraAsAPartOfOthers) {
+  write("part.scene", "scene 1\nsphere { center: (0, 0, 0), radius: 1 }\n");
+  EXPECT_EQ(run("part.scene").exit_code, 0);
+  write("library.scene", "scene 1\nlet gold = specular(color: #ffd700)\n");
+  EXPECT_EQ(run("library.scene").exit_code, 0);
+  write("picture.scene",
+        "scene 1\nrender { width: 9 }\nsphere { center: (0, 0, 0), radius: 1, material: unlit(red) "
+        "}\n");
+  EXPECT_THAT(run("picture.scene --format concise").out, HasSubstr("E213"));
+}
+
+TEST_F(LintCommand, LooksAtEveryCamera) {
+  write("two.scene",
+        std::string(kClean) + "camera side { from: (1, 1, 1), at: (1, 1, 1), fov: 40deg }\n");
+  const ProgramResult result = run("two.scene --format concise");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("two.scene:4:36: error[E207]"));
+  EXPECT_THAT(result.out, Not(HasSubstr("E111")));
+}
+
+TEST_F(LintCommand, LooksAtTheLastFrameToo) {
+  write("film.scene",
+        std::string(kClean) +
+            "animation { frames: 0 .. 9, step: 2, fps: 1 }\n"
+            "let sizes = [1, 1, 1, 1, 1, 1, 1, 1]\n"
+            "sphere { center: (2, 0, 0), radius: sizes[time / 1s], material: unlit(red) }\n");
+  EXPECT_THAT(run("film.scene --format concise").out, HasSubstr("index 8 of a list of 8"));
+}
+
+TEST_F(LintCommand, SelectsAndIgnoresByCodeAndBeginning) {
+  EXPECT_EQ(run("wrong.scene --format concise --select e1").out,
+            "wrong.scene:5:34: error[E104]: unknown property `radus` of sphere; did you mean "
+            "radius?\n");
+  EXPECT_EQ(run("wrong.scene --format concise --ignore E1 --ignore E215").out,
+            "wrong.scene:3:13: error[E012]: `;` is not part of the language here\n");
+  EXPECT_EQ(run("wrong.scene --ignore E").exit_code, 0);
+  EXPECT_THAT(run("wrong.scene --format concise --ignore E1 --select E104,E2").out,
+              HasSubstr("E104"));
+  const ProgramResult unknown = run("wrong.scene --select E999");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("no diagnostic has a code that begins with `E999`"));
+}
+
+TEST_F(LintCommand, AllowsSoManyWarnings) {
+  write("warns.scene",
+        std::string(kClean) + "sphere { center: (3, 0, 0), radius: 0, material: unlit(red) }\n");
+  EXPECT_EQ(run("warns.scene").exit_code, 1);
+  EXPECT_EQ(run("warns.scene --max-warnings 1").exit_code, 0);
+  EXPECT_EQ(run("wrong.scene --max-warnings 9").exit_code, 1);
+}
+
+TEST_F(LintCommand, MendsWhatLeavesNoDoubt) {
+  const ProgramResult result = run("wrong.scene clean.scene --fix --format concise");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.err, "mended 1 finding in 1 file\n");
+  EXPECT_THAT(read("wrong.scene"), HasSubstr("let tall = 2\n"));
+  EXPECT_THAT(read("wrong.scene"), HasSubstr("radus"));
+  EXPECT_EQ(read("clean.scene"), kClean);
+}
+
+TEST_F(LintCommand, MendsByGuessesOnlyWhenAskedTo) {
+  EXPECT_THAT(run("wrong.scene").err, HasSubstr("1 finding can be mended with --unsafe-fixes"));
+  run("wrong.scene --unsafe-fixes");
+  EXPECT_THAT(read("wrong.scene"), HasSubstr("radius: 1"));
+  EXPECT_EQ(run("wrong.scene --format concise").out,
+            "wrong.scene:2:14: error[E215]: division by zero\n");
+}
+
+TEST_F(LintCommand, MendsWhatAFixUncovers) {
+  write("hidden.scene", std::string(kClean) + "let a = 2 m && 'x'\n");
+  run("hidden.scene --fix");
+  EXPECT_THAT(read("hidden.scene"), HasSubstr("let a = 2m and \"x\"\n"));
+}
+
+TEST_F(LintCommand, MendsStandardInputToStandardOutput) {
+  const ProgramResult result = run("- --fix --format concise <wrong.scene");
+  EXPECT_THAT(result.out, HasSubstr("let tall = 2\n"));
+  EXPECT_THAT(result.err, HasSubstr("<stdin>:2:14: error[E215]"));
+}
+
+TEST_F(LintCommand, MendsConfigsToo) {
+  write("old.json", "{\n  'camera': {}, // the one\n}\n");
+  run("old.json --fix");
+  EXPECT_EQ(read("old.json"), "{\n  \"camera\": {} // the one\n}\n");
+  run("old.json --unsafe-fixes");
+  EXPECT_EQ(read("old.json"), "{\n  \"camera\": {} \n}\n");
+}
+
+TEST_F(LintCommand, ShowsWhatWouldBeMended) {
+  const ProgramResult result = run("wrong.scene clean.scene --diff");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("-let tall = 2;\n+let tall = 2\n"));
+  EXPECT_THAT(result.out, Not(HasSubstr("E215")));
+  EXPECT_EQ(result.err, "would mend 1 finding in 1 file\n");
+  EXPECT_EQ(read("wrong.scene"), kWrong);
+  EXPECT_THAT(run("wrong.scene --unsafe-fixes --diff").out, HasSubstr("radius: 1"));
+}
+
+TEST_F(LintCommand, ShowsAPatchThatMends) {
+  EXPECT_EQ(run("wrong.scene --diff >it.patch").exit_code, 1);
+  EXPECT_EQ(run_shell(folder_.path(), "patch -p0 <it.patch").exit_code, 0);
+  EXPECT_THAT(read("wrong.scene"), HasSubstr("let tall = 2\n"));
+  EXPECT_EQ(run("wrong.scene --diff").exit_code, 0);
+}
+
+TEST_F(LintCommand, ShowsNoPatchWhereNothingCanBeMended) {
+  const ProgramResult result = run("clean.scene --diff");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out + result.err, "");
+}
+
+TEST_F(LintCommand, ShowsAPatchOfStandardInput) {
+  const ProgramResult result = run("- --stdin-filename new.scene --diff <wrong.scene");
+  EXPECT_THAT(result.out, HasSubstr("+let tall = 2\n"));
+  EXPECT_TRUE(result.out.starts_with("--- new.scene")) << result.out;
+}
+
+TEST_F(LintCommand, LeavesAFileThatCannotBeWrittenAsItWas) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
+  std::filesystem::permissions(
+      folder_.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  const ProgramResult result = run("wrong.scene --fix");
+  std::filesystem::permissions(folder_.path(), std::filesystem::perms::owner_all);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(read("wrong.scene"), kWrong);
+}
+
+}  // namespace
+}  // namespace sdlc::test

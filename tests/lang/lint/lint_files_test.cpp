@@ -1,0 +1,60 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lang/compile/compile.hpp"
+#include "lang/diagnostics/fixes.hpp"
+#include "lang/lint/lint.hpp"
+#include "tests/support/case_flags/case_flags.hpp"
+#include "tests/support/file_test.hpp"
+
+namespace sdlc::test {
+namespace {
+
+std::shared_ptr<lang::Compiler> lint_case(const FileCase& file_case, const lang::SourceFile& file,
+                                          const lang::FileSystem& files,
+                                          lang::DiagnosticSink& sink) {
+  auto compiler = std::make_shared<lang::Compiler>(file, program_options(file_case, files), sink);
+  lang::lint(*compiler, file, sink);
+  return compiler;
+}
+
+class LintFiles : public testing::TestWithParam<FileCase> {};
+
+TEST_P(LintFiles, ReportWhatIsExpected) {
+  run_program_case(
+      GetParam(), "case",
+      [](const lang::SourceFile& file, const lang::FileSystem& files, lang::DiagnosticSink& sink) {
+        return lint_case(GetParam(), file, files, sink);
+      });
+}
+
+/// How many findings with fixes a text has; the text with all of them applied goes to `fixed`.
+std::size_t count_mendable(const FileCase& file_case, const std::string& text, std::string* fixed) {
+  const CaseFiles files(file_case);
+  const lang::SourceFile file("case", text);
+  lang::DiagnosticSink sink;
+  const auto compiler = lint_case(file_case, file, files, sink);
+  std::size_t count = 0;
+  for (const lang::Diagnostic& diagnostic : sink.diagnostics()) {
+    EXPECT_NE(diagnostic.info->severity, lang::Severity::Error) << diagnostic.message;
+    if (!diagnostic.fixes.empty()) ++count;
+  }
+  if (fixed != nullptr) *fixed = lang::apply_fixes(file, sink.sorted(), true).text;
+  return count;
+}
+
+TEST_P(LintFiles, AreMendedByTheirFixes) {
+  std::string text = GetParam().texts.front().text(), fixed;
+  constexpr int kMostRounds = 3;  // fixes that touch each other take turns
+  for (int round = 0; round < kMostRounds; ++round) {
+    if (count_mendable(GetParam(), text, &fixed) == 0) break;
+    text = fixed;
+  }
+  EXPECT_EQ(count_mendable(GetParam(), text, nullptr), 0u) << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Lint, LintFiles, testing::ValuesIn(load_cases("lint")), CaseName());
+
+}  // namespace
+}  // namespace sdlc::test

@@ -1,0 +1,64 @@
+#include "lang/lint/lint.hpp"
+
+#include <filesystem>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "lang/compile/compile.hpp"
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/diagnostics/render.hpp"
+#include "lang/source/source.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How many warnings there are of a text.
+DiagnosticCounts lint_counts(const std::string& text) {
+  const SourceFile file("test.scene", text);
+  DiagnosticSink sink;
+  Compiler compiler(file, {}, sink);
+  lint(compiler, file, sink);
+  return sink.counts();
+}
+
+constexpr const char* kHead =
+    "scene 1\ncamera main { from: (0, 1, 50), at: (0, 0, 0), fov: 40deg }\n";
+
+TEST(Lint, SaysNothingOfTheExamples) {
+  const DiskFileSystem files;
+  for (const auto& entry : fs::directory_iterator(fs::path(SDLC_SOURCE_DIR) / "examples")) {
+    if (entry.path().extension() != ".scene") continue;
+    const SourceFile file(entry.path().string(), test::content_of(entry.path()));
+    DiagnosticSink sink;
+    ProgramOptions options;
+    options.files = &files;
+    Compiler compiler(file, options, sink);
+    lint(compiler, file, sink);
+    EXPECT_TRUE(sink.diagnostics().empty()) << render_diagnostics(sink, {});
+  }
+}
+
+TEST(Lint, TellsAPlaceThatFailsManyTimesOnce) {
+  const auto counts = lint_counts(std::string(kHead) +
+                                  "sphere { center: (0, 0, 0), radius: 20, material: unlit(red) }\n"
+                                  "for i in range(5000) { sphere { center: (i / 1000, 0, 0), "
+                                  "radius: 0.1, material: unlit(red) } }\n");
+  EXPECT_EQ(counts.warnings, 1u);
+}
+
+// Nothing that compares pairs would end.
+TEST(Lint, LooksIntoManyShellsOfGlass) {
+  const auto counts = lint_counts(
+      std::string(kHead) +
+      "for i in range(200000) { sphere { center: (0, 0, 0), radius: 1 + i / 100000, material: "
+      "transmissive(ior: 1.5) } }\n");
+  EXPECT_EQ(counts.warnings, 1u);  // the depth
+}
+
+}  // namespace
+}  // namespace sdlc::lang
