@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <array>
 
+#include "lang/text/ascii.hpp"
+
 namespace sdlc::lang {
 namespace {
 
-constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 /// Which characters identifiers consist of: half of all there are, so that one look should do.
 constexpr std::array<bool, 256> kIsIdchar = [] {
   std::array<bool, 256> is_idchar{};
   for (unsigned c = 0; c < 128; ++c) {
-    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    is_idchar[c] = is_letter || c == '_' || (c >= '0' && c <= '9');
+    is_idchar[c] =
+        is_ascii_letter(static_cast<char>(c)) || c == '_' || is_ascii_digit(static_cast<char>(c));
   }
   return is_idchar;
 }();
@@ -24,7 +25,7 @@ std::size_t end_of_number(std::string_view text, std::size_t at) {
   for (;; ++at) {
     while (is_idchar(char_at(text, at))) ++at;
     const char c = char_at(text, at);
-    const bool is_point = c == '.' && is_digit(char_at(text, at + 1));
+    const bool is_point = c == '.' && is_ascii_digit(char_at(text, at + 1));
     // No unit ends in `e`.
     const bool is_sign = (c == '+' || c == '-') && (text[at - 1] == 'e' || text[at - 1] == 'E');
     if (c != '%' && !is_point && !is_sign) return at;
@@ -46,7 +47,7 @@ std::size_t end_of_mark(std::string_view text, std::size_t at) {
 /// Behind the token that begins at `at`. Precondition: there is one, and nothing is wrong with it.
 std::size_t end_of_token(std::string_view text, std::size_t at) {
   const char c = text[at];
-  if (is_digit(c) || (c == '.' && is_digit(char_at(text, at + 1)))) {
+  if (is_ascii_digit(c) || (c == '.' && is_ascii_digit(char_at(text, at + 1)))) {
     return end_of_number(text, at + 1);
   }
   if (is_idchar(c) || c == '#') {

@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "lang/text/ascii.hpp"
+
 namespace sdlc::lang {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string lower_case(std::string_view text) {
   std::string lower(text);
@@ -22,7 +22,7 @@ std::string lower_case(std::string_view text) {
 
 /// Takes the digits at the beginning of `text`.
 std::string_view take_digits(std::string_view& text) {
-  const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
+  const auto end = std::find_if_not(text.begin(), text.end(), is_ascii_digit);
   const auto digits = text.substr(0, static_cast<std::size_t>(end - text.begin()));
   text.remove_prefix(digits.size());
   return digits;

@@ -3,25 +3,9 @@
 #include <algorithm>
 
 #include "lang/ast/ast.hpp"
+#include "lang/syntax/scan.hpp"
 
 namespace sdlc::lang {
-namespace {
-
-bool is_letter(char c) noexcept {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_idchar(char c) noexcept { return is_letter(c) || (c >= '0' && c <= '9'); }
-
-std::size_t end_of_word(std::string_view text, std::size_t at) {
-  while (at < text.size() && is_idchar(text[at])) ++at;
-  return at;
-}
-std::size_t skip_blanks(std::string_view text, std::size_t at) {
-  while (at < text.size() && (text[at] == ' ' || text[at] == '\t')) ++at;
-  return at;
-}
-
-}  // namespace
 
 LostNames::LostNames(const SyntaxTree& tree) {
   for (NodeIndex i = 0; i < tree.nodes().size(); ++i) {
@@ -34,7 +18,7 @@ LostNames::LostNames(const SyntaxTree& tree) {
     if (!name || name->span().size() > 0) continue;
     // The name has run together with that of the first parameter.
     const std::string_view rest = tree.file().text().substr(name->span().begin);
-    merged_.push_back(rest.substr(0, end_of_word(rest, 0)));
+    merged_.push_back(rest.substr(0, end_of_identifier(rest, 0)));
   }
 }
 
@@ -44,8 +28,8 @@ void LostNames::read_alias(ast::Node import) {
   if (!file) return;
   std::string_view rest = import.tree().file().text().substr(file->span().end);
   rest = rest.substr(0, rest.find('\n'));
-  for (std::size_t at = 0; at < rest.size();) {
-    const std::size_t end = is_letter(rest[at]) ? end_of_word(rest, at) : at + 1;
+  for (std::uint32_t at = 0; at < rest.size();) {
+    const std::uint32_t end = is_letter(rest[at]) ? end_of_identifier(rest, at) : at + 1;
     if (is_letter(rest[at])) merged_.push_back(rest.substr(at, end - at));
     at = end;
   }
@@ -56,16 +40,16 @@ void LostNames::read_alias(ast::Node import) {
 void LostNames::read_skipped(std::string_view text) {
   std::string_view last;
   bool is_beside = false;
-  for (std::size_t at = 0; at < text.size();) {
+  for (std::uint32_t at = 0; at < text.size();) {
     if (!is_letter(text[at])) {
       is_beside = is_beside && (text[at] == ' ' || text[at] == '\t');
       ++at;
       continue;
     }
-    const std::size_t end = end_of_word(text, at);
+    const std::uint32_t end = end_of_identifier(text, at);
     const std::string_view word = text.substr(at, end - at);
-    const std::size_t behind = skip_blanks(text, end);
-    const char next = behind < text.size() ? text[behind] : '\0';
+    const std::uint32_t behind = skip_blanks(text, end);
+    const char next = char_at(text, behind);
     const bool is_declared =
         is_beside && (next == '=' || next == '(' || next == ':' || last == "as");
     const bool is_assigned = at == 0 && next == '=';

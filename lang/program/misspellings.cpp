@@ -135,6 +135,7 @@ class Census {
       // What a value is made of was not meant to be that value.
       if (declarations[index].where.span != declaring_) visible.push_back(index);
     }
+    std::ranges::sort(visible);  // the table has no order
     add_unknown(name, begin, std::move(visible));
   }
 

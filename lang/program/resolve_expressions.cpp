@@ -239,8 +239,10 @@ std::uint32_t Resolver::unknown_name(ast::Node node, std::string_view name) {
       {node.span().begin, node.span().begin + static_cast<std::uint32_t>(name.size())});
   auto report = sink_.report(diag::unknown_name, where, name);
   if (!report.is_kept()) return broken(node);
-  // The file's own names first: among equals they are the likelier ones.
+  // Among equals the likelier ones first: what nothing uses, then the file's other names.
   std::vector<std::string_view> known;
+  const Misspelling* misspelling = find_misspelling(node.span().begin);
+  if (misspelling != nullptr) known.push_back(misspelling->name);
   for (const Local& local : locals_) known.push_back(local.name);
   for (const Global& global : module_.globals) {
     if (global.name != declaring_) known.push_back(global.name);
@@ -248,8 +250,9 @@ std::uint32_t Resolver::unknown_name(ast::Node node, std::string_view name) {
   for (const auto& [import, module] : module_.imports) known.push_back(import);
   for (const NamedColor& color : named_colors()) known.push_back(color.name);
   known.insert(known.end(), {"pi", "time"});
-  report.suggest(nearest_name(name, known));
-  label_unused(report, node.span().begin);
+  const auto nearest = nearest_name(name, known);
+  report.suggest(nearest);
+  label_unused(report, node.span().begin, nearest);
   return broken(node);
 }
 
@@ -298,7 +301,7 @@ std::uint32_t Resolver::unknown_function(ast::Call call) {
   auto report =
       sink_.report(diag::unknown_function, call.callee_location(), callee).suggest(nearest);
   if (habit) report.help_if(habit->help);
-  label_unused(report, call.node.span().begin);
+  label_unused(report, call.node.span().begin, nearest);
   if (module_.def_names.contains(callee)) {
     report.help(fmt::format("`{}` is a kind of object; write `{} {{ … }}`", callee, callee));
   }

@@ -67,12 +67,12 @@ std::uint32_t Resolver::unknown_kind(ast::Object node, std::uint32_t scope, bool
   }
   if (is_excused(scope, written, node.node.span().begin)) return kNothing;
   auto report = sink_.report(diag::unknown_kind, node.kind_location(), node.kind());
-  if (scope == index_) label_unused(report, node.node.span().begin);
   const auto habit = scope == index_ ? kind_habit(written) : std::nullopt;
   const auto nearest = meant_name(habit, written, names);
   if (habit) report.help_if(habit->help);
   if (scope == index_) {
     report.suggest(nearest);
+    label_unused(report, node.node.span().begin, nearest);
   } else if (nearest) {
     report.suggest(fmt::format("{}.{}", split_path(node.kind())[0], *nearest));
     label_declared(report, {module.tree, module.defs[module.def_names.at(*nearest)].node});
@@ -172,7 +172,7 @@ std::size_t Resolver::guess_property(ast::Labeled node) {
         sink_.report(diag::unknown_property, node.label_location(), node.label(), slots_.kind)
             .suggest(nearest);
     if (habit) report.help_if(habit->help);
-    if (is_own) label_unused(report, node.node.span().begin);
+    if (is_own) label_unused(report, node.node.span().begin, nearest);
   }
   if (habit && !habit->in_place_of.empty()) {
     Slots::Given& other = slots_.given[slots_.index_of(habit->in_place_of)];

@@ -78,9 +78,10 @@ const Misspelling* Resolver::find_misspelling(std::uint32_t use) {
   return module_.misspellings->find(use);
 }
 
-void Resolver::label_unused(DiagnosticBuilder& report, std::uint32_t use) {
-  const Misspelling* misspelling = find_misspelling(use);
-  if (misspelling == nullptr) return;
+void Resolver::label_unused(DiagnosticBuilder& report, std::uint32_t use,
+                            std::optional<std::string_view> meant) {
+  const Misspelling* misspelling = meant ? find_misspelling(use) : nullptr;
+  if (misspelling == nullptr || misspelling->name != *meant) return;
   report.label(misspelling->declared,
                fmt::format("nothing uses `{}`, which is declared here", misspelling->name));
 }

@@ -55,9 +55,9 @@ class Resolver {
   /// module could not be read, or is misspelt, which is reported then.
   bool is_excused(std::uint32_t module, std::string_view name, std::uint32_t use);
   const Misspelling* find_misspelling(std::uint32_t use);
-  /// Shows the declaration that the unknown name was perhaps meant to be one of, if nothing uses
-  /// it.
-  void label_unused(DiagnosticBuilder& report, std::uint32_t use);
+  /// Shows the declaration of the name that is meant by the unknown one, if nothing uses it.
+  void label_unused(DiagnosticBuilder& report, std::uint32_t use,
+                    std::optional<std::string_view> meant);
   /// Shows the declaration in another file that was probably meant.
   static void label_declared(DiagnosticBuilder& report, ast::Node statement);
   /// The path with the import that was probably meant in place of its first name.

@@ -4,14 +4,14 @@
 #include <string_view>
 
 #include "lang/source/source.hpp"
+#include "lang/text/ascii.hpp"
 
 /// Looking at a text around a mistake, token by token, without the grammar.
 namespace sdlc::lang {
 
-constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
-constexpr bool is_letter(char c) noexcept {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
+constexpr bool is_digit(char c) noexcept { return is_ascii_digit(c); }
+/// Of identifiers.
+constexpr bool is_letter(char c) noexcept { return is_ascii_letter(c) || c == '_'; }
 constexpr bool is_idchar(char c) noexcept { return is_letter(c) || is_digit(c); }
 
 /// The character at `at`; NUL behind the end.

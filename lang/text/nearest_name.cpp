@@ -1,57 +1,85 @@
 #include "lang/text/nearest_name.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <string>
-#include <vector>
+#include <cstdint>
 
 namespace sdlc::lang {
 namespace {
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
+constexpr std::size_t kLongestName = 64;  ///< one bit for each character; longer is no typo
+
+constexpr unsigned char lower_case(char c) noexcept {
+  return static_cast<unsigned char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
 }
 
-/// Damerau-Levenshtein distance with adjacent transpositions ("optimal string alignment").
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t change = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, change});
-      const bool swapped =
-          i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] && a[i - 1] != b[j - 1];
-      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
-    }
-    std::swap(before, last);
-    std::swap(last, row);
-  }
-  return last[b.size()];
+bool starts_with(std::string_view text, std::string_view begin) noexcept {
+  return text.size() >= begin.size() &&
+         std::equal(begin.begin(), begin.end(), text.begin(),
+                    [](char a, char b) { return lower_case(a) == lower_case(b); });
 }
+
+/// Distances from one name to many, case ignored: Damerau-Levenshtein with adjacent transpositions
+/// ("optimal string alignment"), a column of the table in a few operations on one word.
+/// H. Hyyro, A bit-vector algorithm for computing Levenshtein and Damerau edit distances, 2003.
+class EditDistance {
+ public:
+  /// Precondition: 1 to kLongestName characters.
+  explicit EditDistance(std::string_view name) noexcept
+      : size_(name.size()), last_(std::uint64_t{1} << (name.size() - 1)) {
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      places_[lower_case(name[i])] |= std::uint64_t{1} << i;
+    }
+  }
+
+  std::size_t to(std::string_view other) const noexcept {
+    // One bit for each row: where the table rises and falls from the row above.
+    std::uint64_t rises = ~std::uint64_t{0}, falls = 0;
+    std::uint64_t diagonal = 0, places_before = 0;
+    std::size_t distance = size_;
+    for (const char c : other) {
+      const std::uint64_t places = places_[lower_case(c)];
+      const std::uint64_t swapped = ((~diagonal & places) << 1) & places_before;
+      diagonal = (((places & rises) + rises) ^ rises) | places | falls | swapped;
+      std::uint64_t grows = falls | ~(diagonal | rises);
+      std::uint64_t shrinks = diagonal & rises;
+      distance += (grows & last_) != 0 ? 1 : 0;
+      distance -= (shrinks & last_) != 0 ? 1 : 0;
+      grows = (grows << 1) | 1;
+      shrinks <<= 1;
+      rises = shrinks | ~(diagonal | grows);
+      falls = grows & diagonal;
+      places_before = places;
+    }
+    return distance;
+  }
+
+ private:
+  std::size_t size_;
+  std::uint64_t last_;  ///< the bit of the last row
+  std::array<std::uint64_t, 256> places_{};
+};
+
+/// Of names as short as `i` and `pi` one edit makes any other.
+constexpr std::size_t most_edits(std::size_t size) noexcept { return size / 3; }
 
 }  // namespace
 
 std::optional<std::string_view> nearest_name(std::string_view name,
                                              std::span<const std::string_view> candidates) {
-  constexpr std::size_t kLongestName = 64;  // the distance is quadratic; longer names are not typos
   if (name.empty() || name.size() > kLongestName) return std::nullopt;
-
-  const std::string wanted = lower_case(name);
+  const EditDistance distance_from_name(name);
   std::optional<std::string_view> best;
   std::size_t best_distance = 0;
   for (const std::string_view candidate : candidates) {
     if (candidate.size() > kLongestName) continue;
-    const std::string other = lower_case(candidate);
-    const std::size_t allowed = (std::max(wanted.size(), other.size()) + 2) / 3;
-    std::size_t distance = edit_distance(wanted, other);
-    const bool is_part = std::min(wanted.size(), other.size()) >= 3 &&
-                         (wanted.starts_with(other) || other.starts_with(wanted));
+    const auto [shorter, longer] = std::minmax({name.size(), candidate.size()});
+    const std::size_t allowed = most_edits(longer);
+    const bool is_part =
+        shorter >= 3 && (starts_with(name, candidate) || starts_with(candidate, name));
+    if (!is_part && longer - shorter > allowed) continue;
+    std::size_t distance = distance_from_name.to(candidate);
     if (is_part) distance = std::min(distance, allowed);
     if (distance > allowed) continue;
     if (!best || distance < best_distance) {
