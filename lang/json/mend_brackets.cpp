@@ -12,10 +12,6 @@
 namespace sdlc::lang {
 namespace {
 
-/// Above this a text is hardly written by hand, and its tokens take more memory than they are
-/// worth.
-constexpr std::size_t kLongestText = std::size_t{1} << 20;
-
 bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 /// Splits a config into tokens, comments left out.
@@ -318,7 +314,7 @@ std::vector<Pair> wrong_pairs(const std::vector<LayoutToken>& tokens) {
 std::optional<MendedText> mend_brackets(const SourceFile& file, std::optional<std::string>& mended,
                                         DiagnosticSink& sink) {
   const std::string_view text = mended ? std::string_view(*mended) : file.text();
-  if (text.size() > kLongestText) return std::nullopt;
+  if (text.size() > kMaxMendedText) return std::nullopt;
   const std::vector<LayoutToken> tokens = Scanner(text).run();
   if (has_matching_brackets(tokens) || is_too_deep(tokens)) return std::nullopt;
 

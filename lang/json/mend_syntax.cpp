@@ -9,14 +9,12 @@
 
 #include "lang/json/config_scan.hpp"
 #include "lang/json/value_extent.hpp"
+#include "lang/source/limits.hpp"
 #include "lang/text/display_width.hpp"
 #include "lang/text/utf8.hpp"
 
 namespace sdlc::lang {
 namespace {
-
-/// Above this a text is hardly written by hand.
-constexpr std::size_t kLongestText = std::size_t{1} << 20;
 
 /// Walks through a config line by line. Every byte is looked at a fixed number of times.
 class Mender {
@@ -27,7 +25,7 @@ class Mender {
   std::optional<std::string> run() {
     constexpr std::string_view kMarks("\x1A\x1C\x1D", 3);
     const bool is_ours =
-        text_.size() <= kLongestText && text_.find_first_of(kMarks) == std::string_view::npos;
+        text_.size() <= kMaxMendedText && text_.find_first_of(kMarks) == std::string_view::npos;
     if (!is_ours || !skip_space() || text_[at_] != '{') return std::nullopt;
     open();
     while (!is_done_ && skip_space()) step();

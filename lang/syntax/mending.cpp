@@ -6,16 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "lang/source/limits.hpp"
 #include "lang/syntax/habits.hpp"
 #include "lang/syntax/layout.hpp"
 #include "lang/syntax/scan.hpp"
 
 namespace sdlc::lang {
 namespace {
-
-/// Above this a text is hardly written by hand, and its tokens take more memory than they are
-/// worth.
-constexpr std::size_t kLongestText = std::size_t{1} << 20;
 
 bool ends_in_comment(std::string_view text) {
   for (std::uint32_t at = 0; at < text.size();) {
@@ -275,7 +272,7 @@ class Report {
 
 std::optional<MendedText> mend(const SourceFile& file, std::string_view text, bool may_mismatch,
                                DiagnosticSink& sink) {
-  if (text.size() > kLongestText) return std::nullopt;
+  if (text.size() > kMaxMendedText) return std::nullopt;
   const std::vector<LayoutToken> tokens = scan_layout(text);
   const bool has_words = std::any_of(tokens.begin(), tokens.end(),
                                      [](const LayoutToken& token) { return !token.meant.empty(); });

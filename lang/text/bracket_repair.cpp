@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <deque>
 #include <optional>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
+
+#include "lang/source/limits.hpp"
 
 // A search with a beam: from token to token it keeps the cheapest explanations of the text so far.
 // A mistake costs most; what a tidy text would not have costs a little, and tells where among
@@ -38,8 +41,13 @@ constexpr int kHiddenEnd = 2;   ///< a bracket of several lines is closed behind
 constexpr int kOutside = 6;     ///< a property outside of any block
 }  // namespace cost
 
-constexpr std::size_t kBeam = 48;
+// The corpora of planted errors and of mutated texts pass with half as many and with four times as
+// many.
+constexpr std::size_t kBeam = 24;
 constexpr int kHopeless = 64;  ///< behind the cheapest
+/// What is nested deeper is refused whatever its brackets are; a wrong explanation may be deeper
+/// than the right one.
+constexpr int kDeepest = 2 * kMaxNesting;
 constexpr std::size_t kMostFaults = 24;
 constexpr int kMostCost = 40 * static_cast<int>(kMostFaults);  ///< a text beyond that is no text
 
@@ -58,6 +66,7 @@ struct Frame {
   std::uint32_t line = 0;
   std::uint32_t indent = 0;
   std::int64_t child_indent = -1;  ///< of the lines inside; -1: none yet
+  int depth = 0;
   char open = '\0';
   bool is_added = false;  ///< the text lacks it
   bool is_call = false;
@@ -79,6 +88,31 @@ struct Hypothesis {
   const Step* steps = nullptr;
   int cost = 0;
   std::size_t next = 0;  ///< the tokens before it have been taken
+};
+
+/// Linked lists that share their ends.
+template <typename Node, const Node* Node::*kNext>
+class SharedLists {
+ public:
+  const Node* push(const Node& node) { return &nodes_.emplace_back(node); }
+  std::size_t size() const { return nodes_.size(); }
+
+  /// Moves the lists that are kept over from `old`, each node once.
+  const Node* keep(const Node* list) {
+    std::vector<const Node*> unknown;
+    for (; list != nullptr && !moved_.contains(list); list = list->*kNext) unknown.push_back(list);
+    const Node* end = list == nullptr ? nullptr : moved_.at(list);
+    for (auto node = unknown.rbegin(); node != unknown.rend(); ++node) {
+      Node copy = **node;
+      copy.*kNext = end;
+      end = moved_[*node] = push(copy);
+    }
+    return end;
+  }
+
+ private:
+  std::deque<Node> nodes_;
+  std::unordered_map<const Node*, const Node*> moved_;  ///< from the lists before
 };
 
 /// Whether most blocks of several lines are deeper than the lines that open them; if not,
@@ -105,6 +139,8 @@ class Search {
       next_.clear();
       for (const Hypothesis& hypothesis : beam_) advance(hypothesis, 0);
       prune();
+      settle();
+      forget();
       if (beam_.empty() || beam_.front().cost > kMostCost) return std::nullopt;
     }
     std::vector<BracketFault> faults;
@@ -123,6 +159,7 @@ class Search {
 
   const Frame* push(const Frame* outer, Frame frame) {
     frame.outer = outer;
+    frame.depth = outer == nullptr ? 0 : outer->depth + 1;
     std::uint64_t hash = outer == nullptr ? 0 : outer->hash;
     const auto mix = [&](std::uint64_t word) {
       hash = (hash ^ word) * 0x9E3779B97F4A7C15;
@@ -132,11 +169,11 @@ class Search {
     mix(static_cast<std::uint64_t>(frame.child_indent + 1));
     mix(static_cast<std::uint64_t>(frame.open) * 4 + frame.has_values * 2 + frame.has_labels);
     frame.hash = hash;
-    return &frames_.emplace_back(frame);
+    return frames_.push(frame);
   }
 
   Hypothesis with(Hypothesis hypothesis, BracketFault fault, int price) {
-    hypothesis.steps = &steps_.emplace_back(Step{hypothesis.steps, fault});
+    hypothesis.steps = steps_.push({hypothesis.steps, fault});
     hypothesis.cost += price;
     return hypothesis;
   }
@@ -282,7 +319,10 @@ class Search {
     }
     hypothesis.cost += is_in_parenthesis ? price_in_parenthesis(frame) : price_in_block(frame);
     hypothesis.frame = noted(frame);
-    if (here.kind == LayoutKind::Open) hypothesis.frame = push(hypothesis.frame, opened());
+    if (here.kind == LayoutKind::Open) {
+      if (hypothesis.frame->depth == kDeepest) return;
+      hypothesis.frame = push(hypothesis.frame, opened());
+    }
     next_.push_back(hypothesis);
   }
 
@@ -390,13 +430,40 @@ class Search {
     }
   }
 
+  /// Behind a statement of the file that reads without surprise, what came before is explained.
+  void settle() {
+    const bool begins_statement = !are_values_ && is_tidy_ && at_ + 1 < tokens_.size() &&
+                                  tokens_[at_ + 1].is_first && tokens_[at_ + 1].indent == 0;
+    if (!begins_statement || beam_.empty() || beam_.front().frame->outer != nullptr) return;
+    const int cost = beam_.front().cost;
+    if (cost == settled_cost_) {
+      std::erase_if(beam_, [&](const Hypothesis& other) { return other.cost > cost; });
+    }
+    settled_cost_ = cost;
+  }
+
+  /// Frees the frames and steps that no hypothesis leads to.
+  void forget() {
+    constexpr std::size_t kMostNodes = 100'000;
+    if (frames_.size() + steps_.size() < kMostNodes) return;
+    SharedLists<Frame, &Frame::outer> frames;
+    SharedLists<Step, &Step::before> steps;
+    for (Hypothesis& hypothesis : beam_) {
+      hypothesis.frame = frames.keep(hypothesis.frame);
+      hypothesis.steps = steps.keep(hypothesis.steps);
+    }
+    frames_ = std::move(frames);
+    steps_ = std::move(steps);
+  }
+
   std::span<const LayoutToken> tokens_;
   bool are_values_;
   bool is_tidy_;
   std::size_t at_ = 0;
   std::vector<Hypothesis> beam_, next_;
-  std::deque<Frame> frames_;
-  std::deque<Step> steps_;
+  int settled_cost_ = 0;  ///< of the cheapest, where the last statement of the file began
+  SharedLists<Frame, &Frame::outer> frames_;
+  SharedLists<Step, &Step::before> steps_;
 };
 
 /// Goes through the text as it is mended: what an opening bracket that was missing is, where the

@@ -22,7 +22,7 @@ enum class LayoutKind : std::uint8_t {
 };
 
 /// A token as far as brackets and lines matter. Whoever makes the tokens of a language knows what
-/// goes before what; see scene_layout.cpp.
+/// goes before what.
 struct LayoutToken {
   std::uint32_t begin = 0, end = 0;  ///< bytes of the text
   std::uint32_t line = 0;
@@ -73,8 +73,8 @@ enum class BlockPlace : std::uint8_t {
   Values,      ///< wherever a value may: those of JSON
 };
 
-/// The likeliest explanation, or none where nothing is wrong or too much. The work grows with the
-/// number of tokens alone.
+/// The likeliest explanation, or none where nothing is wrong, too much is, or the nesting is too
+/// deep (kMaxNesting). The time grows with the number of tokens alone, the memory not at all.
 BracketRepair repair_brackets(std::span<const LayoutToken> tokens,
                               BlockPlace blocks = BlockPlace::Statements);
 

@@ -61,8 +61,11 @@ class EditDistance {
   std::array<std::uint64_t, 256> places_{};
 };
 
-/// Of names as short as `i` and `pi` one edit makes any other.
-constexpr std::size_t most_edits(std::size_t size) noexcept { return size / 3; }
+/// One edit makes any name as short as `i` of `pi`, which tells something among few names only.
+constexpr std::size_t most_edits(std::size_t size, std::size_t names) noexcept {
+  constexpr std::size_t kFew = 16;
+  return std::max<std::size_t>(size / 3, names <= kFew ? 1 : 0);
+}
 
 }  // namespace
 
@@ -75,7 +78,7 @@ std::optional<std::string_view> nearest_name(std::string_view name,
   for (const std::string_view candidate : candidates) {
     if (candidate.size() > kLongestName) continue;
     const auto [shorter, longer] = std::minmax({name.size(), candidate.size()});
-    const std::size_t allowed = most_edits(longer);
+    const std::size_t allowed = most_edits(longer, candidates.size());
     const bool is_part =
         shorter >= 3 && (starts_with(name, candidate) || starts_with(candidate, name));
     if (!is_part && longer - shorter > allowed) continue;
