@@ -1,5 +1,7 @@
 #include "lang/json/config_reader.hpp"
 
+#include <string>
+
 #include <fmt/format.h>
 
 #include "lang/json/json.hpp"
@@ -40,7 +42,8 @@ void ConfigReader::take_element(const Tape& tape, std::uint32_t element) {
   const JsonObject& table = json_sphere();
   const JsonNode& node = tape[element];
   if (node.type != JsonNodeType::Object) {
-    values_.diagnose_type(streamed_key(), describe(JsonType::Object), node);
+    const std::string wanted = fmt::format("{} for each sphere", describe(JsonType::Object));
+    values_.diagnose_type(streamed_key(), wanted, node);
     return;
   }
 

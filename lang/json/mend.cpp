@@ -95,8 +95,8 @@ MendedNumber mend_number(std::string_view text) {
 
 std::optional<std::string_view> mend_literal(std::string_view word) {
   const std::string lower = lower_case(word);
-  if (lower == "true") return "true";
-  if (lower == "false") return "false";
+  if (lower == "true" || lower == "yes" || lower == "on") return "true";
+  if (lower == "false" || lower == "no" || lower == "off") return "false";
   const bool is_null = lower == "null" || lower == "none" || lower == "nil" || lower == "undefined";
   return is_null ? std::optional<std::string_view>("null") : std::nullopt;
 }

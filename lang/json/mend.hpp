@@ -15,7 +15,7 @@ struct MendedNumber {
 /// Precondition: `text` is not a number of JSON.
 MendedNumber mend_number(std::string_view text);
 
-/// "true", "false" or "null" where the word means one of these: True, None, undefined.
+/// "true", "false" or "null" where the word means one of these: True, None, undefined, yes, off.
 std::optional<std::string_view> mend_literal(std::string_view word);
 
 /// Whether the word, with or without a sign, means a number that is not finite: NaN, Infinity, inf.

@@ -1,8 +1,11 @@
 #include "lang/json/object_reader.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "lang/schema/habits.hpp"
 #include "lang/text/display_width.hpp"
@@ -42,6 +45,41 @@ std::optional<std::string_view> key_by_habit(std::span<const JsonKey> keys, std:
   return std::nullopt;
 }
 
+bool is_key_of_material(std::string_view name) {
+  if (name == "type") return true;
+  return std::ranges::any_of(all_materials(), [&](const MaterialInfo& info) {
+    return find_key(json_material_keys(info.id), name).has_value();
+  });
+}
+
+/// What a message calls the object inside one with these keys that has a key of this name; empty:
+/// none has.
+std::string_view find_home(std::span<const JsonKey> keys, std::string_view name) {
+  for (const JsonKey& key : keys) {
+    if (key.type == JsonType::Material && is_key_of_material(name)) return "the material";
+    const JsonObject* inside = key.type == JsonType::Spheres ? &json_sphere() : key.object;
+    if (inside == nullptr) continue;
+    if (find_key(inside->keys, name)) return inside->name;
+    if (const auto home = find_home(inside->keys, name); !home.empty()) return home;
+  }
+  return {};
+}
+
+/// Where an object with these keys should not have the key, but another one: in words, empty if
+/// none has it.
+std::string describe_home(std::span<const JsonKey> keys, std::string_view name) {
+  if (find_key(keys, "type")) {
+    const auto kind = std::ranges::find_if(all_materials(), [&](const MaterialInfo& info) {
+      return find_key(json_material_keys(info.id), name).has_value();
+    });
+    if (kind != all_materials().end()) return fmt::format("{} materials have one", kind->json_name);
+  }
+  std::string_view home = find_home(keys, name);
+  if (home.empty() && find_key(json_config().keys, name)) home = json_config().name;
+  if (home.empty()) home = find_home(json_config().keys, name);
+  return home.empty() ? "" : fmt::format("it stands in {}", home);
+}
+
 }  // namespace
 
 std::optional<std::size_t> diagnose_unknown_key(std::span<const JsonKey> keys,
@@ -50,8 +88,11 @@ std::optional<std::size_t> diagnose_unknown_key(std::span<const JsonKey> keys,
   std::vector<std::string_view> names;
   for (const JsonKey& key : keys) names.push_back(key.key);
   auto meant = key_by_habit(keys, name);
-  if (!meant) meant = nearest_name(name, names);
-  sink.report(diag::unknown_key, where, abbreviated(name), object).suggest(meant);
+  const std::string home = meant ? "" : describe_home(keys, name);
+  if (!meant && home.empty()) meant = nearest_name(name, names);
+  auto report = sink.report(diag::unknown_key, where, abbreviated(name), object);
+  report.suggest(meant);
+  if (!home.empty()) report.help(home);
   return meant ? find_key(keys, *meant) : std::nullopt;
 }
 
