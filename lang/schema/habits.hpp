@@ -22,6 +22,10 @@ std::optional<Habit> property_habit(const Kind& kind, std::string_view name) noe
 std::optional<Habit> function_habit(std::string_view name) noexcept;
 /// Of an argument of a constructor, by the JSON format's key among others.
 std::optional<Habit> argument_habit(std::string_view name) noexcept;
+/// Of a value.
+std::optional<Habit> name_habit(std::string_view name) noexcept;
+/// Whether it is what other languages write in front of their functions of numbers: `math.sin`.
+bool is_foreign_library(std::string_view name) noexcept;
 std::optional<Habit> type_habit(std::string_view name) noexcept;
 
 }  // namespace sdlc::lang
