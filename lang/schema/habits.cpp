@@ -53,10 +53,9 @@ constexpr auto kKinds = std::to_array<HabitRow>({
     {"rotate", {.help = kPlaces}},
     {"scale", {.help = kPlaces}},
     {"union", {.help = kPlaces}},
-    {"do",
-     {.help = "values never change; a loop goes through a list: `for i in range(0, 10) { … }`"}},
-    {"module", {.help = "a kind of your own begins with `def name(…) { … }`"}},
-    {"object", {.help = "a kind of your own begins with `def name(…) { … }`"}},
+    {"do", {.help = kNoLoop}},
+    {"module", {.help = kOwnKind}},
+    {"object", {.help = kOwnKind}},
 });
 
 constexpr auto kCameraProperties = std::to_array<HabitRow>({
@@ -180,8 +179,7 @@ constexpr auto kTypes = std::to_array<HabitRow>({
     {"array", {.meant = "list"}},
 });
 
-constexpr std::string_view kNothing =
-    "there is no empty value: leave out what is not wanted";
+constexpr std::string_view kNothing = "there is no empty value: leave out what is not wanted";
 
 constexpr auto kNames = std::to_array<HabitRow>({
     {"null", {.help = kNothing}},

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "lang/schema/habits.hpp"
+
 namespace sdlc::lang {
 
 /// A word that begins a statement of another language.
@@ -22,8 +24,6 @@ struct ForeignWord {
   std::string_view help = {};
 };
 
-inline constexpr std::string_view kNoLoop =
-    "values never change; a loop goes through a list: `for i in range(0, 10) { … }`";
 inline constexpr std::string_view kNameLetters =
     "names consist of the letters a to z and A to Z, digits and `_`";
 inline constexpr std::string_view kFunction = "a function is one expression: `fn f(x) = …`";
@@ -52,8 +52,8 @@ inline constexpr auto kForeignWords = std::to_array<ForeignWord>({
     {"loop", ForeignWord::Statement, "", kNoLoop},
     {"return", ForeignWord::Statement, "", kFunction},
     {"pass", ForeignWord::Statement, "", "a block may be empty: `{ }`"},
-    {"module", ForeignWord::Statement, "", "a kind of your own begins with `def name(…) { … }`"},
-    {"class", ForeignWord::Statement, "", "a kind of your own begins with `def name(…) { … }`"},
+    {"module", ForeignWord::Statement, "", kOwnKind},
+    {"class", ForeignWord::Statement, "", kOwnKind},
     {"switch", ForeignWord::Statement, "", "write `if … { … } else if … { … }`"},
     {"match", ForeignWord::Statement, "", "write `if … { … } else if … { … }`"},
 });
