@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -38,6 +39,44 @@ bool has_argument(ast::Call call, std::string_view label) {
     if (argument.is(SyntaxKind::Argument) && argument.head() == label) return true;
   }
   return false;
+}
+
+/// What a function or constant of a library elsewhere is called here: `math.PI` is `pi`.
+std::string member_of_library(std::string_view path) {
+  std::string name(path.substr(path.rfind('.') + 1));
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c; });
+  return name;
+}
+
+bool is_color(ast::Node value) {
+  if (value.is(SyntaxKind::Color)) return true;
+  return value.is(SyntaxKind::Reference) && find_named_color(value.text()).has_value();
+}
+
+/// Whether a call without labels has the colour and the number of its material in the wrong order.
+template <typename Parameters>
+bool swaps_color(ast::Call call, const Parameters& parameters) {
+  if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(parameters[0])>, Property>) {
+    return false;
+  } else {
+    std::size_t index = 0;
+    bool has_number = false, has_color = false;
+    for (const ast::Node argument : call.arguments()) {
+      if (index == parameters.size() || argument.is(SyntaxKind::Argument)) break;
+      const Type type = parameters[index++].type;
+      has_number = has_number || (type == Type::Color && argument.is(SyntaxKind::Number));
+      has_color = has_color || (type == Type::Number && is_color(argument));
+    }
+    return has_number && has_color;
+  }
+}
+
+template <typename Parameters>
+std::string signature_of(std::string_view name, const Parameters& parameters) {
+  std::vector<std::string_view> names;
+  for (const auto& parameter : parameters) names.push_back(name_of(parameter));
+  return fmt::format("{}({})", name, fmt::join(names, ", "));
 }
 
 bool reads_words(const Property* property) {
@@ -201,6 +240,16 @@ std::uint32_t Resolver::reference(ast::Node node, const Property* property) {
   return value;
 }
 
+bool Resolver::names_object(std::string_view name) const {
+  for (NodeIndex i = 0; i < module_.tree.nodes().size(); ++i) {
+    const ast::Node node(module_.tree, i);
+    if (!node.is(SyntaxKind::Object)) continue;
+    const auto label = node.first(SyntaxKind::Name);
+    if (label && label->text() == name) return true;
+  }
+  return false;
+}
+
 std::uint32_t Resolver::unknown_import(ast::Node node, std::span<const std::string_view> names,
                                        std::uint32_t module_index) {
   const Module& module = program_.module(module_index);
@@ -237,8 +286,19 @@ std::uint32_t Resolver::unknown_name(ast::Node node, std::string_view name) {
   if (is_excused(index_, name, node.span().begin)) return broken(node);
   const Location where = node.tree().location(
       {node.span().begin, node.span().begin + static_cast<std::uint32_t>(name.size())});
+  const std::string_view path = node.text();
+  if (is_foreign_library(name) && path.size() > name.size()) {
+    sink_.report(diag::unknown_name, node.location(), path)
+        .help(fmt::format("there are no libraries; write `{}`", member_of_library(path)));
+    return broken(node);
+  }
   auto report = sink_.report(diag::unknown_name, where, name);
   if (!report.is_kept()) return broken(node);
+  if (names_object(name)) {
+    report.help(
+        fmt::format("`{}` names an object; what several share gets its name by `let`", name));
+    return broken(node);
+  }
   // Among equals the likelier ones first: what nothing uses, then the file's other names.
   std::vector<std::string_view> known;
   const Misspelling* misspelling = find_misspelling(node.span().begin);
@@ -249,9 +309,11 @@ std::uint32_t Resolver::unknown_name(ast::Node node, std::string_view name) {
   }
   for (const auto& [import, module] : module_.imports) known.push_back(import);
   for (const NamedColor& color : named_colors()) known.push_back(color.name);
-  known.insert(known.end(), {"pi", "time"});
-  const auto nearest = nearest_name(name, known);
+  known.insert(known.end(), {"pi", "time", "true", "false"});
+  const auto habit = name_habit(name);
+  const auto nearest = meant_name(habit, name, known);
   report.suggest(nearest);
+  if (habit) report.help_if(habit->help);
   label_unused(report, node.span().begin, nearest);
   return broken(node);
 }
@@ -322,6 +384,11 @@ std::uint32_t Resolver::unknown_imported_function(ast::Call call,
     return operands_of(call.node, Op::Broken);
   }
   auto report = sink_.report(diag::unknown_function, call.callee_location(), call.callee());
+  if (is_own && is_foreign_library(names.front())) {
+    report.help(
+        fmt::format("there are no libraries; write `{}(…)`", member_of_library(call.callee())));
+    return operands_of(call.node, Op::Broken);
+  }
   if (is_own) {
     report.suggest(nearest_import(names));
     return operands_of(call.node, Op::Broken);
@@ -396,6 +463,14 @@ std::uint32_t Resolver::call_of(Op op, std::span<const std::uint32_t> callee,
   const bool is_broken =
       call.is_broken() || std::exchange(is_guess_, false) || is_broken_function(op, callee);
   bool has_labels = false, is_good = !is_broken, has_too_many = false;
+  if (is_good && swaps_color(call, parameters)) {
+    const ast::Node first_argument = *call.arguments().begin();
+    sink_
+        .report(diag::wrong_argument, first_argument.location(), call.callee(), "a colour",
+                "a number")
+        .help(fmt::format("its arguments are `{}`", signature_of(call.callee(), parameters)));
+    is_good = false;
+  }
   for (const ast::Node argument : call.arguments()) {
     if (argument.is(SyntaxKind::Error)) {
       is_good = false;

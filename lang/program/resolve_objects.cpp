@@ -198,7 +198,16 @@ void Resolver::read_property(ast::Labeled node) {
 
   const auto value = node.value();
   const Property* property = index == none ? nullptr : slots_.names[index].property;
-  const std::uint32_t result = value ? expression(*value, property) : broken(node.node);
+  const bool is_stretched =
+      property != nullptr && property->name == "scale" && value && value->is(SyntaxKind::Triple);
+  if (is_stretched) {
+    sink_
+        .report(diag::wrong_type, value->location(), property->name, describe(property->type),
+                describe(Type::Vec3))
+        .help("a group is scaled by one number, alike in all directions");
+  }
+  const std::uint32_t result =
+      value && !is_stretched ? expression(*value, property) : broken(node.node);
   if (index == none) {
     slots_.others.push_back(result);
   } else {

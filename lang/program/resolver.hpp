@@ -114,6 +114,8 @@ class Resolver {
                         ast::Call call);
   std::uint32_t function_call(std::uint32_t module, std::uint32_t function, ast::Call call);
   std::uint32_t unknown_name(ast::Node node, std::string_view name);
+  /// Whether an object of the file has this label.
+  bool names_object(std::string_view name) const;
   std::uint32_t unknown_import(ast::Node node, std::span<const std::string_view> names,
                                std::uint32_t module);
   std::uint32_t unknown_function(ast::Call call);

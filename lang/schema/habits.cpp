@@ -53,8 +53,9 @@ constexpr auto kKinds = std::to_array<HabitRow>({
     {"rotate", {.help = kPlaces}},
     {"scale", {.help = kPlaces}},
     {"union", {.help = kPlaces}},
-    {"module", {.help = "a kind of your own begins with `def name(…) { … }`"}},
-    {"object", {.help = "a kind of your own begins with `def name(…) { … }`"}},
+    {"do", {.help = kNoLoop}},
+    {"module", {.help = kOwnKind}},
+    {"object", {.help = kOwnKind}},
 });
 
 constexpr auto kCameraProperties = std::to_array<HabitRow>({
@@ -178,6 +179,30 @@ constexpr auto kTypes = std::to_array<HabitRow>({
     {"array", {.meant = "list"}},
 });
 
+constexpr std::string_view kNothing = "there is no empty value: leave out what is not wanted";
+
+constexpr auto kNames = std::to_array<HabitRow>({
+    {"null", {.help = kNothing}},
+    {"NULL", {.help = kNothing}},
+    {"None", {.help = kNothing}},
+    {"nil", {.help = kNothing}},
+    {"undefined", {.help = kNothing}},
+    {"True", {.meant = "true"}},
+    {"TRUE", {.meant = "true"}},
+    {"yes", {.meant = "true"}},
+    {"on", {.meant = "true"}},
+    {"False", {.meant = "false"}},
+    {"FALSE", {.meant = "false"}},
+    {"no", {.meant = "false"}},
+    {"off", {.meant = "false"}},
+    {"M_PI", {.meant = "pi"}},
+    {"inf", {.help = "there is no infinity; a very large number is `1e9`"}},
+    {"infinity", {.help = "there is no infinity; a very large number is `1e9`"}},
+});
+
+/// What other languages keep their functions of numbers in.
+constexpr auto kLibraries = std::to_array<std::string_view>({"math", "Math", "numpy", "np", "std"});
+
 std::optional<Habit> find(std::span<const HabitRow> rows, std::string_view name) noexcept {
   const auto found = std::ranges::find(rows, name, &HabitRow::name);
   return found == rows.end() ? std::nullopt : std::optional(found->habit);
@@ -212,6 +237,12 @@ std::optional<Habit> function_habit(std::string_view name) noexcept {
 
 std::optional<Habit> argument_habit(std::string_view name) noexcept {
   return find(kArguments, name);
+}
+
+std::optional<Habit> name_habit(std::string_view name) noexcept { return find(kNames, name); }
+
+bool is_foreign_library(std::string_view name) noexcept {
+  return std::ranges::find(kLibraries, name) != kLibraries.end();
 }
 
 std::optional<Habit> type_habit(std::string_view name) noexcept { return find(kTypes, name); }

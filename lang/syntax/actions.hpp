@@ -26,7 +26,7 @@ template <typename Rule>
 struct Control : pegtl::normal<Rule> {
   template <typename Input>
   [[noreturn]] static void raise(const Input& in, TreeBuilder& builder) {
-    static_assert(expected<Rule> != nullptr, "a committed rule needs words for its error");
+    static_assert(expected<Rule>.words != nullptr, "a committed rule needs words for its error");
     const std::uint32_t at = builder.offset(in.current());
     builder.mark_error(at);
     if constexpr (std::is_same_v<Rule, grammar::block_end>) {
@@ -463,7 +463,10 @@ struct Build<grammar::number> : pegtl::maybe_nothing {
   SDLC_SURROUND {
     const std::uint32_t begin = builder.offset(in.current());
     if (match_or_rewind<Rule, A, Action, Ctrl>(in, builder)) {
-      builder.push(SyntaxKind::Number, {begin, builder.offset(in.current())});
+      const std::uint32_t end = builder.offset(in.current());
+      const std::uint32_t behind = in.empty() ? end : end_with_unit(in, builder, {begin, end});
+      builder.push(behind == end ? SyntaxKind::Number : SyntaxKind::Error, {begin, behind});
+      in.bump(behind - end);
       return true;
     }
     const std::size_t digit = !in.empty() && in.peek_char() == '.' ? 1 : 0;
@@ -472,6 +475,15 @@ struct Build<grammar::number> : pegtl::maybe_nothing {
     builder.push(SyntaxKind::Error, {begin, end});
     in.bump(end - begin);
     return true;
+  }
+
+ private:
+  /// Where the number ends with the unit that a blank keeps apart from it.
+  template <typename Input>
+  static std::uint32_t end_with_unit(const Input& in, TreeBuilder& builder, Span number) {
+    const char c = in.peek_char();
+    const bool may_be = c == ' ' || c == '\t' || static_cast<unsigned char>(c) >= 0x80;
+    return may_be ? diagnose_separate_unit(builder, number) : number.end;
   }
 };
 
@@ -549,13 +561,16 @@ struct Build<grammar::block_inside> : Nest<Opener::Bracket, 1> {
 template <>
 struct Build<grammar::file_header> : pegtl::maybe_nothing {
   SDLC_SURROUND {
-    const std::uint32_t begin = builder.offset(in.current());
+    const std::uint32_t first = builder.offset(in.current());
+    const std::uint32_t begin = skip_foreign_comments(builder, first);
+    in.bump(begin - first);
     if (!match_or_rewind<Rule, A, Action, Ctrl>(in, builder)) {
       in.bump(diagnose_header(builder, begin) - begin);
       return true;
     }
     const SyntaxNode& version = builder.node(builder.size() - 1);
     const std::string_view text = builder.text().substr(version.begin, version.span().size());
+    builder.has_version = true;
     if (text == "1") return true;
     builder.sink().report(diag::unsupported_version, builder.location(version.span()), text);
     throw Stopped{};

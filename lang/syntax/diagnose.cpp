@@ -5,16 +5,37 @@
 
 #include <fmt/format.h>
 
-#include "lang/syntax/habits.hpp"
+#include "lang/schema/schema.hpp"
+#include "lang/syntax/foreign_signs.hpp"
+#include "lang/syntax/foreign_words.hpp"
 #include "lang/syntax/recovery.hpp"
 #include "lang/syntax/scan.hpp"
 #include "lang/syntax/tree_builder.hpp"
+#include "lang/syntax/vocabulary.hpp"
+#include "lang/text/nearest_name.hpp"
 
 namespace sdlc::lang {
 namespace {
 
-constexpr auto kUnits =
-    std::to_array<std::string_view>({"deg", "rad", "turn", "mm", "ms", "cm", "km", "m", "s", "%"});
+constexpr std::string_view kScene = "scene";
+
+/// Whether a comment of another language begins at `at`, where a statement may.
+bool begins_foreign_comment(std::string_view text, std::uint32_t at) {
+  const bool begins_line = is_first_of_line(text, at);
+  if (char_at(text, at) == '#') return begins_line || !is_idchar(char_at(text, at + 1));
+  return begins_line && text.substr(at).starts_with("--");
+}
+
+/// Reports it, and returns its end.
+std::uint32_t foreign_comment(TreeBuilder& builder, std::uint32_t at) {
+  const std::string_view text = builder.text(), mark = text.substr(at, text[at] == '#' ? 1 : 2);
+  const Location where = builder.location({at, at + static_cast<std::uint32_t>(mark.size())});
+  builder.sink()
+      .report(diag::foreign, where, mark)
+      .help("comments begin with `//`")
+      .fix(where, "//");
+  return static_cast<std::uint32_t>(std::min(text.find('\n', at), text.size()));
+}
 
 class Diagnosis {
  public:
@@ -24,37 +45,24 @@ class Diagnosis {
     is_on_next_line_ = text_.substr(end, at - end).find('\n') != std::string_view::npos;
   }
 
-  void expected(std::string_view words) {
-    if (separate_unit() || habit() || single_quotes() || missing_value(words)) return;
-    const bool goes_on = words.starts_with("a block") || words.starts_with("`then`") ||
-                         words.starts_with("`,` and a message") || words.ends_with("`)`") ||
-                         words.ends_with("`]`");
-    if (goes_on && assignment()) return;
-    const bool wants_is = words.starts_with("`=`");
+  void expected(Expectation expectation) {
+    const Wanted wanted = expectation.wanted;
+    if (foreign_sign() || single_quotes() || missing_value(wanted)) return;
+    if (goes_on(wanted) && assignment()) return;
     // Behind a comma the bracket does not close yet.
-    const bool behind_comma = words.starts_with("`,` or") && at_ > 0 && last_char() == ',';
-    auto report = report_expected(behind_comma ? "a value" : words);
-    if (wants_is && char_at(text_, at_) == ':') report.fix(where(found_), "=");
-    if (words == "a type after `:`" && is_value(char_at(text_, at_))) {
-      const std::uint32_t colon = builder_.token_end() - 1;
-      report.help("a default follows `=`").unsafe_fix(where({colon, colon + 1}), "=");
-    }
-    if (words == "a block in braces" && word() == "then") {
-      report.help("`if … then …` is a value; a statement is `if … { … }`");
-    }
-    if (words == "one comparison, not a chain") report.help("write `a < b and b < c`");
-    if (words.ends_with("`)`") || words.ends_with("`]`")) {
-      report.label(where({builder_.opener, builder_.opener + 1}), "opened here");
-      const std::uint32_t end = builder_.token_end();
-      const bool is_next_value = is_value(char_at(text_, at_)) && !looks_like_statement(text_, at_);
-      if (!behind_comma && is_next_value) {
-        if (!is_on_next_line_) builder_.poison_last_name();
-        report.help("commas stand between values").fix(where({end, end}), ",");
-      }
-    }
-    if (words.ends_with("in quotes after `import`") ||
-        words.ends_with("in quotes after `include`")) {
-      report.help("a file name is a string, known without evaluating anything");
+    const bool behind_comma = at_ > 0 && last_char() == ',';
+    const bool wants_more = behind_comma && ends_values(wanted);
+    auto report = report_expected(wants_more ? "a value" : expectation.words);
+    explain(report, wanted);
+    if (!is_closing(wanted)) return;
+    report.label(where({builder_.opener, builder_.opener + 1}), "opened here");
+    const std::uint32_t end = builder_.token_end();
+    const bool is_next_value = is_value(char_at(text_, at_)) && !looks_like_statement(text_, at_);
+    if (wanted == Wanted::GroupEnd && commas_in_group() > 1) {
+      report.help("a point has three values");
+    } else if (!behind_comma && is_next_value) {
+      if (!is_on_next_line_) builder_.poison_last_name();
+      report.help("commas stand between values").fix(where({end, end}), ",");
     }
   }
 
@@ -72,21 +80,93 @@ class Diagnosis {
       return here(found_.end);
     }
     if (c == '{') return {stray_block()};
-    const bool is_comment = is_first_of_line(text_, at_) || !is_idchar(char_at(text_, at_ + 1));
-    if (c == '#' && is_comment) return here(hash_comment());
-    if (c == ';' && habit()) return here(found_.end);
-    if (separate_unit() || habit() || assignment()) {
+    if (begins_foreign_comment(text_, at_)) return here(foreign_comment(builder_, at_));
+    if (c == ';' && foreign_sign()) return here(found_.end);
+    if (foreign_sign() || assignment()) {
       builder_.poison_last_statement();
       return {found_.end};
     }
     poison_what_goes_on();
-    if (is_letter(c)) return {word_statement()};
+    if (is_letter(c)) return word_statement();
     is_on_next_line_ = false;
     report_expected("a statement");
     return {c == '#' ? end_of_identifier(text_, at_ + 1) : found_.end};
   }
 
  private:
+  /// Whether an expression in front of it could go on.
+  static bool goes_on(Wanted wanted) {
+    return wanted == Wanted::Block || wanted == Wanted::Then || wanted == Wanted::Message ||
+           is_closing(wanted);
+  }
+  static bool is_closing(Wanted wanted) {
+    return ends_values(wanted) || wanted == Wanted::GroupEnd || wanted == Wanted::IndexEnd;
+  }
+  static bool ends_values(Wanted wanted) {
+    return wanted == Wanted::ParametersEnd || wanted == Wanted::ArgumentsEnd ||
+           wanted == Wanted::ListEnd;
+  }
+
+  /// What to write instead, where what was found tells it.
+  void explain(DiagnosticBuilder& report, Wanted wanted) {
+    const char c = char_at(text_, at_);
+    switch (wanted) {
+      case Wanted::Is:
+        if (c == ':') report.fix(where(found_), "=");
+        break;
+      case Wanted::FunctionIs:
+        if (c == '{') report.help_if(kFunction);
+        if (c == ':') report.fix(where(found_), "=");
+        break;
+      case Wanted::Type:
+        if (is_value(c)) {
+          const std::uint32_t colon = builder_.token_end() - 1;
+          report.help("a default follows `=`").unsafe_fix(where({colon, colon + 1}), "=");
+        }
+        break;
+      case Wanted::Name:
+        if (c == '(') report.help_if(kNoLoop);
+        if (static_cast<unsigned char>(c) >= 0x80) report.help_if(kNameLetters);
+        if (is_one_of(word(), kReservedWords)) {
+          report.help(fmt::format("`{}` is a word of the language and cannot be a name", word()));
+        }
+        break;
+      case Wanted::In:
+        if (c == '=') report.help_if(kNoLoop);
+        break;
+      case Wanted::Block:
+        if (word() == "then") {
+          report.help("`if … then …` is a value; a statement is `if … { … }`");
+        } else if (c == ':') {
+          report.help("a block stands in braces");
+        }
+        break;
+      case Wanted::SecondOperand: report.help("write `a < b and b < c`"); break;
+      case Wanted::FileName:
+        report.help("a file name is a string, known without evaluating anything");
+        break;
+      default: break;
+    }
+  }
+
+  /// Behind the string, comment, bracket or character at `at`.
+  std::uint32_t end_of_part(std::uint32_t at) const {
+    const char c = text_[at];
+    const bool opens = c == '(' || c == '[' || c == '{';
+    return std::max(opens ? end_of_bracket(text_, at) : end_of_opaque(text_, at), at + 1);
+  }
+
+  /// Of the parenthesis around this place.
+  std::size_t commas_in_group() const {
+    std::size_t commas = 0;
+    for (std::uint32_t i = builder_.opener + 1; i < at_;) {
+      const std::uint32_t behind = end_of_part(i);
+      if (text_[i] == ',') ++commas;
+      i = behind;
+    }
+    return commas;
+  }
+
   /// What stands in the line of the last statement, and no comma between, was perhaps meant to be a
   /// part of it.
   void poison_what_goes_on() {
@@ -126,27 +206,29 @@ class Diagnosis {
                                   fmt::format("{}, found {}", words, found_text()));
   }
 
-  /// The reader stops inside some of the habits: behind the first `*` of `**`, the second `=` of
+  /// A sign of other languages. The reader stops inside some of them: behind the first `*` of `**`,
+  /// the second `=` of
   /// `===`.
-  bool habit() {
+  bool foreign_sign() {
     for (std::uint32_t read = std::min<std::uint32_t>(2, at_);; --read) {
       const std::string_view rest = text_.substr(std::min<std::size_t>(at_ - read, text_.size()));
-      const auto found = std::find_if(kHabits.begin(), kHabits.end(), [&](const Habit& habit) {
-        return habit.text.size() > read && rest.starts_with(habit.text);
-      });
+      const auto found =
+          std::find_if(kForeignSigns.begin(), kForeignSigns.end(), [&](const ForeignSign& sign) {
+            return sign.text.size() > read && rest.starts_with(sign.text);
+          });
       const bool is_known =
-          found != kHabits.end() && !(found->text == "!" && rest.starts_with("!="));
-      if (is_known) return report_habit(*found, at_ - read);
+          found != kForeignSigns.end() && !(found->text == "!" && rest.starts_with("!="));
+      if (is_known) return report_sign(*found, at_ - read);
       if (read == 0) return false;
     }
   }
 
-  bool report_habit(const Habit& habit, std::uint32_t begin) {
-    const Span span{begin, begin + static_cast<std::uint32_t>(habit.text.size())};
-    auto report = builder_.sink().report(diag::foreign, where(span), habit.text);
-    report.help(std::string(habit.help));
-    if (!habit.replacement.empty() || habit.deletes) {
-      report.fix(where(span), std::string(habit.replacement));
+  bool report_sign(const ForeignSign& sign, std::uint32_t begin) {
+    const Span span{begin, begin + static_cast<std::uint32_t>(sign.text.size())};
+    auto report = builder_.sink().report(diag::foreign, where(span), sign.text);
+    report.help_if(sign.help);
+    if (!sign.replacement.empty() || sign.deletes) {
+      report.fix(where(span), std::string(sign.replacement));
     }
     found_.end = span.end;
     return true;
@@ -176,29 +258,9 @@ class Diagnosis {
     return true;
   }
 
-  /// `2 m`, `40 °` and the like: a number, a blank, a unit.
-  bool separate_unit() {
-    const std::string_view unit = text(found_);
-    const std::uint32_t end = builder_.token_end();
-    const bool is_unit = std::find(kUnits.begin(), kUnits.end(), unit) != kUnits.end();
-    if (!is_unit || end == 0 || end >= at_ || !is_digit(text_[end - 1])) return false;
-    if (unit == "%" && is_idchar(char_at(text_, skip_blanks(text_, found_.end)))) return false;
-    std::uint32_t begin = end;
-    while (begin > 0 &&
-           (is_digit(text_[begin - 1]) || text_[begin - 1] == '.' || text_[begin - 1] == '_')) {
-      --begin;
-    }
-    if (begin > 0 && is_letter(text_[begin - 1])) return false;
-    const Span number{begin, end};
-    builder_.sink()
-        .report(diag::separate_unit, where({begin, found_.end}), unit)
-        .fix(where({begin, found_.end}), fmt::format("{}{}", text(number), unit));
-    return true;
-  }
-
   /// `center:` with the next property, or nothing, behind it.
-  bool missing_value(std::string_view words) {
-    if (words != "a value after `:`") return false;
+  bool missing_value(Wanted wanted) {
+    if (wanted != Wanted::LabeledValue) return false;
     const std::uint32_t next = skip_blanks(text_, found_.end);
     const bool is_label = is_letter(char_at(text_, at_)) && char_at(text_, next) == ':';
     const bool is_end =
@@ -219,23 +281,21 @@ class Diagnosis {
     return found_.end;
   }
 
-  std::uint32_t hash_comment() {
-    const auto end = static_cast<std::uint32_t>(std::min(text_.find('\n', at_), text_.size()));
-    builder_.sink()
-        .report(diag::foreign, where({at_, at_ + 1}), "#")
-        .help("comments begin with `//`")
-        .fix(where({at_, at_ + 1}), "//");
-    return end;
-  }
-
-  std::uint32_t word_statement() {
+  Resumption word_statement() {
     const std::uint32_t next = skip_space(text_, found_.end);
     const char c = char_at(text_, next);
     const Span name = found_;
+    if (word() == "scene" && is_digit(c)) return version(next);
     if (word() == "else" || word() == "then") {
       builder_.sink().report(diag::expected, where(name),
                              fmt::format("a statement, found `{}`; it belongs to an `if`", word()));
-      return name.end;
+      return {name.end};
+    }
+    const ForeignWord* foreign = find_foreign_word(word());
+    if (foreign != nullptr && foreign->kind == ForeignWord::Statement && c != '=' && c != ':') {
+      is_on_next_line_ = false;
+      report_expected("a statement").help_if(foreign->help);
+      return {name.end};
     }
     if (c == '=' && char_at(text_, next + 1) != '=') {
       auto report = builder_.sink().report(diag::foreign, where({next, next + 1}), "=");
@@ -245,30 +305,99 @@ class Diagnosis {
         report.help("a value gets its name by `let name = value`")
             .unsafe_fix(where({name.begin, name.begin}), "let ");
       }
-      return next + 1;
+      return {next + 1};
     }
-    if (c == '(') {
-      const std::uint32_t end = end_of_bracket(text_, next);
-      auto report = builder_.sink().report(diag::call_as_statement, where(name), word());
-      report.help(fmt::format("an object is `{} {{ … }}`", word()));
-      if (end > next) {
-        report.fix(where({name.end, end}), fmt::format(" {{ {} }}", text({next + 1, end - 1})));
-      }
-      return name.end;
-    }
+    if (c == '(') return {call_statement(next)};
     if (is_digit(last_char()) && (c == ',' || c == '}')) {
       builder_.poison_last_statement();
       builder_.sink()
           .report(diag::foreign, where(name), word())
           .help(fmt::format("units are {}", fmt::join(kUnits, ", ")));
-      return name.end;
+      return {name.end};
     }
     found_ = token_at(text_, next);
     is_on_next_line_ = text_.substr(name.end, next - name.end).find('\n') != std::string_view::npos;
     builder_.end_token(name.end);
     auto report = report_expected(fmt::format("`:` or `{{` after `{}`", text(name)));
     if (is_value(c) && builder_.in_object) report.fix(where({name.end, name.end}), ":");
+    return {name.end};
+  }
+
+  /// `scene 1` that is not the first statement.
+  Resumption version(std::uint32_t number) {
+    const std::uint32_t end = token_at(text_, number).end;
+    if (builder_.has_version) {
+      builder_.sink()
+          .report(diag::expected, where({found_.begin, end}),
+                  fmt::format("a statement, found `{}`", text({found_.begin, end})))
+          .help("the version stands once, at the beginning of the file")
+          .unsafe_fix(where({found_.begin, end}), "");
+    }
+    return here(end);
+  }
+
+  /// A name with a parenthesis behind it.
+  std::uint32_t call_statement(std::uint32_t open) {
+    const Span name = found_;
+    const bool is_known = is_kind(word());
+    const std::uint32_t end = end_of_bracket(text_, open);
+    const bool is_labeled = end > open && has_labels({open + 1, end - 1});
+    const bool holds_objects = builder_.in_group || !builder_.in_object;
+    if (builder_.in_object && !is_labeled && !(holds_objects && is_known)) {
+      found_ = {open, open + 1};
+      is_on_next_line_ = false;
+      report_expected(fmt::format("`:` after `{}`", text(name)))
+          .help("a property is `name: value`")
+          .fix(where({name.end, name.end}), ":");
+      return name.end;
+    }
+    auto report = builder_.sink().report(diag::call_as_statement, where(name), word());
+    if (!holds_objects || !is_known) {
+      report.help("a call is a value, and a value stands behind `name:` or `let name =`");
+      return name.end;
+    }
+    report.help(fmt::format("an object is `{} {{ … }}`", word()));
+    if (is_labeled) {
+      report.fix(where({name.end, end}), fmt::format(" {{ {} }}", text({open + 1, end - 1})));
+    }
     return name.end;
+  }
+
+  /// Whether it is a kind of object, of the language or of the file.
+  bool is_kind(std::string_view name) const {
+    const auto kinds = all_kinds();
+    if (std::any_of(kinds.begin(), kinds.end(),
+                    [&](const Kind& kind) { return kind.name == name; })) {
+      return true;
+    }
+    for (std::size_t at = text_.find(name); at != std::string_view::npos;
+         at = text_.find(name, at + 1)) {
+      const std::string_view before = trimmed(text_.substr(0, at));
+      const bool is_declared =
+          before.size() < at && before.ends_with("def") &&
+          is_first_of_line(text_, static_cast<std::uint32_t>(before.size() - 3));
+      const bool is_whole = !is_idchar(char_at(text_, at + name.size()));
+      if (is_declared && is_whole) return true;
+    }
+    return false;
+  }
+  static std::string_view trimmed(std::string_view text) {
+    return text.substr(0, text.find_last_not_of(" \t") + 1);
+  }
+
+  /// Whether each of the arguments has a label.
+  bool has_labels(Span arguments) const {
+    bool awaits_label = true;
+    for (std::uint32_t i = skip_space(text_, arguments.begin); i < arguments.end;) {
+      if (awaits_label) {
+        const std::uint32_t colon = skip_space(text_, end_of_identifier(text_, i));
+        if (!is_letter(text_[i]) || char_at(text_, colon) != ':') return false;
+      }
+      awaits_label = text_[i] == ',';
+      const std::uint32_t behind = end_of_part(i);
+      i = skip_space(text_, behind);
+    }
+    return arguments.size() > 0;
   }
 
   TreeBuilder& builder_;
@@ -280,24 +409,115 @@ class Diagnosis {
 
 }  // namespace
 
-void diagnose_expected(TreeBuilder& builder, std::uint32_t at, std::string_view words) {
-  Diagnosis(builder, at).expected(words);
+void diagnose_expected(TreeBuilder& builder, std::uint32_t at, Expectation expectation) {
+  Diagnosis(builder, at).expected(expectation);
 }
 
 Resumption diagnose_statement(TreeBuilder& builder, std::uint32_t at) {
   return Diagnosis(builder, at).statement();
 }
 
+std::uint32_t diagnose_separate_unit(TreeBuilder& builder, Span number) {
+  const std::string_view text = builder.text();
+  if (!is_digit(text[number.end - 1]) && text[number.end - 1] != '.') return number.end;
+  constexpr std::string_view kDegree = "°";
+  const std::uint32_t at = skip_blanks(text, number.end);
+  const bool is_degree = text.substr(at).starts_with(kDegree);
+  const Span unit = token_at(text, at);
+  const std::string_view written = is_degree ? "deg" : text.substr(at, unit.size());
+  if (!is_degree && (at == number.end || !is_one_of(written, kUnits))) return number.end;
+  const std::uint32_t next = skip_blanks(text, unit.end);
+  const char c = char_at(text, next);
+  // `m:` is a property, `m {` and `m name {` an object, and `a % b` a remainder.
+  const bool is_other = written == "%" ? is_idchar(c) || c == '('
+                                       : c == ':' || c == '(' || looks_like_object(text, at);
+  if (!is_degree && is_other) return number.end;
+  const Location where = builder.location({number.begin, unit.end});
+  const std::string fixed = fmt::format("{}{}", text.substr(number.begin, number.size()), written);
+  if (is_degree) {
+    builder.sink().report(diag::foreign, builder.location(unit), kDegree).fix(where, fixed);
+  } else {
+    builder.sink().report(diag::separate_unit, where, written).fix(where, fixed);
+  }
+  return unit.end;
+}
+
+// The header
+
+namespace {
+
+/// Where the line `scene N` begins that stands behind other statements; npos if there is none.
+std::size_t find_version(std::string_view text, std::uint32_t from) {
+  for (std::size_t at = text.find("scene ", from); at != std::string_view::npos;
+       at = text.find("scene ", at + 1)) {
+    const auto begin = static_cast<std::uint32_t>(at);
+    const std::uint32_t number = skip_blanks(text, begin + 5);
+    if (is_first_of_line(text, begin) && is_digit(char_at(text, number))) return at;
+  }
+  return std::string_view::npos;
+}
+
+/// Whether the word is `scene` but for capitals, or for one letter.
+bool resembles_scene(std::string_view word) {
+  return word.size() > 3 && nearest_name(word, std::span(&kScene, 1)).has_value();
+}
+
+}  // namespace
+
+std::uint32_t skip_foreign_comments(TreeBuilder& builder, std::uint32_t at) {
+  while (begins_foreign_comment(builder.text(), at)) {
+    at = skip_space(builder.text(), foreign_comment(builder, at));
+  }
+  return at;
+}
+
 std::uint32_t diagnose_header(TreeBuilder& builder, std::uint32_t at) {
   const std::string_view text = builder.text();
   const Span found = token_at(text, at);
-  if (text.substr(found.begin, found.size()) != "scene") {
+  const std::string_view word = text.substr(found.begin, found.size());
+  const std::uint32_t next = skip_blanks(text, found.end);
+  const bool has_number = is_digit(char_at(text, next));
+  const auto missing = [&](Span span) {
+    return builder.sink()
+        .report(diag::missing_version, builder.location(span))
+        .help("the first statement is `scene 1`");
+  };
+
+  if (word != kScene) {
+    std::string small(word);
+    std::transform(small.begin(), small.end(), small.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c; });
+    const bool differs_by_case = small == kScene;
+    if (word == "scene1") {
+      missing(found).fix(builder.location(found), "scene 1");
+      return skip_space(text, found.end);
+    }
+    if (has_number && (differs_by_case || resembles_scene(small))) {
+      auto report = builder.sink().report(diag::expected, builder.location(found),
+                                          fmt::format("`scene`, found `{}`", word));
+      if (differs_by_case) report.fix(builder.location(found), std::string(kScene));
+      if (!differs_by_case) report.suggest(kScene);
+      return skip_space(text, token_at(text, next).end);
+    }
+    const std::size_t version = find_version(text, at);
+    if (version == std::string_view::npos) {
+      missing(found).fix(builder.location({at, at}), "scene 1\n");
+      return at;
+    }
+    const auto begin = static_cast<std::uint32_t>(version);
+    const std::uint32_t end = token_at(text, skip_blanks(text, begin + 5)).end;
+    const Location later = builder.location({begin, end});
     builder.sink()
         .report(diag::missing_version, builder.location(found))
-        .help("the first statement is `scene 1`")
-        .fix(builder.location({at, at}), "scene 1\n");
+        .label(later, "this must be the first statement")
+        .help(
+            fmt::format("move `{}` to the beginning of the file", text.substr(begin, end - begin)))
+        .unsafe_fix(builder.location({at, at}),
+                    fmt::format("{}\n", text.substr(begin, end - begin)))
+        .unsafe_fix(later, "");
     return at;
   }
+
   // `scene` without a number, or with one that is none of a version.
   const std::uint32_t version = skip_space(text, found.end);
   std::uint32_t end = version;
@@ -307,10 +527,14 @@ std::uint32_t diagnose_header(TreeBuilder& builder, std::uint32_t at) {
     builder.sink().report(diag::unsupported_version, where, text.substr(version, end - version));
     return skip_space(text, end);
   }
-  builder.sink()
-      .report(diag::missing_version, builder.location(found))
-      .help("the first statement is `scene 1`")
-      .fix(builder.location(found), "scene 1");
+  const char mark = char_at(text, next);
+  const std::uint32_t number = skip_blanks(text, next + 1);
+  if ((mark == ':' || mark == '=') && is_digit(char_at(text, number))) {
+    const Span all{found.begin, token_at(text, number).end};
+    missing(all).fix(builder.location(all), "scene 1");
+    return skip_space(text, all.end);
+  }
+  missing(found).fix(builder.location(found), "scene 1");
   return skip_space(text, found.end);
 }
 

@@ -7,13 +7,11 @@
 
 #include "lang/syntax/scan.hpp"
 #include "lang/syntax/tree_builder.hpp"
+#include "lang/syntax/vocabulary.hpp"
 #include "lang/text/nearest_name.hpp"
 
 namespace sdlc::lang {
 namespace {
-
-constexpr auto kUnits =
-    std::to_array<std::string_view>({"deg", "rad", "turn", "mm", "cm", "m", "km", "ms", "s", "%"});
 
 /// Units as people write them elsewhere.
 struct ForeignUnit {

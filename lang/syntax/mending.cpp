@@ -7,8 +7,9 @@
 #include <fmt/format.h>
 
 #include "lang/source/limits.hpp"
-#include "lang/syntax/habits.hpp"
+#include "lang/syntax/foreign_signs.hpp"
 #include "lang/syntax/layout.hpp"
+#include "lang/syntax/missing_marks.hpp"
 #include "lang/syntax/scan.hpp"
 
 namespace sdlc::lang {
@@ -35,19 +36,38 @@ bool stands_for_value(std::string_view text, const std::vector<LayoutToken>& tok
 /// Tells what is wrong with words and brackets.
 class Report {
  public:
-  Report(const SourceFile& file, std::string_view text, const std::vector<LayoutToken>& tokens,
-         DiagnosticSink& sink)
-      : file_(file), text_(text), tokens_(tokens), sink_(sink) {}
+  Report(const SourceFile& file, std::string_view text, const Layout& layout, DiagnosticSink& sink)
+      : file_(file), text_(text), layout_(layout), tokens_(layout.tokens), sink_(sink) {}
+
+  void phrases() {
+    for (const ForeignPhrase& phrase : layout_.foreign.phrases) {
+      const Location place = where(phrase.span);
+      auto report = phrase.kind == ForeignPhrase::Foreign
+                        ? sink_.report(diag::foreign, place, phrase.message)
+                    : phrase.kind == ForeignPhrase::Expected
+                        ? sink_.report(diag::expected, place, phrase.message)
+                        : sink_.report(diag::missing_version, place);
+      report.help_if(phrase.help);
+      for (const auto& [span, replacement] : phrase.edits) {
+        if (phrase.is_safe) {
+          report.fix(where(span), replacement);
+        } else {
+          report.unsafe_fix(where(span), replacement);
+        }
+      }
+    }
+  }
 
   void words() {
-    for (const LayoutToken& token : tokens_) {
-      if (token.meant.empty()) continue;
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      const LayoutToken& token = tokens_[i];
+      if (token.meant.empty() || layout_.foreign.is_told[i]) continue;
       const Span span{token.begin, token.end};
       const std::string_view written = text_.substr(span.begin, span.size());
       if (written == "=") {
         equals(token);
       } else if (token.kind == LayoutKind::Operator) {
-        sign(written, span);
+        sign(written, token.meant, span);
       } else if (token.kind != LayoutKind::Close) {
         // What closes a pair of the wrong kind goes without saying.
         auto report = sink_.report(diag::expected, where(span),
@@ -105,25 +125,32 @@ class Report {
     }
   }
 
-  void sign(std::string_view written, Span span) {
-    const Habit& habit = *find_habit(written);
+  void sign(std::string_view written, std::string_view meant, Span span) {
+    const ForeignSign& sign = *find_foreign_sign(written);
     auto report = sink_.report(diag::foreign, where(span), written);
-    if (written == ";") {
-      report.help("commas stand between values").fix(where(span), ",");
+    if (sign.deletes) {
+      if (meant == ",") report.help("commas stand between values").fix(where(span), ",");
+      if (meant != ",") report.help_if(sign.help).fix(where(span), "");
     } else {
-      report.help(std::string(habit.help)).fix(where(span), std::string(habit.replacement));
+      report.help_if(sign.help).fix(where(span), std::string(sign.replacement));
     }
   }
 
   void missing_mark(const BracketFault& fault) {
     const LayoutToken& opener = tokens_[fault.partner];
     const bool is_list = opener.bracket == '[';
-    const std::string_view words = fault.bracket == ':'               ? "`:` or `,`"
+    const bool is_type = fault.bracket == ':' && opener.is_head;
+    const std::string_view words = is_type                            ? "`:` and a type"
+                                   : fault.bracket == ':'             ? "`:` or `,`"
                                    : is_list                          ? "`,` or `]`"
                                    : opener.is_call || opener.is_head ? "`,` or `)`"
                                                                       : "`)`";
     auto report = expected(fault.token, words);
     const Location gap = where(gap_before(fault.token));
+    if (is_type) {
+      report.help("a parameter is `name: type`").fix(gap, ":");
+      return;
+    }
     if (fault.bracket == ':') {
       report.help("an argument is `name: value`").unsafe_fix(gap, ":");
       return;
@@ -264,20 +291,34 @@ class Report {
 
   const SourceFile& file_;
   std::string_view text_;
+  const Layout& layout_;
   const std::vector<LayoutToken>& tokens_;
   DiagnosticSink& sink_;
 };
 
+/// Leaves nothing to mend but signs and phrases, of which everyone knows what they mean.
+void keep_certain(Layout& layout) {
+  for (std::size_t i = 0; i < layout.tokens.size(); ++i) {
+    LayoutToken& token = layout.tokens[i];
+    if (token.kind != LayoutKind::Operator && !layout.foreign.is_told[i]) token.meant = {};
+  }
+}
+
 }  // namespace
 
-std::optional<MendedText> mend(const SourceFile& file, std::string_view text, bool may_mismatch,
+std::optional<MendedText> mend(const SourceFile& file, std::string_view text, MendOptions options,
                                DiagnosticSink& sink) {
   if (text.size() > kMaxMendedText) return std::nullopt;
-  const std::vector<LayoutToken> tokens = scan_layout(text);
+  Layout layout = scan_layout(text);
+  const std::vector<LayoutToken>& tokens = layout.tokens;
+  BracketRepair repair;
+  if (options.is_certain) {
+    keep_certain(layout);
+  } else if (options.may_mismatch || !has_matching_brackets(tokens)) {
+    repair = repair_brackets(tokens);
+  }
   const bool has_words = std::any_of(tokens.begin(), tokens.end(),
                                      [](const LayoutToken& token) { return !token.meant.empty(); });
-  BracketRepair repair;
-  if (may_mismatch || !has_matching_brackets(tokens)) repair = repair_brackets(tokens);
   const bool is_cut_off = ends_in_comment(text);
   std::erase_if(repair.faults, [&](const BracketFault& fault) {
     // What a comment swallowed may have closed them.
@@ -285,9 +326,10 @@ std::optional<MendedText> mend(const SourceFile& file, std::string_view text, bo
     // A bracket in the place of a value says less than that the value is missing.
     return fault.kind == BracketFault::Surplus && stands_for_value(text, tokens, fault.token);
   });
-  find_missing_marks(tokens, repair);
+  if (!options.is_certain) find_missing_marks(text, tokens, repair);
   if (repair.faults.empty() && !has_words) return std::nullopt;
-  Report report(file, text, tokens, sink);
+  Report report(file, text, layout, sink);
+  report.phrases();
   report.words();
   report.brackets(repair.faults);
   return MendedText(text, tokens, repair);

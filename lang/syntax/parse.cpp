@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -52,25 +53,38 @@ Reading read(const SourceFile& file, std::string_view text, const MendedText* me
   return reading;
 }
 
-/// Reads the text, and if something is wrong with it, once more as it is mended. If that leaves as
-/// much wrong as before, nothing was mended.
+/// Reads the text as `mending` has it, if that leaves less wrong than the reading before.
+template <typename Rule>
+bool read_better(const SourceFile& file, std::string_view text, MendOptions options,
+                 const DiagnosticSink& before, DiagnosticSink& sink, Reading& reading) {
+  DiagnosticSink other = before;
+  const auto mending = mend(file, text, options, other);
+  if (!mending) return false;
+  const std::size_t told = other.error_count();
+  Reading mended = read<Rule>(file, mending->text(), &*mending, other);
+  const std::size_t still_wrong = other.error_count() - told;
+  const std::size_t was_wrong = sink.error_count() - before.error_count();
+  // What is certain may show a mistake that it had hidden.
+  const std::size_t allowed =
+      options.is_certain ? was_wrong : std::max<std::size_t>(was_wrong, 1) - 1;
+  if (still_wrong > allowed) return false;
+  sink = std::move(other);
+  reading = std::move(mended);
+  return true;
+}
+
+/// Reads the text, and if something is wrong with it, once more as it is mended: as a whole, or if
+/// that leaves as much wrong as before, where no one can doubt what was meant.
 template <typename Rule>
 Reading read_mended(const SourceFile& file, std::string_view text, DiagnosticSink& sink) {
   const DiagnosticSink before = sink;
   Reading reading = read<Rule>(file, text, nullptr, sink);
   const bool is_sound = sink.error_count() == before.error_count() && !reading.has_misplaced;
   if (is_sound) return reading;
-
-  DiagnosticSink other = before;
-  const auto mending = mend(file, text, reading.has_misplaced, other);
-  if (!mending) return reading;
-  const std::size_t told = other.error_count();
-  Reading mended = read<Rule>(file, mending->text(), &*mending, other);
-  const std::size_t still_wrong = other.error_count() - told;
-  const std::size_t was_wrong = sink.error_count() - before.error_count();
-  if (still_wrong > 0 && still_wrong >= was_wrong) return reading;
-  sink = std::move(other);
-  return mended;
+  const MendOptions whole{.may_mismatch = reading.has_misplaced}, certain{.is_certain = true};
+  if (read_better<Rule>(file, text, whole, before, sink, reading)) return reading;
+  read_better<Rule>(file, text, certain, before, sink, reading);
+  return reading;
 }
 
 }  // namespace

@@ -1,17 +1,14 @@
 #include "lang/syntax/recovery.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
 #include "lang/syntax/scan.hpp"
+#include "lang/syntax/vocabulary.hpp"
 
 namespace sdlc::lang {
 namespace {
-
-constexpr auto kStatementWords = std::to_array<std::string_view>(
-    {"import", "include", "param", "let", "fn", "def", "assert", "for", "if"});
 
 enum class Beginning : std::uint8_t {
   None,
@@ -27,7 +24,7 @@ Beginning classify(std::string_view text, std::uint32_t at) {
   const std::uint32_t next = skip_blanks(text, end);
   const char c = char_at(text, next);
   if (c == ':' || (c == '=' && char_at(text, next + 1) != '=')) return Beginning::Property;
-  if (std::find(kStatementWords.begin(), kStatementWords.end(), word) != kStatementWords.end()) {
+  if (is_one_of(word, kStatementWords)) {
     return word == "if" ? Beginning::Property : Beginning::Statement;
   }
   if (c == '{') return Beginning::Statement;
@@ -40,9 +37,19 @@ Beginning classify(std::string_view text, std::uint32_t at) {
 
 /// Whether the line's first token at `at` is not a part of the line before.
 bool may_begin_statement(std::string_view text, std::uint32_t at) {
-  constexpr auto kJoints = std::to_array<std::string_view>({"and", "or", "then", "else"});
   const std::string_view word = text.substr(at, end_of_identifier(text, at) - at);
-  return !word.empty() && std::find(kJoints.begin(), kJoints.end(), word) == kJoints.end();
+  return !word.empty() && !is_one_of(word, kLinkWords);
+}
+
+/// The first token of the line that begins at `at`, behind the comments in front of it; one that is
+/// never closed is a token.
+std::uint32_t first_of_line(std::string_view text, std::uint32_t at) {
+  while (true) {
+    at = skip_blanks(text, at);
+    const std::uint32_t behind = end_of_comment(text, at);
+    if (behind == at || behind == text.size()) return at;
+    at = behind;
+  }
 }
 
 }  // namespace
@@ -89,7 +96,7 @@ std::uint32_t next_statement(std::string_view text, std::uint32_t from, Recovery
     }
     const char c = text[at];
     if (c == '\n') {
-      at = skip_blanks(text, at + 1);
+      at = first_of_line(text, at + 1);
       if (const std::uint32_t found = at_line(at); found != kNowhere) return found;
     } else if (c == '(' || c == '[' || c == '{') {
       open += c == '{' ? '{' : '(';

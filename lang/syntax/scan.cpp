@@ -11,6 +11,15 @@ constexpr std::uint32_t as_offset(std::size_t at, std::string_view text) noexcep
 
 }  // namespace
 
+bool is_foreign_letter(std::string_view text, std::uint32_t at) noexcept {
+  // These blocks of U+00C0 to U+052F have two bytes each, the first of which tells them.
+  const auto lead = static_cast<unsigned char>(char_at(text, at));
+  const auto next = static_cast<unsigned char>(char_at(text, at + 1));
+  if (lead < 0xC3 || lead > 0xD4 || (next & 0xC0) != 0x80) return false;
+  const bool is_sign = lead == 0xC3 && (next == 0x97 || next == 0xB7);  // times, divided by
+  return !is_sign;
+}
+
 std::uint32_t end_of_identifier(std::string_view text, std::uint32_t at) noexcept {
   if (!is_letter(char_at(text, at))) return at;
   while (is_idchar(char_at(text, at))) ++at;

@@ -19,6 +19,8 @@ constexpr char char_at(std::string_view text, std::size_t at) noexcept {
   return at < text.size() ? text[at] : '\0';
 }
 
+/// Whether a letter begins at `at` that no identifier has: of Latin with accents, Greek, Cyrillic.
+bool is_foreign_letter(std::string_view text, std::uint32_t at) noexcept;
 /// Behind the identifier that begins at `at`; `at` if none does.
 std::uint32_t end_of_identifier(std::string_view text, std::uint32_t at) noexcept;
 /// Behind spaces, tabs and carriage returns.

@@ -7,6 +7,7 @@
 
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/source/source.hpp"
+#include "lang/syntax/expectation.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "lang/text/mended_text.hpp"
 
@@ -107,6 +108,7 @@ class TreeBuilder {
   bool in_object = false;           ///< the innermost block is an object's
   bool in_group = false;            ///< that object is a group
   bool in_head = false;             ///< in the list of a `for` or the condition of an `if`
+  bool has_version = false;         ///< the file began with its version
   bool has_misplaced = false;       ///< a statement stands where its object should have ended
   Operator op = Operator::None;     ///< the last one read
 
@@ -191,8 +193,7 @@ bool check_color(TreeBuilder& builder, Span color);
 
 // What is wrong where the grammar finds no way on.
 
-/// `words` say what was expected at `at`.
-void diagnose_expected(TreeBuilder& builder, std::uint32_t at, std::string_view words);
+void diagnose_expected(TreeBuilder& builder, std::uint32_t at, Expectation expectation);
 /// Where to go on behind what is no statement.
 struct Resumption {
   std::uint32_t from = 0;
@@ -200,6 +201,11 @@ struct Resumption {
 };
 /// No statement begins at `at`; the resumption lies beyond.
 Resumption diagnose_statement(TreeBuilder& builder, std::uint32_t at);
+/// Reports the unit behind the number, if there is one and a blank between; returns where the
+/// number ends, with its unit.
+std::uint32_t diagnose_separate_unit(TreeBuilder& builder, Span number);
+/// Reports the comments of other languages at `at`, and returns where they end.
+std::uint32_t skip_foreign_comments(TreeBuilder& builder, std::uint32_t at);
 /// The file does not begin with `scene 1`; returns where its statements begin.
 std::uint32_t diagnose_header(TreeBuilder& builder, std::uint32_t at);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "lang/schema/type_names.hpp"
+
 namespace sdlc::lang {
 namespace {
 
@@ -23,6 +25,8 @@ constexpr auto kTypes = std::to_array<TypeInfo>({
     {"list", is<ListValue>, "Values of one type: `[1, 2, 3]`, `range(10)`."},
     {"material", is<MaterialValue>, "A material: `diffuse(color: red)`."},
 });
+
+static_assert(std::ranges::equal(kTypes, kTypeNames, {}, &TypeInfo::name));
 
 }  // namespace
 

@@ -21,7 +21,7 @@ struct Mended {
 Mended mended(const std::string& text) {
   const SourceFile file("test.scene", text);
   DiagnosticSink sink;
-  const auto result = mend(file, file.text(), false, sink);
+  const auto result = mend(file, file.text(), {}, sink);
   Mended mended{result ? result->text() : text, {}};
   for (const Diagnostic* diagnostic : sink.sorted()) {
     mended.codes.emplace_back(diagnostic->info->code);
@@ -95,7 +95,7 @@ TEST(Mending, KnowsWhereInTheFileItsBytesAre) {
   const std::string text = "f(1 2) g";
   const SourceFile file("test.scene", text);
   DiagnosticSink sink;
-  const auto result = mend(file, file.text(), false, sink);
+  const auto result = mend(file, file.text(), {}, sink);
   ASSERT_TRUE(result);
   ASSERT_EQ(result->text(), "f(1, 2) g");
   for (std::uint32_t i = 0; i < result->text().size(); ++i) {
