@@ -203,7 +203,7 @@ std::string shown_name(std::string_view name) {
   const auto is_plain = [](unsigned char c) {
     return c >= ' ' && c != 0x7F && c != '"' && c != '\\';
   };
-  if (std::ranges::all_of(name, is_plain)) {
+  if (std::ranges::all_of(name, is_plain) && !name.starts_with(' ')) {
     return std::string(name) + (name.find(' ') != std::string_view::npos ? "\t" : "");
   }
   std::string quoted = "\"";

@@ -136,7 +136,7 @@ TEST_F(ConvertCommand, TakesWarningsForErrorsIfItIsStrict) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.err,
             "config.json:2:32: warning[W403]: `focal_length` has no effect\n"
-            "config.json:4:46: warning[W403]: `movement` has no effect\n"
+            "config.json:5:16: warning[W403]: `movement` has no effect\n"
             "error: config.json has warnings, and --strict takes them for errors\n");
   EXPECT_THAT(names_in(folder_.path()), ElementsAre("config.json"));
 }
