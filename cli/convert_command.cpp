@@ -153,7 +153,8 @@ class ConvertJob {
     std::optional<std::string> text = conversion.run(options_.conversion);
     for (const lang::Diagnostic* diagnostic : sink.sorted()) writer_->write(*diagnostic);
     counts_ += sink.counts();
-    if (!text || !options_.is_strict || sink.counts().warnings == 0) return text;
+    const std::size_t avoidable = sink.counts().warnings - conversion.forced_warnings();
+    if (!text || !options_.is_strict || avoidable == 0) return text;
     env_.err << fmt::format("error: {} has warnings, and --strict takes them for errors\n",
                             lang::printable(file.name()));
     return std::nullopt;
@@ -235,7 +236,9 @@ void add_convert_command(CLI::App& app, Dispatcher& dispatcher) {
                       "output. Default: beside IN, with the other extension");
   command->add_option("--to", options->to, "The format to convert to; default: the other one")
       ->check(one_of(kFormats));
-  command->add_flag("--strict", options->is_strict, "Write nothing where there are warnings");
+  command->add_flag(
+      "--strict", options->is_strict,
+      "Write nothing where there are warnings, but for those of keys that configs must have");
   command->add_flag("--overwrite", options->overwrites,
                     "Replace files that are there, although -o does not name them");
   add_choice_options(*command, options->conversion);

@@ -179,10 +179,9 @@ void add_fmt_command(CLI::App& app, Dispatcher& dispatcher) {
       ->add_option("FILE", options->arguments,
                    "Scenes and folders of them; `-` formats standard input to standard output")
       ->required();
-  CLI::Option* check =
-      command->add_flag("--check", options->checks, "Only list the files that would change");
-  command->add_flag("--diff", options->shows_diff, "Only show what would change, as a patch")
-      ->excludes(check);
+  command->add_flag("--check", options->checks, "Only list the files that would change");
+  command->add_flag("--diff", options->shows_diff,
+                    "Only show what would change, as a patch, with --check in place of the list");
   command
       ->add_option_function<std::string>(
           "--range", [options](const std::string& text) { options->lines = parse_lines(text); },
@@ -199,11 +198,11 @@ void add_fmt_command(CLI::App& app, Dispatcher& dispatcher) {
       "  sdlc fmt scenes/ --diff | patch -p0\n"
       "  sdlc fmt - --range 12:20 --stdin-filename ball.scene <ball.scene\n\n"
       "Files are written whole or not at all, and only those that change. One with syntax errors "
-      "is "
-      "left\n"
-      "alone. docs/format.md describes the layout. Exit status: 0 done, or nothing to do; 1 "
-      "syntax errors,\n"
-      "or with --check and --diff files that would change; 2 a file cannot be read or written.");
+      "is\n"
+      "left alone. docs/format.md describes the layout. Exit status: 0 done, or nothing to do;\n"
+      "1 syntax errors, or with --check and --diff files that would change; 2 a file cannot be "
+      "read\n"
+      "or written.");
   dispatcher.on(command, [options](Environment& env) { return FmtJob(*options, env).run(); });
 }
 

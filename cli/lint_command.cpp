@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -155,17 +156,25 @@ class LintJob {
       if (!options_.shows_diff) tell(*result, shown_name(name));
     } catch (const render::IoError& error) {
       ++unreadable_;
+      if (!options_.shows_diff) writer_->fail(shown_name(name), error.what());
       env_.err << fmt::format("error: {}\n", lang::printable(error.what()));
     }
   }
 
-  /// Applies fixes until nothing is left to apply: what one uncovers may have a fix too.
+  /// Applies fixes until nothing is left to apply: what one uncovers may have a fix too, and of
+  /// many findings a round sees some. Fixes that undo each other come to an end where for some
+  /// rounds there are no fewer findings than before.
   std::unique_ptr<Linted> mend(const std::string& name, std::string text) {
-    constexpr int kMostRounds = 10;
+    constexpr int kRoundsInVain = 10;
     const std::string original = text;
     auto result = linted(name, text);
-    std::size_t mended = 0;
-    for (int round = 0; round < kMostRounds; ++round) {
+    std::size_t mended = 0, fewest = std::numeric_limits<std::size_t>::max();
+    for (int in_vain = 0; in_vain < kRoundsInVain; ++in_vain) {
+      const lang::DiagnosticCounts counts = result->sink().counts();
+      if (counts.errors + counts.warnings < fewest) {
+        fewest = counts.errors + counts.warnings;
+        in_vain = 0;
+      }
       auto [fixed, applied] =
           lang::apply_fixes(result->file(), result->sink().sorted(), options_.fixes_unsafe);
       if (applied == 0) break;

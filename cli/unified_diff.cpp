@@ -144,7 +144,7 @@ class Matcher {
       if (is_same(i, j)) {
         matches_.emplace_back(s.a_begin + i++, s.b_begin + j++);
       } else {
-        longest(i + 1, j) >= longest(i, j + 1) ? ++i : ++j;
+        ++(longest(i + 1, j) >= longest(i, j + 1) ? i : j);
       }
     }
   }
@@ -197,13 +197,34 @@ void append_hunk(std::string& out, const Lines& a, const Lines& b, const Stretch
   for (; at < a_end; ++at) append_line(out, ' ', a[at]);
 }
 
+/// The name as `patch` and `git apply` read it: one with a blank ends at a tab, as GNU diff writes
+/// it, and one that would end elsewhere is quoted, as git writes it.
+std::string shown_name(std::string_view name) {
+  const auto is_plain = [](unsigned char c) {
+    return c >= ' ' && c != 0x7F && c != '"' && c != '\\';
+  };
+  if (std::ranges::all_of(name, is_plain) && !name.starts_with(' ')) {
+    return std::string(name) + (name.find(' ') != std::string_view::npos ? "\t" : "");
+  }
+  std::string quoted = "\"";
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      quoted += {'\\', c};
+    } else {
+      quoted += is_plain(byte) ? std::string(1, c) : fmt::format("\\{:03o}", byte);
+    }
+  }
+  return quoted + "\"";
+}
+
 }  // namespace
 
 std::string unified_diff(std::string_view name, std::string_view before, std::string_view after) {
   const Lines a = lines_of(before), b = lines_of(after);
   const std::vector<Stretch> changes = changes_between(a, b);
   if (changes.empty()) return {};
-  std::string diff = fmt::format("--- {}\n+++ {}\n", name, name);
+  std::string diff = fmt::format("--- {0}\n+++ {0}\n", shown_name(name));
   for (std::size_t first = 0; first < changes.size();) {
     std::size_t last = first;
     while (last + 1 < changes.size() &&

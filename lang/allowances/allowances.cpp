@@ -4,6 +4,7 @@
 #include <cctype>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "lang/syntax/syntax.hpp"
@@ -18,10 +19,6 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; 
 
 bool is_statement(SyntaxKind kind) {
   return kind >= SyntaxKind::Property && kind <= SyntaxKind::Object;
-}
-
-bool contains(Span span, std::uint32_t offset) {
-  return span.begin <= offset && offset <= span.end;
 }
 
 /// Reads a comment from left to right.
@@ -64,39 +61,88 @@ std::vector<Span> read_codes(std::string_view text, Span comment) {
   return scanner.take(")") ? codes : std::vector<Span>();
 }
 
-/// The statements that a comment speaks of.
-std::vector<Span> places_of(const SyntaxTree& tree, std::size_t comment) {
-  const std::string_view text = tree.file().text();
-  const Span span = tree.comments()[comment].span;
-  const std::size_t line_break = text.substr(0, span.begin).rfind('\n');
-  const auto line = static_cast<std::uint32_t>(line_break + 1);  // npos + 1 is 0
-  const std::string_view before = text.substr(line, span.begin - line);
-  if (std::ranges::all_of(before, is_blank)) {
-    // The statement that begins at the next token.
-    std::uint32_t at = span.end;
-    for (++comment;; ++comment) {
-      while (at < text.size() && is_blank(text[at])) ++at;
-      if (comment == tree.comments().size() || tree.comments()[comment].span.begin != at) break;
-      at = tree.comments()[comment].span.end;
-    }
-    for (const SyntaxNode& node : tree.nodes()) {
-      if (node.begin == at && is_statement(node.kind)) return {node.span()};
-    }
-    return {};
+/// The code as the table has it: in capitals.
+std::string code_text(const SourceFile& file, Span code) {
+  std::string text(file.text(code));
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::toupper(c); });
+  return text;
+}
+
+/// Finds the statements that comments speak of, in one pass over the text for all comments.
+class Statements {
+ public:
+  explicit Statements(const SyntaxTree& tree) : tree_(tree), text_(tree.file().text()) {
+    find_next_tokens();
+    find_parts();
   }
 
-  std::vector<Span> places;
-  std::optional<Span> around;
-  for (const SyntaxNode& node : tree.nodes()) {
-    if (!is_statement(node.kind)) continue;
-    if (node.begin >= span.begin) break;
-    const bool is_inside_other = !places.empty() && contains(places.back(), node.begin);
-    if (node.begin >= line && !is_inside_other) places.push_back(node.span());
-    if (node.begin < line && node.end >= line) around = node.span();  // the innermost comes last
+  std::optional<Span> of_comment(std::size_t comment) const {
+    const Span span = tree_.comments()[comment].span;
+    const std::size_t line_break = text_.substr(0, span.begin).rfind('\n');
+    const auto line = static_cast<std::uint32_t>(line_break + 1);  // npos + 1 is 0
+    const bool is_alone = std::ranges::all_of(text_.substr(line, span.begin - line), is_blank);
+    return is_alone ? beginning_at(next_tokens_[comment]) : ending_before(span.begin, line);
   }
-  if (places.empty() && around) places.push_back(*around);
-  return places;
-}
+
+ private:
+  /// A statement, or a block of one.
+  struct Part {
+    Span span;
+    bool is_block;
+    std::uint32_t around;  ///< kNone: the file
+  };
+  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+  /// The first token behind each comment.
+  void find_next_tokens() {
+    const auto comments = tree_.comments();
+    next_tokens_.resize(comments.size());
+    for (std::size_t i = comments.size(); i-- > 0;) {
+      std::uint32_t at = comments[i].span.end;
+      while (at < text_.size() && is_blank(text_[at])) ++at;
+      const bool is_comment = i + 1 < comments.size() && comments[i + 1].span.begin == at;
+      next_tokens_[i] = is_comment ? next_tokens_[i + 1] : at;
+    }
+  }
+
+  void find_parts() {
+    std::uint32_t around = kNone;
+    for (const SyntaxNode& node : tree_.nodes()) {
+      const bool is_block = node.kind == SyntaxKind::Block;
+      if (!is_statement(node.kind) && !is_block) continue;
+      while (around != kNone && parts_[around].span.end <= node.begin)
+        around = parts_[around].around;
+      parts_.push_back({.span = node.span(), .is_block = is_block, .around = around});
+      around = static_cast<std::uint32_t>(parts_.size() - 1);
+    }
+  }
+
+  std::optional<Span> beginning_at(std::uint32_t token) const {
+    const auto found = std::ranges::lower_bound(parts_, token, {},
+                                                [](const Part& part) { return part.span.begin; });
+    const bool is_found = found != parts_.end() && found->span.begin == token && !found->is_block;
+    return is_found ? std::optional(found->span) : std::nullopt;
+  }
+
+  std::optional<Span> ending_before(std::uint32_t comment, std::uint32_t line) const {
+    const auto behind = std::ranges::lower_bound(parts_, comment, {},
+                                                 [](const Part& part) { return part.span.begin; });
+    if (behind == parts_.begin()) return std::nullopt;
+    auto around = static_cast<std::uint32_t>(behind - parts_.begin() - 1);
+    std::optional<Span> before;
+    for (; around != kNone && parts_[around].span.end <= comment; around = parts_[around].around) {
+      before = parts_[around].span;
+    }
+    if (before && before->end > line) return before;
+    while (around != kNone && parts_[around].is_block) around = parts_[around].around;
+    return around == kNone ? std::nullopt : std::optional(parts_[around].span);
+  }
+
+  const SyntaxTree& tree_;
+  std::string_view text_;
+  std::vector<std::uint32_t> next_tokens_;  // by comment
+  std::vector<Part> parts_;                 // by where they begin, outer ones first
+};
 
 bool fits_some_warning(std::string_view code) {
   return std::ranges::any_of(all_diagnostics(), [&](const DiagnosticInfo* info) {
@@ -131,6 +177,8 @@ Allowances::FileAllowances Allowances::read(const SourceFile& file) {
   if (file.format() != SourceFormat::Scene || !has_some) return result;
   DiagnosticSink ignored;
   const SyntaxTree tree = parse(file, ignored);
+  const Statements statements(tree);
+  std::vector<std::optional<Span>> places;  // of each allowance
   for (std::size_t i = 0; i < tree.comments().size(); ++i) {
     const Comment& comment = tree.comments()[i];
     Scanner scanner(file.text(), comment.span);
@@ -141,11 +189,46 @@ Allowances::FileAllowances Allowances::read(const SourceFile& file) {
       result.list.push_back({.code = codes[k],
                              .comment = comment.span,
                              .index = k,
-                             .count = static_cast<std::uint32_t>(codes.size()),
-                             .places = places_of(tree, i)});
+                             .count = static_cast<std::uint32_t>(codes.size())});
+      places.push_back(statements.of_comment(i));
     }
   }
+  find_places(places, result);
+  for (const Allowance& allowance : result.list) {
+    if (allowance.place == kNowhere) continue;
+    result.places[allowance.place].is_used.emplace(code_text(file, allowance.code), false);
+  }
   return result;
+}
+
+/// Statements are inside each other or apart, so each place has one that is next around it.
+void Allowances::find_places(const std::vector<std::optional<Span>>& statements,
+                             FileAllowances& allowances) {
+  std::vector<Place>& places = allowances.places;
+  for (const std::optional<Span>& statement : statements) {
+    if (statement) places.push_back({.statement = *statement});
+  }
+  const auto order = [](const Place& place) {
+    return std::pair(place.statement.begin, ~place.statement.end);
+  };
+  std::ranges::sort(places, {}, order);
+  const auto same = std::ranges::unique(places, {}, order);
+  places.erase(same.begin(), same.end());
+
+  std::uint32_t around = kNowhere;
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    while (around != kNowhere && places[around].statement.end <= places[i].statement.begin) {
+      around = places[around].around;
+    }
+    places[i].around = around;
+    around = i;
+  }
+  for (std::size_t i = 0; i < statements.size(); ++i) {
+    if (!statements[i]) continue;
+    const auto found =
+        std::ranges::lower_bound(places, order({.statement = *statements[i]}), {}, order);
+    allowances.list[i].place = static_cast<std::uint32_t>(found - places.begin());
+  }
 }
 
 Allowances::FileAllowances& Allowances::of(const SourceFile& file) {
@@ -155,13 +238,18 @@ Allowances::FileAllowances& Allowances::of(const SourceFile& file) {
 
 bool Allowances::allow(const DiagnosticInfo& info, Location where) {
   if (where.file == nullptr || info.severity == Severity::Error) return false;
+  std::vector<Place>& places = of(*where.file).places;
+  const std::uint32_t at = where.span.begin;
+  const auto behind = std::ranges::upper_bound(
+      places, at, {}, [](const Place& place) { return place.statement.begin; });
+  auto i =
+      behind == places.begin() ? kNowhere : static_cast<std::uint32_t>(behind - places.begin() - 1);
   bool is_allowed = false;
-  for (Allowance& allowance : of(*where.file).list) {
-    if (!info.code.starts_with(where.file->text(allowance.code))) continue;
-    const bool is_here = std::ranges::any_of(
-        allowance.places, [&](Span place) { return contains(place, where.span.begin); });
-    if (!is_here) continue;
-    is_allowed = allowance.is_used = true;
+  for (; i != kNowhere; i = places[i].around) {
+    if (places[i].statement.end <= at) continue;
+    for (auto& [code, is_used] : places[i].is_used) {
+      if (info.code.starts_with(code)) is_allowed = is_used = true;
+    }
   }
   return is_allowed;
 }
@@ -172,12 +260,14 @@ void Allowances::diagnose_unused(const SourceFile& file, DiagnosticSink& sink) {
     sink.report(diag::bad_allowance, {&file, comment}, "this comment cannot be read")
         .help("an allowance is written `// sdlc: allow(W402) reason`");
   }
-  for (const Allowance& allowance : allowances.list) diagnose_unused(file, allowance, sink);
+  for (const Allowance& allowance : allowances.list) {
+    diagnose_unused(file, allowances, allowance, sink);
+  }
 }
 
-void Allowances::diagnose_unused(const SourceFile& file, const Allowance& allowance,
-                                 DiagnosticSink& sink) {
-  const std::string_view code = file.text(allowance.code);
+void Allowances::diagnose_unused(const SourceFile& file, const FileAllowances& allowances,
+                                 const Allowance& allowance, DiagnosticSink& sink) {
+  const std::string code = code_text(file, allowance.code);
   const Location where{&file, allowance.code};
   if (!fits_some_warning(code)) {
     if (fits_some_error(code)) {
@@ -193,10 +283,12 @@ void Allowances::diagnose_unused(const SourceFile& file, const Allowance& allowa
         .suggest(nearest_name(code, codes));
     return;
   }
+  const bool has_place = allowance.place != kNowhere;
+  const bool is_used = has_place && allowances.places[allowance.place].is_used.at(code);
   // What only `sdlc convert` reports cannot be seen to be of use.
-  if (allowance.is_used || diag::rounded_color.code.starts_with(code)) return;
+  if (is_used || diag::rounded_color.code.starts_with(code)) return;
   auto report = sink.report(diag::unused_allowance, where, code);
-  if (allowance.places.empty()) report.help("no statement stands here");
+  if (!has_place) report.help("no statement stands here");
   if (allowance.count == 1) {
     report.unsafe_fix({&file, with_blanks(file.text(), allowance.comment)}, "");
   } else if (allowance.index == 0) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string_view>
 #include <utility>
 
 #include "lang/ast/ast.hpp"
@@ -12,6 +13,17 @@ namespace sdlc::lang {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// What a message says of it.
+std::string_view describe(const DroppedSphere& sphere) {
+  if (!sphere.is_exact) {
+    return sphere.has_other_material
+               ? "coincides with an earlier one of another material (within 2^-40 of its radius)"
+               : "coincides with an earlier one (within 2^-40 of its radius)";
+  }
+  return sphere.has_other_material ? "has the place and size of an earlier one of another material"
+                                   : "is the same as an earlier one";
+}
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
@@ -128,6 +140,10 @@ void Compiler::check(const std::function<void(const LoweredScene&)>& look) {
   if (last != film->first) check_frame(last);
 }
 
+LoweredScene Compiler::check_view(std::optional<int> frame, std::optional<std::string> camera) {
+  return build({.camera = std::move(camera)}, frame, Purpose::Check);
+}
+
 void Compiler::report_dropped() {
   // More would not be shown, but many may be of one place, which is told once.
   constexpr std::size_t kMostTraced = 10'000;
@@ -146,11 +162,13 @@ void Compiler::report_dropped() {
   };
   for (std::size_t i = 0; i < count; ++i) {
     const Origin& dropped = origin(dropped_[i].sphere);
-    sink_
-        .report(diag::duplicate_sphere, dropped.where,
-                dropped_[i].is_exact ? "is the same as an earlier one"
-                                     : "coincides with an earlier one (within 2^-40 of its radius)")
+    sink_.report(diag::duplicate_sphere, dropped.where, describe(dropped_[i]))
         .label(origin(dropped_[i].earlier).where, "the earlier one, which is kept")
+        .help_if(
+            dropped_[i].has_other_material
+                ? "of two surfaces in one place neither is in front: make one a little larger, "
+                  "or take away the one that is not meant"
+                : "")
         .chain(dropped.chain);
   }
 }

@@ -55,12 +55,17 @@ class Compiler {
   /// `look` is shown the scene of each as long as there are no errors; it may trace spheres of it.
   void check(const std::function<void(const LoweredScene&)>& look = {});
 
+  /// The scene of one frame while the shutter of one camera is open, as check() shows it: all of it
+  /// unless errors have been reported. By default the first frame, and the camera of the file.
+  LoweredScene check_view(std::optional<int> frame, std::optional<std::string> camera);
+
   /// Where spheres of the scene lowered last come from, by their index in it, ascending. They are
   /// found by evaluating once more, so that no sphere has to remember.
   std::vector<Origin> trace(std::span<const std::uint32_t> spheres);
 
   /// The text's statements; null of a config.
   const Program* program() const noexcept { return program_.get(); }
+  const ProgramOptions& options() const noexcept { return options_; }
   /// What comments of the files allow.
   Allowances& allowances() noexcept { return *allowances_; }
 

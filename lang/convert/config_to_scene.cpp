@@ -105,6 +105,8 @@ class SceneWriter final : public ConfigParts {
     }
   }
 
+  std::size_t forced_warnings() const noexcept { return forced_warnings_; }
+
   std::string finish() {
     add_tone();
     add_threads();
@@ -133,6 +135,7 @@ class SceneWriter final : public ConfigParts {
         put(key, member->value, keeps_defaults);
       } else if (key.setting == JsonSetting::None) {
         drop(camera_, key, *member, "everything is in focus");
+        if (key.presence == Presence::Required) ++forced_warnings_;
       } else {
         setting(key.setting) = remember(*member);
       }
@@ -206,17 +209,20 @@ class SceneWriter final : public ConfigParts {
   ObjectText camera_{"camera main"}, background_{"background"}, render_{"render"};
   std::string spheres_;
   Setting gamma_correct_, in_parallel_, number_cores_;
+  std::size_t forced_warnings_ = 0;
 };
 
 }  // namespace
 
-std::string write_scene(const SourceFile& config, DiagnosticSink& sink) {
+std::string write_scene(const SourceFile& config, DiagnosticSink& sink,
+                        std::size_t& forced_warnings) {
   DiagnosticSink silent;  // what there is to say has been said
   ConfigFacts facts(config);
   parse_config(config, streamed_key(), facts, silent);
   facts.finish();
   SceneWriter writer(config, facts, sink);
   parse_config(config, streamed_key(), writer, silent);
+  forced_warnings += writer.forced_warnings();
   return writer.finish();
 }
 

@@ -102,7 +102,7 @@ std::optional<std::string> Conversion::to_scene() {
   }
   if (sink_.has_errors()) return std::nullopt;
 
-  const SourceFile unformatted("converted.scene", write_scene(file_, sink_));
+  const SourceFile unformatted("converted.scene", write_scene(file_, sink_, forced_warnings_));
   if (!may_be_read(unformatted, lowered)) return std::nullopt;
   DiagnosticSink sink;
   std::string text = format_file(unformatted, sink).value_or("");

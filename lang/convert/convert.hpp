@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,9 @@ class Conversion {
   /// been reported. Throws std::logic_error where it would be another picture: a defect.
   std::optional<std::string> run(const ConvertOptions& options);
 
+  /// How many of the warnings are of keys that every config has: nobody can write one without.
+  std::size_t forced_warnings() const noexcept { return forced_warnings_; }
+
  private:
   std::optional<std::string> to_scene();
   std::optional<std::string> to_config(const ConvertOptions& options);
@@ -40,6 +44,7 @@ class Conversion {
   ProgramOptions options_;
   DiagnosticSink& sink_;
   std::unique_ptr<Program> program_;  ///< null for a config
+  std::size_t forced_warnings_ = 0;
 };
 
 }  // namespace sdlc::lang

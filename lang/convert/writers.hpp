@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,8 +17,10 @@ namespace sdlc::lang {
 
 /// A config in which no mistake has been found as a scene that a person could have written:
 /// materials used more than once are declared first and have names, numbers are spelled as in the
-/// config, defaults are left out. Keys without effect are kept as comments and warned about.
-std::string write_scene(const SourceFile& config, DiagnosticSink& sink);
+/// config, defaults are left out. Keys without effect are kept as comments and warned about; how
+/// often that is so of a key that every config has is added to `forced_warnings`.
+std::string write_scene(const SourceFile& config, DiagnosticSink& sink,
+                        std::size_t& forced_warnings);
 
 /// Writes the objects of a program as a config while they are handed on. What the format cannot
 /// hold is reported.

@@ -50,6 +50,9 @@ class DiagnosticWriter {
   /// The file that is looked at from now on, as the user named it; what is found may be in others.
   virtual void enter(const std::string& /*name*/) {}
   virtual void write(const Diagnostic& diagnostic) = 0;
+  /// The file that the user named could not be looked at. People and the simple formats read of it
+  /// on standard error; a report that others wait for says it too.
+  virtual void fail(const std::string& /*name*/, const std::string& /*reason*/) {}
   /// Writes what stands behind all of them.
   virtual void finish(const DiagnosticCounts& counts) = 0;
 };

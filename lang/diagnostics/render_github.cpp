@@ -63,6 +63,12 @@ class GithubWriter final : public DiagnosticWriter {
         escaped(message));
   }
 
+  void fail(const std::string& name, const std::string& reason) override {
+    out_ << fmt::format("::error file={},title=sdlc::{}\n",
+                        escaped_property(printable(report_path(name, facts_.root))),
+                        escaped(printable(reason)));
+  }
+
   void finish(const DiagnosticCounts& counts) override {
     if (counts.omitted > 0) out_ << fmt::format("::notice::{}\n", omitted_text(counts.omitted));
   }

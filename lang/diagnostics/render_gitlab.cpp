@@ -38,6 +38,15 @@ class GitlabWriter final : public DiagnosticWriter {
              {"end", {{"line", end.line}, {"column", end.column}}}}}}}});
   }
 
+  void fail(const std::string& name, const std::string& reason) override {
+    const std::string path = report_path(name, facts_.root);
+    issues_.push_back({{"description", reason},
+                       {"check_name", "cannot be read or written"},
+                       {"fingerprint", unique("unreadable:" + path)},
+                       {"severity", "blocker"},
+                       {"location", {{"path", path}, {"lines", {{"begin", 1}}}}}});
+  }
+
   void finish(const DiagnosticCounts& /*counts*/) override {
     constexpr bool kIsAscii = true;
     out_ << issues_.dump(2, ' ', kIsAscii, Json::error_handler_t::replace) << '\n';

@@ -39,11 +39,12 @@ std::string escaped(std::string_view text) {
 /// What was found in one file.
 struct Suite {
   std::string name;
-  std::string failures = {};
-  std::size_t failed = 0;
+  std::string cases = {};  ///< that are not passed
+  std::size_t failures = 0;
+  std::size_t errors = 0;  ///< the file could not be looked at
 
   /// A suite without a case looks as if nobody had looked.
-  std::size_t tests() const { return std::max<std::size_t>(failed, 1); }
+  std::size_t tests() const { return std::max<std::size_t>(failures + errors, 1); }
 };
 
 std::string failure(const Diagnostic& diagnostic, const std::string& path) {
@@ -80,17 +81,32 @@ class JunitWriter final : public DiagnosticWriter {
     const SourceFile* file = diagnostic.where.file;
     const std::string path = file == nullptr ? entered_ : report_path(file->name(), facts_.root);
     Suite& its = suite(path);
-    its.failures += failure(diagnostic, path);
-    ++its.failed;
+    its.cases += failure(diagnostic, path);
+    ++its.failures;
+  }
+
+  void fail(const std::string& name, const std::string& reason) override {
+    const std::string path = report_path(name, facts_.root);
+    Suite& its = suite(path);
+    its.cases += fmt::format(
+        "    <testcase name=\"cannot be read or written\" classname=\"{0}\" file=\"{0}\">\n"
+        "      <error type=\"error\" message=\"{1}\"/>\n"
+        "    </testcase>\n",
+        escaped(path), escaped(reason));
+    ++its.errors;
   }
 
   void finish(const DiagnosticCounts& counts) override {
     if (counts.omitted > 0) tell_omitted(counts.omitted);
-    std::size_t tests = 0, failed = 0;
-    for (const Suite& its : suites_) tests += its.tests(), failed += its.failed;
+    std::size_t tests = 0, failures = 0, errors = 0;
+    for (const Suite& its : suites_) {
+      tests += its.tests();
+      failures += its.failures;
+      errors += its.errors;
+    }
     out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-         << fmt::format("<testsuites name=\"sdlc\" tests=\"{}\" failures=\"{}\" errors=\"0\">\n",
-                        tests, failed);
+         << fmt::format("<testsuites name=\"sdlc\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
+                        tests, failures, errors);
     for (const Suite& its : suites_) write_suite(its);
     out_ << "</testsuites>\n";
   }
@@ -103,20 +119,20 @@ class JunitWriter final : public DiagnosticWriter {
 
   void tell_omitted(std::size_t omitted) {
     Suite& its = suite("further findings");
-    its.failures = fmt::format(
+    its.cases = fmt::format(
         "    <testcase name=\"further findings\" classname=\"further findings\">\n"
         "      <failure type=\"error\" message=\"{}\"/>\n"
         "    </testcase>\n",
         escaped(omitted_text(omitted)));
-    its.failed = 1;
+    its.failures = 1;
   }
 
   void write_suite(const Suite& its) {
     const std::string name = escaped(its.name);
-    out_ << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\">\n",
-                        name, its.tests(), its.failed)
-         << its.failures;
-    if (its.failed == 0) {
+    out_ << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
+                        name, its.tests(), its.failures, its.errors)
+         << its.cases;
+    if (its.failures + its.errors == 0) {
       out_ << fmt::format("    <testcase name=\"no findings\" classname=\"{0}\" file=\"{0}\"/>\n",
                           name);
     }

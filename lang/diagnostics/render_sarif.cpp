@@ -80,11 +80,23 @@ class SarifWriter final : public DiagnosticWriter {
     results_.push_back(std::move(result));
   }
 
+  void fail(const std::string& name, const std::string& reason) override {
+    Json place = {{"artifactLocation", artifact_location(name)}};
+    failures_.push_back(
+        {{"level", "error"},
+         {"message", message_of(reason)},
+         {"locations", one(Json::object({{"physicalLocation", std::move(place)}}))}});
+  }
+
   void finish(const DiagnosticCounts& counts) override {
-    Json invocation = {{"executionSuccessful", true}};
+    Json invocation = {{"executionSuccessful", failures_.empty()}};
+    Json notifications = std::move(failures_);
     if (counts.omitted > 0) {
-      invocation["toolExecutionNotifications"] =
-          one({{"level", "note"}, {"message", text_message(omitted_text(counts.omitted))}});
+      notifications.push_back(
+          {{"level", "note"}, {"message", text_message(omitted_text(counts.omitted))}});
+    }
+    if (!notifications.empty()) {
+      invocation["toolExecutionNotifications"] = std::move(notifications);
     }
     Json driver = {{"name", "sdlc"}};
     if (!facts_.version.empty()) driver["version"] = facts_.version;
@@ -181,6 +193,7 @@ class SarifWriter final : public DiagnosticWriter {
   std::unordered_map<std::string_view, std::size_t> rule_indices_;
   Json rules_ = Json::array();
   Json results_ = Json::array();
+  Json failures_ = Json::array();  // notifications
 };
 
 }  // namespace

@@ -78,9 +78,10 @@ std::vector<std::string> fingerprints_of(std::string_view text) {
 
 std::string report_path(std::string_view name, const fs::path& root) {
   if (root.empty()) return std::string(name);
-  const fs::path relative = (root / name).lexically_normal().lexically_relative(root);
+  const fs::path whole = (root / name).lexically_normal();
+  const fs::path relative = whole.lexically_relative(root);
   const bool is_inside = !relative.empty() && *relative.begin() != "..";
-  return is_inside ? relative.generic_string() : std::string(name);
+  return (is_inside ? relative : whole).generic_string();
 }
 
 std::string report_uri(std::string_view path) {

@@ -11,7 +11,7 @@
 /// What reports for other programs call files and lines, so that those programs find them.
 namespace sdlc::lang {
 
-/// The file's path from `root` where it lies in that folder, else as it is named, with slashes. An
+/// The file's path from `root` where it lies in that folder, else its whole path, with slashes. An
 /// empty root keeps all names.
 std::string report_path(std::string_view name, const std::filesystem::path& root);
 

@@ -12,24 +12,24 @@ using render::Vec3;
 
 /// What a sphere around a camera leaves of the scene.
 struct Enclosed {
-  bool has_spheres_inside = false, has_spheres_outside = false;
+  bool shows_spheres = false;  ///< wholly inside, or coming in
+  bool hides_spheres = false;  ///< wholly outside
 };
 
-bool is_around(const LintContext& context, std::uint32_t index, Vec3 point) {
-  const render::Sphere& sphere = context.spheres()[index];
-  for (const double u : {0.0, 1.0}) {
-    const Vec3 center = sphere.center + context.shift_of(index) * u;
-    const double margin = rounding_margin(point, 0, center, sphere.radius);
-    if (!(length(point - center) + margin < sphere.radius)) return false;
-  }
-  return true;
+/// Whether sphere `a` is wholly outside of sphere `b` while the shutter is open: not even with all
+/// of the way that one makes towards the other they meet.
+bool is_outside(const LintContext& context, std::uint32_t a, std::uint32_t b) {
+  const render::Sphere &one = context.spheres()[a], &other = context.spheres()[b];
+  const double way = length(context.shift_of(a) - context.shift_of(b));
+  const double margin = rounding_margin(one.center, one.radius, other.center, other.radius + way);
+  return length(one.center - other.center) - way > one.radius + other.radius + margin;
 }
 
 /// The smallest opaque sphere that has the point inside while the shutter is open.
 std::optional<std::uint32_t> smallest_around(const LintContext& context, Vec3 point) {
   std::optional<std::uint32_t> smallest;
   for (std::uint32_t i = 0; i < context.spheres().size(); ++i) {
-    if (context.is_transmissive(i) || !is_around(context, i, point)) continue;
+    if (context.is_transmissive(i) || !is_inside(context, point, i)) continue;
     if (!smallest || context.spheres()[i].radius < context.spheres()[*smallest].radius) {
       smallest = i;
     }
@@ -41,8 +41,11 @@ Enclosed look_into(const LintContext& context, std::uint32_t shell) {
   Enclosed enclosed;
   for (std::uint32_t i = 0; i < context.spheres().size(); ++i) {
     if (i == shell) continue;
-    (is_inside(context, i, shell) ? enclosed.has_spheres_inside : enclosed.has_spheres_outside) =
-        true;
+    if (is_outside(context, i, shell)) {
+      enclosed.hides_spheres = true;
+    } else {
+      enclosed.shows_spheres = true;
+    }
   }
   return enclosed;
 }
@@ -54,21 +57,18 @@ std::string with_name(const std::string& name) { return name.empty() ? "" : " `"
 /// The camera stands inside a sphere whose surface lets nothing through, and so sees nothing beyond
 /// it: |from − centre| < radius at both ends of the shutter, and between them, where a distance is
 /// no larger than at one of its ends. A room or a dome that holds the whole scene is meant; it is
-/// told where spheres are outside, or none is inside. Of more than a hundred cameras the first
-/// hundred are looked at.
+/// told where spheres are wholly outside, or none comes in. Of more than a hundred cameras the
+/// first hundred are looked at.
 void check_camera_inside(LintContext& context) {
-  constexpr std::size_t kMostCameras = 100;
   const auto& cameras = context.lowered().checked_cameras;
   std::map<std::uint32_t, Enclosed> looked_into;
   std::vector<std::pair<std::size_t, std::uint32_t>> inside;  // camera, sphere
-  for (std::size_t i = 0; i < std::min(cameras.size(), kMostCameras); ++i) {
+  for (std::size_t i = 0; i < std::min(cameras.size(), LintContext::kMostCameras); ++i) {
     const auto shell = smallest_around(context, cameras[i].camera.from);
     if (!shell) continue;
-    const auto found = looked_into.find(*shell);
-    const Enclosed enclosed = found != looked_into.end()
-                                  ? found->second
-                                  : looked_into[*shell] = look_into(context, *shell);
-    if (enclosed.has_spheres_inside && !enclosed.has_spheres_outside) continue;
+    const auto [found, is_new] = looked_into.try_emplace(*shell);
+    if (is_new) found->second = look_into(context, *shell);
+    if (found->second.shows_spheres && !found->second.hides_spheres) continue;
     inside.emplace_back(i, *shell);
   }
   if (inside.empty()) return;

@@ -52,6 +52,8 @@ class LintContext {
  public:
   /// Of one rule no more spheres are told: others of one place would be told once anyway.
   static constexpr std::size_t kMostFindings = 1000;
+  /// Of more cameras nothing is claimed that all of them must agree on.
+  static constexpr std::size_t kMostCameras = 100;
 
   LintContext(const SourceFile& file, const SyntaxTree* tree, Compiler& compiler,
               const LoweredScene& lowered)
@@ -75,8 +77,21 @@ class LintContext {
   /// Whether it has no camera of its own, so that others decide how it is looked at.
   bool is_part() const noexcept { return lowered_.checked_cameras.empty(); }
 
-  /// The first sphere of each material that some sphere has.
-  std::vector<std::uint32_t> spheres_of_materials() const;
+  /// Spheres that let nothing through, that no camera stands in, or nearly, and that hide all that
+  /// is inside; of a part, which others look into, none.
+  std::span<const std::uint32_t> closed();
+
+  /// A sphere wholly inside a closed one while the shutter is open: no path gets there.
+  struct HiddenSphere {
+    std::uint32_t sphere;
+    std::uint32_t around;
+  };
+  /// Near ones near each other.
+  std::span<const HiddenSphere> hidden();
+  bool is_hidden(std::uint32_t sphere);
+
+  /// The first sphere of each material, of those that are not hidden.
+  std::vector<std::uint32_t> spheres_of_materials();
 
   /// Where spheres come from, ascending; evaluates the scene once more.
   std::vector<Origin> trace(std::span<const std::uint32_t> spheres) {
@@ -99,6 +114,9 @@ class LintContext {
   Compiler& compiler_;
   const LoweredScene& lowered_;
   std::vector<Finding> findings_;
+  std::optional<std::vector<std::uint32_t>> closed_;
+  std::optional<std::vector<HiddenSphere>> hidden_;
+  std::vector<bool> is_hidden_;  ///< by sphere, once `hidden_` is known
 };
 
 }  // namespace sdlc::lang

@@ -9,27 +9,26 @@ namespace sdlc::lang {
 /// through it crosses each surface at least twice, in and out, and each crossing begins a new ray.
 /// So it has at least 2 k + 1 rays, and if `depth` is less, all that is seen through the point is
 /// black. The points looked at are the centres of transmissive spheres, at the opening of the
-/// shutter; the one in most spheres is told.
+/// shutter, but for those that opaque spheres hide; the one in most spheres is told.
 void check_depth_too_small(LintContext& context) {
-  if (context.is_part()) return;
+  const auto& cameras = context.lowered().checked_cameras;
+  if (context.is_part() || cameras.size() > LintContext::kMostCameras) return;
   std::vector<std::uint32_t> members;
   for (std::uint32_t i = 0; i < context.spheres().size(); ++i) {
-    if (!context.is_transmissive(i)) continue;
-    const render::Sphere& sphere = context.spheres()[i];
-    const auto& cameras = context.lowered().checked_cameras;
-    constexpr std::size_t kMostCameras = 100;
-    if (cameras.size() > kMostCameras) return;
+    if (!context.is_transmissive(i) || context.is_hidden(i)) continue;
     const bool is_around_camera = std::ranges::any_of(cameras, [&](const CheckedCamera& camera) {
-      return length(camera.camera.from - sphere.center) <= sphere.radius * (1 + 0x1p-20);
+      return may_be_inside(context, camera.camera.from, i);
     });
     if (!is_around_camera) members.push_back(i);
   }
 
-  SphereTree tree(context, members);
+  SphereTree tree(context, members), closed(context, context.closed());
   std::size_t most = 0;
   std::uint32_t innermost = 0;
   for (const std::uint32_t member : tree.members()) {
-    const std::size_t count = tree.count_around(context.spheres()[member].center);
+    const render::Vec3 center = context.spheres()[member].center;
+    if (closed.count_around(center) > 0) continue;
+    const std::size_t count = tree.count_around(center);
     if (count > most || (count == most && member < innermost)) {
       most = count;
       innermost = member;
@@ -41,13 +40,16 @@ void check_depth_too_small(LintContext& context) {
   const Location written = context.lowered().places.depth;
   const LintPlace place =
       written.file == nullptr ? LintPlace::of_sphere(innermost) : LintPlace::of(written);
-  Finding& finding = context.add(diag::depth_too_small, place, most, rays, depth);
+  const std::string spheres =
+      most == 1 ? "a transmissive sphere" : fmt::format("{} nested transmissive spheres", most);
+  Finding& finding = context.add(diag::depth_too_small, place, spheres, rays, depth);
   if (written.file != nullptr) {
-    finding.labels.push_back({LintPlace::of_sphere(innermost), "the innermost"});
+    finding.labels.push_back(
+        {LintPlace::of_sphere(innermost), most == 1 ? "this one" : "the innermost"});
     finding.fixes.push_back({written, fmt::format("{}", rays), false});
   }
-  finding.help.push_back(
-      fmt::format("what is behind the innermost is black; `depth: {}` shows it", rays));
+  finding.help.push_back(fmt::format("what is behind {} is black; `depth: {}` shows it",
+                                     most == 1 ? "it" : "the innermost", rays));
 }
 
 }  // namespace sdlc::lang

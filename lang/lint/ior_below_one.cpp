@@ -6,14 +6,13 @@ namespace sdlc::lang {
 
 /// A transmissive sphere has an index of refraction below 1, and its centre is in no other
 /// transmissive sphere. The index is relative to what is around: nothing is thinner than air, so a
-/// value below 1 belongs to a bubble in glass or water, and there is none. Told of a film if it is
-/// so in the first and the last frame.
+/// value below 1 belongs to a bubble in glass or water, and there is none.
 void check_ior_below_one(LintContext& context) {
   std::vector<std::uint32_t> transmissive, thin;
   for (std::uint32_t i = 0; i < context.spheres().size(); ++i) {
     if (!context.is_transmissive(i)) continue;
     transmissive.push_back(i);
-    if (context.material_of(i).parameter < 1) thin.push_back(i);
+    if (context.material_of(i).parameter < 1 && !context.is_hidden(i)) thin.push_back(i);
   }
   if (thin.empty()) return;
   SphereTree tree(context, transmissive);

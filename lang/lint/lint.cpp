@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <set>
+#include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -19,11 +22,25 @@ struct Found {
   std::vector<ChainLink> chain;
 };
 
-/// What tells one finding from another.
-auto key_of(const Finding& finding) {
-  const Location& where = finding.place.where;
-  return std::tuple(finding.info, where.file, where.span.begin, where.span.end);
+/// The place of a finding. Files are told apart by their names: a text may be read twice.
+auto place_of(const Finding& finding) {
+  const auto& [file, span] = finding.place.where;
+  return std::tuple(finding.info, file == nullptr ? std::string_view() : file->name(), span.begin,
+                    span.end);
 }
+
+/// What is the same finding in another frame: a loop has many spheres of one place.
+auto identity_of(const Finding& finding) {
+  return std::tuple_cat(place_of(finding), std::tuple(finding.place.sphere, finding.message));
+}
+
+/// A frame while the shutter of a camera is open; nothing: of the one that the file chooses.
+struct View {
+  int frame;
+  std::optional<std::string> camera;
+};
+
+using Rules = std::set<const DiagnosticInfo*>;
 
 class Linter {
  public:
@@ -33,7 +50,8 @@ class Linter {
   void run() {
     compiler_.check([&](const LoweredScene& lowered) { look(lowered); });
     if (sink_.has_errors()) return;
-    report_held();
+    confirm_held();
+    for (const Found& found : held_) report(found);
     if (is_picture_) compiler_.allowances().diagnose_unused(file_, sink_);
   }
 
@@ -43,8 +61,10 @@ class Linter {
     const SyntaxTree* tree = program == nullptr ? nullptr : &program->module(Program::kRoot).tree;
     LintContext context(file_, tree, compiler_, lowered);
     is_picture_ = is_picture_ || !context.is_part();
+    most_spheres_ = std::max<std::uint64_t>(most_spheres_, context.spheres().size());
     const bool is_first = frames_++ == 0;
-    std::set<const DiagnosticInfo*> held;
+    if (is_first) remember_cameras(lowered);
+    Rules held;
     for (const Rule& rule : all_rules()) {
       if (rule.scope == RuleScope::Text && (!is_first || tree == nullptr)) continue;
       if (rule.scope == RuleScope::EveryFrame) held.insert(rule.info);
@@ -58,7 +78,89 @@ class Linter {
         report(found);
       }
     }
-    keep(std::move(kept), is_first);
+    if (is_first) {
+      held_ = std::move(kept);
+    } else {
+      keep(kept);
+    }
+  }
+
+  /// Those that may be chosen, where it matters which one is: the shutter that is open is its.
+  void remember_cameras(const LoweredScene& lowered) {
+    const auto& cameras = lowered.checked_cameras;
+    const bool is_one_shutter =
+        cameras.size() < 2 || std::ranges::none_of(cameras, [](const CheckedCamera& camera) {
+          return camera.shutter.has_value();
+        });
+    if (is_one_shutter) return;
+    for (const CheckedCamera& camera : cameras) {
+      if (!camera.name.empty()) cameras_.emplace_back(camera.name);
+    }
+  }
+
+  /// The views that have not been looked at; nothing where they are too many to look at all: each
+  /// costs its spheres, 10 to 20 microseconds one, and something to begin with.
+  std::optional<std::vector<View>> other_views() {
+    constexpr std::uint64_t kMostSpheres = 250'000, kLeastOfView = 100;
+    const Animation film = compiler_.animation().value_or(Animation{});
+    const std::uint64_t frames =
+        static_cast<std::uint64_t>((std::int64_t{film.last} - film.first) / film.step) + 1;
+    const std::uint64_t cameras = std::max<std::size_t>(cameras_.size(), 1);
+    if (frames * cameras > kMostSpheres / std::max(most_spheres_, kLeastOfView)) {
+      const bool is_all_seen = frames <= 2 && cameras_.empty();
+      return is_all_seen ? std::optional(std::vector<View>()) : std::nullopt;
+    }
+    std::vector<View> views;
+    for (std::uint64_t i = 0; i < frames; ++i) {
+      const int frame = film.first + static_cast<int>(i) * film.step;
+      for (const std::string& camera : cameras_) views.push_back({frame, camera});
+      const bool is_seen = i == 0 || i + 1 == frames;
+      if (cameras_.empty() && !is_seen) views.push_back({frame, {}});
+    }
+    return views;
+  }
+
+  /// Of what is so in the first and the last frame as the chosen camera sees them, keeps what is so
+  /// in all frames, whichever camera is chosen. What is wrong in those frames is not told.
+  void confirm_held() {
+    if (held_.empty()) return;
+    const std::optional<std::vector<View>> views = other_views();
+    if (!views) return drop_held();
+    if (views->empty()) return;
+
+    constexpr std::uint64_t kMostSteps = 10'000'000;  // of all views together: some seconds
+    ProgramOptions options = compiler_.options();
+    options.limits.steps = std::min(options.limits.steps, kMostSteps / views->size());
+    DiagnosticSink ignored;
+    Compiler compiler(file_, options, ignored);
+    const bool is_film = compiler.animation().has_value();
+    for (const View& view : *views) {
+      const auto frame = is_film ? std::optional(view.frame) : std::nullopt;
+      const LoweredScene lowered = compiler.check_view(frame, view.camera);
+      if (ignored.has_errors()) return drop_held();
+      look_again(compiler, lowered);
+      if (held_.empty()) return;
+    }
+  }
+
+  /// Forgets what cannot be confirmed. That is no proof that a comment allows it without need.
+  void drop_held() {
+    for (const Found& found : held_) {
+      compiler_.allowances().allow(*found.finding.info, found.finding.place.where);
+    }
+    held_.clear();
+  }
+
+  /// Asks the rules that found something whether it is there in another view.
+  void look_again(Compiler& compiler, const LoweredScene& lowered) {
+    Rules rules;
+    for (const Found& found : held_) rules.insert(found.finding.info);
+    const Program* program = compiler.program();
+    LintContext context(file_, &program->module(Program::kRoot).tree, compiler, lowered);
+    for (const Rule& rule : all_rules()) {
+      if (rules.contains(rule.info)) rule.check(context);
+    }
+    keep(locate(context));
   }
 
   /// Finds where the spheres of all findings come from, at once.
@@ -96,24 +198,16 @@ class Linter {
     return all;
   }
 
-  /// Keeps what was found in each frame so far.
-  void keep(std::vector<Found> found, bool is_first) {
-    if (is_first) {
-      held_ = std::move(found);
-      return;
-    }
-    std::set<decltype(key_of(std::declval<Finding>()))> now;
-    for (const Found& one : found) now.insert(key_of(one.finding));
-    std::erase_if(held_, [&](const Found& one) { return !now.contains(key_of(one.finding)); });
-  }
-
-  void report_held() {
-    for (const Found& found : held_) report(found);
+  /// Keeps what was found here too.
+  void keep(const std::vector<Found>& found) {
+    std::set<decltype(identity_of(std::declval<Finding>()))> now;
+    for (const Found& one : found) now.insert(identity_of(one.finding));
+    std::erase_if(held_, [&](const Found& one) { return !now.contains(identity_of(one.finding)); });
   }
 
   void report(const Found& found) {
     // Of one place and rule one finding is enough, whatever the numbers are.
-    if (!told_.insert(key_of(found.finding)).second) return;
+    if (!told_.insert(place_of(found.finding)).second) return;
     auto report =
         sink_.report_as(*found.finding.info, found.finding.place.where, found.finding.message);
     for (const Finding::PlaceLabel& label : found.finding.labels) {
@@ -121,8 +215,11 @@ class Linter {
     }
     for (const std::string& help : found.finding.help) report.help(help);
     for (const Fix& fix : found.finding.fixes) {
-      fix.is_safe ? report.fix(fix.where, fix.replacement)
-                  : report.unsafe_fix(fix.where, fix.replacement);
+      if (fix.is_safe) {
+        report.fix(fix.where, fix.replacement);
+      } else {
+        report.unsafe_fix(fix.where, fix.replacement);
+      }
     }
     report.chain(found.chain);
   }
@@ -130,8 +227,10 @@ class Linter {
   Compiler& compiler_;
   const SourceFile& file_;
   DiagnosticSink& sink_;
-  std::vector<Found> held_;  // in each frame looked at
-  std::set<decltype(key_of(std::declval<Finding>()))> told_;
+  std::vector<Found> held_;  // in each view looked at
+  std::set<decltype(place_of(std::declval<Finding>()))> told_;
+  std::vector<std::string> cameras_;  // where it matters which one is chosen
+  std::uint64_t most_spheres_ = 0;    // of a frame
   int frames_ = 0;
   bool is_picture_ = false;
 };

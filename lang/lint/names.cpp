@@ -66,13 +66,19 @@ void FileNames::declare_local(DeclaredName::Kind kind, ast::Node statement, Loca
   const std::uint32_t index = declare(kind, statement, where, name);
   if (hidden) declared_[index].hides = declared_[*hidden].where;
   locals_.push_back(index);
+  locals_by_name_[name].push_back(index);
+}
+
+void FileNames::leave_locals(std::size_t size) {
+  for (; locals_.size() > size; locals_.pop_back()) {
+    locals_by_name_[declared_[locals_.back()].name].pop_back();
+  }
 }
 
 std::optional<std::uint32_t> FileNames::find_value(std::string_view name) const {
-  for (auto local = locals_.rbegin(); local != locals_.rend(); ++local) {
-    if (declared_[*local].name == name) return *local;
-  }
-  return find(values_, name);
+  const auto locals = locals_by_name_.find(name);
+  const bool is_local = locals != locals_by_name_.end() && !locals->second.empty();
+  return is_local ? std::optional(locals->second.back()) : find(values_, name);
 }
 
 void FileNames::use(std::optional<std::uint32_t> declared) {
@@ -108,7 +114,7 @@ void FileNames::visit(ast::Node node) {
       const bool was_inside = std::exchange(is_inside_block_, true);
       visit_children(node);
       is_inside_block_ = was_inside;
-      locals_.resize(size);
+      leave_locals(size);
       return;
     }
     case SyntaxKind::Let:
@@ -130,7 +136,11 @@ void FileNames::visit_top(ast::Node statement) {
   const bool is_definition = statement.is(SyntaxKind::Fn) || statement.is(SyntaxKind::Def);
   if (statement.is(SyntaxKind::Fn)) inside_ = find(functions_, name);
   if (statement.is(SyntaxKind::Def)) inside_ = find(kinds_, name);
-  is_definition ? visit_definition(statement) : visit(statement);
+  if (is_definition) {
+    visit_definition(statement);
+  } else {
+    visit(statement);
+  }
   inside_.reset();
 }
 
@@ -143,7 +153,7 @@ void FileNames::visit_for(ast::Node node) {
     }
     visit(child);
   }
-  locals_.resize(size);
+  leave_locals(size);
 }
 
 void FileNames::visit_definition(ast::Node node) {
@@ -153,7 +163,7 @@ void FileNames::visit_definition(ast::Node node) {
     if (!child.is(SyntaxKind::Parameter)) continue;
     declare_local(DeclaredName::Parameter, node, child.head_location(), child.head());
   }
-  locals_.resize(size);
+  leave_locals(size);
 }
 
 void FileNames::visit_object(ast::Object object) {
@@ -172,7 +182,7 @@ void FileNames::visit_object(ast::Object object) {
     if (!is_word) visit(child);
   }
   is_inside_block_ = was_inside;
-  locals_.resize(size);
+  leave_locals(size);
 }
 
 }  // namespace sdlc::lang

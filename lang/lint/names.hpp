@@ -41,6 +41,8 @@ class FileNames {
   void declare_top(ast::Node statement);
   void declare_local(DeclaredName::Kind kind, ast::Node statement, Location where,
                      std::string_view name);
+  /// Ends a scope: all but the first `size` local names.
+  void leave_locals(std::size_t size);
   std::optional<std::uint32_t> find_value(std::string_view name) const;
   void use(std::optional<std::uint32_t> declared);
   void use_path(const Names& names, std::string_view path);
@@ -56,7 +58,8 @@ class FileNames {
   const SyntaxTree& tree_;
   std::vector<DeclaredName> declared_;
   Names values_, functions_, kinds_;
-  std::vector<std::uint32_t> locals_;
+  std::vector<std::uint32_t> locals_;  ///< that are visible, by where they are declared
+  std::unordered_map<std::string_view, std::vector<std::uint32_t>> locals_by_name_;
   std::optional<std::uint32_t> inside_;  ///< the top declaration that is being visited
   bool is_inside_block_ = false;
   std::optional<Location> time_;

@@ -16,14 +16,13 @@ bool emits(const render::Material& material) {
 }  // namespace
 
 /// The background is black, and no sphere is `emissive` or `unlit` with a colour and an intensity
-/// that are not 0. Light comes from nothing else, so every pixel is black. In a film the light may
-/// come on: it is claimed if it is so in the first and the last frame.
+/// that are not 0. Light comes from nothing else, so every pixel is black.
 void check_nothing_emits(LintContext& context) {
   const render::Background& background = context.scene().background;
   if (context.is_part() || !is_black(background.bottom) || !is_black(background.top)) return;
-  const auto spheres = context.spheres_of_materials();
-  const bool has_light = std::ranges::any_of(
-      spheres, [&](std::uint32_t sphere) { return emits(context.material_of(sphere)); });
+  const bool has_light = std::ranges::any_of(context.spheres(), [&](const render::Sphere& sphere) {
+    return emits(context.scene().materials[sphere.material]);
+  });
   if (has_light) return;
   Finding& finding =
       context.add(diag::nothing_emits, LintPlace::of(context.lowered().places.background));

@@ -12,14 +12,18 @@ namespace sdlc::lang {
 enum class RuleScope : std::uint8_t {
   Text,        ///< the root's syntax tree
   AnyFrame,    ///< the scene; of a film what is so in one of the frames looked at is told
-  EveryFrame,  ///< the scene; of a film what is so in all of them is told
+  EveryFrame,  ///< the scene; of a film what is so in all frames is told
 };
+
+/// What can be done about a finding without its author.
+enum class RuleFix : std::uint8_t { None, Unsafe, Safe };
 
 /// A rule, one file each, whose comment says what it claims and why that is so.
 struct Rule {
   const DiagnosticInfo* info;
   void (*check)(LintContext& context);
   RuleScope scope;
+  RuleFix fix;  ///< of its findings, where they have one
 };
 
 std::span<const Rule> all_rules() noexcept;

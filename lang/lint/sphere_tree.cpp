@@ -37,6 +37,23 @@ bool is_inside(const LintContext& context, std::uint32_t a, std::uint32_t b) {
   return true;
 }
 
+bool is_inside(const LintContext& context, Vec3 point, std::uint32_t index) {
+  const render::Sphere& sphere = context.spheres()[index];
+  for (const double u : {0.0, 1.0}) {
+    const Vec3 center = sphere.center + context.shift_of(index) * u;
+    const double margin = rounding_margin(point, 0, center, sphere.radius);
+    if (!(safe_length(point - center) + margin < sphere.radius)) return false;
+  }
+  return true;
+}
+
+bool may_be_inside(const LintContext& context, Vec3 point, std::uint32_t index) {
+  constexpr double kNearly = 1 + 0x1p-20;
+  const render::Sphere& sphere = context.spheres()[index];
+  const double way = safe_length(context.shift_of(index));
+  return !(safe_length(point - sphere.center) > (sphere.radius + way) * kNearly);
+}
+
 namespace {
 
 constexpr std::uint32_t kLeafSize = 8;
@@ -165,18 +182,21 @@ std::optional<std::uint32_t> SphereTree::find_around(std::uint32_t sphere) {
 }
 
 std::optional<SphereTree::Crossing> SphereTree::find_crossing(std::uint32_t sphere) {
-  const auto& [center, radius, material] = context_.spheres()[sphere];
+  const Vec3 center = context_.spheres()[sphere].center;
+  const double radius = context_.spheres()[sphere].radius;
+  const double parameter = context_.material_of(sphere).parameter;
   std::optional<Crossing> found;
   walk(
-      [&, center = center, radius = radius](const Node& node) {
+      [&](const Node& node) {
         const double far = largest_distance(node, center);
         const double margin =
             rounding_margin(center, radius, largest(-node.low, node.high), node.largest);
         return least_distance(node, center) < radius + node.largest &&
                node.least <= radius + far + margin && node.largest + far + margin >= radius;
       },
-      [&, center = center, radius = radius](const Item& item) {
+      [&](const Item& item) {
         if (item.sphere >= sphere) return true;
+        if (context_.material_of(item.sphere).parameter == parameter) return true;
         const double reach = radius + item.radius, apart = length_squared(center - item.center);
         if (apart > reach * reach) return true;
         const double distance = std::sqrt(apart);

@@ -34,7 +34,8 @@ class SphereTree {
     std::uint32_t sphere;
     bool is_touch;  ///< one touches the other from inside
   };
-  /// An earlier member whose surface crosses that of `sphere`, at the opening of the shutter.
+  /// An earlier member of another material parameter, such as the index of refraction, whose
+  /// surface crosses that of `sphere`, at the opening of the shutter.
   std::optional<Crossing> find_crossing(std::uint32_t sphere);
 
   /// How many members have the point inside, at the opening of the shutter.
@@ -72,5 +73,13 @@ double rounding_margin(render::Vec3 a, double radius_a, render::Vec3 b, double r
 /// Whether sphere `a` is wholly inside sphere `b` while the shutter is open. The distance of
 /// centres that move straight is a convex function of the time: it is largest at one of the ends.
 bool is_inside(const LintContext& context, std::uint32_t a, std::uint32_t b);
+
+/// Whether the point, such as a camera, is inside the sphere from the opening of the shutter to its
+/// closing.
+bool is_inside(const LintContext& context, render::Vec3 point, std::uint32_t sphere);
+
+/// Whether it may be inside at some moment, or nearly so. What is neither one nor the other is not
+/// claimed to be anything.
+bool may_be_inside(const LintContext& context, render::Vec3 point, std::uint32_t sphere);
 
 }  // namespace sdlc::lang

@@ -565,7 +565,9 @@ void SceneBuilder::drop_coincident(LoweredScene& lowered) {
   for (const render::CoincidentSphere& pair : coincident) {
     dropped_.push_back({.sphere = static_cast<std::uint32_t>(pair.sphere),
                         .earlier = static_cast<std::uint32_t>(pair.earlier),
-                        .is_exact = pair.is_exact});
+                        .is_exact = pair.is_exact,
+                        .has_other_material = scene.spheres[pair.sphere].material !=
+                                              scene.spheres[pair.earlier].material});
   }
 
   std::size_t kept = 0, next = 0;

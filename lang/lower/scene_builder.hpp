@@ -83,6 +83,7 @@ struct DroppedSphere {
   std::uint32_t sphere;
   std::uint32_t earlier;
   bool is_exact;
+  bool has_other_material;
 };
 
 /// What a scene is made for.

@@ -129,13 +129,23 @@ TEST_F(ConvertCommand, LeavesNothingBehindWhereNothingIsConverted) {
 }
 
 TEST_F(ConvertCommand, TakesWarningsForErrorsIfItIsStrict) {
-  write("config.json", kConfig);
+  std::string moving = kConfig;
+  moving.replace(moving.find("\"material\""), 0, "\"movement\": [[1, 0, 0], 0, 1], ");
+  write("config.json", moving);
   const ProgramResult result = run("config.json --strict --format concise");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.err,
             "config.json:2:32: warning[W403]: `focal_length` has no effect\n"
+            "config.json:5:16: warning[W403]: `movement` has no effect\n"
             "error: config.json has warnings, and --strict takes them for errors\n");
   EXPECT_THAT(names_in(folder_.path()), ElementsAre("config.json"));
+}
+
+TEST_F(ConvertCommand, IsNotStrictAboutAKeyThatConfigsMustHave) {
+  write("config.json", kConfig);
+  const ProgramResult result = run("config.json --strict --format concise");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(names_in(folder_.path()), ElementsAre("config.json", "config.scene"));
 }
 
 TEST_F(ConvertCommand, SetsParamsAndChoosesCameras) {

@@ -81,6 +81,14 @@ TEST_F(FmtCommand, ShowsWhatWouldChangeAsAPatch) {
   EXPECT_THAT(run("messy.scene --diff --color always").out, HasSubstr("\x1b[32m+let a = 1\x1b[0m"));
 }
 
+TEST_F(FmtCommand, ShowsAPatchWhereItIsToldToCheckToo) {
+  const ProgramResult result = run("neat.scene messy.scene --check --diff");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.out, run("messy.scene --diff").out);
+  EXPECT_EQ(read("messy.scene"), kMessy);
+  EXPECT_EQ(run("neat.scene --check --diff").exit_code, 0);
+}
+
 TEST_F(FmtCommand, LeavesFilesWithErrorsAlone) {
   const ProgramResult result = run("wrong.scene messy.scene --format concise");
   EXPECT_EQ(result.exit_code, 1);

@@ -106,7 +106,7 @@ TEST(LintConfig, TellsWhereItIsNoToml) {
 TEST(LintConfig, OfTheDocumentationIsRead) {
   const std::string page =
       test::content_of(std::filesystem::path(SDLC_SOURCE_DIR) / "docs/lint.md");
-  const std::string fence = "```toml\n";
+  const std::string fence = "```toml lint\n";
   const std::size_t begin = page.find(fence);
   ASSERT_NE(begin, std::string::npos);
   const std::size_t first = begin + fence.size();

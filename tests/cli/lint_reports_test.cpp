@@ -63,6 +63,36 @@ TEST_F(LintReports, CallFilesByTheirPathsFromTheWorkingFolder) {
   }
 }
 
+TEST_F(LintReports, CallFilesElsewhereByTheirWholePaths) {
+  std::filesystem::create_directory(folder_ / "below");
+  const std::filesystem::path wrong = std::filesystem::canonical(folder_ / "scenes/wrong.scene");
+  const ProgramResult sarif =
+      run_shell(folder_ / "below", "\"$SDLC\" lint ../scenes/wrong.scene --format sarif");
+  for (const json& found : json::parse(sarif.out)["runs"][0]["results"]) {
+    const json& place = found["locations"][0]["physicalLocation"]["artifactLocation"];
+    EXPECT_EQ(place["uri"], "file://" + wrong.string());
+    EXPECT_FALSE(place.contains("uriBaseId"));
+  }
+  const ProgramResult github =
+      run_shell(folder_ / "below", "\"$SDLC\" lint ../scenes/wrong.scene --format github");
+  EXPECT_THAT(github.out, HasSubstr("::error file=" + wrong.string() + ",line=4,"));
+}
+
+TEST_F(LintReports, TellOfFilesThatCannotBeRead) {
+  const auto report = [&](const std::string& format) {
+    const ProgramResult result = run_shell(
+        folder_.path(), "\"$SDLC\" lint nope.scene scenes/clean.scene --format " + format);
+    EXPECT_EQ(result.exit_code, 2) << format;
+    EXPECT_THAT(result.err, HasSubstr("cannot read `nope.scene`")) << format;
+    return result.out;
+  };
+  EXPECT_THAT(report("junit"), HasSubstr("tests=\"2\" failures=\"0\" errors=\"1\""));
+  EXPECT_EQ(json::parse(report("sarif"))["runs"][0]["invocations"][0]["executionSuccessful"],
+            false);
+  EXPECT_EQ(json::parse(report("gitlab"))[0]["location"]["path"], "nope.scene");
+  EXPECT_THAT(report("github"), HasSubstr("::error file=nope.scene,"));
+}
+
 TEST_F(LintReports, AreDocumentsWhenNothingIsFoundToo) {
   for (const char* format : {"json", "sarif", "gitlab", "junit"}) {
     const ProgramResult result = run_shell(
@@ -88,6 +118,37 @@ TEST_F(LintReports, AreRefusedByCommandsThatReportNothing) {
   const ProgramResult result = run_shell(folder_.path(), "\"$SDLC\" explain E104 --format sarif");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("`sarif` is none of human, concise, json"));
+}
+
+// The hooks of pre-commit and the recipes of docs/ci.md name commands: in a folder of good scenes
+// each does what it is there for, without a word.
+TEST_F(LintReports, AreMadeByWhatHooksAndRecipesRun) {
+  if (run_shell(folder_.path(), "python3 -c 'import yaml'").exit_code != 0) {
+    GTEST_SKIP() << "no python3-yaml here";
+  }
+  const std::string root = SDLC_SOURCE_DIR;
+  const ProgramResult recipes =
+      run_shell(folder_.path(), "python3 '" + root + "/tests/cli/ci_recipes.py' '" + root +
+                                    "/.pre-commit-hooks.yaml' '" + root + "/docs/ci.md'");
+  ASSERT_EQ(recipes.exit_code, 0) << recipes.err;
+  std::filesystem::remove(folder_ / "scenes/wrong.scene");
+  write_text(folder_ / "scenes/ball.scene",
+             std::string(kClean) + "render { width: 8, samples: 1 }\n");
+  std::filesystem::create_symlink(SDLC_PROGRAM, folder_ / "sdlc");
+  std::istringstream lines(recipes.out);
+  std::size_t run = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const json recipe = json::parse(line);
+    std::string command = recipe["command"];
+    if (const std::size_t at = command.find(" FILE"); at != std::string::npos) {
+      command.replace(at, 5, " scenes/clean.scene scenes/ball.scene");
+    }
+    const ProgramResult result = run_shell(folder_.path(), "PATH=\"$PWD:$PATH\"; " + command);
+    EXPECT_EQ(result.exit_code, 0) << recipe << "\n" << result.err;
+    EXPECT_EQ(result.err.find("error"), std::string::npos) << recipe << "\n" << result.err;
+    ++run;
+  }
+  EXPECT_GT(run, 10u);
 }
 
 TEST_F(LintReports, AreReadByTheProblemMatcher) {

@@ -1,4 +1,5 @@
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -192,6 +193,49 @@ TEST_F(LintCommand, MendsWhatAFixUncovers) {
   write("hidden.scene", std::string(kClean) + "let a = 2 m && 'x'\n");
   run("hidden.scene --fix");
   EXPECT_THAT(read("hidden.scene"), HasSubstr("let a = 2m and \"x\"\n"));
+}
+
+TEST_F(LintCommand, MendsAllOfManyFindings) {
+  std::string text = std::string(kClean) + "let x = 1\n";
+  for (int i = 0; i < 1200; ++i) {
+    text += "sphere { center: (x -" + std::to_string(i) +
+            ", 5, 0), radius: 0.1, material: unlit(red) }\n";
+  }
+  write("many.scene", text);
+  const ProgramResult result = run("many.scene --fix");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("mended 1200 findings in 1 file\n"));
+}
+
+TEST_F(LintCommand, AllowsTheSameBeforeAndBehindFmt) {
+  write("allowed.scene", R"(scene 1
+camera main { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }
+sphere { center: (0, 0, 1), radius: 0, material: unlit(red) } sphere { center: (0, 0, 2), radius: 0, material: unlit(red) } // sdlc: allow(W402)
+group { sphere { center: (0, 0, 3), radius: 0 } sphere { center: (0, 0, 4), radius: 0 } // sdlc: allow(W402)
+  material: unlit(red) }
+sphere { center: (0, 0, 5), radius: 0, // sdlc: allow(W402)
+  material: unlit(red) }
+sphere { // sdlc: allow(W402)
+  center: (0, 0, 6), radius: 0, material: unlit(red) }
+sphere a_ball_with_a_name_as_long_as_a_line { center: (0, 0, 7), radius: 0, material: unlit(red) } // sdlc: allow(W402)
+for i in range(8, 9) { sphere { center: (0, 0, i), radius: 0, material: unlit(red) } } // sdlc: allow(W402)
+if true { sphere { center: (0, 0, 9), radius: 0, material: unlit(red) }
+} // sdlc: allow(W402)
+else { let a = 1, sphere { center: (a, 0, 10), radius: 0, material: unlit(red) } }
+)");
+  const ProgramResult before = run("allowed.scene --format json");
+  EXPECT_EQ(run_shell(folder_.path(), "\"$SDLC\" fmt allowed.scene").exit_code, 0);
+  const ProgramResult behind = run("allowed.scene --format json");
+  const auto found = [](const ProgramResult& result) {
+    std::vector<std::string> lines;
+    const auto report = nlohmann::json::parse(result.out);
+    for (const auto& each : report["diagnostics"]) {
+      lines.push_back(each["code"]);
+    }
+    return lines;
+  };
+  EXPECT_EQ(found(before), found(behind)) << before.out << behind.out;
+  EXPECT_THAT(found(before), testing::ElementsAre("W402", "W402"));
 }
 
 TEST_F(LintCommand, MendsStandardInputToStandardOutput) {

@@ -55,6 +55,22 @@ std::string random_text(std::uint64_t& state, bool has_end) {
   return text;
 }
 
+TEST(UnifiedDiff, NamesAFileSoThatPatchFindsIt) {
+  EXPECT_TRUE(unified_diff("a b", "x", "y").starts_with("--- a b\t\n+++ a b\t\n"));
+  EXPECT_TRUE(unified_diff("a\"\n", "x", "y").starts_with("--- \"a\\\"\\012\"\n"));
+  const TemporaryFolder folder;
+  if (run_shell(folder.path(), "command -v patch").exit_code != 0) GTEST_SKIP() << "no patch here";
+  for (const char* name : {"a b.scene", " a.scene", "a\tb.scene", "a\"b\\.scene", "é b.scene",
+                           "a'b (1).scene", "a\nb.scene"}) {
+    write_text(folder / name, "x\n");
+    write_text(folder / "diff", unified_diff(name, "x\n", "y\n"));
+    const ProgramResult result =
+        run_shell(folder.path(), "patch -p0 -s --no-backup-if-mismatch <diff");
+    EXPECT_EQ(result.exit_code, 0) << name << result.out;
+    EXPECT_EQ(content_of(folder / name), "y\n") << name;
+  }
+}
+
 TEST(UnifiedDiff, IsWhatPatchReads) {
   const TemporaryFolder folder;
   if (run_shell(folder.path(), "command -v patch").exit_code != 0) GTEST_SKIP() << "no patch here";

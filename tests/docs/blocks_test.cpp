@@ -30,7 +30,7 @@
 //
 //   rust scene [NAME FLAG…]
 //     a complete file, about which `sdlc inspect NAME FLAG…` says nothing; on the page of a warning
-//     it is `sdlc lint`
+//     it is `sdlc lint`, and on that of this command too
 //   rust scene-part
 //     the same without `scene 1`, and without a camera if it needs none
 //   rust scene-values
@@ -50,6 +50,8 @@
 //   text session
 //     lines `$ COMMAND`, each with what it prints below it, run one after the other in a folder
 //     with the files of its section; SDLC_UPDATE=1 rewrites it
+//   toml lint
+//     a `.sdlc.toml` that `sdlc lint` takes
 //   sh
 //     lines `sdlc …` that succeed without a word, in a folder with the files of the page that have
 //     a NAME; the pictures are made small
@@ -145,7 +147,8 @@ class PageFiles final : public lang::FileSystem {
 std::string command_of(const Page& page) {
   const fs::path path = page.path;
   const bool is_of_warning = path.parent_path() == "docs/explain" && path.stem().string()[0] != 'E';
-  return is_of_warning && path.stem() != "README" ? "lint" : "inspect";
+  const bool is_about_lint = path == "docs/lint.md" || is_of_warning;
+  return is_about_lint && path.stem() != "README" ? "lint" : "inspect";
 }
 
 /// What that command says about a text.
@@ -278,6 +281,14 @@ std::string small_command(const std::string& line) {
   return command + " --quiet";
 }
 
+void check_settings(const Example& example) {
+  const TemporaryFolder folder;
+  write_text(folder / ".sdlc.toml", example.block().text);
+  write_text(folder / "page.scene", complete(""));
+  const ProgramResult result = run_shell(folder.path(), "\"$SDLC\" lint page.scene --quiet");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
 /// Writes the files of the page, or of the example's own section, that have a name.
 void write_files(const Example& example, bool of_page, const TemporaryFolder& folder) {
   for (const CodeBlock& block : example.page->blocks) {
@@ -341,6 +352,8 @@ void check(const Example& example) {
     check_message(example);
   } else if (kind == "session") {
     check_session(example);
+  } else if (word(block, 0) == "toml") {
+    check_settings(example);
   } else if (word(block, 0) == "sh") {
     check_commands(example);
   } else {
@@ -367,8 +380,9 @@ std::vector<std::string> page_paths() {
     paths.push_back(fs::relative(entry.path(), root).string());
   }
   std::ranges::sort(paths);
-  paths.insert(paths.begin(), {"README.md", "docs/language.md", "docs/mistakes.md",
-                               "docs/json-config.md", "docs/format.md", "docs/convert.md"});
+  paths.insert(paths.begin(),
+               {"README.md", "docs/language.md", "docs/mistakes.md", "docs/json-config.md",
+                "docs/format.md", "docs/convert.md", "docs/lint.md"});
   return paths;
 }
 

@@ -10,6 +10,7 @@
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/explain/explain.hpp"
 #include "tests/docs/markdown.hpp"
+#include "tests/docs/reference_tables.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 // The index of docs/explain is the table of diagnostics. SDLC_UPDATE=1 rewrites it.
@@ -18,15 +19,6 @@ namespace {
 
 const std::filesystem::path kIndex =
     std::filesystem::path(SDLC_SOURCE_DIR) / "docs/explain/README.md";
-
-/// The message with `…` for what is filled in.
-std::string shown_message(std::string_view message) {
-  std::string shown(message);
-  for (std::size_t at = 0; (at = shown.find("{}", at)) != std::string::npos;) {
-    shown.replace(at, 2, "…");
-  }
-  return shown;
-}
 
 std::vector<GeneratedPart> index_parts() {
   std::vector<GeneratedPart> parts;

@@ -175,6 +175,14 @@ std::string color_list() {
 
 }  // namespace
 
+std::string shown_message(std::string_view message) {
+  std::string shown(message);
+  for (std::size_t at = 0; (at = shown.find("{}", at)) != std::string::npos;) {
+    shown.replace(at, 2, "…");
+  }
+  return shown;
+}
+
 std::vector<GeneratedPart> reference_parts() {
   std::vector<GeneratedPart> parts;
   for (const lang::Kind& kind : lang::all_kinds()) {

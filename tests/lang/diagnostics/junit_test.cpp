@@ -58,6 +58,22 @@ TEST(Junit, SaysWhenNotAllAreListed) {
   EXPECT_THAT(text, HasSubstr("1 more finding is not listed"));
 }
 
+TEST(Junit, HasAnErrorWhereAFileCannotBeRead) {
+  std::ostringstream out;
+  const auto writer = make_diagnostic_writer(junit(), out);
+  writer->fail("nope.scene", "cannot read `nope.scene`");
+  writer->finish({});
+  EXPECT_EQ(out.str(), R"(<?xml version="1.0" encoding="UTF-8"?>
+<testsuites name="sdlc" tests="1" failures="0" errors="1">
+  <testsuite name="nope.scene" tests="1" failures="0" errors="1">
+    <testcase name="cannot be read or written" classname="nope.scene" file="nope.scene">
+      <error type="error" message="cannot read `nope.scene`"/>
+    </testcase>
+  </testsuite>
+</testsuites>
+)");
+}
+
 TEST(Junit, OfNothingHasNoSuites) {
   EXPECT_THAT(render_diagnostics(DiagnosticSink(), junit()),
               HasSubstr("<testsuites name=\"sdlc\" tests=\"0\" failures=\"0\" errors=\"0\">\n"

@@ -11,7 +11,7 @@ TEST(ReportPath, IsRelativeToTheRootWhereTheFileLiesInIt) {
   EXPECT_EQ(report_path("/home/tree/scenes/a.scene", "/home/tree"), "scenes/a.scene");
   EXPECT_EQ(report_path("./scenes/../a.scene", "/home/tree"), "a.scene");
   EXPECT_EQ(report_path("/elsewhere/a.scene", "/home/tree"), "/elsewhere/a.scene");
-  EXPECT_EQ(report_path("../a.scene", "/home/tree"), "../a.scene");
+  EXPECT_EQ(report_path("../a.scene", "/home/tree"), "/home/a.scene");
   EXPECT_EQ(report_path("./a.scene", ""), "./a.scene");
 }
 

@@ -152,6 +152,20 @@ TEST(SarifReport, SaysWhenNotAllAreListed) {
             "2 more findings are not listed: of each file the first 50 errors and warnings");
 }
 
+TEST(SarifReport, SaysThatAFileCouldNotBeRead) {
+  std::ostringstream out;
+  const auto writer = make_diagnostic_writer(sarif(), out);
+  writer->fail("nope.scene", "cannot read `nope.scene`");
+  writer->finish({});
+  const Json invocation = Json::parse(out.str())["runs"][0]["invocations"][0];
+  EXPECT_EQ(invocation["executionSuccessful"], false);
+  const Json notification = invocation["toolExecutionNotifications"][0];
+  EXPECT_EQ(notification["level"], "error");
+  EXPECT_EQ(notification["message"]["text"], "cannot read `nope.scene`");
+  EXPECT_EQ(notification["locations"][0]["physicalLocation"]["artifactLocation"]["uri"],
+            "nope.scene");
+}
+
 TEST(SarifReport, PlacesWhatHasNoTextInTheFileThatIsLookedAt) {
   const SourceFile file("a.scene", "x");
   std::ostringstream out;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -5,6 +6,7 @@
 #include "lang/compile/compile.hpp"
 #include "lang/diagnostics/fixes.hpp"
 #include "lang/lint/lint.hpp"
+#include "lang/lint/rules.hpp"
 #include "tests/support/case_flags/case_flags.hpp"
 #include "tests/support/file_test.hpp"
 
@@ -29,6 +31,16 @@ TEST_P(LintFiles, ReportWhatIsExpected) {
       });
 }
 
+/// The fixes of a rule's findings are what the table of rules says.
+void check_fixes(const lang::Diagnostic& diagnostic) {
+  const auto rule = std::ranges::find(lang::all_rules(), diagnostic.info, &lang::Rule::info);
+  if (rule == lang::all_rules().end()) return;
+  for (const lang::Fix& fix : diagnostic.fixes) {
+    EXPECT_EQ(fix.is_safe ? lang::RuleFix::Safe : lang::RuleFix::Unsafe, rule->fix)
+        << diagnostic.info->code;
+  }
+}
+
 /// How many findings with fixes a text has; the text with all of them applied goes to `fixed`.
 std::size_t count_mendable(const FileCase& file_case, const std::string& text, std::string* fixed) {
   const CaseFiles files(file_case);
@@ -38,6 +50,7 @@ std::size_t count_mendable(const FileCase& file_case, const std::string& text, s
   std::size_t count = 0;
   for (const lang::Diagnostic& diagnostic : sink.diagnostics()) {
     EXPECT_NE(diagnostic.info->severity, lang::Severity::Error) << diagnostic.message;
+    check_fixes(diagnostic);
     if (!diagnostic.fixes.empty()) ++count;
   }
   if (fixed != nullptr) *fixed = lang::apply_fixes(file, sink.sorted(), true).text;

@@ -60,5 +60,23 @@ TEST(Lint, LooksIntoManyShellsOfGlass) {
   EXPECT_EQ(counts.warnings, 1u);  // the depth
 }
 
+// Nothing that looks at all names, or all comments, for each would end in time.
+TEST(Lint, KnowsManyLocalNamesAndAllowances) {
+  constexpr int kMany = 40'000;
+  std::string names = std::string(kHead) + "def many() {\n";
+  for (int i = 0; i < kMany; ++i) names += fmt::format("  let a{} = {}\n", i + 1, i);
+  names += "  sphere { center: (a1, 0, 0), radius: 1, material: unlit(red) }\n}\nmany {}\n";
+  EXPECT_EQ(lint_counts(names).warnings, static_cast<std::size_t>(kMany - 1));
+
+  std::string allowed = kHead;
+  for (int i = 0; i < kMany; ++i) {
+    allowed += fmt::format(
+        "// sdlc: allow(W402)\nsphere {{ center: ({}, 0, 0), radius: 0, "
+        "material: unlit(red) }}\n",
+        i);
+  }
+  EXPECT_EQ(lint_counts(allowed).warnings, 0u);
+}
+
 }  // namespace
 }  // namespace sdlc::lang
