@@ -16,6 +16,10 @@
 namespace sdlc::lang {
 namespace {
 
+std::string arguments(std::size_t count) {
+  return fmt::format("{} argument{}", count, count == 1 ? "" : "s");
+}
+
 constexpr double kPi = 3.141592653589793;
 
 // What binding an argument asks of a parameter, of whatever kind the function is.
@@ -435,10 +439,8 @@ std::uint32_t Resolver::builtin_call(const Builtin& builtin, ast::Call call) {
   if (is_good && (count < builtin.least || count > builtin.most)) {
     const std::string_view number = builtin.least == builtin.most ? "" : "at least ";
     sink_
-        .report(
-            diag::wrong_argument_count, call.callee_location(), builtin.name,
-            fmt::format("{}{} argument{}", number, builtin.least, builtin.least == 1 ? "" : "s"),
-            count)
+        .report(diag::wrong_argument_count, call.callee_location(), builtin.name,
+                fmt::format("{}{}", number, arguments(builtin.least)), count)
         .help(fmt::format("write `{}`", builtin.signature));
     is_good = false;
   }
@@ -506,7 +508,7 @@ std::uint32_t Resolver::call_of(Op op, std::span<const std::uint32_t> callee,
     } else if (positional < parameters.size()) {
       index = positional++;
     } else if (!is_broken && !std::exchange(has_too_many, true)) {
-      sink_.report(diag::too_many_arguments, where, call.callee(), parameters.size());
+      sink_.report(diag::too_many_arguments, where, call.callee(), arguments(parameters.size()));
     }
     const bool is_placed = index < parameters.size() && pending_[first + index] == kNothing;
     if (index < parameters.size() && !is_placed) {

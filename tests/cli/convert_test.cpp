@@ -114,7 +114,7 @@ TEST_F(ConvertCommand, GoesOnBehindAFileThatCannotBeConverted) {
   write("in/srgb.scene", kSrgb);
   const ProgramResult result = run("in -o out");
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("error[E107]: the camera has no `look_from`"));
+  EXPECT_THAT(result.err, HasSubstr("error[E107]: the camera lacks `look_from`"));
   EXPECT_THAT(result.err, HasSubstr("error[E313]: `tone: srgb`"));
   EXPECT_THAT(result.err, HasSubstr("1 of 3 converted\n"));
   EXPECT_THAT(names_in(folder_ / "out"), ElementsAre("a.scene"));
