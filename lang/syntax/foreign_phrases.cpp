@@ -22,6 +22,7 @@ class PhraseReader {
 
   ForeignPhrases run() {
     file_block();
+    match_brackets();
     for (at_ = 0; at_ < in_.size(); ++at_) {
       if (in_[at_].is_first) begin_line();
       if (!phrase()) keep();
@@ -99,13 +100,17 @@ class PhraseReader {
   }
 
   /// The token with the bracket that matches the one at `open`; the number of tokens if none does.
-  std::size_t closing_of(std::size_t open) const {
-    std::size_t depth = 0;
-    for (std::size_t i = open; i < in_.size(); ++i) {
-      if (in_[i].kind == LayoutKind::Open) ++depth;
-      if (in_[i].kind == LayoutKind::Close && --depth == 0) return i;
+  std::size_t closing_of(std::size_t open) const { return closings_[open]; }
+
+  void match_brackets() {
+    closings_.assign(in_.size(), in_.size());
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < in_.size(); ++i) {
+      if (in_[i].kind == LayoutKind::Open) open.push_back(i);
+      if (in_[i].kind != LayoutKind::Close || open.empty()) continue;
+      closings_[open.back()] = i;
+      open.pop_back();
     }
-    return in_.size();
   }
 
   // What becomes of them
@@ -418,7 +423,9 @@ class PhraseReader {
     }
     const bool is_declared =
         last > at_ + 1 && (written(last + 1) == "=" || written(last + 1) == ":");
-    if (!is_declared) return false;
+    constexpr int kMostDashed =
+        50;  // each is looked for in the whole text, and of more none is told
+    if (!is_declared || ++dashed_ > kMostDashed) return false;
     const std::string name(text(span_of(at_ + 1, last)));
     std::string fixed = name;
     std::replace(fixed.begin(), fixed.end(), '-', '_');
@@ -488,8 +495,8 @@ class PhraseReader {
     const bool is_text = token.kind == LayoutKind::Value || token.kind == LayoutKind::Label;
     const std::string_view word = written(at_);
     const auto is_other = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
-    if (!is_text || is_string(at_) || !std::any_of(word.begin(), word.end(), is_other))
-      return false;
+    const bool has_other = std::any_of(word.begin(), word.end(), is_other);
+    if (!is_text || is_string(at_) || !has_other) return false;
     std::string plain(word);
     std::replace_if(plain.begin(), plain.end(), is_other, '_');
     std::string name(word.substr(0, word.find_first_of(" \t:")));
@@ -580,6 +587,7 @@ class PhraseReader {
   std::vector<LayoutToken>& in_;
   std::vector<LayoutToken> out_;
   std::vector<Role> roles_;
+  std::vector<std::size_t> closings_;  ///< of each opening bracket, as closing_of gives them
   ForeignPhrases result_;
   std::size_t at_ = 0;
   std::size_t line_ = 0;        ///< the first token of the line
@@ -587,6 +595,7 @@ class PhraseReader {
   bool is_surrounded_ = false;  ///< by a block of the whole file
   std::vector<Indented> indented_;
   std::set<std::string> told_words_;
+  int dashed_ = 0;  ///< names declared with dashes
 };
 
 }  // namespace
