@@ -21,9 +21,9 @@ constexpr std::string_view kScene = "scene";
 
 /// Whether a comment of another language begins at `at`, where a statement may.
 bool begins_foreign_comment(std::string_view text, std::uint32_t at) {
-  const bool begins_line = is_first_of_line(text, at);
-  if (char_at(text, at) == '#') return begins_line || !is_idchar(char_at(text, at + 1));
-  return begins_line && text.substr(at).starts_with("--");
+  const bool is_hash = char_at(text, at) == '#';
+  if (is_hash && !is_idchar(char_at(text, at + 1))) return true;
+  return (is_hash || text.substr(at).starts_with("--")) && is_first_of_line(text, at);
 }
 
 /// Reports it, and returns its end.

@@ -15,7 +15,7 @@ struct RecoveryOptions {
   bool open_block = false;  ///< a block is open too, inside those
   /// Looks further ahead, to tell a bracket that is never closed from one that is closed later.
   bool is_patient = true;
-  std::uint32_t indent = 0;  ///< of the broken statement
+  std::uint32_t indent = 0;  ///< of the broken statement; 0 if it is not `is_patient`
 };
 
 /// From `from` on, the first place for a statement to begin: the block's `}`, a comma of the block,

@@ -115,7 +115,8 @@ std::uint32_t indent_of_line(std::string_view text, std::uint32_t at) noexcept {
 }
 
 bool is_first_of_line(std::string_view text, std::uint32_t at) noexcept {
-  return skip_blanks(text, line_begin(text, at)) >= at;
+  while (at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\t' || text[at - 1] == '\r')) --at;
+  return at == 0 || text[at - 1] == '\n';
 }
 
 }  // namespace sdlc::lang
