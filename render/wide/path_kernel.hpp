@@ -36,11 +36,10 @@ using TraceBlocks = void(const WideScene<T>& scene, const WideView<T>& view,
                          std::span<const SampleBlock<T>> blocks, std::span<LinearRgb> sums,
                          WideCounts& counts, const std::atomic<bool>& cancel) noexcept;
 
-/// What a scene needs of the kernel; what it does not need costs nothing.
+/// What a scene needs of the kernel and what would cost time if it were always there. Materials are
+/// not among it: to ask whether any lane has metal or glass costs 1 %.
 struct WideFeatures {
   bool motion = false;
-  bool specular = false;
-  bool transmissive = false;
   bool exact_spheres = false;  ///< WideScene::exact, in float
 };
 /// The kernel for an instruction set that this machine has.

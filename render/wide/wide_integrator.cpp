@@ -40,10 +40,8 @@ class WideIntegrator::TracerIn final : public Tracer {
   TracerIn(const Scene& rebased, const Pinhole& pinhole, const RenderSettings& settings,
            const Options& options)
       : scene_(rebased, settings.depth, options.exact_spheres),
-        kernel_(wide_kernel<T>(options.isa, {.motion = scene_.has_motion,
-                                             .specular = scene_.has_specular,
-                                             .transmissive = scene_.has_transmissive,
-                                             .exact_spheres = scene_.exact_spheres > 0})),
+        kernel_(wide_kernel<T>(
+            options.isa, {.motion = scene_.has_motion, .exact_spheres = scene_.exact_spheres > 0})),
         width_(static_cast<std::uint64_t>(settings.width)),
         height_(static_cast<std::uint64_t>(settings.height)),
         samples_(static_cast<std::uint64_t>(settings.samples)),

@@ -86,11 +86,9 @@ void WideScene<T>::add_material(std::size_t i, const Material& material) {
   surface[i] = surface_bits(material);
   const double p = material.parameter;
   if (material.type == MaterialType::Specular) {
-    has_specular = true;
     first[i] = static_cast<T>(p > 1 ? 1 / p : 1);
     second[i] = static_cast<T>(std::min(p, 1.0));
   } else if (material.type == MaterialType::Transmissive) {
-    has_transmissive = true;
     has_exact_fresnel |= material.fresnel == Fresnel::Exact;
     const double root = (1 - p) / (1 + p);
     first[i] = static_cast<T>(p);

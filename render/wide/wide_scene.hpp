@@ -63,7 +63,7 @@ struct WideScene {
   std::array<Exact, kMostExactSpheres> exact{};
 
   std::uint32_t max_depth = 1;
-  bool has_motion = false, has_specular = false, has_transmissive = false;
+  bool has_motion = false;
   bool has_exact_fresnel = false;
   Triple sky_middle{}, sky_slope{};  ///< radiance of the sky: middle + slope · y
 
