@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -180,9 +183,16 @@ TEST_P(WidePaths, EndEarlyWhenTheRenderIsCancelled) {
   Scene closed = beam_scene({0, 0, 0}, {0, 0, -1}, LinearRgb{});
   add_sphere(closed, {0, 0, 0}, 1, diffuse({1, 1, 1}));
   render::RenderMonitor monitor;
-  monitor.on_tracing = [&] { monitor.cancel = true; };
+  std::thread canceller;
+  monitor.on_tracing = [&] {
+    canceller = std::thread([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // well into the path
+      monitor.cancel = true;
+    });
+  };
   const RenderSettings settings{.width = 8, .height = 8, .samples = 1, .depth = 1'000'000'000};
   EXPECT_FALSE(render::render(closed, settings, monitor, GetParam().request()).is_complete);
+  canceller.join();
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, WidePaths, testing::ValuesIn(wide_forms()), form_name);
