@@ -11,6 +11,7 @@
 #include "cli/clock.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/inspect_report.hpp"
+#include "cli/kernel_options.hpp"
 #include "cli/outputs.hpp"
 #include "cli/override_options.hpp"
 #include "cli/scene_figures.hpp"
@@ -27,6 +28,7 @@ namespace {
 struct InspectOptions {
   SceneOptions scene;
   lang::Overrides overrides;
+  render::KernelRequest kernel;
   std::optional<int> frame;
   bool wants_files = false;           // --deps
   std::vector<std::uint32_t> traced;  // --where
@@ -133,7 +135,7 @@ class InspectJob {
         .spheres = measure_spheres(scene),
         .memory = estimate_memory(scene, lowered.settings),
         .features = {},
-        .kernel = render::choose_kernel(scene),
+        .kernel = chosen_kernel(scene, lowered.settings, options_.kernel),
         .times = compiler_.times()};
     report.features = required_features(scene, report.materials);
     report.times.parse_seconds += read_seconds_;
@@ -182,6 +184,7 @@ void add_inspect_command(CLI::App& app, Dispatcher& dispatcher) {
       ->expected(1)
       ->excludes(deps);
   add_override_options(*command, options->overrides);
+  add_kernel_options(*command, options->kernel);
   // All commands take it; this one has nothing else to say there.
   command->add_flag("--quiet")->description("Nothing on standard error but diagnostics");
   command->footer(

@@ -2,7 +2,7 @@
 
 #include "cli/frames.hpp"
 #include "cli/inspect_report.hpp"
-#include "cli/version.hpp"
+#include "cli/kernel_options.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -142,10 +142,10 @@ std::string to_json(const InspectReport& report) {
                  {"top", triple(background.top)}}},
                {"picture", picture_json(report)},
                {"features", report.features},
-               {"precision", report.kernel.precision},
-               {"kernel", report.kernel.name},
+               {"precision", name_of(report.kernel.precision)},
+               {"kernel", name_of(report.kernel.kind)},
                {"kernel_reason", report.kernel.reason},
-               {"instruction_set", kInstructionSet},
+               {"instruction_set", instruction_set(report.kernel)},
                {"memory", memory_json(report)},
                {"parse_seconds", report.times.parse_seconds},
                {"lower_seconds", report.times.lower_seconds}});

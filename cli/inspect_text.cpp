@@ -6,7 +6,7 @@
 #include "cli/format_numbers.hpp"
 #include "cli/frames.hpp"
 #include "cli/inspect_report.hpp"
-#include "cli/version.hpp"
+#include "cli/kernel_options.hpp"
 #include "lang/diagnostics/render.hpp"
 #include "lang/text/display_width.hpp"
 
@@ -159,8 +159,9 @@ void write_requirements(const InspectReport& report, Sheet& sheet) {
   sheet.row("requires", report.features.empty()
                             ? "nothing special"
                             : fmt::format("{}", fmt::join(report.features, ", ")));
-  sheet.detail("kernel", fmt::format("{} precision, {}, for {} ({})", report.kernel.precision,
-                                     report.kernel.name, kInstructionSet, report.kernel.reason));
+  sheet.detail("kernel", fmt::format("{} precision, {}, for {} ({})",
+                                     name_of(report.kernel.precision), name_of(report.kernel.kind),
+                                     instruction_set(report.kernel), report.kernel.reason));
 }
 
 void write_memory(const InspectReport& report, Sheet& sheet) {

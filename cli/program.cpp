@@ -10,20 +10,25 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/dispatcher.hpp"
+#include "cli/kernel_options.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "cli/words.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/io_error.hpp"
+#include "render/wide/isa.hpp"
 
 namespace sdlc::cli {
 namespace {
 
 std::string version_text() {
-  return fmt::format("sdlc {} ({})\nbuilt for {}, in use {}\n", kVersion, kCommit, kInstructionSet,
-                     kInstructionSet);
+  const auto isas = render::available_isas();
+  const std::string_view in_use = isas.empty() ? kInstructionSet : name_of(isas.back());
+  return fmt::format("sdlc {} ({})\nbuilt for {} with {}, in use {}\n", kVersion, kCommit,
+                     kInstructionSet, fmt::join(kIsaWords, ", "), in_use);
 }
 
 /// The names of all flags of a command, with their dashes.

@@ -15,6 +15,7 @@
 #include "cli/format_numbers.hpp"
 #include "cli/frames.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/kernel_options.hpp"
 #include "cli/outputs.hpp"
 #include "cli/override_options.hpp"
 #include "cli/progress.hpp"
@@ -43,6 +44,7 @@ struct RenderOptions {
   SceneOptions scene;
   std::vector<std::string> outputs;
   lang::Overrides overrides;
+  render::KernelRequest kernel;
   std::optional<FrameRange> frames;
   std::string progress = "auto";
   std::string stats;
@@ -133,7 +135,7 @@ render::RenderResult trace(lang::LoweredScene& lowered, const RenderOptions& opt
   const InterruptGuard interrupt(monitor.cancel);
   const ProgressReporter progress(progress_style(options, env), monitor,
                                   total_samples(lowered.settings), env.err);
-  return render::render(std::move(lowered.scene), lowered.settings, monitor);
+  return render::render(std::move(lowered.scene), lowered.settings, monitor, options.kernel);
 }
 
 /// The closing line, and how the command ends.
@@ -249,6 +251,7 @@ class RenderJob {
     if (frame != frames_.front()) request.stats.clear();
     const std::vector<Output> outputs = plan_outputs(request);
     check_memory(settings);
+    chosen_kernel(lowered->scene, settings, options_.kernel);  // refused before anything is traced
 
     const render::RenderResult result = trace(*lowered, options_, statistics, env_);
     if (!result.is_complete) env_.err << "interrupted; saving what there is" << std::endl;
@@ -292,6 +295,7 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
       ->expected(1)
       ->allow_extra_args(false);  // FILE may stand behind it
   add_override_options(*command, options->overrides);
+  add_kernel_options(*command, options->kernel);
   command->add_flag("--ppm-text", options->ppm_text, "Write PPM as decimal numbers");
   command->add_flag("--no-clobber,!--overwrite", options->keeps_existing,
                     "Refuse to replace files");

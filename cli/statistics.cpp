@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/environment.hpp"
-#include "cli/version.hpp"
+#include "cli/kernel_options.hpp"
 
 namespace sdlc::cli {
 
@@ -21,9 +21,9 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"depth", settings.depth},
       {"seed", settings.seed},
       {"threads", result.threads},
-      {"instruction_set", kInstructionSet},
-      {"precision", result.kernel.precision},
-      {"kernel", result.kernel.name},
+      {"instruction_set", instruction_set(result.kernel)},
+      {"precision", name_of(result.kernel.precision)},
+      {"kernel", name_of(result.kernel.kind)},
       {"features", statistics.features},
       {"parse_seconds", statistics.compile.parse_seconds},
       {"lower_seconds", statistics.compile.lower_seconds},

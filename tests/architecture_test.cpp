@@ -104,6 +104,7 @@ TEST(Architecture, EachLibraryIsUsedInOnePlace) {
       {"<tbb/", {"render/tiles"}},
       {"<OpenImageIO/", {"render/image/openimageio"}},
       {"<CLI/", {"cli"}},
+      {"<hwy/", {"render/wide"}},
       {"<tao/", {"grammar", "lang/json", "lang/syntax"}},
   };
   for (const char* area : {"grammar", "lang", "render", "cli"}) {

@@ -16,11 +16,17 @@ class Pinhole {
     upwards_ = cross(right, forward_) * camera.plane_height;
   }
 
-  /// Unit direction through the place (s, t) of the picture: (0, 0) is its lower left corner, (1,
-  /// 1) its upper right one.
-  Vec3 direction(double s, double t) const noexcept {
-    return unit(forward_ + across_ * (s - 0.5) + upwards_ * (t - 0.5));
+  /// From the camera to the place (s, t) of the picture, on the view plane at distance 1: (0, 0) is
+  /// its lower left corner, (1, 1) its upper right one.
+  Vec3 place(double s, double t) const noexcept {
+    return forward_ + across_ * (s - 0.5) + upwards_ * (t - 0.5);
   }
+  /// Unit direction through the same place.
+  Vec3 direction(double s, double t) const noexcept { return unit(place(s, t)); }
+
+  /// The picture's lower side and its left one.
+  Vec3 across() const noexcept { return across_; }
+  Vec3 upwards() const noexcept { return upwards_; }
 
  private:
   Vec3 forward_, across_, upwards_;

@@ -22,6 +22,14 @@ class SampleSum {
     if (++count_ % kBlock == 0) close_block();
   }
 
+  /// Adds the sum of the next `samples` samples; the last block may have fewer than kBlock of them,
+  /// all others have exactly as many. Precondition: nothing was added one by one since a block.
+  void add_block(LinearRgb sum, std::uint64_t samples) noexcept {
+    block_ = sum;
+    count_ += samples;
+    if (samples == kBlock) close_block();
+  }
+
   std::uint64_t count() const noexcept { return count_; }
 
   LinearRgb total() const noexcept {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/material/scatter.hpp"
+#include "render/scene/camera_surface.hpp"
 #include "render/scene/rebase.hpp"
 
 namespace sdlc::render {
@@ -26,13 +27,11 @@ PathIntegrator::PathIntegrator(Scene scene, int max_depth)
 }
 
 void PathIntegrator::find_camera_surfaces() {
-  // As close as spheres that coincide. A sphere that moves touches the camera for no time at all.
-  constexpr double kOnSurface = 0x1p-40;
   for (std::uint32_t slot = 0; slot < bvh_.size(); ++slot) {
     const Vec3 center = bvh_.center<false>(slot, 0);
-    const double radius = bvh_.sphere(slot).radius;
-    if (radius == 0 || std::fabs(length(center) - radius) > kOnSurface * radius) continue;
-    if (has_motion_ && bvh_.center<true>(slot, 1) != center) continue;
+    const Vec3 shift = has_motion_ ? bvh_.center<true>(slot, 1) - center : Vec3{};
+    const Sphere sphere{.center = center, .radius = bvh_.sphere(slot).radius};
+    if (!has_camera_on_it(sphere, shift)) continue;
     camera_surfaces_.push_back({.sphere = slot, .normal = unit(-center)});
   }
 }

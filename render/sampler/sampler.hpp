@@ -12,30 +12,46 @@ constexpr std::uint64_t mix_bits(std::uint64_t z) noexcept {
   return z ^ (z >> 31);
 }
 
+/// Two rounds of multiplying and shifting, with the factors of "lowbias32" from Wellons' search for
+/// 32-bit mixers ("Hash prospector", github.com/skeeto/hash-prospector), here with a key that picks
+/// one of 2^32 such mixers. A bijection of `x`. The high bits are the best; the low ones have seen
+/// less of `x`.
+constexpr std::uint32_t mix_bits(std::uint32_t x, std::uint32_t key) noexcept {
+  x = (x ^ (x >> 16)) * 0x7FEB352D + key;
+  return (x ^ (x >> 15)) * 0x846CA68B;
+}
+
 /// The random numbers of one camera path: a function of (seed, pixel, sample, dimension) and of
 /// nothing else, so that the picture does not depend on who computes which part of it, or in which
-/// order.
+/// order. 32-bit arithmetic alone, so that wide kernels compute the same numbers in every lane.
 class PathSampler {
  public:
+  /// What consecutive samples and dimensions are apart before they are mixed: 2^32 over the golden
+  /// ratio, odd.
+  static constexpr std::uint32_t kIncrement = 0x9E3779B9;
+
   PathSampler(std::uint64_t pixel_key, std::uint64_t sample) noexcept
-      : key_(mix_bits(pixel_key ^ (sample + kIncrement))) {}
+      : mixer_(static_cast<std::uint32_t>(pixel_key >> 32)),
+        start_(mix_bits(
+            static_cast<std::uint32_t>(pixel_key) + static_cast<std::uint32_t>(sample) * kIncrement,
+            mixer_)) {
+    start_ ^= start_ >> 16;
+  }
 
   /// `pixel_key` for all samples of one pixel.
   static std::uint64_t pixel_key(std::uint64_t seed, std::uint64_t pixel) noexcept {
-    return mix_bits(mix_bits(seed + kIncrement) ^ (pixel + kIncrement));
+    constexpr std::uint64_t kIncrement64 = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio, odd
+    return mix_bits(mix_bits(seed + kIncrement64) ^ (pixel + kIncrement64));
   }
 
-  /// Uniform in [0, 1), never 1: a multiple of 2^-53.
+  /// Uniform in [0, 1), never 1: a multiple of 2^-32.
   double uniform(std::uint32_t dimension) const noexcept {
-    const std::uint64_t bits = mix_bits(key_ + (dimension + 1) * kIncrement);
-    return static_cast<double>(bits >> 11) * 0x1p-53;
+    return mix_bits(start_ + (dimension + 1) * kIncrement, mixer_) * 0x1p-32;
   }
 
  private:
-  static constexpr std::uint64_t kIncrement =
-      0x9E3779B97F4A7C15;  // 2^64 over the golden ratio, odd
-
-  std::uint64_t key_;
+  std::uint32_t mixer_;
+  std::uint32_t start_;
 };
 
 /// What each dimension decides. A vertex of the path has its own block of dimensions, whatever the

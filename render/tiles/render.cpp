@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
@@ -16,6 +19,7 @@
 #include "render/integrator/path_integrator.hpp"
 #include "render/math/color.hpp"
 #include "render/sampler/sampler.hpp"
+#include "render/wide/wide_integrator.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -33,17 +37,45 @@ struct Counts {
   std::uint64_t nonfinite = 0;
 };
 
-class TileRenderer {
+/// A picture in parts that are rendered independently of each other, on any thread.
+class Tiles {
  public:
-  TileRenderer(const PathIntegrator& integrator, const RenderSettings& settings, Picture& picture,
-               RenderMonitor& monitor)
-      : integrator_(integrator), settings_(settings), picture_(picture), monitor_(monitor) {}
+  virtual ~Tiles() = default;
 
-  int tile_count() const {
+  virtual int count() const = 0;
+  virtual void render(int tile) = 0;
+  virtual std::size_t bvh_bytes() const { return 0; }
+
+  std::uint64_t truncated_paths() const { return truncated_; }
+  std::uint64_t nonfinite_samples() const { return nonfinite_; }
+
+ protected:
+  void report(RenderMonitor& monitor, const Counts& counts) {
+    monitor.samples_done.fetch_add(counts.samples, std::memory_order_relaxed);
+    monitor.rays_done.fetch_add(counts.paths.rays, std::memory_order_relaxed);
+    truncated_.fetch_add(counts.paths.truncated_paths, std::memory_order_relaxed);
+    nonfinite_.fetch_add(counts.nonfinite, std::memory_order_relaxed);
+  }
+
+ private:
+  std::atomic<std::uint64_t> truncated_{0};
+  std::atomic<std::uint64_t> nonfinite_{0};
+};
+
+/// Square tiles, one path after the other.
+class ScalarTiles final : public Tiles {
+ public:
+  ScalarTiles(Scene scene, const RenderSettings& settings, Picture& picture, RenderMonitor& monitor)
+      : integrator_(std::move(scene), settings.depth),
+        settings_(settings),
+        picture_(picture),
+        monitor_(monitor) {}
+
+  int count() const override {
     return tiles_across() * ((settings_.height + kTileSize - 1) / kTileSize);
   }
 
-  void render_tile(int tile) {
+  void render(int tile) override {
     const int x0 = tile % tiles_across() * kTileSize, y0 = tile / tiles_across() * kTileSize;
     const int x1 = std::min(x0 + kTileSize, settings_.width);
     const int y1 = std::min(y0 + kTileSize, settings_.height);
@@ -56,8 +88,7 @@ class TileRenderer {
     }
   }
 
-  std::uint64_t truncated_paths() const { return truncated_; }
-  std::uint64_t nonfinite_samples() const { return nonfinite_; }
+  std::size_t bvh_bytes() const override { return integrator_.bvh().memory_bytes(); }
 
  private:
   int tiles_across() const { return (settings_.width + kTileSize - 1) / kTileSize; }
@@ -76,7 +107,7 @@ class TileRenderer {
         sum.add(sample(x, y, PathSampler(key, i), counts));
       }
       if (monitor_.cancel.load(std::memory_order_relaxed)) return std::nullopt;
-      report(counts);
+      report(monitor_, counts);
     }
     return sum.total() / static_cast<double>(samples);
   }
@@ -96,20 +127,72 @@ class TileRenderer {
     return LinearRgb{};
   }
 
-  void report(const Counts& counts) {
-    monitor_.samples_done.fetch_add(counts.samples, std::memory_order_relaxed);
-    monitor_.rays_done.fetch_add(counts.paths.rays, std::memory_order_relaxed);
-    truncated_.fetch_add(counts.paths.truncated_paths, std::memory_order_relaxed);
-    nonfinite_.fetch_add(counts.nonfinite, std::memory_order_relaxed);
-  }
-
-  const PathIntegrator& integrator_;
+  const PathIntegrator integrator_;
   const RenderSettings& settings_;
   Picture& picture_;
   RenderMonitor& monitor_;
-  std::atomic<std::uint64_t> truncated_{0};
-  std::atomic<std::uint64_t> nonfinite_{0};
 };
+
+/// Runs of pixels, long enough to keep all lanes busy, and short enough to keep all threads so.
+class WideTiles final : public Tiles {
+ public:
+  WideTiles(Scene scene, const RenderSettings& settings, const Kernel& kernel, int threads,
+            Picture& picture, RenderMonitor& monitor)
+      : integrator_(std::move(scene), settings, options(kernel)),
+        picture_(picture),
+        monitor_(monitor),
+        pixels_a_tile_(pixels_a_tile(settings, picture.pixels.size(), threads)) {}
+
+  int count() const override {
+    return static_cast<int>((picture_.pixels.size() + pixels_a_tile_ - 1) / pixels_a_tile_);
+  }
+
+  void render(int tile) override {
+    if (monitor_.cancel.load(std::memory_order_relaxed)) return;
+    const std::size_t first = static_cast<std::size_t>(tile) * pixels_a_tile_;
+    std::vector<LinearRgb> means(std::min(pixels_a_tile_, picture_.pixels.size() - first));
+    const auto tell = [&](std::uint64_t samples, const WideCounts& counts) {
+      report(monitor_, {.paths = {.rays = counts.rays, .truncated_paths = counts.truncated_paths},
+                        .samples = samples,
+                        .nonfinite = counts.nonfinite_samples});
+    };
+    if (!integrator_.render(first, means, monitor_.cancel, tell)) return;
+    std::copy(means.begin(), means.end(),
+              picture_.pixels.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+
+ private:
+  static WideIntegrator::Options options(const Kernel& kernel) {
+    return {
+        .precision = kernel.precision, .isa = *kernel.isa, .exact_spheres = kernel.exact_spheres};
+  }
+
+  static std::size_t pixels_a_tile(const RenderSettings& settings, std::size_t pixels,
+                                   int threads) {
+    // Lanes idle while a tile's last blocks of samples end: half a block in 64 of them, with 16
+    // lanes. Threads idle while the picture's last tiles do.
+    constexpr std::size_t kBlocksATile = 1024, kTilesAThread = 16, kMostTiles = 1 << 30;
+    const auto blocks =
+        (static_cast<std::size_t>(settings.samples) + SampleSum::kBlock - 1) / SampleSum::kBlock;
+    const std::size_t of_threads = pixels / (static_cast<std::size_t>(threads) * kTilesAThread);
+    const std::size_t most = std::max({std::size_t{1}, of_threads, pixels / kMostTiles});
+    return std::clamp<std::size_t>(kBlocksATile / blocks,
+                                   std::max<std::size_t>(1, pixels / kMostTiles), most);
+  }
+
+  const WideIntegrator integrator_;
+  Picture& picture_;
+  RenderMonitor& monitor_;
+  std::size_t pixels_a_tile_;
+};
+
+std::unique_ptr<Tiles> make_tiles(Scene scene, const RenderSettings& settings, const Kernel& kernel,
+                                  int threads, Picture& picture, RenderMonitor& monitor) {
+  if (kernel.kind == KernelKind::Scalar) {
+    return std::make_unique<ScalarTiles>(std::move(scene), settings, picture, monitor);
+  }
+  return std::make_unique<WideTiles>(std::move(scene), settings, kernel, threads, picture, monitor);
+}
 
 int thread_count(int asked) {
   constexpr int kMost = 1024;  // more only cost memory
@@ -119,21 +202,18 @@ int thread_count(int asked) {
 
 }  // namespace
 
-Kernel choose_kernel(const Scene& /*scene*/) noexcept {
-  return {.precision = "double", .name = "scalar", .reason = "there is no other yet"};
-}
-
-RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor) {
+RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor,
+                    const KernelRequest& request) {
   RenderResult result;
-  result.kernel = choose_kernel(scene);
-  const auto build_start = std::chrono::steady_clock::now();
-  const PathIntegrator integrator(std::move(scene), settings.depth);
-  result.build_seconds = seconds_since(build_start);
-  result.bvh_bytes = integrator.bvh().memory_bytes();
-
   result.picture = Picture(settings.width, settings.height);
   result.threads = thread_count(settings.threads);
-  TileRenderer tiles(integrator, settings, result.picture, monitor);
+  const auto build_start = std::chrono::steady_clock::now();
+  result.kernel = choose_kernel(scene, settings, request);
+  const std::unique_ptr<Tiles> tiles = make_tiles(std::move(scene), settings, result.kernel,
+                                                  result.threads, result.picture, monitor);
+  result.build_seconds = seconds_since(build_start);
+  result.bvh_bytes = tiles->bvh_bytes();
+
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(result.threads));
   tbb::task_arena arena(result.threads);
@@ -153,13 +233,13 @@ RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& 
   if (monitor.on_tracing) monitor.on_tracing();
 
   const auto render_start = std::chrono::steady_clock::now();
-  for_each(tiles.tile_count(), [&](int tile) { tiles.render_tile(tile); });
+  for_each(tiles->count(), [&](int tile) { tiles->render(tile); });
   result.render_seconds = seconds_since(render_start);
   result.is_complete = !monitor.cancel.load();
   result.camera_samples = monitor.samples_done.load();
   result.rays = monitor.rays_done.load();
-  result.truncated_paths = tiles.truncated_paths();
-  result.nonfinite_samples = tiles.nonfinite_samples();
+  result.truncated_paths = tiles->truncated_paths();
+  result.nonfinite_samples = tiles->nonfinite_samples();
   return result;
 }
 

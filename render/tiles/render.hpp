@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <string_view>
 
 #include "render/image/picture.hpp"
 #include "render/scene/scene.hpp"
+#include "render/tiles/kernel.hpp"
 
 namespace sdlc::render {
 
@@ -20,33 +20,26 @@ struct RenderMonitor {
   std::function<void()> on_tracing;
 };
 
-/// How paths are traced, in words that users are told.
-struct Kernel {
-  std::string_view precision;  ///< of the numbers
-  std::string_view name;
-  std::string_view reason;  ///< why this one
-};
-
-/// The kernel that render() uses for the scene.
-Kernel choose_kernel(const Scene& scene) noexcept;
-
 /// A picture and how it came about.
 struct RenderResult {
   Picture picture;           ///< mean radiance; pixels that were not reached are black
   bool is_complete = false;  ///< false after a cancelled render
   Kernel kernel;
-  int threads = 0;           ///< that were asked for, after 0 became all of the machine
+  int threads = 0;  ///< that were asked for, after 0 became all of the machine
   std::uint64_t camera_samples = 0;
   std::uint64_t rays = 0;
   std::uint64_t truncated_paths = 0;
   std::uint64_t nonfinite_samples = 0;  ///< left out of their pixel's sum; a defect if not 0
-  std::size_t bvh_bytes = 0;
-  double build_seconds = 0;   ///< rebasing and hierarchy
-  double render_seconds = 0;  ///< tracing alone
+  std::size_t bvh_bytes = 0;            ///< 0 without a hierarchy
+  double build_seconds = 0;             ///< rebasing, choosing the kernel, and hierarchy
+  double render_seconds = 0;            ///< tracing alone
 };
 
-/// Renders the scene, tile by tile on all threads. The same scene, settings and seed give the same
-/// bytes, whatever the number of threads and the order of the tiles.
-RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor);
+/// Renders the scene, tile by tile on all threads, with the kernel of choose_kernel(). The same
+/// scene, settings and seed give the same bytes, whatever the number of threads and the order of
+/// the tiles; with the wide kernel also for any instruction set that fuses multiplications with
+/// additions, which is all but SSE4.
+RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor,
+                    const KernelRequest& request = {});
 
 }  // namespace sdlc::render

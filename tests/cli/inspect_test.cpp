@@ -211,7 +211,7 @@ TEST_F(InspectCommand, LaysOutAReportForPeople) {
             HasSubstr("background      linear(0, 0, 0)\n"),
             HasSubstr("picture         320 x 180 pixels, 4 samples, depth 6, seed 9, tone sqrt\n"),
             HasSubstr("requires        motion, diffuse, specular, emissive\n"),
-            HasSubstr("double precision, scalar"), HasSubstr("  picture       1.32 MiB\n"),
+            HasSubstr("  kernel        float precision, wide, for "), HasSubstr("  picture       1.32 MiB\n"),
             HasSubstr(" to parse, ")));
 }
 

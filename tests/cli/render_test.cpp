@@ -155,6 +155,26 @@ TEST_F(RenderCommand, TellsEveryFieldOfTheStatistics) {
   EXPECT_EQ(stats["features"], (nlohmann::json{"gradient", "diffuse"}));
 }
 
+TEST_F(RenderCommand, TracesAsItIsTold) {
+  const auto stats = [&](const std::string& flags) {
+    const ProgramResult result =
+        run("\"$SDLC\" render ball.scene --overwrite --quiet --stats - " + flags);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return nlohmann::json::parse(result.out);
+  };
+  EXPECT_EQ(stats("--kernel scalar")["kernel"], "scalar");
+  EXPECT_EQ(stats("--kernel scalar")["precision"], "double");
+  EXPECT_EQ(stats("--kernel wide --precision double")["precision"], "double");
+  EXPECT_EQ(stats("--precision float")["precision"], "float");
+  EXPECT_EQ(stats("--isa sse4")["instruction_set"], "sse4");
+  EXPECT_EQ(stats("--isa sse4")["kernel"], "wide");
+
+  const ProgramResult refused =
+      run("\"$SDLC\" render ball.scene --kernel scalar --precision float");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--precision: the scalar kernel computes in double"));
+}
+
 TEST_F(RenderCommand, GivesTheSameFileForAnyNumberOfThreads) {
   EXPECT_EQ(run("\"$SDLC\" render ball.scene --threads 1 -o one.exr").exit_code, 0);
   EXPECT_EQ(run("\"$SDLC\" render ball.scene --threads 7 -o seven.exr").exit_code, 0);

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <span>
+
+#include "render/math/color.hpp"
+#include "render/wide/isa.hpp"
+#include "render/wide/wide_integrator.hpp"
+#include "render/wide/wide_scene.hpp"
+
+namespace sdlc::render {
+
+/// Up to 64 consecutive samples of one pixel: what a lane works on, alone, from the first to the
+/// last.
+template <typename T>
+struct SampleBlock {
+  /// From the camera to the pixel's lower left corner on the view plane at distance 1.
+  std::array<T, 3> corner;
+  std::uint32_t first = 0;  ///< index of the first sample
+  std::uint32_t count = 0;
+  std::uint64_t pixel_key = 0;  ///< PathSampler::pixel_key
+};
+
+/// What all blocks of a picture have in common.
+template <typename T>
+struct WideView {
+  std::array<T, 3> right, up;  ///< a pixel's sides on the view plane
+};
+
+/// Traces all samples of `blocks`; the sum of each goes into `sums`, in double, one sample after
+/// the other. Returns soon, with sums that mean nothing, once `cancel` is set.
+template <typename T>
+using TraceBlocks = void(const WideScene<T>& scene, const WideView<T>& view,
+                         std::span<const SampleBlock<T>> blocks, std::span<LinearRgb> sums,
+                         WideCounts& counts, const std::atomic<bool>& cancel) noexcept;
+
+/// What a scene needs of the kernel and what would cost time if it were always there. Materials are
+/// not among it: to ask whether any lane has metal or glass costs 1 %.
+struct WideFeatures {
+  bool motion = false;
+  bool exact_spheres = false;  ///< WideScene::exact, in float
+};
+/// The kernel for an instruction set that this machine has.
+template <typename T>
+TraceBlocks<T>* wide_kernel(Isa isa, WideFeatures features) noexcept;
+template <>
+TraceBlocks<float>* wide_kernel<float>(Isa isa, WideFeatures features) noexcept;
+template <>
+TraceBlocks<double>* wide_kernel<double>(Isa isa, WideFeatures features) noexcept;
+
+}  // namespace sdlc::render

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "render/math/color.hpp"
+#include "render/scene/scene.hpp"
+#include "render/wide/isa.hpp"
+
+namespace sdlc::render {
+
+/// The numbers that paths are computed in. Mixed: float, with distances to the largest spheres in
+/// double.
+enum class Precision : std::uint8_t { Float, Mixed, Double };
+
+/// What happened to the paths of some pixels.
+struct WideCounts {
+  std::uint64_t rays = 0;
+  std::uint64_t truncated_paths = 0;  ///< cut off by the depth limit, counted as black
+  std::uint64_t nonfinite_samples = 0;
+};
+
+/// A scene small enough to hold every ray against every sphere, traced with a path in each lane of
+/// a vector. The paths are PathIntegrator's, from the same random numbers; in double they differ by
+/// rounding alone. Read by all threads.
+class WideIntegrator {
+ public:
+  struct Options {
+    Precision precision = Precision::Double;
+    Isa isa = Isa::Sse4;  ///< one that the machine has
+    /// Mixed: the spheres that are met in double, at most kMostExactSpheres.
+    std::span<const std::uint32_t> exact_spheres;
+  };
+
+  /// `scene` is in world coordinates, already checked, and has at most kMostWideSpheres spheres, of
+  /// which the camera stands on at most one.
+  WideIntegrator(Scene scene, const RenderSettings& settings, const Options& options);
+  ~WideIntegrator();
+
+  /// Told now and then how many samples were traced since the last time, and what happened to them.
+  using Report = std::function<void(std::uint64_t samples, const WideCounts& counts)>;
+
+  /// The mean of all samples of each of the pixels from `first` on, counted row by row from the top
+  /// left. False, and means that mean nothing, once `cancel` is set.
+  bool render(std::uint64_t first, std::span<LinearRgb> means, const std::atomic<bool>& cancel,
+              const Report& report) const;
+
+ private:
+  class Tracer;
+  template <typename T>
+  class TracerIn;
+
+  std::unique_ptr<const Tracer> tracer_;
+};
+
+}  // namespace sdlc::render

@@ -1,0 +1,99 @@
+#include "render/tiles/kernel.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/statistics/scenes.hpp"
+
+namespace sdlc::render {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr RenderSettings kSettings{.width = 960, .height = 540};
+
+/// Spheres of one size on a straight line across the view, far enough from each other for float.
+Scene line_of_spheres(int count, double radius) {
+  Scene scene = test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{1});
+  for (int i = 0; i < count; ++i) {
+    test::add_sphere(scene, {3 * radius * i, 0, 0}, radius, test::diffuse({0.5, 0.5, 0.5}));
+  }
+  return scene;
+}
+
+class KernelChoice : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (available_isas().empty()) GTEST_SKIP() << "this machine has no wide kernel";
+  }
+};
+
+TEST_F(KernelChoice, TakesSmallScenesToTheWideKernelInFloat) {
+  const Kernel kernel = choose_kernel(line_of_spheres(9, 0.2), kSettings);
+  EXPECT_EQ(kernel.kind, KernelKind::Wide);
+  EXPECT_EQ(kernel.precision, Precision::Float);
+  EXPECT_EQ(kernel.isa, available_isas().back());
+  EXPECT_THAT(kernel.refusal, IsEmpty());
+}
+
+TEST_F(KernelChoice, MeetsALargeGroundInDouble) {
+  Scene scene = line_of_spheres(9, 0.2);
+  test::add_sphere(scene, {0, -1000.5, 0}, 1000, test::diffuse({0.5, 0.5, 0.5}));
+  const Kernel kernel = choose_kernel(scene, kSettings);
+  EXPECT_EQ(kernel.precision, Precision::Mixed);
+  EXPECT_THAT(kernel.exact_spheres, ElementsAre(9));
+}
+
+TEST_F(KernelChoice, TakesDoubleWhereFloatIsNotEnough) {
+  Scene scene = line_of_spheres(9, 0.1);
+  test::add_sphere(scene, {0, -6.371e6, 0}, 6.371e6 - 1, test::diffuse({0.5, 0.5, 0.5}));
+  EXPECT_EQ(choose_kernel(scene, kSettings).precision, Precision::Double);
+}
+
+TEST_F(KernelChoice, LeavesManySpheresToTheHierarchy) {
+  EXPECT_EQ(choose_kernel(line_of_spheres(256, 0.2), kSettings).kind, KernelKind::Wide);
+  EXPECT_EQ(choose_kernel(line_of_spheres(257, 0.2), kSettings).kind, KernelKind::Scalar);
+  // A model of the time decides in double.
+  const RenderSettings fine{.width = 960, .height = 1 << 22};
+  EXPECT_EQ(choose_kernel(line_of_spheres(20, 0.2), fine).kind, KernelKind::Wide);
+  EXPECT_EQ(choose_kernel(line_of_spheres(20, 0.2), fine).precision, Precision::Double);
+  EXPECT_EQ(choose_kernel(line_of_spheres(250, 0.2), fine).kind, KernelKind::Scalar);
+}
+
+TEST_F(KernelChoice, LeavesACameraOnSeveralSurfacesToTheScalarKernel) {
+  Scene scene = test::beam_scene({0, 0, 0}, {1, 0, 0}, LinearRgb{1});
+  test::add_sphere(scene, {0, -3, 0}, 3, test::diffuse({0.5, 0.5, 0.5}));
+  EXPECT_EQ(choose_kernel(scene, kSettings).kind, KernelKind::Wide);
+  test::add_sphere(scene, {0, 1, 0}, 1, test::diffuse({0.5, 0.5, 0.5}));
+  EXPECT_EQ(choose_kernel(scene, kSettings).kind, KernelKind::Scalar);
+  const Kernel forced = choose_kernel(scene, kSettings, {.kind = KernelKind::Wide});
+  EXPECT_THAT(forced.refusal, HasSubstr("--kernel: not with the wide kernel: the camera stands"));
+}
+
+TEST_F(KernelChoice, DoesAsItIsAsked) {
+  const Scene small = line_of_spheres(9, 0.2), large = line_of_spheres(300, 0.2);
+  EXPECT_EQ(choose_kernel(small, kSettings, {.kind = KernelKind::Scalar}).kind, KernelKind::Scalar);
+  EXPECT_EQ(choose_kernel(small, kSettings, {.precision = Precision::Double}).precision,
+            Precision::Double);
+  for (const Isa isa : available_isas()) {
+    EXPECT_EQ(choose_kernel(small, kSettings, {.isa = isa}).isa, isa);
+  }
+  const RenderSettings fine{.width = 960, .height = 1 << 22};
+  EXPECT_EQ(choose_kernel(small, fine, {.precision = Precision::Float}).precision,
+            Precision::Float);
+
+  EXPECT_THAT(choose_kernel(large, kSettings, {.kind = KernelKind::Wide}).refusal,
+              HasSubstr("more than 256 spheres"));
+  EXPECT_THAT(choose_kernel(large, kSettings, {.precision = Precision::Float}).refusal,
+              HasSubstr("--precision: "));
+  EXPECT_THAT(
+      choose_kernel(small, kSettings, {.kind = KernelKind::Scalar, .precision = Precision::Float})
+          .refusal,
+      HasSubstr("the scalar kernel computes in double"));
+  EXPECT_THAT(choose_kernel(large, kSettings, {.precision = Precision::Double}).refusal, IsEmpty());
+}
+
+}  // namespace
+}  // namespace sdlc::render
