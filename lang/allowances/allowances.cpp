@@ -212,8 +212,8 @@ void Allowances::find_places(const std::vector<std::optional<Span>>& statements,
     return std::pair(place.statement.begin, ~place.statement.end);
   };
   std::ranges::sort(places, {}, order);
-  const auto same = std::ranges::unique(places, {}, order);
-  places.erase(same.begin(), same.end());
+  const auto is_same = [&](const Place& a, const Place& b) { return order(a) == order(b); };
+  places.erase(std::unique(places.begin(), places.end(), is_same), places.end());
 
   std::uint32_t around = kNowhere;
   for (std::uint32_t i = 0; i < places.size(); ++i) {
