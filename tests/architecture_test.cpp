@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -123,6 +124,30 @@ TEST(Architecture, EachLibraryIsUsedInOnePlace) {
       }
     }
   }
+}
+
+/// Two classes of one name share their inline members, whichever of them the linker finds first.
+TEST(Architecture, NoClassHasTheNameOfAnother) {
+  const std::regex class_head(R"(^(?:struct|class) (?:alignas\(\w+\) )?(\w+)\b(?!::)[^;<>(]*\{)");
+  std::map<std::string, std::string> headers;
+  std::size_t classes = 0;
+  for (const char* area : {"lang", "render", "cli", "grammar"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SDLC_SOURCE_DIR) / area)) {
+      if (entry.path().extension() != ".hpp") continue;
+      std::ifstream file(entry.path());
+      std::string scope;
+      for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("namespace ")) scope = line;
+        std::smatch match;
+        if (!std::regex_search(line, match, class_head)) continue;
+        ++classes;
+        const std::string name = scope + match[1].str();
+        const auto [known, is_new] = headers.emplace(name, entry.path().string());
+        EXPECT_TRUE(is_new) << name << " is in " << known->second << " and in " << entry.path();
+      }
+    }
+  }
+  EXPECT_GT(classes, 100u);
 }
 
 TEST(Architecture, ArrowsNeverFormACycle) {

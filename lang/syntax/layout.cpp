@@ -386,8 +386,8 @@ class Marker {
 
 }  // namespace
 
-Layout scan_layout(std::string_view text) {
-  Layout layout{.tokens = scan_tokens(text), .foreign = {}};
+TokenLayout scan_layout(std::string_view text) {
+  TokenLayout layout{.tokens = scan_tokens(text), .foreign = {}};
   layout.foreign = mark_foreign_phrases(text, layout.tokens);
   mark_wrong_pairs(text, layout.tokens);
   Marker(text, layout.tokens).run();

@@ -8,12 +8,12 @@
 
 namespace sdlc::lang {
 
-struct Layout {
+struct TokenLayout {
   std::vector<LayoutToken> tokens;
   ForeignPhrases foreign;
 };
 
 /// The tokens of a scene, comments left out, with what their neighbours tell of each.
-Layout scan_layout(std::string_view text);
+TokenLayout scan_layout(std::string_view text);
 
 }  // namespace sdlc::lang

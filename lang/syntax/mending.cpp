@@ -36,7 +36,8 @@ bool stands_for_value(std::string_view text, const std::vector<LayoutToken>& tok
 /// Tells what is wrong with words and brackets.
 class Report {
  public:
-  Report(const SourceFile& file, std::string_view text, const Layout& layout, DiagnosticSink& sink)
+  Report(const SourceFile& file, std::string_view text, const TokenLayout& layout,
+         DiagnosticSink& sink)
       : file_(file), text_(text), layout_(layout), tokens_(layout.tokens), sink_(sink) {}
 
   void phrases() {
@@ -291,13 +292,13 @@ class Report {
 
   const SourceFile& file_;
   std::string_view text_;
-  const Layout& layout_;
+  const TokenLayout& layout_;
   const std::vector<LayoutToken>& tokens_;
   DiagnosticSink& sink_;
 };
 
 /// Leaves nothing to mend but signs and phrases, of which everyone knows what they mean.
-void keep_certain(Layout& layout) {
+void keep_certain(TokenLayout& layout) {
   for (std::size_t i = 0; i < layout.tokens.size(); ++i) {
     LayoutToken& token = layout.tokens[i];
     if (token.kind != LayoutKind::Operator && !layout.foreign.is_told[i]) token.meant = {};
@@ -309,7 +310,7 @@ void keep_certain(Layout& layout) {
 std::optional<MendedText> mend(const SourceFile& file, std::string_view text, MendOptions options,
                                DiagnosticSink& sink) {
   if (text.size() > kMaxMendedText) return std::nullopt;
-  Layout layout = scan_layout(text);
+  TokenLayout layout = scan_layout(text);
   const std::vector<LayoutToken>& tokens = layout.tokens;
   BracketRepair repair;
   if (options.is_certain) {
