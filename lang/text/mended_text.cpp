@@ -72,7 +72,7 @@ void MendedText::repair_bracket(const BracketFault& fault) {
   const LayoutToken* last = fault.token > 0 ? &tokens_[fault.token - 1] : nullptr;
   if (fault.kind == BracketFault::Surplus) {
     copy_to(token->begin);
-    text_ += ' ';
+    text_.append(token->end - token->begin, ' ');  // one that was only added has no length
     copied_ = token->end;
     return;
   }
