@@ -6,6 +6,8 @@ endif()
 
 find_package(GTest QUIET)
 option(SDLC_TESTS "Build the tests (needs GoogleTest)" ${GTest_FOUND})
+find_package(benchmark QUIET)
+option(SDLC_BENCHMARKS "Build the benchmarks of bench/ (needs Google Benchmark)" ${benchmark_FOUND})
 option(SDLC_WERROR "Treat warnings as errors" OFF)
 option(SDLC_FUZZ "Build the fuzzers of tests/fuzz (needs clang)" OFF)
 set(SDLC_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, e.g. address,undefined or thread")

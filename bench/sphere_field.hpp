@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace sdlc::test {
+namespace sdlc::bench {
 
 /// A slab four layers thick of `spheres` small spheres that do not touch: 70 % matt, 20 % metal,
 /// 10 % glass, with numbers of the length that people's programs write. The same at every call.
@@ -14,4 +14,4 @@ std::string field_as_scene(int spheres);
 /// As many spheres from a loop, at random places.
 std::string loop_as_scene(int spheres);
 
-}  // namespace sdlc::test
+}  // namespace sdlc::bench

@@ -16,13 +16,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "bench/sphere_field.hpp"
 #include "lang/compile/compile.hpp"
-#include "tests/benchmark/sphere_field.hpp"
 
 // How fast texts become scenes for the renderer, and in how much memory. The measure of a megabyte
 // is what nlohmann::json takes to parse the same JSON to its tree. One thread; what is compared is
 // measured in turns, and medians are told.
-namespace sdlc::test {
+namespace sdlc::bench {
 namespace {
 
 struct Options {
@@ -149,11 +149,11 @@ void run(const Options& options) {
 }
 
 }  // namespace
-}  // namespace sdlc::test
+}  // namespace sdlc::bench
 
 int main(int argc, char** argv) {
   try {
-    sdlc::test::run(sdlc::test::read_options(argc, argv));
+    sdlc::bench::run(sdlc::bench::read_options(argc, argv));
   } catch (const std::exception& error) {
     fmt::print(stderr, "compile_benchmark: {}\n", error.what());
     return EXIT_FAILURE;

@@ -1,4 +1,4 @@
-#include "tests/benchmark/sphere_field.hpp"
+#include "bench/sphere_field.hpp"
 
 #include <cmath>
 #include <iterator>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace sdlc::test {
+namespace sdlc::bench {
 namespace {
 
 constexpr std::size_t kBytesPerSphere = 160;  // at most: a text that grows would show in the peak
@@ -126,4 +126,4 @@ std::string loop_as_scene(int spheres) {
       kSceneHead, spheres);
 }
 
-}  // namespace sdlc::test
+}  // namespace sdlc::bench

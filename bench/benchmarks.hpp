@@ -1,0 +1,13 @@
+#pragma once
+
+/// The groups of benchmarks. Each adds its own to those that Google Benchmark runs, one for each
+/// kernel, instruction set and precision that this machine has.
+namespace sdlc::bench {
+
+void register_intersection_benchmarks();
+void register_material_benchmarks();
+void register_feature_benchmarks();
+void register_sampling_benchmarks();
+void register_text_benchmarks();
+
+}  // namespace sdlc::bench

@@ -1,0 +1,129 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bench/sampling_benchmark.cpp"
+#include <hwy/foreach_target.h>
+
+// Random numbers, and directions made of them, one at a time and in every lane of a vector.
+
+#if HWY_TARGET != HWY_STATIC_TARGET
+#include "render/wide/path_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sdlc::render::HWY_NAMESPACE {
+
+/// Calls `draw` with the samplers of many paths, a vector of them at a time, and adds up what it
+/// returns, so that none of it can be left out. `count`: of paths, whole vectors.
+template <typename T, typename Draw>
+HWY_INLINE double sum_over_paths(std::uint32_t count, const Draw& draw) {
+  const hn::ScalableTag<T> d;
+  const hn::RebindToUnsigned<decltype(d)> du;
+  const auto mixer = hn::Set(du, 0x5A17C0DE);
+  const auto step = hn::Set(du, static_cast<hn::TFromD<decltype(du)>>(hn::Lanes(d)));
+  auto key = hn::Iota(du, 1);
+  auto sum = hn::Zero(d);
+  for (std::uint32_t i = 0; i < count; i += hn::Lanes(d)) {
+    sum = hn::Add(sum, draw(LaneSampler<decltype(d)>(key, mixer)));
+    key = hn::Add(key, step);
+  }
+  return static_cast<double>(hn::GetLane(hn::SumOfLanes(d, sum)));
+}
+
+template <typename T>
+double lane_numbers(std::uint32_t paths) {
+  return sum_over_paths<T>(paths, [](const auto& sampler) HWY_ATTR {
+    auto sum = sampler.uniform(0);
+    for (std::uint32_t i = 1; i < 8; ++i) sum = hn::Add(sum, sampler.uniform(i));
+    return sum;
+  });
+}
+
+template <typename T>
+double lane_directions(std::uint32_t paths) {
+  return sum_over_paths<T>(paths, [](const auto& sampler) HWY_ATTR {
+    const hn::ScalableTag<T> d;
+    const auto u = sampler.uniform(kDirectionZ);
+    const auto circle = hn::Sqrt(hn::Mul(u, hn::Sub(hn::Set(d, T{1}), u)));
+    auto x = hn::Zero(d), y = hn::Zero(d);
+    point_on_circle(sampler.uniform(kDirectionTurn), hn::Add(circle, circle), x, y);
+    return hn::Add(hn::Add(x, y), hn::Sub(hn::Set(d, T{1}), hn::Add(u, u)));
+  });
+}
+
+using LaneFunction = double(std::uint32_t);
+LaneFunction* lane_function(bool is_double, bool is_direction) {
+  if (is_double) return is_direction ? &lane_directions<double> : &lane_numbers<double>;
+  return is_direction ? &lane_directions<float> : &lane_numbers<float>;
+}
+
+}  // namespace sdlc::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+
+#if HWY_ONCE
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include "bench/benchmarks.hpp"
+#include "render/material/scatter.hpp"
+#include "render/wide/isa.hpp"
+
+namespace sdlc::bench {
+namespace {
+
+using render::Isa;
+using LaneFunction = double(std::uint32_t);
+
+constexpr std::uint32_t kPaths = 1 << 14;
+constexpr std::uint32_t kNumbersAPath = 8;
+
+LaneFunction* lane_function(Isa isa, bool is_double, bool is_direction) {
+  switch (isa) {
+    case Isa::Sse4: return render::N_SSE4::lane_function(is_double, is_direction);
+    case Isa::Avx2: return render::N_AVX2::lane_function(is_double, is_direction);
+    default: return render::N_AVX3::lane_function(is_double, is_direction);
+  }
+}
+
+double scalar_numbers(std::uint32_t paths) {
+  double sum = 0;
+  for (std::uint32_t i = 0; i < paths; ++i) {
+    const render::PathSampler sampler(0x5A17C0DE00000000, i);
+    for (std::uint32_t k = 0; k < kNumbersAPath; ++k) sum += sampler.uniform(k);
+  }
+  return sum;
+}
+
+double scalar_directions(std::uint32_t paths) {
+  double sum = 0;
+  for (std::uint32_t i = 0; i < paths; ++i) {
+    const render::PathSampler sampler(0x5A17C0DE00000000, i);
+    const render::Vec3 direction = render::sample_unit_sphere(render::VertexSampler(sampler, 0));
+    sum += direction.x + direction.y + direction.z;
+  }
+  return sum;
+}
+
+void register_drawing(const std::string& name, LaneFunction* draw, double drawn_a_path) {
+  benchmark::RegisterBenchmark(("sampling/" + name).c_str(), [=](benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(draw(kPaths));
+    using benchmark::Counter;
+    state.counters["drawn"] = Counter(drawn_a_path * kPaths, Counter::kIsIterationInvariantRate);
+  })->Unit(benchmark::kMicrosecond);
+}
+
+}  // namespace
+
+void register_sampling_benchmarks() {
+  register_drawing("numbers/scalar", &scalar_numbers, kNumbersAPath);
+  register_drawing("directions/scalar", &scalar_directions, 1);
+  for (const Isa isa : render::available_isas()) {
+    for (const bool is_double : {false, true}) {
+      const std::string form = std::string(name_of(isa)) + (is_double ? "/double" : "/float");
+      register_drawing("numbers/" + form, lane_function(isa, is_double, false), kNumbersAPath);
+      register_drawing("directions/" + form, lane_function(isa, is_double, true), 1);
+    }
+  }
+}
+
+}  // namespace sdlc::bench
+#endif

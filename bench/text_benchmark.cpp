@@ -1,0 +1,72 @@
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <benchmark/benchmark.h>
+
+#include "bench/benchmarks.hpp"
+#include "bench/sphere_field.hpp"
+#include "lang/compile/compile.hpp"
+#include "lang/format/format.hpp"
+#include "lang/lint/lint.hpp"
+
+// What `sdlc fmt` and `sdlc lint` do with large files, without reading and writing them.
+namespace sdlc::bench {
+namespace {
+
+constexpr int kFormattedSpheres = 90'000;  // 10 MB
+constexpr int kLintedSpheres = 1'000'000;
+
+std::string formatted(const lang::SourceFile& file) {
+  lang::DiagnosticSink sink;
+  std::optional<std::string> text = lang::format_file(file, sink);
+  if (!text) throw std::runtime_error(sink.diagnostics().front().message);
+  return *std::move(text);
+}
+
+void count_bytes(benchmark::State& state, const lang::SourceFile& file) {
+  using benchmark::Counter;
+  const auto bytes = static_cast<double>(file.text().size());
+  state.counters["bytes"] = Counter(bytes, Counter::kIsIterationInvariantRate);
+}
+
+void format_a_field(benchmark::State& state) {
+  const lang::SourceFile file("field.scene", field_as_scene(kFormattedSpheres));
+  for (auto _ : state) benchmark::DoNotOptimize(formatted(file));
+  count_bytes(state, file);
+}
+
+void format_what_is_formatted(benchmark::State& state) {
+  const lang::SourceFile field("field.scene", field_as_scene(kFormattedSpheres));
+  const lang::SourceFile file("formatted.scene", formatted(field));
+  for (auto _ : state) benchmark::DoNotOptimize(formatted(file));
+  count_bytes(state, file);
+}
+
+void lint_a_field(benchmark::State& state) {
+  const lang::SourceFile file("field.scene", field_as_scene(kLintedSpheres));
+  for (auto _ : state) {
+    lang::DiagnosticSink sink;
+    lang::Compiler compiler(file, {}, sink);
+    lang::lint(compiler, file, sink);
+    benchmark::DoNotOptimize(sink.diagnostics().size());
+  }
+  count_bytes(state, file);
+  using benchmark::Counter;
+  state.counters["spheres"] = Counter(kLintedSpheres, Counter::kIsIterationInvariantRate);
+}
+
+}  // namespace
+
+void register_text_benchmarks() {
+  using benchmark::RegisterBenchmark;
+  RegisterBenchmark("text/format", format_a_field)->Unit(benchmark::kMillisecond);
+  RegisterBenchmark("text/format_again", format_what_is_formatted)->Unit(benchmark::kMillisecond);
+  RegisterBenchmark("text/lint_1e6_spheres", lint_a_field)
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace sdlc::bench
