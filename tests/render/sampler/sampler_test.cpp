@@ -66,46 +66,6 @@ TEST(PathSampler, FillsTheSquareEvenlyAcrossPixelsSamplesAndDimensions) {
   });
 }
 
-/// The correlation of pairs of numbers whose mean is 1/2 and variance 1/12, in standard errors.
-template <typename Pair>
-double correlation_z(int pairs, const Pair& pair) {
-  double sum = 0;
-  for (int i = 0; i < pairs; ++i) {
-    const auto [a, b] = pair(i);
-    sum += (a - 0.5) * (b - 0.5);
-  }
-  return sum * 12 / std::sqrt(static_cast<double>(pairs));
-}
-
-// H0: the streams of a pixel and of its neighbours, of a sample and of the next ones, number for
-// number and one number late, are uncorrelated. 96 tests at |z| < 5: false alarm rate 6e-5.
-TEST(PathSampler, HasUncorrelatedStreamsForNeighbours) {
-  constexpr int kPairs = 1 << 17, kWidth = 1920, kDimensions = 16;
-  const auto number = [](std::uint64_t seed, int pixel, int sample, int dimension) {
-    const auto key = PathSampler::pixel_key(seed, static_cast<std::uint64_t>(pixel));
-    return PathSampler(key, static_cast<std::uint64_t>(sample))
-        .uniform(static_cast<std::uint32_t>(dimension));
-  };
-  for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    for (const int late : {0, 1, 6, 7}) {
-      for (const int apart : {1, 2, kWidth}) {
-        const double pixels = correlation_z(kPairs, [&](int i) {
-          const int pixel = i / kDimensions, dimension = i % kDimensions;
-          return std::pair{number(seed, pixel, 3, dimension),
-                           number(seed, pixel + apart, 3, dimension + late)};
-        });
-        EXPECT_LT(std::fabs(pixels), 5) << "pixels " << apart << " apart, " << late << " late";
-        const double samples = correlation_z(kPairs, [&](int i) {
-          const int sample = i / kDimensions, dimension = i % kDimensions;
-          return std::pair{number(seed, 11, sample, dimension),
-                           number(seed, 11, sample + apart, dimension + late)};
-        });
-        EXPECT_LT(std::fabs(samples), 5) << "samples " << apart << " apart, " << late << " late";
-      }
-    }
-  }
-}
-
 // H0: the samples of a pixel are independent of each other, and of those of the next pixel. The
 // variance of the mean of 64 then is 1/64 of that of one (kurtosis 3 − 6/5/64), and means of
 // neighbours do not correlate. 16 tests at |z| < 4.5: false alarm rate 1.1e-4.
