@@ -4,12 +4,14 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "lang/compile/compile.hpp"
 #include "render/tiles/render.hpp"
+#include "tests/render/wide/kernels.hpp"
 
 // Pictures against those of an independent renderer, which come with the standard error of every
 // pixel. They are not part of the repository; without them the tests are skipped.
@@ -20,7 +22,6 @@ namespace fs = std::filesystem;
 
 const fs::path kReferences = fs::path(SDLC_SOURCE_DIR) / ".." / "shared" / "reference";
 constexpr int kReferenceSamples = 4096;
-constexpr int kSamples = 256;
 constexpr int kBlock = 8;
 
 /// A picture in the PFM format, linear, rows from the bottom up.
@@ -56,13 +57,13 @@ struct BlockComparison {
   double standard_error = 0;  ///< of the difference
   double rounding = 0;        ///< what the reference's 32-bit floats may hide
   /// Where the reference saw no noise at all in 4096 samples a pixel, a path that it never met may
-  /// still be met here: up to 5 of radiance 1, as many as p = 7e-7 allows for 256 samples a pixel.
-  /// 0 if our block is flat too.
+  /// still be met here: up to 5 of radiance 1, as many as p = 7e-7 allows for 256 samples a pixel,
+  /// and more than that for fewer. 0 if our block is flat too.
   double rare_events = 0;
 };
 
 BlockComparison compare_block(const render::Picture& ours, const Pfm& mean, const Pfm& error,
-                              int x0, int y0, int c) {
+                              int samples, int x0, int y0, int c) {
   BlockComparison block;
   double variance = 0;
   for (int y = y0; y < std::min(y0 + kBlock, mean.height); ++y) {
@@ -71,45 +72,85 @@ BlockComparison compare_block(const render::Picture& ours, const Pfm& mean, cons
       block.difference += value - mean.at(x, y, c);
       block.rounding += 0x1p-24 * value;
       const double sem = error.at(x, y, c);
-      variance += sem * sem * (1 + static_cast<double>(kReferenceSamples) / kSamples);
-      if (value != channel(ours.at(x0, y0), c)) block.rare_events = 5.0 / kSamples;
+      variance += sem * sem * (1 + static_cast<double>(kReferenceSamples) / samples);
+      if (value != channel(ours.at(x0, y0), c)) block.rare_events = 5.0 / samples;
     }
   }
   block.standard_error = std::sqrt(variance);
   return block;
 }
 
-class Reference : public testing::TestWithParam<std::string> {};
+/// A way to trace the pictures.
+struct Form {
+  std::string name;
+  render::KernelRequest request;
+  int samples = 0;
+};
+
+/// What is chosen without a word, and with fewer samples everything else that this machine has. All
+/// trace the same paths, which tests/render/wide compares one by one; here each must stand alone.
+std::vector<Form> forms() {
+  std::vector<Form> all{{"chosen", {}, 256}, {"scalar", {.kind = render::KernelKind::Scalar}, 64}};
+  for (const WideForm& wide : wide_forms()) {
+    all.push_back({std::string(name_of(wide.isa)) + "_" + std::string(name_of(wide.precision)),
+                   wide.request(), 64});
+  }
+  return all;
+}
+
+class Reference : public testing::TestWithParam<std::tuple<std::string, Form>> {
+ protected:
+  void SetUp() override {
+    config_ = kReferences / "configs" / (picture() + ".json");
+    if (!fs::exists(config_)) GTEST_SKIP() << "the reference pictures are not here";
+    mean_ = read_pfm(kReferences / (picture() + ".mean.pfm"));
+    error_ = read_pfm(kReferences / (picture() + ".sem.pfm"));
+  }
+
+  static const std::string& picture() { return std::get<std::string>(GetParam()); }
+  static const Form& form() { return std::get<Form>(GetParam()); }
+
+  /// The configuration as a scene for a picture of the reference's size.
+  std::optional<lang::LoweredScene> read_scene() const {
+    std::ifstream stream(config_);
+    const lang::SourceFile source(config_.string(),
+                                  std::string(std::istreambuf_iterator<char>(stream), {}));
+    lang::DiagnosticSink sink;
+    return lang::compile(source, {.width = mean_.width, .samples = form().samples}, sink);
+  }
+
+  fs::path config_;
+  Pfm mean_, error_;
+};
 
 // H0: both pictures estimate the same radiance. Block means of 8 × 8 pixels are divided by their
-// standard error, that of the reference and, from it, that of 256 samples. Under H0 the mean square
-// of the 1530 values is near 1 (its standard deviation .02 if they were normal; the bound of 1.25²
-// leaves room for what small samples of skewed radiance do), and no |z| passes 6.5 (p = 8e-11
-// each).
+// standard error, that of the reference and, from it, that of our samples. Under H0 the mean square
+// of the 559 to 1125 values is near 1 (its standard deviation .03 if they were normal; the bound of
+// 1.25² leaves room for what small samples of skewed radiance do), no |z| passes 6.5 (p = 8e-11
+// each), and the |z| of a channel's sum not 5 (p = 6e-7 each): it would at a shift of 0.02 % in the
+// quietest picture and of 0.6 % in the noisiest.
 TEST_P(Reference, AgreesInBlockMeans) {
-  const fs::path config = kReferences / "configs" / (GetParam() + ".json");
-  if (!fs::exists(config)) GTEST_SKIP() << "the reference pictures are not here";
-
-  std::ifstream stream(config);
-  const lang::SourceFile source(config.string(),
-                                std::string(std::istreambuf_iterator<char>(stream), {}));
-  const Pfm mean = read_pfm(kReferences / (GetParam() + ".mean.pfm"));
-  const Pfm error = read_pfm(kReferences / (GetParam() + ".sem.pfm"));
-  lang::DiagnosticSink sink;
-  const auto lowered =
-      lang::compile(source, {.width = mean.width, .samples = kSamples}, sink);
+  const std::optional<lang::LoweredScene> lowered = read_scene();
   ASSERT_TRUE(lowered);
-  ASSERT_EQ(lowered->settings.height, mean.height);
-  render::RenderMonitor monitor;
-  const render::RenderResult result = render::render(lowered->scene, lowered->settings, monitor);
+  ASSERT_EQ(lowered->settings.height, mean_.height);
+  const bool wants_float = form().request.precision == render::Precision::Float;
+  if (wants_float &&
+      choose_kernel(lowered->scene, lowered->settings).precision == render::Precision::Double) {
+    GTEST_SKIP() << "the scene asks for double";
+  }
+  const render::RenderResult result =
+      render_with(lowered->scene, lowered->settings, form().request);
+  EXPECT_EQ(result.kernel.refusal, "");
   EXPECT_EQ(result.nonfinite_samples, 0u);
 
   double sum_of_squares = 0, largest = 0;
   int count = 0;
-  for (int y = 0; y < mean.height; y += kBlock) {
-    for (int x = 0; x < mean.width; x += kBlock) {
-      for (int c = 0; c < 3; ++c) {
-        const BlockComparison block = compare_block(result.picture, mean, error, x, y, c);
+  for (int c = 0; c < 3; ++c) {
+    double difference = 0, variance = 0, rounding = 0;
+    for (int y = 0; y < mean_.height; y += kBlock) {
+      for (int x = 0; x < mean_.width; x += kBlock) {
+        const BlockComparison block =
+            compare_block(result.picture, mean_, error_, form().samples, x, y, c);
         if (block.standard_error <= block.rounding) {
           EXPECT_LE(std::fabs(block.difference), block.rounding + block.rare_events)
               << "block " << x << ", " << y << ", channel " << c;
@@ -119,18 +160,25 @@ TEST_P(Reference, AgreesInBlockMeans) {
         sum_of_squares += z * z;
         largest = std::max(largest, std::fabs(z));
         ++count;
+        difference += block.difference;
+        variance += block.standard_error * block.standard_error;
+        rounding += block.rounding;
       }
     }
+    EXPECT_LE(std::fabs(difference), 5 * std::sqrt(variance) + rounding) << "channel " << c;
   }
   EXPECT_LE(std::sqrt(sum_of_squares / count), 1.25);
   EXPECT_LE(largest, 6.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Pictures, Reference,
-                         testing::Values("step3", "step5_depth4", "step6_depth8", "step7_depth16",
-                                         "step8_depth16", "step10_1time-unit"),
+                         testing::Combine(testing::Values("step3", "step5_depth4", "step6_depth8",
+                                                          "step7_depth16", "step8_depth16",
+                                                          "step10_1time-unit"),
+                                          testing::ValuesIn(forms())),
                          [](const auto& test) {
-                           std::string name = test.param;
+                           std::string name =
+                               std::get<0>(test.param) + "_" + std::get<1>(test.param).name;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
