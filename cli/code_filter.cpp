@@ -1,12 +1,12 @@
 #include "cli/code_filter.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "cli/words.hpp"
+#include "lang/text/ascii.hpp"
 #include "lang/text/display_width.hpp"
 
 namespace sdlc::cli {
@@ -52,7 +52,7 @@ void add_codes(CLI::App& command, const std::string& flag, std::vector<std::stri
 }  // namespace
 
 std::string parse_code(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::toupper(c); });
+  text = lang::upper_case(text);
   if (!text.empty() && fits_some_code(text)) return text;
   std::vector<std::string_view> codes;
   for (const lang::DiagnosticInfo* info : lang::all_diagnostics()) codes.push_back(info->code);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,6 +15,7 @@
 #include "cli/words.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/explain/explain.hpp"
+#include "lang/text/ascii.hpp"
 #include "lang/text/display_width.hpp"
 
 namespace sdlc::cli {
@@ -36,21 +36,14 @@ struct Topic {
 
 /// As names are written in the table: "unknown_property" of "Unknown property".
 std::string as_name(std::string_view text) {
-  std::string name(text);
-  for (char& c : name) {
-    c = c == ' ' || c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
+  std::string name = lang::lower_case(text);
+  std::ranges::replace_if(
+      name, [](char c) { return c == ' ' || c == '-'; }, '_');
   return name;
 }
 
-std::string as_code(std::string_view text) {
-  std::string code(text);
-  for (char& c : code) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return code;
-}
-
 Topic find_topic(const std::string& text) {
-  const std::string code = as_code(text), name = as_name(text);
+  const std::string code = lang::upper_case(text), name = as_name(text);
   Diagnostics beginning;
   std::vector<std::string_view> known;
   for (const lang::DiagnosticInfo* info : lang::all_diagnostics()) {

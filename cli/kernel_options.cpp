@@ -1,6 +1,8 @@
 #include "cli/kernel_options.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -16,40 +18,36 @@ using render::Isa;
 using render::KernelKind;
 using render::Precision;
 
-constexpr std::array<std::string_view, 3> kKernelWords{"auto", "scalar", "wide"};
-constexpr std::array<std::string_view, 3> kPrecisionWords{"auto", "float", "double"};
-constexpr std::array<Isa, 3> kIsas{Isa::Sse4, Isa::Avx2, Isa::Avx512};
+constexpr std::string_view kAuto = "auto";
+constexpr std::array kKinds{KernelKind::Scalar, KernelKind::Wide};
+constexpr std::array kPrecisions{Precision::Float, Precision::Double};
+
+/// The option's words are `auto` and the names of `choices`; the one given is what `chosen`
+/// becomes.
+template <typename T, std::size_t N>
+void add_choice(CLI::App& command, const char* flag, const std::array<T, N>& choices,
+                std::optional<T>& chosen, const char* help) {
+  static const std::array<std::string_view, N + 1> words = [&] {
+    std::array<std::string_view, N + 1> names{kAuto};
+    std::ranges::transform(choices, names.begin() + 1, [](T choice) { return name_of(choice); });
+    return names;
+  }();
+  const auto choose = [&chosen, &choices](const std::string& word) {
+    const auto found = std::ranges::find(choices, word, [](T choice) { return name_of(choice); });
+    chosen = found == choices.end() ? std::nullopt : std::optional(*found);
+  };
+  command.add_option_function<std::string>(flag, choose, help)->check(one_of(words));
+}
 
 }  // namespace
 
 void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
-  command
-      .add_option_function<std::string>(
-          "--kernel",
-          [&request](const std::string& word) {
-            if (word == "scalar") request.kind = KernelKind::Scalar;
-            if (word == "wide") request.kind = KernelKind::Wide;
-          },
-          "How paths are traced: one at a time, or one in every lane of a vector")
-      ->check(one_of(kKernelWords));
-  command
-      .add_option_function<std::string>(
-          "--precision",
-          [&request](const std::string& word) {
-            if (word == "float") request.precision = Precision::Float;
-            if (word == "double") request.precision = Precision::Double;
-          },
-          "Of the numbers of the paths; auto: float where rounding cannot be seen")
-      ->check(one_of(kPrecisionWords));
-  command
-      .add_option_function<std::string>(
-          "--isa",
-          [&request](const std::string& word) {
-            const auto found = std::find(kIsaWords.begin(), kIsaWords.end(), word);
-            request.isa = kIsas[static_cast<std::size_t>(found - kIsaWords.begin())];
-          },
-          "The instruction set; default: the best of the machine")
-      ->check(one_of(kIsaWords));
+  add_choice(command, "--kernel", kKinds, request.kind,
+             "How paths are traced: one at a time, or one in every lane of a vector");
+  add_choice(command, "--precision", kPrecisions, request.precision,
+             "Of the numbers of the paths; auto: float where rounding cannot be seen");
+  add_choice(command, "--isa", render::kIsas, request.isa,
+             "The instruction set of the wide kernel; auto: the best of the machine");
 }
 
 render::Kernel chosen_kernel(const render::Scene& scene, const render::RenderSettings& settings,

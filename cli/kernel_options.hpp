@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
@@ -9,8 +8,6 @@
 #include "render/tiles/kernel.hpp"
 
 namespace sdlc::cli {
-
-inline constexpr std::array<std::string_view, 3> kIsaWords{"sse4", "avx2", "avx512"};
 
 /// --kernel, --precision and --isa, which force what is otherwise chosen by itself.
 void add_kernel_options(CLI::App& command, render::KernelRequest& request);

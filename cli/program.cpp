@@ -4,6 +4,7 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +14,6 @@
 #include <fmt/ranges.h>
 
 #include "cli/dispatcher.hpp"
-#include "cli/kernel_options.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "cli/words.hpp"
@@ -27,8 +27,9 @@ namespace {
 std::string version_text() {
   const auto isas = render::available_isas();
   const std::string_view in_use = isas.empty() ? kInstructionSet : name_of(isas.back());
+  const auto names = render::kIsas | std::views::transform([](auto isa) { return name_of(isa); });
   return fmt::format("sdlc {} ({})\nbuilt for {} with {}, in use {}\n", kVersion, kCommit,
-                     kInstructionSet, fmt::join(kIsaWords, ", "), in_use);
+                     kInstructionSet, fmt::join(names, ", "), in_use);
 }
 
 /// The names of all flags of a command, with their dashes.

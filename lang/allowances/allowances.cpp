@@ -1,13 +1,13 @@
 #include "lang/allowances/allowances.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "lang/syntax/syntax.hpp"
+#include "lang/text/ascii.hpp"
 #include "lang/text/nearest_name.hpp"
 
 namespace sdlc::lang {
@@ -38,7 +38,7 @@ class Scanner {
   Span take_word() {
     skip_blanks();
     const std::uint32_t begin = at_;
-    while (at_ < end_ && std::isalnum(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
+    while (at_ < end_ && (is_ascii_letter(text_[at_]) || is_ascii_digit(text_[at_]))) ++at_;
     return {begin, at_};
   }
 
@@ -62,11 +62,7 @@ std::vector<Span> read_codes(std::string_view text, Span comment) {
 }
 
 /// The code as the table has it: in capitals.
-std::string code_text(const SourceFile& file, Span code) {
-  std::string text(file.text(code));
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::toupper(c); });
-  return text;
-}
+std::string code_text(const SourceFile& file, Span code) { return upper_case(file.text(code)); }
 
 /// Finds the statements that comments speak of, in one pass over the text for all comments.
 class Statements {

@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::uint32_t kValue = 1;  // of a member on its tape
 constexpr double kWhite = 255;
+constexpr std::size_t kFewestOfARadius = 4;
 
 const MaterialInfo& kind_of(const ConfigValue& material) {
   const std::string type = material.find("type")->value.string();
@@ -70,6 +71,12 @@ ConfigMaterial read_material(const ConfigValue& material) {
   }
   read.text = fmt::format("{}({})", info.name, fmt::join(arguments, ", "));
   return read;
+}
+
+/// Of two spellings that are as frequent the one that comes first in the text is the common one.
+bool is_less_common(const std::pair<const std::string_view, std::size_t>& a,
+                    const std::pair<const std::string_view, std::size_t>& b) {
+  return a.second != b.second ? a.second < b.second : a.first.data() > b.first.data();
 }
 
 /// `red` where each component is 0 or 1.
@@ -133,10 +140,13 @@ std::string color_text(const ConfigValue& color) {
 }
 
 void ConfigFacts::take_element(const Tape& tape, std::uint32_t element) {
-  const ConfigValue material = ConfigValue(*file_, tape, element).find("material")->value;
+  const ConfigValue sphere(*file_, tape, element);
+  const ConfigValue material = sphere.find("material")->value;
   const auto [place, is_new] = indices_.emplace(identity_of(material), materials_.size());
   if (is_new) materials_.push_back(read_material(material));
-  ++materials_[place->second].uses;
+  ConfigMaterial& counted = materials_[place->second];
+  ++counted.uses;
+  ++counted.radii[sphere.find("radius")->value.spelling()];
 }
 
 void ConfigFacts::take_member(const Tape& tape) {
@@ -156,7 +166,11 @@ void ConfigFacts::take_member(const Tape& tape) {
 void ConfigFacts::finish() {
   MaterialNames names;
   for (ConfigMaterial& material : materials_) {
-    if (material.uses > 1) material.name = names.name_of(material.value);
+    if (material.uses < 2) continue;
+    material.name = names.name_of(material.value);
+    const auto& [spelling, uses] = *std::ranges::max_element(material.radii, is_less_common);
+    if (uses < kFewestOfARadius) continue;
+    material.radius = {.spelling = spelling, .name = material.name + "_radius"};
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -13,12 +14,20 @@
 
 namespace sdlc::lang {
 
+/// A number that stands for the radius of several spheres.
+struct ConfigRadius {
+  std::string_view spelling;
+  std::string name;  ///< of its declaration; empty where there is none
+};
+
 /// A material of a config, and how the language writes it.
 struct ConfigMaterial {
   MaterialValue value;
   std::string text;
   std::size_t uses = 0;
+  std::unordered_map<std::string_view, std::size_t> radii = {};  ///< of its spheres, as spelled
   std::string name = {};  ///< of its declaration; empty where it is used once and has none
+  ConfigRadius radius = {};
 };
 
 /// What one has to know of a whole config before its first line can be written: the materials, in
@@ -31,7 +40,8 @@ class ConfigFacts final : public ConfigParts {
   void take_element(const Tape& tape, std::uint32_t element) override;
   void take_member(const Tape& tape) override;
 
-  /// Gives the materials that are used more than once their names.
+  /// Gives names to the materials that are used more than once, and to a radius that so many of
+  /// their spheres have that it is hardly chance.
   void finish();
 
   const std::vector<ConfigMaterial>& materials() const noexcept { return materials_; }

@@ -69,17 +69,19 @@ class SceneWriter final : public ConfigParts {
 
   void take_element(const Tape& tape, std::uint32_t element) override {
     const ConfigValue sphere(*file_, tape, element);
+    const ConfigMaterial& material = facts_->material_of(sphere.find("material")->value);
     ObjectText text("sphere");
     for (const JsonKey& key : json_sphere().keys) {
       const auto member = sphere.find(key.key);
       if (!member) continue;
       const Property& property = key.target->properties[key.property];
       if (key.type == JsonType::Material) {
-        const ConfigMaterial& material = facts_->material_of(member->value);
         text.add(key.property, property.name,
                  material.name.empty() ? material.text : material.name);
       } else if (key.type == JsonType::Movement && !facts_->has_shutter()) {
         drop(text, key, *member, "without `time_interval` every sphere stays at its origin");
+      } else if (key.key == "radius" && member->value.spelling() == material.radius.spelling) {
+        text.add(key.property, property.name, material.radius.name);
       } else {
         text.add(key.property, property.name, value_text(key.type, member->value));
       }
@@ -115,6 +117,8 @@ class SceneWriter final : public ConfigParts {
     for (const ConfigMaterial& material : facts_->materials()) {
       if (material.name.empty()) continue;
       declarations += fmt::format("let {} = {}\n", material.name, material.text);
+      if (material.radius.name.empty()) continue;
+      declarations += fmt::format("let {} = {}\n", material.radius.name, material.radius.spelling);
     }
     for (const std::string& section :
          {declarations, camera_.is_empty() ? "" : camera_.str(),

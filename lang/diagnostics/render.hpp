@@ -38,7 +38,7 @@ std::string describe_place(const Location& where);
 /// * Human shows the source line with carets under the span, labels, help and a closing count.
 /// * Concise is one line each, `file:line:col: severity[CODE]: message`, then `; did you mean X?`
 ///   where there is a suggestion.
-/// * Json is one object with an array `diagnostics`.
+/// * Json is one object with arrays `diagnostics` and `failures`.
 /// * Sarif is a log of SARIF 2.1.0 with one run, as code scanning of GitHub reads it.
 /// * Github is one workflow command each, which GitHub Actions shows at the line.
 /// * Gitlab is a Code Quality report.
@@ -50,8 +50,8 @@ class DiagnosticWriter {
   /// The file that is looked at from now on, as the user named it; what is found may be in others.
   virtual void enter(const std::string& /*name*/) {}
   virtual void write(const Diagnostic& diagnostic) = 0;
-  /// The file that the user named could not be looked at. People and the simple formats read of it
-  /// on standard error; a report that others wait for says it too.
+  /// The file that the user named could not be looked at. People read of it on standard error; a
+  /// report that programs read says it too.
   virtual void fail(const std::string& /*name*/, const std::string& /*reason*/) {}
   /// Writes what stands behind all of them.
   virtual void finish(const DiagnosticCounts& counts) = 0;

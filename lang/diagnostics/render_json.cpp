@@ -49,8 +49,13 @@ class JsonWriter final : public DiagnosticWriter {
 
   void write(const Diagnostic& diagnostic) override { diagnostics_.push_back(to_json(diagnostic)); }
 
+  void fail(const std::string& name, const std::string& reason) override {
+    failures_.push_back({{"file", name}, {"reason", reason}});
+  }
+
   void finish(const DiagnosticCounts& counts) override {
     const Json json = {{"diagnostics", std::move(diagnostics_)},
+                       {"failures", std::move(failures_)},
                        {"errors", counts.errors},
                        {"warnings", counts.warnings},
                        {"omitted", counts.omitted}};
@@ -62,6 +67,7 @@ class JsonWriter final : public DiagnosticWriter {
  private:
   std::ostream& out_;
   Json diagnostics_ = Json::array();
+  Json failures_ = Json::array();
 };
 
 }  // namespace

@@ -1,12 +1,11 @@
 #include "lang/diagnostics/rule_text.hpp"
 
-#include <cctype>
 #include <optional>
+
+#include "lang/text/ascii.hpp"
 
 namespace sdlc::lang {
 namespace {
-
-char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
 
 /// A link of Markdown at the beginning of a text.
 struct Link {
@@ -56,7 +55,7 @@ std::string pascal_name(const DiagnosticInfo& info) {
   std::string name;
   bool is_word_begin = true;
   for (const char c : info.name) {
-    if (c != '_') name += is_word_begin ? upper(c) : c;
+    if (c != '_') name += is_word_begin ? to_upper(c) : c;
     is_word_begin = c == '_';
   }
   return name;
@@ -65,7 +64,7 @@ std::string pascal_name(const DiagnosticInfo& info) {
 std::string rule_title(const DiagnosticInfo& info) {
   std::string title(info.name);
   for (char& c : title) c = c == '_' ? ' ' : c;
-  if (!title.empty()) title[0] = upper(title[0]);
+  if (!title.empty()) title[0] = to_upper(title[0]);
   return title;
 }
 

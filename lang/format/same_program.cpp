@@ -17,10 +17,21 @@ struct CountedComment {
 };
 
 bool is_operator(std::string_view token) {
-  constexpr std::string_view kMarks = "+-*/<>";
-  return (token.size() == 1 && kMarks.find(token[0]) != std::string_view::npos) || token == "==" ||
-         token == "!=" || token == "<=" || token == ">=" || token == ".." || token == "and" ||
-         token == "or";
+  if (token.empty()) return false;
+  switch (token[0]) {
+    case '+':
+    case '-':
+    case '*':
+    case '/':
+    case '<':
+    case '>': return true;
+    case '=':
+    case '!': return token.size() == 2;
+    case '.': return token == "..";
+    case 'a': return token == "and";
+    case 'o': return token == "or";
+    default: return false;
+  }
 }
 
 /// The tokens of a tree without its commas.

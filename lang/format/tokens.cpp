@@ -8,16 +8,21 @@
 namespace sdlc::lang {
 namespace {
 
-/// Which characters identifiers consist of: half of all there are, so that one look should do.
-constexpr std::array<bool, 256> kIsIdchar = [] {
-  std::array<bool, 256> is_idchar{};
+/// What a character can be part of, so that one look should do: most of the time goes into them.
+enum CharacterClass : std::uint8_t { kMark, kBlank, kLineEnd, kIdchar };
+constexpr std::array<CharacterClass, 256> kClasses = [] {
+  std::array<CharacterClass, 256> classes{};
   for (unsigned c = 0; c < 128; ++c) {
-    is_idchar[c] =
+    const bool is_idchar =
         is_ascii_letter(static_cast<char>(c)) || c == '_' || is_ascii_digit(static_cast<char>(c));
+    if (is_idchar) classes[c] = kIdchar;
   }
-  return is_idchar;
+  classes[' '] = classes['\t'] = classes['\r'] = kBlank;
+  classes['\n'] = kLineEnd;
+  return classes;
 }();
-bool is_idchar(char c) noexcept { return kIsIdchar[static_cast<unsigned char>(c)]; }
+CharacterClass class_of(char c) noexcept { return kClasses[static_cast<unsigned char>(c)]; }
+bool is_idchar(char c) noexcept { return class_of(c) == kIdchar; }
 
 char char_at(std::string_view text, std::size_t at) { return at < text.size() ? text[at] : '\0'; }
 
@@ -69,8 +74,9 @@ void TokenReader::seek(std::uint32_t at) {
   const auto is_before = [](const Comment& comment, std::uint32_t place) {
     return comment.span.begin < place;
   };
-  next_in_tree_ = static_cast<std::size_t>(
-      std::lower_bound(comments.begin(), comments.end(), at, is_before) - comments.begin());
+  left_in_tree_ = {std::lower_bound(comments.begin(), comments.end(), at, is_before),
+                   comments.end()};
+  find_next_in_tree();
   comments_.clear();
   next_comment_ = 0;
   read_gap();
@@ -82,9 +88,9 @@ std::uint32_t TokenReader::count_breaks() {
   std::uint32_t breaks = 0;
   std::uint32_t at = at_;
   for (; at < text.size(); ++at) {
-    const char c = text[at];
-    if (c == '\n') ++breaks;
-    if (c != ' ' && c != '\n' && c != '\t' && c != '\r') break;
+    const CharacterClass c = class_of(text[at]);
+    if (c != kBlank && c != kLineEnd) break;
+    breaks += c == kLineEnd ? 1 : 0;
   }
   at_ = at;
   return breaks;
@@ -92,23 +98,36 @@ std::uint32_t TokenReader::count_breaks() {
 
 void TokenReader::read_gap() {
   const std::string_view text = tree_->file().text();
-  const auto all = tree_->comments();
   std::uint32_t breaks = count_breaks();
-  for (; next_in_tree_ < all.size() && all[next_in_tree_].span.begin == at_; ++next_in_tree_) {
-    const Comment& comment = all[next_in_tree_];
+  if (at_ == next_in_tree_) breaks = read_comments(breaks);
+  token_ = {.span = {at_, at_}, .breaks_before = breaks};
+  if (at_ < text.size()) at_ = static_cast<std::uint32_t>(end_of_token(text, at_));
+  token_.span.end = at_;
+}
+
+/// Those that begin here, `breaks` line ends behind what stands in front of them; returns the line
+/// ends behind them.
+std::uint32_t TokenReader::read_comments(std::uint32_t breaks) {
+  const std::size_t size = tree_->file().text().size();
+  while (at_ == next_in_tree_) {
+    const Comment& comment = left_in_tree_.front();
+    left_in_tree_ = left_in_tree_.subspan(1);
+    find_next_in_tree();
     const bool follows_line = !comments_.empty() && comments_.back().ends_line;
     at_ = comment.span.end;
     const std::uint32_t breaks_before = follows_line ? std::max(breaks, 1u) : breaks;
     breaks = count_breaks();
-    const bool ends_line = breaks > 0 || at_ == text.size() || comment.kind != CommentKind::Block;
+    const bool ends_line = breaks > 0 || at_ == size || comment.kind != CommentKind::Block;
     comments_.push_back({.span = comment.span,
                          .kind = comment.kind,
                          .breaks_before = breaks_before,
                          .ends_line = ends_line});
   }
-  token_ = {.span = {at_, at_}, .breaks_before = breaks};
-  if (at_ < text.size()) at_ = static_cast<std::uint32_t>(end_of_token(text, at_));
-  token_.span.end = at_;
+  return breaks;
+}
+
+void TokenReader::find_next_in_tree() noexcept {
+  next_in_tree_ = left_in_tree_.empty() ? kNone : left_in_tree_.front().span.begin;
 }
 
 std::size_t TokenReader::count_trailing_comments() const noexcept {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -61,12 +62,17 @@ class TokenReader {
   Token lift();
 
  private:
+  static constexpr std::uint32_t kNone = 0xFFFFFFFF;  // no text is so long
+
   void read_gap();
+  std::uint32_t read_comments(std::uint32_t breaks);
+  void find_next_in_tree() noexcept;
   std::uint32_t count_breaks();
 
   const SyntaxTree* tree_;
-  std::uint32_t at_ = 0;                 // behind the next token
-  std::size_t next_in_tree_ = 0;         // of the tree's comments
+  std::uint32_t at_ = 0;  // behind the next token
+  std::span<const Comment> left_in_tree_;
+  std::uint32_t next_in_tree_ = kNone;   // where the first of them begins
   std::vector<PlacedComment> comments_;  // in front of the next token
   std::size_t next_comment_ = 0;
   Token token_;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "lang/source/limits.hpp"
+#include "lang/text/brackets.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -268,8 +269,6 @@ void add_commas(const std::vector<LayoutToken>& tokens, std::vector<BracketFault
   }
 }
 
-char closing(char bracket) noexcept { return bracket == '{' ? '}' : ']'; }
-
 /// Such a text is not read to its end anyway.
 bool is_too_deep(const std::vector<LayoutToken>& tokens) noexcept {
   int depth = 0;
@@ -297,7 +296,7 @@ std::vector<Pair> wrong_pairs(const std::vector<LayoutToken>& tokens) {
     if (token.kind != LayoutKind::Close) continue;
     if (open.empty()) return {};
     const LayoutToken& opening = tokens[open.back()];
-    if (token.bracket != closing(opening.bracket)) {
+    if (token.bracket != closing_bracket(opening.bracket)) {
       const bool is_in_line =
           token.line == opening.line || (token.is_first && token.indent == opening.indent);
       const bool has_labels = tokens[open.back() + 1].kind == LayoutKind::Label;
@@ -322,7 +321,7 @@ std::optional<MendedText> mend_brackets(const SourceFile& file, std::optional<st
   if (const auto pairs = wrong_pairs(tokens); !pairs.empty()) {
     if (!mended) mended.emplace(text);
     for (const auto& [open, close] : pairs) {
-      const char bracket = closing(tokens[open].bracket);
+      const char bracket = closing_bracket(tokens[open].bracket);
       report.wrong(close, open, bracket);
       (*mended)[tokens[close].begin] = bracket;
     }

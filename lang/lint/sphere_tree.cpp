@@ -62,11 +62,9 @@ double component(const Vec3& v, std::size_t axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-Vec3 least(Vec3 a, Vec3 b) {
-  return {std::fmin(a.x, b.x), std::fmin(a.y, b.y), std::fmin(a.z, b.z)};
-}
+Vec3 least(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vec3 largest(Vec3 a, Vec3 b) {
-  return {std::fmax(a.x, b.x), std::fmax(a.y, b.y), std::fmax(a.z, b.z)};
+  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
 }  // namespace
@@ -91,8 +89,8 @@ std::uint32_t SphereTree::build(std::uint32_t first, std::uint32_t count) {
   for (std::uint32_t i = first; i < first + count; ++i) {
     node.low = least(node.low, items_[i].center);
     node.high = largest(node.high, items_[i].center);
-    node.least = std::fmin(node.least, items_[i].radius);
-    node.largest = std::fmax(node.largest, items_[i].radius);
+    node.least = std::min(node.least, items_[i].radius);
+    node.largest = std::max(node.largest, items_[i].radius);
   }
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(node);
@@ -124,16 +122,16 @@ std::vector<std::uint32_t> SphereTree::members() const {
 }
 
 double SphereTree::least_distance(const Node& node, Vec3 p) const {
-  const Vec3 outside{std::fmax(0, std::fmax(node.low.x - p.x, p.x - node.high.x)),
-                     std::fmax(0, std::fmax(node.low.y - p.y, p.y - node.high.y)),
-                     std::fmax(0, std::fmax(node.low.z - p.z, p.z - node.high.z))};
+  const Vec3 outside{std::max(0.0, std::max(node.low.x - p.x, p.x - node.high.x)),
+                     std::max(0.0, std::max(node.low.y - p.y, p.y - node.high.y)),
+                     std::max(0.0, std::max(node.low.z - p.z, p.z - node.high.z))};
   return length(outside);
 }
 
 double SphereTree::largest_distance(const Node& node, Vec3 p) const {
-  const Vec3 far{std::fmax(std::fabs(node.low.x - p.x), std::fabs(node.high.x - p.x)),
-                 std::fmax(std::fabs(node.low.y - p.y), std::fabs(node.high.y - p.y)),
-                 std::fmax(std::fabs(node.low.z - p.z), std::fabs(node.high.z - p.z))};
+  const Vec3 far{std::max(std::fabs(node.low.x - p.x), std::fabs(node.high.x - p.x)),
+                 std::max(std::fabs(node.low.y - p.y), std::fabs(node.high.y - p.y)),
+                 std::max(std::fabs(node.low.z - p.z), std::fabs(node.high.z - p.z))};
   return length(far);
 }
 

@@ -5,6 +5,7 @@
 
 #include "lang/lint/context.hpp"
 #include "lang/lint/names.hpp"
+#include "lang/syntax/scan.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -31,38 +32,27 @@ std::string_view describe(const DeclaredName& declared) {
   }
 }
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-std::uint32_t line_begin(std::string_view text, std::uint32_t at) {
-  while (at > 0 && is_blank(text[at - 1])) --at;
-  return at;
-}
-
 /// Where the doc comments begin that stand in the lines above; else `line`, the line's own begin.
 std::uint32_t docs_begin(const SyntaxTree& tree, std::string_view text, std::uint32_t line) {
   const auto comments = tree.comments();
   auto above = std::ranges::lower_bound(comments, line, {},
                                         [](const Comment& comment) { return comment.span.begin; });
   while (above != comments.begin() && (--above)->kind == CommentKind::Doc) {
-    std::uint32_t end = above->span.end;
-    while (end < line && is_blank(text[end])) ++end;
-    const std::uint32_t begin = line_begin(text, above->span.begin);
-    const bool is_line_above = end + 1 == line && text[end] == '\n';
-    if (!is_line_above || (begin > 0 && text[begin - 1] != '\n')) break;
-    line = begin;
+    const bool is_line_above = skip_blanks(text, above->span.end) + 1 == line;
+    if (!is_line_above || !is_first_of_line(text, above->span.begin)) break;
+    line = line_begin(text, above->span.begin);
   }
   return line;
 }
 
 /// The statement's lines with those of its doc comments, if nothing else is on them.
 std::optional<Span> lines_of(const SyntaxTree& tree, std::string_view text, Span statement) {
-  const std::uint32_t begin = line_begin(text, statement.begin);
-  std::uint32_t end = statement.end;
-  while (end < text.size() && (is_blank(text[end]) || text[end] == ',')) ++end;
-  if (begin > 0 && text[begin - 1] != '\n') return std::nullopt;
+  if (!is_first_of_line(text, statement.begin)) return std::nullopt;
+  std::uint32_t end = skip_blanks(text, statement.end);
+  if (char_at(text, end) == ',') end = skip_blanks(text, end + 1);
   if (end < text.size() && text[end] != '\n') return std::nullopt;
   const auto behind = static_cast<std::uint32_t>(std::min<std::size_t>(end + 1, text.size()));
-  return Span{docs_begin(tree, text, begin), behind};
+  return Span{docs_begin(tree, text, line_begin(text, statement.begin)), behind};
 }
 
 }  // namespace

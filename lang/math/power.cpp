@@ -46,10 +46,8 @@ Exponential exponential(DoubleDouble z) noexcept {
   if (z.hi < -745.14) return {DoubleDouble{1, 0}, -2000};
   const int k = static_cast<int>(z.hi / kLn2.hi + (z.hi < 0 ? -0.5 : 0.5));
   const DoubleDouble r = z + kLn2 * DoubleDouble{-static_cast<double>(k), 0};
-  DoubleDouble sum{1, 0};
-  for (int n = 27; n >= 1; --n) {  // the next term is below 2^-130
-    sum = sum * r / DoubleDouble{static_cast<double>(n), 0} + DoubleDouble{1, 0};
-  }
+  DoubleDouble sum;
+  for (int n = 27; n >= 0; --n) sum = sum * r + kFactorialReciprocals[n];  // next: below 2^-130
   return {sum, k};
 }
 

@@ -1,7 +1,6 @@
 #include "lang/program/misspellings.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <optional>
 #include <span>
@@ -13,6 +12,7 @@
 #include "lang/ast/statements.hpp"
 #include "lang/program/path.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/text/ascii.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "lang/value/builtins.hpp"
 #include "lang/value/colors.hpp"
@@ -308,8 +308,8 @@ class Words {
   static void for_each_word(std::string_view text, Function function) {
     std::string word;
     for (const char c : text) {
-      if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
-        word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      if (is_ascii_letter(c)) {
+        word += to_lower(c);
       } else if (!word.empty()) {
         function(std::exchange(word, {}));
       }

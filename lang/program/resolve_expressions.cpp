@@ -7,6 +7,7 @@
 
 #include "lang/program/path.hpp"
 #include "lang/program/resolver.hpp"
+#include "lang/text/ascii.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "lang/value/builtins.hpp"
 #include "lang/value/colors.hpp"
@@ -47,10 +48,7 @@ bool has_argument(ast::Call call, std::string_view label) {
 
 /// What a function or constant of a library elsewhere is called here: `math.PI` is `pi`.
 std::string member_of_library(std::string_view path) {
-  std::string name(path.substr(path.rfind('.') + 1));
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c; });
-  return name;
+  return lower_case(path.substr(path.rfind('.') + 1));
 }
 
 bool is_color(ast::Node value) {

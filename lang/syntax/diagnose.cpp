@@ -12,6 +12,7 @@
 #include "lang/syntax/scan.hpp"
 #include "lang/syntax/tree_builder.hpp"
 #include "lang/syntax/vocabulary.hpp"
+#include "lang/text/ascii.hpp"
 #include "lang/text/nearest_name.hpp"
 
 namespace sdlc::lang {
@@ -484,9 +485,7 @@ std::uint32_t diagnose_header(TreeBuilder& builder, std::uint32_t at) {
   };
 
   if (word != kScene) {
-    std::string small(word);
-    std::transform(small.begin(), small.end(), small.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c; });
+    const std::string small = lower_case(word);
     const bool differs_by_case = small == kScene;
     if (word == "scene1") {
       missing(found).fix(builder.location(found), "scene 1");

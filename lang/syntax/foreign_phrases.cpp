@@ -10,6 +10,7 @@
 #include "lang/syntax/foreign_words.hpp"
 #include "lang/syntax/scan.hpp"
 #include "lang/syntax/vocabulary.hpp"
+#include "lang/text/ascii.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -469,7 +470,7 @@ class PhraseReader {
                           written(at_ + 2) == "=" && is_behind(at_ + 2);
     if (!is_typed) return false;
     std::string kind(written(at_));
-    kind[0] = static_cast<char>(kind[0] | 0x20);
+    kind[0] = to_lower(kind[0]);
     const auto kinds = all_kinds();
     const bool is_kind = std::any_of(kinds.begin(), kinds.end(),
                                      [&](const Kind& known) { return known.name == kind; });

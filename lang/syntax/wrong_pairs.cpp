@@ -4,6 +4,7 @@
 
 #include "lang/syntax/scan.hpp"
 #include "lang/syntax/vocabulary.hpp"
+#include "lang/text/brackets.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -14,27 +15,29 @@ class PairMarker {
       : text_(text), tokens_(tokens) {}
 
   void run() {
-    std::vector<std::size_t> open;
+    std::vector<Pair> open;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (tokens_[i].kind == LayoutKind::Open) open.push_back(i);
+      if (tokens_[i].kind == LayoutKind::Open) open.push_back({.open = i});
       if (tokens_[i].kind != LayoutKind::Close || open.empty()) continue;
-      if (is_pair(tokens_[open.back()].bracket, tokens_[i].bracket)) check(open.back(), i);
+      Pair pair = open.back();
       open.pop_back();
+      pair.close = i;
+      if (is_bracket_pair(tokens_[pair.open].bracket, tokens_[i].bracket)) check(pair);
+      if (!open.empty())
+        open.back().has_block |= pair.has_block || tokens_[pair.open].bracket == '{';
     }
   }
 
  private:
-  static bool is_pair(char open, char close) {
-    return (open == '(' && close == ')') || (open == '[' && close == ']') ||
-           (open == '{' && close == '}');
-  }
+  struct Pair {
+    std::size_t open = 0, close = 0;  ///< tokens
+    bool has_block = false;           ///< a brace opens inside
+  };
 
-  void check(std::size_t open, std::size_t close) {
+  void check(const Pair& pair) {
+    const auto [open, close, has_block] = pair;
     if (open < 2 || !is_name(open - 1)) return;
-    bool is_one_line = tokens_[open].line == tokens_[close].line;
-    for (std::size_t i = open + 1; i < close; ++i) {
-      is_one_line = is_one_line && tokens_[i].bracket != '{';
-    }
+    const bool is_one_line = tokens_[open].line == tokens_[close].line && !has_block;
     const bool are_arguments =
         (tokens_[open].bracket == '{' && is_one_line && is_value(open, close)) ||
         (tokens_[open].bracket == '[' && is_label(open + 1));

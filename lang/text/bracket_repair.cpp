@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lang/source/limits.hpp"
+#include "lang/text/brackets.hpp"
 
 // A search with a beam: from token to token it keeps the cheapest explanations of the text so far.
 // A mistake costs most; what a tidy text would not have costs a little, and tells where among
@@ -54,10 +55,8 @@ constexpr int kMostCost = 40 * static_cast<int>(kMostFaults);  ///< a text beyon
 bool is_parenthesis(char open) noexcept { return open != '{' && open != '\0'; }
 bool matches(char open, char close) noexcept {
   if (open == '?') return close != '}';
-  return (open == '(' && close == ')') || (open == '[' && close == ']') ||
-         (open == '{' && close == '}');
+  return is_bracket_pair(open, close);
 }
-char closing(char open) noexcept { return open == '{' ? '}' : open == '[' ? ']' : ')'; }
 
 /// A bracket that is open. `?` stands for a parenthesis or list whose opening bracket is missing.
 struct Frame {
@@ -205,7 +204,7 @@ class Search {
     if (!is_wrong) return;
     Hypothesis replaced = with(hypothesis,
                                {.kind = BracketFault::MissingClose,
-                                .bracket = closing(frame.open),
+                                .bracket = closing_bracket(frame.open),
                                 .token = here_index(),
                                 .partner = frame.opener},
                                cost::kFault + price_of_end(frame));
@@ -222,7 +221,7 @@ class Search {
     if (!is_swapped) return;
     Hypothesis swapped = with(hypothesis,
                               {.kind = BracketFault::Swapped,
-                               .bracket = closing(frame.open),
+                               .bracket = closing_bracket(frame.open),
                                .token = here_index(),
                                .partner = frame.opener},
                               cost::kFault);
@@ -256,7 +255,7 @@ class Search {
     const Frame& frame = *hypothesis.frame;
     Hypothesis next = with(hypothesis,
                            {.kind = BracketFault::MissingClose,
-                            .bracket = closing(frame.open),
+                            .bracket = closing_bracket(frame.open),
                             .token = static_cast<std::uint32_t>(at_),
                             .partner = frame.is_added ? BracketFault::kNone : frame.opener},
                            cost::kFault + price_of_early_end(frame));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lang/text/brackets.hpp"
+
 namespace sdlc::lang {
 namespace {
 
@@ -19,8 +21,7 @@ bool has_matching_brackets(std::span<const LayoutToken> tokens) {
   for (const LayoutToken& token : tokens) {
     if (token.kind == LayoutKind::Open) open += token.bracket;
     if (token.kind != LayoutKind::Close) continue;
-    const char opener = token.bracket == ')' ? '(' : token.bracket == ']' ? '[' : '{';
-    if (open.empty() || open.back() != opener) return false;
+    if (open.empty() || !is_bracket_pair(open.back(), token.bracket)) return false;
     open.pop_back();
   }
   return open.empty();

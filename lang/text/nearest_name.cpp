@@ -5,19 +5,20 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "lang/text/ascii.hpp"
+
 namespace sdlc::lang {
 namespace {
 
 constexpr std::size_t kLongestName = 64;  ///< one bit for each character; longer is no typo
 
-constexpr unsigned char lower_case(char c) noexcept {
-  return static_cast<unsigned char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-}
+/// The row of a table of characters that stands for both cases.
+constexpr unsigned char row_of(char c) noexcept { return static_cast<unsigned char>(to_lower(c)); }
 
 bool starts_with(std::string_view text, std::string_view begin) noexcept {
   return text.size() >= begin.size() &&
          std::equal(begin.begin(), begin.end(), text.begin(),
-                    [](char a, char b) { return lower_case(a) == lower_case(b); });
+                    [](char a, char b) { return to_lower(a) == to_lower(b); });
 }
 
 /// Distances from one name to many, case ignored: Damerau-Levenshtein with adjacent transpositions
@@ -29,7 +30,7 @@ class EditDistance {
   explicit EditDistance(std::string_view name) noexcept
       : size_(name.size()), last_(std::uint64_t{1} << (name.size() - 1)) {
     for (std::size_t i = 0; i < name.size(); ++i) {
-      places_[lower_case(name[i])] |= std::uint64_t{1} << i;
+      places_[row_of(name[i])] |= std::uint64_t{1} << i;
     }
   }
 
@@ -39,7 +40,7 @@ class EditDistance {
     std::uint64_t diagonal = 0, places_before = 0;
     std::size_t distance = size_;
     for (const char c : other) {
-      const std::uint64_t places = places_[lower_case(c)];
+      const std::uint64_t places = places_[row_of(c)];
       const std::uint64_t swapped = ((~diagonal & places) << 1) & places_before;
       diagonal = (((places & rises) + rises) ^ rises) | places | falls | swapped;
       std::uint64_t grows = falls | ~(diagonal | rises);

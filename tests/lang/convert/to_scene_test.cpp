@@ -1,5 +1,6 @@
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -146,6 +147,36 @@ TEST(ToScene, MakesAPlainPictureOfAnImage) {
             "background { color: linear255(128, 64, 255) }\n"
             "\n"
             "render { width: 960, height: 100, output: \"a.png\", tone: linear }\n");
+}
+
+/// Glass spheres with these radii, as spelled.
+std::string glass_with_radii(const std::vector<std::string>& radii) {
+  std::string spheres;
+  for (const std::string& radius : radii) {
+    spheres += (spheres.empty() ? "" : ", ") + std::string(R"({"origin": [0, 0, 0], "radius": )") +
+               radius + R"(, "material": {)" + kGlass + "}}";
+  }
+  return scene_of(Config{.spheres = "[" + spheres + "]"}.text());
+}
+
+TEST(ToScene, GivesARadiusANameThatFourSpheresOfAMaterialHave) {
+  const std::string scene = glass_with_radii({"0.20", "1", "0.20", "0.20", "0.20"});
+  EXPECT_THAT(scene, HasSubstr("let glass = transmissive(ior: 1.50)\n"
+                               "let glass_radius = 0.20\n"));
+  EXPECT_THAT(scene, HasSubstr("radius: glass_radius, material: glass }"));
+  EXPECT_THAT(scene, HasSubstr("radius: 1, material: glass }"));
+  EXPECT_THAT(scene, Not(HasSubstr("radius: 0.20")));
+}
+
+TEST(ToScene, LeavesARadiusOfThreeSpheresWhereItIs) {
+  EXPECT_THAT(glass_with_radii({"0.20", "0.20", "0.20", "1", "2"}), Not(HasSubstr("glass_radius")));
+  // Spelled in another way it is another number to the reader.
+  EXPECT_THAT(glass_with_radii({"0.20", "0.20", "0.2", "0.2"}), Not(HasSubstr("glass_radius")));
+}
+
+TEST(ToScene, NamesTheRadiusThatComesFirstOfTwoAsFrequent) {
+  EXPECT_THAT(glass_with_radii({"3", "2", "2", "2", "2", "3", "3", "3"}),
+              HasSubstr("let glass_radius = 3\n"));
 }
 
 TEST(ToScene, RefusesAConfigWithErrors) {

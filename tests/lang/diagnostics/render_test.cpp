@@ -1,5 +1,7 @@
 #include "lang/diagnostics/render.hpp"
 
+#include <sstream>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -50,8 +52,18 @@ TEST(RenderJson, HoldsEverything) {
       "chain": [{"message": "in `ring`", "location": {"file": "a.scene", "line": 2, "column": 1,
         "end_line": 2, "end_column": 7, "offset": 9, "end_offset": 15}}]
     }],
-    "errors": 1, "warnings": 0, "omitted": 0
+    "failures": [], "errors": 1, "warnings": 0, "omitted": 0
   })"));
+}
+
+TEST(RenderJson, TellsWhatCouldNotBeLookedAt) {
+  std::ostringstream out;
+  const auto writer = make_diagnostic_writer({.format = MessageFormat::Json}, out);
+  writer->fail("nope.scene", "cannot read `nope.scene`");
+  writer->finish({});
+  EXPECT_EQ(nlohmann::json::parse(out.str())["failures"], nlohmann::json::parse(R"([
+    {"file": "nope.scene", "reason": "cannot read `nope.scene`"}
+  ])"));
 }
 
 TEST(RenderJson, IsAsciiWhateverTheTextIs) {
