@@ -211,8 +211,15 @@ TEST_F(InspectCommand, LaysOutAReportForPeople) {
             HasSubstr("background      linear(0, 0, 0)\n"),
             HasSubstr("picture         320 x 180 pixels, 4 samples, depth 6, seed 9, tone sqrt\n"),
             HasSubstr("requires        motion, diffuse, specular, emissive\n"),
-            HasSubstr("  kernel        float precision, wide, for "), HasSubstr("  picture       1.32 MiB\n"),
-            HasSubstr(" to parse, ")));
+            HasSubstr("  kernel        float precision, wide, for "),
+            HasSubstr("  picture       1.32 MiB\n"), HasSubstr(" to parse, ")));
+}
+
+TEST_F(InspectCommand, TellsTheKernelThatIsAskedFor) {
+  EXPECT_EQ(inspect("ring.scene --kernel scalar")["kernel"], "scalar");
+  const ProgramResult refused = run("ring.scene --kernel scalar --precision float");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--precision: the scalar kernel computes in double"));
 }
 
 TEST_F(InspectCommand, PrintsDiagnosticsAsRenderDoes) {

@@ -68,6 +68,12 @@ TEST(FloatVerdict, TakesLargeSpheresOutOfTheBounds) {
   EXPECT_THAT(judge(scene).exact_spheres, ElementsAre(3, 4));
   scene.spheres.push_back({.center = {0, 0, -10010}, .radius = 10000});
   EXPECT_FALSE(judge(scene).is_accepted);
+  // Points on one: 2 u E ≤ r / 100 with r = 1: E, which is 2 R + 2, at most 83886.
+  Scene large = plain_scene();
+  large.spheres.push_back({.center = {0, -41002, 0}, .radius = 41000});
+  EXPECT_THAT(judge(large).exact_spheres, ElementsAre(3));
+  large.spheres[3] = {.center = {0, -43002, 0}, .radius = 43000};
+  EXPECT_FALSE(judge(large).is_accepted);
   Scene earth = plain_scene();
   earth.spheres.push_back({.center = {0, -6.371e6 - 2, 0}, .radius = 6.371e6});
   EXPECT_FALSE(judge(earth).is_accepted);
@@ -76,9 +82,9 @@ TEST(FloatVerdict, TakesLargeSpheresOutOfTheBounds) {
 // Across the view: 2 u E ≤ d · pixel / 16 with E = 5.1 and a pixel of 1/540: d ≥ 0.0053.
 TEST(FloatVerdict, RefusesSurfacesThatAreTooNear) {
   Scene scene = plain_scene();
-  scene.camera.from = {0, 0, 1.02};
-  EXPECT_TRUE(judge(scene).is_accepted);
-  scene.camera.from = {0, 0, 1.001};
+  scene.camera.from = {0, 0, 1.006};
+  EXPECT_TRUE(judge_float(scene, kHeight, 0).is_accepted);
+  scene.camera.from = {0, 0, 1.0045};
   EXPECT_FALSE(judge_float(scene, kHeight, 0).is_accepted);
   EXPECT_THAT(judge_float(scene, kHeight, 0).reason, HasSubstr("near"));
   scene.camera.from = {0, 0, 1};  // on it: it counts as left
@@ -89,11 +95,22 @@ TEST(FloatVerdict, RefusesNarrowPixels) {
   EXPECT_TRUE(judge(plain_scene(), 40000).is_accepted);
   EXPECT_FALSE(judge(plain_scene(), 2'000'000).is_accepted);
   EXPECT_THAT(judge(plain_scene(), 2'000'000).reason, HasSubstr("narrower"));
+  // 16 u is a part in 1048576. What is not on the camera's own surface is too near long before.
+  Scene on_sphere = plain_scene();
+  on_sphere.spheres = {{.center = {0, 0, 9}, .radius = 1}};
+  EXPECT_TRUE(judge(on_sphere, 1'000'000).is_accepted);
+  EXPECT_THAT(judge(on_sphere, 1'100'000).reason, HasSubstr("narrower"));
 }
 
 TEST(FloatVerdict, RefusesViewsOfNearlyHalfTheSphere) {
   Scene scene = plain_scene();
-  scene.camera.plane_height = 1e7;
+  scene.camera.plane_height = 9e5;
+  scene.camera.aspect = 1;
+  EXPECT_TRUE(judge(scene).is_accepted);
+  scene.camera.plane_height = 1.1e6;
+  EXPECT_THAT(judge(scene).reason, HasSubstr("too wide"));
+  scene.camera.plane_height = 9e4;
+  scene.camera.aspect = 16;
   EXPECT_THAT(judge(scene).reason, HasSubstr("too wide"));
 }
 

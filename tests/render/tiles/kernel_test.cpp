@@ -95,5 +95,28 @@ TEST_F(KernelChoice, DoesAsItIsAsked) {
   EXPECT_THAT(choose_kernel(large, kSettings, {.precision = Precision::Double}).refusal, IsEmpty());
 }
 
+TEST_F(KernelChoice, TakesAnInstructionSetAsAWordForTheWideKernel) {
+  const RenderSettings fine{.width = 960, .height = 1 << 22};  // in double: for the hierarchy
+  const Isa isa = available_isas().front();
+  EXPECT_EQ(choose_kernel(line_of_spheres(250, 0.2), fine).kind, KernelKind::Scalar);
+  EXPECT_EQ(choose_kernel(line_of_spheres(250, 0.2), fine, {.isa = isa}).kind, KernelKind::Wide);
+  EXPECT_THAT(choose_kernel(line_of_spheres(300, 0.2), fine, {.isa = isa}).refusal,
+              HasSubstr("--isa: not with the wide kernel: more than"));
+  EXPECT_THAT(
+      choose_kernel(line_of_spheres(9, 0.2), kSettings, {.kind = KernelKind::Scalar, .isa = isa})
+          .refusal,
+      HasSubstr("--isa: the scalar kernel has no other instructions"));
+  // None that the machines of the tests lack is known to all of them.
+  constexpr auto kNotOfThisMachine = static_cast<Isa>(99);
+  EXPECT_THAT(choose_kernel(line_of_spheres(9, 0.2), kSettings, {.isa = kNotOfThisMachine}).refusal,
+              HasSubstr("--isa: this machine has no"));
+}
+
+TEST_F(KernelChoice, LeavesASkyToTheScalarKernel) {
+  EXPECT_EQ(choose_kernel(line_of_spheres(0, 1), kSettings).kind, KernelKind::Scalar);
+  EXPECT_THAT(choose_kernel(line_of_spheres(0, 1), kSettings, {.kind = KernelKind::Wide}).refusal,
+              HasSubstr("--kernel: not with the wide kernel: no spheres"));
+}
+
 }  // namespace
 }  // namespace sdlc::render
