@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -81,13 +82,34 @@ Scene scene_from_a_surface() {
   return scene;
 }
 
+/// The ground is met in double where the rest is float.
+Scene scene_above_a_large_ground() {
+  Scene scene = beam_scene({0, 1, 4}, {0, 0, 0}, LinearRgb{1});
+  scene.background = {};
+  scene.camera.plane_height = 1.2;
+  add_sphere(scene, {0, -1e4 - 1, 0}, 1e4, diffuse({0.5, 0.6, 0.3}));
+  add_sphere(scene, {-1.2, 0, 0}, 0.5, specular({0.8, 0.8, 0.6}, 0.2));
+  add_sphere(scene, {0, 0, 0}, 0.5, transmissive({1, 0.9, 1}, 1.5));
+  add_sphere(scene, {1.2, 0, 0}, 0.5, diffuse({0.9, 0.2, 0.1}));
+  return scene;
+}
+
+Scene moving_above_a_large_ground() {
+  Scene scene = scene_above_a_large_ground();
+  scene.shifts.assign(scene.spheres.size(), Vec3{});
+  scene.shifts[3] = {0, 0.4, 0};
+  return scene;
+}
+
 const std::vector<std::pair<const char*, Scene>>& scenes() {
   static const std::vector<std::pair<const char*, Scene>> all{
       {"rich", rich_scene()},
       {"moving", moving_scene()},
       {"plain", plain_scene()},
       {"metal", metal_scene()},
-      {"from a surface", scene_from_a_surface()}};
+      {"from a surface", scene_from_a_surface()},
+      {"above a large ground", scene_above_a_large_ground()},
+      {"moving above a large ground", moving_above_a_large_ground()}};
   return all;
 }
 
@@ -205,15 +227,19 @@ TEST(WideKernel, GivesTheSameBytesWithAvx2AndAvx512) {
     if (std::find(isas.begin(), isas.end(), isa) == isas.end())
       GTEST_SKIP() << "not on this machine";
   }
+  std::set<Precision> precisions;
   for (const auto& [name, scene] : scenes()) {
     for (const Precision precision : {Precision::Float, Precision::Double}) {
-      const auto picture = [&](render::Isa isa) {
-        return render_with(scene, kSettings, WideForm{isa, precision}.request()).picture;
+      const auto result = [&](render::Isa isa) {
+        return render_with(scene, kSettings, WideForm{isa, precision}.request());
       };
-      EXPECT_EQ(picture(render::Isa::Avx2).pixels, picture(render::Isa::Avx512).pixels)
+      const RenderResult with_avx2 = result(render::Isa::Avx2);
+      precisions.insert(with_avx2.kernel.precision);
+      EXPECT_EQ(with_avx2.picture.pixels, result(render::Isa::Avx512).picture.pixels)
           << name << ", " << name_of(precision);
     }
   }
+  EXPECT_EQ(precisions.size(), 3u) << "mixed too";
 }
 
 }  // namespace
