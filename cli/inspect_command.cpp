@@ -118,8 +118,37 @@ class InspectJob {
     env_.out << (options_.is_json() ? to_json(spheres) : to_text(spheres));
   }
 
+  std::vector<PrecisionFigures> judge_precisions(const lang::LoweredScene& lowered) {
+    using render::Precision;
+    const render::Scene& scene = lowered.scene;
+    const render::FloatVerdict verdict = judge_float(scene, scene.camera, lowered.settings);
+    std::vector<PrecisionFigures> all{{Precision::Float, verdict.in_float, {}, {}}};
+    if (!verdict.exact_spheres.empty()) {
+      all.push_back({Precision::Mixed, verdict.bounds, verdict.exact_spheres, {}});
+    }
+    all.push_back({Precision::Double,
+                   judge_precision(scene, scene.camera, lowered.settings, Precision::Double),
+                   {},
+                   {}});
+    for (PrecisionFigures& figures : all) find_places(figures);
+    return all;
+  }
+
+  void find_places(PrecisionFigures& figures) {
+    const render::PrecisionBound& bound = figures.bounds[figures.bounds.deciding()];
+    std::vector<std::uint32_t> spheres;
+    if (bound.sphere) spheres.push_back(*bound.sphere);
+    if (bound.other && bound.other != bound.sphere) spheres.push_back(*bound.other);
+    std::vector<std::uint32_t> wanted = spheres;
+    std::ranges::sort(wanted);
+    const std::vector<lang::Origin> origins = compiler_.trace(wanted);
+    for (const std::uint32_t sphere : spheres) {
+      figures.places.push_back(origins[sphere == wanted.front() ? 0 : 1].where);
+    }
+  }
+
   InspectReport make_report(lang::LoweredScene lowered,
-                            const std::optional<lang::Animation>& animation) const {
+                            const std::optional<lang::Animation>& animation) {
     const render::Scene& scene = lowered.scene;
     std::optional<int> frame;
     if (animation) frame = options_.frame.value_or(animation->first);
@@ -135,8 +164,11 @@ class InspectJob {
         .spheres = measure_spheres(scene),
         .memory = estimate_memory(scene, lowered.settings),
         .features = {},
-        .kernel = chosen_kernel(scene, lowered.settings, options_.kernel),
+        .kernel =
+            chosen_kernel(lowered, kernel_request(options_.kernel, lowered, options_.overrides)),
+        .precisions = {},
         .times = compiler_.times()};
+    if (lowered.camera && !scene.spheres.empty()) report.precisions = judge_precisions(lowered);
     report.features = required_features(scene, report.materials);
     report.times.parse_seconds += read_seconds_;
     report.lowered = std::move(lowered);

@@ -3,6 +3,7 @@
 #include "cli/frames.hpp"
 #include "cli/inspect_report.hpp"
 #include "cli/kernel_options.hpp"
+#include "cli/precision_json.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -108,6 +109,28 @@ Json location_json(const lang::Location& where) {
   return {{"file", where.file->name()}, {"line", position.line}, {"column", position.column}};
 }
 
+Json precisions_json(const InspectReport& report) {
+  using render::PrecisionClause;
+  Json json = Json::object();
+  for (const PrecisionFigures& figures : report.precisions) {
+    Json bounds{{"is_accepted", figures.bounds.is_accepted()},
+                {"deciding", name_of(figures.bounds.deciding())}};
+    Json places = Json::array();
+    for (const lang::Location& place : figures.places) places.push_back(location_json(place));
+    bounds["locations"] = std::move(places);
+    if (figures.precision == render::Precision::Mixed) {
+      bounds["exact_spheres"] = figures.exact_spheres;
+    }
+    for (std::size_t i = 0; i < render::kPrecisionClauses; ++i) {
+      const auto clause = static_cast<PrecisionClause>(i);
+      const bool is_known = clause != PrecisionClause::Gap || figures.bounds.has_gaps;
+      bounds[std::string(name_of(clause))] = is_known ? bound_json(figures.bounds[clause]) : Json();
+    }
+    json[std::string(name_of(figures.precision))] = std::move(bounds);
+  }
+  return json;
+}
+
 std::string dump(const Json& json) {
   // ASCII only: the output is safe on a terminal, and bytes that are not UTF-8 do not end it.
   constexpr bool kIsAscii = true;
@@ -143,6 +166,7 @@ std::string to_json(const InspectReport& report) {
                {"picture", picture_json(report)},
                {"features", report.features},
                {"precision", name_of(report.kernel.precision)},
+               {"precision_bounds", precisions_json(report)},
                {"kernel", name_of(report.kernel.kind)},
                {"kernel_reason", report.kernel.reason},
                {"instruction_set", instruction_set(report.kernel)},

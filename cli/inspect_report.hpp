@@ -15,6 +15,15 @@
 /// What `sdlc inspect` prints.
 namespace sdlc::cli {
 
+/// How near the scene comes to what numbers of one precision resolve.
+struct PrecisionFigures {
+  render::Precision precision;
+  render::PrecisionBounds bounds;
+  std::vector<std::uint32_t> exact_spheres;  ///< of Mixed
+  /// Where the spheres that decide stand in the text, in the order of their roles.
+  std::vector<lang::Location> places;
+};
+
 /// Everything about a scene at one frame.
 struct InspectReport {
   std::string scene;                      ///< the file, as the user named it
@@ -29,6 +38,7 @@ struct InspectReport {
   MemoryFigures memory;
   std::vector<std::string> features;
   render::Kernel kernel;
+  std::vector<PrecisionFigures> precisions;  ///< none without a camera
   lang::CompileTimes times;
 };
 

@@ -155,6 +155,24 @@ void write_picture(const InspectReport& report, Sheet& sheet) {
                report.output ? lang::printable(*report.output) : "no name: `render` needs -o OUT");
 }
 
+/// "accepted: a hit is off by … (sphere 3, at ball.scene:4:1)"
+std::string describe_bounds(const PrecisionFigures& figures) {
+  const render::PrecisionClause clause = figures.bounds.deciding();
+  const render::PrecisionBound& bound = figures.bounds[clause];
+  std::string text = figures.bounds.is_accepted() ? "accepted" : "refused";
+  if (!figures.exact_spheres.empty()) {
+    text += fmt::format(", {} met in double", plural(figures.exact_spheres.size(), "sphere"));
+  }
+  text += ": " + describe(clause, bound);
+  std::vector<std::string> spheres;
+  for (const auto& sphere : {bound.sphere, bound.other}) {
+    if (!sphere || spheres.size() == figures.places.size()) continue;
+    spheres.push_back(fmt::format("sphere {} at {}", *sphere,
+                                  lang::describe_place(figures.places[spheres.size()])));
+  }
+  return spheres.empty() ? text : fmt::format("{} ({})", text, fmt::join(spheres, ", "));
+}
+
 void write_requirements(const InspectReport& report, Sheet& sheet) {
   sheet.row("requires", report.features.empty()
                             ? "nothing special"
@@ -162,6 +180,9 @@ void write_requirements(const InspectReport& report, Sheet& sheet) {
   sheet.detail("kernel", fmt::format("{} precision, {}, for {} ({})",
                                      name_of(report.kernel.precision), name_of(report.kernel.kind),
                                      instruction_set(report.kernel), report.kernel.reason));
+  for (const PrecisionFigures& figures : report.precisions) {
+    sheet.detail(name_of(figures.precision), describe_bounds(figures));
+  }
 }
 
 void write_memory(const InspectReport& report, Sheet& sheet) {

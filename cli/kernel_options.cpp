@@ -16,11 +16,9 @@ namespace {
 
 using render::Isa;
 using render::KernelKind;
-using render::Precision;
 
 constexpr std::string_view kAuto = "auto";
 constexpr std::array kKinds{KernelKind::Scalar, KernelKind::Wide};
-constexpr std::array kPrecisions{Precision::Float, Precision::Double};
 
 /// The option's words are `auto` and the names of `choices`; the one given is what `chosen`
 /// becomes.
@@ -44,15 +42,23 @@ void add_choice(CLI::App& command, const char* flag, const std::array<T, N>& cho
 void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
   add_choice(command, "--kernel", kKinds, request.kind,
              "How paths are traced: one at a time, or one in every lane of a vector");
-  add_choice(command, "--precision", kPrecisions, request.precision,
-             "Of the numbers of the paths; auto: float where rounding cannot be seen");
   add_choice(command, "--isa", render::kIsas, request.isa,
              "The instruction set of the wide kernel; auto: the best of the machine");
 }
 
-render::Kernel chosen_kernel(const render::Scene& scene, const render::RenderSettings& settings,
+render::KernelRequest kernel_request(const render::KernelRequest& flags,
+                                     const lang::LoweredScene& lowered,
+                                     const lang::Overrides& overrides) {
+  render::KernelRequest request = flags;
+  request.precision = lowered.precision;
+  // What the scene says is a wish, what a flag says is an order.
+  request.may_take_double = !overrides.precision;
+  return request;
+}
+
+render::Kernel chosen_kernel(const lang::LoweredScene& lowered,
                              const render::KernelRequest& request) {
-  render::Kernel kernel = render::choose_kernel(scene, settings, request);
+  render::Kernel kernel = render::choose_kernel(lowered.scene, lowered.settings, request);
   if (!kernel.refusal.empty()) throw UsageError(kernel.refusal);
   return kernel;
 }

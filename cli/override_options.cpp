@@ -51,6 +51,7 @@ void add_override_options(CLI::App& command, lang::Overrides& overrides) {
   add_override(command, kThreads, overrides.threads);
   add_override(command, kTone, overrides.tone);
   add_override(command, kCamera, overrides.camera);
+  add_override(command, kPrecision, overrides.precision);
 }
 
 }  // namespace sdlc::cli

@@ -125,8 +125,9 @@ std::uint64_t total_samples(const render::RenderSettings& settings) {
 }
 
 /// Traces with progress; Ctrl-C ends it early. Takes the scene's spheres.
-render::RenderResult trace(lang::LoweredScene& lowered, const RenderOptions& options,
-                           RenderStatistics& statistics, Environment& env) {
+render::RenderResult trace(lang::LoweredScene& lowered, const render::KernelRequest& kernel,
+                           const RenderOptions& options, RenderStatistics& statistics,
+                           Environment& env) {
   render::RenderMonitor monitor;
   monitor.on_tracing = [&] {
     statistics.render_rss_bytes = resident_bytes();  // before the codec adds its own
@@ -135,7 +136,7 @@ render::RenderResult trace(lang::LoweredScene& lowered, const RenderOptions& opt
   const InterruptGuard interrupt(monitor.cancel);
   const ProgressReporter progress(progress_style(options, env), monitor,
                                   total_samples(lowered.settings), env.err);
-  return render::render(std::move(lowered.scene), lowered.settings, monitor, options.kernel);
+  return render::render(std::move(lowered.scene), lowered.settings, monitor, kernel);
 }
 
 /// The closing line, and how the command ends.
@@ -251,9 +252,16 @@ class RenderJob {
     if (frame != frames_.front()) request.stats.clear();
     const std::vector<Output> outputs = plan_outputs(request);
     check_memory(settings);
-    chosen_kernel(lowered->scene, settings, options_.kernel);  // refused before anything is traced
+    const render::KernelRequest request_of_kernel =
+        kernel_request(options_.kernel, *lowered, options_.overrides);
+    // Refused before anything is traced.
+    const render::Kernel kernel = chosen_kernel(*lowered, request_of_kernel);
+    if (!options_.stats.empty()) {
+      statistics.bounds = bounds_of(kernel, lowered->scene, settings);
+    }
 
-    const render::RenderResult result = trace(*lowered, options_, statistics, env_);
+    const render::RenderResult result =
+        trace(*lowered, request_of_kernel, options_, statistics, env_);
     if (!result.is_complete) env_.err << "interrupted; saving what there is" << std::endl;
     const auto write_start = std::chrono::steady_clock::now();
     const std::vector<std::string> written =

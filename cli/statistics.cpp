@@ -4,6 +4,7 @@
 
 #include "cli/environment.hpp"
 #include "cli/kernel_options.hpp"
+#include "cli/precision_json.hpp"
 
 namespace sdlc::cli {
 
@@ -23,6 +24,7 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"threads", result.threads},
       {"instruction_set", instruction_set(result.kernel)},
       {"precision", name_of(result.kernel.precision)},
+      {"precision_bound", deciding_bound_json(statistics.bounds)},
       {"kernel", name_of(result.kernel.kind)},
       {"features", statistics.features},
       {"parse_seconds", statistics.compile.parse_seconds},

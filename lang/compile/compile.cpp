@@ -113,7 +113,10 @@ LoweredScene Compiler::build(const Overrides& overrides, std::optional<int> fram
   LoweredScene lowered = builder.finish(overrides);
   dropped_ = builder.dropped();
   // What went wrong may be why two are equal.
-  if (!sink_.has_errors()) report_dropped();
+  if (!sink_.has_errors()) {
+    report_dropped();
+    report_precision(lowered, purpose);
+  }
   times_.parse_seconds += seconds(read - start);
   times_.lower_seconds = seconds(Clock::now() - read);
   return lowered;
@@ -171,6 +174,47 @@ void Compiler::report_dropped() {
                 : "")
         .chain(dropped.chain);
   }
+}
+
+void Compiler::report_precision(const LoweredScene& lowered, Purpose purpose) {
+  std::vector<render::Camera> cameras;
+  for (const CheckedCamera& checked : lowered.checked_cameras) cameras.push_back(checked.camera);
+  if (purpose == Purpose::Picture && lowered.camera) cameras = {lowered.scene.camera};
+  cameras.resize(cameras_to_judge(cameras.size(), lowered.scene.spheres.size()));
+  for (const render::Camera& camera : cameras) {
+    const auto fault =
+        find_precision_fault(lowered.scene, camera, lowered.settings, lowered.precision);
+    if (!fault) continue;
+    // What else a check finds is for `lint` to tell.
+    if (purpose == Purpose::Check && fault->info != &diag::beyond_double) continue;
+    // Its numbers change from frame to frame; once is enough.
+    const bool is_error = fault->info == &diag::beyond_double;
+    if (is_error || !std::exchange(has_told_precision_, true)) report_fault(*fault, lowered);
+    return;
+  }
+}
+
+void Compiler::report_fault(const PrecisionFault& fault, const LoweredScene& lowered) {
+  std::vector<std::uint32_t> wanted;
+  for (const PrecisionFault::Role& role : fault.roles) wanted.push_back(role.sphere);
+  std::ranges::sort(wanted);
+  const std::vector<Origin> origins = trace(wanted);
+  const auto origin = [&](const PrecisionFault::Role& role) -> const Origin& {
+    const auto found = std::ranges::lower_bound(wanted, role.sphere);
+    return origins[static_cast<std::size_t>(found - wanted.begin())];
+  };
+  // The setting is to blame where there is one, else the sphere that decides.
+  const Location setting = lowered.places.precision;
+  const bool is_set =
+      fault.info == &diag::beyond_precision && setting.file != nullptr && !overrides_.precision;
+  Location where{&file_, {0, 0}};
+  if (!fault.roles.empty()) where = origin(fault.roles.front()).where;
+  auto report = sink_.report_as(*fault.info, is_set ? setting : where, fault.message);
+  for (std::size_t i = is_set ? 0 : 1; i < fault.roles.size(); ++i) {
+    report.label(origin(fault.roles[i]).where, fault.roles[i].label);
+  }
+  report.help(fault.help);
+  if (!is_set && !fault.roles.empty()) report.chain(origin(fault.roles.front()).chain);
 }
 
 std::vector<Origin> Compiler::trace_added(std::span<const std::uint32_t> spheres) {

@@ -11,6 +11,7 @@
 #include "lang/allowances/allowances.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/eval/eval.hpp"
+#include "lang/lower/precision_fault.hpp"
 #include "lang/lower/scene_builder.hpp"
 #include "lang/program/program.hpp"
 #include "lang/source/source.hpp"
@@ -84,6 +85,10 @@ class Compiler {
   /// Origins by the order in which spheres were added.
   std::vector<Origin> trace_added(std::span<const std::uint32_t> spheres);
   void report_dropped();
+  /// That the scene is beyond what its precision resolves: of a picture all that is so, of a check
+  /// what makes it none.
+  void report_precision(const LoweredScene& lowered, Purpose purpose);
+  void report_fault(const PrecisionFault& fault, const LoweredScene& lowered);
 
   const SourceFile& file_;
   ProgramOptions options_;
@@ -92,6 +97,7 @@ class Compiler {
   std::unique_ptr<Program> program_;        ///< null for a config
   std::optional<Animation> animation_;
   bool knows_animation_ = false;
+  bool has_told_precision_ = false;  ///< as a warning
   Overrides overrides_;
   std::optional<int> frame_;
   std::vector<DroppedSphere> dropped_;

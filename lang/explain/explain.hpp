@@ -22,12 +22,13 @@ struct DiagnosticFamily {
   std::string_view title;
 };
 
-inline constexpr std::array<DiagnosticFamily, 6> kDiagnosticFamilies{{
+inline constexpr std::array<DiagnosticFamily, 7> kDiagnosticFamilies{{
     {"E0", "Syntax"},
     {"E1", "Names"},
     {"E2", "Types and values"},
     {"E3", "Limits and files"},
     {"W4", "The picture will not be what was meant"},
+    {"W5", "How the picture is made"},
     {"S6", "Style"},
 }};
 

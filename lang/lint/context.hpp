@@ -106,6 +106,11 @@ class LintContext {
                          .place = place});
     return findings_.back();
   }
+  /// The same with the message made.
+  Finding& add_finding(const DiagnosticInfo& info, LintPlace place, std::string message) {
+    findings_.push_back({.info = &info, .message = std::move(message), .place = place});
+    return findings_.back();
+  }
   std::vector<Finding> take_findings() { return std::move(findings_); }
 
  private:

@@ -8,7 +8,7 @@ namespace sdlc::lang {
 /// less than a row, up or down: the view plane is stretched over the picture, and a sphere in its
 /// middle is no circle.
 void check_uneven_pixels(LintContext& context) {
-  const auto& [background, width, height, depth] = context.lowered().places;
+  const Location width = context.lowered().places.width, height = context.lowered().places.height;
   if (width.file == nullptr || height.file == nullptr) return;
   const render::RenderSettings& settings = context.lowered().settings;
   for (const CheckedCamera& camera : context.lowered().checked_cameras) {

@@ -35,6 +35,13 @@ render::Tone lower_tone(std::string_view word) {
   return render::Tone::Srgb;
 }
 
+/// Nothing: whatever suits the scene.
+std::optional<render::Precision> lower_precision(std::string_view word) {
+  if (word == "float") return render::Precision::Float;
+  if (word == "double") return render::Precision::Double;
+  return std::nullopt;
+}
+
 /// Tangent of half an angle in (0°, 180°).
 double tan_half(Angle angle) {
   const render::SinCos half = render::sincos_turns(angle.degrees / 720);
@@ -200,10 +207,8 @@ LoweredScene SceneBuilder::finish(const Overrides& overrides) {
 
   const Object* camera = choose_camera(overrides);
   for (const Object& declared : cameras_) lowered.cameras.push_back(declared.name);
-  if (purpose_ == Purpose::Check) {
-    check_cameras(lowered);
-    find_places(lowered);
-  }
+  if (purpose_ == Purpose::Check) check_cameras(lowered);
+  find_places(lowered);
   if (camera != nullptr) {
     lower_camera(*camera, lowered);
     if (const auto shutter = camera->get<render::Interval>(camera_property::kShutter)) {
@@ -374,6 +379,7 @@ void SceneBuilder::find_places(LoweredScene& lowered) const {
   lowered.places.width = place(kWidth);
   lowered.places.height = place(kHeight);
   lowered.places.depth = place(kDepth);
+  lowered.places.precision = place(kPrecision);
 }
 
 void SceneBuilder::lower_background(render::Scene& scene) {
@@ -479,6 +485,10 @@ void SceneBuilder::lower_settings(const Overrides& overrides, LoweredScene& lowe
   }
   if (const auto tone = object.get<Word>(kTone)) lowered.output.tone = lower_tone(tone->text);
   if (overrides.tone) lowered.output.tone = lower_tone(*overrides.tone);
+  if (const auto precision = object.get<Word>(kPrecision)) {
+    lowered.precision = lower_precision(precision->text);
+  }
+  if (overrides.precision) lowered.precision = lower_precision(*overrides.precision);
   if (cameras_.empty()) settings.samples = settings.depth = 1;  // a plain picture has no noise
 }
 

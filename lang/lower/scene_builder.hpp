@@ -15,6 +15,7 @@
 #include "render/image/tone.hpp"
 #include "render/math/interval.hpp"
 #include "render/math/vec3.hpp"
+#include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::lang {
@@ -24,7 +25,7 @@ namespace sdlc::lang {
 struct Overrides {
   std::optional<int> width = {}, height = {}, samples = {}, depth = {}, threads = {};
   std::optional<std::uint64_t> seed = {};
-  std::optional<std::string> tone = {}, camera = {};
+  std::optional<std::string> tone = {}, camera = {}, precision = {};
   bool names_output = false;  ///< the scene's own output is not used
 };
 
@@ -53,7 +54,7 @@ struct CheckedCamera {
 
 /// Where the text says something; no file: it does not.
 struct WrittenPlaces {
-  Location background, width, height, depth;
+  Location background, width, height, depth, precision;
 };
 
 /// A sphere that groups turn while the shutter is open, whose centre nevertheless goes straight.
@@ -70,11 +71,13 @@ struct LoweredScene {
   std::vector<std::string> cameras;     ///< the names of all, as they are declared
   std::optional<WrittenCamera> camera;  ///< the chosen one; nothing: a plain picture
   std::size_t dropped_spheres = 0;      ///< that coincided with earlier ones
+  /// That is asked for; nothing: whatever suits the scene.
+  std::optional<render::Precision> precision;
+  WrittenPlaces places;
 
   // Of a check.
   std::vector<CheckedCamera> checked_cameras;  ///< that have no mistake; empty: a part of others
-  WrittenPlaces places;
-  std::vector<BentPath> bent_paths;  ///< by index
+  std::vector<BentPath> bent_paths;            ///< by index
 };
 
 /// A sphere that was found to coincide with an earlier one and left out. Both are numbers of

@@ -6,6 +6,7 @@ namespace sdlc::lang {
 namespace {
 
 constexpr std::array<std::string_view, 3> kToneWords{"srgb", "sqrt", "linear"};
+constexpr std::array<std::string_view, 3> kPrecisionWords{"auto", "float", "double"};
 constexpr std::array<std::string_view, 2> kFresnelWords{"schlick", "exact"};
 
 constexpr auto kCameraProperties = std::to_array<Property>({
@@ -134,6 +135,13 @@ constexpr auto kRenderProperties = std::to_array<Property>({
      .default_value = 0.0,
      .default_text = "0",
      .doc = "Threads that render; 0: all of the machine. Never changes the picture."},
+    {.name = "precision",
+     .type = Type::Word,
+     .default_value = std::string_view("auto"),
+     .default_text = "auto",
+     .words = kPrecisionWords,
+     .doc = "Of the numbers that paths are computed in; auto: `float` where nothing can be seen of "
+            "its rounding, else `double`."},
 });
 static_assert(kRenderProperties.size() == render_property::kCount);
 

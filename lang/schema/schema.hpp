@@ -119,6 +119,7 @@ enum : std::size_t {
   kCamera,
   kSeed,
   kThreads,
+  kPrecision,
   kCount
 };
 }
@@ -128,7 +129,7 @@ enum : std::size_t { kTranslate, kRotate, kScale, kMaterial, kCount };
 namespace animation_property {
 enum : std::size_t { kFrames, kFps, kStep, kCount };
 }
-inline constexpr std::size_t kMaxProperties = 9;
+inline constexpr std::size_t kMaxProperties = 10;
 
 /// The shape of a value in the JSON config format.
 enum class JsonType : std::uint8_t {

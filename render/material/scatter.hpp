@@ -79,7 +79,8 @@ inline Vec3 scatter_transmissive(Vec3 direction, Vec3 outward, double ior, Fresn
   const double eta = enters ? 1 / ior : ior;  // index on this side over the one beyond
   const double cosine = std::min(-dot(direction, facing), 1.0);
   const double sine_beyond_squared = eta * eta * (1 - cosine * cosine);
-  if (sine_beyond_squared > 1) return unit(reflect(direction, facing));  // total reflection
+  // Total reflection; no number comes of an index whose inverse overflows, and of no sine.
+  if (!(sine_beyond_squared <= 1)) return unit(reflect(direction, facing));
 
   const double reflected =
       fresnel == Fresnel::Schlick ? fresnel_schlick(cosine, eta) : fresnel_exact(cosine, eta);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <span>
 
 #include "render/math/vec3.hpp"
@@ -10,127 +12,347 @@
 namespace sdlc::render {
 namespace {
 
-constexpr double kUnit = 0x1p-24;            // relative rounding error of float
-constexpr double kHitError = 25 * kUnit;     // of a hit, in extents: the 99th percentile
-constexpr double kAcrossError = 2 * kUnit;   // across the view, in extents
-constexpr double kPointError = 2 * kUnit;    // of a point on a sphere, in its distance
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kTouching = 0x1p-40;  // of the larger radius: as good as no gap
+
+// In units of rounding, times an extent.
+constexpr double kHitError = 25;      // of a hit: the 99th percentile
+constexpr double kAcrossError = 2;    // across the view
+constexpr double kPointError = 2;     // of a point on a sphere
+constexpr double kLeastGap = 4;       // between surfaces that do not meet
+constexpr double kLeastSpread = 200;  // where those that meet are farthest apart
+
 constexpr double kPartOfRadius = 1.0 / 100;  // allowed for the error of a hit
 constexpr double kPartOfPixel = 1.0 / 16;
-constexpr double kNarrowestPixel = 16 * kUnit;
-constexpr double kLeastGap = 0x1p-16;               // of the larger radius
-constexpr double kLeastExactGap = 2 * kPointError;  // of its distance, where it is met in double
-constexpr double kTouching = 0x1p-40;               // of the larger radius: as good as no gap
-constexpr double kMostRadiance = 1e30;
-constexpr double kWidestView = 1e6;
+constexpr double kNarrowestPixel = 16;  // in units of rounding
 
-/// The bounds for one scene, rebased.
-class FloatJudge {
+/// What differs between the precisions.
+struct Limits {
+  double unit;           // of rounding, relative
+  double least_gap;      // of the larger radius
+  double widest_view;    // on the view plane
+  double most_radiance;  // and its inverse the least: squares and products of a few stay numbers
+};
+constexpr Limits kFloatLimits{
+    .unit = 0x1p-24, .least_gap = 0x1p-16, .widest_view = 100, .most_radiance = 1e30};
+constexpr Limits kDoubleLimits{
+    .unit = 0x1p-53, .least_gap = 0, .widest_view = 1e100, .most_radiance = 1e300};
+
+/// A scene in coordinates of the camera: lengths of moderate size, all in one unit.
+class View {
  public:
-  FloatJudge(const Scene& scene, int height)
-      : scene_(scene), pixel_(scene.camera.plane_height / std::max(1, height)) {
-    for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
-      if (scene.spheres[i].radius > 0) by_size_.push_back(i);
-    }
-    std::stable_sort(by_size_.begin(), by_size_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return scene.spheres[a].radius > scene.spheres[b].radius;
-    });
-  }
+  View(const Scene& scene, const Camera& camera) : scene_(scene), frame_(scene, camera.from) {}
 
-  /// What is wrong when the `exact` largest spheres are met in double; nullptr: nothing.
-  const char* objection(std::size_t exact) const {
-    if (pixel_ < kNarrowestPixel) return "pixels are narrower than float resolves";
-    if (scene_.camera.plane_height * std::max(1.0, scene_.camera.aspect) > kWidestView) {
-      return "the view is too wide for float";
-    }
-    if (has_large_radiance()) return "radiance is too large for float";
-    const auto rest = std::span(by_size_).subspan(exact);
-    if (rest.empty()) return exact == 0 ? nullptr : "no sphere is left for float";
-    const double smallest = scene_.spheres[rest.back()].radius;
-    double extent = 0;
-    for (const std::uint32_t i : rest) extent = std::max(extent, extent_of(i));
-    if (kHitError * extent > kPartOfRadius * smallest) {
-      return "the scene is too large for its smallest sphere";
-    }
-    for (const std::uint32_t i : rest) {
-      const double distance =
-          std::fabs(length(scene_.spheres[i].center) - scene_.spheres[i].radius);
-      const bool is_at_camera = distance <= kTouching * scene_.spheres[i].radius;
-      if (!is_at_camera && kAcrossError * extent > kPartOfPixel * pixel_ * distance) {
-        return "a sphere is so near that rounding shows";
-      }
-    }
-    for (std::size_t k = 0; k < exact; ++k) {
-      if (kPointError * extent_of(by_size_[k]) > kPartOfRadius * smallest) {
-        return "the scene is too large for its smallest sphere";
-      }
-    }
-    return has_narrow_gap(exact) ? "surfaces are too close to each other" : nullptr;
+  std::uint32_t count() const { return static_cast<std::uint32_t>(scene_.spheres.size()); }
+  double radius(std::uint32_t i) const { return frame_.size(scene_.spheres[i].radius); }
+  /// One that vanishes beside the others' lengths is a sphere all the same.
+  bool is_seen(std::uint32_t i) const { return scene_.spheres[i].radius > 0; }
+  Vec3 opening(std::uint32_t i) const { return frame_.place(scene_.spheres[i].center); }
+  Vec3 closing(std::uint32_t i) const {
+    return scene_.shifts.empty() ? opening(i) : opening(i) + frame_.size(scene_.shifts[i]);
   }
-
-  std::vector<std::uint32_t> largest(std::size_t count) const {
-    return {by_size_.begin(), by_size_.begin() + static_cast<std::ptrdiff_t>(count)};
+  /// To the far side, over the whole shutter.
+  double extent(std::uint32_t i) const {
+    const double opened = moderate_length(opening(i));
+    return (is_moving() ? std::max(opened, moderate_length(closing(i))) : opened) + radius(i);
   }
-
-  std::size_t count() const { return by_size_.size(); }
+  bool is_moving() const { return !scene_.shifts.empty(); }
+  /// From the camera to the surface, when nearest; nothing where the surface goes through it.
+  std::optional<double> distance(std::uint32_t i) const {
+    const Vec3 from = opening(i), way = closing(i) - from;
+    const double r = radius(i), squared = dot(way, way);
+    const double moment = squared > 0 ? std::clamp(-dot(from, way) / squared, 0.0, 1.0) : 0;
+    const double nearest = moderate_length(from + way * moment) - r;
+    const double farthest = std::max(moderate_length(from), moderate_length(from + way)) - r;
+    const double least = nearest > 0 ? nearest : -farthest;
+    if (least <= kTouching * r) return std::nullopt;
+    return least;
+  }
 
  private:
-  Vec3 shift(std::uint32_t i) const { return scene_.shifts.empty() ? Vec3{} : scene_.shifts[i]; }
+  const Scene& scene_;
+  CameraFrame frame_;
+};
 
-  double extent_of(std::uint32_t i) const {
-    const Sphere& sphere = scene_.spheres[i];
-    return std::max(length(sphere.center), length(sphere.center + shift(i))) + sphere.radius;
+class Judge {
+ public:
+  Judge(const Scene& scene, const Camera& camera, const RenderSettings& settings,
+        const Limits& limits)
+      : scene_(scene),
+        camera_(camera),
+        view_(scene, camera),
+        limits_(limits),
+        depth_(settings.depth),
+        pixel_(camera.plane_height * std::min(1.0 / std::max(1, settings.height),
+                                              camera.aspect / std::max(1, settings.width))) {}
+
+  /// With all spheres met in the precision, but for the `exact` ones.
+  PrecisionBounds bounds(std::span<const std::uint32_t> exact) const {
+    const auto is_exact = [&](std::uint32_t i) {
+      return std::find(exact.begin(), exact.end(), i) != exact.end();
+    };
+    PrecisionBounds bounds;
+    judge_picture(bounds);
+    std::optional<std::uint32_t> smallest, farthest;
+    double radius = kInfinity, extent = 0;
+    for (std::uint32_t i = 0; i < view_.count(); ++i) {
+      if (!view_.is_seen(i) || is_exact(i)) continue;
+      if (const double r = view_.radius(i); r < radius || !smallest) {
+        radius = r;
+        smallest = i;
+      }
+      if (const double e = view_.extent(i); e > extent || !farthest) {
+        extent = e;
+        farthest = i;
+      }
+    }
+    PrecisionBound& hit = bounds[PrecisionClause::Hit];
+    hit.limit = kPartOfRadius;
+    bounds[PrecisionClause::Across].limit = kPartOfPixel;
+    if (smallest) {
+      hit.value = ratio(kHitError * limits_.unit * extent, radius);
+      hit.sphere = smallest;
+      hit.other = farthest;
+      for (const std::uint32_t i : exact) {
+        const double value = ratio(kPointError * limits_.unit * view_.extent(i), radius);
+        if (value <= hit.value) continue;
+        hit.value = value;
+        hit.other = i;
+      }
+      for (std::uint32_t i = 0; i < view_.count(); ++i) {
+        if (view_.is_seen(i) && !is_exact(i)) judge_distance(i, extent, bounds);
+      }
+    } else if (!exact.empty()) {
+      hit.value = kInfinity;  // no sphere is left
+    }
+    hit.share = hit.value / kPartOfRadius;
+    bounds.has_gaps = view_.count() <= kMostSpheresForGaps;
+    if (bounds.has_gaps) judge_gaps(is_exact, bounds);
+    return bounds;
   }
 
-  bool has_large_radiance() const {
-    const auto is_large = [](LinearRgb c) { return std::max({c.r, c.g, c.b}) > kMostRadiance; };
-    return is_large(scene_.background.bottom) || is_large(scene_.background.top) ||
-           std::any_of(scene_.materials.begin(), scene_.materials.end(), [&](const Material& m) {
-             return is_large(m.color) || m.parameter > kMostRadiance ||
-                    is_large(m.color * m.parameter);
-           });
+  std::vector<std::uint32_t> by_size() const {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < view_.count(); ++i) {
+      if (view_.is_seen(i)) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return scene_.spheres[a].radius > scene_.spheres[b].radius;
+    });
+    return order;
+  }
+
+ private:
+  static double ratio(double a, double b) { return b > 0 ? a / b : kInfinity; }
+
+  void judge_picture(PrecisionBounds& bounds) const {
+    PrecisionBound& pixel = bounds[PrecisionClause::Pixel];
+    pixel = {.value = pixel_ / limits_.unit,
+             .share = ratio(kNarrowestPixel * limits_.unit, pixel_),
+             .limit = kNarrowestPixel,
+             .sphere = {},
+             .other = {}};
+    PrecisionBound& view = bounds[PrecisionClause::View];
+    view.value = camera_.plane_height * std::max(1.0, camera_.aspect);
+    view.limit = limits_.widest_view;
+    view.share = view.value / view.limit;
+
+    PrecisionBound& radiance = bounds[PrecisionClause::Radiance];
+    radiance = {.value = 1, .share = 0, .limit = limits_.most_radiance, .sphere = {}, .other = {}};
+    const auto add = [&](double v) {
+      const double factor = v >= 1 ? v : 1 / v;
+      if (v == 0 || factor / limits_.most_radiance <= radiance.share) return;
+      radiance.value = v;
+      radiance.share = factor / limits_.most_radiance;
+      radiance.limit = v >= 1 ? limits_.most_radiance : 1 / limits_.most_radiance;
+    };
+    const auto add_color = [&](LinearRgb c) {
+      for (const double v : {c.r, c.g, c.b}) add(v);
+    };
+    double light = std::max(brightest(scene_.background.bottom), brightest(scene_.background.top));
+    double gain = 1;  // of a surface
+    for (const Material& material : scene_.materials) {
+      add_color(material.color);
+      add(material.parameter);
+      if (material.type == MaterialType::Emissive) {
+        light = std::max(light, brightest(material.color * material.parameter));
+      } else if (material.type == MaterialType::Unlit) {
+        light = std::max(light, brightest(material.color));
+      } else {
+        gain = std::max(gain, brightest(material.color));
+      }
+    }
+    add_color(scene_.background.bottom);
+    add_color(scene_.background.top);
+    add(light > 0 ? light * std::pow(gain, depth_ - 1) : 0);
+  }
+
+  static double brightest(LinearRgb c) { return std::max({c.r, c.g, c.b}); }
+
+  void judge_distance(std::uint32_t i, double extent, PrecisionBounds& bounds) const {
+    const std::optional<double> distance = view_.distance(i);
+    if (!distance) return;
+    PrecisionBound& across = bounds[PrecisionClause::Across];
+    const double value = ratio(kAcrossError * limits_.unit * extent, pixel_ * *distance);
+    if (value <= across.value) return;
+    across.value = value;
+    across.share = value / kPartOfPixel;
+    across.sphere = i;
   }
 
   /// Of spheres that move apart or together only the ends of the shutter are looked at.
-  bool has_narrow_gap(std::size_t exact) const {
-    for (std::size_t k = 0; k < by_size_.size(); ++k) {
-      const std::uint32_t i = by_size_[k];
-      const double larger = scene_.spheres[i].radius;
-      const double least = k < exact ? kLeastExactGap * extent_of(i) : kLeastGap * larger;
-      for (const std::uint32_t j : std::span(by_size_).subspan(k + 1)) {
-        const double smaller = scene_.spheres[j].radius;
-        for (const double time : {0.0, 1.0}) {
-          const double distance = length(scene_.spheres[i].center + shift(i) * time -
-                                         scene_.spheres[j].center - shift(j) * time);
-          for (const double gap :
-               {std::fabs(distance - larger - smaller), std::fabs(distance - (larger - smaller))}) {
-            if (gap > kTouching * larger && gap < least) return true;
-          }
+  template <typename IsExact>
+  void judge_gaps(IsExact is_exact, PrecisionBounds& bounds) const {
+    PrecisionBound& narrowest = bounds[PrecisionClause::Gap];
+    narrowest.value = kInfinity;
+    narrowest.limit = limits_.least_gap;
+    struct Ball {
+      std::uint32_t index;
+      double radius, extent;
+      std::array<Vec3, 2> center;
+    };
+    std::vector<Ball> balls;
+    for (const std::uint32_t i : by_size()) {
+      balls.push_back({i, view_.radius(i), view_.extent(i), {view_.opening(i), view_.closing(i)}});
+    }
+    for (std::size_t k = 0; k < balls.size(); ++k) {
+      const Ball& large = balls[k];
+      const double of_radius = is_exact(large.index) ? 0 : limits_.least_gap * large.radius;
+      for (const Ball& small : std::span(balls).subspan(k + 1)) {
+        const double error = limits_.unit * std::max(large.extent, small.extent);
+        for (std::size_t end = 0; end < (view_.is_moving() ? 2 : 1); ++end) {
+          const double apart = moderate_length(large.center[end] - small.center[end]);
+          const Gap gap = narrowest_gap(large.radius, small.radius, apart, of_radius, error);
+          if (gap.least / gap.width <= narrowest.share) continue;
+          narrowest = {.value = gap.width / large.radius,
+                       .share = gap.least / gap.width,
+                       .limit = gap.least / large.radius,
+                       .sphere = small.index,
+                       .other = large.index};
         }
       }
     }
-    return false;
+  }
+
+  struct Gap {
+    double width = kInfinity, least = 0;
+  };
+
+  /// Between spheres with centres `apart`: what comes nearest to being too narrow.
+  static Gap narrowest_gap(double large, double small, double apart, double of_radius,
+                           double error) {
+    const double outside = apart - large - small, inside = large - small - apart;
+    const auto share = [](Gap gap) { return gap.least / gap.width; };
+    Gap all{.width = apart + (large - small), .least = kLeastSpread * error};
+    const Gap everywhere{.width = std::max(outside, inside), .least = kLeastGap * error};
+    if (everywhere.width > 0 && share(everywhere) < share(all)) all = everywhere;
+    for (const double width : {std::fabs(outside), std::fabs(inside)}) {
+      const Gap of_size{.width = width, .least = of_radius};
+      if (width > kTouching * large && share(of_size) > share(all)) all = of_size;
+    }
+    return all;
   }
 
   const Scene& scene_;
-  double pixel_;                        // its angle, next to the axis
-  std::vector<std::uint32_t> by_size_;  // the largest first
+  const Camera& camera_;
+  View view_;
+  Limits limits_;
+  int depth_;
+  double pixel_;  // its smaller angle, next to the axis
 };
+
+std::string number(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", v);
+  return text;
+}
 
 }  // namespace
 
-FloatVerdict judge_float(const Scene& scene, int height, std::size_t most_exact) {
-  Scene rebased = scene;
-  rebase_to_camera(rebased);
-  const FloatJudge judge(rebased, height);
-  const char* first_objection = judge.objection(0);
-  if (first_objection == nullptr) return {.is_accepted = true, .exact_spheres = {}, .reason = {}};
-  for (std::size_t exact = 1; exact <= std::min(most_exact, judge.count()); ++exact) {
-    if (judge.objection(exact) == nullptr) {
-      return {
-          .is_accepted = true, .exact_spheres = judge.largest(exact), .reason = first_objection};
+std::string_view name_of(Precision precision) noexcept {
+  switch (precision) {
+    case Precision::Float: return "float";
+    case Precision::Mixed: return "mixed";
+    default: return "double";
+  }
+}
+
+std::string_view name_of(PrecisionClause clause) noexcept {
+  static constexpr std::array<std::string_view, kPrecisionClauses> kNames{
+      "hit", "across", "pixel", "gap", "view", "radiance"};
+  return kNames[static_cast<std::size_t>(clause)];
+}
+
+PrecisionClause PrecisionBounds::deciding() const noexcept {
+  const auto largest = std::max_element(
+      clauses.begin(), clauses.end(),
+      [](const PrecisionBound& a, const PrecisionBound& b) { return a.share < b.share; });
+  return static_cast<PrecisionClause>(largest - clauses.begin());
+}
+
+PrecisionBounds judge_precision(const Scene& scene, const Camera& camera,
+                                const RenderSettings& settings, Precision precision) {
+  const Limits& limits = precision == Precision::Double ? kDoubleLimits : kFloatLimits;
+  return Judge(scene, camera, settings, limits).bounds({});
+}
+
+FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderSettings& settings,
+                         std::size_t most_exact) {
+  const Judge judge(scene, camera, settings, kFloatLimits);
+  FloatVerdict verdict;
+  verdict.bounds = verdict.in_float = judge.bounds({});
+  verdict.is_accepted = verdict.in_float.is_accepted();
+  if (verdict.is_accepted) return verdict;
+  const std::vector<std::uint32_t> by_size = judge.by_size();
+  for (std::size_t exact = 1; exact <= std::min(most_exact, by_size.size()); ++exact) {
+    const auto largest = std::span(by_size).first(exact);
+    const PrecisionBounds bounds = judge.bounds(largest);
+    if (!bounds.is_accepted()) continue;
+    return {.is_accepted = true,
+            .exact_spheres = {largest.begin(), largest.end()},
+            .in_float = verdict.in_float,
+            .bounds = bounds};
+  }
+  return verdict;
+}
+
+ScaleRatio measure_scale(const Scene& scene, const Camera& camera) {
+  const View view(scene, camera);
+  ScaleRatio scale;
+  double smallest = kInfinity, farthest = 0;
+  for (std::uint32_t i = 0; i < view.count(); ++i) {
+    if (!view.is_seen(i)) continue;
+    if (const double r = view.radius(i); r < smallest) {
+      smallest = r;
+      scale.smallest = i;
+    }
+    if (const double e = view.extent(i); e > farthest) {
+      farthest = e;
+      scale.farthest = i;
     }
   }
-  return {.is_accepted = false, .exact_spheres = {}, .reason = first_objection};
+  if (farthest > 0) scale.ratio = smallest > 0 ? farthest / smallest : kInfinity;
+  return scale;
+}
+
+std::string describe(PrecisionClause clause, const PrecisionBound& bound) {
+  const std::string value = number(bound.value), limit = number(bound.limit);
+  switch (clause) {
+    case PrecisionClause::Hit:
+      return "a hit is off by " + value + " of the smallest radius, where " + limit + " is allowed";
+    case PrecisionClause::Across:
+      return "so near a surface is off by " + value + " of a pixel, where " + limit + " is allowed";
+    case PrecisionClause::Pixel:
+      return "a pixel is " + value + " units of rounding wide, where " + limit + " are needed";
+    case PrecisionClause::Gap:
+      return "two surfaces are " + value + " of the larger radius apart, where " + limit +
+             " is needed";
+    case PrecisionClause::View:
+      return "the view plane at distance 1 is " + value + " long, where " + limit + " is allowed";
+    default:
+      return "a color, an intensity or an index is " + value + ", where " +
+             (bound.value >= 1 ? "at most " : "at least ") + limit + " is allowed";
+  }
 }
 
 }  // namespace sdlc::render

@@ -1,12 +1,80 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/scene/scene.hpp"
 
 namespace sdlc::render {
+
+/// The numbers that paths are computed in. Mixed: float, with distances to the largest spheres in
+/// double.
+enum class Precision : std::uint8_t { Float, Mixed, Double };
+
+std::string_view name_of(Precision precision) noexcept;
+
+/// What rounding must stay below, in one respect each.
+enum class PrecisionClause : std::uint8_t {
+  Hit,       ///< error of a hit, in radii of the smallest sphere: at most 1/100
+  Across,    ///< error across the view, in pixels, at the surface where most: at most 1/16
+  Pixel,     ///< smaller angle of a pixel, in units of rounding: at least 16
+  Gap,       ///< the narrowest between two surfaces, in radii of the larger sphere
+  View,      ///< the longer side of the view plane at distance 1
+  Radiance,  ///< what arrives at most, the least colour, or an index: the farthest from 1
+};
+inline constexpr std::size_t kPrecisionClauses = 6;
+
+/// "hit", "across", "pixel", "gap", "view", "radiance".
+std::string_view name_of(PrecisionClause clause) noexcept;
+
+/// How near a scene comes to what a precision resolves, in one respect.
+struct PrecisionBound {
+  double value = 0;  ///< what PrecisionClause says
+  double share = 0;  ///< of what is allowed: accepted up to 1
+  double limit = 0;  ///< the value of which the share is 1
+  /// The spheres that decide, by their index; Hit: the smallest one, then the farthest.
+  std::optional<std::uint32_t> sphere, other;
+};
+
+/// The same in all respects.
+struct PrecisionBounds {
+  std::array<PrecisionBound, kPrecisionClauses> clauses{};
+  bool has_gaps = true;  ///< whether gaps were looked for
+
+  PrecisionBound& operator[](PrecisionClause clause) {
+    return clauses[static_cast<std::size_t>(clause)];
+  }
+  const PrecisionBound& operator[](PrecisionClause clause) const {
+    return clauses[static_cast<std::size_t>(clause)];
+  }
+  /// The one with the largest share.
+  PrecisionClause deciding() const noexcept;
+  bool is_accepted() const noexcept { return (*this)[deciding()].share <= 1; }
+};
+
+/// Of more spheres no pairs are tried: PrecisionBounds::has_gaps is false.
+inline constexpr std::size_t kMostSpheresForGaps = 256;
+
+/// The bounds for a scene in float or double, all of it met in that. With u the unit of rounding,
+/// 2^-24 or 2^-53, and E the distance from the camera to the far side of the farthest sphere, over
+/// the whole shutter, the error of a hit is 25 u E and the error across the view 2 u E: the 99th
+/// percentile of measurements on single rays. Points on a sphere are off by 2 u of its own E. So
+/// two surfaces are to be 4 u E apart everywhere, which leaves each point on its side of the other,
+/// or 200 u E where they are farthest from each other: where they touch, one in a hundred points is
+/// then nearer than rounding can tell. In float gaps that are not 0 are at least 2^-16 of the
+/// larger radius besides. Radiance is that of the brightest light after all the rays of a path,
+/// where colours are above 1. Of `settings` the size and the depth count. O(n) time, and O(n²) up
+/// to kMostSpheresForGaps.
+PrecisionBounds judge_precision(const Scene& scene, const Camera& camera,
+                                const RenderSettings& settings, Precision precision);
+
+/// As many spheres at most are met in double beside others in float.
+inline constexpr std::size_t kMostExactSpheres = 4;
 
 /// Whether a scene can be traced in float without anything to be seen of it.
 struct FloatVerdict {
@@ -14,17 +82,28 @@ struct FloatVerdict {
   /// Accepted on condition that these spheres, the largest ones, are met in double; empty: all in
   /// float.
   std::vector<std::uint32_t> exact_spheres;
-  std::string reason;  ///< what is refused, or why some spheres are exact; empty: nothing to say
+  PrecisionBounds in_float;  ///< all met in float
+  PrecisionBounds bounds;    ///< on that condition; without one the same
 };
 
-/// Judges by bounds on what rounding does, measured on single rays (u = 2^-24, E the extent: the
-/// distance from the camera to the far side of the farthest sphere, over the whole shutter). A
-/// scene is accepted if the error of a hit, 25 u E, is at most a hundredth of the smallest radius;
-/// the error across the view, 2 u E, at most a sixteenth of a pixel at the distance of each
-/// surface; a pixel at least 16 u wide; every gap between two surfaces 0 or at least 2^-16 of the
-/// larger radius. Up to `most_exact` spheres larger than all others may break this if distances to
-/// them are computed in double; the rounding of points on them still counts. `height`: of the
-/// picture, in pixels. O(n²) time.
-FloatVerdict judge_float(const Scene& scene, int height, std::size_t most_exact);
+/// Judges by those bounds. Up to `most_exact` spheres larger than all others may break them if
+/// distances to them are computed in double; the rounding of points on them still counts.
+FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderSettings& settings,
+                         std::size_t most_exact = kMostExactSpheres);
+
+/// How far the scene reaches from the camera, in radii of its smallest sphere: what the precision
+/// of numbers has to span. 0 without spheres.
+struct ScaleRatio {
+  double ratio = 0;
+  std::uint32_t smallest = 0, farthest = 0;
+};
+ScaleRatio measure_scale(const Scene& scene, const Camera& camera);
+
+/// The largest ratio that double resolves.
+inline constexpr double kMostScaleInDouble = 0x1p53 / 2500;
+
+/// What is wrong or nearest to it, in words such as "a hit is off by 0.3 of the smallest radius,
+/// where 0.01 is allowed".
+std::string describe(PrecisionClause clause, const PrecisionBound& bound);
 
 }  // namespace sdlc::render

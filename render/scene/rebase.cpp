@@ -9,50 +9,60 @@
 namespace sdlc::render {
 namespace {
 
-/// Multiplies by 2^e. Two factors, since 2^e alone may be no double.
-class PowerOfTwoScale {
- public:
-  explicit PowerOfTwoScale(int e) noexcept
-      : first_(std::ldexp(1.0, e / 2)), second_(std::ldexp(1.0, e - e / 2)) {}
-  double operator()(double v) const noexcept { return v * first_ * second_; }
-  Vec3 operator()(Vec3 v) const noexcept { return {(*this)(v.x), (*this)(v.y), (*this)(v.z)}; }
+double power_of_two(int e) noexcept { return std::ldexp(1.0, e); }
 
- private:
-  double first_, second_;
-};
-
-template <typename Function>
-void transform_lengths(Scene& scene, const Function& scale, Vec3 origin) {
-  for (Sphere& sphere : scene.spheres) {
-    sphere.center = scale(sphere.center) - origin;
-    sphere.radius = scale(sphere.radius);
+/// Of moderate size.
+int moderate_exponent(const Scene& scene, Vec3 camera) noexcept {
+  double largest = max_abs(camera);
+  for (const Sphere& s : scene.spheres) {
+    largest = std::max({largest, max_abs(s.center), s.radius});
   }
-  for (Vec3& shift : scene.shifts) shift = scale(shift);
+  for (const Vec3& shift : scene.shifts) largest = std::max(largest, max_abs(shift));
+  return -exponent_of(largest);
 }
 
 }  // namespace
+
+CameraFrame::CameraFrame(const Scene& scene, Vec3 camera) noexcept {
+  const int e = moderate_exponent(scene, camera);
+  first_ = power_of_two(e / 2);
+  second_ = power_of_two(e - e / 2);
+  origin_ = size(camera);
+}
+
+double moderate_length(Vec3 v) noexcept {
+  const int e = exponent_of(max_abs(v));
+  constexpr int kSafe = 400;  // squares of such numbers are far from the ends of double
+  if (e > -kSafe && e < kSafe) return length(v);
+  return std::ldexp(length(scaled_by_power_of_two(v, -e)), e);
+}
 
 void rebase_to_camera(Scene& scene) {
   const Vec3 view = direction_between(scene.camera.from, scene.camera.at);
 
   // First to numbers of moderate size, so that the difference to the camera cannot overflow.
-  double largest = max_abs(scene.camera.from);
-  for (const Sphere& s : scene.spheres) {
-    largest = std::max({largest, max_abs(s.center), s.radius});
+  const CameraFrame frame(scene, scene.camera.from);
+  for (Sphere& sphere : scene.spheres) {
+    sphere.center = frame.place(sphere.center);
+    sphere.radius = frame.size(sphere.radius);
   }
-  for (const Vec3& shift : scene.shifts) largest = std::max(largest, max_abs(shift));
-  const PowerOfTwoScale to_moderate(-exponent_of(largest));
-  transform_lengths(scene, to_moderate, to_moderate(scene.camera.from));
+  for (Vec3& shift : scene.shifts) shift = frame.size(shift);
 
   double extent = 0;
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
     const Sphere& s = scene.spheres[i];
-    extent = std::max(extent, length(s.center) + s.radius);
+    extent = std::max(extent, moderate_length(s.center) + s.radius);
     if (!scene.shifts.empty()) {
-      extent = std::max(extent, length(s.center + scene.shifts[i]) + s.radius);
+      extent = std::max(extent, moderate_length(s.center + scene.shifts[i]) + s.radius);
     }
   }
-  transform_lengths(scene, PowerOfTwoScale(-exponent_of(extent)), Vec3{});
+  const int e = -exponent_of(extent);
+  const double first = power_of_two(e / 2), second = power_of_two(e - e / 2);
+  for (Sphere& sphere : scene.spheres) {
+    sphere.center = sphere.center * first * second;
+    sphere.radius = sphere.radius * first * second;
+  }
+  for (Vec3& shift : scene.shifts) shift = shift * first * second;
 
   scene.camera.from = Vec3{};
   scene.camera.at = view;

@@ -4,6 +4,25 @@
 
 namespace sdlc::render {
 
+/// Lengths of a scene as seen from a camera, in a unit of its own: of moderate size, so that no
+/// difference overflows.
+class CameraFrame {
+ public:
+  CameraFrame(const Scene& scene, Vec3 camera) noexcept;
+
+  double size(double v) const noexcept { return v * first_ * second_; }
+  Vec3 size(Vec3 v) const noexcept { return {size(v.x), size(v.y), size(v.z)}; }
+  /// From the camera to a place.
+  Vec3 place(Vec3 v) const noexcept { return size(v) - origin_; }
+
+ private:
+  double first_, second_;  // a power of two; one factor alone may be no double
+  Vec3 origin_;
+};
+
+/// The length, where squares would vanish or overflow too.
+double moderate_length(Vec3 v) noexcept;
+
 /// Moves the scene so that the camera stands at the origin and scales it by a power of two so that
 /// its extent E = max(|centre| + radius), over both ends of the shutter, lies in [1, 2). The
 /// picture stays the same, bit for bit under scaling by powers of two, and no longer depends on

@@ -23,6 +23,9 @@ double scalar_cost(std::size_t spheres) {
   return 200 + 12 * std::log2(static_cast<double>(spheres + 1));
 }
 
+// Gaps between spheres are looked for wherever float may be taken.
+static_assert(kMostWideSpheres <= kMostSpheresForGaps);
+
 /// Why the wide kernel does not take a scene; empty: it does.
 std::string objection_to_wide(const Scene& scene) {
   if (available_isas().empty()) return "the machine lacks the instructions of the wide kernel";
@@ -61,17 +64,18 @@ Kernel wide_kernel_for(const Scene& scene, const RenderSettings& settings,
     kernel.reason = "double was asked for";
     return kernel;
   }
-  const FloatVerdict verdict = judge_float(scene, settings.height, kMostExactSpheres);
+  const FloatVerdict verdict = judge_float(scene, scene.camera, settings);
+  const PrecisionClause clause = verdict.in_float.deciding();
+  const std::string objection = describe(clause, verdict.in_float[clause]);
   kernel.exact_spheres = verdict.exact_spheres;
   const bool is_mixed = !verdict.exact_spheres.empty();
   if (verdict.is_accepted || request.precision) {
     kernel.precision = is_mixed ? Precision::Mixed : Precision::Float;
   }
   if (is_mixed) {
-    kernel.reason =
-        std::to_string(verdict.exact_spheres.size()) + " met in double: " + verdict.reason;
+    kernel.reason = std::to_string(verdict.exact_spheres.size()) + " met in double: " + objection;
   } else if (!verdict.is_accepted) {
-    kernel.reason = verdict.reason;
+    kernel.reason = objection;
   } else {
     kernel.reason = "rounding stays far below a pixel";
   }
@@ -84,14 +88,6 @@ std::string_view name_of(KernelKind kind) noexcept {
   return kind == KernelKind::Wide ? "wide" : "scalar";
 }
 
-std::string_view name_of(Precision precision) noexcept {
-  switch (precision) {
-    case Precision::Float: return "float";
-    case Precision::Mixed: return "mixed";
-    default: return "double";
-  }
-}
-
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request) {
   const auto refused = [](std::string refusal) {
@@ -100,6 +96,12 @@ Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
     return kernel;
   };
   const bool wants_float = request.precision && request.precision != Precision::Double;
+  if (wants_float && request.may_take_double &&
+      (request.kind == KernelKind::Scalar || !objection_to_wide(scene).empty())) {
+    KernelRequest rest = request;
+    rest.precision.reset();
+    return choose_kernel(scene, settings, rest);
+  }
   if (request.isa && !has(*request.isa)) {
     return refused("--isa: this machine has no " + std::string(name_of(*request.isa)));
   }
@@ -121,6 +123,14 @@ Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
   const std::size_t spheres = scene.spheres.size();
   if (wide_cost(spheres, kernel.precision) <= scalar_cost(spheres)) return kernel;
   return scalar_kernel("its hierarchy is faster for so many spheres");
+}
+
+PrecisionBounds bounds_of(const Kernel& kernel, const Scene& scene,
+                          const RenderSettings& settings) {
+  if (kernel.precision == Precision::Double) {
+    return judge_precision(scene, scene.camera, settings, Precision::Double);
+  }
+  return judge_float(scene, scene.camera, settings).bounds;
 }
 
 }  // namespace sdlc::render

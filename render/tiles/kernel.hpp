@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
 #include "render/wide/isa.hpp"
 #include "render/wide/wide_integrator.hpp"
@@ -24,6 +25,8 @@ struct KernelRequest {
   std::optional<KernelKind> kind{};
   std::optional<Precision> precision{};
   std::optional<Isa> isa{};
+  /// Where float cannot be had, double does, and nothing is refused.
+  bool may_take_double = false;
 };
 
 /// How a scene is traced, and in words why.
@@ -38,12 +41,14 @@ struct Kernel {
 };
 
 std::string_view name_of(KernelKind kind) noexcept;
-std::string_view name_of(Precision precision) noexcept;
 
 /// The kernel that render() uses. Float, or Mixed, where bounds on rounding accept it, never by
 /// what is fast, so that a scene gives the same picture everywhere; the kind by a model of the time
 /// a ray takes, fitted to measurements beforehand. Both kinds trace the same paths.
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request = {});
+
+/// How near the scene comes to what the kernel's precision resolves.
+PrecisionBounds bounds_of(const Kernel& kernel, const Scene& scene, const RenderSettings& settings);
 
 }  // namespace sdlc::render

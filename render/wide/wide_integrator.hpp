@@ -7,14 +7,11 @@
 #include <span>
 
 #include "render/math/color.hpp"
+#include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
 #include "render/wide/isa.hpp"
 
 namespace sdlc::render {
-
-/// The numbers that paths are computed in. Mixed: float, with distances to the largest spheres in
-/// double.
-enum class Precision : std::uint8_t { Float, Mixed, Double };
 
 /// What happened to the paths of some pixels.
 struct WideCounts {

@@ -6,6 +6,7 @@
 #include <span>
 #include <type_traits>
 
+#include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::render {
@@ -21,7 +22,6 @@ enum SurfaceBit : std::uint32_t {
 
 /// The most spheres that a WideScene holds: its tables then fit a first-level cache.
 inline constexpr std::size_t kMostWideSpheres = 256;
-inline constexpr std::size_t kMostExactSpheres = 4;
 
 /// A scene as the wide kernel reads it, in numbers of type T: one table for each quantity, so that
 /// one sphere's number can be spread over all lanes, and each lane can look up that of the sphere

@@ -222,6 +222,33 @@ TEST_F(InspectCommand, TellsTheKernelThatIsAskedFor) {
   EXPECT_THAT(refused.err, HasSubstr("--precision: the scalar kernel computes in double"));
 }
 
+constexpr const char* kPlanet = R"(scene 1
+camera main { from: (0, 2, 9), at: (0, 0, 0), fov: 40deg }
+sphere ball { center: (0, 1, 0), radius: 1, material: diffuse(color: tan) }
+for r in [1000] { sphere { center: (0, -r, 0), radius: r, material: diffuse(color: gray) } }
+)";
+
+TEST_F(InspectCommand, TellsTheBoundsOfEachPrecisionAndTheSpheresThatDecide) {
+  write_text(folder_ / "planet.scene", kPlanet);
+  EXPECT_THAT(run("planet.scene").out,
+              AllOf(HasSubstr("  kernel        mixed precision, wide, for "),
+                    HasSubstr("  float         refused: so near a surface is off by "),
+                    HasSubstr("where 0.0625 is allowed (sphere 1 at planet.scene:4:19)\n"),
+                    HasSubstr("  mixed         accepted, 1 sphere met in double: "),
+                    HasSubstr("  double        accepted: ")));
+  const json bounds = inspect("planet.scene")["precision_bounds"];
+  EXPECT_EQ(bounds["float"]["is_accepted"], false);
+  EXPECT_EQ(bounds["float"]["deciding"], "across");
+  EXPECT_EQ(bounds["float"]["across"]["sphere"], 1);
+  EXPECT_EQ(bounds["float"]["locations"][0]["line"], 4);
+  EXPECT_NEAR(bounds["float"]["hit"]["value"].get<double>(), 25 * 0x1p-24 * 2000, 1e-4);
+  EXPECT_EQ(bounds["mixed"]["is_accepted"], true);
+  EXPECT_EQ(bounds["mixed"]["exact_spheres"], json({1}));
+  EXPECT_EQ(bounds["double"]["is_accepted"], true);
+  EXPECT_EQ(bounds["double"]["hit"]["limit"], 0.01);
+  EXPECT_EQ(inspect("planet.scene --precision double")["precision"], "double");
+}
+
 TEST_F(InspectCommand, PrintsDiagnosticsAsRenderDoes) {
   write_text(folder_ / "bad.scene", "scene 1\nsphere { center: (0, 0, 0), radus: 1 }\n");
   for (const char* format : {"human", "concise", "json"}) {

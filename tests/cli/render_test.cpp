@@ -132,6 +132,7 @@ TEST_F(RenderCommand, TellsEveryFieldOfTheStatistics) {
                             "threads",
                             "instruction_set",
                             "precision",
+                            "precision_bound",
                             "kernel",
                             "features",
                             "parse_seconds",
@@ -194,6 +195,63 @@ TEST_F(RenderCommand, RefusesAKernelThatCannotBeBeforeRendering) {
     EXPECT_THAT(unknown.err, HasSubstr(flag));
   }
   EXPECT_THAT(names(), ElementsAre("ball.scene", "config.json"));
+}
+
+constexpr const char* kPlanet = R"(scene 1
+camera main { from: (0, 2, 9), at: (0, 0, 0), fov: 40deg }
+sphere ball { center: (0, 1, 0), radius: 1, material: diffuse(color: tan) }
+sphere planet { center: (0, -6.371e6, 0), radius: 6.371e6, material: diffuse(color: gray) }
+)";
+
+TEST_F(RenderCommand, TakesThePrecisionThatTheSceneAsksForUnlessAFlagDoes) {
+  const auto precision = [&](const std::string& render, const std::string& flags) {
+    write_text(folder_ / "planet.scene", std::string(kPlanet) + render);
+    const ProgramResult result =
+        run("\"$SDLC\" render planet.scene --width 16 --samples 1 --overwrite --quiet --stats - " +
+            flags);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return nlohmann::json::parse(result.out)["precision"].get<std::string>() +
+           (result.err.empty() ? "" : ", with a warning");
+  };
+  EXPECT_EQ(precision("", ""), "double");
+  EXPECT_EQ(precision("render { precision: auto }", ""), "double");
+  EXPECT_EQ(precision("render { precision: float }", ""), "float, with a warning");
+  EXPECT_EQ(precision("render { precision: float }", "--precision auto"), "double");
+  EXPECT_EQ(precision("render { precision: double }", "--precision float"),
+            "float, with a warning");
+  // What a scene asks for is left to what can be had.
+  EXPECT_EQ(precision("render { precision: float }", "--kernel scalar"), "double, with a warning");
+}
+
+TEST_F(RenderCommand, WarnsOfAPrecisionThatDoesNotResolveTheScene) {
+  write_text(folder_ / "planet.scene", kPlanet);
+  const ProgramResult result =
+      run("\"$SDLC\" render planet.scene --width 16 --samples 1 --precision float --stats s.json");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(
+      result.err,
+      HasSubstr("warning[W501]: `float` does not resolve the scene: a hit is off by 19 of the "
+                "smallest radius, where 0.01 is allowed\n --> planet.scene:3:1\n"));
+  EXPECT_THAT(result.err, HasSubstr("the farthest"));
+  const auto bound = nlohmann::json::parse(content_of(folder_ / "s.json"))["precision_bound"];
+  EXPECT_EQ(bound["clause"], "hit");
+  EXPECT_EQ(bound["limit"], 0.01);
+  EXPECT_NEAR(bound["value"].get<double>(), 25 * 0x1p-24 * 2 * 6.371e6, 1e-3);
+  EXPECT_EQ(bound["sphere"], 0);
+  EXPECT_EQ(bound["other"], 1);
+}
+
+TEST_F(RenderCommand, RefusesAScenePastDoubleUnlessItIsForced) {
+  write_text(folder_ / "speck.scene", std::string(kScene) +
+                                          "sphere { center: (0, 0, -1e13), radius: 1, material: "
+                                          "diffuse(color: tan) }\n");
+  const ProgramResult refused = run("\"$SDLC\" render speck.scene");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.err, HasSubstr("error[E314]: the scene reaches 1e+13 times"));
+  EXPECT_THAT(refused.err, HasSubstr("--precision double"));
+  const ProgramResult forced = run("\"$SDLC\" render speck.scene --precision double");
+  EXPECT_EQ(forced.exit_code, 0) << forced.err;
+  EXPECT_THAT(forced.err, HasSubstr("warning[W501]: `double` does not resolve"));
 }
 
 TEST_F(RenderCommand, GivesTheSameFileForAnyNumberOfThreads) {

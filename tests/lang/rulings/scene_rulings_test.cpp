@@ -250,7 +250,7 @@ TEST(Rulings, Ruling33_RenderHasTheseSettingsAndDefaults) {
   EXPECT_EQ(plain.output.output, "");
   const std::string render =
       "render { width: 5, height: 4, samples: 3, depth: 2, output: \"o.png\", tone: linear, "
-      "seed: 9007199254740992, threads: 1 }";
+      "seed: 9007199254740992, threads: 1, precision: float }";
   const auto written = scene_of({.root = kCamera + kBall + render});
   EXPECT_EQ(written.settings.width, 5);
   EXPECT_EQ(written.settings.height, 4);
@@ -258,21 +258,29 @@ TEST(Rulings, Ruling33_RenderHasTheseSettingsAndDefaults) {
   EXPECT_EQ(written.settings.depth, 2);
   EXPECT_EQ(written.settings.seed, 9007199254740992u);
   EXPECT_EQ(written.settings.threads, 1);
+  EXPECT_EQ(written.precision, render::Precision::Float);
+  EXPECT_EQ(plain.precision, std::nullopt);
   EXPECT_EQ(written.output.tone, render::Tone::Linear);
   EXPECT_EQ(written.output.output, "o.png");
 }
 
 TEST(Rulings, Ruling33_FlagsWinOverTheScene) {
   Compilation compilation(
-      {.root = kCamera + kBall + "render { width: 5, samples: 3, tone: sqrt }"});
-  const auto lowered = compilation.lower(
-      {.width = 7, .samples = 8, .depth = 9, .threads = 2, .seed = 10, .tone = "linear"});
+      {.root = kCamera + kBall + "render { width: 5, samples: 3, tone: sqrt, precision: float }"});
+  const auto lowered = compilation.lower({.width = 7,
+                                          .samples = 8,
+                                          .depth = 9,
+                                          .threads = 2,
+                                          .seed = 10,
+                                          .tone = "linear",
+                                          .precision = "double"});
   ASSERT_TRUE(lowered);
   EXPECT_EQ(lowered->settings.width, 7);
   EXPECT_EQ(lowered->settings.samples, 8);
   EXPECT_EQ(lowered->settings.depth, 9);
   EXPECT_EQ(lowered->settings.threads, 2);
   EXPECT_EQ(lowered->settings.seed, 10u);
+  EXPECT_EQ(lowered->precision, render::Precision::Double);
   EXPECT_EQ(lowered->output.tone, render::Tone::Linear);
 }
 

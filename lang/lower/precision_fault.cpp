@@ -1,0 +1,83 @@
+#include "lang/lower/precision_fault.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace sdlc::lang {
+namespace {
+
+using render::Precision;
+using render::PrecisionBound;
+using render::PrecisionBounds;
+using render::PrecisionClause;
+
+std::vector<PrecisionFault::Role> roles_of(PrecisionClause clause, const PrecisionBound& bound) {
+  std::vector<PrecisionFault::Role> roles;
+  switch (clause) {
+    case PrecisionClause::Hit:
+      if (bound.sphere) roles.push_back({*bound.sphere, "the smallest sphere"});
+      if (bound.other != bound.sphere && bound.other) {
+        roles.push_back({*bound.other, "the farthest"});
+      }
+      break;
+    case PrecisionClause::Across:
+      if (bound.sphere) roles.push_back({*bound.sphere, "the surface that is so near"});
+      break;
+    case PrecisionClause::Gap:
+      if (bound.sphere) roles.push_back({*bound.sphere, "one of the two"});
+      if (bound.other) roles.push_back({*bound.other, "the other one"});
+      break;
+    default: break;
+  }
+  return roles;
+}
+
+PrecisionFault beyond_double_fault(const render::ScaleRatio& scale) {
+  PrecisionFault fault{
+      .info = &diag::beyond_double,
+      .message = fmt::format(fmt::runtime(diag::beyond_double.message),
+                             fmt::format("{:.3g}", scale.ratio)),
+      .roles = {{scale.smallest, "the smallest sphere"}},
+      .help =
+          "make a scene of its own of what is so small, or so far away; --precision double "
+          "renders it all the same, wrong as it then is"};
+  if (scale.farthest != scale.smallest) fault.roles.push_back({scale.farthest, "the farthest"});
+  return fault;
+}
+
+}  // namespace
+
+std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,
+                                                   const render::Camera& camera,
+                                                   const render::RenderSettings& settings,
+                                                   std::optional<Precision> wanted) {
+  if (wanted != Precision::Double) {
+    const render::ScaleRatio scale = measure_scale(scene, camera);
+    if (!(scale.ratio <= render::kMostScaleInDouble)) return beyond_double_fault(scale);
+  }
+  // Many spheres are traced in double whatever is asked for.
+  const bool is_float =
+      wanted == Precision::Float && scene.spheres.size() <= render::kMostSpheresForGaps;
+  if (is_float && judge_float(scene, camera, settings).is_accepted) return std::nullopt;
+  const PrecisionBounds bounds =
+      judge_precision(scene, camera, settings, is_float ? Precision::Float : Precision::Double);
+  if (bounds.is_accepted()) return std::nullopt;
+  const PrecisionClause clause = bounds.deciding();
+  return PrecisionFault{
+      .info = &diag::beyond_precision,
+      .message = fmt::format(fmt::runtime(diag::beyond_precision.message),
+                             is_float ? "float" : "double", describe(clause, bounds[clause])),
+      .roles = roles_of(clause, bounds[clause]),
+      .help = is_float
+                  ? "`auto` takes what resolves it"
+                  : "nothing has more digits: what is so small, near or far away is drawn wrong"};
+}
+
+std::size_t cameras_to_judge(std::size_t cameras, std::size_t spheres) noexcept {
+  constexpr std::size_t kMostLooks = 2'000'000;
+  return std::min(cameras,
+                  std::max<std::size_t>(1, kMostLooks / std::max<std::size_t>(1, spheres)));
+}
+
+}  // namespace sdlc::lang
