@@ -119,12 +119,12 @@ TEST(FloatVerdict, RefusesNarrowPixels) {
 
 TEST(FloatVerdict, RefusesViewsOfNearlyHalfTheSphere) {
   Scene scene = plain_scene();
-  scene.camera.plane_height = 9e5;
+  scene.camera.plane_height = 90;
   scene.camera.aspect = 1;
   EXPECT_TRUE(judge(scene).is_accepted);
-  scene.camera.plane_height = 1.1e6;
+  scene.camera.plane_height = 110;
   EXPECT_EQ(clause_of(scene), PrecisionClause::View);
-  scene.camera.plane_height = 9e4;
+  scene.camera.plane_height = 9;
   scene.camera.aspect = 16;
   EXPECT_EQ(clause_of(scene), PrecisionClause::View);
 }
