@@ -19,7 +19,7 @@ using render::KernelKind;
 using render::Precision;
 
 constexpr std::string_view kAuto = "auto";
-constexpr std::array kKinds{KernelKind::Scalar, KernelKind::Wide};
+constexpr std::array kKinds{KernelKind::Scalar, KernelKind::Wide, KernelKind::Bvh};
 constexpr std::array kPrecisions{Precision::Float, Precision::Double};
 
 /// The option's words are `auto` and the names of `choices`; the one given is what `chosen`
@@ -42,8 +42,10 @@ void add_choice(CLI::App& command, const char* flag, const std::array<T, N>& cho
 }  // namespace
 
 void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
-  add_choice(command, "--kernel", kKinds, request.kind,
-             "How paths are traced: one at a time, or one in every lane of a vector");
+  add_choice(
+      command, "--kernel", kKinds, request.kind,
+      "How paths are traced: one at a time, or one in every lane of a vector; a ray against every "
+      "sphere, or through a hierarchy");
   add_choice(command, "--precision", kPrecisions, request.precision,
              "Of the numbers of the paths; auto: float where rounding cannot be seen");
   add_choice(command, "--isa", render::kIsas, request.isa,
