@@ -18,7 +18,7 @@ using render::Isa;
 using render::KernelKind;
 
 constexpr std::string_view kAuto = "auto";
-constexpr std::array kKinds{KernelKind::Scalar, KernelKind::Wide};
+constexpr std::array kKinds{KernelKind::Scalar, KernelKind::Wide, KernelKind::Bvh};
 
 /// The option's words are `auto` and the names of `choices`; the one given is what `chosen`
 /// becomes.
@@ -40,8 +40,10 @@ void add_choice(CLI::App& command, const char* flag, const std::array<T, N>& cho
 }  // namespace
 
 void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
-  add_choice(command, "--kernel", kKinds, request.kind,
-             "How paths are traced: one at a time, or one in every lane of a vector");
+  add_choice(
+      command, "--kernel", kKinds, request.kind,
+      "How paths are traced: one at a time, or one in every lane of a vector; a ray against every "
+      "sphere, or through a hierarchy");
   add_choice(command, "--isa", render::kIsas, request.isa,
              "The instruction set of the wide kernel; auto: the best of the machine");
 }

@@ -58,7 +58,7 @@ struct PrecisionBounds {
 };
 
 /// Of more spheres no pairs are tried: PrecisionBounds::has_gaps is false.
-inline constexpr std::size_t kMostSpheresForGaps = 256;
+inline constexpr std::size_t kMostSpheresForGaps = 600;
 
 /// The bounds for a scene in float or double, all of it met in that. With u the unit of rounding,
 /// 2^-24 or 2^-53, and E the distance from the camera to the far side of the farthest sphere, over

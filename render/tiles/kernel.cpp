@@ -12,25 +12,14 @@
 namespace sdlc::render {
 namespace {
 
-// Nanoseconds that a ray takes, fitted to scenes of 4 to 250 spheres on one thread of a Cascade
-// Lake at 2.5 GHz with AVX2. Machines with other instructions decide by the same numbers, so that a
-// scene gives the same picture everywhere.
-double wide_cost(std::size_t spheres, Precision precision) {
-  const auto n = static_cast<double>(spheres);
-  return precision == Precision::Double ? 50 + 2.3 * n : 20 + 0.9 * n;
-}
-double scalar_cost(std::size_t spheres) {
-  return 200 + 12 * std::log2(static_cast<double>(spheres + 1));
-}
+/// Up to so many spheres it takes less time to hold every ray against all of them.
+constexpr std::size_t kFewSpheres = 48;
 
-// Gaps between spheres are looked for wherever float may be taken.
-static_assert(kMostWideSpheres <= kMostSpheresForGaps);
-
-/// Why the wide kernel does not take a scene; empty: it does.
-std::string objection_to_wide(const Scene& scene) {
+/// Why no wide kernel takes a scene; empty: one does.
+std::string objection_to_wide(const Scene& scene, const KernelRequest& request) {
   if (available_isas().empty()) return "the machine lacks the instructions of the wide kernel";
   if (scene.spheres.empty()) return "no spheres";
-  if (scene.spheres.size() > kMostWideSpheres) {
+  if (request.kind == KernelKind::Wide && scene.spheres.size() > kMostWideSpheres) {
     return "more than " + std::to_string(kMostWideSpheres) + " spheres";
   }
   Scene rebased = scene;
@@ -58,10 +47,15 @@ Kernel scalar_kernel(std::string reason) {
 Kernel wide_kernel_for(const Scene& scene, const RenderSettings& settings,
                        const KernelRequest& request) {
   Kernel kernel;
-  kernel.kind = KernelKind::Wide;
+  kernel.kind = request.kind.value_or(scene.spheres.size() <= kFewSpheres ? KernelKind::Wide
+                                                                          : KernelKind::Bvh);
   kernel.isa = request.isa.value_or(available_isas().back());
   if (request.precision == Precision::Double) {
     kernel.reason = "double was asked for";
+    return kernel;
+  }
+  if (scene.spheres.size() > kMostSpheresForGaps && !request.precision) {
+    kernel.reason = "so many spheres are not searched for gaps too narrow for float";
     return kernel;
   }
   const FloatVerdict verdict = judge_float(scene, scene.camera, settings);
@@ -85,7 +79,11 @@ Kernel wide_kernel_for(const Scene& scene, const RenderSettings& settings,
 }  // namespace
 
 std::string_view name_of(KernelKind kind) noexcept {
-  return kind == KernelKind::Wide ? "wide" : "scalar";
+  switch (kind) {
+    case KernelKind::Wide: return "wide";
+    case KernelKind::Bvh: return "bvh";
+    default: return "scalar";
+  }
 }
 
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
@@ -97,7 +95,7 @@ Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
   };
   const bool wants_float = request.precision && request.precision != Precision::Double;
   if (wants_float && request.may_take_double &&
-      (request.kind == KernelKind::Scalar || !objection_to_wide(scene).empty())) {
+      (request.kind == KernelKind::Scalar || !objection_to_wide(scene, request).empty())) {
     KernelRequest rest = request;
     rest.precision.reset();
     return choose_kernel(scene, settings, rest);
@@ -111,18 +109,13 @@ Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
     return scalar_kernel("the scalar kernel was asked for");
   }
 
-  const bool must_be_wide = request.kind == KernelKind::Wide || request.isa || wants_float;
-  if (const std::string objection = objection_to_wide(scene); !objection.empty()) {
+  const bool must_be_wide = request.kind || request.isa || wants_float;
+  if (const std::string objection = objection_to_wide(scene, request); !objection.empty()) {
     if (!must_be_wide) return scalar_kernel(objection);
     const char* flag = request.kind ? "--kernel" : request.isa ? "--isa" : "--precision";
     return refused(std::string(flag) + ": not with the wide kernel: " + objection);
   }
-  Kernel kernel = wide_kernel_for(scene, settings, request);
-  if (must_be_wide) return kernel;
-
-  const std::size_t spheres = scene.spheres.size();
-  if (wide_cost(spheres, kernel.precision) <= scalar_cost(spheres)) return kernel;
-  return scalar_kernel("its hierarchy is faster for so many spheres");
+  return wide_kernel_for(scene, settings, request);
 }
 
 PrecisionBounds bounds_of(const Kernel& kernel, const Scene& scene,

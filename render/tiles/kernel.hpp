@@ -17,6 +17,7 @@ namespace sdlc::render {
 enum class KernelKind : std::uint8_t {
   Scalar,  ///< one path at a time, through a hierarchy of spheres, in double
   Wide,    ///< a path in every lane of a vector, each ray against every sphere
+  Bvh,     ///< a path in every lane of a vector, each ray through a hierarchy of spheres
 };
 
 /// What is asked for; nothing: whatever suits the scene. `Float` takes Mixed too, where the scene

@@ -161,10 +161,14 @@ class WideTiles final : public Tiles {
               picture_.pixels.begin() + static_cast<std::ptrdiff_t>(first));
   }
 
+  std::size_t bvh_bytes() const override { return integrator_.memory_bytes(); }
+
  private:
   static WideIntegrator::Options options(const Kernel& kernel) {
-    return {
-        .precision = kernel.precision, .isa = *kernel.isa, .exact_spheres = kernel.exact_spheres};
+    return {.precision = kernel.precision,
+            .isa = *kernel.isa,
+            .search = kernel.kind == KernelKind::Bvh ? Search::Bvh : Search::All,
+            .exact_spheres = kernel.exact_spheres};
   }
 
   static std::size_t pixels_a_tile(const RenderSettings& settings, std::size_t pixels,

@@ -2,8 +2,6 @@
 
 #include <vector>
 
-#include <hwy/targets.h>
-
 namespace sdlc::render {
 
 std::string_view name_of(Isa isa) noexcept {
@@ -14,13 +12,26 @@ std::string_view name_of(Isa isa) noexcept {
   }
 }
 
+// Highway can tell too, but its library takes 2 ms to be loaded, in every command.
 std::span<const Isa> available_isas() noexcept {
   static const std::vector<Isa> isas = [] {
     std::vector<Isa> found;
-    const auto targets = hwy::SupportedTargets();
-    if (targets & HWY_SSE4) found.push_back(Isa::Sse4);
-    if (targets & HWY_AVX2) found.push_back(Isa::Avx2);
-    if (targets & HWY_AVX3) found.push_back(Isa::Avx512);
+#if defined(__x86_64__)
+    const auto has_avx2 = [] {
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+             __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+    };
+    const auto has_avx512 = [] {
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+             __builtin_cpu_supports("avx512cd");
+    };
+    if (!__builtin_cpu_supports("sse4.2")) return found;
+    found.push_back(Isa::Sse4);
+    if (!has_avx2()) return found;
+    found.push_back(Isa::Avx2);
+    if (has_avx512()) found.push_back(Isa::Avx512);
+#endif
     return found;
   }();
   return isas;

@@ -17,167 +17,14 @@
 #include <hwy/highway.h>
 
 #include "render/sampler/sampler.hpp"
+#include "render/wide/bvh_search-inl.h"
 #include "render/wide/path_kernel.hpp"
+#include "render/wide/vector_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-template <typename V>
-struct Triple {
-  V x, y, z;
-};
-
-template <typename V>
-HWY_INLINE V dot(Triple<V> a, Triple<V> b) {
-  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
-}
-/// a + b · s
-template <typename V>
-HWY_INLINE Triple<V> plus_scaled(Triple<V> a, Triple<V> b, V s) {
-  return {hn::MulAdd(b.x, s, a.x), hn::MulAdd(b.y, s, a.y), hn::MulAdd(b.z, s, a.z)};
-}
-/// a − b · s
-template <typename V>
-HWY_INLINE Triple<V> minus_scaled(Triple<V> a, Triple<V> b, V s) {
-  return {hn::NegMulAdd(b.x, s, a.x), hn::NegMulAdd(b.y, s, a.y), hn::NegMulAdd(b.z, s, a.z)};
-}
-template <typename V>
-HWY_INLINE Triple<V> scaled(Triple<V> a, V s) {
-  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
-}
-template <typename V>
-HWY_INLINE Triple<V> minus(Triple<V> a, Triple<V> b) {
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-template <typename M, typename V>
-HWY_INLINE Triple<V> choose(M mask, Triple<V> yes, Triple<V> no) {
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
-          hn::IfThenElse(mask, yes.z, no.z)};
-}
-template <typename D, typename T>
-HWY_INLINE Triple<hn::Vec<D>> spread(D d, const std::array<T, 3>& v) {
-  return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
-}
-
-// --- random numbers: render/sampler/sampler.hpp in every lane ---
-
-/// The low 32 bits of a product; lanes of 64 bits hold numbers below 2^32.
-HWY_INLINE auto mul_low_32(auto a, std::uint32_t factor) {
-  const hn::DFromV<decltype(a)> du;
-  if constexpr (sizeof(hn::TFromD<decltype(du)>) == 4) {
-    return hn::Mul(a, hn::Set(du, factor));
-  } else {
-    const hn::Repartition<std::uint32_t, decltype(du)> du32;
-    return hn::And(hn::MulEven(hn::BitCast(du32, a), hn::BitCast(du32, hn::Set(du, factor))),
-                   hn::Set(du, 0xFFFFFFFFu));
-  }
-}
-
-/// The low 32 bits of a sum.
-template <typename V>
-HWY_INLINE V add_low_32(V a, V b) {
-  const hn::DFromV<V> du;
-  if constexpr (sizeof(hn::TFromV<V>) == 4) return hn::Add(a, b);
-  return hn::And(hn::Add(a, b), hn::Set(du, 0xFFFFFFFFu));
-}
-
-template <typename V>
-HWY_INLINE V mix_lanes(V x, V key) {
-  x = add_low_32(mul_low_32(hn::Xor(x, hn::ShiftRight<16>(x)), 0x7FEB352D), key);
-  return mul_low_32(hn::Xor(x, hn::ShiftRight<15>(x)), 0x846CA68B);
-}
-
-/// 32 bits as a number in [0, 1): 24 of them in float, all in double.
-template <typename D, typename V>
-HWY_INLINE hn::Vec<D> uniform_from_bits(D d, V bits) {
-  if constexpr (sizeof(hn::TFromD<D>) == 4) {
-    const hn::RebindToSigned<D> di;
-    return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, hn::ShiftRight<8>(bits))),
-                   hn::Set(d, 0x1p-24f));
-  } else {
-    const hn::RebindToUnsigned<D> du;
-    // The bits become the low ones of the significand of a number from 2^52 on.
-    const auto magic = hn::Set(d, 0x1p52);
-    const auto number = hn::BitCast(d, hn::Or(bits, hn::BitCast(du, magic)));
-    return hn::Mul(hn::Sub(number, magic), hn::Set(d, 0x1p-32));
-  }
-}
-
-/// The numbers of one block of dimensions.
-template <typename D>
-class LaneSampler {
- public:
-  using Bits = hn::Vec<hn::RebindToUnsigned<D>>;
-
-  /// `start`: PathSampler's, plus the increments up to the block.
-  HWY_INLINE LaneSampler(Bits start, Bits mixer) : start_(start), mixer_(mixer) {}
-
-  HWY_INLINE hn::Vec<D> uniform(std::uint32_t dimension) const {
-    const hn::RebindToUnsigned<D> du;
-    const auto offset = hn::Set(du, (dimension + 1) * PathSampler::kIncrement);
-    return uniform_from_bits(D(), mix_lanes(add_low_32(start_, offset), mixer_));
-  }
-
- private:
-  Bits start_, mixer_;
-};
-
-// --- sine and cosine ---
-
-/// sin(2π x) for |x| ≤ 1/4.
-template <typename V>
-HWY_INLINE V sine_of_quarter_turn(V x) {
-  const hn::DFromV<V> d;
-  using T = hn::TFromV<V>;
-  const V y = hn::Mul(x, x);
-  V p;
-  if constexpr (sizeof(T) == 4) {
-    // Here and below: least maximum relative error among polynomials of the degree, by Remez'
-    // exchange: 5.3e-9, and 1.4e-16 in double.
-    p = hn::Set(d, 39.7109184f);
-    p = hn::MulAdd(p, y, hn::Set(d, -76.5749893f));
-    p = hn::MulAdd(p, y, hn::Set(d, 81.6022339f));
-    p = hn::MulAdd(p, y, hn::Set(d, -41.3416786f));
-    p = hn::MulAdd(p, y, hn::Set(d, 6.28318548f));
-  } else {
-    p = hn::Set(d, -0.69215694788291671);
-    p = hn::MulAdd(p, y, hn::Set(d, 3.8172886438194293));
-    p = hn::MulAdd(p, y, hn::Set(d, -15.094499475226721));
-    p = hn::MulAdd(p, y, hn::Set(d, 42.058689667371439));
-    p = hn::MulAdd(p, y, hn::Set(d, -76.705859683291166));
-    p = hn::MulAdd(p, y, hn::Set(d, 81.605249275512847));
-    p = hn::MulAdd(p, y, hn::Set(d, -41.341702240398021));
-    p = hn::MulAdd(p, y, hn::Set(d, 6.2831853071795853));
-  }
-  return hn::Mul(x, p);
-}
-
-/// The point at `turn`, from 0 to 1 turn, of the circle around the origin; the turn begins at −x.
-template <typename V>
-HWY_INLINE void point_on_circle(V turn, V radius, V& x, V& y) {
-  const hn::DFromV<V> d;
-  const V half = hn::Set(d, hn::TFromV<V>{0.5}), quarter = hn::Set(d, hn::TFromV<V>{0.25});
-  const V u = hn::Sub(turn, half);  // −1/2 … 1/2
-  const V size = hn::Abs(u);
-  // The sine at 1/2 − u is the one at u.
-  const V folded = hn::IfThenElse(hn::Gt(size, quarter), hn::Sub(hn::CopySign(half, u), u), u);
-  x = hn::Mul(radius, sine_of_quarter_turn(hn::Sub(quarter, size)));
-  y = hn::Mul(radius, sine_of_quarter_turn(folded));
-}
-
-/// Share of unpolarised light reflected by Fresnel's equations, with the cosines on both sides.
-template <typename V>
-HWY_INLINE V fresnel_exact_lanes(V incident, V beyond, V eta) {
-  const hn::DFromV<V> d;
-  using T = hn::TFromV<V>;
-  const V across = hn::Div(hn::NegMulAdd(eta, incident, beyond), hn::MulAdd(eta, incident, beyond));
-  const V along = hn::Div(hn::NegMulAdd(eta, beyond, incident), hn::MulAdd(eta, beyond, incident));
-  const V share = hn::Mul(hn::Set(d, T{0.5}), hn::MulAdd(across, across, hn::Mul(along, along)));
-  const auto is_grazing = hn::Eq(hn::Add(incident, beyond), hn::Zero(d));  // on both sides
-  return hn::IfThenElse(is_grazing, hn::Set(d, T{1}), share);
-}
 
 // --- tables ---
 
@@ -189,11 +36,11 @@ class TableReader {
   using DU = hn::RebindToUnsigned<D>;
   using Index = hn::Vec<DU>;
 
-  HWY_INLINE TableReader(Index index, std::size_t spheres)
-      : index_(index), registers_((spheres + kLanes - 1) / kLanes) {}
+  HWY_INLINE TableReader(Index index, std::size_t rows)
+      : index_(index), registers_((rows + kLanes - 1) / kLanes) {}
 
-  template <typename U>
-  HWY_INLINE auto operator()(const std::array<U, kMostWideSpheres>& table) const {
+  template <typename U, typename Allocator>
+  HWY_INLINE auto operator()(const std::vector<U, Allocator>& table) const {
     const hn::Rebind<U, D> d;
     if constexpr (kHasPermutation) {
       if (HWY_LIKELY(registers_ <= kMostRegisters)) {
@@ -212,8 +59,8 @@ class TableReader {
     return hn::GatherIndex(d, table.data(), hn::BitCast(DI(), index_));
   }
 
-  HWY_INLINE Triple<hn::Vec<D>> operator()(
-      const std::array<std::array<T, kMostWideSpheres>, 3>& tables) const {
+  template <typename Table>
+  HWY_INLINE Triple<hn::Vec<D>> operator()(const std::array<Table, 3>& tables) const {
     return {(*this)(tables[0]), (*this)(tables[1]), (*this)(tables[2])};
   }
 
@@ -231,8 +78,16 @@ class TableReader {
 
 // --- paths ---
 
+/// What a kernel has and what costs time where a scene does not need it.
+template <bool motion, bool exact_spheres, bool bvh>
+struct Features {
+  static constexpr bool kMotion = motion;
+  static constexpr bool kExactSpheres = exact_spheres;
+  static constexpr bool kBvh = bvh;
+};
+
 /// All that a thread does: one path in every lane, a new one as soon as it ends.
-template <typename T, bool kMotion, bool kExactSpheres>
+template <typename T, typename F>
 class WidePaths {
  public:
   HWY_INLINE WidePaths(const WideScene<T>& scene, const WideView<T>& view,
@@ -271,12 +126,18 @@ class WidePaths {
   HWY_INLINE void start_block(std::size_t lane);
   HWY_INLINE void finish_blocks(Mask finished);
   HWY_INLINE Nearest intersect(Triple<V> origin, Triple<V> direction, V time, Bits departed,
-                               V rehit) const;
+                               V rehit, Mask alive) const;
   template <bool kAsks>
   HWY_INLINE void intersect_tables(Triple<V> origin, Triple<V> direction, V time, Bits departed,
                                    V rehit, Nearest& nearest) const;
   void intersect_exact(Triple<V> origin, Triple<V> direction, V time, Bits departed, V rehit,
                        Nearest& nearest) const;
+  void intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed, V rehit,
+                     Mask alive, Nearest& nearest) const;
+  HWY_INLINE TableReader<D> material_reader(Bits slot, const TableReader<D>& read) const {
+    if constexpr (F::kBvh) return {read(scene_.material), scene_.materials};
+    return read;
+  }
   static HWY_INLINE V first_from_zero(V enters, V leaves);
   static HWY_INLINE void take_if_nearer(V t, Bits index, Nearest& nearest);
   HWY_INLINE Triple<V> scatter(Triple<V> direction, Triple<V> outward, V cosine, Bits surface,
@@ -301,8 +162,8 @@ class WidePaths {
   std::array<std::size_t, kLanes> block_{};
 };
 
-template <typename T, bool kMotion, bool kExactSpheres>
-void WidePaths<T, kMotion, kExactSpheres>::start_block(std::size_t lane) {
+template <typename T, typename F>
+void WidePaths<T, F>::start_block(std::size_t lane) {
   if (next_block_ == blocks_.size()) {
     samples_left_[lane] = 0;
     return;
@@ -319,8 +180,8 @@ void WidePaths<T, kMotion, kExactSpheres>::start_block(std::size_t lane) {
   samples_left_[lane] = block.count;
 }
 
-template <typename T, bool kMotion, bool kExactSpheres>
-void WidePaths<T, kMotion, kExactSpheres>::finish_blocks(Mask finished) {
+template <typename T, typename F>
+void WidePaths<T, F>::finish_blocks(Mask finished) {
   alignas(64) std::array<Word, kLanes> flags;
   hn::Store(hn::VecFromMask(DU(), hn::RebindMask(DU(), finished)), DU(), flags.data());
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -332,38 +193,41 @@ void WidePaths<T, kMotion, kExactSpheres>::finish_blocks(Mask finished) {
 
 /// The nearest sphere, of several at one distance the first. Each is met at t > 0, the one that the
 /// path `departed` from at `rehit`, where that is positive.
-template <typename T, bool kMotion, bool kExactSpheres>
-auto WidePaths<T, kMotion, kExactSpheres>::intersect(Triple<V> origin, Triple<V> direction, V time,
-                                                     Bits departed, V rehit) const -> Nearest {
+template <typename T, typename F>
+auto WidePaths<T, F>::intersect(Triple<V> origin, Triple<V> direction, V time, Bits departed,
+                                V rehit, Mask alive) const -> Nearest {
   // Where spheres are few, some lane nearly always hits, and to ask costs 3 %; of 87 spheres
   // most are missed by all lanes, and to ask saves 25 to 35 %. The result is the same.
   constexpr std::size_t kFew = 16;
   Nearest nearest{hn::Set(D(), std::numeric_limits<T>::infinity()), hn::Zero(DU())};
-  if (scene_.spheres <= kFew) {
-    intersect_tables<false>(origin, direction, time, departed, rehit, nearest);
-  } else {
-    intersect_tables<true>(origin, direction, time, departed, rehit, nearest);
+  if constexpr (!F::kBvh) {
+    if (scene_.slots <= kFew) {
+      intersect_tables<false>(origin, direction, time, departed, rehit, nearest);
+    } else {
+      intersect_tables<true>(origin, direction, time, departed, rehit, nearest);
+    }
   }
-  if constexpr (kExactSpheres) {
+  if constexpr (F::kExactSpheres) {
     intersect_exact(origin, direction, time, departed, rehit, nearest);
+  }
+  if constexpr (F::kBvh) {
+    intersect_bvh(origin, direction, time, departed, rehit, alive, nearest);
   }
   return nearest;
 }
 
 /// Meets all spheres but those of WideScene::exact. `kAsks` whether any lane hits before it goes
 /// on.
-template <typename T, bool kMotion, bool kExactSpheres>
+template <typename T, typename F>
 template <bool kAsks>
-void WidePaths<T, kMotion, kExactSpheres>::intersect_tables(Triple<V> origin, Triple<V> direction,
-                                                            V time, Bits departed, V rehit,
-                                                            Nearest& nearest) const {
+void WidePaths<T, F>::intersect_tables(Triple<V> origin, Triple<V> direction, V time, Bits departed,
+                                       V rehit, Nearest& nearest) const {
   const D d;
   const DU du;
-  const std::size_t count = scene_.spheres - (kExactSpheres ? scene_.exact_spheres : 0);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < scene_.first_exact; ++i) {
     Triple<V> center{hn::Set(d, scene_.center[0][i]), hn::Set(d, scene_.center[1][i]),
                      hn::Set(d, scene_.center[2][i])};
-    if constexpr (kMotion) {
+    if constexpr (F::kMotion) {
       center = plus_scaled(center,
                            {hn::Set(d, scene_.shift[0][i]), hn::Set(d, scene_.shift[1][i]),
                             hn::Set(d, scene_.shift[2][i])},
@@ -371,11 +235,8 @@ void WidePaths<T, kMotion, kExactSpheres>::intersect_tables(Triple<V> origin, Tr
     }
     const Triple<V> to_center = minus(center, origin);
     const V middle = dot(to_center, direction);
-    const Triple<V> across = minus_scaled(to_center, direction, middle);
-    const V discriminant = hn::NegMulAdd(
-        across.x, across.x,
-        hn::NegMulAdd(across.y, across.y,
-                      hn::NegMulAdd(across.z, across.z, hn::Set(d, scene_.radius_squared[i]))));
+    const V discriminant =
+        chord_discriminant(to_center, direction, middle, hn::Set(d, scene_.radius_squared[i]));
     const Bits index = hn::Set(du, static_cast<Word>(i));
     const Mask is_departed = hn::RebindMask(d, hn::Eq(departed, index));
     if constexpr (kAsks) {
@@ -392,8 +253,8 @@ void WidePaths<T, kMotion, kExactSpheres>::intersect_tables(Triple<V> origin, Tr
 
 /// `enters` where it is not negative, else `leaves`, which is not less; anything that is not from 0
 /// on where both are negative or no numbers.
-template <typename T, bool kMotion, bool kExactSpheres>
-auto WidePaths<T, kMotion, kExactSpheres>::first_from_zero(V enters, V leaves) -> V {
+template <typename T, typename F>
+auto WidePaths<T, F>::first_from_zero(V enters, V leaves) -> V {
   if constexpr (kOrdersAsWholeNumbers) {
     const DU du;
     return hn::BitCast(D(), hn::Min(hn::BitCast(du, enters), hn::BitCast(du, leaves)));
@@ -402,8 +263,8 @@ auto WidePaths<T, kMotion, kExactSpheres>::first_from_zero(V enters, V leaves) -
   }
 }
 
-template <typename T, bool kMotion, bool kExactSpheres>
-void WidePaths<T, kMotion, kExactSpheres>::take_if_nearer(V t, Bits index, Nearest& nearest) {
+template <typename T, typename F>
+void WidePaths<T, F>::take_if_nearer(V t, Bits index, Nearest& nearest) {
   const D d;
   const DU du;
   if constexpr (kOrdersAsWholeNumbers) {
@@ -419,10 +280,9 @@ void WidePaths<T, kMotion, kExactSpheres>::take_if_nearer(V t, Bits index, Neare
 }
 
 /// Meets the spheres of WideScene::exact in double, one half of the lanes after the other.
-template <typename T, bool kMotion, bool kExactSpheres>
-void WidePaths<T, kMotion, kExactSpheres>::intersect_exact(Triple<V> origin, Triple<V> direction,
-                                                           V time, Bits departed, V rehit,
-                                                           Nearest& nearest) const {
+template <typename T, typename F>
+void WidePaths<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction, V time, Bits departed,
+                                      V rehit, Nearest& nearest) const {
   const D d;
   const hn::Half<D> dh;
   const hn::Repartition<double, D> dd;
@@ -442,7 +302,7 @@ void WidePaths<T, kMotion, kExactSpheres>::intersect_exact(Triple<V> origin, Tri
     std::array<Wide, 2> t;
     for (std::size_t half = 0; half < 2; ++half) {
       Triple<Wide> center = spread(dd, sphere.center);
-      if constexpr (kMotion) {
+      if constexpr (F::kMotion) {
         center = plus_scaled(center, spread(dd, sphere.shift), times[half]);
       }
       const Triple<Wide> to_center = minus(center, origins[half]);
@@ -454,19 +314,45 @@ void WidePaths<T, kMotion, kExactSpheres>::intersect_exact(Triple<V> origin, Tri
       t[half] = hn::IfThenElse(hn::Ge(enters, hn::Zero(dd)), enters, hn::Add(middle, half_chord));
     }
     const V nearer = hn::Combine(d, hn::DemoteTo(dh, t[1]), hn::DemoteTo(dh, t[0]));
-    const Bits index = word(static_cast<std::uint32_t>(scene_.spheres - scene_.exact_spheres + i));
+    const Bits index = word(static_cast<std::uint32_t>(scene_.first_exact + i));
     const Mask is_departed = hn::RebindMask(d, hn::Eq(departed, index));
     take_if_nearer(hn::IfThenElse(is_departed, rehit, nearer), index, nearest);
   }
 }
 
+/// Meets the spheres of WideScene::bvh, one lane after the other.
+template <typename T, typename F>
+void WidePaths<T, F>::intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed,
+                                    V rehit, Mask alive, Nearest& nearest) const {
+  const D d;
+  const DU du;
+  const Mask has_left = hn::RebindMask(d, hn::Ne(departed, word(scene_.kNoCameraSphere)));
+  take_if_nearer(hn::IfThenElse(has_left, rehit, set(-1)), departed, nearest);
+
+  using Search = BvhSearch<T, F::kMotion>;
+  const typename Search::Rays rays(origin, direction, time);
+  const Search search(scene_, rays);
+  alignas(64) std::array<T, kLanes> distances;
+  alignas(64) std::array<Word, kLanes> left, indices;
+  hn::Store(nearest.t, d, distances.data());
+  hn::Store(departed, du, left.data());
+  hn::Store(nearest.index, du, indices.data());
+  for (std::uint32_t lanes = bits_of(d, alive); lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+    typename Search::Hit hit{distances[lane], static_cast<std::uint32_t>(indices[lane])};
+    search.find(lane, static_cast<std::uint32_t>(left[lane]), hit);
+    distances[lane] = hit.t;
+    indices[lane] = hit.slot;
+  }
+  nearest = {hn::Load(d, distances.data()), hn::Load(du, indices.data())};
+}
+
 /// The direction in which each path goes on, of any length; nothing that matters for lanes whose
 /// path ends anyway. `surface` is 0 where nothing was hit.
-template <typename T, bool kMotion, bool kExactSpheres>
-auto WidePaths<T, kMotion, kExactSpheres>::scatter(Triple<V> direction, Triple<V> outward, V cosine,
-                                                   Bits surface, const TableReader<D>& read,
-                                                   const LaneSampler<D>& sampler,
-                                                   Mask& absorbed) const -> Triple<V> {
+template <typename T, typename F>
+auto WidePaths<T, F>::scatter(Triple<V> direction, Triple<V> outward, V cosine, Bits surface,
+                              const TableReader<D>& read, const LaneSampler<D>& sampler,
+                              Mask& absorbed) const -> Triple<V> {
   const D d;
   const V one = set(1);
   // The normal on the side of the ray: turned round where the cosine is positive.
@@ -504,10 +390,9 @@ auto WidePaths<T, kMotion, kExactSpheres>::scatter(Triple<V> direction, Triple<V
 }
 
 /// Through glass, or back from it where `choice` is below the share that Fresnel's term reflects.
-template <typename T, bool kMotion, bool kExactSpheres>
-auto WidePaths<T, kMotion, kExactSpheres>::refract(Triple<V> direction, Triple<V> facing,
-                                                   Triple<V> mirrored, V cosine, Bits surface,
-                                                   const TableReader<D>& read, V choice) const
+template <typename T, typename F>
+auto WidePaths<T, F>::refract(Triple<V> direction, Triple<V> facing, Triple<V> mirrored, V cosine,
+                              Bits surface, const TableReader<D>& read, V choice) const
     -> Triple<V> {
   const D d;
   const V one = set(1), zero = hn::Zero(d);
@@ -529,8 +414,8 @@ auto WidePaths<T, kMotion, kExactSpheres>::refract(Triple<V> direction, Triple<V
 }
 
 /// Adds `value` in the lanes of `mask`, in double.
-template <typename T, bool kMotion, bool kExactSpheres>
-void WidePaths<T, kMotion, kExactSpheres>::add_to_sums(Mask mask, Triple<V> value) {
+template <typename T, typename F>
+void WidePaths<T, F>::add_to_sums(Mask mask, Triple<V> value) {
   const hn::ScalableTag<double> dd;
   const std::array<V, 3> channels{hn::IfThenElseZero(mask, value.x),
                                   hn::IfThenElseZero(mask, value.y),
@@ -550,9 +435,8 @@ void WidePaths<T, kMotion, kExactSpheres>::add_to_sums(Mask mask, Triple<V> valu
   }
 }
 
-template <typename T, bool kMotion, bool kExactSpheres>
-void WidePaths<T, kMotion, kExactSpheres>::trace(WideCounts& counts,
-                                                 const std::atomic<bool>& cancel) {
+template <typename T, typename F>
+void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel) {
   const D d;
   const DU du;
   const V zero = hn::Zero(d), one = set(1);
@@ -586,7 +470,7 @@ void WidePaths<T, kMotion, kExactSpheres>::trace(WideCounts& counts,
       const Triple<V> place =
           plus_scaled(plus_scaled(corner, spread(d, view_.right), sampler.uniform(kPixelX)),
                       spread(d, view_.up), sampler.uniform(kPixelY));
-      if constexpr (kMotion) time = hn::IfThenElse(fresh, sampler.uniform(kTime), time);
+      if constexpr (F::kMotion) time = hn::IfThenElse(fresh, sampler.uniform(kTime), time);
       stream = hn::IfThenElse(
           fresh_bits, add_low_32(start, word(PathSampler::kIncrement * kCameraDimensions)), stream);
       next = choose(fresh, place, next);
@@ -614,13 +498,14 @@ void WidePaths<T, kMotion, kExactSpheres>::trace(WideCounts& counts,
     const V inwards = dot(direction, normal);
     const V rehit = hn::IfThenElse(hn::Lt(inwards, zero),
                                    hn::Mul(hn::Mul(set(-2), inwards), radius), hn::Neg(one));
-    const Nearest nearest = intersect(origin, direction, time, departed, rehit);
+    const Nearest nearest = intersect(origin, direction, time, departed, rehit, alive);
     counts.rays += hn::CountTrue(d, alive);
 
     const Mask hit = hn::Lt(nearest.t, infinity);
-    const TableReader<D> read(nearest.index, scene_.spheres);
-    const Bits surface = hn::IfThenElseZero(hn::RebindMask(du, hit), read(scene_.surface));
-    const Triple<V> color = read(scene_.color);
+    const TableReader<D> read(nearest.index, scene_.slots);
+    const TableReader<D> read_material = material_reader(nearest.index, read);
+    const Bits surface = hn::IfThenElseZero(hn::RebindMask(du, hit), read_material(scene_.surface));
+    const Triple<V> color = read_material(scene_.color);
     const Triple<V> sky =
         plus_scaled(spread(d, scene_.sky_middle), spread(d, scene_.sky_slope), direction.y);
     const Triple<V> factor = choose(hit, color, sky);
@@ -628,7 +513,7 @@ void WidePaths<T, kMotion, kExactSpheres>::trace(WideCounts& counts,
 
     // From the centre, never from the point in the world: the distance to the origin cancels.
     Triple<V> center = read(scene_.center);
-    if constexpr (kMotion) center = plus_scaled(center, read(scene_.shift), time);
+    if constexpr (F::kMotion) center = plus_scaled(center, read(scene_.shift), time);
     const Mask is_rehit = hn::RebindMask(d, hn::Eq(nearest.index, departed));
     const Triple<V> from_center = plus_scaled(minus(origin, center), direction, nearest.t);
     Triple<V> outward =
@@ -637,8 +522,8 @@ void WidePaths<T, kMotion, kExactSpheres>::trace(WideCounts& counts,
     const V cosine = dot(direction, outward);
 
     Mask absorbed = hn::MaskFromVec(hn::Zero(d));
-    next =
-        scatter(direction, outward, cosine, surface, read, LaneSampler<D>(stream, mixer), absorbed);
+    next = scatter(direction, outward, cosine, surface, read_material,
+                   LaneSampler<D>(stream, mixer), absorbed);
     stream = add_low_32(stream, word(kVertexStep));
     radius = read(scene_.radius);
     origin = plus_scaled(center, outward, radius);
@@ -672,21 +557,29 @@ void WidePaths<T, kMotion, kExactSpheres>::trace(WideCounts& counts,
   }
 }
 
-template <typename T, bool kMotion, bool kExactSpheres>
+template <typename T, typename F>
 void trace_blocks(const WideScene<T>& scene, const WideView<T>& view,
                   std::span<const SampleBlock<T>> blocks, std::span<LinearRgb> sums,
                   WideCounts& counts, const std::atomic<bool>& cancel) noexcept {
-  WidePaths<T, kMotion, kExactSpheres>(scene, view, blocks, sums).trace(counts, cancel);
+  WidePaths<T, F>(scene, view, blocks, sums).trace(counts, cancel);
+}
+
+template <typename T, bool kMotion, bool kExactSpheres>
+TraceBlocks<T>* choose_search(WideFeatures features) noexcept {
+  return features.bvh ? &trace_blocks<T, Features<kMotion, kExactSpheres, true>>
+                      : &trace_blocks<T, Features<kMotion, kExactSpheres, false>>;
 }
 
 template <typename T>
 TraceBlocks<T>* choose_kernel(WideFeatures features) noexcept {
   if constexpr (sizeof(T) == 4) {
     if (features.exact_spheres) {
-      return features.motion ? &trace_blocks<T, true, true> : &trace_blocks<T, false, true>;
+      return features.motion ? choose_search<T, true, true>(features)
+                             : choose_search<T, false, true>(features);
     }
   }
-  return features.motion ? &trace_blocks<T, true, false> : &trace_blocks<T, false, false>;
+  return features.motion ? choose_search<T, true, false>(features)
+                         : choose_search<T, false, false>(features);
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE

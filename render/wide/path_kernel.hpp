@@ -41,6 +41,7 @@ using TraceBlocks = void(const WideScene<T>& scene, const WideView<T>& view,
 struct WideFeatures {
   bool motion = false;
   bool exact_spheres = false;  ///< WideScene::exact, in float
+  bool bvh = false;            ///< Search::Bvh
 };
 /// The kernel for an instruction set that this machine has.
 template <typename T>

@@ -16,7 +16,7 @@ TraceBlocks<double>* double_kernel(WideFeatures features) noexcept {
 HWY_AFTER_NAMESPACE();
 #endif
 
-#if HWY_ONCE
+#if HWY_ONCE && HWY_ARCH_X86_64
 namespace sdlc::render {
 
 template <>
@@ -26,6 +26,15 @@ TraceBlocks<double>* wide_kernel<double>(Isa isa, WideFeatures features) noexcep
     case Isa::Avx2: return N_AVX2::double_kernel(features);
     default: return N_AVX3::double_kernel(features);
   }
+}
+
+}  // namespace sdlc::render
+#elif HWY_ONCE
+namespace sdlc::render {
+
+template <>
+TraceBlocks<double>* wide_kernel<double>(Isa /*isa*/, WideFeatures /*features*/) noexcept {
+  return nullptr;  // no Isa is available
 }
 
 }  // namespace sdlc::render

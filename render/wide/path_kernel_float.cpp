@@ -16,7 +16,7 @@ TraceBlocks<float>* float_kernel(WideFeatures features) noexcept {
 HWY_AFTER_NAMESPACE();
 #endif
 
-#if HWY_ONCE
+#if HWY_ONCE && HWY_ARCH_X86_64
 namespace sdlc::render {
 
 template <>
@@ -26,6 +26,15 @@ TraceBlocks<float>* wide_kernel<float>(Isa isa, WideFeatures features) noexcept 
     case Isa::Avx2: return N_AVX2::float_kernel(features);
     default: return N_AVX3::float_kernel(features);
   }
+}
+
+}  // namespace sdlc::render
+#elif HWY_ONCE
+namespace sdlc::render {
+
+template <>
+TraceBlocks<float>* wide_kernel<float>(Isa /*isa*/, WideFeatures /*features*/) noexcept {
+  return nullptr;  // no Isa is available
 }
 
 }  // namespace sdlc::render

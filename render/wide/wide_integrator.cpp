@@ -31,6 +31,7 @@ class WideIntegrator::Tracer {
   virtual ~Tracer() = default;
   virtual bool render(std::uint64_t first, std::span<LinearRgb> means,
                       const std::atomic<bool>& cancel, const Report& report) const = 0;
+  virtual std::size_t memory_bytes() const noexcept = 0;
 };
 
 /// The tracer in numbers of type T.
@@ -39,9 +40,10 @@ class WideIntegrator::TracerIn final : public Tracer {
  public:
   TracerIn(const Scene& rebased, const Pinhole& pinhole, const RenderSettings& settings,
            const Options& options)
-      : scene_(rebased, settings.depth, options.exact_spheres),
-        kernel_(wide_kernel<T>(
-            options.isa, {.motion = scene_.has_motion, .exact_spheres = scene_.exact_spheres > 0})),
+      : scene_(rebased, settings.depth, options.search, options.exact_spheres),
+        kernel_(wide_kernel<T>(options.isa, {.motion = scene_.has_motion,
+                                             .exact_spheres = scene_.exact_spheres > 0,
+                                             .bvh = options.search == Search::Bvh})),
         width_(static_cast<std::uint64_t>(settings.width)),
         height_(static_cast<std::uint64_t>(settings.height)),
         samples_(static_cast<std::uint64_t>(settings.samples)),
@@ -85,6 +87,8 @@ class WideIntegrator::TracerIn final : public Tracer {
     return true;
   }
 
+  std::size_t memory_bytes() const noexcept override { return scene_.memory_bytes(); }
+
  private:
   void add_blocks(std::uint64_t pixel, std::uint64_t from, std::uint64_t to,
                   std::vector<SampleBlock<T>>& blocks) const {
@@ -125,5 +129,7 @@ bool WideIntegrator::render(std::uint64_t first, std::span<LinearRgb> means,
                             const std::atomic<bool>& cancel, const Report& report) const {
   return tracer_->render(first, means, cancel, report);
 }
+
+std::size_t WideIntegrator::memory_bytes() const noexcept { return tracer_->memory_bytes(); }
 
 }  // namespace sdlc::render

@@ -10,6 +10,7 @@
 #include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
 #include "render/wide/isa.hpp"
+#include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {
 
@@ -20,20 +21,20 @@ struct WideCounts {
   std::uint64_t nonfinite_samples = 0;
 };
 
-/// A scene small enough to hold every ray against every sphere, traced with a path in each lane of
-/// a vector. The paths are PathIntegrator's, from the same random numbers; in double they differ by
-/// rounding alone. Read by all threads.
+/// A scene traced with a path in each lane of a vector. The paths are PathIntegrator's, from the
+/// same random numbers; in double they differ by rounding alone. Read by all threads.
 class WideIntegrator {
  public:
   struct Options {
     Precision precision = Precision::Double;
     Isa isa = Isa::Sse4;  ///< one that the machine has
+    Search search = Search::All;
     /// Mixed: the spheres that are met in double, at most kMostExactSpheres.
     std::span<const std::uint32_t> exact_spheres;
   };
 
-  /// `scene` is in world coordinates, already checked, and has at most kMostWideSpheres spheres, of
-  /// which the camera stands on at most one.
+  /// `scene` is in world coordinates, already checked; the camera stands on at most one of its
+  /// spheres. Search::All: there are at most kMostWideSpheres.
   WideIntegrator(Scene scene, const RenderSettings& settings, const Options& options);
   ~WideIntegrator();
 
@@ -44,6 +45,8 @@ class WideIntegrator {
   /// left. False, and means that mean nothing, once `cancel` is set.
   bool render(std::uint64_t first, std::span<LinearRgb> means, const std::atomic<bool>& cancel,
               const Report& report) const;
+
+  std::size_t memory_bytes() const noexcept;  ///< of tables and hierarchy
 
  private:
   class Tracer;

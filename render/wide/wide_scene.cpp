@@ -24,53 +24,68 @@ std::uint32_t surface_bits(const Material& material) {
   }
 }
 
-/// The order of the tables.
-std::vector<std::uint32_t> table_order(std::size_t spheres,
-                                       std::span<const std::uint32_t> exact_spheres) {
-  std::vector<std::uint32_t> order;
+/// Room for whole vectors.
+template <typename Table>
+void resize_table(Table& table, std::size_t size, typename Table::value_type value = {}) {
+  constexpr std::size_t kMostLanes = 16;
+  table.resize((size + kMostLanes - 1) / kMostLanes * kMostLanes, value);
+}
+
+std::vector<std::uint32_t> without(std::size_t spheres, std::span<const std::uint32_t> excluded) {
+  std::vector<std::uint32_t> rest;
+  rest.reserve(spheres);
   for (std::uint32_t i = 0; i < spheres; ++i) {
-    if (std::find(exact_spheres.begin(), exact_spheres.end(), i) == exact_spheres.end()) {
-      order.push_back(i);
-    }
+    if (std::ranges::find(excluded, i) == excluded.end()) rest.push_back(i);
   }
-  order.insert(order.end(), exact_spheres.begin(), exact_spheres.end());
-  return order;
+  return rest;
 }
 
 }  // namespace
 
 template <typename T>
-WideScene<T>::WideScene(const Scene& scene, int depth,
+WideScene<T>::WideScene(const Scene& scene, int depth, Search search_for_hits,
                         std::span<const std::uint32_t> spheres_in_double)
-    : spheres(scene.spheres.size()),
+    : search(search_for_hits),
       exact_spheres(spheres_in_double.size()),
       max_depth(static_cast<std::uint32_t>(depth)),
       has_motion(!scene.shifts.empty()) {
-  const std::vector<std::uint32_t> order = table_order(spheres, spheres_in_double);
-  for (std::size_t i = 0; i < spheres; ++i) {
-    const Sphere& sphere = scene.spheres[order[i]];
-    const Vec3 moves = has_motion ? scene.shifts[order[i]] : Vec3{};
-    for (const auto& [table, v] : {std::pair{&center, sphere.center}, {&shift, moves}}) {
-      (*table)[0][i] = static_cast<T>(v.x);
-      (*table)[1][i] = static_cast<T>(v.y);
-      (*table)[2][i] = static_cast<T>(v.z);
+  std::vector<std::uint32_t> order = without(scene.spheres.size(), spheres_in_double);
+  if (search == Search::Bvh) {
+    bvh = WideBvh<T>(scene, order);
+    order = std::move(bvh.slots);
+  }
+  first_exact = order.size();
+  order.insert(order.end(), spheres_in_double.begin(), spheres_in_double.end());
+  slots = order.size();
+  for (TableTriple* triple : {&center, &shift}) {
+    if (triple == &shift && !has_motion) continue;
+    for (Table& table : *triple) resize_table(table, slots);
+  }
+  resize_table(radius, slots);
+  resize_table(radius_squared, slots, T{-1});
+  for (std::size_t slot = 0; slot < slots; ++slot) {
+    if (order[slot] == WideBvh<T>::kNoSphere) continue;
+    add_sphere(slot, scene.spheres[order[slot]], has_motion ? scene.shifts[order[slot]] : Vec3{});
+  }
+
+  const bool is_by_material = search == Search::Bvh;
+  materials = is_by_material ? scene.materials.size() : slots;
+  for (Table* table : {&color[0], &color[1], &color[2], &first, &second, &straight}) {
+    resize_table(*table, materials);
+  }
+  resize_table(surface, materials);
+  if (is_by_material) {
+    resize_table(material, slots);
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+      if (order[slot] == WideBvh<T>::kNoSphere) continue;
+      material[slot] = scene.spheres[order[slot]].material;
     }
-    radius[i] = static_cast<T>(sphere.radius);
-    // The square of the radius that the kernel takes; a sphere of radius 0 is never hit.
-    radius_squared[i] = sphere.radius > 0 ? radius[i] * radius[i] : T{-1};
-    if (i >= spheres - exact_spheres) {
-      exact[i - (spheres - exact_spheres)] = {
-          .center = {sphere.center.x, sphere.center.y, sphere.center.z},
-          .shift = {moves.x, moves.y, moves.z},
-          .radius_squared = sphere.radius * sphere.radius};
+    for (std::size_t i = 0; i < materials; ++i) add_material(i, scene.materials[i]);
+    index_in_scene = std::move(order);
+  } else {
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+      add_material(slot, scene.materials[scene.spheres[order[slot]].material]);
     }
-    if (has_camera_on_it(sphere, moves)) {
-      camera_sphere = static_cast<std::uint32_t>(i);
-      const Vec3 normal = unit(-sphere.center);
-      camera_normal = {static_cast<T>(normal.x), static_cast<T>(normal.y),
-                       static_cast<T>(normal.z)};
-    }
-    add_material(i, scene.materials[sphere.material]);
   }
   const LinearRgb bottom = scene.background.bottom, top = scene.background.top;
   // bottom at y = −1, top at y = 1; a constant sky stays exact.
@@ -79,21 +94,59 @@ WideScene<T>::WideScene(const Scene& scene, int depth,
 }
 
 template <typename T>
-void WideScene<T>::add_material(std::size_t i, const Material& material) {
-  const bool is_emissive = material.type == MaterialType::Emissive;
-  const Triple rgb = rounded<T>(is_emissive ? material.color * material.parameter : material.color);
-  for (std::size_t c = 0; c < 3; ++c) color[c][i] = rgb[c];
-  surface[i] = surface_bits(material);
-  const double p = material.parameter;
-  if (material.type == MaterialType::Specular) {
-    first[i] = static_cast<T>(p > 1 ? 1 / p : 1);
-    second[i] = static_cast<T>(std::min(p, 1.0));
-  } else if (material.type == MaterialType::Transmissive) {
-    has_exact_fresnel |= material.fresnel == Fresnel::Exact;
+void WideScene<T>::add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves) {
+  const auto store = [slot](TableTriple& table, Vec3 v) {
+    table[0][slot] = static_cast<T>(v.x);
+    table[1][slot] = static_cast<T>(v.y);
+    table[2][slot] = static_cast<T>(v.z);
+  };
+  store(center, sphere.center);
+  if (has_motion) store(shift, moves);
+  radius[slot] = static_cast<T>(sphere.radius);
+  // The square of the radius that the kernel takes; a sphere of radius 0 is never hit.
+  if (sphere.radius > 0) radius_squared[slot] = radius[slot] * radius[slot];
+  if (slot >= first_exact) {
+    exact[slot - first_exact] = {.center = {sphere.center.x, sphere.center.y, sphere.center.z},
+                                 .shift = {moves.x, moves.y, moves.z},
+                                 .radius_squared = sphere.radius * sphere.radius};
+  }
+  if (has_camera_on_it(sphere, moves)) {
+    camera_sphere = static_cast<std::uint32_t>(slot);
+    const Vec3 normal = unit(-sphere.center);
+    camera_normal = {static_cast<T>(normal.x), static_cast<T>(normal.y), static_cast<T>(normal.z)};
+  }
+}
+
+template <typename T>
+std::size_t WideScene<T>::memory_bytes() const noexcept {
+  std::size_t bytes = bvh.nodes.capacity() * sizeof(typename WideBvh<T>::Node) +
+                      index_in_scene.capacity() * sizeof(std::uint32_t) +
+                      (material.capacity() + surface.capacity()) * sizeof(Index);
+  for (const TableTriple* triple : {&center, &shift, &color}) {
+    for (const Table& table : *triple) bytes += table.capacity() * sizeof(T);
+  }
+  for (const Table* table : {&radius, &radius_squared, &first, &second, &straight}) {
+    bytes += table->capacity() * sizeof(T);
+  }
+  return bytes;
+}
+
+template <typename T>
+void WideScene<T>::add_material(std::size_t row, const Material& from) {
+  const bool is_emissive = from.type == MaterialType::Emissive;
+  const Triple rgb = rounded<T>(is_emissive ? from.color * from.parameter : from.color);
+  for (std::size_t c = 0; c < 3; ++c) color[c][row] = rgb[c];
+  surface[row] = surface_bits(from);
+  const double p = from.parameter;
+  if (from.type == MaterialType::Specular) {
+    first[row] = static_cast<T>(p > 1 ? 1 / p : 1);
+    second[row] = static_cast<T>(std::min(p, 1.0));
+  } else if (from.type == MaterialType::Transmissive) {
+    has_exact_fresnel |= from.fresnel == Fresnel::Exact;
     const double root = (1 - p) / (1 + p);
-    first[i] = static_cast<T>(p);
-    second[i] = static_cast<T>(1 / p);
-    straight[i] = static_cast<T>(root * root);
+    first[row] = static_cast<T>(p);
+    second[row] = static_cast<T>(1 / p);
+    straight[row] = static_cast<T>(root * root);
   }
 }
 

@@ -3,11 +3,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
+#include "render/wide/wide_bvh.hpp"
 
 namespace sdlc::render {
 
@@ -20,41 +23,78 @@ enum SurfaceBit : std::uint32_t {
   kIsExact = 16,  ///< transmissive with Fresnel's equations instead of Schlick's approximation
 };
 
-/// The most spheres that a WideScene holds: its tables then fit a first-level cache.
+/// The most spheres that every ray is held against: their tables then fit a first-level cache.
 inline constexpr std::size_t kMostWideSpheres = 256;
+
+/// Where vectors of any width can be loaded from.
+template <typename T>
+struct VectorAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t kAlignment{64};
+
+  VectorAllocator() = default;
+  template <typename U>
+  explicit VectorAllocator(const VectorAllocator<U>& /*other*/) noexcept {}
+
+  T* allocate(std::size_t count) {
+    return static_cast<T*>(::operator new(count * sizeof(T), kAlignment));
+  }
+  void deallocate(T* memory, std::size_t /*count*/) noexcept {
+    ::operator delete(memory, kAlignment);
+  }
+  friend bool operator==(VectorAllocator, VectorAllocator) noexcept { return true; }
+};
+
+/// How the first sphere on a ray is found.
+enum class Search : std::uint8_t {
+  All,  ///< every sphere is held against the rays of all lanes
+  Bvh,  ///< one ray after the other goes through a hierarchy of spheres
+};
 
 /// A scene as the wide kernel reads it, in numbers of type T: one table for each quantity, so that
 /// one sphere's number can be spread over all lanes, and each lane can look up that of the sphere
-/// it hit. Lengths are those of the rebased scene, with the camera at the origin.
+/// it hit. Lengths are those of the rebased scene, with the camera at the origin. A "slot" is a
+/// sphere's place in the tables.
 template <typename T>
 struct WideScene {
   using Index = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-  using Table = std::array<T, kMostWideSpheres>;
+  using Table = std::vector<T, VectorAllocator<T>>;
+  using IndexTable = std::vector<Index, VectorAllocator<Index>>;
   using Triple = std::array<T, 3>;
   using TableTriple = std::array<Table, 3>;
 
-  /// `scene` is rebased and has at most kMostWideSpheres spheres, of which the camera stands on at
-  /// most one. `exact_spheres`: those to be met in double, at most kMostExactSpheres, none unless T
-  /// is float.
-  WideScene(const Scene& scene, int depth, std::span<const std::uint32_t> exact_spheres = {});
+  /// `scene` is rebased, and the camera stands on at most one of its spheres. Search::All: it has
+  /// at most kMostWideSpheres. `exact_spheres`: those to be met in double, at most
+  /// kMostExactSpheres, none unless T is float.
+  WideScene(const Scene& scene, int depth, Search search,
+            std::span<const std::uint32_t> exact_spheres = {});
 
-  // Tables by sphere, those to be met in double last, else in the scene's order. What a quantity
-  // means for another material is never used.
-  alignas(64) TableTriple center{};  ///< at the opening of the shutter
-  alignas(64) TableTriple shift{};   ///< up to its closing
-  alignas(64) Table radius{};
-  alignas(64) Table radius_squared{};
-  /// Attenuation; the radiance where the path ends.
-  alignas(64) TableTriple color{};
+  // Tables by slot, whole vectors long. The slots of spheres to be met in double come last; the
+  // others are in the scene's order, or in that of the hierarchy, with slots of no sphere.
+  TableTriple center;  ///< at the opening of the shutter
+  TableTriple shift;   ///< up to its closing; empty where nothing moves
+  Table radius;
+  Table radius_squared;  ///< negative where there is nothing to hit
+  /// Search::Bvh: the rows of the tables of materials, and the spheres' indices in the scene.
+  IndexTable material;
+  std::vector<std::uint32_t> index_in_scene;
+
+  // Tables by material, or by slot with Search::All. What a quantity means for another material is
+  // never used.
+  TableTriple color;  ///< attenuation; the radiance where the path ends
   /// kMirrors: the weights of the mirrored direction and of the ball around it, the larger one 1,
   /// so that neither overflows. kRefracts: the index of refraction and its inverse.
-  alignas(64) Table first{};
-  alignas(64) Table second{};
-  alignas(64) Table straight{};  ///< kRefracts: share reflected at normal incidence
-  alignas(64) std::array<Index, kMostWideSpheres> surface{};  ///< SurfaceBits
+  Table first;
+  Table second;
+  Table straight;      ///< kRefracts: share reflected at normal incidence
+  IndexTable surface;  ///< SurfaceBits
 
-  std::size_t spheres = 0;
-  /// The last ones: a rounding error of so large a sphere would be no small part of others.
+  Search search = Search::All;
+  WideBvh<T> bvh;               ///< its slots are taken over by index_in_scene
+  std::size_t slots = 0;        ///< of all spheres, holes among them
+  std::size_t first_exact = 0;  ///< slots from here on hold spheres that are met in double
+  std::size_t materials = 0;    ///< rows of the tables by material
+  /// A rounding error of so large a sphere would be no small part of others.
   std::size_t exact_spheres = 0;
   struct Exact {
     std::array<double, 3> center{}, shift{};
@@ -67,14 +107,17 @@ struct WideScene {
   bool has_exact_fresnel = false;
   Triple sky_middle{}, sky_slope{};  ///< radiance of the sky: middle + slope · y
 
-  /// The sphere on whose surface the camera stands, or kNoCameraSphere, and its outward normal
-  /// there.
+  /// The slot of the sphere on whose surface the camera stands, or kNoCameraSphere, and its outward
+  /// normal there.
   static constexpr std::uint32_t kNoCameraSphere = 0xFFFFFFFF;
   std::uint32_t camera_sphere = kNoCameraSphere;
   Triple camera_normal{};
 
+  std::size_t memory_bytes() const noexcept;
+
  private:
-  void add_material(std::size_t i, const Material& material);
+  void add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves);
+  void add_material(std::size_t row, const Material& material);
 };
 
 extern template struct WideScene<float>;

@@ -1,0 +1,232 @@
+// The search for the first sphere on one ray, compiled once for each instruction set: no include
+// guard but Highway's.
+// clang-format off
+#if defined(SDLC_RENDER_WIDE_BVH_SEARCH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_WIDE_BVH_SEARCH_INL_H
+#undef SDLC_RENDER_WIDE_BVH_SEARCH_INL_H
+#else
+#define SDLC_RENDER_WIDE_BVH_SEARCH_INL_H
+#endif
+// clang-format on
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include <hwy/highway.h>
+
+#include "render/wide/vector_math-inl.h"
+#include "render/wide/wide_scene.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace sdlc::render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// One bit for each lane, that of the first one lowest.
+template <typename D, typename M>
+HWY_INLINE std::uint32_t bits_of(D d, M mask) {
+#if HWY_TARGET == HWY_AVX3
+  static_cast<void>(d);
+  return mask.raw;
+#else
+  alignas(8) std::array<std::uint8_t, 8> bytes{};  // as many are written
+  hn::StoreMaskBits(d, mask, bytes.data());
+  return bytes[0];  // no more than 8 lanes
+#endif
+}
+
+/// The nearest sphere of WideScene::bvh on one ray. Spheres are met by the very operations that
+/// meet them in all lanes, so that either search leads to the same bits.
+template <typename T, bool kMotion>
+class BvhSearch {
+ public:
+  /// One number of each ray.
+  template <typename U>
+  using Row = std::array<U, hn::MaxLanes(hn::ScalableTag<T>())>;
+  struct Rays {
+    using DR = hn::ScalableTag<T>;
+    using VR = hn::Vec<DR>;
+
+    HWY_INLINE Rays(Triple<VR> from, Triple<VR> along, VR at_time) {
+      const DR d;
+      store(from, origin);
+      store(along, direction);
+      hn::Store(at_time, d, time.data());
+      const Triple<VR> inverses{inverse_of(along.x), inverse_of(along.y), inverse_of(along.z)};
+      store(inverses, inverse);
+      store({hn::Mul(from.x, inverses.x), hn::Mul(from.y, inverses.y), hn::Mul(from.z, inverses.z)},
+            offset);
+    }
+
+    alignas(64) std::array<Row<T>, 3> origin, direction;
+    /// The ray meets a plane x = p at p · inverse − offset.
+    alignas(64) std::array<Row<T>, 3> inverse, offset;
+    alignas(64) Row<T> time;
+
+   private:
+    /// Finite, so that no product is no number. A ray within a box's side is taken to meet it.
+    static HWY_INLINE VR inverse_of(VR along) {
+      const DR d;
+      const VR least = hn::Set(d, static_cast<T>(sizeof(T) == 4 ? 1e-18 : 1e-60));
+      return hn::Div(hn::Set(d, T{1}), hn::CopySign(hn::Max(hn::Abs(along), least), along));
+    }
+    static HWY_INLINE void store(Triple<VR> v, std::array<Row<T>, 3>& to) {
+      const DR d;
+      hn::Store(v.x, d, to[0].data());
+      hn::Store(v.y, d, to[1].data());
+      hn::Store(v.z, d, to[2].data());
+    }
+  };
+  struct Hit {
+    T t;
+    std::uint32_t slot;
+  };
+
+  HWY_INLINE BvhSearch(const WideScene<T>& scene, const Rays& rays) : scene_(scene), rays_(rays) {}
+
+  /// Replaces `hit` by what is nearer on the ray, or as near and before it in the scene; `departed`
+  /// is not looked for.
+  void find(std::size_t ray, std::uint32_t departed, Hit& hit) const {
+    const Slabs slabs(rays_, ray);
+    // Only as much of it is touched as nodes wait.
+    struct Waiting {
+      T t;
+      std::uint32_t child;
+    };
+    Waiting stack[WideBvh<T>::kMostWaiting];  // NOLINT: not initialised
+    std::size_t waiting = 0;
+    std::uint32_t current = 0;
+    while (true) {
+      if ((current & WideBvh<T>::kLeaf) != 0) {
+        meet_leaf((current & ~WideBvh<T>::kLeaf) * kBvhWidth, ray, departed, hit);
+      } else {
+        const auto& node = scene_.bvh.nodes[current];
+        alignas(64) std::array<T, kBvhWidth> entries;
+        std::uint32_t met = meet_boxes(node, slabs, hit.t, entries);
+        if (std::has_single_bit(met)) {
+          current = node.children[static_cast<std::size_t>(std::countr_zero(met))];
+          continue;
+        }
+        const std::size_t before = waiting;
+        for (; met != 0; met &= met - 1) {  // the nearest one ends on top
+          const auto child = static_cast<std::size_t>(std::countr_zero(met));
+          const Waiting box{entries[child], node.children[child]};
+          std::size_t place = waiting++;
+          for (; place > before && stack[place - 1].t < box.t; --place) {
+            stack[place] = stack[place - 1];
+          }
+          stack[place] = box;
+        }
+      }
+      do {
+        if (waiting == 0) return;
+        --waiting;
+      } while (stack[waiting].t > hit.t);
+      current = stack[waiting].child;
+    }
+  }
+
+ private:
+  using D = hn::CappedTag<T, kBvhWidth>;
+  using V = hn::Vec<D>;
+  static constexpr std::size_t kLanes = hn::MaxLanes(D());
+  static constexpr std::size_t kParts = kBvhWidth / kLanes;  // vectors that hold all children
+
+  /// A ray as the tests of boxes take it.
+  struct Slabs {
+    Triple<V> inverse, offset;
+    std::array<std::size_t, 3> near;  // which bound comes first
+
+    HWY_INLINE Slabs(const Rays& rays, std::size_t ray)
+        : inverse(spread_row(rays.inverse, ray)), offset(spread_row(rays.offset, ray)) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        near[axis] = std::signbit(rays.inverse[axis][ray]) ? 1 : 0;
+      }
+    }
+  };
+
+  static HWY_INLINE Triple<V> spread_row(const std::array<Row<T>, 3>& rows, std::size_t ray) {
+    const D d;
+    return {hn::Set(d, rows[0][ray]), hn::Set(d, rows[1][ray]), hn::Set(d, rows[2][ray])};
+  }
+
+  /// The children whose boxes the ray meets before `farthest`, as bits, and where it enters them.
+  HWY_INLINE std::uint32_t meet_boxes(const typename WideBvh<T>::Node& node, const Slabs& slabs,
+                                      T farthest, std::array<T, kBvhWidth>& entries) const {
+    const D d;
+    std::uint32_t met = 0;
+    for (std::size_t part = 0; part < kParts; ++part) {
+      const auto bound = [&](std::size_t axis, std::size_t side) HWY_ATTR {
+        return hn::Load(d, node.bounds[axis][side].data() + part * kLanes);
+      };
+      const auto& near = slabs.near;
+      const V enter_x = hn::MulSub(bound(0, near[0]), slabs.inverse.x, slabs.offset.x);
+      const V enter_y = hn::MulSub(bound(1, near[1]), slabs.inverse.y, slabs.offset.y);
+      const V enter_z = hn::MulSub(bound(2, near[2]), slabs.inverse.z, slabs.offset.z);
+      const V leave_x = hn::MulSub(bound(0, 1 - near[0]), slabs.inverse.x, slabs.offset.x);
+      const V leave_y = hn::MulSub(bound(1, 1 - near[1]), slabs.inverse.y, slabs.offset.y);
+      const V leave_z = hn::MulSub(bound(2, 1 - near[2]), slabs.inverse.z, slabs.offset.z);
+      const V enter = hn::Max(hn::Max(enter_x, enter_y), hn::Max(enter_z, hn::Zero(d)));
+      const V leave = hn::Min(hn::Min(leave_x, leave_y), hn::Min(leave_z, hn::Set(d, farthest)));
+      hn::Store(enter, d, entries.data() + part * kLanes);
+      met |= bits_of(d, hn::Le(enter, leave)) << (part * kLanes);
+    }
+    return met;
+  }
+
+  HWY_INLINE void meet_leaf(std::size_t first, std::size_t ray, std::uint32_t departed,
+                            Hit& hit) const {
+    const D d;
+    const Triple<V> origin = spread_row(rays_.origin, ray);
+    const Triple<V> direction = spread_row(rays_.direction, ray);
+    for (std::size_t slot = first; slot < first + kBvhWidth; slot += kLanes) {
+      Triple<V> center = load(scene_.center, slot);
+      if constexpr (kMotion) {
+        center = plus_scaled(center, load(scene_.shift, slot), hn::Set(d, rays_.time[ray]));
+      }
+      const Triple<V> to_center = minus(center, origin);
+      const V middle = dot(to_center, direction);
+      const V radius_squared = hn::Load(d, scene_.radius_squared.data() + slot);
+      const V discriminant = chord_discriminant(to_center, direction, middle, radius_squared);
+      if (hn::AllFalse(d, hn::Ge(discriminant, hn::Zero(d)))) continue;
+      const V half_chord = hn::Sqrt(discriminant);
+      const V enters = hn::Sub(middle, half_chord), leaves = hn::Add(middle, half_chord);
+      const V t = hn::IfThenElse(hn::Ge(enters, hn::Zero(d)), enters, leaves);
+      const auto is_near = hn::And(hn::Ge(t, hn::Zero(d)), hn::Le(t, hn::Set(d, hit.t)));
+      std::uint32_t near = bits_of(d, is_near);
+      if (near == 0) continue;
+      alignas(64) std::array<T, kLanes> distances;
+      hn::Store(t, d, distances.data());
+      for (; near != 0; near &= near - 1) {
+        const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
+        take_if_nearer(distances[lane], static_cast<std::uint32_t>(slot) + lane, departed, hit);
+      }
+    }
+  }
+
+  HWY_INLINE void take_if_nearer(T t, std::uint32_t slot, std::uint32_t departed, Hit& hit) const {
+    if (t > hit.t || slot == departed) return;
+    if (t == hit.t && scene_.index_in_scene[slot] > scene_.index_in_scene[hit.slot]) return;
+    hit = {t, slot};
+  }
+
+  static HWY_INLINE Triple<V> load(const typename WideScene<T>::TableTriple& tables,
+                                   std::size_t slot) {
+    const D d;
+    return {hn::Load(d, tables[0].data() + slot), hn::Load(d, tables[1].data() + slot),
+            hn::Load(d, tables[2].data() + slot)};
+  }
+
+  const WideScene<T>& scene_;
+  const Rays& rays_;
+};
+
+}  // namespace sdlc::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,220 @@
+#include "render/wide/wide_bvh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "render/tiles/render.hpp"
+#include "tests/render/wide/kernels.hpp"
+#include "tests/support/statistics/scenes.hpp"
+
+// The hierarchy of the wide kernel: what it is made of, and that it finds what a ray meets that is
+// held against every sphere.
+namespace sdlc::render {
+namespace {
+
+using test::render_with;
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double between(double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(engine_);
+  }
+  Vec3 in_box(double size) {
+    return {between(-size, size), between(-size, size), between(-size, size)};
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+struct NamedSpheres {
+  std::string name;
+  std::vector<Sphere> spheres;
+  std::vector<Vec3> shifts = {};
+};
+
+/// Up to kMostWideSpheres each, so that both searches take them.
+std::vector<NamedSpheres> named_spheres() {
+  Random random(3);
+  std::vector<NamedSpheres> all;
+  const auto add = [&](std::string name, int count, auto&& make) {
+    NamedSpheres& added = all.emplace_back(NamedSpheres{.name = std::move(name), .spheres = {}});
+    for (int i = 0; i < count; ++i) added.spheres.push_back(make(i));
+  };
+  add("one", 1, [](int) { return Sphere{{0.1, 0.2, 0.3}, 0.5}; });
+  add("sixteen", 16, [&](int) { return Sphere{random.in_box(0.8), random.between(0.02, 0.2)}; });
+  add("seventeen", 17, [&](int) { return Sphere{random.in_box(0.8), random.between(0.02, 0.2)}; });
+  add("many", 250, [&](int) { return Sphere{random.in_box(0.8), random.between(0.002, 0.1)}; });
+  add("nested", 60, [](int i) { return Sphere{{0, 0, 0}, 0.01 * (i + 1)}; });
+  add("one centre", 200, [&](int) { return Sphere{{0.3, 0, 0}, random.between(0.01, 0.3)}; });
+  add("equal", 100, [](int) { return Sphere{{0.25, 0.3, 0}, 0.25}; });
+  add("on a line", 250, [](int i) { return Sphere{{i * 0.006 - 0.8, 0.1, 0}, 0.003}; });
+  add("along an axis", 100, [](int i) { return Sphere{{0, 0, 0.5 - 0.01 * i}, 0.004}; });
+  add("radii over twelve decades", 250, [&](int) {
+    return Sphere{random.in_box(0.5), std::pow(10.0, random.between(-12, -0.5))};
+  });
+  add("some of no radius", 40, [&](int i) {
+    return Sphere{random.in_box(0.5), i % 3 == 0 ? 0.0 : 0.05};
+  });
+  NamedSpheres moving{.name = "moving", .spheres = all[3].spheres};
+  for (std::size_t i = 0; i < moving.spheres.size(); ++i) {
+    moving.shifts.push_back(i % 3 == 0 ? random.in_box(0.3) : Vec3{});
+  }
+  all.push_back(std::move(moving));
+  return all;
+}
+
+Scene scene_of(const NamedSpheres& named) {
+  Scene scene = test::beam_scene({0.1, 0.2, 1.7}, {0, 0, 0}, LinearRgb{1});
+  scene.background = {};
+  scene.camera.plane_height = 1.3;
+  for (const Sphere& sphere : named.spheres) {
+    const double x = sphere.center.x, y = sphere.center.y;
+    test::add_sphere(scene, sphere.center, sphere.radius,
+                     scene.spheres.size() % 4 == 3
+                         ? test::transmissive(LinearRgb{1}, 1.5)
+                         : test::diffuse({0.5 + 0.4 * std::sin(9 * x), 0.5, 0.5 + 0.4 * y}));
+  }
+  scene.shifts = named.shifts;
+  return scene;
+}
+
+template <typename T>
+struct Walk {
+  const WideBvh<T>& bvh;
+  const Scene& scene;
+  std::vector<int> seen;
+  std::size_t deepest = 0;
+
+  /// Every sphere below has to be within all boxes above it.
+  void visit(std::uint32_t child, const std::array<std::array<double, 2>, 3>& box,
+             std::size_t depth) {
+    deepest = std::max(deepest, depth);
+    if ((child & WideBvh<T>::kLeaf) != 0) {
+      const std::size_t first = (child & ~WideBvh<T>::kLeaf) * kBvhWidth;
+      ASSERT_LE(first + kBvhWidth, bvh.slots.size());
+      for (std::size_t slot = first; slot < first + kBvhWidth; ++slot) {
+        if (bvh.slots[slot] == WideBvh<T>::kNoSphere) continue;
+        ++seen[bvh.slots[slot]];
+        EXPECT_TRUE(slot == first || bvh.slots[slot - 1] < bvh.slots[slot]);
+        const Sphere& sphere = scene.spheres[bvh.slots[slot]];
+        for (const double time : {0.0, 1.0}) {
+          const Vec3 shift = scene.shifts.empty() ? Vec3{} : scene.shifts[bvh.slots[slot]];
+          const Vec3 c = sphere.center + shift * time;
+          const std::array<double, 3> center{c.x, c.y, c.z};
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            EXPECT_LT(box[axis][0], center[axis] - sphere.radius);
+            EXPECT_GT(box[axis][1], center[axis] + sphere.radius);
+          }
+        }
+      }
+      return;
+    }
+    const auto& node = bvh.nodes[child];
+    for (std::size_t i = 0; i < kBvhWidth; ++i) {
+      if (node.bounds[0][0][i] > node.bounds[0][1][i]) continue;
+      auto inner = box;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        inner[axis][0] = std::max<double>(inner[axis][0], node.bounds[axis][0][i]);
+        inner[axis][1] = std::min<double>(inner[axis][1], node.bounds[axis][1][i]);
+      }
+      visit(node.children[i], inner, depth + 1);
+    }
+  }
+};
+
+template <typename T>
+void expect_sound(const Scene& scene) {
+  std::vector<std::uint32_t> members(scene.spheres.size());
+  std::iota(members.begin(), members.end(), 0u);
+  const WideBvh<T> bvh(scene, members);
+  constexpr double kFar = 1e9;
+  Walk<T> walk{.bvh = bvh, .scene = scene, .seen = std::vector<int>(members.size())};
+  walk.visit(0, {{{-kFar, kFar}, {-kFar, kFar}, {-kFar, kFar}}}, 0);
+  EXPECT_TRUE(std::ranges::all_of(walk.seen, [](int times) { return times == 1; }));
+  EXPECT_LT(walk.deepest * (kBvhWidth - 1), WideBvh<T>::kMostWaiting);
+}
+
+TEST(WideBvh, HoldsEachSphereOnceWithinAllBoxesAboveIt) {
+  for (const NamedSpheres& named : named_spheres()) {
+    SCOPED_TRACE(named.name);
+    const Scene scene = scene_of(named);
+    expect_sound<float>(scene);
+    expect_sound<double>(scene);
+  }
+}
+
+TEST(WideBvh, FillsLeavesWhereSpheresStandInRows) {
+  Scene scene;
+  for (int i = 0; i < 1024; ++i) {
+    scene.spheres.push_back({{0.02 * (i % 32), 0.02 * (i / 32), 0}, 0.008});
+  }
+  std::vector<std::uint32_t> members(scene.spheres.size());
+  std::iota(members.begin(), members.end(), 0u);
+  EXPECT_LE(WideBvh<float>(scene, members).slots.size(), 1024 * 5 / 4);
+}
+
+TEST(WideBvh, IsEmptyWithoutSpheres) {
+  const WideBvh<float> bvh(Scene{}, {});
+  EXPECT_TRUE(bvh.nodes.empty());
+  EXPECT_TRUE(bvh.slots.empty());
+}
+
+class BvhPaths : public testing::TestWithParam<test::WideForm> {};
+
+// Spheres are met by the same operations in either search: every bit has to be the same.
+TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphere) {
+  constexpr RenderSettings kSettings{.width = 48, .height = 27, .samples = 40, .depth = 12};
+  for (const NamedSpheres& named : named_spheres()) {
+    const Scene scene = scene_of(named);
+    KernelRequest request = GetParam().request();
+    const RenderResult all = render_with(scene, kSettings, request);
+    request.kind = KernelKind::Bvh;
+    const RenderResult bvh = render_with(scene, kSettings, request);
+    ASSERT_EQ(bvh.kernel.kind, KernelKind::Bvh);
+    EXPECT_EQ(bvh.rays, all.rays) << named.name;
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < all.picture.pixels.size(); ++i) {
+      different += all.picture.pixels[i] != bvh.picture.pixels[i];
+    }
+    EXPECT_EQ(different, 0u) << named.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, BvhPaths, testing::ValuesIn(test::wide_forms()), test::form_name);
+
+// Beyond what can be held against every ray the scalar kernel's hierarchy is the yardstick.
+TEST(BvhPaths, OfThousandsOfSpheresAreThoseOfTheScalarKernel) {
+  Random random(11);
+  NamedSpheres named{.name = "thousands", .spheres = {}};
+  for (int i = 0; i < 5000; ++i) {
+    named.spheres.push_back({random.in_box(0.8), random.between(0.002, 0.02)});
+    named.shifts.push_back(i % 2 == 0 ? random.in_box(0.05) : Vec3{});
+  }
+  const Scene scene = scene_of(named);
+  constexpr RenderSettings kSettings{.width = 48, .height = 27, .samples = 16, .depth = 12};
+  const RenderResult scalar = render_with(scene, kSettings, {.kind = KernelKind::Scalar});
+  for (const Isa isa : available_isas()) {
+    const RenderResult bvh = render_with(
+        scene, kSettings, {.kind = KernelKind::Bvh, .precision = Precision::Double, .isa = isa});
+    double largest = 0;
+    for (std::size_t i = 0; i < bvh.picture.pixels.size(); ++i) {
+      const LinearRgb d = bvh.picture.pixels[i] - scalar.picture.pixels[i];
+      largest = std::max({largest, std::fabs(d.r), std::fabs(d.g), std::fabs(d.b)});
+    }
+    // Rounding, which ten bounces off spheres so small multiply.
+    EXPECT_LT(largest, 1e-5) << name_of(isa);
+    EXPECT_EQ(bvh.rays, scalar.rays);
+  }
+}
+
+}  // namespace
+}  // namespace sdlc::render
