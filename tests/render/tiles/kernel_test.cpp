@@ -53,11 +53,12 @@ TEST_F(KernelChoice, TakesDoubleWhereFloatIsNotEnough) {
 }
 
 TEST_F(KernelChoice, LeavesManySpheresToTheHierarchy) {
-  EXPECT_EQ(choose_kernel(line_of_spheres(48, 0.2), kSettings).kind, KernelKind::Wide);
-  EXPECT_EQ(choose_kernel(line_of_spheres(49, 0.2), kSettings).kind, KernelKind::Bvh);
+  EXPECT_EQ(choose_kernel(line_of_spheres(90, 0.2), kSettings).kind, KernelKind::Wide);
+  EXPECT_EQ(choose_kernel(line_of_spheres(115, 0.2), kSettings).kind, KernelKind::Bvh);
   const RenderSettings fine{.width = 960, .height = 1 << 22};
   EXPECT_EQ(choose_kernel(line_of_spheres(20, 0.2), fine).kind, KernelKind::Wide);
   EXPECT_EQ(choose_kernel(line_of_spheres(20, 0.2), fine).precision, Precision::Double);
+  EXPECT_EQ(choose_kernel(line_of_spheres(120, 0.2), fine).kind, KernelKind::Wide);
   EXPECT_EQ(choose_kernel(line_of_spheres(250, 0.2), fine).kind, KernelKind::Bvh);
 }
 
