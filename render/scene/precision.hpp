@@ -86,8 +86,8 @@ struct FloatVerdict {
   PrecisionBounds bounds;    ///< on that condition; without one the same
 };
 
-/// Judges by those bounds. Up to `most_exact` spheres larger than all others may break them if
-/// distances to them are computed in double; the rounding of points on them still counts.
+/// Judges by those bounds. The `most_exact` largest spheres may break them if distances to them are
+/// in double; points on them are still to be right to 1/100 of the least other radius, and 4 pixels.
 FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                          std::size_t most_exact = kMostExactSpheres);
 
