@@ -20,7 +20,7 @@ constexpr double kHitError = 25;      // of a hit: the 99th percentile
 constexpr double kAcrossError = 2;    // across the view
 constexpr double kPointError = 2;     // of a point on a sphere
 constexpr double kLeastGap = 4;       // between surfaces that do not meet
-constexpr double kLeastSpread = 200;  // where those that meet are farthest apart
+constexpr double kLeastSpread = 2000;  // where those that meet are farthest apart
 
 constexpr double kBriefly = 100;  // parts of the shutter
 
