@@ -1,6 +1,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "bench/benchmarks.hpp"
 #include "bench/renders.hpp"
@@ -8,8 +9,8 @@
 // What it costs to find the nearest of n spheres. The wide kernel's search cannot be called alone,
 // so pictures are made whose time is that search and little else: the growth with n is the search,
 // what is left at small n the path around it. "camera" has camera rays only, which lanes have side
-// by side; "scattered" has paths of matt spheres, whose rays go everywhere. The model by which
-// kernels are chosen is fitted to such numbers.
+// by side; "scattered" has paths of matt spheres, whose rays go everywhere. The number of
+// spheres from which on a hierarchy is taken follows from such numbers.
 namespace sdlc::bench {
 namespace {
 
@@ -34,8 +35,10 @@ render::Scene cube_of_spheres(int count, const render::Material& material) {
 }  // namespace
 
 void register_intersection_benchmarks() {
+  std::vector<Form> all = forms();
+  for (const Form& form : hierarchy_forms()) all.push_back(form);
   for (const int count : {4, 9, 16, 32, 64, 128, 256}) {
-    for (const Form& form : forms()) {
+    for (const Form& form : all) {
       const std::string spheres = std::to_string(count);
       register_render("intersection/camera/" + spheres,
                       cube_of_spheres(count, {.color = render::LinearRgb{0.5},

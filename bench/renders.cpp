@@ -30,6 +30,16 @@ std::vector<Form> forms() {
   return all;
 }
 
+std::vector<Form> hierarchy_forms() {
+  std::vector<Form> all;
+  for (Form form : forms()) {
+    if (form.request.kind != render::KernelKind::Wide) continue;
+    form.request.kind = render::KernelKind::Bvh;
+    all.push_back({"bvh/" + form.name, form.request});
+  }
+  return all;
+}
+
 Timing time_render(const render::Scene& scene, const Form& form, int depth) {
   // The wide kernel wants many blocks of samples a lane, lest their ends count; the scalar one is
   // slow, and does not care.

@@ -23,6 +23,8 @@ struct Form {
 
 /// The scalar kernel, then the wide one in each instruction set and precision.
 std::vector<Form> forms();
+/// The wide kernel's paths with a hierarchy: "bvh/avx2/float".
+std::vector<Form> hierarchy_forms();
 
 struct Timing {
   double seconds = 0;  ///< CPU time of the one thread

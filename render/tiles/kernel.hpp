@@ -45,7 +45,8 @@ std::string_view name_of(KernelKind kind) noexcept;
 
 /// The kernel that render() uses. Float, or Mixed, where bounds on rounding accept it, never by
 /// what is fast, so that a scene gives the same picture everywhere; the kind by a model of the time
-/// a ray takes, fitted to measurements beforehand. Both kinds trace the same paths.
+/// a ray takes, fitted to measurements beforehand. All kinds trace the same paths, Wide and Bvh to
+/// the same bits.
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request = {});
 

@@ -94,6 +94,9 @@ std::vector<Form> forms() {
   for (const WideForm& wide : wide_forms()) {
     all.push_back({std::string(name_of(wide.isa)) + "_" + std::string(name_of(wide.precision)),
                    wide.request(), 64});
+    render::KernelRequest by_hierarchy = wide.request();
+    by_hierarchy.kind = render::KernelKind::Bvh;
+    all.push_back({"bvh_" + all.back().name, by_hierarchy, 64});
   }
   return all;
 }

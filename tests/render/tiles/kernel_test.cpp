@@ -53,12 +53,12 @@ TEST_F(KernelChoice, TakesDoubleWhereFloatIsNotEnough) {
 }
 
 TEST_F(KernelChoice, LeavesManySpheresToTheHierarchy) {
-  EXPECT_EQ(choose_kernel(line_of_spheres(48, 0.2), kSettings).kind, KernelKind::Wide);
-  EXPECT_EQ(choose_kernel(line_of_spheres(49, 0.2), kSettings).kind, KernelKind::Bvh);
-  // Whatever the precision.
+  EXPECT_EQ(choose_kernel(line_of_spheres(90, 0.2), kSettings).kind, KernelKind::Wide);
+  EXPECT_EQ(choose_kernel(line_of_spheres(115, 0.2), kSettings).kind, KernelKind::Bvh);
   const RenderSettings fine{.width = 960, .height = 1 << 22};
   EXPECT_EQ(choose_kernel(line_of_spheres(20, 0.2), fine).kind, KernelKind::Wide);
   EXPECT_EQ(choose_kernel(line_of_spheres(20, 0.2), fine).precision, Precision::Double);
+  EXPECT_EQ(choose_kernel(line_of_spheres(120, 0.2), fine).kind, KernelKind::Wide);
   EXPECT_EQ(choose_kernel(line_of_spheres(250, 0.2), fine).kind, KernelKind::Bvh);
 }
 
@@ -86,7 +86,8 @@ TEST_F(KernelChoice, DoesAsItIsAsked) {
 
   EXPECT_THAT(choose_kernel(large, kSettings, {.kind = KernelKind::Wide}).refusal,
               HasSubstr("more than 256 spheres"));
-  EXPECT_EQ(choose_kernel(large, kSettings, {.precision = Precision::Float}).kind, KernelKind::Bvh);
+  EXPECT_EQ(choose_kernel(large, kSettings, {.precision = Precision::Float}).precision,
+            Precision::Float);
   EXPECT_THAT(
       choose_kernel(small, kSettings, {.kind = KernelKind::Scalar, .precision = Precision::Float})
           .refusal,
@@ -94,10 +95,15 @@ TEST_F(KernelChoice, DoesAsItIsAsked) {
   EXPECT_THAT(choose_kernel(large, kSettings, {.precision = Precision::Double}).refusal, IsEmpty());
 }
 
-TEST_F(KernelChoice, TakesAnInstructionSetAsAWordForTheWideKernel) {
+TEST_F(KernelChoice, NamesTheFlagThatCannotBeMet) {
   const Isa isa = available_isas().front();
-  EXPECT_EQ(choose_kernel(line_of_spheres(9, 0.2), kSettings, {.isa = isa}).isa, isa);
-  EXPECT_EQ(choose_kernel(line_of_spheres(300, 0.2), kSettings, {.isa = isa}).isa, isa);
+  Scene scene = test::beam_scene({0, 0, 0}, {1, 0, 0}, LinearRgb{1});  // between two surfaces
+  test::add_sphere(scene, {0, -3, 0}, 3, test::diffuse({0.5, 0.5, 0.5}));
+  test::add_sphere(scene, {0, 1, 0}, 1, test::diffuse({0.5, 0.5, 0.5}));
+  EXPECT_THAT(choose_kernel(scene, kSettings, {.isa = isa}).refusal,
+              HasSubstr("--isa: not with the wide kernel: the camera stands"));
+  EXPECT_THAT(choose_kernel(scene, kSettings, {.precision = Precision::Float}).refusal,
+              HasSubstr("--precision: not with the wide kernel: the camera stands"));
   EXPECT_THAT(
       choose_kernel(line_of_spheres(9, 0.2), kSettings, {.kind = KernelKind::Scalar, .isa = isa})
           .refusal,
