@@ -123,7 +123,7 @@ class SceneMaker {
 // the pictures differ in those, by differences of mean 0. That is no normal distribution where they
 // are few, so the limit is a generous one: 7 standard errors.
 TEST(RandomScenes, LookTheSameInAllKernelsThatTakeThem) {
-  int scenes = 120;
+  int scenes = 40;
   if (const char* more = std::getenv("SDLC_SCENES")) scenes = std::atoi(more);
   int first = 0;
   if (const char* seed = std::getenv("SDLC_FIRST")) first = std::atoi(seed);
