@@ -56,9 +56,7 @@ std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,
     const render::ScaleRatio scale = measure_scale(scene, camera);
     if (!(scale.ratio <= render::kMostScaleInDouble)) return beyond_double_fault(scale);
   }
-  // Many spheres are traced in double whatever is asked for.
-  const bool is_float =
-      wanted == Precision::Float && scene.spheres.size() <= render::kMostSpheresForGaps;
+  const bool is_float = wanted == Precision::Float;
   if (is_float && judge_float(scene, camera, settings).is_accepted) return std::nullopt;
   const PrecisionBounds bounds =
       judge_precision(scene, camera, settings, is_float ? Precision::Float : Precision::Double);

@@ -20,10 +20,13 @@ constexpr double kHitError = 25;      // of a hit: the 99th percentile
 constexpr double kAcrossError = 2;    // across the view
 constexpr double kPointError = 2;     // of a point on a sphere
 constexpr double kLeastGap = 4;       // between surfaces that do not meet
-constexpr double kLeastSpread = 200;  // where those that meet are farthest apart
+constexpr double kLeastSpread = 2000;  // where those that meet are farthest apart
+
+constexpr double kBriefly = 100;  // parts of the shutter
 
 constexpr double kPartOfRadius = 1.0 / 100;  // allowed for the error of a hit
 constexpr double kPartOfPixel = 1.0 / 16;
+constexpr double kPixelsOfExact = 4;    // where a ray hits is right, the point it goes on from not
 constexpr double kNarrowestPixel = 16;  // in units of rounding
 
 /// What differs between the precisions.
@@ -120,7 +123,12 @@ class Judge {
         hit.other = i;
       }
       for (std::uint32_t i = 0; i < view_.count(); ++i) {
-        if (view_.is_seen(i) && !is_exact(i)) judge_distance(i, extent, bounds);
+        if (!view_.is_seen(i)) continue;
+        if (is_exact(i)) {
+          judge_distance(i, kPointError * view_.extent(i), kPixelsOfExact, bounds);
+        } else {
+          judge_distance(i, kAcrossError * extent, kPartOfPixel, bounds);
+        }
       }
     } else if (!exact.empty()) {
       hit.value = kInfinity;  // no sphere is left
@@ -189,18 +197,18 @@ class Judge {
 
   static double brightest(LinearRgb c) { return std::max({c.r, c.g, c.b}); }
 
-  void judge_distance(std::uint32_t i, double extent, PrecisionBounds& bounds) const {
+  /// `error`: across the view at the surface, in units of rounding.
+  void judge_distance(std::uint32_t i, double error, double limit, PrecisionBounds& bounds) const {
     const std::optional<double> distance = view_.distance(i);
     if (!distance) return;
     PrecisionBound& across = bounds[PrecisionClause::Across];
-    const double value = ratio(kAcrossError * limits_.unit * extent, pixel_ * *distance);
-    if (value <= across.value) return;
-    across.value = value;
-    across.share = value / kPartOfPixel;
-    across.sphere = i;
+    const double value = ratio(error * limits_.unit, pixel_ * *distance);
+    if (value / limit <= across.share) return;
+    across = {.value = value, .share = value / limit, .limit = limit, .sphere = i, .other = {}};
   }
 
-  /// Of spheres that move apart or together only the ends of the shutter are looked at.
+  /// Of spheres that move apart or together only the ends of the shutter are looked at, and those
+  /// that do so fast enough to be near each other for a hundredth of it are left out.
   template <typename IsExact>
   void judge_gaps(IsExact is_exact, PrecisionBounds& bounds) const {
     PrecisionBound& narrowest = bounds[PrecisionClause::Gap];
@@ -220,9 +228,12 @@ class Judge {
       const double of_radius = is_exact(large.index) ? 0 : limits_.least_gap * large.radius;
       for (const Ball& small : std::span(balls).subspan(k + 1)) {
         const double error = limits_.unit * std::max(large.extent, small.extent);
+        const double movement = moderate_length((large.center[1] - small.center[1]) -
+                                                (large.center[0] - small.center[0]));
         for (std::size_t end = 0; end < (view_.is_moving() ? 2 : 1); ++end) {
           const double apart = moderate_length(large.center[end] - small.center[end]);
           const Gap gap = narrowest_gap(large.radius, small.radius, apart, of_radius, error);
+          if (kBriefly * gap.least <= movement) continue;
           if (gap.least / gap.width <= narrowest.share) continue;
           narrowest = {.value = gap.width / large.radius,
                        .share = gap.least / gap.width,

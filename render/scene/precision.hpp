@@ -65,7 +65,7 @@ inline constexpr std::size_t kMostSpheresForGaps = 600;
 /// the whole shutter, the error of a hit is 25 u E and the error across the view 2 u E: the 99th
 /// percentile of measurements on single rays. Points on a sphere are off by 2 u of its own E. So
 /// two surfaces are to be 4 u E apart everywhere, which leaves each point on its side of the other,
-/// or 200 u E where they are farthest from each other: where they touch, one in a hundred points is
+/// or 2000 u E where they are farthest apart: where they touch, one in a thousand points is
 /// then nearer than rounding can tell. In float gaps that are not 0 are at least 2^-16 of the
 /// larger radius besides. Radiance is that of the brightest light after all the rays of a path,
 /// where colours are above 1. Of `settings` the size and the depth count. O(n) time, and O(n²) up
@@ -86,8 +86,8 @@ struct FloatVerdict {
   PrecisionBounds bounds;    ///< on that condition; without one the same
 };
 
-/// Judges by those bounds. Up to `most_exact` spheres larger than all others may break them if
-/// distances to them are computed in double; the rounding of points on them still counts.
+/// Judges by those bounds. The `most_exact` largest spheres may break them if distances to them are
+/// in double; points on them are to be right to 1/100 of the least other radius, and 4 pixels.
 FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                          std::size_t most_exact = kMostExactSpheres);
 

@@ -292,10 +292,19 @@ void WidePaths<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction, V t
   const std::array<Triple<Wide>, 2> origins{
       Triple<Wide>{low(origin.x), low(origin.y), low(origin.z)},
       Triple<Wide>{high(origin.x), high(origin.y), high(origin.z)}};
-  const std::array<Triple<Wide>, 2> directions{
+  std::array<Triple<Wide>, 2> directions{
       Triple<Wide>{low(direction.x), low(direction.y), low(direction.z)},
       Triple<Wide>{high(direction.x), high(direction.y), high(direction.z)}};
   const std::array<Wide, 2> times{low(time), high(time)};
+  // A direction of unit length in float is off by some 1e-7, which times the distance to the far
+  // side of a ground would be far more than that to its near side. 1 / √(1 + e) by two terms.
+  std::array<Wide, 2> to_unit;
+  for (std::size_t half = 0; half < 2; ++half) {
+    const Wide e = hn::Sub(dot(directions[half], directions[half]), hn::Set(dd, 1.0));
+    const Wide slope = hn::MulAdd(e, hn::Set(dd, 0.375), hn::Set(dd, -0.5));
+    to_unit[half] = hn::MulAdd(e, slope, hn::Set(dd, 1.0));
+    directions[half] = scaled(directions[half], to_unit[half]);
+  }
 
   for (std::size_t i = 0; i < scene_.exact_spheres; ++i) {
     const auto& sphere = scene_.exact[i];
@@ -311,7 +320,9 @@ void WidePaths<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction, V t
       const Wide half_chord =
           hn::Sqrt(hn::Sub(hn::Set(dd, sphere.radius_squared), dot(across, across)));
       const Wide enters = hn::Sub(middle, half_chord);
-      t[half] = hn::IfThenElse(hn::Ge(enters, hn::Zero(dd)), enters, hn::Add(middle, half_chord));
+      const Wide first =
+          hn::IfThenElse(hn::Ge(enters, hn::Zero(dd)), enters, hn::Add(middle, half_chord));
+      t[half] = hn::Mul(first, to_unit[half]);
     }
     const V nearer = hn::Combine(d, hn::DemoteTo(dh, t[1]), hn::DemoteTo(dh, t[0]));
     const Bits index = word(static_cast<std::uint32_t>(scene_.first_exact + i));

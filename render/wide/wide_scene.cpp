@@ -131,6 +131,9 @@ std::size_t WideScene<T>::memory_bytes() const noexcept {
   return bytes;
 }
 
+// The inverse of a tiny index is none that numbers can hold; all is reflected either way.
+constexpr double kLargestIndex = 1e300;
+
 template <typename T>
 void WideScene<T>::add_material(std::size_t row, const Material& from) {
   const bool is_emissive = from.type == MaterialType::Emissive;
@@ -145,7 +148,7 @@ void WideScene<T>::add_material(std::size_t row, const Material& from) {
     has_exact_fresnel |= from.fresnel == Fresnel::Exact;
     const double root = (1 - p) / (1 + p);
     first[row] = static_cast<T>(p);
-    second[row] = static_cast<T>(1 / p);
+    second[row] = static_cast<T>(std::min(1 / p, kLargestIndex));
     straight[row] = static_cast<T>(root * root);
   }
 }

@@ -17,7 +17,7 @@ struct ExtremeVariant {
   render::Scene scene;
   int depth = 50;
   render::LinearRgb expected;
-  int samples = 256;  ///< a pixel
+  int samples = 64;  ///< a pixel
 };
 
 struct ExtremeCase {

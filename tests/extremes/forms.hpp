@@ -26,8 +26,10 @@ struct Form {
 inline std::vector<Form> all_forms() {
   std::vector<Form> forms{Form{}};
   for (const render::Isa isa : render::available_isas()) {
-    for (const auto precision : {render::Precision::Float, render::Precision::Double}) {
-      forms.push_back({render::KernelKind::Wide, precision, isa});
+    for (const auto kind : {render::KernelKind::Wide, render::KernelKind::Bvh}) {
+      for (const auto precision : {render::Precision::Float, render::Precision::Double}) {
+        forms.push_back({kind, precision, isa});
+      }
     }
   }
   return forms;
@@ -35,7 +37,8 @@ inline std::vector<Form> all_forms() {
 
 inline std::string name_of(const Form& form) {
   if (form.kind == render::KernelKind::Scalar) return "scalar";
-  return std::string(name_of(*form.isa)) + "_" + std::string(name_of(form.precision));
+  return std::string(name_of(form.kind)) + "_" + std::string(name_of(*form.isa)) + "_" +
+         std::string(name_of(form.precision));
 }
 
 inline std::string form_name(const testing::TestParamInfo<Form>& test) {

@@ -123,7 +123,7 @@ class SceneMaker {
 // the pictures differ in those, by differences of mean 0. That is no normal distribution where they
 // are few, so the limit is a generous one: 7 standard errors.
 TEST(RandomScenes, LookTheSameInAllKernelsThatTakeThem) {
-  int scenes = 120;
+  int scenes = 40;
   if (const char* more = std::getenv("SDLC_SCENES")) scenes = std::atoi(more);
   int first = 0;
   if (const char* seed = std::getenv("SDLC_FIRST")) first = std::atoi(seed);
@@ -142,17 +142,21 @@ TEST(RandomScenes, LookTheSameInAllKernelsThatTakeThem) {
       const RenderResult result = render_in(form, scene, settings);
       ++traced[name_of(form) + " " + std::string(name_of(result.kernel.precision))];
       EXPECT_EQ(result.nonfinite_samples, 0u) << "scene " << i;
-      EstimateBuilder differences;
+      EstimateBuilder differences, whole;
       for (std::size_t k = 0; k < result.picture.pixels.size(); ++k) {
         differences.add(result.picture.pixels[k] - expected.picture.pixels[k]);
+        whole.add(expected.picture.pixels[k]);
       }
       const Estimate estimate = differences.estimate();
-      const auto is_noise = [](double mean, double error) {
-        return std::fabs(mean) <= 7 * error + 1e-6;
+      const LinearRgb size = whole.estimate().mean;
+      // Float rounds colours to 1e-7, along a path a few times.
+      const double rounding = form.precision == render::Precision::Float ? 2e-6 : 1e-9;
+      const auto is_noise = [&](double mean, double error, double value) {
+        return std::fabs(mean) <= 7 * error + rounding * (1 + value);
       };
-      EXPECT_TRUE(is_noise(estimate.mean.r, estimate.standard_error.r) &&
-                  is_noise(estimate.mean.g, estimate.standard_error.g) &&
-                  is_noise(estimate.mean.b, estimate.standard_error.b))
+      EXPECT_TRUE(is_noise(estimate.mean.r, estimate.standard_error.r, size.r) &&
+                  is_noise(estimate.mean.g, estimate.standard_error.g, size.g) &&
+                  is_noise(estimate.mean.b, estimate.standard_error.b, size.b))
           << "scene " << i << ", " << name_of(form) << " (" << name_of(result.kernel.precision)
           << "): " << estimate.mean.r << " " << estimate.mean.g << " " << estimate.mean.b
           << ", standard error " << estimate.standard_error.r;

@@ -33,7 +33,7 @@ std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise)
   const char* text = std::getenv(name);
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
-std::uint64_t seed() { return number_from_environment("SDLC_MUTATION_SEED", 20); }
+std::uint64_t seed() { return number_from_environment("SDLC_MUTATION_SEED", 21); }
 std::uint64_t count(std::uint64_t otherwise) {
   return number_from_environment("SDLC_MUTANTS", otherwise);
 }

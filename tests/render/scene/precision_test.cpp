@@ -189,10 +189,21 @@ TEST(FloatVerdict, AllowsAnyGapAboveAGroundMetInDouble) {
 
 TEST(FloatVerdict, LooksAtBothEndsOfTheShutter) {
   Scene scene = plain_scene();
-  scene.shifts = {Vec3{}, Vec3{}, Vec3{-2 + 1e-7, 0, 0}};
+  scene.spheres[2].center.x = 2 + 3e-5;
+  scene.shifts = {Vec3{}, Vec3{}, Vec3{-3e-5 + 1e-7, 0, 0}};
   EXPECT_EQ(clause_of(scene), PrecisionClause::Gap);
   EXPECT_FALSE(judge(scene, kHeight, 0).is_accepted);
   scene.shifts[2] = {0, 0, 1e6};
+  EXPECT_FALSE(judge(scene, kHeight, 0).is_accepted);
+}
+
+// Nearly coinciding for a moment is no fault.
+TEST(FloatVerdict, AllowsSpheresThatMeetForAMoment) {
+  Scene scene = plain_scene();
+  scene.spheres[2] = scene.spheres[1];
+  scene.shifts = {Vec3{}, Vec3{}, Vec3{0, 1, 0}};
+  EXPECT_TRUE(judge(scene).is_accepted);
+  scene.shifts[2] = {0, 1e-4, 0};
   EXPECT_FALSE(judge(scene).is_accepted);
 }
 
@@ -212,6 +223,21 @@ TEST(FloatVerdict, RefusesRadianceThatFloatCannotHold) {
   scene.materials[0] = {
       .color = LinearRgb{1e20}, .parameter = 1e20, .type = MaterialType::Emissive};
   EXPECT_FALSE(judge(scene).is_accepted);
+}
+
+// Points on a ground that is met in double are off by 2 u E, which is to be 4 pixels at most.
+TEST(FloatVerdict, RefusesCamerasRightAboveAGroundMetInDouble) {
+  const auto from_height = [](double height) {
+    Scene scene = plain_scene();
+    scene.camera.from = {0, height, 0};
+    scene.camera.at = {0, 0, -4};
+    for (Sphere& sphere : scene.spheres) sphere.center = sphere.center + Vec3{0, 1, -9};
+    scene.spheres.push_back({.center = {0, -1000, 0}, .radius = 1000});
+    return judge(scene);
+  };
+  EXPECT_THAT(from_height(1).exact_spheres, ElementsAre(3));
+  EXPECT_THAT(from_height(0.04).exact_spheres, ElementsAre(3));
+  EXPECT_FALSE(from_height(0.03).is_accepted);  // 2 u E = 2.4e-4, 4 pixels there 2.2e-4
 }
 
 // What surfaces give back more than they get multiplies along a path.

@@ -1,10 +1,15 @@
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "render/tiles/render.hpp"
+#include "render/wide/wide_integrator.hpp"
 #include "tests/render/wide/kernels.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
@@ -191,6 +196,23 @@ TEST_P(KnownAnswer, AWhiteGroundUnderAWhiteSkyIsWhite) {
   Scene scene = beam_scene({0, 1, 0}, {1, 0.8, 0}, kWhite);
   add_sphere(scene, {0, -1e9, 0}, 1e9, diffuse(kWhite));
   EXPECT_TRUE(is(radiance(scene, 50), kWhite));
+}
+
+// The way to the ground is 1e-11 of that through it, and directions in float are not that close to
+// unit length.
+TEST_P(KnownAnswer, AGroundMetInDoubleIsMetWhereItIs) {
+  if (GetParam().precision == render::Precision::Double) GTEST_SKIP() << "it is about float";
+  Scene scene = beam_scene({0, 1e-5, 0}, {1e-5, 0, 0}, kWhite);
+  add_sphere(scene, {0, -1e6, 0}, 1e6, diffuse(kWhite));
+  add_sphere(scene, {3e5, 2e5, 0}, 1e5, diffuse(kWhite));
+  const render::RenderSettings settings{.width = 8, .height = 8, .samples = 16, .depth = 1000};
+  const std::array<std::uint32_t, 1> ground{0};
+  const render::WideIntegrator integrator(
+      scene, settings,
+      {.precision = render::Precision::Mixed, .isa = GetParam().isa, .exact_spheres = ground});
+  std::vector<LinearRgb> means(64);
+  ASSERT_TRUE(integrator.render(0, means, std::atomic<bool>{false}, [](auto, const auto&) {}));
+  for (const LinearRgb& mean : means) EXPECT_EQ(mean, kWhite);
 }
 
 TEST_P(KnownAnswer, TheOffsetFromTheOriginDoesNotMatter) {
