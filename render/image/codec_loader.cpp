@@ -1,5 +1,7 @@
 #include "render/image/codec_loader.hpp"
 
+#include <chrono>
+#include <condition_variable>
 #include <cstdlib>
 #include <filesystem>
 #include <future>
@@ -70,14 +72,38 @@ ImageCodec* load_codec(const fs::path& module) {
 /// Loads once, in the thread that comes first or in the background.
 class Loader {
  public:
-  std::shared_future<ImageCodec*> start(std::launch policy) {
+  ImageCodec& codec() {
+    std::shared_future<ImageCodec*> loading;
+    {
+      const std::lock_guard lock(mutex_);
+      is_wanted_ = true;
+      if (!loading_.valid()) {
+        loading_ = std::async(std::launch::deferred, load_codec, find_module()).share();
+      }
+      loading = loading_;
+    }
+    wanted_.notify_all();
+    return *loading.get();
+  }
+
+  /// Waits a little, or until the module is wanted: loading takes a quarter of a second of a core,
+  /// which a picture that takes no longer is better traced with.
+  void start() {
     const std::lock_guard lock(mutex_);
-    if (!loading_.valid()) loading_ = std::async(policy, load_codec, find_module()).share();
-    return loading_;
+    if (loading_.valid()) return;
+    loading_ = std::async(std::launch::async, [this, module = find_module()] {
+                 constexpr std::chrono::milliseconds kPatience(500);
+                 std::unique_lock waiting(mutex_);
+                 wanted_.wait_for(waiting, kPatience, [this] { return is_wanted_; });
+                 waiting.unlock();
+                 return load_codec(module);
+               }).share();
   }
 
  private:
   std::mutex mutex_;
+  std::condition_variable wanted_;
+  bool is_wanted_ = false;
   std::shared_future<ImageCodec*> loading_;
 };
 
@@ -88,8 +114,8 @@ Loader& loader() {
 
 }  // namespace
 
-ImageCodec& image_codec() { return *loader().start(std::launch::deferred).get(); }
+ImageCodec& image_codec() { return loader().codec(); }
 
-void preload_codec() { loader().start(std::launch::async); }
+void preload_codec() { loader().start(); }
 
 }  // namespace sdlc::render
