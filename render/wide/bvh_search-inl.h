@@ -107,7 +107,7 @@ class BvhSearch {
       } else {
         const auto& node = scene_.bvh.nodes[current];
         alignas(64) std::array<T, kBvhWidth> entries;
-        std::uint32_t met = meet_boxes(node, slabs, hit.t, entries);
+        std::uint32_t met = meet_boxes(node, slabs, hit.t + kSlack, entries);
         if (std::has_single_bit(met)) {
           current = node.children[static_cast<std::size_t>(std::countr_zero(met))];
           continue;
@@ -126,12 +126,16 @@ class BvhSearch {
       do {
         if (waiting == 0) return;
         --waiting;
-      } while (stack[waiting].t > hit.t);
+      } while (stack[waiting].t > hit.t + kSlack);
       current = stack[waiting].child;
     }
   }
 
  private:
+  /// A grazing hit on a sphere of radius r is off by up to √(2u) r along the ray, r ≤ 2: a box may
+  /// begin behind what is found in it.
+  static constexpr T kSlack = sizeof(T) == 4 ? 0x1p-10 : 0x1p-25;
+
   using D = hn::CappedTag<T, kBvhWidth>;
   using V = hn::Vec<D>;
   static constexpr std::size_t kLanes = hn::MaxLanes(D());
@@ -211,7 +215,10 @@ class BvhSearch {
 
   HWY_INLINE void take_if_nearer(T t, std::uint32_t slot, std::uint32_t departed, Hit& hit) const {
     if (t > hit.t || slot == departed) return;
-    if (t == hit.t && scene_.index_in_scene[slot] > scene_.index_in_scene[hit.slot]) return;
+    // One that was met in double comes behind the others, as where all are met in order.
+    const bool is_first = hit.slot >= scene_.first_exact ||
+                          scene_.index_in_scene[slot] <= scene_.index_in_scene[hit.slot];
+    if (t == hit.t && !is_first) return;
     hit = {t, slot};
   }
 

@@ -132,8 +132,8 @@ class WidePaths {
                                    V rehit, Nearest& nearest) const;
   void intersect_exact(Triple<V> origin, Triple<V> direction, V time, Bits departed, V rehit,
                        Nearest& nearest) const;
-  void intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed, V rehit,
-                     Mask alive, Nearest& nearest) const;
+  void intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed, Mask alive,
+                     Nearest& nearest) const;
   HWY_INLINE TableReader<D> material_reader(Bits slot, const TableReader<D>& read) const {
     if constexpr (F::kBvh) return {read(scene_.material), scene_.materials};
     return read;
@@ -207,11 +207,15 @@ auto WidePaths<T, F>::intersect(Triple<V> origin, Triple<V> direction, V time, B
       intersect_tables<true>(origin, direction, time, departed, rehit, nearest);
     }
   }
+  if constexpr (F::kBvh) {  // in the order of the tables, where spheres met in double come last
+    const Mask has_left = hn::RebindMask(D(), hn::Ne(departed, word(scene_.kNoCameraSphere)));
+    take_if_nearer(hn::IfThenElse(has_left, rehit, set(-1)), departed, nearest);
+  }
   if constexpr (F::kExactSpheres) {
     intersect_exact(origin, direction, time, departed, rehit, nearest);
   }
   if constexpr (F::kBvh) {
-    intersect_bvh(origin, direction, time, departed, rehit, alive, nearest);
+    intersect_bvh(origin, direction, time, departed, alive, nearest);
   }
   return nearest;
 }
@@ -334,12 +338,9 @@ void WidePaths<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction, V t
 /// Meets the spheres of WideScene::bvh, one lane after the other.
 template <typename T, typename F>
 void WidePaths<T, F>::intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed,
-                                    V rehit, Mask alive, Nearest& nearest) const {
+                                    Mask alive, Nearest& nearest) const {
   const D d;
   const DU du;
-  const Mask has_left = hn::RebindMask(d, hn::Ne(departed, word(scene_.kNoCameraSphere)));
-  take_if_nearer(hn::IfThenElse(has_left, rehit, set(-1)), departed, nearest);
-
   using Search = BvhSearch<T, F::kMotion>;
   const typename Search::Rays rays(origin, direction, time);
   const Search search(scene_, rays);

@@ -191,6 +191,23 @@ TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphere) {
 
 INSTANTIATE_TEST_SUITE_P(Forms, BvhPaths, testing::ValuesIn(test::wide_forms()), test::form_name);
 
+// Where surfaces touch, distances that were found in float and in double are often equal.
+TEST_P(BvhPaths, AreTheSameWhereASphereTouchesAGroundMetInDouble) {
+  Scene scene = test::beam_scene({0, 10, 0}, {0, 0, 0}, LinearRgb{1});
+  scene.camera.up = {0, 0, 1};
+  scene.camera.plane_height = 0.00017;
+  test::add_sphere(scene, {0, -100, 0}, 100, test::diffuse({1, 1, 1}));
+  test::add_sphere(scene, {0, 1, 0}, 1, test::transmissive(LinearRgb{1}, 1.5));
+  constexpr RenderSettings kSettings{.width = 16, .height = 16, .samples = 64, .depth = 20};
+  KernelRequest request = GetParam().request();
+  const RenderResult all = render_with(scene, kSettings, request);
+  EXPECT_EQ(all.kernel.precision == Precision::Mixed, GetParam().precision == Precision::Float);
+  request.kind = KernelKind::Bvh;
+  const RenderResult bvh = render_with(scene, kSettings, request);
+  EXPECT_EQ(bvh.rays, all.rays);
+  EXPECT_TRUE(bvh.picture.pixels == all.picture.pixels);
+}
+
 // Beyond what can be held against every ray the scalar kernel's hierarchy is the yardstick.
 TEST(BvhPaths, OfThousandsOfSpheresAreThoseOfTheScalarKernel) {
   Random random(11);
