@@ -16,10 +16,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTouching = 0x1p-40;  // of the larger radius: as good as no gap
 
 // In units of rounding, times an extent.
-constexpr double kHitError = 25;      // of a hit: the 99th percentile
-constexpr double kAcrossError = 2;    // across the view
-constexpr double kPointError = 2;     // of a point on a sphere
-constexpr double kLeastGap = 4;       // between surfaces that do not meet
+constexpr double kHitError = 25;       // of a hit: the 99th percentile
+constexpr double kAcrossError = 2;     // across the view
+constexpr double kPointError = 2;      // of a point on a sphere
+constexpr double kLeastGap = 4;        // between surfaces that do not meet
 constexpr double kLeastSpread = 2000;  // where those that meet are farthest apart
 
 constexpr double kBriefly = 100;  // parts of the shutter
@@ -40,6 +40,12 @@ constexpr Limits kFloatLimits{
     .unit = 0x1p-24, .least_gap = 0x1p-16, .widest_view = 100, .most_radiance = 1e30};
 constexpr Limits kDoubleLimits{
     .unit = 0x1p-53, .least_gap = 0, .widest_view = 1e100, .most_radiance = 1e300};
+
+/// When what goes from `from` along `way` in the shutter is nearest to the origin, from 0 to 1.
+double nearest_moment(Vec3 from, Vec3 way) {
+  const double squared = dot(way, way);
+  return squared > 0 ? std::clamp(-dot(from, way) / squared, 0.0, 1.0) : 0;
+}
 
 /// A scene in coordinates of the camera: lengths of moderate size, all in one unit.
 class View {
@@ -63,9 +69,8 @@ class View {
   /// From the camera to the surface, when nearest; nothing where the surface goes through it.
   std::optional<double> distance(std::uint32_t i) const {
     const Vec3 from = opening(i), way = closing(i) - from;
-    const double r = radius(i), squared = dot(way, way);
-    const double moment = squared > 0 ? std::clamp(-dot(from, way) / squared, 0.0, 1.0) : 0;
-    const double nearest = moderate_length(from + way * moment) - r;
+    const double r = radius(i);
+    const double nearest = moderate_length(from + way * nearest_moment(from, way)) - r;
     const double farthest = std::max(moderate_length(from), moderate_length(from + way)) - r;
     const double least = nearest > 0 ? nearest : -farthest;
     if (least <= kTouching * r) return std::nullopt;
@@ -135,7 +140,11 @@ class Judge {
     }
     hit.share = hit.value / kPartOfRadius;
     bounds.has_gaps = view_.count() <= kMostSpheresForGaps;
-    if (bounds.has_gaps) judge_gaps(is_exact, bounds);
+    if (bounds.has_gaps) {
+      judge_gaps(is_exact, bounds);
+    } else if (limits_.least_gap > 0) {
+      bounds[PrecisionClause::Gap].share = kInfinity;  // not known to be wide enough
+    }
     return bounds;
   }
 
@@ -207,8 +216,9 @@ class Judge {
     across = {.value = value, .share = value / limit, .limit = limit, .sphere = i, .other = {}};
   }
 
-  /// Of spheres that move apart or together only the ends of the shutter are looked at, and those
-  /// that do so fast enough to be near each other for a hundredth of it are left out.
+  /// Of spheres that move apart or together the ends of the shutter are looked at and the moment
+  /// when their centres are nearest; those that are near each other for less than a hundredth of it
+  /// are left out.
   template <typename IsExact>
   void judge_gaps(IsExact is_exact, PrecisionBounds& bounds) const {
     PrecisionBound& narrowest = bounds[PrecisionClause::Gap];
@@ -228,10 +238,12 @@ class Judge {
       const double of_radius = is_exact(large.index) ? 0 : limits_.least_gap * large.radius;
       for (const Ball& small : std::span(balls).subspan(k + 1)) {
         const double error = limits_.unit * std::max(large.extent, small.extent);
-        const double movement = moderate_length((large.center[1] - small.center[1]) -
-                                                (large.center[0] - small.center[0]));
-        for (std::size_t end = 0; end < (view_.is_moving() ? 2 : 1); ++end) {
-          const double apart = moderate_length(large.center[end] - small.center[end]);
+        const Vec3 from = large.center[0] - small.center[0];
+        const Vec3 way = (large.center[1] - small.center[1]) - from;
+        const double movement = moderate_length(way);
+        const std::array<double, 3> moments{0, 1, nearest_moment(from, way)};
+        for (std::size_t i = 0; i < (movement > 0 ? moments.size() : 1); ++i) {
+          const double apart = moderate_length(from + way * moments[i]);
           const Gap gap = narrowest_gap(large.radius, small.radius, apart, of_radius, error);
           if (kBriefly * gap.least <= movement) continue;
           if (gap.least / gap.width <= narrowest.share) continue;
@@ -356,6 +368,10 @@ std::string describe(PrecisionClause clause, const PrecisionBound& bound) {
     case PrecisionClause::Pixel:
       return "a pixel is " + value + " units of rounding wide, where " + limit + " are needed";
     case PrecisionClause::Gap:
+      if (!bound.sphere) {
+        return "gaps between more than " + std::to_string(kMostSpheresForGaps) +
+               " spheres are not looked for";
+      }
       return "two surfaces are " + value + " of the larger radius apart, where " + limit +
              " is needed";
     case PrecisionClause::View:

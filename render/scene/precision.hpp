@@ -57,7 +57,7 @@ struct PrecisionBounds {
   bool is_accepted() const noexcept { return (*this)[deciding()].share <= 1; }
 };
 
-/// Of more spheres no pairs are tried: PrecisionBounds::has_gaps is false.
+/// Of more spheres no pairs are tried: PrecisionBounds::has_gaps is false, and float not accepted.
 inline constexpr std::size_t kMostSpheresForGaps = 600;
 
 /// The bounds for a scene in float or double, all of it met in that. With u the unit of rounding,

@@ -276,7 +276,23 @@ TEST(PrecisionBounds, LookForGapsUpToANumberOfSpheres) {
   }
   EXPECT_TRUE(judge_precision(scene, scene.camera, {}, Precision::Float).has_gaps);
   scene.spheres.push_back({.center = {0, 9, 0}, .radius = 1});
-  EXPECT_FALSE(judge_precision(scene, scene.camera, {}, Precision::Float).has_gaps);
+  const PrecisionBounds of_more = judge_precision(scene, scene.camera, {}, Precision::Float);
+  EXPECT_FALSE(of_more.has_gaps);
+  EXPECT_FALSE(of_more.is_accepted());
+  EXPECT_EQ(describe(PrecisionClause::Gap, of_more[PrecisionClause::Gap]),
+            "gaps between more than 600 spheres are not looked for");
+  EXPECT_TRUE(judge_precision(scene, scene.camera, {}, Precision::Double).is_accepted());
+}
+
+TEST(PrecisionBounds, HoldAtTheMomentWhenCentresAreNearest) {
+  Scene scene = plain_scene();
+  scene.spheres = {{.center = {0, -0.005, -4}, .radius = 1},
+                   {.center = {0, 0.005, -4}, .radius = 1}};
+  scene.shifts = {{0, 0.01, 0}, {0, -0.01, 0}};
+  EXPECT_EQ(clause_of(scene), PrecisionClause::Gap);
+  EXPECT_FALSE(judge(scene).is_accepted);
+  scene.shifts = {{0, -0.01, 0}, {0, 0.01, 0}};
+  EXPECT_TRUE(judge(scene).is_accepted);
 }
 
 TEST(ScaleRatio, IsTheReachInRadiiOfTheSmallestSphere) {
