@@ -22,13 +22,7 @@ double cost_of_bvh(double spheres, Precision precision) {
   return precision == Precision::Double ? 70 + 4 * depth : 30 + 3.4 * depth;
 }
 
-/// Whether every ray is held against every sphere, or goes through a hierarchy.
-KernelKind faster_kind(std::size_t spheres, Precision precision) {
-  const auto n = static_cast<double>(spheres);
-  const bool is_small =
-      spheres <= kMostWideSpheres && cost_of_all(n, precision) <= cost_of_bvh(n, precision);
-  return is_small ? KernelKind::Wide : KernelKind::Bvh;
-}
+std::string whole(double number) { return std::to_string(std::lround(number)); }
 
 /// Why no wide kernel takes a scene; empty: one does.
 std::string objection_to_wide(const Scene& scene, const KernelRequest& request) {
@@ -66,10 +60,6 @@ Kernel judged_kernel(const Scene& scene, const RenderSettings& settings,
     kernel.reason = "double was asked for";
     return kernel;
   }
-  if (scene.spheres.size() > kMostSpheresForGaps && !request.precision) {
-    kernel.reason = "so many spheres are not searched for gaps too narrow for float";
-    return kernel;
-  }
   const FloatVerdict verdict = judge_float(scene, scene.camera, settings);
   const PrecisionClause clause = verdict.in_float.deciding();
   const std::string objection = describe(clause, verdict.in_float[clause]);
@@ -81,7 +71,7 @@ Kernel judged_kernel(const Scene& scene, const RenderSettings& settings,
   if (is_mixed) {
     kernel.reason = std::to_string(verdict.exact_spheres.size()) + " met in double: " + objection;
   } else if (!verdict.is_accepted) {
-    kernel.reason = objection;
+    kernel.reason = request.precision ? "float was asked for, but " + objection : objection;
   } else {
     kernel.reason = "rounding stays far below a pixel";
   }
@@ -91,7 +81,17 @@ Kernel judged_kernel(const Scene& scene, const RenderSettings& settings,
 Kernel wide_kernel_for(const Scene& scene, const RenderSettings& settings,
                        const KernelRequest& request) {
   Kernel kernel = judged_kernel(scene, settings, request);
-  kernel.kind = request.kind.value_or(faster_kind(scene.spheres.size(), kernel.precision));
+  if (request.kind) {
+    kernel.kind = *request.kind;
+  } else {
+    const auto spheres = static_cast<double>(scene.spheres.size());
+    const double all = cost_of_all(spheres, kernel.precision);
+    const double bvh = cost_of_bvh(spheres, kernel.precision);
+    const bool is_small = scene.spheres.size() <= kMostWideSpheres && all <= bvh;
+    kernel.kind = is_small ? KernelKind::Wide : KernelKind::Bvh;
+    kernel.reason += "; by the model " + whole(all) + " ns a ray with every sphere, " + whole(bvh) +
+                     " through a hierarchy";
+  }
   kernel.isa = request.isa.value_or(available_isas().back());
   return kernel;
 }
