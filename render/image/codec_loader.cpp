@@ -92,7 +92,7 @@ class Loader {
     const std::lock_guard lock(mutex_);
     if (loading_.valid()) return;
     loading_ = std::async(std::launch::async, [this, module = find_module()] {
-                 constexpr std::chrono::milliseconds kPatience(500);
+                 constexpr std::chrono::seconds kPatience(2);
                  std::unique_lock waiting(mutex_);
                  wanted_.wait_for(waiting, kPatience, [this] { return is_wanted_; });
                  waiting.unlock();

@@ -8,7 +8,7 @@ namespace sdlc::render {
 /// is missing, cannot be loaded or was built for another version of the program.
 ImageCodec& image_codec();
 
-/// Loads the codec on another thread, from half a second on or when it is wanted. Throws IoError
+/// Loads the codec on another thread, from two seconds on or when it is wanted. Throws IoError
 /// now if there is no module to load; any other failure is image_codec's to report.
 void preload_codec();
 
