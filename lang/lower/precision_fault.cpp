@@ -1,6 +1,7 @@
 #include "lang/lower/precision_fault.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -37,7 +38,8 @@ PrecisionFault beyond_double_fault(const render::ScaleRatio& scale) {
   PrecisionFault fault{
       .info = &diag::beyond_double,
       .message = fmt::format(fmt::runtime(diag::beyond_double.message),
-                             fmt::format("{:.3g}", scale.ratio)),
+                             std::isfinite(scale.ratio) ? fmt::format("{:.3g}", scale.ratio)
+                                                        : std::string("over 1e308")),
       .roles = {{scale.smallest, "the smallest sphere"}},
       .help =
           "make a scene of its own of what is so small, or so far away; --precision double "

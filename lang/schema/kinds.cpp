@@ -141,7 +141,7 @@ constexpr auto kRenderProperties = std::to_array<Property>({
      .default_text = "auto",
      .words = kPrecisionWords,
      .doc = "Of the numbers that paths are computed in; auto: `float` where nothing can be seen of "
-            "its rounding, else `double`."},
+            "its rounding, else `double`. In `float` a few large spheres may be met in double."},
 });
 static_assert(kRenderProperties.size() == render_property::kCount);
 
