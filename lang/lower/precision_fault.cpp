@@ -76,8 +76,10 @@ std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,
 
 std::size_t cameras_to_judge(std::size_t cameras, std::size_t spheres) noexcept {
   constexpr std::size_t kMostLooks = 2'000'000;
-  return std::min(cameras,
-                  std::max<std::size_t>(1, kMostLooks / std::max<std::size_t>(1, spheres)));
+  // A pair of spheres takes half as long as a sphere.
+  const bool has_pairs = spheres <= render::kMostSpheresForGaps;
+  const std::size_t looks = 1 + spheres + (has_pairs ? spheres * spheres / 2 : 0);
+  return std::min(cameras, std::max<std::size_t>(1, kMostLooks / looks));
 }
 
 }  // namespace sdlc::lang

@@ -27,13 +27,14 @@ struct PrecisionFault {
 };
 
 /// What is wrong where `scene`, as `camera` sees it, is traced in the precision that is asked for,
-/// or in that which suits it best. Asking for double waives what else would be refused. O(n) time.
+/// or in that which suits it best. Asking for double waives what else would be refused. O(n) time,
+/// and O(n²) up to render::kMostSpheresForGaps.
 std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,
                                                    const render::Camera& camera,
                                                    const render::RenderSettings& settings,
                                                    std::optional<render::Precision> wanted);
 
-/// Of how many cameras of a scene that is asked, the first ones: each takes 0.1 µs a sphere.
+/// Of how many cameras of a scene that is asked, the first ones, so that it takes .2 s.
 std::size_t cameras_to_judge(std::size_t cameras, std::size_t spheres) noexcept;
 
 }  // namespace sdlc::lang
