@@ -31,13 +31,15 @@ constexpr double kNarrowestPixel = 16;  // in units of rounding
 
 /// What differs between the precisions.
 struct Limits {
-  double unit;           // of rounding, relative
-  double least_gap;      // of the larger radius
-  double widest_view;    // on the view plane
-  double most_radiance;  // and its inverse the least: squares and products of a few stay numbers
+  double unit;         // of rounding, relative
+  double least_gap;    // of the larger radius
+  double widest_view;  // on the view plane
+  // And its inverse the least: squares and products of a few stay numbers, and what vanishes of the
+  // brightest light where a path goes on is nothing.
+  double most_radiance;
 };
 constexpr Limits kFloatLimits{
-    .unit = 0x1p-24, .least_gap = 0x1p-16, .widest_view = 100, .most_radiance = 1e30};
+    .unit = 0x1p-24, .least_gap = 0x1p-16, .widest_view = 100, .most_radiance = 1e20};
 constexpr Limits kDoubleLimits{
     .unit = 0x1p-53, .least_gap = 0, .widest_view = 1e100, .most_radiance = 1e300};
 

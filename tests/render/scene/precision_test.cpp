@@ -223,6 +223,13 @@ TEST(FloatVerdict, RefusesRadianceThatFloatCannotHold) {
   scene.materials[0] = {
       .color = LinearRgb{1e20}, .parameter = 1e20, .type = MaterialType::Emissive};
   EXPECT_FALSE(judge(scene).is_accepted);
+  // What a surface takes of so bright a sky vanishes in float on the way, and counts all the same.
+  scene.materials[0] = {
+      .color = LinearRgb{1e-19}, .parameter = 1, .type = MaterialType::Transmissive};
+  scene.background = {.bottom = LinearRgb{1e19}, .top = LinearRgb{1e19}};
+  EXPECT_TRUE(judge(scene).is_accepted);
+  scene.background = {.bottom = LinearRgb{1e21}, .top = LinearRgb{1e21}};
+  EXPECT_EQ(clause_of(scene), PrecisionClause::Radiance);
 }
 
 // Points on a ground that is met in double are off by 2 u E, which is to be 4 pixels at most.
