@@ -59,10 +59,15 @@ std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,
     if (!(scale.ratio <= render::kMostScaleInDouble)) return beyond_double_fault(scale);
   }
   const bool is_float = wanted == Precision::Float;
-  if (is_float && judge_float(scene, camera, settings).is_accepted) return std::nullopt;
-  const PrecisionBounds bounds =
-      judge_precision(scene, camera, settings, is_float ? Precision::Float : Precision::Double);
-  if (bounds.is_accepted()) return std::nullopt;
+  PrecisionBounds bounds;
+  if (is_float) {
+    const render::FloatVerdict verdict = judge_float(scene, camera, settings);
+    if (verdict.is_accepted) return std::nullopt;
+    bounds = verdict.in_float;
+  } else {
+    bounds = judge_precision(scene, camera, settings, Precision::Double);
+    if (bounds.is_accepted()) return std::nullopt;
+  }
   const PrecisionClause clause = bounds.deciding();
   return PrecisionFault{
       .info = &diag::beyond_precision,
