@@ -2,38 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "render/math/box.hpp"
 
 namespace sdlc::render {
-namespace {
-
-struct Bounds {
-  std::array<double, 3> low{kInfinity, kInfinity, kInfinity};
-  std::array<double, 3> high{-kInfinity, -kInfinity, -kInfinity};
-
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-  void add(const Bounds& other) noexcept {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], other.low[axis]);
-      high[axis] = std::max(high[axis], other.high[axis]);
-    }
-  }
-  void add(Vec3 center, double radius) noexcept {
-    const std::array<double, 3> c{center.x, center.y, center.z};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], c[axis] - radius);
-      high[axis] = std::max(high[axis], c[axis] + radius);
-    }
-  }
-  double half_area() const noexcept {
-    const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-    return x * y + y * z + z * x;
-  }
-};
-
-}  // namespace
-
 /// Builds the nodes top-down over an array of references that it sorts in place.
 class BvhBuilder {
  public:
@@ -57,14 +29,14 @@ class BvhBuilder {
   static constexpr int kMaxSahDepth = 60;
 
   struct Reference {
-    Bounds bounds;
+    Box bounds;
     std::uint32_t index;
 
     double middle(std::size_t axis) const noexcept { return bounds.low[axis] + bounds.high[axis]; }
   };
 
   struct Split {
-    double cost = Bounds::kInfinity;
+    double cost = Box::kInfinity;
     std::size_t axis = 0;
     std::size_t bin = 0;  // spheres of bins up to this one go to the first child
   };
@@ -98,7 +70,7 @@ class BvhBuilder {
       std::array<Bins, 3> bins;
       const Split split = best_split(begin, end, bins);
       if (count <= kMaxLeaf && !(split.cost < static_cast<double>(count))) return leaf;
-      if (split.cost < Bounds::kInfinity) {
+      if (split.cost < Box::kInfinity) {
         const auto first = references_.begin() + static_cast<std::ptrdiff_t>(begin);
         const auto last = references_.begin() + static_cast<std::ptrdiff_t>(end);
         const auto cut = std::partition(first, last, [&](const Reference& r) {
@@ -112,7 +84,7 @@ class BvhBuilder {
 
     const auto node = static_cast<std::uint32_t>(bvh_.nodes_.size());
     bvh_.nodes_.emplace_back();
-    const Bounds first_bounds = bounds(begin, middle), second_bounds = bounds(middle, end);
+    const Box first_bounds = bounds(begin, middle), second_bounds = bounds(middle, end);
     const Bvh::Child first = build_child(begin, middle, depth + 1);
     const Bvh::Child second = build_child(middle, end, depth + 1);
     store_node(bvh_.nodes_[node], first_bounds, second_bounds);
@@ -124,7 +96,7 @@ class BvhBuilder {
     Split best;
     const double area = bounds(begin, end).half_area();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      double low = Bounds::kInfinity, high = -Bounds::kInfinity;
+      double low = Box::kInfinity, high = -Box::kInfinity;
       for (std::size_t i = begin; i < end; ++i) {
         low = std::min(low, references_[i].middle(axis));
         high = std::max(high, references_[i].middle(axis));
@@ -133,7 +105,7 @@ class BvhBuilder {
       bins[axis] = {.low = low, .scale = kBins / (high - low)};
       if (!std::isfinite(bins[axis].scale)) continue;  // middles a subnormal distance apart
 
-      std::array<Bounds, kBins> bin_bounds;
+      std::array<Box, kBins> bin_bounds;
       std::array<std::size_t, kBins> counts{};
       for (std::size_t i = begin; i < end; ++i) {
         const std::size_t bin = bins[axis](references_[i].middle(axis));
@@ -141,7 +113,7 @@ class BvhBuilder {
         ++counts[bin];
       }
       std::array<double, kBins> cost_above{};
-      Bounds above;
+      Box above;
       std::size_t count_above = 0;
       for (std::size_t bin = kBins - 1; bin > 0; --bin) {
         above.add(bin_bounds[bin]);
@@ -149,7 +121,7 @@ class BvhBuilder {
         cost_above[bin - 1] =
             count_above > 0 ? above.half_area() * static_cast<double>(count_above) : 0;
       }
-      Bounds below;
+      Box below;
       std::size_t count_below = 0;
       for (std::size_t bin = 0; bin + 1 < kBins; ++bin) {
         below.add(bin_bounds[bin]);
@@ -164,8 +136,8 @@ class BvhBuilder {
     return best;
   }
 
-  Bounds bounds(std::size_t begin, std::size_t end) const {
-    Bounds all;
+  Box bounds(std::size_t begin, std::size_t end) const {
+    Box all;
     for (std::size_t i = begin; i < end; ++i) all.add(references_[i].bounds);
     return all;
   }
@@ -173,7 +145,7 @@ class BvhBuilder {
   /// Boxes are wider than their spheres by more than the rounding errors of both tests, so that no
   /// box misses what the test of a sphere inside would hit. The extent of a rebased scene is at
   /// most 2.
-  static void store_node(Bvh::Node& node, const Bounds& first, const Bounds& second) {
+  static void store_node(Bvh::Node& node, const Box& first, const Box& second) {
     constexpr double kMargin = 0x1p-44;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       node.bounds[axis][0] = Bvh::Pair{first.low[axis] - kMargin, second.low[axis] - kMargin};

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "render/math/box.hpp"
 #include "render/math/vec3.hpp"
 
 namespace sdlc::render {
@@ -15,31 +16,6 @@ namespace {
 /// radii above 2500 u · 2. What it does along the ray is the search's to allow for.
 template <typename T>
 constexpr double kMargin = sizeof(T) == 4 ? 0x1p-18 : 0x1p-44;
-
-struct Box {
-  std::array<double, 3> low{kInfinity, kInfinity, kInfinity};
-  std::array<double, 3> high{-kInfinity, -kInfinity, -kInfinity};
-
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-  void add(const Box& other) noexcept {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], other.low[axis]);
-      high[axis] = std::max(high[axis], other.high[axis]);
-    }
-  }
-  void add(Vec3 center, double radius) noexcept {
-    const std::array<double, 3> c{center.x, center.y, center.z};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], c[axis] - radius);
-      high[axis] = std::max(high[axis], c[axis] + radius);
-    }
-  }
-  double half_area() const noexcept {
-    const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-    return x * y + y * z + z * x;
-  }
-};
 
 struct Member {
   Box box;
