@@ -1,38 +1,22 @@
 #include "render/bvh/bvh.hpp"
 
 #include <cmath>
-#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "tests/support/statistics/random.hpp"
+
 namespace sdlc::render {
 namespace {
+
+using test::Random;
 
 /// Spheres of a rebased scene: everything within 2 of the origin.
 struct TestScene {
   std::string name;
   std::vector<Sphere> spheres;
   std::vector<Vec3> shifts;
-};
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double between(double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(engine_);
-  }
-  Vec3 in_box(double size) {
-    return {between(-size, size), between(-size, size), between(-size, size)};
-  }
-  Vec3 direction() {
-    Vec3 v = in_box(1);
-    while (length_squared(v) > 1 || length_squared(v) < 1e-6) v = in_box(1);
-    return unit(v);
-  }
-
- private:
-  std::mt19937_64 engine_;
 };
 
 std::vector<TestScene> test_scenes() {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 
 #include "render/tiles/render.hpp"
 #include "tests/render/wide/kernels.hpp"
+#include "tests/support/statistics/random.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
 // The hierarchy of the wide kernel: what it is made of, and that it finds what a ray meets that is
@@ -19,21 +19,8 @@
 namespace sdlc::render {
 namespace {
 
+using test::Random;
 using test::render_with;
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double between(double a, double b) {
-    return std::uniform_real_distribution<double>(a, b)(engine_);
-  }
-  Vec3 in_box(double size) {
-    return {between(-size, size), between(-size, size), between(-size, size)};
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 struct NamedSpheres {
   std::string name;
