@@ -134,7 +134,7 @@ class WidePaths {
                        Nearest& nearest) const;
   void intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed, Mask alive,
                      Nearest& nearest) const;
-  HWY_INLINE TableReader<D> material_reader(Bits slot, const TableReader<D>& read) const {
+  HWY_INLINE TableReader<D> material_reader(const TableReader<D>& read) const {
     if constexpr (F::kBvh) return {read(scene_.material), scene_.materials};
     return read;
   }
@@ -515,7 +515,7 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
 
     const Mask hit = hn::Lt(nearest.t, infinity);
     const TableReader<D> read(nearest.index, scene_.slots);
-    const TableReader<D> read_material = material_reader(nearest.index, read);
+    const TableReader<D> read_material = material_reader(read);
     const Bits surface = hn::IfThenElseZero(hn::RebindMask(du, hit), read_material(scene_.surface));
     const Triple<V> color = read_material(scene_.color);
     const Triple<V> sky =

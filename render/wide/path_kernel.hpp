@@ -46,9 +46,7 @@ struct WideFeatures {
 /// The kernel for an instruction set that this machine has.
 template <typename T>
 TraceBlocks<T>* wide_kernel(Isa isa, WideFeatures features) noexcept;
-template <>
-TraceBlocks<float>* wide_kernel<float>(Isa isa, WideFeatures features) noexcept;
-template <>
-TraceBlocks<double>* wide_kernel<double>(Isa isa, WideFeatures features) noexcept;
+extern template TraceBlocks<float>* wide_kernel(Isa isa, WideFeatures features) noexcept;
+extern template TraceBlocks<double>* wide_kernel(Isa isa, WideFeatures features) noexcept;
 
 }  // namespace sdlc::render
