@@ -7,6 +7,7 @@
 #include "render/material/scatter.hpp"
 #include "render/scene/camera_surface.hpp"
 #include "render/scene/rebase.hpp"
+#include "render/scene/touching.hpp"
 
 namespace sdlc::render {
 
@@ -18,6 +19,7 @@ PathIntegrator::PathIntegrator(Scene scene, int max_depth)
       max_depth_(max_depth),
       materials_(std::move(scene.materials)) {
   rebase_to_camera(scene);
+  part_touching(scene, Precision::Double);
   bvh_ = Bvh(scene.spheres, scene.shifts);
   material_of_slot_.reserve(bvh_.size());
   for (std::uint32_t slot = 0; slot < bvh_.size(); ++slot) {

@@ -18,7 +18,6 @@ constexpr double kTouching = 0x1p-40;  // of the larger radius: as good as no ga
 // In units of rounding, times an extent.
 constexpr double kHitError = 25;       // of a hit: the 99th percentile
 constexpr double kAcrossError = 2;     // across the view
-constexpr double kPointError = 2;      // of a point on a sphere
 constexpr double kLeastGap = 4;        // between surfaces that do not meet
 constexpr double kLeastSpread = 2000;  // where those that meet are farthest apart
 
@@ -26,7 +25,6 @@ constexpr double kBriefly = 100;  // parts of the shutter
 
 constexpr double kPartOfRadius = 1.0 / 100;  // allowed for the error of a hit
 constexpr double kPartOfPixel = 1.0 / 16;
-constexpr double kPixelsOfExact = 4;    // where a ray hits is right, the point it goes on from not
 constexpr double kNarrowestPixel = 16;  // in units of rounding
 
 /// What differs between the precisions.
@@ -123,19 +121,8 @@ class Judge {
       hit.value = ratio(kHitError * limits_.unit * extent, radius);
       hit.sphere = smallest;
       hit.other = farthest;
-      for (const std::uint32_t i : exact) {
-        const double value = ratio(kPointError * limits_.unit * view_.extent(i), radius);
-        if (value <= hit.value) continue;
-        hit.value = value;
-        hit.other = i;
-      }
       for (std::uint32_t i = 0; i < view_.count(); ++i) {
-        if (!view_.is_seen(i)) continue;
-        if (is_exact(i)) {
-          judge_distance(i, kPointError * view_.extent(i), kPixelsOfExact, bounds);
-        } else {
-          judge_distance(i, kAcrossError * extent, kPartOfPixel, bounds);
-        }
+        if (view_.is_seen(i) && !is_exact(i)) judge_distance(i, kAcrossError * extent, bounds);
       }
     } else if (!exact.empty()) {
       hit.value = kInfinity;  // no sphere is left
@@ -209,13 +196,17 @@ class Judge {
   static double brightest(LinearRgb c) { return std::max({c.r, c.g, c.b}); }
 
   /// `error`: across the view at the surface, in units of rounding.
-  void judge_distance(std::uint32_t i, double error, double limit, PrecisionBounds& bounds) const {
+  void judge_distance(std::uint32_t i, double error, PrecisionBounds& bounds) const {
     const std::optional<double> distance = view_.distance(i);
     if (!distance) return;
     PrecisionBound& across = bounds[PrecisionClause::Across];
     const double value = ratio(error * limits_.unit, pixel_ * *distance);
-    if (value / limit <= across.share) return;
-    across = {.value = value, .share = value / limit, .limit = limit, .sphere = i, .other = {}};
+    if (value / kPartOfPixel <= across.share) return;
+    across = {.value = value,
+              .share = value / kPartOfPixel,
+              .limit = kPartOfPixel,
+              .sphere = i,
+              .other = {}};
   }
 
   /// Of spheres that move apart or together the ends of the shutter are looked at and the moment
@@ -239,7 +230,12 @@ class Judge {
       const Ball& large = balls[k];
       const double of_radius = is_exact(large.index) ? 0 : limits_.least_gap * large.radius;
       for (const Ball& small : std::span(balls).subspan(k + 1)) {
-        const double error = limits_.unit * std::max(large.extent, small.extent);
+        // Next to another sphere, points on one that is met in double are right for that sphere.
+        const bool is_other_exact = is_exact(large.index) != is_exact(small.index);
+        const double extent = !is_other_exact         ? std::max(large.extent, small.extent)
+                              : is_exact(large.index) ? small.extent
+                                                      : large.extent;
+        const double error = limits_.unit * extent;
         const Vec3 from = large.center[0] - small.center[0];
         const Vec3 way = (large.center[1] - small.center[1]) - from;
         const double movement = moderate_length(way);
@@ -300,6 +296,10 @@ std::string_view name_of(Precision precision) noexcept {
     case Precision::Mixed: return "mixed";
     default: return "double";
   }
+}
+
+double unit_of_rounding(Precision precision) noexcept {
+  return (precision == Precision::Double ? kDoubleLimits : kFloatLimits).unit;
 }
 
 std::string_view name_of(PrecisionClause clause) noexcept {

@@ -18,6 +18,9 @@ enum class Precision : std::uint8_t { Float, Mixed, Double };
 
 std::string_view name_of(Precision precision) noexcept;
 
+/// Half the distance from 1 to the next number: 2^-24 or, in double, 2^-53.
+double unit_of_rounding(Precision precision) noexcept;
+
 /// What rounding must stay below, in one respect each.
 enum class PrecisionClause : std::uint8_t {
   Hit,       ///< error of a hit, in radii of the smallest sphere: at most 1/100

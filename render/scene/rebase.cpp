@@ -37,7 +37,7 @@ double moderate_length(Vec3 v) noexcept {
   return std::ldexp(length(scaled_by_power_of_two(v, -e)), e);
 }
 
-void rebase_to_camera(Scene& scene) {
+void rebase_to_camera(Scene& scene, std::span<const std::uint32_t> left_out) {
   const Vec3 view = direction_between(scene.camera.from, scene.camera.at);
 
   // First to numbers of moderate size, so that the difference to the camera cannot overflow.
@@ -48,8 +48,10 @@ void rebase_to_camera(Scene& scene) {
   }
   for (Vec3& shift : scene.shifts) shift = frame.size(shift);
 
+  const bool all_count = left_out.size() == scene.spheres.size();
   double extent = 0;
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+    if (!all_count && std::find(left_out.begin(), left_out.end(), i) != left_out.end()) continue;
     const Sphere& s = scene.spheres[i];
     extent = std::max(extent, moderate_length(s.center) + s.radius);
     if (!scene.shifts.empty()) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "render/scene/scene.hpp"
 
 namespace sdlc::render {
@@ -24,10 +27,11 @@ class CameraFrame {
 double moderate_length(Vec3 v) noexcept;
 
 /// Moves the scene so that the camera stands at the origin and scales it by a power of two so that
-/// its extent E = max(|centre| + radius), over both ends of the shutter, lies in [1, 2). The
-/// picture stays the same, bit for bit under scaling by powers of two, and no longer depends on
-/// where in the world the scene is; squares of lengths can neither overflow nor vanish. Afterwards
-/// camera.at − camera.from is only a direction.
-void rebase_to_camera(Scene& scene);
+/// its extent E = max(|centre| + radius), over both ends of the shutter, lies in [1, 2); the
+/// spheres `left_out` do not count where there are others. The picture stays the same, bit for bit
+/// under scaling by powers of two, and no longer depends on where in the world the scene is;
+/// squares of lengths can neither overflow nor vanish. Afterwards camera.at − camera.from is only a
+/// direction.
+void rebase_to_camera(Scene& scene, std::span<const std::uint32_t> left_out = {});
 
 }  // namespace sdlc::render

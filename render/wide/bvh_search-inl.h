@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include <hwy/highway.h>
 
@@ -45,6 +46,9 @@ HWY_INLINE std::uint32_t bits_of(D d, M mask) {
 template <typename T, bool kMotion>
 class BvhSearch {
  public:
+  /// Of the places where a ray meets planes and spheres, by far.
+  static constexpr T kRelativeError = 4 * std::numeric_limits<T>::epsilon();
+
   /// One number of each ray.
   template <typename U>
   using Row = std::array<U, hn::MaxLanes(hn::ScalableTag<T>())>;
@@ -59,13 +63,22 @@ class BvhSearch {
       hn::Store(at_time, d, time.data());
       const Triple<VR> inverses{inverse_of(along.x), inverse_of(along.y), inverse_of(along.z)};
       store(inverses, inverse);
-      store({hn::Mul(from.x, inverses.x), hn::Mul(from.y, inverses.y), hn::Mul(from.z, inverses.z)},
-            offset);
+      const Triple<VR> offset{hn::Mul(from.x, inverses.x), hn::Mul(from.y, inverses.y),
+                              hn::Mul(from.z, inverses.z)};
+      // However far from the boxes a ray begins.
+      const VR more = hn::Set(d, 1 + kRelativeError), less = hn::Set(d, 1 - kRelativeError);
+      const auto bounds = [&](VR v) HWY_ATTR {
+        const VR a = hn::Mul(v, more), b = hn::Mul(v, less);
+        return std::array<VR, 2>{hn::Max(a, b), hn::Min(a, b)};
+      };
+      const auto x = bounds(offset.x), y = bounds(offset.y), z = bounds(offset.z);
+      store({x[0], y[0], z[0]}, most_offset);
+      store({x[1], y[1], z[1]}, least_offset);
     }
 
     alignas(64) std::array<Row<T>, 3> origin, direction;
     /// The ray meets a plane x = p at p · inverse − offset.
-    alignas(64) std::array<Row<T>, 3> inverse, offset;
+    alignas(64) std::array<Row<T>, 3> inverse, most_offset, least_offset;
     alignas(64) Row<T> time;
 
    private:
@@ -107,7 +120,7 @@ class BvhSearch {
       } else {
         const auto& node = scene_.bvh.nodes[current];
         alignas(64) std::array<T, kBvhWidth> entries;
-        std::uint32_t met = meet_boxes(node, slabs, hit.t + kSlack, entries);
+        std::uint32_t met = meet_boxes(node, slabs, at_most(hit.t), entries);
         if (std::has_single_bit(met)) {
           current = node.children[static_cast<std::size_t>(std::countr_zero(met))];
           continue;
@@ -126,15 +139,18 @@ class BvhSearch {
       do {
         if (waiting == 0) return;
         --waiting;
-      } while (stack[waiting].t > hit.t + kSlack);
+      } while (stack[waiting].t > at_most(hit.t));
       current = stack[waiting].child;
     }
   }
 
  private:
-  /// A grazing hit on a sphere of radius r is off by up to √(2u) r along the ray, r ≤ 2: a box may
-  /// begin behind what is found in it.
-  static constexpr T kSlack = sizeof(T) == 4 ? 0x1p-10 : 0x1p-25;
+  /// Where a box may begin of which a sphere was met at `t`: a grazing hit on a sphere of radius r
+  /// is off by up to √(2u) r along the ray, r ≤ 2, and one from far away by a part of t.
+  static HWY_INLINE T at_most(T t) {
+    constexpr T kGrazing = sizeof(T) == 4 ? 0x1p-10 : 0x1p-25;
+    return t * (1 + kRelativeError) + kGrazing;
+  }
 
   using D = hn::CappedTag<T, kBvhWidth>;
   using V = hn::Vec<D>;
@@ -143,11 +159,13 @@ class BvhSearch {
 
   /// A ray as the tests of boxes take it.
   struct Slabs {
-    Triple<V> inverse, offset;
+    Triple<V> inverse, most_offset, least_offset;
     std::array<std::size_t, 3> near;  // which bound comes first
 
     HWY_INLINE Slabs(const Rays& rays, std::size_t ray)
-        : inverse(spread_row(rays.inverse, ray)), offset(spread_row(rays.offset, ray)) {
+        : inverse(spread_row(rays.inverse, ray)),
+          most_offset(spread_row(rays.most_offset, ray)),
+          least_offset(spread_row(rays.least_offset, ray)) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         near[axis] = std::signbit(rays.inverse[axis][ray]) ? 1 : 0;
       }
@@ -169,12 +187,12 @@ class BvhSearch {
         return hn::Load(d, node.bounds[axis][side].data() + part * kLanes);
       };
       const auto& near = slabs.near;
-      const V enter_x = hn::MulSub(bound(0, near[0]), slabs.inverse.x, slabs.offset.x);
-      const V enter_y = hn::MulSub(bound(1, near[1]), slabs.inverse.y, slabs.offset.y);
-      const V enter_z = hn::MulSub(bound(2, near[2]), slabs.inverse.z, slabs.offset.z);
-      const V leave_x = hn::MulSub(bound(0, 1 - near[0]), slabs.inverse.x, slabs.offset.x);
-      const V leave_y = hn::MulSub(bound(1, 1 - near[1]), slabs.inverse.y, slabs.offset.y);
-      const V leave_z = hn::MulSub(bound(2, 1 - near[2]), slabs.inverse.z, slabs.offset.z);
+      const V enter_x = hn::MulSub(bound(0, near[0]), slabs.inverse.x, slabs.most_offset.x);
+      const V enter_y = hn::MulSub(bound(1, near[1]), slabs.inverse.y, slabs.most_offset.y);
+      const V enter_z = hn::MulSub(bound(2, near[2]), slabs.inverse.z, slabs.most_offset.z);
+      const V leave_x = hn::MulSub(bound(0, 1 - near[0]), slabs.inverse.x, slabs.least_offset.x);
+      const V leave_y = hn::MulSub(bound(1, 1 - near[1]), slabs.inverse.y, slabs.least_offset.y);
+      const V leave_z = hn::MulSub(bound(2, 1 - near[2]), slabs.inverse.z, slabs.least_offset.z);
       const V enter = hn::Max(hn::Max(enter_x, enter_y), hn::Max(enter_z, hn::Zero(d)));
       const V leave = hn::Min(hn::Min(leave_x, leave_y), hn::Min(leave_z, hn::Set(d, farthest)));
       hn::Store(enter, d, entries.data() + part * kLanes);

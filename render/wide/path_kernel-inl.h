@@ -116,6 +116,10 @@ class WidePaths {
     V t;         // infinite where nothing was hit
     Bits index;  // of the sphere; 0 there
   };
+  /// Of the spheres that are met in double the nearest one: where, and the normal there, outward.
+  struct PointInDouble {
+    Triple<V> place, normal;
+  };
 
   static HWY_INLINE V set(double v) { return hn::Set(D(), static_cast<T>(v)); }
   static HWY_INLINE Bits word(std::uint32_t v) { return hn::Set(DU(), v); }
@@ -126,12 +130,12 @@ class WidePaths {
   HWY_INLINE void start_block(std::size_t lane);
   HWY_INLINE void finish_blocks(Mask finished);
   HWY_INLINE Nearest intersect(Triple<V> origin, Triple<V> direction, V time, Bits departed,
-                               V rehit, Mask alive) const;
+                               V rehit, Mask alive, PointInDouble& point) const;
   template <bool kAsks>
   HWY_INLINE void intersect_tables(Triple<V> origin, Triple<V> direction, V time, Bits departed,
                                    V rehit, Nearest& nearest) const;
   void intersect_exact(Triple<V> origin, Triple<V> direction, V time, Bits departed, V rehit,
-                       Nearest& nearest) const;
+                       Nearest& nearest, PointInDouble& point) const;
   void intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed, Mask alive,
                      Nearest& nearest) const;
   HWY_INLINE TableReader<D> material_reader(const TableReader<D>& read) const {
@@ -195,7 +199,7 @@ void WidePaths<T, F>::finish_blocks(Mask finished) {
 /// path `departed` from at `rehit`, where that is positive.
 template <typename T, typename F>
 auto WidePaths<T, F>::intersect(Triple<V> origin, Triple<V> direction, V time, Bits departed,
-                                V rehit, Mask alive) const -> Nearest {
+                                V rehit, Mask alive, PointInDouble& point) const -> Nearest {
   // Where spheres are few, some lane nearly always hits, and to ask costs 3 %; of 87 spheres
   // most are missed by all lanes, and to ask saves 25 to 35 %. The result is the same.
   constexpr std::size_t kFew = 16;
@@ -208,11 +212,13 @@ auto WidePaths<T, F>::intersect(Triple<V> origin, Triple<V> direction, V time, B
     }
   }
   if constexpr (F::kBvh) {  // in the order of the tables, where spheres met in double come last
-    const Mask has_left = hn::RebindMask(D(), hn::Ne(departed, word(scene_.kNoCameraSphere)));
+    // Not from one of those, and not from none.
+    const auto first_exact = word(static_cast<std::uint32_t>(scene_.first_exact));
+    const Mask has_left = hn::RebindMask(D(), hn::Lt(departed, first_exact));
     take_if_nearer(hn::IfThenElse(has_left, rehit, set(-1)), departed, nearest);
   }
   if constexpr (F::kExactSpheres) {
-    intersect_exact(origin, direction, time, departed, rehit, nearest);
+    intersect_exact(origin, direction, time, departed, rehit, nearest, point);
   }
   if constexpr (F::kBvh) {
     intersect_bvh(origin, direction, time, departed, alive, nearest);
@@ -283,26 +289,33 @@ void WidePaths<T, F>::take_if_nearer(V t, Bits index, Nearest& nearest) {
   }
 }
 
-/// Meets the spheres of WideScene::exact in double, one half of the lanes after the other.
+/// Meets the spheres of WideScene::exact in double, one half of the lanes after the other. The one
+/// that the path departed from is met again where the ray leaves it, if `rehit` is not negative.
 template <typename T, typename F>
 void WidePaths<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction, V time, Bits departed,
-                                      V rehit, Nearest& nearest) const {
+                                      V rehit, Nearest& nearest, PointInDouble& point) const {
   const D d;
   const hn::Half<D> dh;
   const hn::Repartition<double, D> dd;
   using Wide = hn::Vec<decltype(dd)>;
-  const auto low = [&](V v) HWY_ATTR { return hn::PromoteTo(dd, hn::LowerHalf(dh, v)); };
-  const auto high = [&](V v) HWY_ATTR { return hn::PromoteTo(dd, hn::UpperHalf(dh, v)); };
-  const std::array<Triple<Wide>, 2> origins{
-      Triple<Wide>{low(origin.x), low(origin.y), low(origin.z)},
-      Triple<Wide>{high(origin.x), high(origin.y), high(origin.z)}};
-  std::array<Triple<Wide>, 2> directions{
-      Triple<Wide>{low(direction.x), low(direction.y), low(direction.z)},
-      Triple<Wide>{high(direction.x), high(direction.y), high(direction.z)}};
-  const std::array<Wide, 2> times{low(time), high(time)};
+  using Halves = std::array<Wide, 2>;
+  const auto wide = [&](V v) HWY_ATTR {
+    return Halves{hn::PromoteTo(dd, hn::LowerHalf(dh, v)), hn::PromoteTo(dd, hn::UpperHalf(dh, v))};
+  };
+  const auto narrow = [&](const Halves& v) HWY_ATTR {
+    return hn::Combine(d, hn::DemoteTo(dh, v[1]), hn::DemoteTo(dh, v[0]));
+  };
+  const auto halves_of = [&](Triple<V> v) HWY_ATTR {
+    const Halves x = wide(v.x), y = wide(v.y), z = wide(v.z);
+    return std::array<Triple<Wide>, 2>{Triple<Wide>{x[0], y[0], z[0]},
+                                       Triple<Wide>{x[1], y[1], z[1]}};
+  };
+  const auto origins = halves_of(origin);
+  auto directions = halves_of(direction);
+  const Halves times = wide(time);
   // A direction of unit length in float is off by some 1e-7, which times the distance to the far
   // side of a ground would be far more than that to its near side. 1 / √(1 + e) by two terms.
-  std::array<Wide, 2> to_unit;
+  Halves to_unit;
   for (std::size_t half = 0; half < 2; ++half) {
     const Wide e = hn::Sub(dot(directions[half], directions[half]), hn::Set(dd, 1.0));
     const Wide slope = hn::MulAdd(e, hn::Set(dd, 0.375), hn::Set(dd, -0.5));
@@ -310,28 +323,60 @@ void WidePaths<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction, V t
     directions[half] = scaled(directions[half], to_unit[half]);
   }
 
+  const Wide zero = hn::Zero(dd);
   for (std::size_t i = 0; i < scene_.exact_spheres; ++i) {
     const auto& sphere = scene_.exact[i];
-    std::array<Wide, 2> t;
+    std::array<Triple<Wide>, 2> to_centers;
+    Halves middles, half_chords, t;
     for (std::size_t half = 0; half < 2; ++half) {
       Triple<Wide> center = spread(dd, sphere.center);
       if constexpr (F::kMotion) {
         center = plus_scaled(center, spread(dd, sphere.shift), times[half]);
       }
-      const Triple<Wide> to_center = minus(center, origins[half]);
-      const Wide middle = dot(to_center, directions[half]);
-      const Triple<Wide> across = minus_scaled(to_center, directions[half], middle);
-      const Wide half_chord =
+      to_centers[half] = minus(center, origins[half]);
+      middles[half] = dot(to_centers[half], directions[half]);
+      const Triple<Wide> across = minus_scaled(to_centers[half], directions[half], middles[half]);
+      half_chords[half] =
           hn::Sqrt(hn::Sub(hn::Set(dd, sphere.radius_squared), dot(across, across)));
-      const Wide enters = hn::Sub(middle, half_chord);
-      const Wide first =
-          hn::IfThenElse(hn::Ge(enters, hn::Zero(dd)), enters, hn::Add(middle, half_chord));
-      t[half] = hn::Mul(first, to_unit[half]);
+      const Wide enters = hn::Sub(middles[half], half_chords[half]);
+      t[half] =
+          hn::IfThenElse(hn::Ge(enters, zero), enters, hn::Add(middles[half], half_chords[half]));
     }
-    const V nearer = hn::Combine(d, hn::DemoteTo(dh, t[1]), hn::DemoteTo(dh, t[0]));
     const Bits index = word(static_cast<std::uint32_t>(scene_.first_exact + i));
     const Mask is_departed = hn::RebindMask(d, hn::Eq(departed, index));
-    take_if_nearer(hn::IfThenElse(is_departed, rehit, nearer), index, nearest);
+    const Mask is_inside = hn::And(is_departed, hn::Ge(rehit, hn::Zero(d)));
+    if (HWY_UNLIKELY(!hn::AllFalse(d, is_inside))) {
+      // The place where a path left it, rounded, is before or behind the surface by chance.
+      const Halves inside = wide(hn::IfThenElseZero(is_inside, set(1)));
+      for (std::size_t half = 0; half < 2; ++half) {
+        const auto has_chord = hn::Gt(half_chords[half], zero);
+        const Wide leaves =
+            hn::Add(middles[half], hn::IfThenElseZero(has_chord, half_chords[half]));
+        t[half] = hn::IfThenElse(hn::Gt(inside[half], zero), hn::Max(leaves, zero), t[half]);
+      }
+    }
+    const V distance = narrow({hn::Mul(t[0], to_unit[0]), hn::Mul(t[1], to_unit[1])});
+    const Mask stays_outside = hn::AndNot(is_inside, is_departed);
+    const V before = nearest.t;
+    take_if_nearer(hn::IfThenElse(stays_outside, set(-1), distance), index, nearest);
+
+    std::array<Triple<Wide>, 2> places, normals;
+    for (std::size_t half = 0; half < 2; ++half) {
+      places[half] = plus_scaled(origins[half], directions[half], t[half]);
+      normals[half] = scaled(minus_scaled(to_centers[half], directions[half], t[half]),
+                             hn::Set(dd, -sphere.inverse_radius));
+    }
+    const auto joined = [&](const std::array<Triple<Wide>, 2>& v) HWY_ATTR {
+      return Triple<V>{narrow({v[0].x, v[1].x}), narrow({v[0].y, v[1].y}),
+                       narrow({v[0].z, v[1].z})};
+    };
+    if (i == 0) {  // where it is not the nearest, nobody asks
+      point = {joined(places), joined(normals)};
+    } else {
+      const Mask is_nearest = hn::Lt(nearest.t, before);
+      point.place = choose(is_nearest, joined(places), point.place);
+      point.normal = choose(is_nearest, joined(normals), point.normal);
+    }
   }
 }
 
@@ -510,7 +555,8 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     const V inwards = dot(direction, normal);
     const V rehit = hn::IfThenElse(hn::Lt(inwards, zero),
                                    hn::Mul(hn::Mul(set(-2), inwards), radius), hn::Neg(one));
-    const Nearest nearest = intersect(origin, direction, time, departed, rehit, alive);
+    PointInDouble point{origin, normal};
+    const Nearest nearest = intersect(origin, direction, time, departed, rehit, alive, point);
     counts.rays += hn::CountTrue(d, alive);
 
     const Mask hit = hn::Lt(nearest.t, infinity);
@@ -531,6 +577,9 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     Triple<V> outward =
         choose(is_rehit, minus_scaled(normal, direction, hn::Add(inwards, inwards)), from_center);
     outward = scaled(outward, hn::Div(one, hn::Sqrt(dot(outward, outward))));
+    const Mask is_approximate = hn::RebindMask(
+        d, hn::Lt(nearest.index, word(static_cast<std::uint32_t>(scene_.first_exact))));
+    if constexpr (F::kExactSpheres) outward = choose(is_approximate, outward, point.normal);
     const V cosine = dot(direction, outward);
 
     Mask absorbed = hn::MaskFromVec(hn::Zero(d));
@@ -539,6 +588,7 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     stream = add_low_32(stream, word(kVertexStep));
     radius = read(scene_.radius);
     origin = plus_scaled(center, outward, radius);
+    if constexpr (F::kExactSpheres) origin = choose(is_approximate, origin, point.place);
     normal = outward;
     departed = nearest.index;
 

@@ -12,8 +12,9 @@ namespace sdlc::render {
 namespace {
 
 /// Of boxes, on each side, in a scene of extent 2. It exceeds by far what rounding does across the
-/// ray to the tests of box and sphere: some u · 2 in float, where the criterion of precision keeps
-/// radii above 2500 u · 2. What it does along the ray is the search's to allow for.
+/// ray to the tests of box and sphere, for rays that begin within the scene: some u · 2 in float,
+/// where the criterion of precision keeps radii above 2500 u · 2. What it does along the ray, and
+/// to those that come from far away, is the search's to allow for.
 template <typename T>
 constexpr double kMargin = sizeof(T) == 4 ? 0x1p-18 : 0x1p-44;
 

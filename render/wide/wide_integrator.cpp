@@ -9,6 +9,7 @@
 #include "render/film/sample_sum.hpp"
 #include "render/sampler/sampler.hpp"
 #include "render/scene/rebase.hpp"
+#include "render/scene/touching.hpp"
 #include "render/wide/path_kernel.hpp"
 #include "render/wide/wide_scene.hpp"
 
@@ -115,7 +116,8 @@ class WideIntegrator::TracerIn final : public Tracer {
 WideIntegrator::WideIntegrator(Scene scene, const RenderSettings& settings,
                                const Options& options) {
   const Pinhole pinhole(scene.camera);
-  rebase_to_camera(scene);
+  rebase_to_camera(scene, options.exact_spheres);
+  part_touching(scene, options.precision, options.exact_spheres);
   if (options.precision == Precision::Double) {
     tracer_ = std::make_unique<TracerIn<double>>(scene, pinhole, settings, options);
   } else {

@@ -198,9 +198,9 @@ TEST_F(RenderCommand, RefusesAKernelThatCannotBeBeforeRendering) {
 }
 
 constexpr const char* kPlanet = R"(scene 1
-camera main { from: (0, 2, 9), at: (0, 0, 0), fov: 40deg }
-sphere ball { center: (0, 1, 0), radius: 1, material: diffuse(color: tan) }
-sphere planet { center: (0, -6.371e6, 0), radius: 6.371e6, material: diffuse(color: gray) }
+camera main { from: (0, 1, 9e5), at: (0, 1, 0), fov: 0.01deg }
+sphere moon { center: (0, 1, 0), radius: 1, material: diffuse(color: tan) }
+sphere planet { center: (0, 1, -18), radius: 2, material: diffuse(color: gray) }
 )";
 
 TEST_F(RenderCommand, TakesThePrecisionThatTheSceneAsksForUnlessAFlagDoes) {
@@ -230,13 +230,13 @@ TEST_F(RenderCommand, WarnsOfAPrecisionThatDoesNotResolveTheScene) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(
       result.err,
-      HasSubstr("warning[W501]: `float` does not resolve the scene: a hit is off by 19 of the "
+      HasSubstr("warning[W501]: `float` does not resolve the scene: a hit is off by 1.34 of the "
                 "smallest radius, where 0.01 is allowed\n --> planet.scene:3:1\n"));
   EXPECT_THAT(result.err, HasSubstr("the farthest"));
   const auto bound = nlohmann::json::parse(content_of(folder_ / "s.json"))["precision_bound"];
   EXPECT_EQ(bound["clause"], "hit");
   EXPECT_EQ(bound["limit"], 0.01);
-  EXPECT_NEAR(bound["value"].get<double>(), 25 * 0x1p-24 * 2 * 6.371e6, 1e-3);
+  EXPECT_NEAR(bound["value"].get<double>(), 25 * 0x1p-24 * 900020, 1e-9);
   EXPECT_EQ(bound["sphere"], 0);
   EXPECT_EQ(bound["other"], 1);
 }

@@ -407,6 +407,37 @@ ExtremeCase white_glass() {
   return all;
 }
 
+// Within √(2 e R) of a contact, R = 1 / (1 / r₁ ± 1 / r₂), surfaces are nearer to each other than
+// points are off by e; the camera sees little else.
+ExtremeCase contacts() {
+  ExtremeCase all{"white surfaces that touch, under a white sky: 1", {}};
+  const auto add = [&](const char* what, double ground, const Material& ball, double height,
+                       double degrees, double sunk = 0) {
+    Scene scene = beam({0, height, 0}, {0, 0, 0}, kWhite);
+    scene.camera.up = {1, 0, 0};
+    scene.camera.plane_height = 2 * std::tan(degrees / 2 * M_PI / 180);
+    add_sphere(scene, {0, -ground, 0}, std::fabs(ground),
+               ground > 0 ? diffuse(kWhite) : emissive(kWhite, 1));
+    add_sphere(scene, {0, 1 - sunk, 0}, 1, ball);
+    all.variants.push_back({what, scene, 1'000'000, kWhite, sunk == 0 ? 64 : 16});
+    return &all.variants.back().scene;
+  };
+  const Material glass = transmissive(kWhite, 1.5);
+  add("glass on a ground of 5", 5, glass, 20, 0.02);
+  add("glass on a ground of 100", 100, glass, 10, 1);
+  add("glass on a ground of 100, from near", 100, glass, 3, 0.02);
+  add("glass on a ground of 1e4", 1e4, glass, 10, 0.02);
+  add("glass on a ground of 6.371e6", 6.371e6, glass, 10, 0.02);
+  add("glass on a ground of 1e9", 1e9, glass, 10, 0.02);
+  add("glass a millionth in a ground of 5", 5, glass, 20, 0.02, 1e-6);
+  add("glass a millionth above a ground of 5", 5, glass, 20, 0.02, -1e-6);
+  add("glass in a bright hollow of 30", -30, glass, 5, 0.02);
+  add_sphere(*add("diffuse in glass", 50, glass, 20, 0.02), {0, 0.5, 0}, 0.5, diffuse(kWhite));
+  add_sphere(*add("glass in glass", 50, glass, 20, 0.02), {0, 0.5, 0}, 0.5, glass);
+  add_sphere(*add("glass below glass", 50, glass, 20, 0.02), {0, 2.5, 0}, 0.5, glass);
+  return all;
+}
+
 ExtremeCase on_a_surface() {
   ExtremeCase all{"camera on the surface looking out: the sky; looking in: the far side", {}};
   for (const double radius : {1e-12, 1e-6, 1.0, 6.371e6, 1e12}) {
@@ -539,6 +570,7 @@ const std::vector<ExtremeCase>& extreme_cases() {
                                             bubbles(),
                                             many_spheres(),
                                             white_glass(),
+                                            contacts(),
                                             on_a_surface(),
                                             on_several_surfaces(),
                                             radius_zero(),

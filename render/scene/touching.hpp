@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "render/scene/precision.hpp"
+#include "render/scene/scene.hpp"
+
+namespace sdlc::render {
+
+/// Parts spheres that touch, from outside or one inside the other: shrinks the smaller one of each
+/// two whose surfaces come nearer than the points on them are off, until they are as far apart.
+/// Around a contact a point on one could else be taken for one beyond the other, and a path that
+/// goes on from there would be lost. What is parted moves by less than a hit is off.
+///
+/// `scene` is rebased. `exact`: the spheres that are met in double beside others in float, and on
+/// which points are off no more than they are on those. Nothing happens to more than
+/// kMostSpheresForGaps spheres, to one that the camera stands on, and to one that would lose more
+/// than 1/64 of its radius. O(n²) time.
+void part_touching(Scene& scene, Precision precision, std::span<const std::uint32_t> exact = {});
+
+}  // namespace sdlc::render
