@@ -1,0 +1,289 @@
+#include "render/scene/near_pairs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+#include "render/math/power_of_two.hpp"
+#include "render/math/vec3.hpp"
+#include "render/scene/rebase.hpp"
+
+namespace sdlc::render {
+namespace {
+
+constexpr std::size_t kWidth = 16;  // spheres of a leaf, boxes of a node
+// What rounding places, radii and distances to float may add to a distance, in extents: 16 u.
+constexpr double kFloatError = 0x1p-20;
+
+/// When what goes from `from` along `way` in the shutter is nearest to the origin, from 0 to 1.
+double nearest_moment(Vec3 from, Vec3 way) {
+  const double squared = length_squared(way);
+  return squared > 0 ? std::clamp(-dot(from, way) / squared, 0.0, 1.0) : 0;
+}
+
+/// The spheres that take part, as seen from the camera: lengths of moderate size, not rounded.
+class Balls {
+ public:
+  Balls(const Scene& scene, Vec3 camera, std::span<const std::uint32_t> left_out)
+      : scene_(scene), frame_(scene, camera) {
+    for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
+      if (!(scene.spheres[i].radius > 0)) continue;
+      if (std::find(left_out.begin(), left_out.end(), i) != left_out.end()) continue;
+      members_.push_back(i);
+      const double far = std::max(moderate_length(opening(i)), moderate_length(closing(i)));
+      extent_ = std::max(extent_, far + radius(i));
+    }
+  }
+
+  std::span<const std::uint32_t> members() const { return members_; }
+  bool are_moving() const { return !scene_.shifts.empty(); }
+  double extent() const { return extent_; }
+  double radius(std::uint32_t i) const { return frame_.size(scene_.spheres[i].radius); }
+  Vec3 opening(std::uint32_t i) const { return frame_.place(scene_.spheres[i].center); }
+  Vec3 closing(std::uint32_t i) const {
+    return are_moving() ? opening(i) + frame_.size(scene_.shifts[i]) : opening(i);
+  }
+
+ private:
+  const Scene& scene_;
+  CameraFrame frame_;
+  std::vector<std::uint32_t> members_;
+  double extent_ = 0;
+};
+
+/// Sixteen boxes, or where spheres are, side by side; empty ones are met by none.
+class Boxes {
+ public:
+  std::array<std::array<float, kWidth>, 3> low, high;
+
+  Boxes() {
+    for (auto& axis : low) axis.fill(std::numeric_limits<float>::infinity());
+    for (auto& axis : high) axis.fill(-std::numeric_limits<float>::infinity());
+  }
+  void add(std::size_t place, const Boxes& other) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t i = 0; i < kWidth; ++i) {
+        low[axis][place] = std::min(low[axis][place], other.low[axis][i]);
+        high[axis][place] = std::max(high[axis][place], other.high[axis][i]);
+      }
+    }
+  }
+  /// Those that the box at `place` of `other` meets, as bits.
+  std::uint32_t meet(const Boxes& other, std::size_t place) const {
+    std::uint32_t apart = 0;
+    for (std::size_t first = 0; first < kWidth; first += 4) {
+      Four gap = four(low[0], first) - other.high[0][place];
+      const auto widen = [&](Four by) { gap = gap > by ? gap : by; };
+      widen(other.low[0][place] - four(high[0], first));
+      for (std::size_t axis = 1; axis < 3; ++axis) {
+        widen(four(low[axis], first) - other.high[axis][place]);
+        widen(other.low[axis][place] - four(high[axis], first));
+      }
+      apart |= positive(gap) << first;
+    }
+    return ~apart & 0xFFFF;
+  }
+
+ private:
+  using Four = float __attribute__((vector_size(16)));
+
+  static Four four(const std::array<float, kWidth>& row, std::size_t first) {
+    Four v;
+    std::memcpy(&v, row.data() + first, sizeof v);
+    return v;
+  }
+  static std::uint32_t positive(Four v) {
+    const auto is_positive = v > 0;
+#if defined(__SSE2__)
+    return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(is_positive)));
+#else
+    return (is_positive[0] & 1U) | (is_positive[1] & 2U) | (is_positive[2] & 4U) |
+           (is_positive[3] & 8U);
+#endif
+  }
+};
+
+class Search {
+ public:
+  Search(const Balls& balls, const Nearness& nearness)
+      : balls_(balls),
+        gap_(nearness.gap_of_extent * balls.extent()),
+        gap_of_radius_(nearness.gap_of_radius),
+        spread_(nearness.spread_of_extent * balls.extent()) {
+    sort();
+    build();
+  }
+
+  std::vector<SpherePair> run() const {
+    const std::size_t leaves = (order_.size() + kWidth - 1) / kWidth;
+    const std::size_t parts = (leaves + kLeavesAPart - 1) / kLeavesAPart;
+    std::vector<std::vector<SpherePair>> found(parts);
+    tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
+      const std::size_t end = std::min(leaves, (part + 1) * kLeavesAPart);
+      for (std::size_t leaf = part * kLeavesAPart; leaf < end; ++leaf) find(leaf, found[part]);
+    });
+    std::vector<SpherePair> pairs;
+    for (const auto& of_part : found) pairs.insert(pairs.end(), of_part.begin(), of_part.end());
+    return pairs;
+  }
+
+ private:
+  static constexpr std::size_t kLeavesAPart = 256;
+
+  /// Those of one size, to a factor of 2, by themselves, along Morton's curve.
+  void sort() {
+    struct Entry {
+      std::uint32_t key, sphere;
+    };
+    const auto members = balls_.members();
+    std::vector<Entry> entries(members.size());
+    const auto enter = [&](std::size_t k) {
+      constexpr int kMostSizes = 32;
+      const std::uint32_t i = members[k];
+      const int size =
+          std::clamp(-exponent_of(balls_.radius(i) / balls_.extent()), 0, kMostSizes - 1);
+      const Vec3 c = balls_.opening(i) / balls_.extent();
+      const std::uint32_t curve = spread(c.x) | spread(c.y) << 1 | spread(c.z) << 2;
+      entries[k] = {static_cast<std::uint32_t>(size) << 27 | curve, i};
+    };
+    tbb::parallel_for(std::size_t{0}, members.size(), enter);
+    tbb::parallel_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+      return a.key != b.key ? a.key < b.key : a.sphere < b.sphere;
+    });
+    order_.reserve(entries.size());
+    for (const Entry& entry : entries) order_.push_back(entry.sphere);
+  }
+
+  /// The 9 bits of a coordinate from −1 to 1, two places apart from each other.
+  static std::uint32_t spread(double coordinate) {
+    auto bits = static_cast<std::uint32_t>(std::clamp((coordinate + 1) * 256, 0.0, 511.0));
+    bits = (bits | bits << 16) & 0x30000FF;
+    bits = (bits | bits << 8) & 0x300F00F;
+    bits = (bits | bits << 4) & 0x30C30C3;
+    return (bits | bits << 2) & 0x9249249;
+  }
+
+  /// Level 0 has a node for each leaf, with the boxes of its spheres; each level above has one for
+  /// sixteen nodes of the one below.
+  void build() {
+    std::size_t count = (order_.size() + kWidth - 1) / kWidth;
+    levels_.emplace_back(count);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t leaf) {
+      const std::size_t end = std::min(order_.size(), (leaf + 1) * kWidth);
+      for (std::size_t k = leaf * kWidth; k < end; ++k)
+        add_sphere(levels_[0][leaf], k % kWidth, order_[k]);
+    });
+    while (count > 1) {
+      const std::size_t above = (count + kWidth - 1) / kWidth;
+      std::vector<Boxes> level(above);
+      for (std::size_t k = 0; k < count; ++k) level[k / kWidth].add(k % kWidth, levels_.back()[k]);
+      levels_.push_back(std::move(level));
+      count = above;
+    }
+  }
+
+  /// Wider than the sphere by as much as it may be from another one that it touches.
+  void add_sphere(Boxes& boxes, std::size_t place, std::uint32_t i) const {
+    const double radius = balls_.radius(i), unit = balls_.extent();
+    const double reach = (radius + gap_of_radius_ * radius + gap_) / unit + kFloatError;
+    const Vec3 a = balls_.opening(i) / unit, b = balls_.closing(i) / unit;
+    const std::array<std::array<double, 2>, 3> ends{{{a.x, b.x}, {a.y, b.y}, {a.z, b.z}}};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [low, high] = std::minmax(ends[axis][0], ends[axis][1]);
+      boxes.low[axis][place] = static_cast<float>(low - reach);
+      boxes.high[axis][place] = static_cast<float>(high + reach);
+    }
+  }
+
+  /// Pairs with a sphere of the leaf and one of it or of those behind it.
+  void find(std::size_t leaf, std::vector<SpherePair>& found) const {
+    Boxes around;
+    around.add(0, levels_[0][leaf]);
+    struct Waiting {
+      std::size_t level, node;
+    };
+    std::array<Waiting, kMostLevels * kWidth> stack;
+    std::size_t waiting = 0;
+    stack[waiting++] = {levels_.size() - 1, 0};
+    while (waiting > 0) {
+      const Waiting now = stack[--waiting];
+      if (now.level == 0) {
+        compare(leaf, around, now.node, found);
+        continue;
+      }
+      const std::size_t leaves_a_child = std::size_t{1} << 4 * (now.level - 1);
+      std::uint32_t met = levels_[now.level][now.node].meet(around, 0);
+      for (; met != 0; met &= met - 1) {
+        const std::size_t child =
+            now.node * kWidth + static_cast<std::size_t>(std::countr_zero(met));
+        if ((child + 1) * leaves_a_child > leaf) stack[waiting++] = {now.level - 1, child};
+      }
+    }
+  }
+
+  void compare(std::size_t leaf, const Boxes& around, std::size_t other,
+               std::vector<SpherePair>& found) const {
+    std::uint32_t in_other = levels_[0][other].meet(around, 0);
+    for (; in_other != 0; in_other &= in_other - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(in_other));
+      std::uint32_t met = levels_[0][leaf].meet(levels_[0][other], k);
+      if (leaf == other) met &= (1U << k) - 1;
+      for (; met != 0; met &= met - 1) {
+        const auto l = static_cast<std::size_t>(std::countr_zero(met));
+        const std::uint32_t a = order_[leaf * kWidth + l], b = order_[other * kWidth + k];
+        if (are_near(a, b)) found.push_back({std::min(a, b), std::max(a, b)});
+      }
+    }
+  }
+
+  bool are_near(std::uint32_t a, std::uint32_t b) const {
+    const double of_a = balls_.radius(a), of_b = balls_.radius(b);
+    const double sum = of_a + of_b, difference = std::fabs(of_a - of_b);
+    const double gap = std::max(gap_, gap_of_radius_ * std::max(of_a, of_b));
+    const Vec3 from = balls_.opening(a) - balls_.opening(b);
+    double nearest = length(from), farthest = nearest;
+    if (balls_.are_moving()) {
+      const Vec3 to = balls_.closing(a) - balls_.closing(b), way = to - from;
+      farthest = std::max(nearest, length(to));
+      nearest = length(from + way * nearest_moment(from, way));
+    }
+    const auto reaches = [&](double distance) {
+      return nearest <= distance + gap && farthest >= distance - gap;
+    };
+    const bool overlap = nearest <= sum;
+    return reaches(sum) || reaches(difference) || (overlap && nearest + difference <= spread_);
+  }
+
+  static constexpr std::size_t kMostLevels = 9;  // of 2^32 spheres
+
+  const Balls& balls_;
+  double gap_, gap_of_radius_, spread_;
+  std::vector<std::uint32_t> order_;
+  std::vector<std::vector<Boxes>> levels_;
+};
+
+}  // namespace
+
+std::vector<SpherePair> find_near_pairs(const Scene& scene, Vec3 camera, const Nearness& nearness,
+                                        std::span<const std::uint32_t> left_out) {
+  const Balls balls(scene, camera, left_out);
+  const auto members = balls.members();
+  if (members.size() > kFewSpheres) return Search(balls, nearness).run();
+  std::vector<SpherePair> pairs;
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    for (std::size_t l = k + 1; l < members.size(); ++l) pairs.push_back({members[k], members[l]});
+  }
+  return pairs;
+}
+
+}  // namespace sdlc::render

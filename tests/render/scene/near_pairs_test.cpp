@@ -1,0 +1,137 @@
+#include "render/scene/near_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include "tests/support/statistics/random.hpp"
+
+namespace sdlc::render {
+namespace {
+
+using test::Random;
+
+constexpr Nearness kNearness{
+    .gap_of_extent = 1e-3, .gap_of_radius = 0.01, .spread_of_extent = 0.02};
+
+using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+Pairs as_set(const std::vector<SpherePair>& pairs) {
+  Pairs set;
+  for (const SpherePair& pair : pairs) {
+    EXPECT_LT(pair.first, pair.second);
+    EXPECT_TRUE(set.insert({pair.first, pair.second}).second) << "twice";
+  }
+  return set;
+}
+
+double extent_of(const Scene& scene) {
+  double extent = 0;
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+    const Vec3 opening = scene.spheres[i].center - scene.camera.from;
+    const Vec3 closing = scene.shifts.empty() ? opening : opening + scene.shifts[i];
+    extent = std::max(extent, std::max(length(opening), length(closing)) + scene.spheres[i].radius);
+  }
+  return extent;
+}
+
+/// By the definition, at a hundred moments: some that are near for a moment only may be missing.
+Pairs near_at_moments(const Scene& scene) {
+  const double extent = extent_of(scene);
+  Pairs pairs;
+  for (std::uint32_t a = 0; a < scene.spheres.size(); ++a) {
+    for (std::uint32_t b = a + 1; b < scene.spheres.size(); ++b) {
+      const Sphere &s = scene.spheres[a], &t = scene.spheres[b];
+      const double sum = s.radius + t.radius, difference = std::fabs(s.radius - t.radius);
+      const double gap = std::max(kNearness.gap_of_extent * extent,
+                                  kNearness.gap_of_radius * std::max(s.radius, t.radius));
+      for (int moment = 0; moment <= (scene.shifts.empty() ? 0 : 100); ++moment) {
+        const Vec3 way = scene.shifts.empty() ? Vec3{} : scene.shifts[a] - scene.shifts[b];
+        const double apart = length(s.center - t.center + way * (moment / 100.0));
+        if (std::fabs(apart - sum) <= gap || std::fabs(apart - difference) <= gap ||
+            (apart <= sum && apart + difference <= kNearness.spread_of_extent * extent)) {
+          pairs.insert({a, b});
+        }
+      }
+    }
+  }
+  return pairs;
+}
+
+/// More than are compared all with all, many of them near each other, of radii over `decades`.
+Scene crowd(std::size_t count, double decades, bool moves) {
+  Scene scene;
+  scene.camera.from = {3, 1, -7};
+  Random random(11);
+  const auto place = [&] {
+    return Vec3{random.between(-9, 9), random.between(-1, 1), random.between(-9, 9)};
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    scene.spheres.push_back({place(), 0.5 * std::pow(10, -random.between(0, decades))});
+    if (moves) scene.shifts.push_back(place() * 0.02);
+  }
+  return scene;
+}
+
+TEST(NearPairs, AreAllPairsOfFewSpheres) {
+  Scene scene = crowd(5, 1, false);
+  scene.spheres[1].radius = 0;
+  const auto pairs = as_set(find_near_pairs(scene, scene.camera.from, kNearness));
+  EXPECT_EQ(pairs, (Pairs{{0, 2}, {0, 3}, {0, 4}, {2, 3}, {2, 4}, {3, 4}}));
+}
+
+TEST(NearPairs, AreThoseThatTouchOrNearlyCoincide) {
+  for (const double decades : {0.0, 0.3, 3.0, 12.0}) {
+    const Scene scene = crowd(1500, decades, false);
+    const Pairs expected = near_at_moments(scene);
+    EXPECT_GT(expected.size(), 5u) << decades;
+    EXPECT_EQ(as_set(find_near_pairs(scene, scene.camera.from, kNearness)), expected) << decades;
+  }
+}
+
+TEST(NearPairs, AreThoseThatComeNearWhileTheShutterIsOpen) {
+  const Scene scene = crowd(1000, 1, true);
+  const Pairs found = as_set(find_near_pairs(scene, scene.camera.from, kNearness));
+  const Pairs at_moments = near_at_moments(scene);
+  EXPECT_TRUE(std::ranges::includes(found, at_moments));
+  EXPECT_LT(found.size(), 1.1 * static_cast<double>(at_moments.size()));
+}
+
+TEST(NearPairs, DoNotDependOnPlaceScaleAndThreads) {
+  Scene scene = crowd(20000, 2, false);
+  const auto pairs = find_near_pairs(scene, scene.camera.from, kNearness);
+  tbb::task_arena one(1);
+  EXPECT_EQ(one.execute([&] { return find_near_pairs(scene, scene.camera.from, kNearness); }),
+            pairs);
+  for (Sphere& sphere : scene.spheres) {
+    sphere.center = sphere.center * 0x1p-700;
+    sphere.radius *= 0x1p-700;
+  }
+  scene.camera.from = scene.camera.from * 0x1p-700;
+  EXPECT_EQ(find_near_pairs(scene, scene.camera.from, kNearness), pairs);
+}
+
+TEST(NearPairs, LeaveOutAHugeGround) {
+  Scene scene = crowd(1500, 1, false);
+  const auto alone = as_set(find_near_pairs(scene, scene.camera.from, kNearness));
+  scene.spheres.push_back({.center = {0, -1e6, 0}, .radius = 1e6});
+  const std::vector<std::uint32_t> ground{1500};
+  EXPECT_EQ(as_set(find_near_pairs(scene, scene.camera.from, kNearness, ground)), alone);
+}
+
+// All in one place, or along a line.
+TEST(NearPairs, AreFoundAmongSpheresThatHeapUp) {
+  for (const Vec3 step : {Vec3{}, Vec3{1e-3, 0, 0}}) {
+    Scene scene;
+    scene.camera.from = {0, 0, 9};
+    for (int i = 0; i < 1000; ++i) scene.spheres.push_back({step * i, 0.1 + 1e-3 * i});
+    EXPECT_EQ(as_set(find_near_pairs(scene, scene.camera.from, kNearness)), near_at_moments(scene));
+  }
+}
+
+}  // namespace
+}  // namespace sdlc::render
