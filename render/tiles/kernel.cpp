@@ -6,7 +6,6 @@
 
 #include "render/scene/camera_surface.hpp"
 #include "render/scene/precision.hpp"
-#include "render/scene/rebase.hpp"
 #include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {
@@ -31,14 +30,7 @@ std::string objection_to_wide(const Scene& scene, const KernelRequest& request) 
   if (request.kind == KernelKind::Wide && scene.spheres.size() > kMostWideSpheres) {
     return "more than " + std::to_string(kMostWideSpheres) + " spheres";
   }
-  Scene rebased = scene;
-  rebase_to_camera(rebased);
-  int under_camera = 0;
-  for (std::size_t i = 0; i < rebased.spheres.size(); ++i) {
-    const Vec3 shift = rebased.shifts.empty() ? Vec3{} : rebased.shifts[i];
-    under_camera += has_camera_on_it(rebased.spheres[i], shift);
-  }
-  return under_camera > 1 ? "the camera stands on several surfaces" : "";
+  return count_under_camera(scene) > 1 ? "the camera stands on several surfaces" : "";
 }
 
 bool has(Isa isa) {
