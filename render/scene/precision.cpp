@@ -327,7 +327,8 @@ FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderS
   FloatVerdict verdict;
   verdict.bounds = verdict.in_float = judge.bounds({});
   verdict.is_accepted = verdict.in_float.is_accepted();
-  if (verdict.is_accepted) return verdict;
+  // Gaps that were not looked for are not known of the rest either; and sorting takes its time.
+  if (verdict.is_accepted || !verdict.in_float.has_gaps) return verdict;
   const std::vector<std::uint32_t> by_size = judge.by_size();
   for (std::size_t exact = 1; exact <= std::min(most_exact, by_size.size()); ++exact) {
     const auto largest = std::span(by_size).first(exact);
