@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -125,7 +126,7 @@ std::uint64_t total_samples(const render::RenderSettings& settings) {
 }
 
 /// Traces with progress; Ctrl-C ends it early. Takes the scene's spheres.
-render::RenderResult trace(lang::LoweredScene& lowered, const render::KernelRequest& kernel,
+render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
                            const RenderOptions& options, RenderStatistics& statistics,
                            Environment& env) {
   render::RenderMonitor monitor;
@@ -136,7 +137,7 @@ render::RenderResult trace(lang::LoweredScene& lowered, const render::KernelRequ
   const InterruptGuard interrupt(monitor.cancel);
   const ProgressReporter progress(progress_style(options, env), monitor,
                                   total_samples(lowered.settings), env.err);
-  return render::render(std::move(lowered.scene), lowered.settings, monitor, kernel);
+  return render::render(std::move(kernel), std::move(lowered.scene), lowered.settings, monitor);
 }
 
 /// The closing line, and how the command ends.
@@ -252,16 +253,14 @@ class RenderJob {
     if (frame != frames_.front()) request.stats.clear();
     const std::vector<Output> outputs = plan_outputs(request);
     check_memory(settings);
-    const render::KernelRequest request_of_kernel =
-        kernel_request(options_.kernel, *lowered, options_.overrides);
+    const auto choice_start = std::chrono::steady_clock::now();
     // Refused before anything is traced.
-    const render::Kernel kernel = chosen_kernel(*lowered, request_of_kernel);
-    if (!options_.stats.empty()) {
-      statistics.bounds = bounds_of(kernel, lowered->scene, settings);
-    }
+    render::Kernel kernel =
+        chosen_kernel(*lowered, kernel_request(options_.kernel, *lowered, options_.overrides));
+    const double choice_seconds = seconds_since(choice_start);
 
-    const render::RenderResult result =
-        trace(*lowered, request_of_kernel, options_, statistics, env_);
+    render::RenderResult result = trace(*lowered, std::move(kernel), options_, statistics, env_);
+    result.build_seconds += choice_seconds;
     if (!result.is_complete) env_.err << "interrupted; saving what there is" << std::endl;
     const auto write_start = std::chrono::steady_clock::now();
     const std::vector<std::string> written =

@@ -24,7 +24,7 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"threads", result.threads},
       {"instruction_set", instruction_set(result.kernel)},
       {"precision", name_of(result.kernel.precision)},
-      {"precision_bound", deciding_bound_json(statistics.bounds)},
+      {"precision_bound", deciding_bound_json(result.kernel.bounds)},
       {"kernel", name_of(result.kernel.kind)},
       {"features", statistics.features},
       {"parse_seconds", statistics.compile.parse_seconds},

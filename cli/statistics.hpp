@@ -15,7 +15,6 @@ struct RenderStatistics {
   std::size_t spheres = 0;
   std::vector<std::string> features;  ///< what the scene required, see required_features
   render::RenderSettings settings;
-  render::PrecisionBounds bounds;  ///< of the kernel's precision
   lang::CompileTimes compile;
   double write_seconds = 0;
   std::size_t render_rss_bytes = 0;  ///< while tracing

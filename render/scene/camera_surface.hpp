@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 #include "render/scene/scene.hpp"
 
@@ -13,5 +14,8 @@ inline bool has_camera_on_it(const Sphere& sphere, Vec3 shift) noexcept {
   return sphere.radius > 0 && shift == Vec3{} &&
          std::fabs(length(sphere.center) - sphere.radius) <= kOnSurface * sphere.radius;
 }
+
+/// On how many spheres the camera of a scene stands so, once it is rebased. O(n) time, no copy.
+std::size_t count_under_camera(const Scene& scene) noexcept;
 
 }  // namespace sdlc::render

@@ -37,35 +37,30 @@ double moderate_length(Vec3 v) noexcept {
   return std::ldexp(length(scaled_by_power_of_two(v, -e)), e);
 }
 
-void rebase_to_camera(Scene& scene, std::span<const std::uint32_t> left_out) {
-  const Vec3 view = direction_between(scene.camera.from, scene.camera.at);
-
-  // First to numbers of moderate size, so that the difference to the camera cannot overflow.
-  const CameraFrame frame(scene, scene.camera.from);
-  for (Sphere& sphere : scene.spheres) {
-    sphere.center = frame.place(sphere.center);
-    sphere.radius = frame.size(sphere.radius);
-  }
-  for (Vec3& shift : scene.shifts) shift = frame.size(shift);
-
+Rebase::Rebase(const Scene& scene, std::span<const std::uint32_t> left_out) noexcept
+    : frame_(scene, scene.camera.from) {
   const bool all_count = left_out.size() == scene.spheres.size();
   double extent = 0;
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
     if (!all_count && std::find(left_out.begin(), left_out.end(), i) != left_out.end()) continue;
-    const Sphere& s = scene.spheres[i];
-    extent = std::max(extent, moderate_length(s.center) + s.radius);
+    const Vec3 center = frame_.place(scene.spheres[i].center);
+    const double radius = frame_.size(scene.spheres[i].radius);
+    extent = std::max(extent, moderate_length(center) + radius);
     if (!scene.shifts.empty()) {
-      extent = std::max(extent, moderate_length(s.center + scene.shifts[i]) + s.radius);
+      const Vec3 shift = frame_.size(scene.shifts[i]);
+      extent = std::max(extent, moderate_length(center + shift) + radius);
     }
   }
   const int e = -exponent_of(extent);
-  const double first = power_of_two(e / 2), second = power_of_two(e - e / 2);
-  for (Sphere& sphere : scene.spheres) {
-    sphere.center = sphere.center * first * second;
-    sphere.radius = sphere.radius * first * second;
-  }
-  for (Vec3& shift : scene.shifts) shift = shift * first * second;
+  first_ = power_of_two(e / 2);
+  second_ = power_of_two(e - e / 2);
+}
 
+void rebase_to_camera(Scene& scene, std::span<const std::uint32_t> left_out) {
+  const Vec3 view = direction_between(scene.camera.from, scene.camera.at);
+  const Rebase rebase(scene, left_out);
+  for (Sphere& sphere : scene.spheres) sphere = rebase.sphere(sphere);
+  for (Vec3& shift : scene.shifts) shift = rebase.shift(shift);
   scene.camera.from = Vec3{};
   scene.camera.at = view;
 }

@@ -26,6 +26,25 @@ class CameraFrame {
 /// The length, where squares would vanish or overflow too.
 double moderate_length(Vec3 v) noexcept;
 
+/// What rebase_to_camera() makes of a scene's spheres, to look at without a copy of all of them.
+class Rebase {
+ public:
+  explicit Rebase(const Scene& scene, std::span<const std::uint32_t> left_out = {}) noexcept;
+
+  Sphere sphere(const Sphere& s) const noexcept {
+    return {.center = scaled(frame_.place(s.center)),
+            .radius = frame_.size(s.radius) * first_ * second_,
+            .material = s.material};
+  }
+  Vec3 shift(Vec3 v) const noexcept { return scaled(frame_.size(v)); }
+
+ private:
+  Vec3 scaled(Vec3 v) const noexcept { return v * first_ * second_; }
+
+  CameraFrame frame_;
+  double first_, second_;  // a power of two in two factors, as in CameraFrame
+};
+
 /// Moves the scene so that the camera stands at the origin and scales it by a power of two so that
 /// its extent E = max(|centre| + radius), over both ends of the shutter, lies in [1, 2); the
 /// spheres `left_out` do not count where there are others. The picture stays the same, bit for bit

@@ -6,7 +6,6 @@
 
 #include "render/scene/camera_surface.hpp"
 #include "render/scene/precision.hpp"
-#include "render/scene/rebase.hpp"
 #include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {
@@ -31,14 +30,7 @@ std::string objection_to_wide(const Scene& scene, const KernelRequest& request) 
   if (request.kind == KernelKind::Wide && scene.spheres.size() > kMostWideSpheres) {
     return "more than " + std::to_string(kMostWideSpheres) + " spheres";
   }
-  Scene rebased = scene;
-  rebase_to_camera(rebased);
-  int under_camera = 0;
-  for (std::size_t i = 0; i < rebased.spheres.size(); ++i) {
-    const Vec3 shift = rebased.shifts.empty() ? Vec3{} : rebased.shifts[i];
-    under_camera += has_camera_on_it(rebased.spheres[i], shift);
-  }
-  return under_camera > 1 ? "the camera stands on several surfaces" : "";
+  return count_under_camera(scene) > 1 ? "the camera stands on several surfaces" : "";
 }
 
 bool has(Isa isa) {
@@ -46,32 +38,35 @@ bool has(Isa isa) {
   return std::find(isas.begin(), isas.end(), isa) != isas.end();
 }
 
-Kernel scalar_kernel(std::string reason) {
+Kernel kernel_in_double(const Scene& scene, const RenderSettings& settings, std::string reason) {
   Kernel kernel;
   kernel.reason = std::move(reason);
+  kernel.bounds = judge_precision(scene, scene.camera, settings, Precision::Double);
   return kernel;
 }
 
 /// The precision that is asked for, or that the scene asks for, and why.
 Kernel judged_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request) {
-  Kernel kernel;
   if (request.precision == Precision::Double) {
-    kernel.reason = "double was asked for";
-    return kernel;
+    return kernel_in_double(scene, settings, "double was asked for");
   }
-  const FloatVerdict verdict = judge_float(scene, scene.camera, settings);
+  FloatVerdict verdict = judge_float(scene, scene.camera, settings);
   const PrecisionClause clause = verdict.in_float.deciding();
   const std::string objection = describe(clause, verdict.in_float[clause]);
-  kernel.exact_spheres = verdict.exact_spheres;
-  const bool is_mixed = !verdict.exact_spheres.empty();
-  if (verdict.is_accepted || request.precision) {
-    kernel.precision = is_mixed ? Precision::Mixed : Precision::Float;
+  if (!verdict.is_accepted && !request.precision) {
+    return kernel_in_double(scene, settings, objection);
   }
+
+  Kernel kernel;
+  kernel.bounds = verdict.bounds;
+  kernel.exact_spheres = std::move(verdict.exact_spheres);
+  const bool is_mixed = !kernel.exact_spheres.empty();
+  kernel.precision = is_mixed ? Precision::Mixed : Precision::Float;
   if (is_mixed) {
-    kernel.reason = std::to_string(verdict.exact_spheres.size()) + " met in double: " + objection;
+    kernel.reason = std::to_string(kernel.exact_spheres.size()) + " met in double: " + objection;
   } else if (!verdict.is_accepted) {
-    kernel.reason = request.precision ? "float was asked for, but " + objection : objection;
+    kernel.reason = "float was asked for, but " + objection;
   } else {
     kernel.reason = "rounding stays far below a pixel";
   }
@@ -109,41 +104,35 @@ std::string_view name_of(KernelKind kind) noexcept {
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request) {
   const auto refused = [](std::string refusal) {
-    Kernel kernel = scalar_kernel(refusal);
+    Kernel kernel;
+    kernel.reason = refusal;
     kernel.refusal = std::move(refusal);
     return kernel;
   };
-  const bool wants_float = request.precision && request.precision != Precision::Double;
-  if (wants_float && request.may_take_double &&
-      (request.kind == KernelKind::Scalar || !objection_to_wide(scene, request).empty())) {
-    KernelRequest rest = request;
-    rest.precision.reset();
-    return choose_kernel(scene, settings, rest);
-  }
+  const auto scalar = [&](std::string reason) {
+    return kernel_in_double(scene, settings, std::move(reason));
+  };
+  const bool is_scalar = request.kind == KernelKind::Scalar;
+  const std::string objection = is_scalar ? std::string() : objection_to_wide(scene, request);
+  const bool takes_double = request.may_take_double && (is_scalar || !objection.empty());
+  const bool wants_float =
+      request.precision && request.precision != Precision::Double && !takes_double;
   if (request.isa && !has(*request.isa)) {
     return refused("--isa: this machine has no " + std::string(name_of(*request.isa)));
   }
-  if (request.kind == KernelKind::Scalar) {
+  if (is_scalar) {
     if (wants_float) return refused("--precision: the scalar kernel computes in double");
     if (request.isa) return refused("--isa: the scalar kernel has no other instructions");
-    return scalar_kernel("the scalar kernel was asked for");
+    return scalar("the scalar kernel was asked for");
   }
 
   const bool must_be_wide = request.kind || request.isa || wants_float;
-  if (const std::string objection = objection_to_wide(scene, request); !objection.empty()) {
-    if (!must_be_wide) return scalar_kernel(objection);
+  if (!objection.empty()) {
+    if (!must_be_wide) return scalar(objection);
     const char* flag = request.kind ? "--kernel" : request.isa ? "--isa" : "--precision";
     return refused(std::string(flag) + ": not with the wide kernel: " + objection);
   }
   return wide_kernel_for(scene, settings, request);
-}
-
-PrecisionBounds bounds_of(const Kernel& kernel, const Scene& scene,
-                          const RenderSettings& settings) {
-  if (kernel.precision == Precision::Double) {
-    return judge_precision(scene, scene.camera, settings, Precision::Double);
-  }
-  return judge_float(scene, scene.camera, settings).bounds;
 }
 
 }  // namespace sdlc::render

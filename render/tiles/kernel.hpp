@@ -36,6 +36,8 @@ struct Kernel {
   Precision precision = Precision::Double;
   std::optional<Isa> isa;                    ///< of the wide kernel
   std::vector<std::uint32_t> exact_spheres;  ///< Mixed: those that are met in double
+  /// How near the scene comes to what the precision resolves; of a refused request unknown.
+  PrecisionBounds bounds{};
   std::string reason;
   /// Why the request cannot be met, in words that begin with its flag; empty: it is met.
   std::string refusal;
@@ -44,13 +46,11 @@ struct Kernel {
 std::string_view name_of(KernelKind kind) noexcept;
 
 /// The kernel that render() uses. Float, or Mixed, where bounds on rounding accept it, never by
-/// what is fast, so that a scene is traced in the same numbers everywhere; the kind by a model of the time
-/// a ray takes, fitted to measurements beforehand. All kinds trace the same paths, Wide and Bvh to
-/// the same bits.
+/// what is fast, so that a scene is traced in the same numbers everywhere; the kind by a model of
+/// the time a ray takes, fitted to measurements beforehand. All kinds trace the same paths, Wide
+/// and Bvh to the same bits. O(n) time beyond kMostSpheresForGaps, below which pairs of spheres are
+/// judged too.
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request = {});
-
-/// How near the scene comes to what the kernel's precision resolves.
-PrecisionBounds bounds_of(const Kernel& kernel, const Scene& scene, const RenderSettings& settings);
 
 }  // namespace sdlc::render

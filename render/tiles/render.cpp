@@ -208,11 +208,21 @@ int thread_count(int asked) {
 
 RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor,
                     const KernelRequest& request) {
+  const auto start = std::chrono::steady_clock::now();
+  Kernel kernel = choose_kernel(scene, settings, request);
+  const double choice_seconds = seconds_since(start);
+  RenderResult result = render(std::move(kernel), std::move(scene), settings, monitor);
+  result.build_seconds += choice_seconds;
+  return result;
+}
+
+RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
+                    RenderMonitor& monitor) {
   RenderResult result;
   result.picture = Picture(settings.width, settings.height);
   result.threads = thread_count(settings.threads);
   const auto build_start = std::chrono::steady_clock::now();
-  result.kernel = choose_kernel(scene, settings, request);
+  result.kernel = std::move(kernel);
   const std::unique_ptr<Tiles> tiles = make_tiles(std::move(scene), settings, result.kernel,
                                                   result.threads, result.picture, monitor);
   result.build_seconds = seconds_since(build_start);

@@ -31,7 +31,7 @@ struct RenderResult {
   std::uint64_t truncated_paths = 0;
   std::uint64_t nonfinite_samples = 0;  ///< left out of their pixel's sum; a defect if not 0
   std::size_t bvh_bytes = 0;            ///< 0 without a hierarchy
-  double build_seconds = 0;             ///< rebasing, choosing the kernel, and hierarchy
+  double build_seconds = 0;             ///< rebasing and hierarchy, and choosing the kernel
   double render_seconds = 0;            ///< tracing alone
 };
 
@@ -41,5 +41,10 @@ struct RenderResult {
 /// additions, which is all but SSE4.
 RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor,
                     const KernelRequest& request = {});
+
+/// The same with a kernel that choose_kernel() chose for it, which is not refused; the time that
+/// took is not among the seconds.
+RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
+                    RenderMonitor& monitor);
 
 }  // namespace sdlc::render

@@ -52,6 +52,38 @@ TEST_F(KernelChoice, TakesDoubleWhereFloatIsNotEnough) {
   EXPECT_EQ(choose_kernel(scene, kSettings).precision, Precision::Double);
 }
 
+TEST_F(KernelChoice, ComesWithTheBoundsOfItsPrecision) {
+  const auto expect_bounds = [](const Kernel& kernel, const PrecisionBounds& expected) {
+    for (std::size_t i = 0; i < kPrecisionClauses; ++i) {
+      EXPECT_EQ(kernel.bounds.clauses[i].value, expected.clauses[i].value) << kernel.reason;
+      EXPECT_EQ(kernel.bounds.clauses[i].share, expected.clauses[i].share) << kernel.reason;
+    }
+  };
+  Scene scene = line_of_spheres(9, 0.2);
+  const auto in_double = [&] {
+    return judge_precision(scene, scene.camera, kSettings, Precision::Double);
+  };
+  expect_bounds(choose_kernel(scene, kSettings),
+                judge_precision(scene, scene.camera, kSettings, Precision::Float));
+  expect_bounds(choose_kernel(scene, kSettings, {.precision = Precision::Double}), in_double());
+  expect_bounds(choose_kernel(scene, kSettings, {.kind = KernelKind::Scalar}), in_double());
+  // Double, which the scene does not ask for.
+  const KernelRequest scalar{
+      .kind = KernelKind::Scalar, .precision = Precision::Float, .may_take_double = true};
+  expect_bounds(choose_kernel(scene, kSettings, scalar), in_double());
+
+  test::add_sphere(scene, {0, -1000.5, 0}, 1000, test::diffuse({0.5, 0.5, 0.5}));
+  const Kernel mixed = choose_kernel(scene, kSettings);
+  EXPECT_EQ(mixed.precision, Precision::Mixed);
+  EXPECT_TRUE(mixed.bounds.is_accepted());
+  expect_bounds(mixed, judge_float(scene, scene.camera, kSettings).bounds);
+
+  test::add_sphere(scene, {0, 1, 0}, 1e-9, test::diffuse({0.5, 0.5, 0.5}));
+  expect_bounds(choose_kernel(scene, kSettings), in_double());
+  const Kernel forced = choose_kernel(scene, kSettings, {.precision = Precision::Float});
+  EXPECT_FALSE(forced.bounds.is_accepted());
+}
+
 TEST_F(KernelChoice, LeavesManySpheresToTheHierarchy) {
   EXPECT_EQ(choose_kernel(line_of_spheres(90, 0.2), kSettings).kind, KernelKind::Wide);
   EXPECT_EQ(choose_kernel(line_of_spheres(115, 0.2), kSettings).kind, KernelKind::Bvh);
