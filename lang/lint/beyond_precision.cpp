@@ -6,8 +6,7 @@ namespace sdlc::lang {
 /// The precision that `render` chooses, or double where it chooses none, is beyond its bounds as
 /// one of the cameras sees the scene: the renderer's own bounds on rounding, measured on single
 /// rays. That double does not resolve the scene's lengths at all is an error elsewhere. Spheres are
-/// gone through once for each camera, of many spheres not for all cameras; gaps between them are
-/// looked for up to kMostSpheresForGaps.
+/// gone through once for each camera, of many spheres not for all cameras.
 void check_beyond_precision(LintContext& context) {
   const LoweredScene& lowered = context.lowered();
   const auto& cameras = lowered.checked_cameras;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "render/scene/near_pairs.hpp"
+
 namespace sdlc::lang {
 namespace {
 
@@ -81,9 +83,9 @@ std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,
 
 std::size_t cameras_to_judge(std::size_t cameras, std::size_t spheres) noexcept {
   constexpr std::size_t kMostLooks = 2'000'000;
-  // A pair of spheres takes half as long as a sphere.
-  const bool has_pairs = spheres <= render::kMostSpheresForGaps;
-  const std::size_t looks = 1 + spheres + (has_pairs ? spheres * spheres / 2 : 0);
+  // A pair of spheres takes half as long as a sphere; the search for near ones as ten.
+  const std::size_t pairs = spheres <= render::kFewSpheres ? spheres * spheres / 2 : 10 * spheres;
+  const std::size_t looks = 1 + spheres + pairs;
   return std::min(cameras, std::max<std::size_t>(1, kMostLooks / looks));
 }
 

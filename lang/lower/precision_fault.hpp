@@ -27,8 +27,8 @@ struct PrecisionFault {
 };
 
 /// What is wrong where `scene`, as `camera` sees it, is traced in the precision that is asked for,
-/// or in that which suits it best. Asking for double waives what else would be refused. O(n) time,
-/// and O(n²) up to render::kMostSpheresForGaps.
+/// or in that which suits it best. Asking for double waives what else would be refused. O(n log n)
+/// time.
 std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,
                                                    const render::Camera& camera,
                                                    const render::RenderSettings& settings,

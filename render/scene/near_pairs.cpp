@@ -16,6 +16,7 @@
 
 #include "render/math/power_of_two.hpp"
 #include "render/math/vec3.hpp"
+#include "render/scene/movement.hpp"
 #include "render/scene/rebase.hpp"
 
 namespace sdlc::render {
@@ -24,12 +25,6 @@ namespace {
 constexpr std::size_t kWidth = 16;  // spheres of a leaf, boxes of a node
 // What rounding places, radii and distances to float may add to a distance, in extents: 16 u.
 constexpr double kFloatError = 0x1p-20;
-
-/// When what goes from `from` along `way` in the shutter is nearest to the origin, from 0 to 1.
-double nearest_moment(Vec3 from, Vec3 way) {
-  const double squared = length_squared(way);
-  return squared > 0 ? std::clamp(-dot(from, way) / squared, 0.0, 1.0) : 0;
-}
 
 /// The spheres that take part, as seen from the camera: lengths of moderate size, not rounded.
 class Balls {

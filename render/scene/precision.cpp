@@ -7,6 +7,8 @@
 #include <span>
 
 #include "render/math/vec3.hpp"
+#include "render/scene/movement.hpp"
+#include "render/scene/near_pairs.hpp"
 #include "render/scene/rebase.hpp"
 
 namespace sdlc::render {
@@ -40,12 +42,6 @@ constexpr Limits kFloatLimits{
     .unit = 0x1p-24, .least_gap = 0x1p-16, .widest_view = 100, .most_radiance = 1e20};
 constexpr Limits kDoubleLimits{
     .unit = 0x1p-53, .least_gap = 0, .widest_view = 1e100, .most_radiance = 1e300};
-
-/// When what goes from `from` along `way` in the shutter is nearest to the origin, from 0 to 1.
-double nearest_moment(Vec3 from, Vec3 way) {
-  const double squared = dot(way, way);
-  return squared > 0 ? std::clamp(-dot(from, way) / squared, 0.0, 1.0) : 0;
-}
 
 /// A scene in coordinates of the camera: lengths of moderate size, all in one unit.
 class View {
@@ -96,9 +92,7 @@ class Judge {
 
   /// With all spheres met in the precision, but for the `exact` ones.
   PrecisionBounds bounds(std::span<const std::uint32_t> exact) const {
-    const auto is_exact = [&](std::uint32_t i) {
-      return std::find(exact.begin(), exact.end(), i) != exact.end();
-    };
+    const auto is_exact = [&](std::uint32_t i) { return contains(exact, i); };
     PrecisionBounds bounds;
     judge_picture(bounds);
     std::optional<std::uint32_t> smallest, farthest;
@@ -128,23 +122,22 @@ class Judge {
       hit.value = kInfinity;  // no sphere is left
     }
     hit.share = hit.value / kPartOfRadius;
-    bounds.has_gaps = view_.count() <= kMostSpheresForGaps;
-    if (bounds.has_gaps) {
-      judge_gaps(is_exact, bounds);
-    } else if (limits_.least_gap > 0) {
-      bounds[PrecisionClause::Gap].share = kInfinity;  // not known to be wide enough
-    }
+    // Of many spheres only where all depends on them.
+    bounds.has_gaps = view_.count() <= kFewSpheres || bounds.is_accepted();
+    if (bounds.has_gaps) judge_gaps(exact, bounds);
     return bounds;
   }
 
-  std::vector<std::uint32_t> by_size() const {
+  /// The largest spheres, in descending order, `most` of them.
+  std::vector<std::uint32_t> largest(std::size_t most) const {
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < view_.count(); ++i) {
-      if (view_.is_seen(i)) order.push_back(i);
+      if (!view_.is_seen(i)) continue;
+      order.insert(std::upper_bound(order.begin(), order.end(), i,
+                                    [&](auto a, auto b) { return is_larger(a, b); }),
+                   i);
+      if (order.size() > most) order.pop_back();
     }
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return scene_.spheres[a].radius > scene_.spheres[b].radius;
-    });
     return order;
   }
 
@@ -209,49 +202,59 @@ class Judge {
               .other = {}};
   }
 
-  /// Of spheres that move apart or together the ends of the shutter are looked at and the moment
-  /// when their centres are nearest; those that are near each other for less than a hundredth of it
-  /// are left out.
-  template <typename IsExact>
-  void judge_gaps(IsExact is_exact, PrecisionBounds& bounds) const {
+  bool is_larger(std::uint32_t a, std::uint32_t b) const {
+    const double of_a = scene_.spheres[a].radius, of_b = scene_.spheres[b].radius;
+    return of_a != of_b ? of_a > of_b : a < b;
+  }
+
+  void judge_gaps(std::span<const std::uint32_t> exact, PrecisionBounds& bounds) const {
     PrecisionBound& narrowest = bounds[PrecisionClause::Gap];
     narrowest.value = kInfinity;
     narrowest.limit = limits_.least_gap;
-    struct Ball {
-      std::uint32_t index;
-      double radius, extent;
-      std::array<Vec3, 2> center;
+    const Nearness nearness{.gap_of_extent = kLeastGap * limits_.unit,
+                            .gap_of_radius = limits_.least_gap,
+                            .spread_of_extent = kLeastSpread * limits_.unit};
+    const auto judge = [&](std::uint32_t a, std::uint32_t b) {
+      is_larger(a, b) ? judge_gap(a, b, exact, narrowest) : judge_gap(b, a, exact, narrowest);
     };
-    std::vector<Ball> balls;
-    for (const std::uint32_t i : by_size()) {
-      balls.push_back({i, view_.radius(i), view_.extent(i), {view_.opening(i), view_.closing(i)}});
-    }
-    for (std::size_t k = 0; k < balls.size(); ++k) {
-      const Ball& large = balls[k];
-      const double of_radius = is_exact(large.index) ? 0 : limits_.least_gap * large.radius;
-      for (const Ball& small : std::span(balls).subspan(k + 1)) {
-        // Next to another sphere, points on one that is met in double are right for that sphere.
-        const bool is_other_exact = is_exact(large.index) != is_exact(small.index);
-        const double extent = !is_other_exact         ? std::max(large.extent, small.extent)
-                              : is_exact(large.index) ? small.extent
-                                                      : large.extent;
-        const double error = limits_.unit * extent;
-        const Vec3 from = large.center[0] - small.center[0];
-        const Vec3 way = (large.center[1] - small.center[1]) - from;
-        const double movement = moderate_length(way);
-        const std::array<double, 3> moments{0, 1, nearest_moment(from, way)};
-        for (std::size_t i = 0; i < (movement > 0 ? moments.size() : 1); ++i) {
-          const double apart = moderate_length(from + way * moments[i]);
-          const Gap gap = narrowest_gap(large.radius, small.radius, apart, of_radius, error);
-          if (kBriefly * gap.least <= movement) continue;
-          if (gap.least / gap.width <= narrowest.share) continue;
-          narrowest = {.value = gap.width / large.radius,
-                       .share = gap.least / gap.width,
-                       .limit = gap.least / large.radius,
-                       .sphere = small.index,
-                       .other = large.index};
-        }
+    for (const auto& [a, b] : find_near_pairs(scene_, camera_.from, nearness, exact)) judge(a, b);
+    for (std::uint32_t i = 0; i < view_.count(); ++i) {
+      for (const std::uint32_t k : exact) {
+        if (view_.is_seen(i) && (!contains(exact, i) || i < k)) judge(i, k);
       }
+    }
+  }
+
+  static bool contains(std::span<const std::uint32_t> spheres, std::uint32_t i) {
+    return std::find(spheres.begin(), spheres.end(), i) != spheres.end();
+  }
+
+  /// Of spheres that move apart or together the ends of the shutter are looked at and the moment
+  /// when their centres are nearest; those that are near each other for less than a hundredth of it
+  /// are left out.
+  void judge_gap(std::uint32_t large, std::uint32_t small, std::span<const std::uint32_t> exact,
+                 PrecisionBound& narrowest) const {
+    const bool is_large_exact = contains(exact, large), is_small_exact = contains(exact, small);
+    // Next to another sphere, points on one that is met in double are right for that sphere.
+    const double extent = is_large_exact == is_small_exact
+                              ? std::max(view_.extent(large), view_.extent(small))
+                              : view_.extent(is_large_exact ? small : large);
+    const double radius = view_.radius(large), error = limits_.unit * extent;
+    const double of_radius = is_large_exact ? 0 : limits_.least_gap * radius;
+    const Vec3 from = view_.opening(large) - view_.opening(small);
+    const Vec3 way = view_.closing(large) - view_.closing(small) - from;
+    const double movement = moderate_length(way);
+    const std::array<double, 3> moments{0, 1, nearest_moment(from, way)};
+    for (std::size_t i = 0; i < (movement > 0 ? moments.size() : 1); ++i) {
+      const double apart = moderate_length(from + way * moments[i]);
+      const Gap gap = narrowest_gap(radius, view_.radius(small), apart, of_radius, error);
+      if (kBriefly * gap.least <= movement) continue;
+      if (gap.least / gap.width <= narrowest.share) continue;
+      narrowest = {.value = gap.width / radius,
+                   .share = gap.least / gap.width,
+                   .limit = gap.least / radius,
+                   .sphere = small,
+                   .other = large};
     }
   }
 
@@ -343,8 +346,8 @@ FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderS
   verdict.is_accepted = verdict.in_float.is_accepted();
   // Gaps that were not looked for are not known of the rest either; and sorting takes its time.
   if (verdict.is_accepted || !verdict.in_float.has_gaps) return verdict;
-  const std::vector<std::uint32_t> by_size = judge.by_size();
-  for (std::size_t exact = 1; exact <= std::min(most_exact, by_size.size()); ++exact) {
+  const std::vector<std::uint32_t> by_size = judge.largest(most_exact);
+  for (std::size_t exact = 1; exact <= by_size.size(); ++exact) {
     const auto largest = std::span(by_size).first(exact);
     const PrecisionBounds bounds = judge.bounds(largest);
     if (!bounds.is_accepted()) continue;
@@ -385,10 +388,6 @@ std::string describe(PrecisionClause clause, const PrecisionBound& bound) {
     case PrecisionClause::Pixel:
       return "a pixel is " + value + " units of rounding wide, where " + limit + " are needed";
     case PrecisionClause::Gap:
-      if (!bound.sphere) {
-        return "gaps between more than " + std::to_string(kMostSpheresForGaps) +
-               " spheres are not looked for";
-      }
       return "two surfaces are " + value + " of the larger radius apart, where " + limit +
              " is needed";
     case PrecisionClause::View:

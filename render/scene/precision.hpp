@@ -60,9 +60,6 @@ struct PrecisionBounds {
   bool is_accepted() const noexcept { return (*this)[deciding()].share <= 1; }
 };
 
-/// Of more spheres no pairs are tried: PrecisionBounds::has_gaps is false, and float not accepted.
-inline constexpr std::size_t kMostSpheresForGaps = 600;
-
 /// The bounds for a scene in float or double, all of it met in that. With u the unit of rounding,
 /// 2^-24 or 2^-53, and E the distance from the camera to the far side of the farthest sphere, over
 /// the whole shutter, the error of a hit is 25 u E and the error across the view 2 u E: the 99th
@@ -71,8 +68,9 @@ inline constexpr std::size_t kMostSpheresForGaps = 600;
 /// or 2000 u E where they are farthest apart: where they touch, one in a thousand points is
 /// then nearer than rounding can tell. In float gaps that are not 0 are at least 2^-16 of the
 /// larger radius besides. Radiance is that of the brightest light after all the rays of a path,
-/// where colours are above 1. Of `settings` the size and the depth count. O(n) time, and O(n²) up
-/// to kMostSpheresForGaps.
+/// where colours are above 1. Of `settings` the size and the depth count. Gaps are looked for by
+/// find_near_pairs(); among more than kFewSpheres only where no other bound is broken. O(n log n)
+/// time.
 PrecisionBounds judge_precision(const Scene& scene, const Camera& camera,
                                 const RenderSettings& settings, Precision precision);
 

@@ -14,9 +14,8 @@ namespace sdlc::render {
 /// goes on from there would be lost. What is parted moves by less than a hit is off.
 ///
 /// `scene` is rebased. `exact`: the spheres that are met in double beside others in float, and on
-/// which points are off no more than they are on those. Nothing happens to more than
-/// kMostSpheresForGaps spheres, to one that the camera stands on, and to one that would lose more
-/// than 1/64 of its radius. O(n²) time.
+/// which points are off no more than they are on those. Nothing happens to a sphere that the camera
+/// stands on, nor to one that would lose more than 1/64 of its radius. O(n log n) time.
 void part_touching(Scene& scene, Precision precision, std::span<const std::uint32_t> exact = {});
 
 }  // namespace sdlc::render
