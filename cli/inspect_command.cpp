@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -53,6 +54,7 @@ class InspectJob {
       throw UsageError("--frame: the scene has no `animation`, so that all frames are the same");
     }
     lang::LoweredScene lowered = compiler_.lower_partly(options_.overrides, options_.frame);
+    render::Kernel kernel = choose_kernel(options_.kernel, options_.overrides, lowered, compiler_);
     print_new_diagnostics();
     // Of a scene with errors the rest is told. That of one which says nothing is nothing.
     const bool is_empty = lowered.scene.spheres.empty() && !lowered.camera;
@@ -60,7 +62,7 @@ class InspectJob {
     if (!options_.traced.empty()) {
       tell_origins(lowered.scene);
     } else {
-      const InspectReport report = make_report(std::move(lowered), animation);
+      const InspectReport report = make_report(std::move(lowered), std::move(kernel), animation);
       env_.out << (options_.is_json() ? to_json(report) : to_text(report));
     }
     return sink_.has_errors() ? ExitCode::Findings : ExitCode::Success;
@@ -147,8 +149,9 @@ class InspectJob {
     }
   }
 
-  InspectReport make_report(lang::LoweredScene lowered,
+  InspectReport make_report(lang::LoweredScene lowered, render::Kernel kernel,
                             const std::optional<lang::Animation>& animation) {
+    check_not_refused(kernel);
     const render::Scene& scene = lowered.scene;
     std::optional<int> frame;
     if (animation) frame = options_.frame.value_or(animation->first);
@@ -164,8 +167,7 @@ class InspectJob {
         .spheres = measure_spheres(scene),
         .memory = estimate_memory(scene, lowered.settings),
         .features = {},
-        .kernel =
-            chosen_kernel(lowered, kernel_request(options_.kernel, lowered, options_.overrides)),
+        .kernel = std::move(kernel),
         .precisions = {},
         .times = compiler_.times()};
     if (lowered.camera && !scene.spheres.empty()) report.precisions = judge_precisions(lowered);

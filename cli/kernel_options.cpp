@@ -48,21 +48,21 @@ void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
              "The instruction set of the wide kernel; auto: the best of the machine");
 }
 
-render::KernelRequest kernel_request(const render::KernelRequest& flags,
-                                     const lang::LoweredScene& lowered,
-                                     const lang::Overrides& overrides) {
+render::Kernel choose_kernel(const render::KernelRequest& flags, const lang::Overrides& overrides,
+                             const lang::LoweredScene& lowered, lang::Compiler& compiler) {
   render::KernelRequest request = flags;
   request.precision = lowered.precision;
   // What the scene says is a wish, what a flag says is an order.
   request.may_take_double = !overrides.precision;
-  return request;
+  render::Kernel kernel = render::choose_kernel(lowered.scene, lowered.settings, request);
+  if (kernel.refusal.empty() && lowered.camera) {
+    compiler.warn_of_precision(lowered, kernel.precision, kernel.bounds);
+  }
+  return kernel;
 }
 
-render::Kernel chosen_kernel(const lang::LoweredScene& lowered,
-                             const render::KernelRequest& request) {
-  render::Kernel kernel = render::choose_kernel(lowered.scene, lowered.settings, request);
+void check_not_refused(const render::Kernel& kernel) {
   if (!kernel.refusal.empty()) throw UsageError(kernel.refusal);
-  return kernel;
 }
 
 std::string_view instruction_set(const render::Kernel& kernel) noexcept {

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "lang/compile/compile.hpp"
 #include "lang/lower/scene_builder.hpp"
 #include "render/tiles/kernel.hpp"
 
@@ -12,14 +13,13 @@ namespace sdlc::cli {
 /// --kernel and --isa, which force what is otherwise chosen by itself.
 void add_kernel_options(CLI::App& command, render::KernelRequest& request);
 
-/// What flags and scene ask for together.
-render::KernelRequest kernel_request(const render::KernelRequest& flags,
-                                     const lang::LoweredScene& lowered,
-                                     const lang::Overrides& overrides);
+/// The kernel that flags and scene ask for together. Where its precision does not resolve the scene
+/// that `compiler` lowered last, there is a warning of that.
+render::Kernel choose_kernel(const render::KernelRequest& flags, const lang::Overrides& overrides,
+                             const lang::LoweredScene& lowered, lang::Compiler& compiler);
 
-/// The kernel for a scene; throws UsageError where it cannot be the one that is asked for.
-render::Kernel chosen_kernel(const lang::LoweredScene& lowered,
-                             const render::KernelRequest& request);
+/// Throws UsageError where a kernel cannot be the one that is asked for.
+void check_not_refused(const render::Kernel& kernel);
 
 /// What the kernel runs on, as users are told.
 std::string_view instruction_set(const render::Kernel& kernel) noexcept;

@@ -206,11 +206,22 @@ class RenderJob {
     }
   }
 
+  /// A frame's scene, and how it is traced.
+  struct LoweredFrame {
+    lang::LoweredScene lowered;
+    render::Kernel kernel;  ///< perhaps refused
+    double choice_seconds = 0;
+  };
+
   /// Compiles the scene at this frame and prints its new diagnostics; nothing when it has errors.
-  std::optional<lang::LoweredScene> lower(std::optional<int> frame, RenderStatistics& statistics) {
+  std::optional<LoweredFrame> lower(std::optional<int> frame, RenderStatistics& statistics) {
     lang::Overrides overrides = options_.overrides;
     overrides.names_output = !options_.outputs.empty();
     auto lowered = compiler_->lower(overrides, frame);
+    const auto choice_start = std::chrono::steady_clock::now();
+    render::Kernel kernel;
+    if (lowered) kernel = choose_kernel(options_.kernel, overrides, *lowered, *compiler_);
+    const double choice_seconds = seconds_since(choice_start);
     const bool is_first = frame == frames_.front();
     if (is_first || !sink_.diagnostics().empty()) {
       print_diagnostics(sink_, options_.scene.diagnostics, env_.err, env_.err_is_terminal, env_);
@@ -223,7 +234,9 @@ class RenderJob {
     statistics.settings = lowered->settings;
     statistics.spheres = lowered->scene.spheres.size();
     statistics.features = required_features(lowered->scene, count_materials(lowered->scene));
-    return lowered;
+    return LoweredFrame{.lowered = *std::move(lowered),
+                        .kernel = std::move(kernel),
+                        .choice_seconds = choice_seconds};
   }
 
   OutputRequest output_request(const lang::LoweredScene& lowered, std::optional<int> frame) const {
@@ -240,31 +253,28 @@ class RenderJob {
 
   ExitCode render_frame(std::optional<int> frame, bool is_last) {
     RenderStatistics statistics;
-    std::optional<lang::LoweredScene> lowered = lower(frame, statistics);
-    if (!lowered) return ExitCode::Findings;
+    std::optional<LoweredFrame> lowered_frame = lower(frame, statistics);
+    if (!lowered_frame) return ExitCode::Findings;
+    auto& [lowered, kernel, choice_seconds] = *lowered_frame;
     if (is_last) {  // text and tree make room for the tracing
       compiler_.reset();
       source_.reset();
     }
 
-    const render::RenderSettings settings = lowered->settings;
-    OutputRequest request = output_request(*lowered, frame);
+    const render::RenderSettings settings = lowered.settings;
+    OutputRequest request = output_request(lowered, frame);
     // The statistics of earlier frames are there by now.
     if (frame != frames_.front()) request.stats.clear();
     const std::vector<Output> outputs = plan_outputs(request);
     check_memory(settings);
-    const auto choice_start = std::chrono::steady_clock::now();
-    // Refused before anything is traced.
-    render::Kernel kernel =
-        chosen_kernel(*lowered, kernel_request(options_.kernel, *lowered, options_.overrides));
-    const double choice_seconds = seconds_since(choice_start);
+    check_not_refused(kernel);
 
-    render::RenderResult result = trace(*lowered, std::move(kernel), options_, statistics, env_);
+    render::RenderResult result = trace(lowered, std::move(kernel), options_, statistics, env_);
     result.build_seconds += choice_seconds;
     if (!result.is_complete) env_.err << "interrupted; saving what there is" << std::endl;
     const auto write_start = std::chrono::steady_clock::now();
     const std::vector<std::string> written =
-        write_pictures(outputs, options_, *lowered, result, env_);
+        write_pictures(outputs, options_, lowered, result, env_);
     statistics.write_seconds = seconds_since(write_start);
     if (!options_.stats.empty()) {
       stats_ += to_json(statistics, result) + "\n";

@@ -115,7 +115,7 @@ LoweredScene Compiler::build(const Overrides& overrides, std::optional<int> fram
   // What went wrong may be why two are equal.
   if (!sink_.has_errors()) {
     report_dropped();
-    report_precision(lowered, purpose);
+    report_scale(lowered, purpose);
   }
   times_.parse_seconds += seconds(read - start);
   times_.lower_seconds = seconds(Clock::now() - read);
@@ -176,25 +176,31 @@ void Compiler::report_dropped() {
   }
 }
 
-void Compiler::report_precision(const LoweredScene& lowered, Purpose purpose) {
+void Compiler::report_scale(const LoweredScene& lowered, Purpose purpose) {
   std::vector<render::Camera> cameras;
   for (const CheckedCamera& checked : lowered.checked_cameras) cameras.push_back(checked.camera);
   if (purpose == Purpose::Picture && lowered.camera) cameras = {lowered.scene.camera};
   cameras.resize(cameras_to_judge(cameras.size(), lowered.scene.spheres.size()));
   for (const render::Camera& camera : cameras) {
-    const auto fault =
-        find_precision_fault(lowered.scene, camera, lowered.settings, lowered.precision);
-    if (!fault) continue;
-    // What else a check finds is for `lint` to tell.
-    if (purpose == Purpose::Check && fault->info != &diag::beyond_double) continue;
-    // Its numbers change from frame to frame; once is enough.
-    const bool is_error = fault->info == &diag::beyond_double;
-    if (is_error || !std::exchange(has_told_precision_, true)) report_fault(*fault, lowered);
-    return;
+    const auto fault = find_scale_fault(lowered.scene, camera, lowered.precision);
+    if (fault) return report_fault(*fault, {});
   }
 }
 
-void Compiler::report_fault(const PrecisionFault& fault, const LoweredScene& lowered) {
+void Compiler::warn_of_precision(const LoweredScene& lowered, render::Precision taken,
+                                 const render::PrecisionBounds& bounds) {
+  const auto fault = find_bounds_fault(bounds, taken);
+  if (!fault) return;
+  const render::PrecisionClause clause = bounds.deciding();
+  if (!told_precision_.insert({taken, clause, bounds[clause].sphere}).second) return;
+  // A wish for float that was not granted is not to blame.
+  const bool is_granted =
+      lowered.precision != render::Precision::Float || taken != render::Precision::Double;
+  const bool is_to_blame = is_granted && !overrides_.precision;
+  report_fault(*fault, is_to_blame ? lowered.places.precision : Location{});
+}
+
+void Compiler::report_fault(const PrecisionFault& fault, Location setting) {
   std::vector<std::uint32_t> wanted;
   for (const PrecisionFault::Role& role : fault.roles) wanted.push_back(role.sphere);
   std::ranges::sort(wanted);
@@ -203,10 +209,7 @@ void Compiler::report_fault(const PrecisionFault& fault, const LoweredScene& low
     const auto found = std::ranges::lower_bound(wanted, role.sphere);
     return origins[static_cast<std::size_t>(found - wanted.begin())];
   };
-  // The setting is to blame where there is one, else the sphere that decides.
-  const Location setting = lowered.places.precision;
-  const bool is_set =
-      fault.info == &diag::beyond_precision && setting.file != nullptr && !overrides_.precision;
+  const bool is_set = setting.file != nullptr;
   Location where{&file_, {0, 0}};
   if (!fault.roles.empty()) where = origin(fault.roles.front()).where;
   auto report = sink_.report_as(*fault.info, is_set ? setting : where, fault.message);

@@ -5,7 +5,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "lang/allowances/allowances.hpp"
@@ -60,6 +62,12 @@ class Compiler {
   /// unless errors have been reported. By default the first frame, and the camera of the file.
   LoweredScene check_view(std::optional<int> frame, std::optional<std::string> camera);
 
+  /// Warns where the precision that the scene lowered last is traced in does not resolve it.
+  /// Numbers change from frame to frame: of a film each bound is told once for the sphere that
+  /// decides.
+  void warn_of_precision(const LoweredScene& lowered, render::Precision taken,
+                         const render::PrecisionBounds& bounds);
+
   /// Where spheres of the scene lowered last come from, by their index in it, ascending. They are
   /// found by evaluating once more, so that no sphere has to remember.
   std::vector<Origin> trace(std::span<const std::uint32_t> spheres);
@@ -85,10 +93,13 @@ class Compiler {
   /// Origins by the order in which spheres were added.
   std::vector<Origin> trace_added(std::span<const std::uint32_t> spheres);
   void report_dropped();
-  /// That the scene is beyond what its precision resolves: of a picture all that is so, of a check
-  /// what makes it none.
-  void report_precision(const LoweredScene& lowered, Purpose purpose);
-  void report_fault(const PrecisionFault& fault, const LoweredScene& lowered);
+  /// That the scene reaches beyond double.
+  void report_scale(const LoweredScene& lowered, Purpose purpose);
+  /// `setting`: the words of the text that are to blame; no file: the sphere that decides.
+  void report_fault(const PrecisionFault& fault, Location setting);
+
+  using ToldPrecision =
+      std::tuple<render::Precision, render::PrecisionClause, std::optional<std::uint32_t>>;
 
   const SourceFile& file_;
   ProgramOptions options_;
@@ -97,7 +108,7 @@ class Compiler {
   std::unique_ptr<Program> program_;        ///< null for a config
   std::optional<Animation> animation_;
   bool knows_animation_ = false;
-  bool has_told_precision_ = false;  ///< as a warning
+  std::set<ToldPrecision> told_precision_;  ///< what warnings of earlier frames were about
   Overrides overrides_;
   std::optional<int> frame_;
   std::vector<DroppedSphere> dropped_;

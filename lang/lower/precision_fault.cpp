@@ -52,33 +52,39 @@ PrecisionFault beyond_double_fault(const render::ScaleRatio& scale) {
 
 }  // namespace
 
+std::optional<PrecisionFault> find_scale_fault(const render::Scene& scene,
+                                               const render::Camera& camera,
+                                               std::optional<Precision> wanted) {
+  if (wanted == Precision::Double) return std::nullopt;
+  const render::ScaleRatio scale = measure_scale(scene, camera);
+  if (scale.ratio <= render::kMostScaleInDouble) return std::nullopt;
+  return beyond_double_fault(scale);
+}
+
+std::optional<PrecisionFault> find_bounds_fault(const PrecisionBounds& bounds,
+                                                Precision precision) {
+  if (bounds.is_accepted()) return std::nullopt;
+  const PrecisionClause clause = bounds.deciding();
+  return PrecisionFault{
+      .info = &diag::beyond_precision,
+      .message = fmt::format(fmt::runtime(diag::beyond_precision.message), name_of(precision),
+                             describe(clause, bounds[clause])),
+      .roles = roles_of(clause, bounds[clause]),
+      .help = precision == Precision::Double
+                  ? "nothing has more digits: what is so small, near or far away is drawn wrong"
+                  : "`auto` takes what resolves it"};
+}
+
 std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,
                                                    const render::Camera& camera,
                                                    const render::RenderSettings& settings,
                                                    std::optional<Precision> wanted) {
-  if (wanted != Precision::Double) {
-    const render::ScaleRatio scale = measure_scale(scene, camera);
-    if (!(scale.ratio <= render::kMostScaleInDouble)) return beyond_double_fault(scale);
+  if (auto fault = find_scale_fault(scene, camera, wanted)) return fault;
+  if (wanted == Precision::Float) {
+    return find_bounds_fault(judge_float(scene, camera, settings).bounds, Precision::Float);
   }
-  const bool is_float = wanted == Precision::Float;
-  PrecisionBounds bounds;
-  if (is_float) {
-    const render::FloatVerdict verdict = judge_float(scene, camera, settings);
-    if (verdict.is_accepted) return std::nullopt;
-    bounds = verdict.in_float;
-  } else {
-    bounds = judge_precision(scene, camera, settings, Precision::Double);
-    if (bounds.is_accepted()) return std::nullopt;
-  }
-  const PrecisionClause clause = bounds.deciding();
-  return PrecisionFault{
-      .info = &diag::beyond_precision,
-      .message = fmt::format(fmt::runtime(diag::beyond_precision.message),
-                             is_float ? "float" : "double", describe(clause, bounds[clause])),
-      .roles = roles_of(clause, bounds[clause]),
-      .help = is_float
-                  ? "`auto` takes what resolves it"
-                  : "nothing has more digits: what is so small, near or far away is drawn wrong"};
+  return find_bounds_fault(judge_precision(scene, camera, settings, Precision::Double),
+                           Precision::Double);
 }
 
 std::size_t cameras_to_judge(std::size_t cameras, std::size_t spheres) noexcept {

@@ -26,9 +26,18 @@ struct PrecisionFault {
   std::string help;
 };
 
-/// What is wrong where `scene`, as `camera` sees it, is traced in the precision that is asked for,
-/// or in that which suits it best. Asking for double waives what else would be refused. O(n log n)
-/// time.
+/// Whether `scene`, as `camera` sees it, reaches farther than double has digits for. Asking for
+/// double waives that. O(n) time.
+std::optional<PrecisionFault> find_scale_fault(const render::Scene& scene,
+                                               const render::Camera& camera,
+                                               std::optional<render::Precision> wanted);
+
+/// What is wrong where a scene with these bounds is traced in the precision that they are of.
+std::optional<PrecisionFault> find_bounds_fault(const render::PrecisionBounds& bounds,
+                                                render::Precision precision);
+
+/// Either, where the scene is traced in the precision that is asked for, or in that which suits it
+/// best. O(n log n) time.
 std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,
                                                    const render::Camera& camera,
                                                    const render::RenderSettings& settings,

@@ -9,11 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "lang/lower/camera.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "render/image/picture.hpp"
-#include "render/math/power_of_two.hpp"
-#include "render/math/sincos.hpp"
 #include "render/scene/coincident.hpp"
 
 namespace sdlc::lang {
@@ -40,23 +39,6 @@ std::optional<render::Precision> lower_precision(std::string_view word) {
   if (word == "float") return render::Precision::Float;
   if (word == "double") return render::Precision::Double;
   return std::nullopt;
-}
-
-/// Tangent of half an angle in (0°, 180°).
-double tan_half(Angle angle) {
-  const render::SinCos half = render::sincos_turns(angle.degrees / 720);
-  return half.sin / half.cos;
-}
-
-/// Of a view plane at distance 1: squares of longer sides could overflow.
-constexpr double kLargestPlane = 1e100;
-
-bool is_along(render::Vec3 a, render::Vec3 b) {
-  // Below this the cross product, and with it the picture's horizon, is rounding error.
-  constexpr double kSine = 0x1p-40;
-  a = render::with_moderate_length(a);
-  b = render::with_moderate_length(b);
-  return length(cross(a, b)) <= kSine * length(a) * length(b);
 }
 
 }  // namespace
@@ -292,57 +274,14 @@ void SceneBuilder::check_for_picture(const Overrides& overrides) {
 }
 
 std::string_view SceneBuilder::name_of(const Object& object, std::size_t property) const {
-  if (file_->format() == SourceFormat::Json) {
-    const std::string_view key = json_key_of(*object.kind, property);
-    if (!key.empty()) return key;
-  }
-  return object.kind->properties[property].name;
+  return property_name(object, property, file_->format());
 }
 
 void SceneBuilder::lower_camera(const Object& object, LoweredScene& lowered) {
-  using namespace camera_property;
-  const auto from = object.get<render::Vec3>(kFrom);
-  const auto at = object.get<render::Vec3>(kAt);
-  const auto up = object.get<render::Vec3>(kUp);
-  const auto fov = object.get<Angle>(kFov);
-  const auto view_height = object.get<double>(kViewHeight);
-  const auto aspect = object.get<double>(kAspect);
-  // What is absent here was reported where it was read; the others are checked nonetheless.
-  const bool has_view = from && at;
-  const render::Vec3 view = has_view ? render::direction_between(*from, *at) : render::Vec3{};
-  if (has_view && view == render::Vec3{}) {
-    sink_
-        ->report(diag::no_view_direction, object.location(kAt), name_of(object, kFrom),
-                 name_of(object, kAt))
-        .label(object.location(kFrom), "the camera stands here");
-    return;
-  }
-  const Location up_place =
-      object.slot(kUp).is_written ? object.location(kUp) : object.location(kAt);
-  if (up && *up == render::Vec3{}) {
-    sink_->report(diag::no_up_direction, up_place, "is zero")
-        .help("`up` is the direction that points up in the picture, such as (0, 1, 0)");
-    return;
-  }
-  if (has_view && up && is_along(view, *up)) {
-    sink_->report(diag::no_up_direction, up_place, "runs along the view")
-        .help(
-            "choose an `up` that is not parallel to the line from the camera to the point it "
-            "looks at, such as (0, 0, 1)");
-    return;
-  }
-  if (!has_view || !up || !fov || !view_height || !aspect) return;
-  const double plane_height = *view_height * tan_half(*fov);
-  if (!(plane_height * std::max(1.0, *aspect) <= kLargestPlane)) {
-    sink_->report(diag::beyond_numbers, object.where, "the width or height of the view plane");
-    return;
-  }
-  lowered.scene.camera = {
-      .from = *from, .at = *at, .up = *up, .plane_height = plane_height, .aspect = *aspect};
-  lowered.camera = {.name = object.name,
-                    .fov = *fov,
-                    .view_height = *view_height,
-                    .shutter = object.get<render::Interval>(kShutter)};
+  auto camera = lang::lower_camera(object, file_->format(), *sink_);
+  if (!camera) return;
+  lowered.scene.camera = camera->camera;
+  lowered.camera = std::move(camera->written);
 }
 
 bool SceneBuilder::has_open_shutter() const {

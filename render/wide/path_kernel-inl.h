@@ -19,64 +19,14 @@
 #include "render/sampler/sampler.hpp"
 #include "render/wide/bvh_search-inl.h"
 #include "render/wide/path_kernel.hpp"
+#include "render/wide/scatter-inl.h"
+#include "render/wide/table_reader-inl.h"
 #include "render/wide/vector_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-// --- tables ---
-
-/// The row of a table that each lane's index names, for tables that are read with the same indices.
-template <typename D>
-class TableReader {
- public:
-  using T = hn::TFromD<D>;
-  using DU = hn::RebindToUnsigned<D>;
-  using Index = hn::Vec<DU>;
-
-  HWY_INLINE TableReader(Index index, std::size_t rows)
-      : index_(index), registers_((rows + kLanes - 1) / kLanes) {}
-
-  template <typename U, typename Allocator>
-  HWY_INLINE auto operator()(const std::vector<U, Allocator>& table) const {
-    const hn::Rebind<U, D> d;
-    if constexpr (kHasPermutation) {
-      if (HWY_LIKELY(registers_ <= kMostRegisters)) {
-        const auto lane = hn::IndicesFromVec(d, hn::And(index_, hn::Set(DU(), kLanes - 1)));
-        auto value = hn::TableLookupLanes(hn::Load(d, table.data()), lane);
-        for (std::size_t i = 1; i < registers_; ++i) {
-          const auto last_before = static_cast<hn::TFromD<DI>>(i * kLanes - 1);
-          const auto here = hn::Gt(hn::BitCast(DI(), index_), hn::Set(DI(), last_before));
-          value = hn::IfThenElse(hn::RebindMask(d, here),
-                                 hn::TableLookupLanes(hn::Load(d, table.data() + i * kLanes), lane),
-                                 value);
-        }
-        return value;
-      }
-    }
-    return hn::GatherIndex(d, table.data(), hn::BitCast(DI(), index_));
-  }
-
-  template <typename Table>
-  HWY_INLINE Triple<hn::Vec<D>> operator()(const std::array<Table, 3>& tables) const {
-    return {(*this)(tables[0]), (*this)(tables[1]), (*this)(tables[2])};
-  }
-
- private:
-  using DI = hn::RebindToSigned<D>;
-  static constexpr std::size_t kLanes = hn::MaxLanes(D());
-  // Whether permuting whole registers by an index is one instruction.
-  static constexpr bool kHasPermutation =
-      HWY_TARGET == HWY_AVX3 || (HWY_TARGET == HWY_AVX2 && sizeof(T) == 4);
-  static constexpr std::size_t kMostRegisters = 4;  // from there on a gather is faster
-
-  Index index_;
-  std::size_t registers_;
-};
-
-// --- paths ---
 
 /// What a kernel has and what costs time where a scene does not need it.
 template <bool motion, bool exact_spheres, bool bvh>
@@ -123,9 +73,6 @@ class WidePaths {
 
   static HWY_INLINE V set(double v) { return hn::Set(D(), static_cast<T>(v)); }
   static HWY_INLINE Bits word(std::uint32_t v) { return hn::Set(DU(), v); }
-  static HWY_INLINE Mask has(Bits surface, SurfaceBit bit) {
-    return hn::RebindMask(D(), hn::TestBit(surface, word(bit)));
-  }
 
   HWY_INLINE void start_block(std::size_t lane);
   HWY_INLINE void finish_blocks(Mask finished);
@@ -144,11 +91,6 @@ class WidePaths {
   }
   static HWY_INLINE V first_from_zero(V enters, V leaves);
   static HWY_INLINE void take_if_nearer(V t, Bits index, Nearest& nearest);
-  HWY_INLINE Triple<V> scatter(Triple<V> direction, Triple<V> outward, V cosine, Bits surface,
-                               const TableReader<D>& read, const LaneSampler<D>& sampler,
-                               Mask& absorbed) const;
-  HWY_INLINE Triple<V> refract(Triple<V> direction, Triple<V> facing, Triple<V> mirrored, V cosine,
-                               Bits surface, const TableReader<D>& read, V choice) const;
   HWY_INLINE void add_to_sums(Mask mask, Triple<V> value);
 
   const WideScene<T>& scene_;
@@ -404,72 +346,6 @@ void WidePaths<T, F>::intersect_bvh(Triple<V> origin, Triple<V> direction, V tim
   nearest = {hn::Load(d, distances.data()), hn::Load(du, indices.data())};
 }
 
-/// The direction in which each path goes on, of any length; nothing that matters for lanes whose
-/// path ends anyway. `surface` is 0 where nothing was hit.
-template <typename T, typename F>
-auto WidePaths<T, F>::scatter(Triple<V> direction, Triple<V> outward, V cosine, Bits surface,
-                              const TableReader<D>& read, const LaneSampler<D>& sampler,
-                              Mask& absorbed) const -> Triple<V> {
-  const D d;
-  const V one = set(1);
-  // The normal on the side of the ray: turned round where the cosine is positive.
-  const V turned = hn::AndNot(cosine, hn::SignBit(d));
-  const Triple<V> facing{hn::Xor(outward.x, turned), hn::Xor(outward.y, turned),
-                         hn::Xor(outward.z, turned)};
-
-  const V u = sampler.uniform(kDirectionZ);
-  const V circle = hn::Sqrt(hn::Mul(u, hn::Sub(one, u)));
-  Triple<V> ball;  // on the unit sphere
-  point_on_circle(sampler.uniform(kDirectionTurn), hn::Add(circle, circle), ball.x, ball.y);
-  ball.z = hn::NegMulAdd(set(2), u, one);
-
-  Triple<V> next{hn::Add(facing.x, ball.x), hn::Add(facing.y, ball.y), hn::Add(facing.z, ball.z)};
-  const Mask mirrors = has(surface, kMirrors), refracts = has(surface, kRefracts);
-  if (hn::AllFalse(d, hn::Or(mirrors, refracts))) return next;
-
-  const Triple<V> mirrored = minus_scaled(direction, outward, hn::Add(cosine, cosine));
-  if (!hn::AllFalse(d, mirrors)) {
-    Triple<V> spread_out = scaled(mirrored, read(scene_.first));
-    if (!hn::AllFalse(d, has(surface, kIsFuzzy))) {
-      const V radius = hn::Max(sampler.uniform(kRadiusA),
-                               hn::Max(sampler.uniform(kRadiusB), sampler.uniform(kRadiusC)));
-      spread_out = plus_scaled(spread_out, ball, hn::Mul(radius, read(scene_.second)));
-    }
-    absorbed = hn::And(mirrors, hn::Not(hn::Gt(dot(spread_out, facing), hn::Zero(d))));
-    next = choose(mirrors, spread_out, next);
-  }
-  if (!hn::AllFalse(d, refracts)) {
-    const Triple<V> onwards =
-        refract(direction, facing, mirrored, cosine, surface, read, sampler.uniform(kChoice));
-    next = choose(refracts, onwards, next);
-  }
-  return next;
-}
-
-/// Through glass, or back from it where `choice` is below the share that Fresnel's term reflects.
-template <typename T, typename F>
-auto WidePaths<T, F>::refract(Triple<V> direction, Triple<V> facing, Triple<V> mirrored, V cosine,
-                              Bits surface, const TableReader<D>& read, V choice) const
-    -> Triple<V> {
-  const D d;
-  const V one = set(1), zero = hn::Zero(d);
-  const V eta = hn::IfThenElse(hn::Gt(cosine, zero), read(scene_.first), read(scene_.second));
-  const V incident = hn::Min(hn::Abs(cosine), one);
-  const V sine_squared = hn::NegMulAdd(incident, incident, one);
-  const V beyond_squared = hn::NegMulAdd(hn::Mul(eta, eta), sine_squared, one);
-  const V straight = read(scene_.straight);
-  const V m = hn::Sub(one, incident), m2 = hn::Mul(m, m);
-  V share = hn::MulAdd(hn::Sub(one, straight), hn::Mul(hn::Mul(m2, m2), m), straight);
-  if (HWY_UNLIKELY(scene_.has_exact_fresnel)) {
-    const V exact = fresnel_exact_lanes(incident, hn::Sqrt(hn::Max(beyond_squared, zero)), eta);
-    share = hn::IfThenElse(has(surface, kIsExact), exact, share);
-  }
-  const Mask reflects = hn::Or(hn::Lt(beyond_squared, zero), hn::Lt(choice, share));
-  const Triple<V> bent = scaled(plus_scaled(direction, facing, incident), eta);
-  const V depth = hn::Sqrt(hn::Abs(hn::Sub(one, dot(bent, bent))));
-  return choose(reflects, mirrored, minus_scaled(bent, facing, depth));
-}
-
 /// Adds `value` in the lanes of `mask`, in double.
 template <typename T, typename F>
 void WidePaths<T, F>::add_to_sums(Mask mask, Triple<V> value) {
@@ -583,8 +459,9 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     const V cosine = dot(direction, outward);
 
     Mask absorbed = hn::MaskFromVec(hn::Zero(d));
-    next = scatter(direction, outward, cosine, surface, read_material,
-                   LaneSampler<D>(stream, mixer), absorbed);
+    next =
+        Scattering<T>(scene_, read_material)
+            .scatter(direction, outward, cosine, surface, LaneSampler<D>(stream, mixer), absorbed);
     stream = add_low_32(stream, word(kVertexStep));
     radius = read(scene_.radius);
     origin = plus_scaled(center, outward, radius);
@@ -593,7 +470,8 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     departed = nearest.index;
 
     depth_left = hn::Sub(depth_left, word(1));
-    const Mask shines = hn::And(alive, hn::Or(hn::Not(hit), has(surface, kEndsPath)));
+    const Mask shines =
+        hn::And(alive, hn::Or(hn::Not(hit), Scattering<T>::has(surface, kEndsPath)));
     const Mask exhausted = hn::And(alive, hn::RebindMask(d, hn::Eq(depth_left, hn::Zero(du))));
     const Mask ended = hn::Or(shines, hn::And(alive, absorbed));
     counts.truncated_paths += hn::CountTrue(d, hn::AndNot(ended, exhausted));

@@ -169,6 +169,26 @@ TEST_F(FramesFlag, TellsTheMistakesOfASceneOnceAndStops) {
   EXPECT_THAT(names(), ElementsAre("film.0001.png", "film.0003.png", "film.scene"));
 }
 
+// Of a film with two specks that shrink in turn, each frame has another number to tell.
+TEST_F(FramesFlag, WarnsOfThePrecisionOnceForEachSphere) {
+  write_text(folder_ / "film.scene", R"(scene 1
+camera main { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }
+animation { frames: 1 .. 8, fps: 1 }
+sphere first { center: (0, 0, 0), radius: if time < 2.5s then 0.1 else 1e-6 / (time / 1s), material: unlit(red) }
+sphere second { center: (1, 0, 0), radius: if time < 5.5s then 0.1 else 1e-8 / (time / 1s), material: unlit(red) }
+render { width: 8, samples: 1, precision: float }
+)");
+  const std::string err = render("film.scene --format concise").err;
+  std::vector<std::string> warnings;
+  std::istringstream lines(err);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("W501") != std::string::npos) warnings.push_back(line);
+  }
+  ASSERT_EQ(warnings.size(), 2u) << err;
+  EXPECT_THAT(warnings[0], HasSubstr("a hit is off by 23.2 of the smallest radius"));
+  EXPECT_THAT(warnings[1], HasSubstr("a hit is off by 4.56e+03 of the smallest radius"));
+}
+
 TEST_F(FramesFlag, GivesEachFrameThePictureOfItsTime) {
   ASSERT_EQ(render("film.scene --frames 1-3x2").exit_code, 0);
   EXPECT_NE(content_of(folder_ / "film.0001.png"), content_of(folder_ / "film.0003.png"));

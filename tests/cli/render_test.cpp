@@ -14,6 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 constexpr const char* kScene = R"(scene 1
@@ -219,8 +220,8 @@ TEST_F(RenderCommand, TakesThePrecisionThatTheSceneAsksForUnlessAFlagDoes) {
   EXPECT_EQ(precision("render { precision: float }", "--precision auto"), "double");
   EXPECT_EQ(precision("render { precision: double }", "--precision float"),
             "float, with a warning");
-  // What a scene asks for is left to what can be had.
-  EXPECT_EQ(precision("render { precision: float }", "--kernel scalar"), "double, with a warning");
+  // What a scene asks for is left to what can be had, and that resolves it.
+  EXPECT_EQ(precision("render { precision: float }", "--kernel scalar"), "double");
 }
 
 TEST_F(RenderCommand, WarnsOfAPrecisionThatDoesNotResolveTheScene) {
@@ -239,6 +240,28 @@ TEST_F(RenderCommand, WarnsOfAPrecisionThatDoesNotResolveTheScene) {
   EXPECT_NEAR(bound["value"].get<double>(), 25 * 0x1p-24 * 900020, 1e-9);
   EXPECT_EQ(bound["sphere"], 0);
   EXPECT_EQ(bound["other"], 1);
+}
+
+// Whatever the scene asks for: here pixels are too narrow for float, and even for double.
+TEST_F(RenderCommand, WarnsOfThePrecisionThatIsTaken) {
+  write_text(folder_ / "narrow.scene",
+             "scene 1\ncamera main { from: (0, 0, 5), at: (0, 0, 0), fov: 1e-12deg }\n"
+             "sphere ball { center: (0, 0, 0), radius: 1, material: unlit(red) }\n"
+             "render { precision: float }\n");
+  const auto messages = [&](const std::string& command, const std::string& flags) {
+    return run("\"$SDLC\" " + command + " narrow.scene --format concise --quiet " + flags).err;
+  };
+  const std::string rendered = "render --width 16 --samples 1 --overwrite";
+  for (const std::string& command : {rendered, std::string("inspect")}) {
+    EXPECT_THAT(messages(command, ""),
+                HasSubstr("narrow.scene:4:21: warning[W501]: `float` does not resolve"));
+    for (const char* flags : {"--kernel scalar", "--precision auto"}) {
+      const std::string told = messages(command, flags);
+      EXPECT_THAT(told, HasSubstr("warning[W501]: `double` does not resolve")) << flags;
+      EXPECT_THAT(told, Not(HasSubstr("narrow.scene:4:21"))) << "what is not taken is not to blame";
+      EXPECT_THAT(told, Not(HasSubstr("`float`"))) << flags;
+    }
+  }
 }
 
 TEST_F(RenderCommand, RefusesAScenePastDoubleUnlessItIsForced) {

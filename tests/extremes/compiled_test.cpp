@@ -32,7 +32,14 @@ Compiled compiled(const std::string& name, const std::string& text,
                   const lang::Overrides& overrides = {}) {
   const lang::SourceFile file(name, text);
   lang::DiagnosticSink sink;
-  Compiled result{lang::compile(file, overrides, sink), {}};
+  lang::Compiler compiler(file, {}, sink);
+  Compiled result{compiler.lower(overrides), {}};
+  if (result.lowered && result.lowered->camera) {
+    const auto& lowered = *result.lowered;
+    const auto kernel =
+        render::choose_kernel(lowered.scene, lowered.settings, {.precision = lowered.precision});
+    compiler.warn_of_precision(lowered, kernel.precision, kernel.bounds);
+  }
   for (const lang::Diagnostic& diagnostic : sink.diagnostics()) {
     const auto line = file.position(diagnostic.where.span.begin).line;
     result.codes.push_back(fmt::format("{} {}", diagnostic.info->code, line));

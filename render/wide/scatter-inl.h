@@ -1,0 +1,124 @@
+// What materials do to paths, compiled once for each instruction set: no include guard but
+// Highway's.
+// clang-format off
+#if defined(SDLC_RENDER_WIDE_SCATTER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_WIDE_SCATTER_INL_H
+#undef SDLC_RENDER_WIDE_SCATTER_INL_H
+#else
+#define SDLC_RENDER_WIDE_SCATTER_INL_H
+#endif
+// clang-format on
+
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+#include "render/sampler/sampler.hpp"
+#include "render/wide/table_reader-inl.h"
+#include "render/wide/vector_math-inl.h"
+#include "render/wide/wide_scene.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace sdlc::render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// What happens to paths where they meet a surface, by the material that `material` reads of it.
+template <typename T>
+class Scattering {
+ public:
+  using D = hn::ScalableTag<T>;
+  using DU = hn::RebindToUnsigned<D>;
+  using V = hn::Vec<D>;
+  using Bits = hn::Vec<DU>;
+  using Mask = hn::Mask<D>;
+
+  HWY_INLINE Scattering(const WideScene<T>& scene, const TableReader<D>& material)
+      : scene_(scene), read_(material) {}
+
+  static HWY_INLINE Mask has(Bits surface, SurfaceBit bit) {
+    return hn::RebindMask(D(), hn::TestBit(surface, hn::Set(DU(), std::uint32_t{bit})));
+  }
+
+  HWY_INLINE Triple<V> scatter(Triple<V> direction, Triple<V> outward, V cosine, Bits surface,
+                               const LaneSampler<D>& sampler, Mask& absorbed) const;
+
+ private:
+  static HWY_INLINE V set(double v) { return hn::Set(D(), static_cast<T>(v)); }
+
+  HWY_INLINE Triple<V> refract(Triple<V> direction, Triple<V> facing, Triple<V> mirrored, V cosine,
+                               Bits surface, V choice) const;
+
+  const WideScene<T>& scene_;
+  const TableReader<D>& read_;
+};
+
+/// The direction in which each path goes on, of any length; nothing that matters for lanes whose
+/// path ends anyway. `surface` is 0 where nothing was hit.
+template <typename T>
+HWY_INLINE auto Scattering<T>::scatter(Triple<V> direction, Triple<V> outward, V cosine,
+                                       Bits surface, const LaneSampler<D>& sampler,
+                                       Mask& absorbed) const -> Triple<V> {
+  const D d;
+  const V one = set(1);
+  // The normal on the side of the ray: turned round where the cosine is positive.
+  const V turned = hn::AndNot(cosine, hn::SignBit(d));
+  const Triple<V> facing{hn::Xor(outward.x, turned), hn::Xor(outward.y, turned),
+                         hn::Xor(outward.z, turned)};
+
+  const V u = sampler.uniform(kDirectionZ);
+  const V circle = hn::Sqrt(hn::Mul(u, hn::Sub(one, u)));
+  Triple<V> ball;  // on the unit sphere
+  point_on_circle(sampler.uniform(kDirectionTurn), hn::Add(circle, circle), ball.x, ball.y);
+  ball.z = hn::NegMulAdd(set(2), u, one);
+
+  Triple<V> next{hn::Add(facing.x, ball.x), hn::Add(facing.y, ball.y), hn::Add(facing.z, ball.z)};
+  const Mask mirrors = has(surface, kMirrors), refracts = has(surface, kRefracts);
+  if (hn::AllFalse(d, hn::Or(mirrors, refracts))) return next;
+
+  const Triple<V> mirrored = minus_scaled(direction, outward, hn::Add(cosine, cosine));
+  if (!hn::AllFalse(d, mirrors)) {
+    Triple<V> spread_out = scaled(mirrored, read_(scene_.first));
+    if (!hn::AllFalse(d, has(surface, kIsFuzzy))) {
+      const V radius = hn::Max(sampler.uniform(kRadiusA),
+                               hn::Max(sampler.uniform(kRadiusB), sampler.uniform(kRadiusC)));
+      spread_out = plus_scaled(spread_out, ball, hn::Mul(radius, read_(scene_.second)));
+    }
+    absorbed = hn::And(mirrors, hn::Not(hn::Gt(dot(spread_out, facing), hn::Zero(d))));
+    next = choose(mirrors, spread_out, next);
+  }
+  if (!hn::AllFalse(d, refracts)) {
+    const Triple<V> onwards =
+        refract(direction, facing, mirrored, cosine, surface, sampler.uniform(kChoice));
+    next = choose(refracts, onwards, next);
+  }
+  return next;
+}
+
+/// Through glass, or back from it where `choice` is below the share that Fresnel's term reflects.
+template <typename T>
+HWY_INLINE auto Scattering<T>::refract(Triple<V> direction, Triple<V> facing, Triple<V> mirrored,
+                                       V cosine, Bits surface, V choice) const -> Triple<V> {
+  const D d;
+  const V one = set(1), zero = hn::Zero(d);
+  const V eta = hn::IfThenElse(hn::Gt(cosine, zero), read_(scene_.first), read_(scene_.second));
+  const V incident = hn::Min(hn::Abs(cosine), one);
+  const V sine_squared = hn::NegMulAdd(incident, incident, one);
+  const V beyond_squared = hn::NegMulAdd(hn::Mul(eta, eta), sine_squared, one);
+  const V straight = read_(scene_.straight);
+  const V m = hn::Sub(one, incident), m2 = hn::Mul(m, m);
+  V share = hn::MulAdd(hn::Sub(one, straight), hn::Mul(hn::Mul(m2, m2), m), straight);
+  if (HWY_UNLIKELY(scene_.has_exact_fresnel)) {
+    const V exact = fresnel_exact_lanes(incident, hn::Sqrt(hn::Max(beyond_squared, zero)), eta);
+    share = hn::IfThenElse(has(surface, kIsExact), exact, share);
+  }
+  const Mask reflects = hn::Or(hn::Lt(beyond_squared, zero), hn::Lt(choice, share));
+  const Triple<V> bent = scaled(plus_scaled(direction, facing, incident), eta);
+  const V depth = hn::Sqrt(hn::Abs(hn::Sub(one, dot(bent, bent))));
+  return choose(reflects, mirrored, minus_scaled(bent, facing, depth));
+}
+
+}  // namespace sdlc::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

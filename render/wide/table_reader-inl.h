@@ -1,0 +1,76 @@
+// Tables that every lane reads at its own index, compiled once for each instruction set: no include
+// guard but Highway's.
+// clang-format off
+#if defined(SDLC_RENDER_WIDE_TABLE_READER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_WIDE_TABLE_READER_INL_H
+#undef SDLC_RENDER_WIDE_TABLE_READER_INL_H
+#else
+#define SDLC_RENDER_WIDE_TABLE_READER_INL_H
+#endif
+// clang-format on
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <hwy/highway.h>
+
+#include "render/wide/vector_math-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sdlc::render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The row of a table that each lane's index names, for tables that are read with the same indices.
+template <typename D>
+class TableReader {
+ public:
+  using T = hn::TFromD<D>;
+  using DU = hn::RebindToUnsigned<D>;
+  using Index = hn::Vec<DU>;
+
+  HWY_INLINE TableReader(Index index, std::size_t rows)
+      : index_(index), registers_((rows + kLanes - 1) / kLanes) {}
+
+  template <typename U, typename Allocator>
+  HWY_INLINE auto operator()(const std::vector<U, Allocator>& table) const {
+    const hn::Rebind<U, D> d;
+    if constexpr (kHasPermutation) {
+      if (HWY_LIKELY(registers_ <= kMostRegisters)) {
+        const auto lane = hn::IndicesFromVec(d, hn::And(index_, hn::Set(DU(), kLanes - 1)));
+        auto value = hn::TableLookupLanes(hn::Load(d, table.data()), lane);
+        for (std::size_t i = 1; i < registers_; ++i) {
+          const auto last_before = static_cast<hn::TFromD<DI>>(i * kLanes - 1);
+          const auto here = hn::Gt(hn::BitCast(DI(), index_), hn::Set(DI(), last_before));
+          value = hn::IfThenElse(hn::RebindMask(d, here),
+                                 hn::TableLookupLanes(hn::Load(d, table.data() + i * kLanes), lane),
+                                 value);
+        }
+        return value;
+      }
+    }
+    return hn::GatherIndex(d, table.data(), hn::BitCast(DI(), index_));
+  }
+
+  template <typename Table>
+  HWY_INLINE Triple<hn::Vec<D>> operator()(const std::array<Table, 3>& tables) const {
+    return {(*this)(tables[0]), (*this)(tables[1]), (*this)(tables[2])};
+  }
+
+ private:
+  using DI = hn::RebindToSigned<D>;
+  static constexpr std::size_t kLanes = hn::MaxLanes(D());
+  // Whether permuting whole registers by an index is one instruction.
+  static constexpr bool kHasPermutation =
+      HWY_TARGET == HWY_AVX3 || (HWY_TARGET == HWY_AVX2 && sizeof(T) == 4);
+  static constexpr std::size_t kMostRegisters = 4;  // from there on a gather is faster
+
+  Index index_;
+  std::size_t registers_;
+};
+
+}  // namespace sdlc::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
