@@ -48,8 +48,7 @@ std::string_view name_of(KernelKind kind) noexcept;
 /// The kernel that render() uses. Float, or Mixed, where bounds on rounding accept it, never by
 /// what is fast, so that a scene is traced in the same numbers everywhere; the kind by a model of
 /// the time a ray takes, fitted to measurements beforehand. All kinds trace the same paths, Wide
-/// and Bvh to the same bits. O(n) time beyond kMostSpheresForGaps, below which pairs of spheres are
-/// judged too.
+/// and Bvh to the same bits. O(n log n) time.
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request = {});
 
