@@ -195,6 +195,27 @@ TEST_P(BvhPaths, AreTheSameWhereASphereTouchesAGroundMetInDouble) {
   EXPECT_TRUE(bvh.picture.pixels == all.picture.pixels);
 }
 
+double largest_difference(const Picture& a, const Picture& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const LinearRgb d = a.pixels[i] - b.pixels[i];
+    largest = std::max({largest, std::fabs(d.r), std::fabs(d.g), std::fabs(d.b)});
+  }
+  return largest;
+}
+
+/// With every sphere up to 2 u E from its place along each axis: what a point on it is off by in
+/// double, the E being that of the farthest.
+Scene moved_by_rounding(Scene scene, Random& random) {
+  double extent = 0;
+  for (const Sphere& sphere : scene.spheres) {
+    extent = std::max(extent, length(sphere.center - scene.camera.from) + sphere.radius);
+  }
+  const double error = 2 * unit_of_rounding(Precision::Double) * extent;
+  for (Sphere& sphere : scene.spheres) sphere.center += random.in_box(error);
+  return scene;
+}
+
 // Beyond what can be held against every ray the scalar kernel's hierarchy is the yardstick.
 TEST(BvhPaths, OfThousandsOfSpheresAreThoseOfTheScalarKernel) {
   Random random(11);
@@ -205,17 +226,20 @@ TEST(BvhPaths, OfThousandsOfSpheresAreThoseOfTheScalarKernel) {
   }
   const Scene scene = scene_of(named);
   constexpr RenderSettings kSettings{.width = 48, .height = 27, .samples = 16, .depth = 12};
-  const RenderResult scalar = render_with(scene, kSettings, {.kind = KernelKind::Scalar});
+  constexpr KernelRequest kScalar{.kind = KernelKind::Scalar};
+  const RenderResult scalar = render_with(scene, kSettings, kScalar);
+  // Bounces off spheres so small multiply what rounding does to the first point. By how much, the
+  // scalar kernel shows by itself: in scenes whose spheres are off by what points on them are. That
+  // is some 1e-6 here, five times what is seen.
+  double by_rounding = 0;
+  for (int i = 0; i < 8; ++i) {
+    const RenderResult moved = render_with(moved_by_rounding(scene, random), kSettings, kScalar);
+    by_rounding = std::max(by_rounding, largest_difference(moved.picture, scalar.picture));
+  }
   for (const Isa isa : available_isas()) {
     const RenderResult bvh = render_with(
         scene, kSettings, {.kind = KernelKind::Bvh, .precision = Precision::Double, .isa = isa});
-    double largest = 0;
-    for (std::size_t i = 0; i < bvh.picture.pixels.size(); ++i) {
-      const LinearRgb d = bvh.picture.pixels[i] - scalar.picture.pixels[i];
-      largest = std::max({largest, std::fabs(d.r), std::fabs(d.g), std::fabs(d.b)});
-    }
-    // Rounding, which ten bounces off spheres so small multiply.
-    EXPECT_LT(largest, 1e-5) << name_of(isa);
+    EXPECT_LE(largest_difference(bvh.picture, scalar.picture), by_rounding) << name_of(isa);
     EXPECT_EQ(bvh.rays, scalar.rays);
   }
 }
