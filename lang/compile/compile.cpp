@@ -189,6 +189,7 @@ void Compiler::report_scale(const LoweredScene& lowered, Purpose purpose) {
 
 void Compiler::warn_of_precision(const LoweredScene& lowered, render::Precision taken,
                                  const render::PrecisionBounds& bounds) {
+  if (sink_.has_errors()) return;  // what went wrong may be why
   const auto fault = find_bounds_fault(bounds, taken);
   if (!fault) return;
   const render::PrecisionClause clause = bounds.deciding();
