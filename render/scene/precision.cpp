@@ -344,8 +344,7 @@ FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderS
   FloatVerdict verdict;
   verdict.bounds = verdict.in_float = judge.bounds({});
   verdict.is_accepted = verdict.in_float.is_accepted();
-  // Gaps that were not looked for are not known of the rest either; and sorting takes its time.
-  if (verdict.is_accepted || !verdict.in_float.has_gaps) return verdict;
+  if (verdict.is_accepted) return verdict;
   const std::vector<std::uint32_t> by_size = judge.largest(most_exact);
   for (std::size_t exact = 1; exact <= by_size.size(); ++exact) {
     const auto largest = std::span(by_size).first(exact);

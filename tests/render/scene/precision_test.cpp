@@ -271,6 +271,9 @@ TEST(PrecisionBounds, LookForGapsAmongManySpheresWhereNothingElseIsBroken) {
     scene.spheres.push_back({.center = {4 * i, 0, 0}, .radius = 1});
   }
   EXPECT_TRUE(judge(scene).is_accepted);
+  Scene on_ground = scene;
+  on_ground.spheres.push_back({.center = {0, -6.371e6 - 1, 0}, .radius = 6.371e6});
+  EXPECT_THAT(judge(on_ground).exact_spheres, ElementsAre(1000));
   scene.spheres.push_back({.center = {0, 9, 0}, .radius = 1});
   scene.spheres.push_back({.center = {0, 9, 0}, .radius = 1 - 1e-6});
   const PrecisionBounds of_shell = judge_precision(scene, scene.camera, {}, Precision::Float);
