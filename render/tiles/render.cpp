@@ -221,13 +221,6 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   RenderResult result;
   result.picture = Picture(settings.width, settings.height);
   result.threads = thread_count(settings.threads);
-  const auto build_start = std::chrono::steady_clock::now();
-  result.kernel = std::move(kernel);
-  const std::unique_ptr<Tiles> tiles = make_tiles(std::move(scene), settings, result.kernel,
-                                                  result.threads, result.picture, monitor);
-  result.build_seconds = seconds_since(build_start);
-  result.bvh_bytes = tiles->bvh_bytes();
-
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(result.threads));
   tbb::task_arena arena(result.threads);
@@ -242,8 +235,16 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
     });
   };
   // Threads start, and oneTBB loads its allocator, before anything else may load a library and
-  // before the clock runs.
+  // before the clocks run.
   for_each(result.threads, [](int) {});
+  const auto build_start = std::chrono::steady_clock::now();
+  result.kernel = std::move(kernel);
+  const std::unique_ptr<Tiles> tiles = arena.execute([&] {
+    return make_tiles(std::move(scene), settings, result.kernel, result.threads, result.picture,
+                      monitor);
+  });
+  result.build_seconds = seconds_since(build_start);
+  result.bvh_bytes = tiles->bvh_bytes();
   if (monitor.on_tracing) monitor.on_tracing();
 
   const auto render_start = std::chrono::steady_clock::now();

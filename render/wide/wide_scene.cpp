@@ -4,6 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include "render/scene/camera_surface.hpp"
 
 namespace sdlc::render {
@@ -25,10 +28,9 @@ std::uint32_t surface_bits(const Material& material) {
 }
 
 /// Room for whole vectors.
-template <typename Table>
-void resize_table(Table& table, std::size_t size, typename Table::value_type value = {}) {
+constexpr std::size_t padded(std::size_t size) {
   constexpr std::size_t kMostLanes = 16;
-  table.resize((size + kMostLanes - 1) / kMostLanes * kMostLanes, value);
+  return (size + kMostLanes - 1) / kMostLanes * kMostLanes;
 }
 
 std::vector<std::uint32_t> without(std::size_t spheres, std::span<const std::uint32_t> excluded) {
@@ -57,29 +59,15 @@ WideScene<T>::WideScene(const Scene& scene, int depth, Search search_for_hits,
   first_exact = order.size();
   order.insert(order.end(), spheres_in_double.begin(), spheres_in_double.end());
   slots = order.size();
-  for (TableTriple* triple : {&center, &shift}) {
-    if (triple == &shift && !has_motion) continue;
-    for (Table& table : *triple) resize_table(table, slots);
-  }
-  resize_table(radius, slots);
-  resize_table(radius_squared, slots, T{-1});
-  for (std::size_t slot = 0; slot < slots; ++slot) {
-    if (order[slot] == WideBvh<T>::kNoSphere) continue;
-    add_sphere(slot, scene.spheres[order[slot]], has_motion ? scene.shifts[order[slot]] : Vec3{});
-  }
+  add_spheres(scene, order);
 
   const bool is_by_material = search == Search::Bvh;
   materials = is_by_material ? scene.materials.size() : slots;
   for (Table* table : {&color[0], &color[1], &color[2], &first, &second, &straight}) {
-    resize_table(*table, materials);
+    table->resize(padded(materials), T{});
   }
-  resize_table(surface, materials);
+  surface.resize(padded(materials), Index{});
   if (is_by_material) {
-    resize_table(material, slots);
-    for (std::size_t slot = 0; slot < slots; ++slot) {
-      if (order[slot] == WideBvh<T>::kNoSphere) continue;
-      material[slot] = scene.spheres[order[slot]].material;
-    }
     for (std::size_t i = 0; i < materials; ++i) add_material(i, scene.materials[i]);
     index_in_scene = std::move(order);
   } else {
@@ -93,6 +81,29 @@ WideScene<T>::WideScene(const Scene& scene, int depth, Search search_for_hits,
   sky_slope = rounded<T>((top - bottom) * 0.5);
 }
 
+/// Slots of no sphere, and those that round the tables up, hold a point that nothing hits.
+template <typename T>
+void WideScene<T>::add_spheres(const Scene& scene, std::span<const std::uint32_t> order) {
+  const std::size_t size = padded(slots);
+  for (Table& table : center) table.resize(size);
+  if (has_motion) {
+    for (Table& table : shift) table.resize(size);
+  }
+  radius.resize(size);
+  radius_squared.resize(size);
+  if (search == Search::Bvh) material.resize(size);
+  constexpr std::size_t kSlotsATask = 4096;
+  const auto add = [&](const tbb::blocked_range<std::size_t>& range) {
+    for (std::size_t slot = range.begin(); slot < range.end(); ++slot) {
+      const bool is_empty = slot >= slots || order[slot] == WideBvh<T>::kNoSphere;
+      const Sphere sphere = is_empty ? Sphere{} : scene.spheres[order[slot]];
+      add_sphere(slot, sphere, has_motion && !is_empty ? scene.shifts[order[slot]] : Vec3{});
+      if (search == Search::Bvh) material[slot] = sphere.material;
+    }
+  };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, kSlotsATask), add);
+}
+
 template <typename T>
 void WideScene<T>::add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves) {
   const auto store = [slot](TableTriple& table, Vec3 v) {
@@ -104,8 +115,8 @@ void WideScene<T>::add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves
   if (has_motion) store(shift, moves);
   radius[slot] = static_cast<T>(sphere.radius);
   // The square of the radius that the kernel takes; a sphere of radius 0 is never hit.
-  if (sphere.radius > 0) radius_squared[slot] = radius[slot] * radius[slot];
-  if (slot >= first_exact) {
+  radius_squared[slot] = sphere.radius > 0 ? radius[slot] * radius[slot] : T{-1};
+  if (slot >= first_exact && slot < slots) {
     exact[slot - first_exact] = {.center = {sphere.center.x, sphere.center.y, sphere.center.z},
                                  .shift = {moves.x, moves.y, moves.z},
                                  .radius_squared = sphere.radius * sphere.radius,

@@ -6,6 +6,7 @@
 #include <new>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "render/scene/precision.hpp"
@@ -26,7 +27,8 @@ enum SurfaceBit : std::uint32_t {
 /// The most spheres that every ray is held against: their tables then fit a first-level cache.
 inline constexpr std::size_t kMostWideSpheres = 256;
 
-/// Where vectors of any width can be loaded from.
+/// Where vectors of any width can be loaded from. Numbers that are given no value have none yet: it
+/// is for the threads that fill a table to touch its memory first.
 template <typename T>
 struct VectorAllocator {
   using value_type = T;
@@ -38,6 +40,14 @@ struct VectorAllocator {
 
   T* allocate(std::size_t count) {
     return static_cast<T*>(::operator new(count * sizeof(T), kAlignment));
+  }
+  template <typename U>
+  void construct(U* place) noexcept {
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <typename U, typename... Values>
+  void construct(U* place, Values&&... values) noexcept {
+    ::new (static_cast<void*>(place)) U(std::forward<Values>(values)...);
   }
   void deallocate(T* memory, std::size_t /*count*/) noexcept {
     ::operator delete(memory, kAlignment);
@@ -116,6 +126,7 @@ struct WideScene {
   std::size_t memory_bytes() const noexcept;
 
  private:
+  void add_spheres(const Scene& scene, std::span<const std::uint32_t> order);
   void add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves);
   void add_material(std::size_t row, const Material& material);
 };

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include "render/tiles/render.hpp"
 #include "tests/render/wide/kernels.hpp"
@@ -137,6 +139,105 @@ TEST(WideBvh, HoldsEachSphereOnceWithinAllBoxesAboveIt) {
     expect_sound<float>(scene);
     expect_sound<double>(scene);
   }
+}
+
+/// More than one thread takes at a time.
+constexpr int kMany = 100'000;
+
+std::vector<NamedSpheres> named_crowds() {
+  Random random(5);
+  std::vector<NamedSpheres> all;
+  const auto add = [&](std::string name, auto&& make) {
+    NamedSpheres& added = all.emplace_back(NamedSpheres{.name = std::move(name), .spheres = {}});
+    for (int i = 0; i < kMany; ++i) added.spheres.push_back(make(i));
+  };
+  add("anywhere", [&](int) { return Sphere{random.in_box(0.8), random.between(0.001, 0.01)}; });
+  add("one centre", [&](int) { return Sphere{{0.3, 0, 0}, random.between(0.01, 0.3)}; });
+  add("equal", [](int) { return Sphere{{0.25, 0.3, 0}, 0.25}; });
+  add("on a line", [](int i) { return Sphere{{i * 1.5e-5 - 0.8, 0.1, 0}, 3e-6}; });
+  add("on a huge one", [&](int i) {
+    if (i == kMany / 2) return Sphere{{0, -0.9, 0}, 0.9};
+    const Vec3 place = random.in_box(0.5);
+    return Sphere{{place.x * 1e-3, 1e-6, place.z * 1e-3}, 1e-6};
+  });
+  add("radii over twelve decades", [&](int) {
+    return Sphere{random.in_box(0.5), std::pow(10.0, random.between(-12, -0.5))};
+  });
+  add("ever denser", [&](int) {
+    return Sphere{random.in_box(1) * std::pow(10.0, random.between(-12, -0.5)), 1e-13};
+  });
+  NamedSpheres moving{.name = "moving", .spheres = all[0].spheres};
+  for (int i = 0; i < kMany; ++i) {
+    moving.shifts.push_back(i % 3 == 0 ? random.in_box(0.1) : Vec3{});
+  }
+  all.push_back(std::move(moving));
+  return all;
+}
+
+Scene spheres_alone(const NamedSpheres& named) {
+  Scene scene;
+  scene.spheres = named.spheres;
+  scene.shifts = named.shifts;
+  return scene;
+}
+
+TEST(WideBvh, HoldsEachOfManySpheresOnceWithinAllBoxesAboveIt) {
+  for (const NamedSpheres& named : named_crowds()) {
+    SCOPED_TRACE(named.name);
+    const Scene scene = spheres_alone(named);
+    expect_sound<float>(scene);
+    expect_sound<double>(scene);
+  }
+}
+
+template <typename T>
+WideBvh<T> built_with(int threads, const Scene& scene) {
+  std::vector<std::uint32_t> members(scene.spheres.size());
+  std::iota(members.begin(), members.end(), 0u);
+  // Neither is limited by how many processors there are.
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  return arena.execute([&] { return WideBvh<T>(scene, members); });
+}
+
+template <typename T>
+void expect_equal(const WideBvh<T>& a, const WideBvh<T>& b) {
+  EXPECT_TRUE(a.slots == b.slots);
+  ASSERT_EQ(a.nodes.size(), b.nodes.size());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < a.nodes.size(); ++i) {
+    different +=
+        a.nodes[i].bounds != b.nodes[i].bounds || a.nodes[i].children != b.nodes[i].children;
+  }
+  EXPECT_EQ(different, 0u);
+}
+
+TEST(WideBvh, IsTheSameFromAnyNumberOfThreads) {
+  for (const NamedSpheres& named : named_crowds()) {
+    SCOPED_TRACE(named.name);
+    const Scene scene = spheres_alone(named);
+    const WideBvh<float> in_float = built_with<float>(1, scene);
+    const WideBvh<double> in_double = built_with<double>(1, scene);
+    for (const int threads : {2, 5}) {
+      expect_equal(in_float, built_with<float>(threads, scene));
+      expect_equal(in_double, built_with<double>(threads, scene));
+    }
+  }
+}
+
+// A box as large as the scene, in which there is next to nothing, would be met by every ray.
+TEST(WideBvh, PutsAHugeSphereApart) {
+  const NamedSpheres named = named_crowds()[4];
+  const Scene scene = spheres_alone(named);
+  const WideBvh<float> bvh = built_with<float>(2, scene);
+  std::size_t large = 0;
+  for (const auto& node : bvh.nodes) {
+    for (std::size_t i = 0; i < kBvhWidth; ++i) {
+      large += node.bounds[0][1][i] - node.bounds[0][0][i] > 1;
+    }
+  }
+  EXPECT_EQ(large, 1u);
 }
 
 TEST(WideBvh, FillsLeavesWhereSpheresStandInRows) {
