@@ -14,6 +14,7 @@
 #include <xmmintrin.h>
 #endif
 
+#include "render/math/box.hpp"
 #include "render/math/power_of_two.hpp"
 #include "render/math/vec3.hpp"
 #include "render/scene/movement.hpp"
@@ -108,6 +109,19 @@ class Boxes {
   }
 };
 
+/// What the spheres of a leaf, or below a node, have in common: where their centres are while the
+/// shutter is open, and their radii.
+struct Common {
+  Box centers;
+  double least_radius = Box::kInfinity, most_radius = 0;
+
+  void add(const Common& other) {
+    centers.add(other.centers);
+    least_radius = std::min(least_radius, other.least_radius);
+    most_radius = std::max(most_radius, other.most_radius);
+  }
+};
+
 class Search {
  public:
   Search(const Balls& balls, const Nearness& nearness)
@@ -152,8 +166,10 @@ class Search {
       entries[k] = {static_cast<std::uint32_t>(size) << 27 | curve, i};
     };
     tbb::parallel_for(std::size_t{0}, members.size(), enter);
-    tbb::parallel_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-      return a.key != b.key ? a.key < b.key : a.sphere < b.sphere;
+    tbb::parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+      if (a.key != b.key) return a.key < b.key;
+      const double of_a = balls_.radius(a.sphere), of_b = balls_.radius(b.sphere);
+      return of_a != of_b ? of_a < of_b : a.sphere < b.sphere;
     });
     order_.reserve(entries.size());
     for (const Entry& entry : entries) order_.push_back(entry.sphere);
@@ -168,23 +184,41 @@ class Search {
     return (bits | bits << 2) & 0x9249249;
   }
 
-  /// Level 0 has a node for each leaf, with the boxes of its spheres; each level above has one for
-  /// sixteen nodes of the one below.
+  /// Nodes of one height: those at the bottom are leaves, with the boxes of their spheres; those of
+  /// each level above have sixteen nodes of the one below.
+  struct Level {
+    std::vector<Boxes> boxes;
+    std::vector<Common> common;
+
+    explicit Level(std::size_t nodes) : boxes(nodes), common(nodes) {}
+  };
+
   void build() {
     std::size_t count = (order_.size() + kWidth - 1) / kWidth;
     levels_.emplace_back(count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t leaf) {
       const std::size_t end = std::min(order_.size(), (leaf + 1) * kWidth);
-      for (std::size_t k = leaf * kWidth; k < end; ++k)
-        add_sphere(levels_[0][leaf], k % kWidth, order_[k]);
+      for (std::size_t k = leaf * kWidth; k < end; ++k) {
+        add_sphere(levels_[0].boxes[leaf], k % kWidth, order_[k]);
+        levels_[0].common[leaf].add(common_of(order_[k]));
+      }
     });
     while (count > 1) {
-      const std::size_t above = (count + kWidth - 1) / kWidth;
-      std::vector<Boxes> level(above);
-      for (std::size_t k = 0; k < count; ++k) level[k / kWidth].add(k % kWidth, levels_.back()[k]);
-      levels_.push_back(std::move(level));
-      count = above;
+      Level above((count + kWidth - 1) / kWidth);
+      for (std::size_t k = 0; k < count; ++k) {
+        above.boxes[k / kWidth].add(k % kWidth, levels_.back().boxes[k]);
+        above.common[k / kWidth].add(levels_.back().common[k]);
+      }
+      count = above.boxes.size();
+      levels_.push_back(std::move(above));
     }
+  }
+
+  Common common_of(std::uint32_t i) const {
+    Common common{.centers = {}, .least_radius = balls_.radius(i), .most_radius = balls_.radius(i)};
+    common.centers.add(balls_.opening(i), 0);
+    common.centers.add(balls_.closing(i), 0);
+    return common;
   }
 
   /// Wider than the sphere by as much as it may be from another one that it touches.
@@ -203,7 +237,7 @@ class Search {
   /// Pairs with a sphere of the leaf and one of it or of those behind it.
   void find(std::size_t leaf, std::vector<SpherePair>& found) const {
     Boxes around;
-    around.add(0, levels_[0][leaf]);
+    around.add(0, levels_[0].boxes[leaf]);
     struct Waiting {
       std::size_t level, node;
     };
@@ -216,22 +250,26 @@ class Search {
         compare(leaf, around, now.node, found);
         continue;
       }
+      const Level& below = levels_[now.level - 1];
       const std::size_t leaves_a_child = std::size_t{1} << 4 * (now.level - 1);
-      std::uint32_t met = levels_[now.level][now.node].meet(around, 0);
+      std::uint32_t met = levels_[now.level].boxes[now.node].meet(around, 0);
       for (; met != 0; met &= met - 1) {
         const std::size_t child =
             now.node * kWidth + static_cast<std::size_t>(std::countr_zero(met));
-        if ((child + 1) * leaves_a_child > leaf) stack[waiting++] = {now.level - 1, child};
+        const bool is_behind = (child + 1) * leaves_a_child > leaf;
+        if (!is_behind || !may_be_near(levels_[0].common[leaf], below.common[child])) continue;
+        stack[waiting++] = {now.level - 1, child};
       }
     }
   }
 
   void compare(std::size_t leaf, const Boxes& around, std::size_t other,
                std::vector<SpherePair>& found) const {
-    std::uint32_t in_other = levels_[0][other].meet(around, 0);
+    const std::vector<Boxes>& boxes = levels_[0].boxes;
+    std::uint32_t in_other = boxes[other].meet(around, 0);
     for (; in_other != 0; in_other &= in_other - 1) {
       const auto k = static_cast<std::size_t>(std::countr_zero(in_other));
-      std::uint32_t met = levels_[0][leaf].meet(levels_[0][other], k);
+      std::uint32_t met = boxes[leaf].meet(boxes[other], k);
       if (leaf == other) met &= (1U << k) - 1;
       for (; met != 0; met &= met - 1) {
         const auto l = static_cast<std::size_t>(std::countr_zero(met));
@@ -239,6 +277,32 @@ class Search {
         if (are_near(a, b)) found.push_back({std::min(a, b), std::max(a, b)});
       }
     }
+  }
+
+  /// Whether are_near() may hold for a sphere of each, by what they have in common: of many spheres
+  /// around one place, as of nested shells, it does for few.
+  bool may_be_near(const Common& a, const Common& b) const {
+    double nearest_squared = 0, farthest_squared = 0;  // centres
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double below = b.centers.low[axis] - a.centers.high[axis];
+      const double above = a.centers.low[axis] - b.centers.high[axis];
+      const double nearest = std::max({below, above, 0.0}), farthest = -std::min(below, above);
+      nearest_squared += nearest * nearest;
+      farthest_squared += farthest * farthest;
+    }
+    const double nearest = std::sqrt(nearest_squared), farthest = std::sqrt(farthest_squared);
+    const double least_sum = a.least_radius + b.least_radius;
+    const double most_sum = a.most_radius + b.most_radius;
+    const double least_difference =
+        std::max({a.least_radius - b.most_radius, b.least_radius - a.most_radius, 0.0});
+    const double most_difference =
+        std::max(a.most_radius - b.least_radius, b.most_radius - a.least_radius);
+    // Far more than rounding does to any of these.
+    const double gap = std::max(gap_, gap_of_radius_ * std::max(a.most_radius, b.most_radius)) +
+                       kFloatError * balls_.extent();
+    return (nearest <= most_sum + gap && farthest >= least_sum - gap) ||
+           (nearest <= most_difference + gap && farthest >= least_difference - gap) ||
+           nearest + least_difference <= spread_ + gap;
   }
 
   bool are_near(std::uint32_t a, std::uint32_t b) const {
@@ -264,7 +328,7 @@ class Search {
   const Balls& balls_;
   double gap_, gap_of_radius_, spread_;
   std::vector<std::uint32_t> order_;
-  std::vector<std::vector<Boxes>> levels_;
+  std::vector<Level> levels_;
 };
 
 }  // namespace

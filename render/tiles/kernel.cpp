@@ -4,8 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include <tbb/global_control.h>
+
 #include "render/scene/camera_surface.hpp"
 #include "render/scene/precision.hpp"
+#include "render/tiles/threads.hpp"
 #include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {
@@ -112,6 +115,9 @@ Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
   const auto scalar = [&](std::string reason) {
     return kernel_in_double(scene, settings, std::move(reason));
   };
+  // The search for gaps works on several.
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(thread_count(settings.threads)));
   const bool is_scalar = request.kind == KernelKind::Scalar;
   const std::string objection = is_scalar ? std::string() : objection_to_wide(scene, request);
   const bool takes_double = request.may_take_double && (is_scalar || !objection.empty());

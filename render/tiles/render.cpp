@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "render/integrator/path_integrator.hpp"
 #include "render/math/color.hpp"
 #include "render/sampler/sampler.hpp"
+#include "render/tiles/threads.hpp"
 #include "render/wide/wide_integrator.hpp"
 
 namespace sdlc::render {
@@ -196,12 +196,6 @@ std::unique_ptr<Tiles> make_tiles(Scene scene, const RenderSettings& settings, c
     return std::make_unique<ScalarTiles>(std::move(scene), settings, picture, monitor);
   }
   return std::make_unique<WideTiles>(std::move(scene), settings, kernel, threads, picture, monitor);
-}
-
-int thread_count(int asked) {
-  constexpr int kMost = 1024;  // more only cost memory
-  const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return std::min(asked > 0 ? asked : machine, kMost);
 }
 
 }  // namespace

@@ -133,5 +133,17 @@ TEST(NearPairs, AreFoundAmongSpheresThatHeapUp) {
   }
 }
 
+// Of nested shells each has its two neighbours; all boxes meet.
+TEST(NearPairs, AreFoundAmongNestedShells) {
+  Scene scene;
+  scene.camera.from = {0, 0, 9};
+  constexpr std::uint32_t kShells = 30000;
+  for (std::uint32_t i = 0; i < kShells; ++i) {
+    scene.spheres.push_back({{}, 0.1 + 1e-5 * static_cast<double>(i * 7919ULL % kShells)});
+  }
+  const Nearness nearness{.gap_of_extent = 1.5e-5 / 9.4, .gap_of_radius = 0, .spread_of_extent = 0};
+  EXPECT_EQ(as_set(find_near_pairs(scene, scene.camera.from, nearness)).size(), kShells - 1);
+}
+
 }  // namespace
 }  // namespace sdlc::render
