@@ -165,7 +165,7 @@ class InspectJob {
         .output = default_picture(lowered.output.output, options_.scene.given_name(), frame),
         .materials = count_materials(scene),
         .spheres = measure_spheres(scene),
-        .memory = estimate_memory(scene, lowered.settings),
+        .memory = estimate_memory(scene, lowered.settings, kernel),
         .features = {},
         .kernel = std::move(kernel),
         .precisions = {},

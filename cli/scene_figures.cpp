@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "render/bvh/bvh.hpp"
 #include "render/math/color.hpp"
 
 namespace sdlc::cli {
@@ -87,12 +86,12 @@ std::optional<SphereFigures> measure_spheres(const render::Scene& scene) {
   return figures;
 }
 
-MemoryFigures estimate_memory(const render::Scene& scene, const render::RenderSettings& settings) {
-  const bool is_moving = !scene.shifts.empty();
+MemoryFigures estimate_memory(const render::Scene& scene, const render::RenderSettings& settings,
+                              const render::Kernel& kernel) {
   return {.spheres = scene.spheres.size() * sizeof(render::Sphere),
           .motion = scene.shifts.size() * sizeof(Vec3),
           .materials = scene.materials.size() * sizeof(render::Material),
-          .bvh = render::Bvh::estimated_bytes(scene.spheres.size(), is_moving),
+          .bvh = estimated_bytes(kernel, scene),
           .picture = static_cast<std::size_t>(settings.width) *
                      static_cast<std::size_t>(settings.height) * sizeof(render::LinearRgb)};
 }

@@ -10,6 +10,7 @@
 
 #include "render/math/vec3.hpp"
 #include "render/scene/scene.hpp"
+#include "render/tiles/kernel.hpp"
 
 /// Figures about a scene, each from one pass over its spheres.
 namespace sdlc::cli {
@@ -67,6 +68,7 @@ struct MemoryFigures {
   }
 };
 
-MemoryFigures estimate_memory(const render::Scene& scene, const render::RenderSettings& settings);
+MemoryFigures estimate_memory(const render::Scene& scene, const render::RenderSettings& settings,
+                              const render::Kernel& kernel);
 
 }  // namespace sdlc::cli

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -28,20 +29,20 @@ constexpr std::size_t kWidth = 16;  // spheres of a leaf, boxes of a node
 constexpr double kFloatError = 0x1p-20;
 
 /// The spheres that take part, as seen from the camera: lengths of moderate size, not rounded.
-class Balls {
+class Members {
  public:
-  Balls(const Scene& scene, Vec3 camera, std::span<const std::uint32_t> left_out)
+  Members(const Scene& scene, Vec3 camera, std::span<const std::uint32_t> left_out)
       : scene_(scene), frame_(scene, camera) {
     for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
       if (!(scene.spheres[i].radius > 0)) continue;
       if (std::find(left_out.begin(), left_out.end(), i) != left_out.end()) continue;
-      members_.push_back(i);
+      indices_.push_back(i);
       const double far = std::max(moderate_length(opening(i)), moderate_length(closing(i)));
       extent_ = std::max(extent_, far + radius(i));
     }
   }
 
-  std::span<const std::uint32_t> members() const { return members_; }
+  std::span<const std::uint32_t> indices() const { return indices_; }
   bool are_moving() const { return !scene_.shifts.empty(); }
   double extent() const { return extent_; }
   double radius(std::uint32_t i) const { return frame_.size(scene_.spheres[i].radius); }
@@ -53,7 +54,7 @@ class Balls {
  private:
   const Scene& scene_;
   CameraFrame frame_;
-  std::vector<std::uint32_t> members_;
+  std::vector<std::uint32_t> indices_;
   double extent_ = 0;
 };
 
@@ -124,23 +125,28 @@ struct Common {
 
 class Search {
  public:
-  Search(const Balls& balls, const Nearness& nearness)
-      : balls_(balls),
-        gap_(nearness.gap_of_extent * balls.extent()),
+  Search(const Members& spheres, const Nearness& nearness)
+      : spheres_(spheres),
+        gap_(nearness.gap_of_extent * spheres.extent()),
         gap_of_radius_(nearness.gap_of_radius),
-        spread_(nearness.spread_of_extent * balls.extent()) {
+        spread_(nearness.spread_of_extent * spheres.extent()) {
     sort();
     build();
   }
 
-  std::vector<SpherePair> run() const {
+  std::optional<std::vector<SpherePair>> run() {
     const std::size_t leaves = (order_.size() + kWidth - 1) / kWidth;
     const std::size_t parts = (leaves + kLeavesAPart - 1) / kLeavesAPart;
+    most_comparisons_ = kMostComparisons + 100 * leaves;
+    most_pairs_ = kMostPairs + 64 * order_.size();
     std::vector<std::vector<SpherePair>> found(parts);
     tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
       const std::size_t end = std::min(leaves, (part + 1) * kLeavesAPart);
-      for (std::size_t leaf = part * kLeavesAPart; leaf < end; ++leaf) find(leaf, found[part]);
+      for (std::size_t leaf = part * kLeavesAPart; leaf < end && !is_too_much(); ++leaf) {
+        find(leaf, found[part]);
+      }
     });
+    if (is_too_much()) return std::nullopt;
     std::vector<SpherePair> pairs;
     for (const auto& of_part : found) pairs.insert(pairs.end(), of_part.begin(), of_part.end());
     return pairs;
@@ -148,27 +154,34 @@ class Search {
 
  private:
   static constexpr std::size_t kLeavesAPart = 256;
+  // Of leaves, beside a hundred for each, where scenes need some twenty.
+  static constexpr std::size_t kMostComparisons = 1 << 17;
+  static constexpr std::size_t kMostPairs = 1 << 20;
+
+  /// Whether there is more to do than may be: sums that only grow, so that no thread's pace
+  /// decides.
+  bool is_too_much() const { return comparisons_ > most_comparisons_ || pairs_ > most_pairs_; }
 
   /// Those of one size, to a factor of 2, by themselves, along Morton's curve.
   void sort() {
     struct Entry {
       std::uint32_t key, sphere;
     };
-    const auto members = balls_.members();
+    const auto members = spheres_.indices();
     std::vector<Entry> entries(members.size());
     const auto enter = [&](std::size_t k) {
       constexpr int kMostSizes = 32;
       const std::uint32_t i = members[k];
       const int size =
-          std::clamp(-exponent_of(balls_.radius(i) / balls_.extent()), 0, kMostSizes - 1);
-      const Vec3 c = balls_.opening(i) / balls_.extent();
+          std::clamp(-exponent_of(spheres_.radius(i) / spheres_.extent()), 0, kMostSizes - 1);
+      const Vec3 c = spheres_.opening(i) / spheres_.extent();
       const std::uint32_t curve = spread(c.x) | spread(c.y) << 1 | spread(c.z) << 2;
       entries[k] = {static_cast<std::uint32_t>(size) << 27 | curve, i};
     };
     tbb::parallel_for(std::size_t{0}, members.size(), enter);
     tbb::parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
       if (a.key != b.key) return a.key < b.key;
-      const double of_a = balls_.radius(a.sphere), of_b = balls_.radius(b.sphere);
+      const double of_a = spheres_.radius(a.sphere), of_b = spheres_.radius(b.sphere);
       return of_a != of_b ? of_a < of_b : a.sphere < b.sphere;
     });
     order_.reserve(entries.size());
@@ -215,17 +228,18 @@ class Search {
   }
 
   Common common_of(std::uint32_t i) const {
-    Common common{.centers = {}, .least_radius = balls_.radius(i), .most_radius = balls_.radius(i)};
-    common.centers.add(balls_.opening(i), 0);
-    common.centers.add(balls_.closing(i), 0);
+    Common common{
+        .centers = {}, .least_radius = spheres_.radius(i), .most_radius = spheres_.radius(i)};
+    common.centers.add(spheres_.opening(i), 0);
+    common.centers.add(spheres_.closing(i), 0);
     return common;
   }
 
   /// Wider than the sphere by as much as it may be from another one that it touches.
   void add_sphere(Boxes& boxes, std::size_t place, std::uint32_t i) const {
-    const double radius = balls_.radius(i), unit = balls_.extent();
+    const double radius = spheres_.radius(i), unit = spheres_.extent();
     const double reach = (radius + gap_of_radius_ * radius + gap_) / unit + kFloatError;
-    const Vec3 a = balls_.opening(i) / unit, b = balls_.closing(i) / unit;
+    const Vec3 a = spheres_.opening(i) / unit, b = spheres_.closing(i) / unit;
     const std::array<std::array<double, 2>, 3> ends{{{a.x, b.x}, {a.y, b.y}, {a.z, b.z}}};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto [low, high] = std::minmax(ends[axis][0], ends[axis][1]);
@@ -235,7 +249,9 @@ class Search {
   }
 
   /// Pairs with a sphere of the leaf and one of it or of those behind it.
-  void find(std::size_t leaf, std::vector<SpherePair>& found) const {
+  void find(std::size_t leaf, std::vector<SpherePair>& found) {
+    const std::size_t before = found.size();
+    std::size_t comparisons = 0;
     Boxes around;
     around.add(0, levels_[0].boxes[leaf]);
     struct Waiting {
@@ -248,6 +264,7 @@ class Search {
       const Waiting now = stack[--waiting];
       if (now.level == 0) {
         compare(leaf, around, now.node, found);
+        ++comparisons;
         continue;
       }
       const Level& below = levels_[now.level - 1];
@@ -261,6 +278,8 @@ class Search {
         stack[waiting++] = {now.level - 1, child};
       }
     }
+    comparisons_ += comparisons;
+    pairs_ += found.size() - before;
   }
 
   void compare(std::size_t leaf, const Boxes& around, std::size_t other,
@@ -299,20 +318,21 @@ class Search {
         std::max(a.most_radius - b.least_radius, b.most_radius - a.least_radius);
     // Far more than rounding does to any of these.
     const double gap = std::max(gap_, gap_of_radius_ * std::max(a.most_radius, b.most_radius)) +
-                       kFloatError * balls_.extent();
+                       kFloatError * spheres_.extent();
     return (nearest <= most_sum + gap && farthest >= least_sum - gap) ||
            (nearest <= most_difference + gap && farthest >= least_difference - gap) ||
            nearest + least_difference <= spread_ + gap;
   }
 
   bool are_near(std::uint32_t a, std::uint32_t b) const {
-    const double of_a = balls_.radius(a), of_b = balls_.radius(b);
+    const double of_a = spheres_.radius(a), of_b = spheres_.radius(b);
     const double sum = of_a + of_b, difference = std::fabs(of_a - of_b);
     const double gap = std::max(gap_, gap_of_radius_ * std::max(of_a, of_b));
-    const Vec3 from = balls_.opening(a) - balls_.opening(b);
+    const Vec3 from = spheres_.opening(a) - spheres_.opening(b);
     double nearest = length(from), farthest = nearest;
-    if (balls_.are_moving()) {
-      const Vec3 to = balls_.closing(a) - balls_.closing(b), way = to - from;
+    if (spheres_.are_moving()) {
+      const Vec3 to = spheres_.closing(a) - spheres_.closing(b), way = to - from;
+      if (length(way) * kBriefly > std::max(gap, spread_)) return false;
       farthest = std::max(nearest, length(to));
       nearest = length(from + way * nearest_moment(from, way));
     }
@@ -325,19 +345,22 @@ class Search {
 
   static constexpr std::size_t kMostLevels = 9;  // of 2^32 spheres
 
-  const Balls& balls_;
+  const Members& spheres_;
   double gap_, gap_of_radius_, spread_;
   std::vector<std::uint32_t> order_;
   std::vector<Level> levels_;
+  std::atomic<std::size_t> comparisons_ = 0, pairs_ = 0;  // so far
+  std::size_t most_comparisons_ = 0, most_pairs_ = 0;
 };
 
 }  // namespace
 
-std::vector<SpherePair> find_near_pairs(const Scene& scene, Vec3 camera, const Nearness& nearness,
-                                        std::span<const std::uint32_t> left_out) {
-  const Balls balls(scene, camera, left_out);
-  const auto members = balls.members();
-  if (members.size() > kFewSpheres) return Search(balls, nearness).run();
+std::optional<std::vector<SpherePair>> find_near_pairs(const Scene& scene, Vec3 camera,
+                                                       const Nearness& nearness,
+                                                       std::span<const std::uint32_t> left_out) {
+  const Members spheres(scene, camera, left_out);
+  const auto members = spheres.indices();
+  if (members.size() > kFewSpheres) return Search(spheres, nearness).run();
   std::vector<SpherePair> pairs;
   for (std::size_t k = 0; k < members.size(); ++k) {
     for (std::size_t l = k + 1; l < members.size(); ++l) pairs.push_back({members[k], members[l]});

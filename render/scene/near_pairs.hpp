@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,15 +29,20 @@ struct SpherePair {
 /// Of so few spheres all pairs are looked at.
 inline constexpr std::size_t kFewSpheres = 600;
 
-/// All pairs of spheres that touch, from outside or one within the other, or nearly coincide, at
-/// any time while the shutter is open; of no more than kFewSpheres all pairs whatever. Spheres of
-/// radius 0 and those `left_out` (few) are in none of them, and do not count for E. Each pair
-/// once, in an order that depends on the scene alone.
+/// Spheres that are near each other for less than such a part of the shutter pass each other.
+inline constexpr double kBriefly = 1.0 / 100;
+
+/// All pairs of spheres that touch, from outside or one within the other, or nearly coincide, for
+/// more than about a hundredth of the time that the shutter is open; of no more than kFewSpheres
+/// all pairs whatever. Spheres of radius 0 and those `left_out` (few) are in none of them, and do
+/// not count for E. Each pair once, in an order that depends on the scene alone. Nothing where so
+/// many spheres heap up in one place that it would take too long.
 ///
 /// Spheres are sorted along a curve through space, those of one size by themselves, in leaves of
-/// sixteen, and each leaf is held against the boxes of the others: O(n log n) time for spheres that
-/// do not heap up, some 30 bytes a sphere. Works on all threads of the calling arena.
-std::vector<SpherePair> find_near_pairs(const Scene& scene, Vec3 camera, const Nearness& nearness,
-                                        std::span<const std::uint32_t> left_out = {});
+/// sixteen, and each leaf is held against the boxes of the others: O(n log n) time, some 30 bytes a
+/// sphere beside the result. Works on all threads of the calling arena.
+std::optional<std::vector<SpherePair>> find_near_pairs(
+    const Scene& scene, Vec3 camera, const Nearness& nearness,
+    std::span<const std::uint32_t> left_out = {});
 
 }  // namespace sdlc::render

@@ -20,10 +20,8 @@ constexpr double kTouching = 0x1p-40;  // of the larger radius: as good as no ga
 // In units of rounding, times an extent.
 constexpr double kHitError = 25;       // of a hit: the 99th percentile
 constexpr double kAcrossError = 2;     // across the view
-constexpr double kLeastGap = 4;        // between surfaces that do not meet
+constexpr double kReturnError = 2;     // of what comes back from the far side of a sphere
 constexpr double kLeastSpread = 2000;  // where those that meet are farthest apart
-
-constexpr double kBriefly = 100;  // parts of the shutter
 
 constexpr double kPartOfRadius = 1.0 / 100;  // allowed for the error of a hit
 constexpr double kPartOfPixel = 1.0 / 16;
@@ -115,6 +113,12 @@ class Judge {
       hit.value = ratio(kHitError * limits_.unit * extent, radius);
       hit.sphere = smallest;
       hit.other = farthest;
+      for (const std::uint32_t i : exact) {
+        const double value = ratio(kReturnError * limits_.unit * view_.extent(i), radius);
+        if (value <= hit.value || !sends_back(i)) continue;
+        hit.value = value;
+        hit.other = i;
+      }
       for (std::uint32_t i = 0; i < view_.count(); ++i) {
         if (view_.is_seen(i) && !is_exact(i)) judge_distance(i, kAcrossError * extent, bounds);
       }
@@ -123,8 +127,8 @@ class Judge {
     }
     hit.share = hit.value / kPartOfRadius;
     // Of many spheres only where all depends on them.
-    bounds.has_gaps = view_.count() <= kFewSpheres || bounds.is_accepted();
-    if (bounds.has_gaps) judge_gaps(exact, bounds);
+    bounds.has_gaps =
+        (view_.count() <= kFewSpheres || bounds.is_accepted()) && judge_gaps(exact, bounds);
     return bounds;
   }
 
@@ -207,7 +211,20 @@ class Judge {
     return of_a != of_b ? of_a > of_b : a < b;
   }
 
-  void judge_gaps(std::span<const std::uint32_t> exact, PrecisionBounds& bounds) const {
+  /// Whether paths come back from the far side of a sphere, which may gather them: those within it.
+  bool sends_back(std::uint32_t i) const {
+    const Material& material = scene_.materials[scene_.spheres[i].material];
+    if (material.type == MaterialType::Transmissive) return true;
+    if (material.type == MaterialType::Emissive || material.type == MaterialType::Unlit) {
+      return false;
+    }
+    const std::optional<double> distance = view_.distance(i);
+    const Vec3 from = view_.opening(i), way = view_.closing(i) - from;
+    return !distance || moderate_length(from + way * nearest_moment(from, way)) < view_.radius(i);
+  }
+
+  /// Whether it can be told; if not, float is not accepted.
+  bool judge_gaps(std::span<const std::uint32_t> exact, PrecisionBounds& bounds) const {
     PrecisionBound& narrowest = bounds[PrecisionClause::Gap];
     narrowest.value = kInfinity;
     narrowest.limit = limits_.least_gap;
@@ -217,12 +234,18 @@ class Judge {
     const auto judge = [&](std::uint32_t a, std::uint32_t b) {
       is_larger(a, b) ? judge_gap(a, b, exact, narrowest) : judge_gap(b, a, exact, narrowest);
     };
-    for (const auto& [a, b] : find_near_pairs(scene_, camera_.from, nearness, exact)) judge(a, b);
+    const auto pairs = find_near_pairs(scene_, camera_.from, nearness, exact);
+    if (!pairs) {
+      if (limits_.least_gap > 0) narrowest.share = kInfinity;
+      return false;
+    }
+    for (const auto& [a, b] : *pairs) judge(a, b);
     for (std::uint32_t i = 0; i < view_.count(); ++i) {
       for (const std::uint32_t k : exact) {
         if (view_.is_seen(i) && (!contains(exact, i) || i < k)) judge(i, k);
       }
     }
+    return true;
   }
 
   static bool contains(std::span<const std::uint32_t> spheres, std::uint32_t i) {
@@ -248,7 +271,7 @@ class Judge {
     for (std::size_t i = 0; i < (movement > 0 ? moments.size() : 1); ++i) {
       const double apart = moderate_length(from + way * moments[i]);
       const Gap gap = narrowest_gap(radius, view_.radius(small), apart, of_radius, error);
-      if (kBriefly * gap.least <= movement) continue;
+      if (gap.least <= kBriefly * movement) continue;
       if (gap.least / gap.width <= narrowest.share) continue;
       narrowest = {.value = gap.width / radius,
                    .share = gap.least / gap.width,
@@ -387,6 +410,7 @@ std::string describe(PrecisionClause clause, const PrecisionBound& bound) {
     case PrecisionClause::Pixel:
       return "a pixel is " + value + " units of rounding wide, where " + limit + " are needed";
     case PrecisionClause::Gap:
+      if (!bound.sphere) return "too many spheres overlap to look for gaps between them";
       return "two surfaces are " + value + " of the larger radius apart, where " + limit +
              " is needed";
     case PrecisionClause::View:

@@ -12,11 +12,14 @@
 
 namespace sdlc::render {
 
-/// The numbers that paths are computed in. Mixed: float, with distances to the largest spheres in
-/// double.
+/// The numbers that paths are computed in. Mixed: float, but the largest spheres are met in double.
 enum class Precision : std::uint8_t { Float, Mixed, Double };
 
 std::string_view name_of(Precision precision) noexcept;
+
+/// Surfaces that do not meet are to be so many units of rounding times their extent apart, so that
+/// each point stays on its side.
+inline constexpr double kLeastGap = 4;
 
 /// Half the distance from 1 to the next number: 2^-24 or, in double, 2^-53.
 double unit_of_rounding(Precision precision) noexcept;
@@ -87,8 +90,9 @@ struct FloatVerdict {
   PrecisionBounds bounds;    ///< on that condition; without one the same
 };
 
-/// Judges by those bounds. The `most_exact` largest spheres may break them if distances to them are
-/// in double; points on them are to be right to 1/100 of the least other radius, and 4 pixels.
+/// Judges by those bounds. The `most_exact` largest spheres may break them if they are met in
+/// double: points on them are then off by u of their own distance to the camera. From inside one,
+/// where paths come back from its far side, that is to be right to 1/100 of the least other radius.
 FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                          std::size_t most_exact = kMostExactSpheres);
 

@@ -12,14 +12,15 @@
 namespace sdlc::render {
 namespace {
 
-// Of a point's distance to another surface, in units of rounding times an extent, at most.
-constexpr double kPointError = 4;
+// What is nested in a sphere that shrinks has to follow, and what is nested in that: contacts are
+// looked for up to so many times the gap that there is to be.
+constexpr double kReach = 32;
 constexpr double kMostOfRadius = 1.0 / 64;
 
-/// Of two spheres that touch.
+/// Two spheres that are apart, as near to each other as they come.
 struct Contact {
   std::uint32_t large, small;
-  double apart;      // the centres, when the surfaces are nearest
+  double apart;      // the centres
   bool is_inside;    // the small one, in the large one
   double least_gap;  // that there is to be
 };
@@ -30,7 +31,7 @@ class Parting {
       : scene_(scene), unit_(unit), exact_(exact) {}
 
   void run() {
-    find_contacts();
+    if (!find_contacts()) return;
     // Each sphere after all that are larger: those have their own radius by then.
     std::sort(contacts_.begin(), contacts_.end(), [&](const Contact& a, const Contact& b) {
       return a.small != b.small ? is_larger(a.small, b.small) : is_larger(a.large, b.large);
@@ -44,29 +45,34 @@ class Parting {
   }
 
  private:
-  void find_contacts() {
-    const Nearness nearness{.gap_of_extent = kPointError * unit_};
-    for (const auto& [a, b] : find_near_pairs(scene_, {}, nearness, exact_)) add_contacts(a, b);
+  bool find_contacts() {
+    const Nearness nearness{.gap_of_extent = kReach * kLeastGap * unit_};
+    const auto pairs = find_near_pairs(scene_, {}, nearness, exact_);
+    if (!pairs) return false;
+    for (const auto& [a, b] : *pairs) add_contacts(a, b);
     for (std::uint32_t i = 0; i < scene_.spheres.size(); ++i) {
       for (const std::uint32_t exact : exact_) {
         if (!is_exact(i) || i < exact) add_contacts(i, exact);
       }
     }
+    return true;
   }
 
   void add_contacts(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t large = is_larger(a, b) ? a : b, small = is_larger(a, b) ? b : a;
-    const double least_gap = kPointError * unit_ * extent(large, small);
     const Vec3 from = opening(large) - opening(small);
     const Vec3 way = closing(large) - closing(small) - from;
     const double nearest = length(from + way * nearest_moment(from, way));
     const double farthest = std::max(length(from), length(from + way));
-    if (std::fabs(nearest - radius(large) - radius(small)) < least_gap) {
-      contacts_.push_back({large, small, nearest, false, least_gap});
-    }
-    if (std::fabs(radius(large) - radius(small) - farthest) < least_gap) {
-      contacts_.push_back({large, small, farthest, true, least_gap});
-    }
+    const auto add = [&](double apart, bool is_inside) {
+      const double least = least_gap(large, small, is_inside);
+      const double gap =
+          is_inside ? radius(large) - radius(small) - apart : apart - radius(large) - radius(small);
+      if (gap <= -least || gap >= kReach * least || kBriefly * length(way) > least) return;
+      contacts_.push_back({large, small, apart, is_inside, least});
+    };
+    add(nearest, false);
+    add(farthest, true);
   }
 
   void shrink(std::uint32_t small, std::span<const Contact> contacts) {
@@ -96,10 +102,24 @@ class Parting {
   double extent(std::uint32_t i) const {
     return std::max(length(opening(i)), length(closing(i))) + radius(i);
   }
-  /// Where the two are near each other, how far that is from the camera at most.
-  double extent(std::uint32_t a, std::uint32_t b) const {
-    if (is_exact(a) != is_exact(b)) return extent(is_exact(a) ? b : a);
-    return std::max(extent(a), extent(b));
+
+  /// Twice what points on the two are off, where they are near each other.
+  double least_gap(std::uint32_t large, std::uint32_t small, bool is_inside) const {
+    const double unit = kLeastGap * unit_;
+    if (!is_exact(large) && !is_exact(small)) {
+      return unit * std::max(extent(large), extent(small));
+    }
+    if (!is_exact(large)) return unit * extent(large);
+    if (!is_exact(small)) return unit * extent(small);
+    // Both are met in double: a point at a distance s from the contact, which is at c, is off by a
+    // unit of |c| + s, and the surfaces are s² / 2R apart there, 1/R the sum or difference of the
+    // curvatures. From where that is more on, points are right.
+    const Vec3 to_small = opening(small) - opening(large);
+    const Vec3 contact = opening(large) + to_small * (radius(large) / length(to_small));
+    const double curvature = 1 / radius(small) + (is_inside ? -1 : 1) / radius(large);
+    const double c = length(contact), ur = unit * (curvature > 0 ? 1 / curvature : 1 / unit);
+    return unit *
+           std::min(c + ur + std::sqrt(ur * (ur + 2 * c)), std::max(extent(large), extent(small)));
   }
 
   Scene& scene_;

@@ -9,13 +9,15 @@
 namespace sdlc::render {
 
 /// Parts spheres that touch, from outside or one inside the other: shrinks the smaller one of each
-/// two whose surfaces come nearer than the points on them are off, until they are as far apart.
-/// Around a contact a point on one could else be taken for one beyond the other, and a path that
-/// goes on from there would be lost. What is parted moves by less than a hit is off.
+/// two whose surfaces come nearer than kLeastGap units of rounding times their extent, twice what
+/// points on them are off, until they are as far apart. Around a contact a point on one could else
+/// be taken for one beyond the other, and a path that goes on from there would be lost. What lies
+/// in a sphere that shrinks follows it.
 ///
 /// `scene` is rebased. `exact`: the spheres that are met in double beside others in float, and on
-/// which points are off no more than they are on those. Nothing happens to a sphere that the camera
-/// stands on, nor to one that would lose more than 1/64 of its radius. O(n log n) time.
+/// which points are off no more than they are on those. Left as they are: spheres that the camera
+/// stands on, that would lose more than 1/64 of their radius, or that pass others while the shutter
+/// is open; and all where too many overlap to be looked at. O(n log n) time.
 void part_touching(Scene& scene, Precision precision, std::span<const std::uint32_t> exact = {});
 
 }  // namespace sdlc::render

@@ -6,6 +6,7 @@
 
 #include <tbb/global_control.h>
 
+#include "render/bvh/bvh.hpp"
 #include "render/scene/camera_surface.hpp"
 #include "render/scene/precision.hpp"
 #include "render/tiles/threads.hpp"
@@ -139,6 +140,15 @@ Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
     return refused(std::string(flag) + ": not with the wide kernel: " + objection);
   }
   return wide_kernel_for(scene, settings, request);
+}
+
+std::size_t estimated_bytes(const Kernel& kernel, const Scene& scene) noexcept {
+  if (kernel.kind == KernelKind::Scalar) {
+    return Bvh::estimated_bytes(scene.spheres.size(), !scene.shifts.empty());
+  }
+  const Search search = kernel.kind == KernelKind::Bvh ? Search::Bvh : Search::All;
+  return kernel.precision == Precision::Double ? WideScene<double>::estimated_bytes(scene, search)
+                                               : WideScene<float>::estimated_bytes(scene, search);
 }
 
 }  // namespace sdlc::render

@@ -52,4 +52,8 @@ std::string_view name_of(KernelKind kind) noexcept;
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request = {});
 
+/// What the hierarchy and the tables that the kernel reads take in memory, to a factor of 2,
+/// without building anything.
+std::size_t estimated_bytes(const Kernel& kernel, const Scene& scene) noexcept;
+
 }  // namespace sdlc::render

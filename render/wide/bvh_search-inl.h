@@ -146,10 +146,10 @@ class BvhSearch {
 
  private:
   /// Where a box may begin of which a sphere was met at `t`: a grazing hit on a sphere of radius r
-  /// is off by up to √(2u) r along the ray, r ≤ 2, and one from far away by a part of t.
+  /// is off by up to √(2u (t + r) r) along the ray, r ≤ 2, which is less.
   static HWY_INLINE T at_most(T t) {
     constexpr T kGrazing = sizeof(T) == 4 ? 0x1p-10 : 0x1p-25;
-    return t * (1 + kRelativeError) + kGrazing;
+    return t * (1 + kGrazing) + kGrazing;
   }
 
   using D = hn::CappedTag<T, kBvhWidth>;

@@ -137,7 +137,7 @@ void WidePaths<T, F>::finish_blocks(Mask finished) {
   }
 }
 
-/// The nearest sphere, of several at one distance the first. Each is met at t > 0, the one that the
+/// The nearest sphere, of several at one distance the first. Each is met at t ≥ 0, the one that the
 /// path `departed` from at `rehit`, where that is positive.
 template <typename T, typename F>
 auto WidePaths<T, F>::intersect(Triple<V> origin, Triple<V> direction, V time, Bits departed,

@@ -143,6 +143,19 @@ std::size_t WideScene<T>::memory_bytes() const noexcept {
   return bytes;
 }
 
+template <typename T>
+std::size_t WideScene<T>::estimated_bytes(const Scene& scene, Search search) noexcept {
+  const std::size_t of_motion = scene.shifts.empty() ? 0 : 3 * sizeof(T);
+  const std::size_t of_sphere = 5 * sizeof(T) + of_motion;  // centre, radius and its square
+  const std::size_t of_material = 6 * sizeof(T) + sizeof(Index);
+  if (search == Search::All) return scene.spheres.size() * (of_sphere + of_material);
+  // A tenth of the slots stays empty, and a quarter of the children of nodes.
+  const std::size_t slots = scene.spheres.size() / 9 * 10 + kBvhWidth;
+  const std::size_t nodes = slots / kBvhWidth / 12 + 1;
+  return slots * (of_sphere + sizeof(Index) + sizeof(std::uint32_t)) +
+         scene.materials.size() * of_material + nodes * sizeof(typename WideBvh<T>::Node);
+}
+
 // The inverse of a tiny index is none that numbers can hold; all is reflected either way.
 constexpr double kLargestIndex = 1e300;
 

@@ -124,6 +124,8 @@ struct WideScene {
   Triple camera_normal{};
 
   std::size_t memory_bytes() const noexcept;
+  /// What memory_bytes() will be, without building anything, to a factor of 2.
+  static std::size_t estimated_bytes(const Scene& scene, Search search) noexcept;
 
  private:
   void add_spheres(const Scene& scene, std::span<const std::uint32_t> order);

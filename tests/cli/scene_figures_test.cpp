@@ -87,7 +87,7 @@ TEST(EstimateMemory, AddsUpWhatGrowsWithTheSpheres) {
   render::Scene scene = three_spheres();
   scene.spheres.resize(3000);
   scene.shifts.resize(3000);
-  const MemoryFigures memory = estimate_memory(scene, {.width = 100, .height = 50});
+  const MemoryFigures memory = estimate_memory(scene, {.width = 100, .height = 50}, {});
   EXPECT_EQ(memory.spheres, 3000 * sizeof(render::Sphere));
   EXPECT_EQ(memory.motion, 3000 * sizeof(Vec3));
   EXPECT_EQ(memory.materials, 4 * sizeof(render::Material));

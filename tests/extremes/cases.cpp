@@ -438,6 +438,22 @@ ExtremeCase contacts() {
   return all;
 }
 
+// All that leaves the middle of a huge mirror comes back to it.
+ExtremeCase gathering_mirror() {
+  ExtremeCase all{"camera and lamp beside the middle of a huge mirror: the lamp's light", {}};
+  for (const double radius : {1e3, 1e5, 1e6}) {
+    for (const double lamp : {0.05, 0.005}) {
+      Scene scene = beam({1, 0, 0}, {2, 0, 0}, kBlack);
+      scene.camera.plane_height = 2e-4;
+      add_sphere(scene, {0, 0, 0}, radius, specular(LinearRgb{0.8}, 0));
+      add_sphere(scene, {-1, 0, 0}, lamp, emissive(kWhite, 0.5));
+      all.variants.push_back({fmt::format("mirror of {:g}, lamp of {:g}", radius, lamp), scene, 2,
+                              LinearRgb{0.4}, 16});
+    }
+  }
+  return all;
+}
+
 ExtremeCase on_a_surface() {
   ExtremeCase all{"camera on the surface looking out: the sky; looking in: the far side", {}};
   for (const double radius : {1e-12, 1e-6, 1.0, 6.371e6, 1e12}) {
@@ -571,6 +587,7 @@ const std::vector<ExtremeCase>& extreme_cases() {
                                             many_spheres(),
                                             white_glass(),
                                             contacts(),
+                                            gathering_mirror(),
                                             on_a_surface(),
                                             on_several_surfaces(),
                                             radius_zero(),

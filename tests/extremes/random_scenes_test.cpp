@@ -163,6 +163,12 @@ TEST(RandomScenes, LookTheSameInAllKernelsThatTakeThem) {
     }
   }
   for (const auto& [form, count] : traced) RecordProperty(form, count);
+  for (const Form& form : all_forms()) {
+    if (form.kind == render::KernelKind::Scalar) continue;
+    const bool is_double = form.precision == render::Precision::Double;
+    EXPECT_GT(traced[name_of(form) + (is_double ? " double" : " mixed")], 0) << name_of(form);
+    EXPECT_TRUE(is_double || traced[name_of(form) + " float"] > 0) << name_of(form);
+  }
   if (std::getenv("SDLC_SCENES") != nullptr) {
     for (const auto& [form, count] : traced) std::printf("%s: %d\n", form.c_str(), count);
   }

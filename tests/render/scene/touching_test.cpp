@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/statistics/random.hpp"
+
 namespace sdlc::render {
 namespace {
 
@@ -69,22 +71,77 @@ TEST_F(Touching, PartsAChainOfSpheresWithinSpheres) {
   EXPECT_DOUBLE_EQ(radii[2], 0.2 - 2 * apart(0.8));
 }
 
-// From (1, 1) to (−1, 1) beside one at the origin it comes as near as 1 at half time.
-TEST_F(Touching, PartsWhatTouchesWhileTheShutterIsOpen) {
-  add({0, 0, 0}, 0.7);
-  add({1, 1, 0}, 0.3, {-2, 0, 0});
-  const double extent = std::sqrt(2) + 0.3;
-  EXPECT_DOUBLE_EQ(parted()[1], 0.3 - apart(extent));
-  scene_.shifts[1] = {-0.5, 0, 0};  // not yet there
-  EXPECT_EQ(parted()[1], 0.3);
-  scene_.shifts = {{0.5, 0, 0}, {0.5, 0, 0}};  // both go the same way
-  EXPECT_EQ(parted()[1], 0.3);
+TEST_F(Touching, PartsWhatGoesTogether) {
+  add({0, 0, 0}, 0.75, {0.5, 0, 0});
+  add({0, 1, 0}, 0.25, {0.5, 0, 0});
+  EXPECT_DOUBLE_EQ(parted()[1], 0.25 - apart(std::hypot(0.5, 1) + 0.25));
+  scene_.shifts[1] = {-0.5, 0, 0};  // past the other one
+  EXPECT_EQ(parted()[1], 0.25);
+  scene_.shifts.clear();
+  EXPECT_DOUBLE_EQ(parted()[1], 0.25 - apart(1.25));
+}
+
+// The second one shrinks by up to two gaps, and would cut into what is nearer to it than that.
+TEST_F(Touching, ShrinksWhatIsInASphereThatShrinks) {
+  add({0, 0, 0}, 1);
+  add({0, 0, -1.5}, 0.5);
+  add({0, 0, -1.5}, 0.5 - 1.5 * apart(2));
+  const auto radii = parted();
+  EXPECT_DOUBLE_EQ(radii[1], 0.5 - apart(2));
+  EXPECT_DOUBLE_EQ(radii[2], 0.5 - 2 * apart(2));
+}
+
+// However large two are that are met in double, points near the camera are right there.
+TEST_F(Touching, PartsTwoThatAreMetInDoubleByWhereTheyTouch) {
+  add({0, 0, -1024}, 1024 - 1);
+  add({0, 0, -2048}, 2048 - 1);
+  const auto radii = parted(Precision::Float, {0, 1});
+  EXPECT_EQ(radii[1], 2047);
+  EXPECT_GT(radii[0], 1023 - 4 * kUnit * 2);
+  EXPECT_LT(radii[0], 1023 - 4 * kUnit);
+}
+
+// No pair comes nearer than it may, and none that was apart, or one in the other, no longer is.
+TEST_F(Touching, KeepsWhatIsInWhat) {
+  test::Random random(3);
+  for (int scene = 0; scene < 200; ++scene) {
+    scene_ = {};
+    // Each new one touches an earlier one from outside or inside, or nearly does.
+    add({0, 0, 0}, 0.5);
+    for (int i = 1; i < 30; ++i) {
+      const Sphere& other =
+          scene_.spheres[static_cast<std::size_t>(random.between(0, static_cast<double>(i)))];
+      const double radius = other.radius * random.between(0.5, 1);
+      const double gap = apart(1) * random.between(-0.9, 3);
+      const double distance =
+          random.between(0, 1) < 0.5 ? other.radius - radius - gap : other.radius + radius + gap;
+      add(other.center + random.direction() * distance, radius);
+    }
+    double extent = 0;
+    for (const Sphere& s : scene_.spheres) extent = std::max(extent, length(s.center) + s.radius);
+    const auto radii = parted();
+    for (std::size_t a = 0; a < radii.size(); ++a) {
+      for (std::size_t b = 0; b < radii.size(); ++b) {
+        const Sphere &s = scene_.spheres[a], &t = scene_.spheres[b];
+        if (a == b || s.radius < t.radius) continue;
+        const double distance = length(s.center - t.center);
+        const double least =
+            0.99 * apart(std::max(length(s.center) + s.radius, length(t.center) + t.radius));
+        if (distance - s.radius - t.radius > -least) {
+          EXPECT_GT(distance - radii[a] - radii[b], least) << scene << ": " << a << ", " << b;
+        }
+        if (s.radius - t.radius - distance > -least) {
+          EXPECT_GT(radii[a] - radii[b] - distance, least) << scene << ": " << a << ", " << b;
+        }
+      }
+    }
+  }
 }
 
 TEST_F(Touching, LeavesASphereThatTheCameraStandsOn) {
-  add({0, 0, -0.1}, 0.1);
-  add({0, 0, -0.7}, 0.5);
-  EXPECT_EQ(parted()[0], 0.1);
+  add({0, 0, -0.125}, 0.125);
+  add({0, 0, -0.75}, 0.5);
+  EXPECT_EQ(parted()[0], 0.125);
 }
 
 TEST_F(Touching, LeavesASphereThatWouldLoseMoreThanItsSixtyFourth) {
