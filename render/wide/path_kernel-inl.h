@@ -66,10 +66,6 @@ class WidePaths {
     V t;         // infinite where nothing was hit
     Bits index;  // of the sphere; 0 there
   };
-  /// Of the spheres that are met in double the nearest one: where, and the normal there, outward.
-  struct PointInDouble {
-    Triple<V> place, normal;
-  };
 
   static HWY_INLINE V set(double v) { return hn::Set(D(), static_cast<T>(v)); }
   static HWY_INLINE Bits word(std::uint32_t v) { return hn::Set(DU(), v); }
@@ -77,12 +73,12 @@ class WidePaths {
   HWY_INLINE void start_block(std::size_t lane);
   HWY_INLINE void finish_blocks(Mask finished);
   HWY_INLINE Nearest intersect(Triple<V> origin, Triple<V> direction, V time, Bits departed,
-                               V rehit, Mask alive, PointInDouble& point) const;
+                               V rehit, Mask alive) const;
   template <bool kAsks>
   HWY_INLINE void intersect_tables(Triple<V> origin, Triple<V> direction, V time, Bits departed,
                                    V rehit, Nearest& nearest) const;
   void intersect_exact(Triple<V> origin, Triple<V> direction, V time, Bits departed, V rehit,
-                       Nearest& nearest, PointInDouble& point) const;
+                       Nearest& nearest) const;
   void intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed, Mask alive,
                      Nearest& nearest) const;
   HWY_INLINE TableReader<D> material_reader(const TableReader<D>& read) const {
@@ -141,7 +137,7 @@ void WidePaths<T, F>::finish_blocks(Mask finished) {
 /// path `departed` from at `rehit`, where that is positive.
 template <typename T, typename F>
 auto WidePaths<T, F>::intersect(Triple<V> origin, Triple<V> direction, V time, Bits departed,
-                                V rehit, Mask alive, PointInDouble& point) const -> Nearest {
+                                V rehit, Mask alive) const -> Nearest {
   // Where spheres are few, some lane nearly always hits, and to ask costs 3 %; of 87 spheres
   // most are missed by all lanes, and to ask saves 25 to 35 %. The result is the same.
   constexpr std::size_t kFew = 16;
@@ -160,7 +156,7 @@ auto WidePaths<T, F>::intersect(Triple<V> origin, Triple<V> direction, V time, B
     take_if_nearer(hn::IfThenElse(has_left, rehit, set(-1)), departed, nearest);
   }
   if constexpr (F::kExactSpheres) {
-    intersect_exact(origin, direction, time, departed, rehit, nearest, point);
+    intersect_exact(origin, direction, time, departed, rehit, nearest);
   }
   if constexpr (F::kBvh) {
     intersect_bvh(origin, direction, time, departed, alive, nearest);
@@ -235,7 +231,7 @@ void WidePaths<T, F>::take_if_nearer(V t, Bits index, Nearest& nearest) {
 /// that the path departed from is met again where the ray leaves it, if `rehit` is not negative.
 template <typename T, typename F>
 void WidePaths<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction, V time, Bits departed,
-                                      V rehit, Nearest& nearest, PointInDouble& point) const {
+                                      V rehit, Nearest& nearest) const {
   const D d;
   const hn::Half<D> dh;
   const hn::Repartition<double, D> dd;
@@ -299,26 +295,7 @@ void WidePaths<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction, V t
     }
     const V distance = narrow({hn::Mul(t[0], to_unit[0]), hn::Mul(t[1], to_unit[1])});
     const Mask stays_outside = hn::AndNot(is_inside, is_departed);
-    const V before = nearest.t;
     take_if_nearer(hn::IfThenElse(stays_outside, set(-1), distance), index, nearest);
-
-    std::array<Triple<Wide>, 2> places, normals;
-    for (std::size_t half = 0; half < 2; ++half) {
-      places[half] = plus_scaled(origins[half], directions[half], t[half]);
-      normals[half] = scaled(minus_scaled(to_centers[half], directions[half], t[half]),
-                             hn::Set(dd, -sphere.inverse_radius));
-    }
-    const auto joined = [&](const std::array<Triple<Wide>, 2>& v) HWY_ATTR {
-      return Triple<V>{narrow({v[0].x, v[1].x}), narrow({v[0].y, v[1].y}),
-                       narrow({v[0].z, v[1].z})};
-    };
-    if (i == 0) {  // where it is not the nearest, nobody asks
-      point = {joined(places), joined(normals)};
-    } else {
-      const Mask is_nearest = hn::Lt(nearest.t, before);
-      point.place = choose(is_nearest, joined(places), point.place);
-      point.normal = choose(is_nearest, joined(normals), point.normal);
-    }
   }
 }
 
@@ -431,8 +408,7 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     const V inwards = dot(direction, normal);
     const V rehit = hn::IfThenElse(hn::Lt(inwards, zero),
                                    hn::Mul(hn::Mul(set(-2), inwards), radius), hn::Neg(one));
-    PointInDouble point{origin, normal};
-    const Nearest nearest = intersect(origin, direction, time, departed, rehit, alive, point);
+    const Nearest nearest = intersect(origin, direction, time, departed, rehit, alive);
     counts.rays += hn::CountTrue(d, alive);
 
     const Mask hit = hn::Lt(nearest.t, infinity);
@@ -453,9 +429,6 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     Triple<V> outward =
         choose(is_rehit, minus_scaled(normal, direction, hn::Add(inwards, inwards)), from_center);
     outward = scaled(outward, hn::Div(one, hn::Sqrt(dot(outward, outward))));
-    const Mask is_approximate = hn::RebindMask(
-        d, hn::Lt(nearest.index, word(static_cast<std::uint32_t>(scene_.first_exact))));
-    if constexpr (F::kExactSpheres) outward = choose(is_approximate, outward, point.normal);
     const V cosine = dot(direction, outward);
 
     Mask absorbed = hn::MaskFromVec(hn::Zero(d));
@@ -464,8 +437,13 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
             .scatter(direction, outward, cosine, surface, LaneSampler<D>(stream, mixer), absorbed);
     stream = add_low_32(stream, word(kVertexStep));
     radius = read(scene_.radius);
+    // But on one met in double from the ray, whose distance to it is right: its size cancels.
+    const Triple<V> on_ray = plus_scaled(origin, direction, nearest.t);
     origin = plus_scaled(center, outward, radius);
-    if constexpr (F::kExactSpheres) origin = choose(is_approximate, origin, point.place);
+    if constexpr (F::kExactSpheres) {
+      const auto first_exact = word(static_cast<std::uint32_t>(scene_.first_exact));
+      origin = choose(hn::RebindMask(d, hn::Lt(nearest.index, first_exact)), origin, on_ray);
+    }
     normal = outward;
     departed = nearest.index;
 

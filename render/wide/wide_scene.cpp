@@ -119,8 +119,7 @@ void WideScene<T>::add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves
   if (slot >= first_exact && slot < slots) {
     exact[slot - first_exact] = {.center = {sphere.center.x, sphere.center.y, sphere.center.z},
                                  .shift = {moves.x, moves.y, moves.z},
-                                 .radius_squared = sphere.radius * sphere.radius,
-                                 .inverse_radius = 1 / sphere.radius};
+                                 .radius_squared = sphere.radius * sphere.radius};
   }
   if (has_camera_on_it(sphere, moves)) {
     camera_sphere = static_cast<std::uint32_t>(slot);

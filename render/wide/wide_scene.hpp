@@ -108,7 +108,7 @@ struct WideScene {
   std::size_t exact_spheres = 0;
   struct Exact {
     std::array<double, 3> center{}, shift{};
-    double radius_squared = 0, inverse_radius = 0;
+    double radius_squared = 0;
   };
   std::array<Exact, kMostExactSpheres> exact{};
 
