@@ -22,6 +22,8 @@ Environment process_environment(const lang::FileSystem& files);
 /// Resident memory of this process in bytes, now and at its highest; 0 where it cannot be told.
 std::size_t resident_bytes();
 std::size_t peak_resident_bytes();
+/// Gives back to the system what was freed, where the C library keeps it.
+void release_freed_memory();
 /// Physical memory of the machine in bytes.
 std::size_t physical_memory_bytes();
 

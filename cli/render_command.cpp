@@ -131,6 +131,9 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
                            Environment& env) {
   render::RenderMonitor monitor;
   monitor.on_tracing = [&] {
+    // Of ten million spheres, what was compiled and what the hierarchy was built from leave 140 MB
+    // behind, as long as the tracing takes.
+    release_freed_memory();
     statistics.render_rss_bytes = resident_bytes();  // before the codec adds its own
     render::preload_image_codec();
   };

@@ -213,8 +213,9 @@ class BvhSearch {
       }
       const Triple<V> to_center = minus(center, origin);
       const V middle = dot(to_center, direction);
-      const V radius_squared = hn::Load(d, scene_.radius_squared.data() + slot);
-      const V discriminant = chord_discriminant(to_center, direction, middle, radius_squared);
+      const V radius = hn::Load(d, scene_.radius.data() + slot);
+      const V discriminant =
+          chord_discriminant(to_center, direction, middle, hn::Mul(radius, radius));
       if (hn::AllFalse(d, hn::Ge(discriminant, hn::Zero(d)))) continue;
       const V half_chord = hn::Sqrt(discriminant);
       const V enters = hn::Sub(middle, half_chord), leaves = hn::Add(middle, half_chord);

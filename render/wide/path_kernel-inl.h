@@ -85,6 +85,10 @@ class WidePaths {
     if constexpr (F::kBvh) return {read(scene_.material), scene_.materials};
     return read;
   }
+  HWY_INLINE TableReader<D> optics_reader(const TableReader<D>& read_material) const {
+    if constexpr (F::kBvh) return {read_material(scene_.optics), scene_.optics_rows};
+    return read_material;
+  }
   static HWY_INLINE V first_from_zero(V enters, V leaves);
   static HWY_INLINE void take_if_nearer(V t, Bits index, Nearest& nearest);
   HWY_INLINE void add_to_sums(Mask mask, Triple<V> value);
@@ -414,7 +418,8 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     const Mask hit = hn::Lt(nearest.t, infinity);
     const TableReader<D> read(nearest.index, scene_.slots);
     const TableReader<D> read_material = material_reader(read);
-    const Bits surface = hn::IfThenElseZero(hn::RebindMask(du, hit), read_material(scene_.surface));
+    const TableReader<D> read_optics = optics_reader(read_material);
+    const Bits surface = hn::IfThenElseZero(hn::RebindMask(du, hit), read_optics(scene_.surface));
     const Triple<V> color = read_material(scene_.color);
     const Triple<V> sky =
         plus_scaled(spread(d, scene_.sky_middle), spread(d, scene_.sky_slope), direction.y);
@@ -433,7 +438,7 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
 
     Mask absorbed = hn::MaskFromVec(hn::Zero(d));
     next =
-        Scattering<T>(scene_, read_material)
+        Scattering<T>(scene_, read_optics)
             .scatter(direction, outward, cosine, surface, LaneSampler<D>(stream, mixer), absorbed);
     stream = add_low_32(stream, word(kVertexStep));
     radius = read(scene_.radius);

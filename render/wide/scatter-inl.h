@@ -23,7 +23,7 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What happens to paths where they meet a surface, by the material that `material` reads of it.
+/// What happens to paths where they meet a surface, by the optics that `read_optics` reads of it.
 template <typename T>
 class Scattering {
  public:
@@ -33,8 +33,8 @@ class Scattering {
   using Bits = hn::Vec<DU>;
   using Mask = hn::Mask<D>;
 
-  HWY_INLINE Scattering(const WideScene<T>& scene, const TableReader<D>& material)
-      : scene_(scene), read_(material) {}
+  HWY_INLINE Scattering(const WideScene<T>& scene, const TableReader<D>& read_optics)
+      : scene_(scene), read_(read_optics) {}
 
   static HWY_INLINE Mask has(Bits surface, SurfaceBit bit) {
     return hn::RebindMask(D(), hn::TestBit(surface, hn::Set(DU(), std::uint32_t{bit})));

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <hwy/highway.h>
@@ -33,24 +34,37 @@ class TableReader {
   HWY_INLINE TableReader(Index index, std::size_t rows)
       : index_(index), registers_((rows + kLanes - 1) / kLanes) {}
 
-  template <typename U, typename Allocator>
-  HWY_INLINE auto operator()(const std::vector<U, Allocator>& table) const {
-    const hn::Rebind<U, D> d;
+  template <typename Allocator>
+  HWY_INLINE hn::Vec<D> operator()(const std::vector<T, Allocator>& table) const {
+    const D d;
     if constexpr (kHasPermutation) {
       if (HWY_LIKELY(registers_ <= kMostRegisters)) {
-        const auto lane = hn::IndicesFromVec(d, hn::And(index_, hn::Set(DU(), kLanes - 1)));
-        auto value = hn::TableLookupLanes(hn::Load(d, table.data()), lane);
-        for (std::size_t i = 1; i < registers_; ++i) {
-          const auto last_before = static_cast<hn::TFromD<DI>>(i * kLanes - 1);
-          const auto here = hn::Gt(hn::BitCast(DI(), index_), hn::Set(DI(), last_before));
-          value = hn::IfThenElse(hn::RebindMask(d, here),
-                                 hn::TableLookupLanes(hn::Load(d, table.data() + i * kLanes), lane),
-                                 value);
-        }
-        return value;
+        return permuted(
+            d, [&](std::size_t i) HWY_ATTR { return hn::Load(d, table.data() + i * kLanes); });
       }
     }
     return hn::GatherIndex(d, table.data(), hn::BitCast(DI(), index_));
+  }
+
+  /// Whole numbers take 32 bits in the table whatever a lane has.
+  template <typename Allocator>
+  HWY_INLINE Index operator()(const std::vector<std::uint32_t, Allocator>& table) const {
+    const DU du;
+    const hn::Rebind<std::uint32_t, D> d32;
+    const hn::Rebind<std::int32_t, D> di32;
+    if constexpr (kHasPermutation) {
+      if (HWY_LIKELY(registers_ <= kMostRegisters)) {
+        return permuted(du, [&](std::size_t i) HWY_ATTR {
+          return in_lanes(hn::Load(d32, table.data() + i * kLanes));
+        });
+      }
+    }
+    if constexpr (sizeof(T) == 4) {
+      return hn::GatherIndex(d32, table.data(), hn::BitCast(di32, index_));
+    } else {
+      const auto index = hn::BitCast(di32, hn::TruncateTo(d32, index_));
+      return in_lanes(hn::GatherIndex(d32, table.data(), index));
+    }
   }
 
   template <typename Table>
@@ -65,6 +79,26 @@ class TableReader {
   static constexpr bool kHasPermutation =
       HWY_TARGET == HWY_AVX3 || (HWY_TARGET == HWY_AVX2 && sizeof(T) == 4);
   static constexpr std::size_t kMostRegisters = 4;  // from there on a gather is faster
+
+  static HWY_INLINE Index in_lanes(auto words) {
+    if constexpr (sizeof(T) == 4) {
+      return words;
+    } else {
+      return hn::PromoteTo(DU(), words);
+    }
+  }
+
+  /// `load(i)` gives the table's i-th register.
+  HWY_INLINE auto permuted(auto d, const auto& load) const {
+    const auto lane = hn::IndicesFromVec(d, hn::And(index_, hn::Set(DU(), kLanes - 1)));
+    auto value = hn::TableLookupLanes(load(0), lane);
+    for (std::size_t i = 1; i < registers_; ++i) {
+      const auto last_before = static_cast<hn::TFromD<DI>>(i * kLanes - 1);
+      const auto here = hn::Gt(hn::BitCast(DI(), index_), hn::Set(DI(), last_before));
+      value = hn::IfThenElse(hn::RebindMask(d, here), hn::TableLookupLanes(load(i), lane), value);
+    }
+    return value;
+  }
 
   Index index_;
   std::size_t registers_;

@@ -1,6 +1,7 @@
 #include "render/wide/wide_scene.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -15,16 +16,6 @@ namespace {
 template <typename T>
 std::array<T, 3> rounded(LinearRgb c) {
   return {static_cast<T>(c.r), static_cast<T>(c.g), static_cast<T>(c.b)};
-}
-
-std::uint32_t surface_bits(const Material& material) {
-  switch (material.type) {
-    case MaterialType::Diffuse: return 0;
-    case MaterialType::Specular: return material.parameter > 0 ? kMirrors | kIsFuzzy : kMirrors;
-    case MaterialType::Transmissive:
-      return material.fresnel == Fresnel::Exact ? kRefracts | kIsExact : kRefracts;
-    default: return kEndsPath;
-  }
 }
 
 /// Room for whole vectors.
@@ -57,23 +48,15 @@ WideScene<T>::WideScene(const Scene& scene, int depth, Search search_for_hits,
     order = std::move(bvh.slots);
   }
   first_exact = order.size();
+  slots = first_exact + exact_spheres;
+  order.reserve(slots);
   order.insert(order.end(), spheres_in_double.begin(), spheres_in_double.end());
-  slots = order.size();
   add_spheres(scene, order);
-
-  const bool is_by_material = search == Search::Bvh;
-  materials = is_by_material ? scene.materials.size() : slots;
-  for (Table* table : {&color[0], &color[1], &color[2], &first, &second, &straight}) {
-    table->resize(padded(materials), T{});
-  }
-  surface.resize(padded(materials), Index{});
-  if (is_by_material) {
-    for (std::size_t i = 0; i < materials; ++i) add_material(i, scene.materials[i]);
+  if (search == Search::Bvh) {
     index_in_scene = std::move(order);
+    add_materials(scene);
   } else {
-    for (std::size_t slot = 0; slot < slots; ++slot) {
-      add_material(slot, scene.materials[scene.spheres[order[slot]].material]);
-    }
+    add_materials_by_slot(scene, order);
   }
   const LinearRgb bottom = scene.background.bottom, top = scene.background.top;
   // bottom at y = −1, top at y = 1; a constant sky stays exact.
@@ -81,7 +64,7 @@ WideScene<T>::WideScene(const Scene& scene, int depth, Search search_for_hits,
   sky_slope = rounded<T>((top - bottom) * 0.5);
 }
 
-/// Slots of no sphere, and those that round the tables up, hold a point that nothing hits.
+/// Slots of no sphere, and those that round the tables up, hold one of radius 0.
 template <typename T>
 void WideScene<T>::add_spheres(const Scene& scene, std::span<const std::uint32_t> order) {
   const std::size_t size = padded(slots);
@@ -90,7 +73,7 @@ void WideScene<T>::add_spheres(const Scene& scene, std::span<const std::uint32_t
     for (Table& table : shift) table.resize(size);
   }
   radius.resize(size);
-  radius_squared.resize(size);
+  if (search == Search::All) radius_squared.resize(size);
   if (search == Search::Bvh) material.resize(size);
   constexpr std::size_t kSlotsATask = 4096;
   const auto add = [&](const tbb::blocked_range<std::size_t>& range) {
@@ -111,11 +94,13 @@ void WideScene<T>::add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves
     table[1][slot] = static_cast<T>(v.y);
     table[2][slot] = static_cast<T>(v.z);
   };
-  store(center, sphere.center);
+  // A sphere of radius 0 is never hit: no comparison with what is not a number holds.
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  store(center, sphere.radius > 0 ? sphere.center : Vec3{kNone, kNone, kNone});
   if (has_motion) store(shift, moves);
   radius[slot] = static_cast<T>(sphere.radius);
-  // The square of the radius that the kernel takes; a sphere of radius 0 is never hit.
-  radius_squared[slot] = sphere.radius > 0 ? radius[slot] * radius[slot] : T{-1};
+  // Of the radius that the kernel takes.
+  if (search == Search::All) radius_squared[slot] = radius[slot] * radius[slot];
   if (slot >= first_exact && slot < slots) {
     exact[slot - first_exact] = {.center = {sphere.center.x, sphere.center.y, sphere.center.z},
                                  .shift = {moves.x, moves.y, moves.z},
@@ -129,10 +114,76 @@ void WideScene<T>::add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves
 }
 
 template <typename T>
+void WideScene<T>::add_materials(const Scene& scene) {
+  materials = scene.materials.size();
+  make_room_for_materials();
+  optics.resize(padded(materials));
+  OpticsTable table;
+  for (std::size_t i = 0; i < materials; ++i) {
+    add_color(i, scene.materials[i]);
+    optics[i] = table.row_of(optics_of(scene.materials[i]));
+  }
+  optics_rows = table.rows().size();
+  make_room_for_optics();
+  for (std::size_t i = 0; i < optics_rows; ++i) add_optics(i, table.rows()[i]);
+}
+
+template <typename T>
+void WideScene<T>::add_materials_by_slot(const Scene& scene, std::span<const std::uint32_t> order) {
+  materials = optics_rows = slots;
+  make_room_for_materials();
+  make_room_for_optics();
+  for (std::size_t slot = 0; slot < slots; ++slot) {
+    const Material& of = scene.materials[scene.spheres[order[slot]].material];
+    add_color(slot, of);
+    add_optics(slot, optics_of(of));
+  }
+}
+
+template <typename T>
+void WideScene<T>::make_room_for_materials() {
+  for (Table& table : color) table.resize(padded(materials), T{});
+}
+
+template <typename T>
+void WideScene<T>::make_room_for_optics() {
+  for (Table* table : {&first, &second, &straight}) table->resize(padded(optics_rows), T{});
+  surface.resize(padded(optics_rows), 0);
+}
+
+template <typename T>
+void WideScene<T>::add_color(std::size_t row, const Material& from) {
+  const bool is_emissive = from.type == MaterialType::Emissive;
+  const Triple rgb = rounded<T>(is_emissive ? from.color * from.parameter : from.color);
+  for (std::size_t c = 0; c < 3; ++c) color[c][row] = rgb[c];
+}
+
+// The inverse of a tiny index is none that numbers can hold; all is reflected either way.
+constexpr double kLargestIndex = 1e300;
+
+template <typename T>
+void WideScene<T>::add_optics(std::size_t row, const Optics& of) {
+  surface[row] = of.surface;
+  const double p = of.parameter;
+  if ((of.surface & kMirrors) != 0) {
+    first[row] = static_cast<T>(p > 1 ? 1 / p : 1);
+    second[row] = static_cast<T>(std::min(p, 1.0));
+  } else if ((of.surface & kRefracts) != 0) {
+    has_exact_fresnel |= (of.surface & kIsExact) != 0;
+    const double root = (1 - p) / (1 + p);
+    first[row] = static_cast<T>(p);
+    second[row] = static_cast<T>(std::min(1 / p, kLargestIndex));
+    straight[row] = static_cast<T>(root * root);
+  }
+}
+
+template <typename T>
 std::size_t WideScene<T>::memory_bytes() const noexcept {
   std::size_t bytes = bvh.nodes.capacity() * sizeof(typename WideBvh<T>::Node) +
-                      index_in_scene.capacity() * sizeof(std::uint32_t) +
-                      (material.capacity() + surface.capacity()) * sizeof(Index);
+                      index_in_scene.capacity() * sizeof(std::uint32_t);
+  for (const IndexTable* table : {&material, &optics, &surface}) {
+    bytes += table->capacity() * sizeof(std::uint32_t);
+  }
   for (const TableTriple* triple : {&center, &shift, &color}) {
     for (const Table& table : *triple) bytes += table.capacity() * sizeof(T);
   }
@@ -144,37 +195,14 @@ std::size_t WideScene<T>::memory_bytes() const noexcept {
 
 template <typename T>
 std::size_t WideScene<T>::estimated_bytes(const Scene& scene, Search search) noexcept {
-  const std::size_t of_motion = scene.shifts.empty() ? 0 : 3 * sizeof(T);
-  const std::size_t of_sphere = 5 * sizeof(T) + of_motion;  // centre, radius and its square
-  const std::size_t of_material = 6 * sizeof(T) + sizeof(Index);
-  if (search == Search::All) return scene.spheres.size() * (of_sphere + of_material);
+  const std::size_t of_sphere = (scene.shifts.empty() ? 4 : 7) * sizeof(T);
+  const std::size_t of_material = 3 * sizeof(T) + sizeof(std::uint32_t);  // optics are few
+  if (search == Search::All) return scene.spheres.size() * (of_sphere + of_material + sizeof(T));
   // A tenth of the slots stays empty, and a quarter of the children of nodes.
   const std::size_t slots = scene.spheres.size() / 9 * 10 + kBvhWidth;
   const std::size_t nodes = slots / kBvhWidth / 12 + 1;
-  return slots * (of_sphere + sizeof(Index) + sizeof(std::uint32_t)) +
-         scene.materials.size() * of_material + nodes * sizeof(typename WideBvh<T>::Node);
-}
-
-// The inverse of a tiny index is none that numbers can hold; all is reflected either way.
-constexpr double kLargestIndex = 1e300;
-
-template <typename T>
-void WideScene<T>::add_material(std::size_t row, const Material& from) {
-  const bool is_emissive = from.type == MaterialType::Emissive;
-  const Triple rgb = rounded<T>(is_emissive ? from.color * from.parameter : from.color);
-  for (std::size_t c = 0; c < 3; ++c) color[c][row] = rgb[c];
-  surface[row] = surface_bits(from);
-  const double p = from.parameter;
-  if (from.type == MaterialType::Specular) {
-    first[row] = static_cast<T>(p > 1 ? 1 / p : 1);
-    second[row] = static_cast<T>(std::min(p, 1.0));
-  } else if (from.type == MaterialType::Transmissive) {
-    has_exact_fresnel |= from.fresnel == Fresnel::Exact;
-    const double root = (1 - p) / (1 + p);
-    first[row] = static_cast<T>(p);
-    second[row] = static_cast<T>(std::min(1 / p, kLargestIndex));
-    straight[row] = static_cast<T>(root * root);
-  }
+  return slots * (of_sphere + 2 * sizeof(std::uint32_t)) + scene.materials.size() * of_material +
+         nodes * sizeof(typename WideBvh<T>::Node);
 }
 
 template struct WideScene<float>;

@@ -5,24 +5,15 @@
 #include <cstdint>
 #include <new>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
+#include "render/wide/optics.hpp"
 #include "render/wide/wide_bvh.hpp"
 
 namespace sdlc::render {
-
-/// What happens at a surface, as bits: the kernel blends the outcomes instead of branching.
-enum SurfaceBit : std::uint32_t {
-  kEndsPath = 1,  ///< emissive and unlit
-  kMirrors = 2,   ///< specular
-  kIsFuzzy = 4,   ///< specular, and spread by a ball
-  kRefracts = 8,  ///< transmissive
-  kIsExact = 16,  ///< transmissive with Fresnel's equations instead of Schlick's approximation
-};
 
 /// The most spheres that every ray is held against: their tables then fit a first-level cache.
 inline constexpr std::size_t kMostWideSpheres = 256;
@@ -67,9 +58,8 @@ enum class Search : std::uint8_t {
 /// sphere's place in the tables.
 template <typename T>
 struct WideScene {
-  using Index = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
   using Table = std::vector<T, VectorAllocator<T>>;
-  using IndexTable = std::vector<Index, VectorAllocator<Index>>;
+  using IndexTable = std::vector<std::uint32_t, VectorAllocator<std::uint32_t>>;
   using Triple = std::array<T, 3>;
   using TableTriple = std::array<Table, 3>;
 
@@ -81,17 +71,21 @@ struct WideScene {
 
   // Tables by slot, whole vectors long. The slots of spheres to be met in double come last; the
   // others are in the scene's order, or in that of the hierarchy, with slots of no sphere.
-  TableTriple center;  ///< at the opening of the shutter
-  TableTriple shift;   ///< up to its closing; empty where nothing moves
+  TableTriple
+      center;         ///< at the opening of the shutter; not a number where there is nothing to hit
+  TableTriple shift;  ///< up to its closing; empty where nothing moves
   Table radius;
-  Table radius_squared;  ///< negative where there is nothing to hit
-  /// Search::Bvh: the rows of the tables of materials, and the spheres' indices in the scene.
+  Table radius_squared;  ///< Search::All
+  /// Search::Bvh: the rows of the tables of colours, and the spheres' indices in the scene.
   IndexTable material;
   std::vector<std::uint32_t> index_in_scene;
 
-  // Tables by material, or by slot with Search::All. What a quantity means for another material is
-  // never used.
+  // Tables by material, or by slot with Search::All.
   TableTriple color;  ///< attenuation; the radiance where the path ends
+  IndexTable optics;  ///< Search::Bvh: the rows of the tables that follow
+
+  // Tables by optics, of which many materials share one, or by slot with Search::All. What a
+  // quantity means for others is never used.
   /// kMirrors: the weights of the mirrored direction and of the ball around it, the larger one 1,
   /// so that neither overflows. kRefracts: the index of refraction and its inverse.
   Table first;
@@ -104,6 +98,7 @@ struct WideScene {
   std::size_t slots = 0;        ///< of all spheres, holes among them
   std::size_t first_exact = 0;  ///< slots from here on hold spheres that are met in double
   std::size_t materials = 0;    ///< rows of the tables by material
+  std::size_t optics_rows = 0;  ///< and of those by optics
   /// A rounding error of so large a sphere would be no small part of others.
   std::size_t exact_spheres = 0;
   struct Exact {
@@ -130,7 +125,12 @@ struct WideScene {
  private:
   void add_spheres(const Scene& scene, std::span<const std::uint32_t> order);
   void add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves);
-  void add_material(std::size_t row, const Material& material);
+  void add_materials(const Scene& scene);
+  void add_materials_by_slot(const Scene& scene, std::span<const std::uint32_t> order);
+  void make_room_for_materials();
+  void make_room_for_optics();
+  void add_color(std::size_t row, const Material& material);
+  void add_optics(std::size_t row, const Optics& of);
 };
 
 extern template struct WideScene<float>;

@@ -277,6 +277,30 @@ TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphere) {
   }
 }
 
+// With the hierarchy, what materials do is looked up in tables that several of them share.
+TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphereWhateverTheMaterials) {
+  constexpr RenderSettings kSettings{.width = 48, .height = 27, .samples = 40, .depth = 12};
+  Scene scene = scene_of(named_spheres()[3]);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(scene.materials.size());
+    const LinearRgb color{0.9, 1 - share, 0.5};
+    switch (i % 6) {
+      case 0: scene.materials[i] = test::specular(color, 2 * share); break;
+      case 1: scene.materials[i] = test::specular(color, 0); break;
+      case 2: scene.materials[i] = test::transmissive(color, 1 + share); break;
+      case 3: scene.materials[i] = test::transmissive(color, 1.5, Fresnel::Exact); break;
+      case 4: scene.materials[i] = test::emissive(color, share); break;
+      default: scene.materials[i] = test::diffuse(color);
+    }
+  }
+  KernelRequest request = GetParam().request();
+  const RenderResult all = render_with(scene, kSettings, request);
+  request.kind = KernelKind::Bvh;
+  const RenderResult bvh = render_with(scene, kSettings, request);
+  EXPECT_EQ(bvh.rays, all.rays);
+  EXPECT_TRUE(bvh.picture.pixels == all.picture.pixels);
+}
+
 INSTANTIATE_TEST_SUITE_P(Forms, BvhPaths, testing::ValuesIn(test::wide_forms()), test::form_name);
 
 // Where surfaces touch, distances that were found in float and in double are often equal.

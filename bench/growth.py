@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+"""How cost grows with the number of spheres: sdlc and Embree in turns on the same fields of spheres.
+
+growth.py SDLC PEERS [--counts 10,100,...] [--repeats 3] [--threads 2] [--chart FILE.svg]
+
+PEERS is a folder with gen_scene.py and embree_pt.cpp, which is compiled here. Prints a table in
+Markdown and the law a + b log2 n fitted to the time of a path by least squares, with its residual,
+and draws both as a chart. Medians of the repeats.
+"""
+
+import argparse
+import json
+import math
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+
+WIDTH, DEPTH = 600, 64
+HEIGHT = WIDTH * 9 // 16
+
+
+def samples_for(count):
+    """Paths a pixel, so that a run takes about a second."""
+    return 64 if count <= 1000 else 24 if count <= 100_000 else 8
+
+
+def run_sdlc(sdlc, scene, samples, threads, folder):
+    command = [sdlc, "render", scene, "-o", folder / "ours.exr", "--overwrite", "--quiet",
+               "--width", WIDTH, "--samples", samples, "--depth", DEPTH, "--threads", threads,
+               "--stats", "-"]
+    out = subprocess.run([str(word) for word in command], capture_output=True, text=True,
+                         check=True).stdout
+    stats = json.loads(out)
+    return {"speed": stats["samples_per_second"] / 1e6, "build": stats["build_seconds"],
+            "memory": stats["render_rss_bytes"], "kernel": f"{stats['kernel']}, {stats['precision']}"}
+
+
+def run_embree(embree, scene, samples, threads, folder):
+    command = [embree, scene, folder / "theirs.pfm", "--mode", "wave", "--width", WIDTH, "--spp",
+               samples, "--depth", DEPTH, "--threads", threads]
+    out = subprocess.run([str(word) for word in command], capture_output=True, text=True,
+                         check=True).stdout
+    stats = json.loads(out)
+    return {"speed": stats["msamples_per_s"], "build": stats["build_s"],
+            "memory": stats["peak_rss_mb"] * 1e6}
+
+
+def median_of(runs, field):
+    return statistics.median(run[field] for run in runs)
+
+
+def fit(points):
+    """a, b and the residual in per cent of y = a + b log2 n, every point weighted by 1 / y²."""
+    rows = [(math.log2(n), y, 1 / y**2) for n, y in points]
+    weight = sum(w for _, _, w in rows)
+    mean_x = sum(w * x for x, _, w in rows) / weight
+    mean_y = sum(w * y for _, y, w in rows) / weight
+    slope = (sum(w * (x - mean_x) * (y - mean_y) for x, y, w in rows) /
+             sum(w * (x - mean_x)**2 for x, _, w in rows))
+    start = mean_y - slope * mean_x
+    error = math.sqrt(statistics.mean(((start + slope * x) / y - 1)**2 for x, y, _ in rows))
+    return start, slope, 100 * error
+
+
+def chart(series, laws):
+    """An SVG of the time of a path over the number of spheres, both axes logarithmic."""
+    width, height, left, bottom = 640, 360, 60, 40
+    counts = [n for points in series.values() for n, _ in points]
+    times = [y for points in series.values() for _, y in points]
+    low, high = math.floor(math.log10(min(times))), math.ceil(math.log10(max(times)))
+    most = math.log10(max(counts))
+
+    def place(n, y):
+        x = left + (math.log10(n) - 1) / (most - 1) * (width - left - 20)
+        return x, 20 + (high - math.log10(y)) / (high - low) * (height - bottom - 20)
+
+    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" '
+             'font-family="sans-serif" font-size="12" fill="#767676">']
+    for power in range(1, math.floor(most) + 1):
+        x, _ = place(10**power, 10**low)
+        parts.append(f'<path d="M{x:.1f} 20V{height - bottom}" stroke="#76767640"/>'
+                     f'<text x="{x:.1f}" y="{height - bottom + 16}" text-anchor="middle">10'
+                     f'<tspan dy="-4" font-size="9">{power}</tspan></text>')
+    for power in range(low, high + 1):
+        _, y = place(10, 10**power)
+        parts.append(f'<path d="M{left} {y:.1f}H{width - 20}" stroke="#76767640"/>'
+                     f'<text x="{left - 6}" y="{y + 4:.1f}" text-anchor="end">{10**power:g}</text>')
+    parts.append(f'<text x="{width - 20}" y="{height - 6}" text-anchor="end">spheres</text>'
+                 f'<text x="{left}" y="12">nanoseconds a path</text>')
+    colors = {"sdlc": "#0072b2", "Embree": "#d55e00"}
+    for name, points in series.items():
+        start, slope, _ = laws[name]
+        steps = [10**(1 + k * (most - 1) / 60) for k in range(61)]
+        line = " ".join("{:.1f},{:.1f}".format(*place(n, max(start + slope * math.log2(n), 10**low)))
+                        for n in steps)
+        parts.append(f'<polyline points="{line}" fill="none" stroke="{colors[name]}"/>')
+        for n, y in points:
+            x, y = place(n, y)
+            parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{colors[name]}"/>')
+        x, y = place(*points[-1])
+        parts.append(f'<text x="{x - 8:.1f}" y="{y - 8:.1f}" text-anchor="end" '
+                     f'fill="{colors[name]}">{name}</text>')
+    return "\n".join(parts) + "\n</svg>\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("sdlc")
+    parser.add_argument("peers", type=pathlib.Path)
+    parser.add_argument("--counts", default="10,100,1000,10000,100000,1000000")
+    parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--chart", type=pathlib.Path)
+    options = parser.parse_args()
+
+    with tempfile.TemporaryDirectory(prefix="sdlc-growth-") as name:
+        folder = pathlib.Path(name)
+        embree = folder / "embree_pt"
+        subprocess.run(["g++", "-O3", "-march=native", "-std=c++17", "-ffp-contract=fast",
+                        options.peers / "embree_pt.cpp", "-o", embree, "-lembree3", "-lpthread"],
+                       check=True)
+        print("| spheres | sdlc, build | bytes a sphere | million paths/s | kernel "
+              "| Embree, build | million paths/s | ratio |")
+        print("| ---: | ---: | ---: | ---: | --- | ---: | ---: | ---: |")
+        series = {"sdlc": [], "Embree": []}
+        base = None
+        for count in (int(word) for word in options.counts.split(",")):
+            scene = folder / "field.json"
+            subprocess.run([sys.executable, options.peers / "gen_scene.py", "field", str(count),
+                            "-o", scene], check=True)
+            ours, theirs = [], []
+            for _ in range(options.repeats):
+                samples = samples_for(count)
+                ours.append(run_sdlc(options.sdlc, scene, samples, options.threads, folder))
+                theirs.append(run_embree(embree, scene, samples, options.threads, folder))
+            speed, peer = median_of(ours, "speed"), median_of(theirs, "speed")
+            memory = median_of(ours, "memory")
+            base = memory if base is None else base
+            own = f"{(memory - base) / count:.0f}" if count >= 100_000 else ""
+            print(f"| {count:,} | {median_of(ours, 'build'):.3g} s | {own} | {speed:.3g} "
+                  f"| {ours[-1]['kernel']} | {median_of(theirs, 'build'):.3g} s | {peer:.3g} "
+                  f"| {speed / peer:.2f} |", flush=True)
+            series["sdlc"].append((count, 1e3 / speed))
+            series["Embree"].append((count, 1e3 / peer))
+        laws = {name: fit(points) for name, points in series.items()}
+        for name, (start, slope, error) in laws.items():
+            print(f"\n{name}: {start:.0f} + {slope:.1f} log2 n nanoseconds a path, to {error:.0f} %")
+        if options.chart:
+            options.chart.write_text(chart(series, laws), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
