@@ -123,7 +123,7 @@ Json precisions_json(const InspectReport& report) {
     }
     for (std::size_t i = 0; i < render::kPrecisionClauses; ++i) {
       const auto clause = static_cast<PrecisionClause>(i);
-      const bool is_known = clause != PrecisionClause::Gap || figures.bounds.has_gaps;
+      const bool is_known = clause != PrecisionClause::Gap || figures.bounds.near_pairs.has_value();
       bounds[std::string(name_of(clause))] = is_known ? bound_json(figures.bounds[clause]) : Json();
     }
     json[std::string(name_of(figures.precision))] = std::move(bounds);

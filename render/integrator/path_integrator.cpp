@@ -11,7 +11,8 @@
 
 namespace sdlc::render {
 
-PathIntegrator::PathIntegrator(Scene scene, int max_depth)
+PathIntegrator::PathIntegrator(Scene scene, int max_depth,
+                               std::optional<std::span<const SpherePair>> near_pairs)
     : pinhole_(scene.camera),
       background_(scene.background),
       has_constant_background_(scene.background.is_constant()),
@@ -19,7 +20,7 @@ PathIntegrator::PathIntegrator(Scene scene, int max_depth)
       max_depth_(max_depth),
       materials_(std::move(scene.materials)) {
   rebase_to_camera(scene);
-  part_touching(scene, Precision::Double);
+  part_touching(scene, Precision::Double, {}, near_pairs);
   bvh_ = Bvh(scene.spheres, scene.shifts);
   material_of_slot_.reserve(bvh_.size());
   for (std::uint32_t slot = 0; slot < bvh_.size(); ++slot) {

@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "render/bvh/bvh.hpp"
@@ -9,6 +11,7 @@
 #include "render/math/color.hpp"
 #include "render/math/ray.hpp"
 #include "render/sampler/sampler.hpp"
+#include "render/scene/near_pairs.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::render {
@@ -32,7 +35,9 @@ class PathIntegrator {
  public:
   /// `scene` is in world coordinates and already checked. `max_depth` counts the rays of a path,
   /// the camera's included; at least 1.
-  PathIntegrator(Scene scene, int max_depth);
+  /// `near_pairs`: PrecisionBounds::near_pairs in double, if they are known.
+  PathIntegrator(Scene scene, int max_depth,
+                 std::optional<std::span<const SpherePair>> near_pairs = {});
 
   /// One path through the place (s, t) of the picture, (0, 0) its lower left corner: linear RGB.
   /// Once `cancel` is set a long path ends soon, with a value that means nothing.

@@ -127,8 +127,7 @@ class Judge {
     }
     hit.share = hit.value / kPartOfRadius;
     // Of many spheres only where all depends on them.
-    bounds.has_gaps =
-        (view_.count() <= kFewSpheres || bounds.is_accepted()) && judge_gaps(exact, bounds);
+    if (view_.count() <= kFewSpheres || bounds.is_accepted()) judge_gaps(exact, bounds);
     return bounds;
   }
 
@@ -223,29 +222,28 @@ class Judge {
     return !distance || moderate_length(from + way * nearest_moment(from, way)) < view_.radius(i);
   }
 
-  /// Whether it can be told; if not, float is not accepted.
-  bool judge_gaps(std::span<const std::uint32_t> exact, PrecisionBounds& bounds) const {
+  /// Where it cannot be told, float is not accepted.
+  void judge_gaps(std::span<const std::uint32_t> exact, PrecisionBounds& bounds) const {
     PrecisionBound& narrowest = bounds[PrecisionClause::Gap];
     narrowest.value = kInfinity;
     narrowest.limit = limits_.least_gap;
-    const Nearness nearness{.gap_of_extent = kLeastGap * limits_.unit,
+    const Nearness nearness{.gap_of_extent = kContactReach * kLeastGap * limits_.unit,
                             .gap_of_radius = limits_.least_gap,
                             .spread_of_extent = kLeastSpread * limits_.unit};
     const auto judge = [&](std::uint32_t a, std::uint32_t b) {
       is_larger(a, b) ? judge_gap(a, b, exact, narrowest) : judge_gap(b, a, exact, narrowest);
     };
-    const auto pairs = find_near_pairs(scene_, camera_.from, nearness, exact);
-    if (!pairs) {
+    bounds.near_pairs = find_near_pairs(scene_, camera_.from, nearness, exact);
+    if (!bounds.near_pairs) {
       if (limits_.least_gap > 0) narrowest.share = kInfinity;
-      return false;
+      return;
     }
-    for (const auto& [a, b] : *pairs) judge(a, b);
+    for (const auto& [a, b] : *bounds.near_pairs) judge(a, b);
     for (std::uint32_t i = 0; i < view_.count(); ++i) {
       for (const std::uint32_t k : exact) {
         if (view_.is_seen(i) && (!contains(exact, i) || i < k)) judge(i, k);
       }
     }
-    return true;
   }
 
   static bool contains(std::span<const std::uint32_t> spheres, std::uint32_t i) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/scene/near_pairs.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::render {
@@ -20,6 +21,10 @@ std::string_view name_of(Precision precision) noexcept;
 /// Surfaces that do not meet are to be so many units of rounding times their extent apart, so that
 /// each point stays on its side.
 inline constexpr double kLeastGap = 4;
+
+/// What is nested in a sphere that is parted from another has to follow, and what is nested in
+/// that: pairs are looked for up to so many times the gap that there is to be.
+inline constexpr double kContactReach = 32;
 
 /// Half the distance from 1 to the next number: 2^-24 or, in double, 2^-53.
 double unit_of_rounding(Precision precision) noexcept;
@@ -50,7 +55,9 @@ struct PrecisionBound {
 /// The same in all respects.
 struct PrecisionBounds {
   std::array<PrecisionBound, kPrecisionClauses> clauses{};
-  bool has_gaps = true;  ///< whether gaps were looked for
+  /// Nothing where gaps were not looked for; else all pairs of spheres that part_touching() asks
+  /// for.
+  std::optional<std::vector<SpherePair>> near_pairs;
 
   PrecisionBound& operator[](PrecisionClause clause) {
     return clauses[static_cast<std::size_t>(clause)];

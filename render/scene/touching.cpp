@@ -12,9 +12,6 @@
 namespace sdlc::render {
 namespace {
 
-// What is nested in a sphere that shrinks has to follow, and what is nested in that: contacts are
-// looked for up to so many times the gap that there is to be.
-constexpr double kReach = 32;
 constexpr double kMostOfRadius = 1.0 / 64;
 
 /// Two spheres that are apart, as near to each other as they come.
@@ -30,8 +27,15 @@ class Parting {
   Parting(Scene& scene, double unit, std::span<const std::uint32_t> exact)
       : scene_(scene), unit_(unit), exact_(exact) {}
 
-  void run() {
-    if (!find_contacts()) return;
+  void run(std::optional<std::span<const SpherePair>> known) {
+    if (known) {
+      find_contacts(*known);
+    } else {
+      const Nearness nearness{.gap_of_extent = kContactReach * kLeastGap * unit_};
+      const auto pairs = find_near_pairs(scene_, {}, nearness, exact_);
+      if (!pairs) return;
+      find_contacts(*pairs);
+    }
     // Each sphere after all that are larger: those have their own radius by then.
     std::sort(contacts_.begin(), contacts_.end(), [&](const Contact& a, const Contact& b) {
       return a.small != b.small ? is_larger(a.small, b.small) : is_larger(a.large, b.large);
@@ -45,17 +49,13 @@ class Parting {
   }
 
  private:
-  bool find_contacts() {
-    const Nearness nearness{.gap_of_extent = kReach * kLeastGap * unit_};
-    const auto pairs = find_near_pairs(scene_, {}, nearness, exact_);
-    if (!pairs) return false;
-    for (const auto& [a, b] : *pairs) add_contacts(a, b);
+  void find_contacts(std::span<const SpherePair> pairs) {
+    for (const auto& [a, b] : pairs) add_contacts(a, b);
     for (std::uint32_t i = 0; i < scene_.spheres.size(); ++i) {
       for (const std::uint32_t exact : exact_) {
         if (!is_exact(i) || i < exact) add_contacts(i, exact);
       }
     }
-    return true;
   }
 
   void add_contacts(std::uint32_t a, std::uint32_t b) {
@@ -68,7 +68,7 @@ class Parting {
       const double least = least_gap(large, small, is_inside);
       const double gap =
           is_inside ? radius(large) - radius(small) - apart : apart - radius(large) - radius(small);
-      if (gap <= -least || gap >= kReach * least || kBriefly * length(way) > least) return;
+      if (gap <= -least || gap >= kContactReach * least || kBriefly * length(way) > least) return;
       contacts_.push_back({large, small, apart, is_inside, least});
     };
     add(nearest, false);
@@ -130,8 +130,9 @@ class Parting {
 
 }  // namespace
 
-void part_touching(Scene& scene, Precision precision, std::span<const std::uint32_t> exact) {
-  Parting(scene, unit_of_rounding(precision), exact).run();
+void part_touching(Scene& scene, Precision precision, std::span<const std::uint32_t> exact,
+                   std::optional<std::span<const SpherePair>> known) {
+  Parting(scene, unit_of_rounding(precision), exact).run(known);
 }
 
 }  // namespace sdlc::render

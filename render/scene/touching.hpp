@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "render/scene/precision.hpp"
@@ -17,7 +18,9 @@ namespace sdlc::render {
 /// `scene` is rebased. `exact`: the spheres that are met in double beside others in float, and on
 /// which points are off no more than they are on those. Left as they are: spheres that the camera
 /// stands on, that would lose more than 1/64 of their radius, or that pass others while the shutter
-/// is open; and all where too many overlap to be looked at. O(n log n) time.
-void part_touching(Scene& scene, Precision precision, std::span<const std::uint32_t> exact = {});
+/// is open; and all where too many overlap to be looked at. `known`: PrecisionBounds::near_pairs in
+/// that precision, without which they are looked for. O(n log n) time.
+void part_touching(Scene& scene, Precision precision, std::span<const std::uint32_t> exact = {},
+                   std::optional<std::span<const SpherePair>> known = {});
 
 }  // namespace sdlc::render

@@ -65,8 +65,9 @@ class Tiles {
 /// Square tiles, one path after the other.
 class ScalarTiles final : public Tiles {
  public:
-  ScalarTiles(Scene scene, const RenderSettings& settings, Picture& picture, RenderMonitor& monitor)
-      : integrator_(std::move(scene), settings.depth),
+  ScalarTiles(Scene scene, const RenderSettings& settings, const Kernel& kernel, Picture& picture,
+              RenderMonitor& monitor)
+      : integrator_(std::move(scene), settings.depth, kernel.bounds.near_pairs),
         settings_(settings),
         picture_(picture),
         monitor_(monitor) {}
@@ -168,7 +169,8 @@ class WideTiles final : public Tiles {
     return {.precision = kernel.precision,
             .isa = *kernel.isa,
             .search = kernel.kind == KernelKind::Bvh ? Search::Bvh : Search::All,
-            .exact_spheres = kernel.exact_spheres};
+            .exact_spheres = kernel.exact_spheres,
+            .near_pairs = kernel.bounds.near_pairs};
   }
 
   static std::size_t pixels_a_tile(const RenderSettings& settings, std::size_t pixels,
@@ -193,7 +195,7 @@ class WideTiles final : public Tiles {
 std::unique_ptr<Tiles> make_tiles(Scene scene, const RenderSettings& settings, const Kernel& kernel,
                                   int threads, Picture& picture, RenderMonitor& monitor) {
   if (kernel.kind == KernelKind::Scalar) {
-    return std::make_unique<ScalarTiles>(std::move(scene), settings, picture, monitor);
+    return std::make_unique<ScalarTiles>(std::move(scene), settings, kernel, picture, monitor);
   }
   return std::make_unique<WideTiles>(std::move(scene), settings, kernel, threads, picture, monitor);
 }

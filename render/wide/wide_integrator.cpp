@@ -117,7 +117,7 @@ WideIntegrator::WideIntegrator(Scene scene, const RenderSettings& settings,
                                const Options& options) {
   const Pinhole pinhole(scene.camera);
   rebase_to_camera(scene, options.exact_spheres);
-  part_touching(scene, options.precision, options.exact_spheres);
+  part_touching(scene, options.precision, options.exact_spheres, options.near_pairs);
   if (options.precision == Precision::Double) {
     tracer_ = std::make_unique<TracerIn<double>>(scene, pinhole, settings, options);
   } else {

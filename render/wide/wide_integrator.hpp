@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "render/math/color.hpp"
+#include "render/scene/near_pairs.hpp"
 #include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
 #include "render/wide/isa.hpp"
@@ -31,6 +33,8 @@ class WideIntegrator {
     Search search = Search::All;
     /// Mixed: the spheres that are met in double, at most kMostExactSpheres.
     std::span<const std::uint32_t> exact_spheres;
+    /// PrecisionBounds::near_pairs, if they are known.
+    std::optional<std::span<const SpherePair>> near_pairs{};
   };
 
   /// `scene` is in world coordinates, already checked; the camera stands on at most one of its

@@ -277,12 +277,12 @@ TEST(PrecisionBounds, LookForGapsAmongManySpheresWhereNothingElseIsBroken) {
   scene.spheres.push_back({.center = {0, 9, 0}, .radius = 1});
   scene.spheres.push_back({.center = {0, 9, 0}, .radius = 1 - 1e-6});
   const PrecisionBounds of_shell = judge_precision(scene, scene.camera, {}, Precision::Float);
-  EXPECT_TRUE(of_shell.has_gaps);
+  EXPECT_TRUE(of_shell.near_pairs);
   EXPECT_EQ(of_shell.deciding(), PrecisionClause::Gap);
   EXPECT_EQ(of_shell[PrecisionClause::Gap].sphere, 1001u);
   EXPECT_EQ(of_shell[PrecisionClause::Gap].other, 1000u);
   scene.spheres.push_back({.center = {0, 20, 0}, .radius = 1e-3});
-  EXPECT_FALSE(judge_precision(scene, scene.camera, {}, Precision::Float).has_gaps);
+  EXPECT_FALSE(judge_precision(scene, scene.camera, {}, Precision::Float).near_pairs);
   EXPECT_TRUE(judge_precision(scene, scene.camera, {}, Precision::Double).is_accepted());
 }
 
