@@ -18,8 +18,8 @@
 #include "render/math/box.hpp"
 #include "render/math/power_of_two.hpp"
 #include "render/math/vec3.hpp"
+#include "render/scene/camera_view.hpp"
 #include "render/scene/movement.hpp"
-#include "render/scene/rebase.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -28,32 +28,22 @@ constexpr std::size_t kWidth = 16;  // spheres of a leaf, boxes of a node
 // What rounding places, radii and distances to float may add to a distance, in extents: 16 u.
 constexpr double kFloatError = 0x1p-20;
 
-/// The spheres that take part, as seen from the camera: lengths of moderate size, not rounded.
-class Members {
+/// The spheres that take part.
+class Members : public CameraView {
  public:
   Members(const Scene& scene, Vec3 camera, std::span<const std::uint32_t> left_out)
-      : scene_(scene), frame_(scene, camera) {
-    for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
-      if (!(scene.spheres[i].radius > 0)) continue;
-      if (std::find(left_out.begin(), left_out.end(), i) != left_out.end()) continue;
+      : CameraView(scene, camera) {
+    for (std::uint32_t i = 0; i < count(); ++i) {
+      if (!is_seen(i) || contains(left_out, i)) continue;
       indices_.push_back(i);
-      const double far = std::max(moderate_length(opening(i)), moderate_length(closing(i)));
-      extent_ = std::max(extent_, far + radius(i));
+      extent_ = std::max(extent_, CameraView::extent(i));
     }
   }
 
   std::span<const std::uint32_t> indices() const { return indices_; }
-  bool are_moving() const { return !scene_.shifts.empty(); }
-  double extent() const { return extent_; }
-  double radius(std::uint32_t i) const { return frame_.size(scene_.spheres[i].radius); }
-  Vec3 opening(std::uint32_t i) const { return frame_.place(scene_.spheres[i].center); }
-  Vec3 closing(std::uint32_t i) const {
-    return are_moving() ? opening(i) + frame_.size(scene_.shifts[i]) : opening(i);
-  }
+  double extent() const { return extent_; }  ///< of all
 
  private:
-  const Scene& scene_;
-  CameraFrame frame_;
   std::vector<std::uint32_t> indices_;
   double extent_ = 0;
 };
@@ -330,7 +320,7 @@ class Search {
     const double gap = std::max(gap_, gap_of_radius_ * std::max(of_a, of_b));
     const Vec3 from = spheres_.opening(a) - spheres_.opening(b);
     double nearest = length(from), farthest = nearest;
-    if (spheres_.are_moving()) {
+    if (spheres_.is_moving()) {
       const Vec3 to = spheres_.closing(a) - spheres_.closing(b), way = to - from;
       if (length(way) * kBriefly > std::max(gap, spread_)) return false;
       farthest = std::max(nearest, length(to));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -9,6 +10,17 @@
 #include "render/scene/scene.hpp"
 
 namespace sdlc::render {
+
+/// Whether a sphere is one of a few.
+inline bool contains(std::span<const std::uint32_t> spheres, std::uint32_t sphere) noexcept {
+  return std::find(spheres.begin(), spheres.end(), sphere) != spheres.end();
+}
+
+/// Whether one sphere comes before another by size, the largest first; of equal ones the earlier.
+inline bool is_larger(const Scene& scene, std::uint32_t a, std::uint32_t b) noexcept {
+  const double of_a = scene.spheres[a].radius, of_b = scene.spheres[b].radius;
+  return of_a != of_b ? of_a > of_b : a < b;
+}
 
 /// What counts as near, with E the extent of the spheres as seen from the camera: the distance to
 /// the far side of the farthest one, over the whole shutter.
@@ -44,5 +56,22 @@ inline constexpr double kBriefly = 1.0 / 100;
 std::optional<std::vector<SpherePair>> find_near_pairs(
     const Scene& scene, Vec3 camera, const Nearness& nearness,
     std::span<const std::uint32_t> left_out = {});
+
+/// Calls `visit(larger, smaller)` for each of the near `pairs` and for every pair with a sphere
+/// that find_near_pairs() has left out.
+template <typename Visit>
+void for_each_pair(const Scene& scene, std::span<const SpherePair> pairs,
+                   std::span<const std::uint32_t> left_out, const Visit& visit) {
+  const auto visit_by_size = [&](std::uint32_t a, std::uint32_t b) {
+    is_larger(scene, a, b) ? visit(a, b) : visit(b, a);
+  };
+  for (const auto& [a, b] : pairs) visit_by_size(a, b);
+  for (std::uint32_t i = 0; i < scene.spheres.size() && !left_out.empty(); ++i) {
+    if (!(scene.spheres[i].radius > 0)) continue;
+    for (const std::uint32_t k : left_out) {
+      if (!contains(left_out, i) || i < k) visit_by_size(i, k);
+    }
+  }
+}
 
 }  // namespace sdlc::render

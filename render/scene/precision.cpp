@@ -7,15 +7,15 @@
 #include <span>
 
 #include "render/math/vec3.hpp"
+#include "render/scene/camera_view.hpp"
 #include "render/scene/movement.hpp"
-#include "render/scene/near_pairs.hpp"
-#include "render/scene/rebase.hpp"
+#include "render/scene/suspects.hpp"
 
 namespace sdlc::render {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTouching = 0x1p-40;  // of the larger radius: as good as no gap
+constexpr double kTouching = kCoincidenceTolerance;  // of the larger radius: as good as no gap
 
 // In units of rounding, times an extent.
 constexpr double kHitError = 25;       // of a hit: the 99th percentile
@@ -41,40 +41,16 @@ constexpr Limits kFloatLimits{
 constexpr Limits kDoubleLimits{
     .unit = 0x1p-53, .least_gap = 0, .widest_view = 1e100, .most_radiance = 1e300};
 
-/// A scene in coordinates of the camera: lengths of moderate size, all in one unit.
-class View {
- public:
-  View(const Scene& scene, const Camera& camera) : scene_(scene), frame_(scene, camera.from) {}
-
-  std::uint32_t count() const { return static_cast<std::uint32_t>(scene_.spheres.size()); }
-  double radius(std::uint32_t i) const { return frame_.size(scene_.spheres[i].radius); }
-  /// One that vanishes beside the others' lengths is a sphere all the same.
-  bool is_seen(std::uint32_t i) const { return scene_.spheres[i].radius > 0; }
-  Vec3 opening(std::uint32_t i) const { return frame_.place(scene_.spheres[i].center); }
-  Vec3 closing(std::uint32_t i) const {
-    return scene_.shifts.empty() ? opening(i) : opening(i) + frame_.size(scene_.shifts[i]);
-  }
-  /// To the far side, over the whole shutter.
-  double extent(std::uint32_t i) const {
-    const double opened = moderate_length(opening(i));
-    return (is_moving() ? std::max(opened, moderate_length(closing(i))) : opened) + radius(i);
-  }
-  bool is_moving() const { return !scene_.shifts.empty(); }
-  /// From the camera to the surface, when nearest; nothing where the surface goes through it.
-  std::optional<double> distance(std::uint32_t i) const {
-    const Vec3 from = opening(i), way = closing(i) - from;
-    const double r = radius(i);
-    const double nearest = moderate_length(from + way * nearest_moment(from, way)) - r;
-    const double farthest = std::max(moderate_length(from), moderate_length(from + way)) - r;
-    const double least = nearest > 0 ? nearest : -farthest;
-    if (least <= kTouching * r) return std::nullopt;
-    return least;
-  }
-
- private:
-  const Scene& scene_;
-  CameraFrame frame_;
-};
+/// From the camera to the surface, when nearest; nothing where the surface goes through it.
+std::optional<double> distance_to(const CameraView& view, std::uint32_t i) {
+  const Vec3 from = view.opening(i), way = view.closing(i) - from;
+  const double r = view.radius(i);
+  const double nearest = moderate_length(from + way * nearest_moment(from, way)) - r;
+  const double farthest = std::max(moderate_length(from), moderate_length(from + way)) - r;
+  const double least = nearest > 0 ? nearest : -farthest;
+  if (least <= kTouching * r) return std::nullopt;
+  return least;
+}
 
 class Judge {
  public:
@@ -82,7 +58,7 @@ class Judge {
         const Limits& limits)
       : scene_(scene),
         camera_(camera),
-        view_(scene, camera),
+        view_(scene, camera.from),
         limits_(limits),
         depth_(settings.depth),
         pixel_(camera.plane_height * std::min(1.0 / std::max(1, settings.height),
@@ -90,13 +66,12 @@ class Judge {
 
   /// With all spheres met in the precision, but for the `exact` ones.
   PrecisionBounds bounds(std::span<const std::uint32_t> exact) const {
-    const auto is_exact = [&](std::uint32_t i) { return contains(exact, i); };
     PrecisionBounds bounds;
     judge_picture(bounds);
     std::optional<std::uint32_t> smallest, farthest;
     double radius = kInfinity, extent = 0;
     for (std::uint32_t i = 0; i < view_.count(); ++i) {
-      if (!view_.is_seen(i) || is_exact(i)) continue;
+      if (!view_.is_seen(i) || contains(exact, i)) continue;
       if (const double r = view_.radius(i); r < radius || !smallest) {
         radius = r;
         smallest = i;
@@ -120,7 +95,8 @@ class Judge {
         hit.other = i;
       }
       for (std::uint32_t i = 0; i < view_.count(); ++i) {
-        if (view_.is_seen(i) && !is_exact(i)) judge_distance(i, kAcrossError * extent, bounds);
+        if (view_.is_seen(i) && !contains(exact, i))
+          judge_distance(i, kAcrossError * extent, bounds);
       }
     } else if (!exact.empty()) {
       hit.value = kInfinity;  // no sphere is left
@@ -137,7 +113,7 @@ class Judge {
     for (std::uint32_t i = 0; i < view_.count(); ++i) {
       if (!view_.is_seen(i)) continue;
       order.insert(std::upper_bound(order.begin(), order.end(), i,
-                                    [&](auto a, auto b) { return is_larger(a, b); }),
+                                    [&](auto a, auto b) { return is_larger(scene_, a, b); }),
                    i);
       if (order.size() > most) order.pop_back();
     }
@@ -193,7 +169,7 @@ class Judge {
 
   /// `error`: across the view at the surface, in units of rounding.
   void judge_distance(std::uint32_t i, double error, PrecisionBounds& bounds) const {
-    const std::optional<double> distance = view_.distance(i);
+    const std::optional<double> distance = distance_to(view_, i);
     if (!distance) return;
     PrecisionBound& across = bounds[PrecisionClause::Across];
     const double value = ratio(error * limits_.unit, pixel_ * *distance);
@@ -205,11 +181,6 @@ class Judge {
               .other = {}};
   }
 
-  bool is_larger(std::uint32_t a, std::uint32_t b) const {
-    const double of_a = scene_.spheres[a].radius, of_b = scene_.spheres[b].radius;
-    return of_a != of_b ? of_a > of_b : a < b;
-  }
-
   /// Whether paths come back from the far side of a sphere, which may gather them: those within it.
   bool sends_back(std::uint32_t i) const {
     const Material& material = scene_.materials[scene_.spheres[i].material];
@@ -217,7 +188,7 @@ class Judge {
     if (material.type == MaterialType::Emissive || material.type == MaterialType::Unlit) {
       return false;
     }
-    const std::optional<double> distance = view_.distance(i);
+    const std::optional<double> distance = distance_to(view_, i);
     const Vec3 from = view_.opening(i), way = view_.closing(i) - from;
     return !distance || moderate_length(from + way * nearest_moment(from, way)) < view_.radius(i);
   }
@@ -230,24 +201,14 @@ class Judge {
     const Nearness nearness{.gap_of_extent = kContactReach * kLeastGap * limits_.unit,
                             .gap_of_radius = limits_.least_gap,
                             .spread_of_extent = kLeastSpread * limits_.unit};
-    const auto judge = [&](std::uint32_t a, std::uint32_t b) {
-      is_larger(a, b) ? judge_gap(a, b, exact, narrowest) : judge_gap(b, a, exact, narrowest);
-    };
     bounds.near_pairs = find_near_pairs(scene_, camera_.from, nearness, exact);
     if (!bounds.near_pairs) {
       if (limits_.least_gap > 0) narrowest.share = kInfinity;
       return;
     }
-    for (const auto& [a, b] : *bounds.near_pairs) judge(a, b);
-    for (std::uint32_t i = 0; i < view_.count(); ++i) {
-      for (const std::uint32_t k : exact) {
-        if (view_.is_seen(i) && (!contains(exact, i) || i < k)) judge(i, k);
-      }
-    }
-  }
-
-  static bool contains(std::span<const std::uint32_t> spheres, std::uint32_t i) {
-    return std::find(spheres.begin(), spheres.end(), i) != spheres.end();
+    for_each_pair(scene_, *bounds.near_pairs, exact, [&](std::uint32_t large, std::uint32_t small) {
+      judge_gap(large, small, exact, narrowest);
+    });
   }
 
   /// Of spheres that move apart or together the ends of the shutter are looked at and the moment
@@ -314,7 +275,7 @@ class Judge {
 
   const Scene& scene_;
   const Camera& camera_;
-  View view_;
+  CameraView view_;
   Limits limits_;
   int depth_;
   double pixel_;  // its smaller angle, next to the axis
@@ -380,7 +341,7 @@ FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderS
 }
 
 ScaleRatio measure_scale(const Scene& scene, const Camera& camera) {
-  const View view(scene, camera);
+  const CameraView view(scene, camera.from);
   ScaleRatio scale;
   double smallest = kInfinity, farthest = 0;
   for (std::uint32_t i = 0; i < view.count(); ++i) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "render/math/power_of_two.hpp"
+#include "render/scene/near_pairs.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -41,8 +42,8 @@ Rebase::Rebase(const Scene& scene, std::span<const std::uint32_t> left_out) noex
     : frame_(scene, scene.camera.from) {
   const bool all_count = left_out.size() == scene.spheres.size();
   double extent = 0;
-  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-    if (!all_count && std::find(left_out.begin(), left_out.end(), i) != left_out.end()) continue;
+  for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
+    if (!all_count && contains(left_out, i)) continue;
     const Vec3 center = frame_.place(scene.spheres[i].center);
     const double radius = frame_.size(scene.spheres[i].radius);
     extent = std::max(extent, moderate_length(center) + radius);

@@ -38,7 +38,8 @@ class Parting {
     }
     // Each sphere after all that are larger: those have their own radius by then.
     std::sort(contacts_.begin(), contacts_.end(), [&](const Contact& a, const Contact& b) {
-      return a.small != b.small ? is_larger(a.small, b.small) : is_larger(a.large, b.large);
+      return a.small != b.small ? is_larger(scene_, a.small, b.small)
+                                : is_larger(scene_, a.large, b.large);
     });
     for (std::size_t begin = 0, end; begin < contacts_.size(); begin = end) {
       const std::uint32_t small = contacts_[begin].small;
@@ -50,16 +51,11 @@ class Parting {
 
  private:
   void find_contacts(std::span<const SpherePair> pairs) {
-    for (const auto& [a, b] : pairs) add_contacts(a, b);
-    for (std::uint32_t i = 0; i < scene_.spheres.size(); ++i) {
-      for (const std::uint32_t exact : exact_) {
-        if (!is_exact(i) || i < exact) add_contacts(i, exact);
-      }
-    }
+    for_each_pair(scene_, pairs, exact_,
+                  [&](std::uint32_t large, std::uint32_t small) { add_contacts(large, small); });
   }
 
-  void add_contacts(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t large = is_larger(a, b) ? a : b, small = is_larger(a, b) ? b : a;
+  void add_contacts(std::uint32_t large, std::uint32_t small) {
     const Vec3 from = opening(large) - opening(small);
     const Vec3 way = closing(large) - closing(small) - from;
     const double nearest = length(from + way * nearest_moment(from, way));
@@ -88,12 +84,7 @@ class Parting {
     if (radius >= (1 - kMostOfRadius) * sphere.radius) sphere.radius = radius;
   }
 
-  bool is_exact(std::uint32_t i) const {
-    return std::find(exact_.begin(), exact_.end(), i) != exact_.end();
-  }
-  bool is_larger(std::uint32_t a, std::uint32_t b) const {
-    return radius(a) != radius(b) ? radius(a) > radius(b) : a < b;
-  }
+  bool is_exact(std::uint32_t i) const { return contains(exact_, i); }
   double radius(std::uint32_t i) const { return scene_.spheres[i].radius; }
   Vec3 opening(std::uint32_t i) const { return scene_.spheres[i].center; }
   Vec3 closing(std::uint32_t i) const {

@@ -63,7 +63,7 @@ Kernel judged_kernel(const Scene& scene, const RenderSettings& settings,
   }
 
   Kernel kernel;
-  kernel.bounds = verdict.bounds;
+  kernel.bounds = std::move(verdict.bounds);
   kernel.exact_spheres = std::move(verdict.exact_spheres);
   const bool is_mixed = !kernel.exact_spheres.empty();
   kernel.precision = is_mixed ? Precision::Mixed : Precision::Float;

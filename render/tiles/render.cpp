@@ -239,6 +239,7 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
     return make_tiles(std::move(scene), settings, result.kernel, result.threads, result.picture,
                       monitor);
   });
+  result.kernel.bounds.near_pairs.reset();  // of a lattice that touches, more than its spheres
   result.build_seconds = seconds_since(build_start);
   result.bvh_bytes = tiles->bvh_bytes();
   if (monitor.on_tracing) monitor.on_tracing();

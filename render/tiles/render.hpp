@@ -24,7 +24,7 @@ struct RenderMonitor {
 struct RenderResult {
   Picture picture;           ///< mean radiance; pixels that were not reached are black
   bool is_complete = false;  ///< false after a cancelled render
-  Kernel kernel;
+  Kernel kernel;             ///< without its near pairs
   int threads = 0;  ///< that were asked for, after 0 became all of the machine
   std::uint64_t camera_samples = 0;
   std::uint64_t rays = 0;

@@ -268,16 +268,15 @@ void WidePaths<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction, V t
   const Wide zero = hn::Zero(dd);
   for (std::size_t i = 0; i < scene_.exact_spheres; ++i) {
     const auto& sphere = scene_.exact[i];
-    std::array<Triple<Wide>, 2> to_centers;
     Halves middles, half_chords, t;
     for (std::size_t half = 0; half < 2; ++half) {
       Triple<Wide> center = spread(dd, sphere.center);
       if constexpr (F::kMotion) {
         center = plus_scaled(center, spread(dd, sphere.shift), times[half]);
       }
-      to_centers[half] = minus(center, origins[half]);
-      middles[half] = dot(to_centers[half], directions[half]);
-      const Triple<Wide> across = minus_scaled(to_centers[half], directions[half], middles[half]);
+      const Triple<Wide> to_center = minus(center, origins[half]);
+      middles[half] = dot(to_center, directions[half]);
+      const Triple<Wide> across = minus_scaled(to_center, directions[half], middles[half]);
       half_chords[half] =
           hn::Sqrt(hn::Sub(hn::Set(dd, sphere.radius_squared), dot(across, across)));
       const Wide enters = hn::Sub(middles[half], half_chords[half]);
@@ -442,10 +441,10 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
             .scatter(direction, outward, cosine, surface, LaneSampler<D>(stream, mixer), absorbed);
     stream = add_low_32(stream, word(kVertexStep));
     radius = read(scene_.radius);
-    // But on one met in double from the ray, whose distance to it is right: its size cancels.
     const Triple<V> on_ray = plus_scaled(origin, direction, nearest.t);
     origin = plus_scaled(center, outward, radius);
     if constexpr (F::kExactSpheres) {
+      // But on one met in double from the ray, whose distance to it is right: its size cancels.
       const auto first_exact = word(static_cast<std::uint32_t>(scene_.first_exact));
       origin = choose(hn::RebindMask(d, hn::Lt(nearest.index, first_exact)), origin, on_ray);
     }

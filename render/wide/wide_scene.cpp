@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include "render/scene/camera_surface.hpp"
+#include "render/scene/near_pairs.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -28,7 +29,7 @@ std::vector<std::uint32_t> without(std::size_t spheres, std::span<const std::uin
   std::vector<std::uint32_t> rest;
   rest.reserve(spheres);
   for (std::uint32_t i = 0; i < spheres; ++i) {
-    if (std::ranges::find(excluded, i) == excluded.end()) rest.push_back(i);
+    if (!contains(excluded, i)) rest.push_back(i);
   }
   return rest;
 }
