@@ -100,12 +100,40 @@ class BvhSearch {
     std::uint32_t slot;
   };
 
-  HWY_INLINE BvhSearch(const WideScene<T>& scene, const Rays& rays) : scene_(scene), rays_(rays) {}
+  using D = hn::CappedTag<T, kBvhWidth>;
+  using V = hn::Vec<D>;
 
-  /// Replaces `hit` by what is nearer on the ray, or as near and before it in the scene; `departed`
-  /// is not looked for.
-  void find(std::size_t ray, std::uint32_t departed, Hit& hit) const {
-    const Slabs slabs(rays_, ray);
+  /// One ray, each of its numbers in all lanes.
+  struct Ray {
+    Triple<V> origin, direction;
+    V time;
+    Triple<V> inverse, most_offset, least_offset;
+    std::array<std::size_t, 3> near;  // which bound of a box comes first, on each axis
+
+    HWY_INLINE Ray(const Rays& rays, std::size_t lane)
+        : origin(spread_row(rays.origin, lane)),
+          direction(spread_row(rays.direction, lane)),
+          time(hn::Set(D(), rays.time[lane])),
+          inverse(spread_row(rays.inverse, lane)),
+          most_offset(spread_row(rays.most_offset, lane)),
+          least_offset(spread_row(rays.least_offset, lane)) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        near[axis] = std::signbit(rays.inverse[axis][lane]) ? 1 : 0;
+      }
+    }
+
+   private:
+    static HWY_INLINE Triple<V> spread_row(const std::array<Row<T>, 3>& rows, std::size_t lane) {
+      const D d;
+      return {hn::Set(d, rows[0][lane]), hn::Set(d, rows[1][lane]), hn::Set(d, rows[2][lane])};
+    }
+  };
+
+  HWY_INLINE explicit BvhSearch(const WideScene<T>& scene) : scene_(scene) {}
+
+  /// Replaces `hit` by what is nearer on the ray, or as near and before it in the scene, of what is
+  /// below the node `root`; `departed` is not looked for.
+  HWY_INLINE void find(std::uint32_t root, const Ray& ray, std::uint32_t departed, Hit& hit) const {
     // Only as much of it is touched as nodes wait.
     struct Waiting {
       T t;
@@ -113,14 +141,14 @@ class BvhSearch {
     };
     Waiting stack[WideBvh<T>::kMostWaiting];  // NOLINT: not initialised
     std::size_t waiting = 0;
-    std::uint32_t current = 0;
+    std::uint32_t current = root;
     while (true) {
       if ((current & WideBvh<T>::kLeaf) != 0) {
         meet_leaf((current & ~WideBvh<T>::kLeaf) * kBvhWidth, ray, departed, hit);
       } else {
         const auto& node = scene_.bvh.nodes[current];
         alignas(64) std::array<T, kBvhWidth> entries;
-        std::uint32_t met = meet_boxes(node, slabs, at_most(hit.t), entries);
+        std::uint32_t met = meet_boxes(node, ray, at_most(hit.t), entries);
         if (std::has_single_bit(met)) {
           current = node.children[static_cast<std::size_t>(std::countr_zero(met))];
           continue;
@@ -152,33 +180,11 @@ class BvhSearch {
     return t * (1 + kGrazing) + kGrazing;
   }
 
-  using D = hn::CappedTag<T, kBvhWidth>;
-  using V = hn::Vec<D>;
   static constexpr std::size_t kLanes = hn::MaxLanes(D());
   static constexpr std::size_t kParts = kBvhWidth / kLanes;  // vectors that hold all children
 
-  /// A ray as the tests of boxes take it.
-  struct Slabs {
-    Triple<V> inverse, most_offset, least_offset;
-    std::array<std::size_t, 3> near;  // which bound comes first
-
-    HWY_INLINE Slabs(const Rays& rays, std::size_t ray)
-        : inverse(spread_row(rays.inverse, ray)),
-          most_offset(spread_row(rays.most_offset, ray)),
-          least_offset(spread_row(rays.least_offset, ray)) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        near[axis] = std::signbit(rays.inverse[axis][ray]) ? 1 : 0;
-      }
-    }
-  };
-
-  static HWY_INLINE Triple<V> spread_row(const std::array<Row<T>, 3>& rows, std::size_t ray) {
-    const D d;
-    return {hn::Set(d, rows[0][ray]), hn::Set(d, rows[1][ray]), hn::Set(d, rows[2][ray])};
-  }
-
   /// The children whose boxes the ray meets before `farthest`, as bits, and where it enters them.
-  HWY_INLINE std::uint32_t meet_boxes(const typename WideBvh<T>::Node& node, const Slabs& slabs,
+  HWY_INLINE std::uint32_t meet_boxes(const typename WideBvh<T>::Node& node, const Ray& ray,
                                       T farthest, std::array<T, kBvhWidth>& entries) const {
     const D d;
     std::uint32_t met = 0;
@@ -186,13 +192,13 @@ class BvhSearch {
       const auto bound = [&](std::size_t axis, std::size_t side) HWY_ATTR {
         return hn::Load(d, node.bounds[axis][side].data() + part * kLanes);
       };
-      const auto& near = slabs.near;
-      const V enter_x = hn::MulSub(bound(0, near[0]), slabs.inverse.x, slabs.most_offset.x);
-      const V enter_y = hn::MulSub(bound(1, near[1]), slabs.inverse.y, slabs.most_offset.y);
-      const V enter_z = hn::MulSub(bound(2, near[2]), slabs.inverse.z, slabs.most_offset.z);
-      const V leave_x = hn::MulSub(bound(0, 1 - near[0]), slabs.inverse.x, slabs.least_offset.x);
-      const V leave_y = hn::MulSub(bound(1, 1 - near[1]), slabs.inverse.y, slabs.least_offset.y);
-      const V leave_z = hn::MulSub(bound(2, 1 - near[2]), slabs.inverse.z, slabs.least_offset.z);
+      const auto& near = ray.near;
+      const V enter_x = hn::MulSub(bound(0, near[0]), ray.inverse.x, ray.most_offset.x);
+      const V enter_y = hn::MulSub(bound(1, near[1]), ray.inverse.y, ray.most_offset.y);
+      const V enter_z = hn::MulSub(bound(2, near[2]), ray.inverse.z, ray.most_offset.z);
+      const V leave_x = hn::MulSub(bound(0, 1 - near[0]), ray.inverse.x, ray.least_offset.x);
+      const V leave_y = hn::MulSub(bound(1, 1 - near[1]), ray.inverse.y, ray.least_offset.y);
+      const V leave_z = hn::MulSub(bound(2, 1 - near[2]), ray.inverse.z, ray.least_offset.z);
       const V enter = hn::Max(hn::Max(enter_x, enter_y), hn::Max(enter_z, hn::Zero(d)));
       const V leave = hn::Min(hn::Min(leave_x, leave_y), hn::Min(leave_z, hn::Set(d, farthest)));
       hn::Store(enter, d, entries.data() + part * kLanes);
@@ -201,21 +207,19 @@ class BvhSearch {
     return met;
   }
 
-  HWY_INLINE void meet_leaf(std::size_t first, std::size_t ray, std::uint32_t departed,
+  HWY_INLINE void meet_leaf(std::size_t first, const Ray& ray, std::uint32_t departed,
                             Hit& hit) const {
     const D d;
-    const Triple<V> origin = spread_row(rays_.origin, ray);
-    const Triple<V> direction = spread_row(rays_.direction, ray);
     for (std::size_t slot = first; slot < first + kBvhWidth; slot += kLanes) {
       Triple<V> center = load(scene_.center, slot);
       if constexpr (kMotion) {
-        center = plus_scaled(center, load(scene_.shift, slot), hn::Set(d, rays_.time[ray]));
+        center = plus_scaled(center, load(scene_.shift, slot), ray.time);
       }
-      const Triple<V> to_center = minus(center, origin);
-      const V middle = dot(to_center, direction);
+      const Triple<V> to_center = minus(center, ray.origin);
+      const V middle = dot(to_center, ray.direction);
       const V radius = hn::Load(d, scene_.radius.data() + slot);
       const V discriminant =
-          chord_discriminant(to_center, direction, middle, hn::Mul(radius, radius));
+          chord_discriminant(to_center, ray.direction, middle, hn::Mul(radius, radius));
       if (hn::AllFalse(d, hn::Ge(discriminant, hn::Zero(d)))) continue;
       const V half_chord = hn::Sqrt(discriminant);
       const V enters = hn::Sub(middle, half_chord), leaves = hn::Add(middle, half_chord);
@@ -249,7 +253,6 @@ class BvhSearch {
   }
 
   const WideScene<T>& scene_;
-  const Rays& rays_;
 };
 
 }  // namespace sdlc::render::HWY_NAMESPACE

@@ -310,7 +310,7 @@ void WidePaths<T, F>::intersect_bvh(Triple<V> origin, Triple<V> direction, V tim
   const DU du;
   using Search = BvhSearch<T, F::kMotion>;
   const typename Search::Rays rays(origin, direction, time);
-  const Search search(scene_, rays);
+  const Search search(scene_);
   alignas(64) std::array<T, kLanes> distances;
   alignas(64) std::array<Word, kLanes> left, indices;
   hn::Store(nearest.t, d, distances.data());
@@ -319,7 +319,7 @@ void WidePaths<T, F>::intersect_bvh(Triple<V> origin, Triple<V> direction, V tim
   for (std::uint32_t lanes = bits_of(d, alive); lanes != 0; lanes &= lanes - 1) {
     const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
     typename Search::Hit hit{distances[lane], static_cast<std::uint32_t>(indices[lane])};
-    search.find(lane, static_cast<std::uint32_t>(left[lane]), hit);
+    search.find(0, typename Search::Ray(rays, lane), static_cast<std::uint32_t>(left[lane]), hit);
     distances[lane] = hit.t;
     indices[lane] = hit.slot;
   }
