@@ -16,6 +16,6 @@ inline bool has_camera_on_it(const Sphere& sphere, Vec3 shift) noexcept {
 }
 
 /// On how many spheres the camera of a scene stands so, once it is rebased. O(n) time, no copy.
-std::size_t count_under_camera(const Scene& scene) noexcept;
+std::size_t count_under_camera(const Scene& scene);
 
 }  // namespace sdlc::render

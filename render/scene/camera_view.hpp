@@ -12,7 +12,7 @@ namespace sdlc::render {
 /// unit, not rounded. Holds on to the scene.
 class CameraView {
  public:
-  CameraView(const Scene& scene, Vec3 camera) noexcept : scene_(scene), frame_(scene, camera) {}
+  CameraView(const Scene& scene, Vec3 camera) : scene_(scene), frame_(scene, camera) {}
 
   std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(scene_.spheres.size()); }
   bool is_moving() const noexcept { return !scene_.shifts.empty(); }

@@ -9,6 +9,7 @@
 #include "render/math/vec3.hpp"
 #include "render/scene/camera_view.hpp"
 #include "render/scene/movement.hpp"
+#include "render/scene/ranges.hpp"
 #include "render/scene/suspects.hpp"
 
 namespace sdlc::render {
@@ -43,13 +44,50 @@ constexpr Limits kDoubleLimits{
 
 /// From the camera to the surface, when nearest; nothing where the surface goes through it.
 std::optional<double> distance_to(const CameraView& view, std::uint32_t i) {
-  const Vec3 from = view.opening(i), way = view.closing(i) - from;
+  const Vec3 from = view.opening(i);
   const double r = view.radius(i);
-  const double nearest = moderate_length(from + way * nearest_moment(from, way)) - r;
-  const double farthest = std::max(moderate_length(from), moderate_length(from + way)) - r;
+  double nearest = moderate_length(from) - r, farthest = nearest;
+  if (view.is_moving()) {
+    const Vec3 way = view.closing(i) - from;
+    nearest = moderate_length(from + way * nearest_moment(from, way)) - r;
+    farthest = std::max(farthest, moderate_length(from + way) - r);
+  }
   const double least = nearest > 0 ? nearest : -farthest;
   if (least <= kTouching * r) return std::nullopt;
   return least;
+}
+
+/// The spheres that stand out; of equal ones the first.
+struct Extremes {
+  std::optional<std::uint32_t> smallest, farthest;
+  double radius = kInfinity, extent = 0;  // of these two
+
+  void add_radius(std::uint32_t sphere, double of_sphere) {
+    if (of_sphere >= radius && smallest) return;
+    radius = of_sphere;
+    smallest = sphere;
+  }
+  void add_extent(std::uint32_t sphere, double of_sphere) {
+    if (of_sphere <= extent && farthest) return;
+    extent = of_sphere;
+    farthest = sphere;
+  }
+};
+
+/// Of all spheres but the `exact` ones.
+Extremes extremes_of(const CameraView& view, std::span<const std::uint32_t> exact) {
+  const auto add = [&](Extremes& extremes, std::size_t index) {
+    const auto i = static_cast<std::uint32_t>(index);
+    if (!view.is_seen(i) || contains(exact, i)) return;
+    extremes.add_radius(i, view.radius(i));
+    extremes.add_extent(i, view.extent(i));
+  };
+  const auto join = [](Extremes& extremes, const Extremes& later) {
+    if (!later.smallest) return;
+    extremes.add_radius(*later.smallest, later.radius);
+    extremes.add_extent(*later.farthest, later.extent);
+  };
+  return reduce_indices(view.count(), Extremes{}, add, join);
 }
 
 class Judge {
@@ -68,36 +106,21 @@ class Judge {
   PrecisionBounds bounds(std::span<const std::uint32_t> exact) const {
     PrecisionBounds bounds;
     judge_picture(bounds);
-    std::optional<std::uint32_t> smallest, farthest;
-    double radius = kInfinity, extent = 0;
-    for (std::uint32_t i = 0; i < view_.count(); ++i) {
-      if (!view_.is_seen(i) || contains(exact, i)) continue;
-      if (const double r = view_.radius(i); r < radius || !smallest) {
-        radius = r;
-        smallest = i;
-      }
-      if (const double e = view_.extent(i); e > extent || !farthest) {
-        extent = e;
-        farthest = i;
-      }
-    }
+    const Extremes extremes = extremes_of(view_, exact);
     PrecisionBound& hit = bounds[PrecisionClause::Hit];
     hit.limit = kPartOfRadius;
     bounds[PrecisionClause::Across].limit = kPartOfPixel;
-    if (smallest) {
-      hit.value = ratio(kHitError * limits_.unit * extent, radius);
-      hit.sphere = smallest;
-      hit.other = farthest;
+    if (extremes.smallest) {
+      hit.value = ratio(kHitError * limits_.unit * extremes.extent, extremes.radius);
+      hit.sphere = extremes.smallest;
+      hit.other = extremes.farthest;
       for (const std::uint32_t i : exact) {
-        const double value = ratio(kReturnError * limits_.unit * view_.extent(i), radius);
+        const double value = ratio(kReturnError * limits_.unit * view_.extent(i), extremes.radius);
         if (value <= hit.value || !sends_back(i)) continue;
         hit.value = value;
         hit.other = i;
       }
-      for (std::uint32_t i = 0; i < view_.count(); ++i) {
-        if (view_.is_seen(i) && !contains(exact, i))
-          judge_distance(i, kAcrossError * extent, bounds);
-      }
+      judge_distances(kAcrossError * extremes.extent, exact, bounds);
     } else if (!exact.empty()) {
       hit.value = kInfinity;  // no sphere is left
     }
@@ -168,17 +191,26 @@ class Judge {
   static double brightest(LinearRgb c) { return std::max({c.r, c.g, c.b}); }
 
   /// `error`: across the view at the surface, in units of rounding.
-  void judge_distance(std::uint32_t i, double error, PrecisionBounds& bounds) const {
-    const std::optional<double> distance = distance_to(view_, i);
-    if (!distance) return;
+  void judge_distances(double error, std::span<const std::uint32_t> exact,
+                       PrecisionBounds& bounds) const {
+    const auto add = [&](PrecisionBound& across, std::size_t index) {
+      const auto i = static_cast<std::uint32_t>(index);
+      if (!view_.is_seen(i) || contains(exact, i)) return;
+      const std::optional<double> distance = distance_to(view_, i);
+      if (!distance) return;
+      const double value = ratio(error * limits_.unit, pixel_ * *distance);
+      if (value / kPartOfPixel <= across.share) return;
+      across = {.value = value,
+                .share = value / kPartOfPixel,
+                .limit = kPartOfPixel,
+                .sphere = i,
+                .other = {}};
+    };
+    const auto join = [](PrecisionBound& across, const PrecisionBound& later) {
+      if (later.share > across.share) across = later;
+    };
     PrecisionBound& across = bounds[PrecisionClause::Across];
-    const double value = ratio(error * limits_.unit, pixel_ * *distance);
-    if (value / kPartOfPixel <= across.share) return;
-    across = {.value = value,
-              .share = value / kPartOfPixel,
-              .limit = kPartOfPixel,
-              .sphere = i,
-              .other = {}};
+    across = reduce_indices(view_.count(), across, add, join);
   }
 
   /// Whether paths come back from the far side of a sphere, which may gather them: those within it.
@@ -343,19 +375,12 @@ FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderS
 ScaleRatio measure_scale(const Scene& scene, const Camera& camera) {
   const CameraView view(scene, camera.from);
   ScaleRatio scale;
-  double smallest = kInfinity, farthest = 0;
-  for (std::uint32_t i = 0; i < view.count(); ++i) {
-    if (!view.is_seen(i)) continue;
-    if (const double r = view.radius(i); r < smallest) {
-      smallest = r;
-      scale.smallest = i;
-    }
-    if (const double e = view.extent(i); e > farthest) {
-      farthest = e;
-      scale.farthest = i;
-    }
+  const Extremes extremes = extremes_of(view, {});
+  scale.smallest = extremes.smallest.value_or(0);
+  scale.farthest = extremes.farthest.value_or(0);
+  if (extremes.extent > 0) {
+    scale.ratio = extremes.radius > 0 ? extremes.extent / extremes.radius : kInfinity;
   }
-  if (farthest > 0) scale.ratio = smallest > 0 ? farthest / smallest : kInfinity;
   return scale;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -11,7 +12,7 @@ namespace sdlc::render {
 /// difference overflows.
 class CameraFrame {
  public:
-  CameraFrame(const Scene& scene, Vec3 camera) noexcept;
+  CameraFrame(const Scene& scene, Vec3 camera);
 
   double size(double v) const noexcept { return v * first_ * second_; }
   Vec3 size(Vec3 v) const noexcept { return {size(v.x), size(v.y), size(v.z)}; }
@@ -23,13 +24,22 @@ class CameraFrame {
   Vec3 origin_;
 };
 
+/// The length of what has squares that vanish or overflow; of what has not, but for rounding, too.
+double length_of_extreme(Vec3 v) noexcept;
+
 /// The length, where squares would vanish or overflow too.
-double moderate_length(Vec3 v) noexcept;
+inline double moderate_length(Vec3 v) noexcept {
+  // No square of a part that counts comes near the ends of double, and rounding is that of
+  // length().
+  constexpr double kLeast = 0x1p-800, kMost = 0x1p800;
+  const double squared = length_squared(v);
+  return squared >= kLeast && squared < kMost ? std::sqrt(squared) : length_of_extreme(v);
+}
 
 /// What rebase_to_camera() makes of a scene's spheres, to look at without a copy of all of them.
 class Rebase {
  public:
-  explicit Rebase(const Scene& scene, std::span<const std::uint32_t> left_out = {}) noexcept;
+  explicit Rebase(const Scene& scene, std::span<const std::uint32_t> left_out = {});
 
   Sphere sphere(const Sphere& s) const noexcept {
     return {.center = scaled(frame_.place(s.center)),
