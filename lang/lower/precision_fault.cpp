@@ -42,11 +42,14 @@ PrecisionFault beyond_double_fault(const render::ScaleRatio& scale) {
       .message = fmt::format(fmt::runtime(diag::beyond_double.message),
                              std::isfinite(scale.ratio) ? fmt::format("{:.3g}", scale.ratio)
                                                         : std::string("over 1e308")),
-      .roles = {{scale.smallest, "the smallest sphere"}},
+      .roles = {},
       .help =
           "make a scene of its own of what is so small, or so far away; --precision double "
           "renders it all the same, wrong as it then is"};
-  if (scale.farthest != scale.smallest) fault.roles.push_back({scale.farthest, "the farthest"});
+  if (scale.smallest) fault.roles.push_back({*scale.smallest, "the smallest sphere"});
+  if (scale.farthest && scale.farthest != scale.smallest) {
+    fault.roles.push_back({*scale.farthest, "the farthest"});
+  }
   return fault;
 }
 

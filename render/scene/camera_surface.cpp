@@ -1,5 +1,6 @@
 #include "render/scene/camera_surface.hpp"
 
+#include "render/scene/instances.hpp"
 #include "render/scene/ranges.hpp"
 #include "render/scene/rebase.hpp"
 
@@ -13,8 +14,10 @@ std::size_t count_under_camera(const Scene& scene) {
     const Vec3 shift = scene.shifts.empty() ? Vec3{} : rebase.shift(scene.shifts[i]);
     count += has_camera_on_it(rebase.sphere(scene.spheres[i]), shift) ? 1 : 0;
   };
-  return reduce_indices(scene.spheres.size(), std::size_t{0}, add,
-                        [](std::size_t& count, std::size_t other) { count += other; });
+  const std::size_t of_its_own =
+      reduce_indices(scene.spheres.size(), std::size_t{0}, add,
+                     [](std::size_t& count, std::size_t other) { count += other; });
+  return of_its_own + find_instanced_under_camera(scene).size();
 }
 
 }  // namespace sdlc::render

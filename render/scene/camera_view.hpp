@@ -15,6 +15,7 @@ class CameraView {
   CameraView(const Scene& scene, Vec3 camera) : scene_(scene), frame_(scene, camera) {}
 
   std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(scene_.spheres.size()); }
+  const CameraFrame& frame() const noexcept { return frame_; }
   bool is_moving() const noexcept { return !scene_.shifts.empty(); }
   /// One that vanishes beside the others' lengths is a sphere all the same.
   bool is_seen(std::uint32_t i) const noexcept { return scene_.spheres[i].radius > 0; }

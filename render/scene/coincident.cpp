@@ -141,4 +141,21 @@ std::vector<CoincidentSphere> find_coincident(const std::vector<Sphere>& spheres
   return CoincidenceSearch(spheres, shifts).run();
 }
 
+void remove_coincident(const std::vector<CoincidentSphere>& found, std::vector<Sphere>& spheres,
+                       std::vector<Vec3>& shifts) {
+  if (found.empty()) return;
+  std::size_t kept = 0, next = 0;
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    if (next < found.size() && found[next].sphere == i) {
+      ++next;
+      continue;
+    }
+    spheres[kept] = spheres[i];
+    if (!shifts.empty()) shifts[kept] = shifts[i];
+    ++kept;
+  }
+  spheres.resize(kept);
+  if (!shifts.empty()) shifts.resize(kept);
+}
+
 }  // namespace sdlc::render

@@ -24,4 +24,8 @@ struct CoincidentSphere {
 std::vector<CoincidentSphere> find_coincident(const std::vector<Sphere>& spheres,
                                               const std::vector<Vec3>& shifts);
 
+/// Takes away the spheres that find_coincident() found, and their shifts.
+void remove_coincident(const std::vector<CoincidentSphere>& found, std::vector<Sphere>& spheres,
+                       std::vector<Vec3>& shifts);
+
 }  // namespace sdlc::render

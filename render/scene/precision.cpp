@@ -8,6 +8,7 @@
 
 #include "render/math/vec3.hpp"
 #include "render/scene/camera_view.hpp"
+#include "render/scene/instances.hpp"
 #include "render/scene/movement.hpp"
 #include "render/scene/ranges.hpp"
 #include "render/scene/suspects.hpp"
@@ -57,20 +58,30 @@ std::optional<double> distance_to(const CameraView& view, std::uint32_t i) {
   return least;
 }
 
-/// The spheres that stand out; of equal ones the first.
+/// The spheres that stand out; of equal ones the first. Nothing of instances.
 struct Extremes {
   std::optional<std::uint32_t> smallest, farthest;
   double radius = kInfinity, extent = 0;  // of these two
+  bool has_any = false;
 
-  void add_radius(std::uint32_t sphere, double of_sphere) {
-    if (of_sphere >= radius && smallest) return;
+  void add_radius(std::optional<std::uint32_t> sphere, double of_sphere) {
+    if (of_sphere >= radius && has_any) return;
     radius = of_sphere;
     smallest = sphere;
   }
-  void add_extent(std::uint32_t sphere, double of_sphere) {
-    if (of_sphere <= extent && farthest) return;
+  void add_extent(std::optional<std::uint32_t> sphere, double of_sphere) {
+    if (of_sphere <= extent && has_any) return;
     extent = of_sphere;
     farthest = sphere;
+  }
+  void add(std::optional<std::uint32_t> small, double of_small, std::optional<std::uint32_t> far,
+           double of_far) {
+    add_radius(small, of_small);
+    add_extent(far, of_far);
+    has_any = true;
+  }
+  void add(const InstanceExtremes& more) {
+    if (more.extent > 0) add({}, more.radius, {}, more.extent);
   }
 };
 
@@ -79,13 +90,11 @@ Extremes extremes_of(const CameraView& view, std::span<const std::uint32_t> exac
   const auto add = [&](Extremes& extremes, std::size_t index) {
     const auto i = static_cast<std::uint32_t>(index);
     if (!view.is_seen(i) || contains(exact, i)) return;
-    extremes.add_radius(i, view.radius(i));
-    extremes.add_extent(i, view.extent(i));
+    extremes.add(i, view.radius(i), i, view.extent(i));
   };
   const auto join = [](Extremes& extremes, const Extremes& later) {
-    if (!later.smallest) return;
-    extremes.add_radius(*later.smallest, later.radius);
-    extremes.add_extent(*later.farthest, later.extent);
+    if (!later.has_any) return;
+    extremes.add(later.smallest, later.radius, later.farthest, later.extent);
   };
   return reduce_indices(view.count(), Extremes{}, add, join);
 }
@@ -97,6 +106,7 @@ class Judge {
       : scene_(scene),
         camera_(camera),
         view_(scene, camera.from),
+        of_instances_(extremes_of_instances(scene, view_.frame())),
         limits_(limits),
         depth_(settings.depth),
         pixel_(camera.plane_height * std::min(1.0 / std::max(1, settings.height),
@@ -106,11 +116,12 @@ class Judge {
   PrecisionBounds bounds(std::span<const std::uint32_t> exact) const {
     PrecisionBounds bounds;
     judge_picture(bounds);
-    const Extremes extremes = extremes_of(view_, exact);
+    Extremes extremes = extremes_of(view_, exact);
+    extremes.add(of_instances_);
     PrecisionBound& hit = bounds[PrecisionClause::Hit];
     hit.limit = kPartOfRadius;
     bounds[PrecisionClause::Across].limit = kPartOfPixel;
-    if (extremes.smallest) {
+    if (extremes.has_any) {
       hit.value = ratio(kHitError * limits_.unit * extremes.extent, extremes.radius);
       hit.sphere = extremes.smallest;
       hit.other = extremes.farthest;
@@ -211,6 +222,13 @@ class Judge {
     };
     PrecisionBound& across = bounds[PrecisionClause::Across];
     across = reduce_indices(view_.count(), across, add, join);
+    const double value = ratio(error * limits_.unit, pixel_ * of_instances_.distance);
+    if (value / kPartOfPixel <= across.share) return;
+    across = {.value = value,
+              .share = value / kPartOfPixel,
+              .limit = kPartOfPixel,
+              .sphere = {},
+              .other = {}};
   }
 
   /// Whether paths come back from the far side of a sphere, which may gather them: those within it.
@@ -308,6 +326,7 @@ class Judge {
   const Scene& scene_;
   const Camera& camera_;
   CameraView view_;
+  InstanceExtremes of_instances_;
   Limits limits_;
   int depth_;
   double pixel_;  // its smaller angle, next to the axis
@@ -375,9 +394,10 @@ FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderS
 ScaleRatio measure_scale(const Scene& scene, const Camera& camera) {
   const CameraView view(scene, camera.from);
   ScaleRatio scale;
-  const Extremes extremes = extremes_of(view, {});
-  scale.smallest = extremes.smallest.value_or(0);
-  scale.farthest = extremes.farthest.value_or(0);
+  Extremes extremes = extremes_of(view, {});
+  extremes.add(extremes_of_instances(scene, view.frame()));
+  scale.smallest = extremes.smallest;
+  scale.farthest = extremes.farthest;
   if (extremes.extent > 0) {
     scale.ratio = extremes.radius > 0 ? extremes.extent / extremes.radius : kInfinity;
   }

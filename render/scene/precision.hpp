@@ -48,7 +48,8 @@ struct PrecisionBound {
   double value = 0;  ///< what PrecisionClause says
   double share = 0;  ///< of what is allowed: accepted up to 1
   double limit = 0;  ///< the value of which the share is 1
-  /// The spheres that decide, by their index; Hit: the smallest one, then the farthest.
+  /// The spheres that decide, by their index; Hit: the smallest one, then the farthest. Nothing: it
+  /// is none, or one of an instance.
   std::optional<std::uint32_t> sphere, other;
 };
 
@@ -107,7 +108,7 @@ FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderS
 /// of numbers has to span. 0 without spheres.
 struct ScaleRatio {
   double ratio = 0;
-  std::uint32_t smallest = 0, farthest = 0;
+  std::optional<std::uint32_t> smallest, farthest;  ///< nothing: a sphere of an instance
 };
 ScaleRatio measure_scale(const Scene& scene, const Camera& camera);
 

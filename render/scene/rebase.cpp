@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "render/math/power_of_two.hpp"
+#include "render/scene/instances.hpp"
 #include "render/scene/near_pairs.hpp"
 #include "render/scene/ranges.hpp"
 
@@ -26,6 +28,13 @@ int moderate_exponent(const Scene& scene, Vec3 camera) {
   });
   largest = largest_of(scene.shifts.size(), largest,
                        [&](std::size_t i) { return largest_part(scene.shifts[i]); });
+  const std::vector<Ball> balls = balls_around(scene.prototypes);
+  largest = largest_of(scene.instances.size(), largest, [&](std::size_t i) {
+    const auto& [prototype, placement, shift] = scene.instances[i];
+    const Ball& ball = balls[prototype];
+    return std::max({largest_part(placement.apply(ball.center)), largest_part(shift),
+                     ball.radius * placement.scale});
+  });
   return -exponent_of(largest);
 }
 
@@ -45,8 +54,8 @@ double length_of_extreme(Vec3 v) noexcept {
 
 Rebase::Rebase(const Scene& scene, std::span<const std::uint32_t> left_out)
     : frame_(scene, scene.camera.from) {
-  const bool all_count = left_out.size() == scene.spheres.size();
-  const double extent = largest_of(scene.spheres.size(), 0, [&](std::size_t i) {
+  const bool all_count = left_out.size() == scene.spheres.size() && scene.instances.empty();
+  double extent = largest_of(scene.spheres.size(), 0, [&](std::size_t i) {
     if (!all_count && contains(left_out, static_cast<std::uint32_t>(i))) return 0.0;
     const Vec3 center = frame_.place(scene.spheres[i].center);
     const double radius = frame_.size(scene.spheres[i].radius);
@@ -54,9 +63,32 @@ Rebase::Rebase(const Scene& scene, std::span<const std::uint32_t> left_out)
     if (scene.shifts.empty()) return opened;
     return std::max(opened, moderate_length(center + frame_.size(scene.shifts[i])) + radius);
   });
+  extent = std::max(extent, extremes_of_instances(scene, frame_).extent);
   const int e = -exponent_of(extent);
   first_ = power_of_two(e / 2);
   second_ = power_of_two(e - e / 2);
+}
+
+Instance Rebase::instance(const Instance& from, const Ball& ball) const noexcept {
+  const Placement& placement = from.placement;
+  const int e = exponent_of(ball.radius);
+  const auto turned = [&](Vec3 column) { return scaled_by_power_of_two(shift(column), e); };
+  return {.prototype = from.prototype,
+          .placement = {.x = turned(placement.x),
+                        .y = turned(placement.y),
+                        .z = turned(placement.z),
+                        .translate = scaled(frame_.place(placement.apply(ball.center))),
+                        .scale = std::ldexp(size(placement.scale), e)},
+          .shift = shift(from.shift)};
+}
+
+void center_prototype(Prototype& prototype, const Ball& ball) noexcept {
+  const int e = -exponent_of(ball.radius);
+  for (Sphere& sphere : prototype.spheres) {
+    sphere.center = scaled_by_power_of_two(sphere.center - ball.center, e);
+    sphere.radius = std::ldexp(sphere.radius, e);
+  }
+  for (Vec3& shift : prototype.shifts) shift = scaled_by_power_of_two(shift, e);
 }
 
 void rebase_to_camera(Scene& scene, std::span<const std::uint32_t> left_out) {
@@ -66,6 +98,11 @@ void rebase_to_camera(Scene& scene, std::span<const std::uint32_t> left_out) {
                  [&](std::size_t i) { scene.spheres[i] = rebase.sphere(scene.spheres[i]); });
   for_each_index(scene.shifts.size(),
                  [&](std::size_t i) { scene.shifts[i] = rebase.shift(scene.shifts[i]); });
+  const std::vector<Ball> balls = balls_around(scene.prototypes);
+  for_each_index(scene.instances.size(), [&](std::size_t i) {
+    scene.instances[i] = rebase.instance(scene.instances[i], balls[scene.instances[i].prototype]);
+  });
+  for (std::size_t i = 0; i < balls.size(); ++i) center_prototype(scene.prototypes[i], balls[i]);
   scene.camera.from = Vec3{};
   scene.camera.at = view;
 }

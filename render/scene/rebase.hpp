@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "render/scene/scene.hpp"
 
@@ -36,31 +37,45 @@ inline double moderate_length(Vec3 v) noexcept {
   return squared >= kLeast && squared < kMost ? std::sqrt(squared) : length_of_extreme(v);
 }
 
+/// A ball around all spheres of a prototype, over the whole shutter.
+struct Ball {
+  Vec3 center;
+  double radius = 0;
+};
+Ball ball_around(const Prototype& prototype) noexcept;
+std::vector<Ball> balls_around(const std::vector<Prototype>& prototypes);
+
 /// What rebase_to_camera() makes of a scene's spheres, to look at without a copy of all of them.
 class Rebase {
  public:
   explicit Rebase(const Scene& scene, std::span<const std::uint32_t> left_out = {});
 
   Sphere sphere(const Sphere& s) const noexcept {
-    return {.center = scaled(frame_.place(s.center)),
-            .radius = frame_.size(s.radius) * first_ * second_,
-            .material = s.material};
+    return {
+        .center = scaled(frame_.place(s.center)), .radius = size(s.radius), .material = s.material};
   }
   Vec3 shift(Vec3 v) const noexcept { return scaled(frame_.size(v)); }
+  /// Of the prototype as center_prototype() makes it; `ball` is the one around it before.
+  Instance instance(const Instance& from, const Ball& ball) const noexcept;
 
  private:
+  double size(double v) const noexcept { return frame_.size(v) * first_ * second_; }
   Vec3 scaled(Vec3 v) const noexcept { return v * first_ * second_; }
 
   CameraFrame frame_;
   double first_, second_;  // a power of two in two factors, as in CameraFrame
 };
 
+/// Puts the middle of a prototype to the origin and scales it by a power of two so that the radius
+/// of `ball`, the one around it, lies in [1, 2).
+void center_prototype(Prototype& prototype, const Ball& ball) noexcept;
+
 /// Moves the scene so that the camera stands at the origin and scales it by a power of two so that
 /// its extent E = max(|centre| + radius), over both ends of the shutter, lies in [1, 2); the
 /// spheres `left_out` do not count where there are others. The picture stays the same, bit for bit
 /// under scaling by powers of two, and no longer depends on where in the world the scene is;
-/// squares of lengths can neither overflow nor vanish. Afterwards camera.at − camera.from is only a
-/// direction.
+/// squares of lengths can neither overflow nor vanish. Prototypes are centred, and instances put
+/// them where they were. Afterwards camera.at − camera.from is only a direction.
 void rebase_to_camera(Scene& scene, std::span<const std::uint32_t> left_out = {});
 
 }  // namespace sdlc::render

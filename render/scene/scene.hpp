@@ -5,6 +5,7 @@
 
 #include "render/math/color.hpp"
 #include "render/math/interval.hpp"
+#include "render/math/placement.hpp"
 #include "render/math/vec3.hpp"
 
 /// What the renderer draws: plain data that has already been checked.
@@ -51,6 +52,21 @@ struct Background {
   bool is_constant() const noexcept { return bottom == top; }
 };
 
+/// Spheres that stand in several places at once and are held once.
+struct Prototype {
+  std::vector<Sphere> spheres;  ///< as they stand in no group; at least one
+  std::vector<Vec3> shifts;     ///< as in Scene
+};
+
+/// A prototype in one of its places.
+struct Instance {
+  std::uint32_t prototype = 0;  ///< index into Scene::prototypes
+  Placement placement;          ///< at the opening of the shutter; its scale is above 0
+  Vec3 shift;                   ///< of all of it, up to the closing of the shutter
+
+  friend bool operator==(const Instance&, const Instance&) = default;
+};
+
 struct Scene {
   Camera camera;
   Background background;
@@ -59,6 +75,8 @@ struct Scene {
   /// How far each centre moves from the opening to the closing of the shutter; empty when nothing
   /// moves.
   std::vector<Vec3> shifts;
+  std::vector<Prototype> prototypes;
+  std::vector<Instance> instances;  ///< their spheres come behind `spheres`, one after the other
 };
 
 /// How the picture is made.

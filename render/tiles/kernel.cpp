@@ -30,7 +30,7 @@ std::string whole(double number) { return std::to_string(std::lround(number)); }
 /// Why no wide kernel takes a scene; empty: one does.
 std::string objection_to_wide(const Scene& scene, const KernelRequest& request) {
   if (available_isas().empty()) return "the machine lacks the instructions of the wide kernel";
-  if (scene.spheres.empty()) return "no spheres";
+  if (scene.spheres.empty() && scene.instances.empty()) return "no spheres";
   if (request.kind == KernelKind::Wide && scene.spheres.size() > kMostWideSpheres) {
     return "more than " + std::to_string(kMostWideSpheres) + " spheres";
   }
@@ -77,6 +77,37 @@ Kernel judged_kernel(const Scene& scene, const RenderSettings& settings,
   return kernel;
 }
 
+Kernel refused(std::string refusal) {
+  Kernel kernel;
+  kernel.reason = refusal;
+  kernel.refusal = std::move(refusal);
+  return kernel;
+}
+
+/// Instances are followed by one kernel alone.
+Kernel kernel_for_instances(const Scene& scene, const RenderSettings& settings,
+                            const KernelRequest& request) {
+  const std::string way_out = "; --instances never gives every sphere a place of its own";
+  if (request.isa && !has(*request.isa)) {
+    return refused("--isa: this machine has no " + std::string(name_of(*request.isa)));
+  }
+  if (request.kind && *request.kind != KernelKind::Bvh) {
+    return refused("--kernel: instances are traced through a hierarchy" + way_out);
+  }
+  if (request.precision && request.precision != Precision::Double && !request.may_take_double) {
+    return refused("--precision: instances are traced in double" + way_out);
+  }
+  const std::string objection = objection_to_wide(scene, request);
+  if (!objection.empty()) {
+    return refused("--instances: not with the scalar kernel, which is needed as " + objection +
+                   way_out);
+  }
+  Kernel kernel = kernel_in_double(scene, settings, "instances are traced in double");
+  kernel.kind = KernelKind::Bvh;
+  kernel.isa = request.isa.value_or(available_isas().back());
+  return kernel;
+}
+
 Kernel wide_kernel_for(const Scene& scene, const RenderSettings& settings,
                        const KernelRequest& request) {
   Kernel kernel = judged_kernel(scene, settings, request);
@@ -107,18 +138,13 @@ std::string_view name_of(KernelKind kind) noexcept {
 
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request) {
-  const auto refused = [](std::string refusal) {
-    Kernel kernel;
-    kernel.reason = refusal;
-    kernel.refusal = std::move(refusal);
-    return kernel;
-  };
   const auto scalar = [&](std::string reason) {
     return kernel_in_double(scene, settings, std::move(reason));
   };
   // The search for gaps works on several.
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(thread_count(settings.threads)));
+  if (!scene.instances.empty()) return kernel_for_instances(scene, settings, request);
   const bool is_scalar = request.kind == KernelKind::Scalar;
   const std::string objection = is_scalar ? std::string() : objection_to_wide(scene, request);
   const bool takes_double = request.may_take_double && (is_scalar || !objection.empty());

@@ -49,6 +49,9 @@ class BvhSearch {
   /// Of the places where a ray meets planes and spheres, by far.
   static constexpr T kRelativeError = 4 * std::numeric_limits<T>::epsilon();
 
+  /// Of a direction, taken in place of less: its inverse is a number.
+  static constexpr T kLeastAlong = static_cast<T>(sizeof(T) == 4 ? 1e-18 : 1e-60);
+
   /// One number of each ray.
   template <typename U>
   using Row = std::array<U, hn::MaxLanes(hn::ScalableTag<T>())>;
@@ -85,7 +88,7 @@ class BvhSearch {
     /// Finite, so that no product is no number. A ray within a box's side is taken to meet it.
     static HWY_INLINE VR inverse_of(VR along) {
       const DR d;
-      const VR least = hn::Set(d, static_cast<T>(sizeof(T) == 4 ? 1e-18 : 1e-60));
+      const VR least = hn::Set(d, kLeastAlong);
       return hn::Div(hn::Set(d, T{1}), hn::CopySign(hn::Max(hn::Abs(along), least), along));
     }
     static HWY_INLINE void store(Triple<VR> v, std::array<Row<T>, 3>& to) {
@@ -122,7 +125,29 @@ class BvhSearch {
       }
     }
 
+    /// `along` is of unit length.
+    HWY_INLINE Ray(Triple<T> from, Triple<T> along, T at_time)
+        : origin(spread(from)), direction(spread(along)), time(hn::Set(D(), at_time)) {
+      const Triple<T> inverses{inverse_of(along.x), inverse_of(along.y), inverse_of(along.z)};
+      const Triple<T> offset{from.x * inverses.x, from.y * inverses.y, from.z * inverses.z};
+      inverse = spread(inverses);
+      most_offset = spread({most(offset.x), most(offset.y), most(offset.z)});
+      least_offset = spread({-most(-offset.x), -most(-offset.y), -most(-offset.z)});
+      near = {std::signbit(along.x) ? 1U : 0U, std::signbit(along.y) ? 1U : 0U,
+              std::signbit(along.z) ? 1U : 0U};
+    }
+
    private:
+    static T inverse_of(T along) {
+      return T{1} / std::copysign(std::max(std::fabs(along), kLeastAlong), along);
+    }
+    static T most(T offset) {
+      return std::max(offset * (1 + kRelativeError), offset * (1 - kRelativeError));
+    }
+    static HWY_INLINE Triple<V> spread(Triple<T> v) {
+      const D d;
+      return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
+    }
     static HWY_INLINE Triple<V> spread_row(const std::array<Row<T>, 3>& rows, std::size_t lane) {
       const D d;
       return {hn::Set(d, rows[0][lane]), hn::Set(d, rows[1][lane]), hn::Set(d, rows[2][lane])};
@@ -134,6 +159,48 @@ class BvhSearch {
   /// Replaces `hit` by what is nearer on the ray, or as near and before it in the scene, of what is
   /// below the node `root`; `departed` is not looked for.
   HWY_INLINE void find(std::uint32_t root, const Ray& ray, std::uint32_t departed, Hit& hit) const {
+    walk(root, ray, hit.t,
+         [&](std::size_t first) HWY_ATTR { meet_leaf(first, ray, departed, hit); });
+  }
+
+  /// A sphere of an instance, or of the world.
+  struct Placed {
+    std::uint32_t slot, row;
+  };
+  struct PlacedHit {
+    T t;
+    Placed sphere;
+  };
+
+  /// The same among the world and all instances, for the ray of a lane.
+  void find_placed(const Rays& rays, std::size_t lane, Placed departed, PlacedHit& hit) const {
+    const InstanceTable& table = scene_.instances;
+    const Ray ray(rays, lane);
+    if (table.world_root != InstanceTable::kNone) {
+      find_in(table.world_root, 0, ray, T{1}, T{1}, departed, hit);
+    }
+    walk(table.root, ray, hit.t, [&](std::size_t first) HWY_ATTR {
+      alignas(64) std::array<T, kBvhWidth> entries;
+      for (std::uint32_t met = meet_balls(first, ray, at_most(hit.t), entries); met != 0;) {
+        auto nearest = static_cast<std::size_t>(std::countr_zero(met));
+        for (std::uint32_t rest = met & (met - 1); rest != 0; rest &= rest - 1) {
+          const auto ball = static_cast<std::size_t>(std::countr_zero(rest));
+          if (entries[ball] < entries[nearest]) nearest = ball;
+        }
+        if (entries[nearest] > at_most(hit.t)) return;
+        met &= ~(std::uint32_t{1} << nearest);
+        const std::uint32_t row = table.row_of_ball[first - table.first_ball + nearest];
+        find_in_instance(row, rays, lane, departed, hit);
+      }
+    });
+  }
+
+ private:
+  /// Calls `on_leaf` with the first slot of each leaf below `root` that begins on the ray before
+  /// `farthest`, which may become less meanwhile, nearest first as far as it is known.
+  template <typename OnLeaf>
+  HWY_INLINE void walk(std::uint32_t root, const Ray& ray, const T& farthest,
+                       const OnLeaf& on_leaf) const {
     // Only as much of it is touched as nodes wait.
     struct Waiting {
       T t;
@@ -144,11 +211,11 @@ class BvhSearch {
     std::uint32_t current = root;
     while (true) {
       if ((current & WideBvh<T>::kLeaf) != 0) {
-        meet_leaf((current & ~WideBvh<T>::kLeaf) * kBvhWidth, ray, departed, hit);
+        on_leaf(std::size_t{current & ~WideBvh<T>::kLeaf} * kBvhWidth);
       } else {
         const auto& node = scene_.bvh.nodes[current];
         alignas(64) std::array<T, kBvhWidth> entries;
-        std::uint32_t met = meet_boxes(node, ray, at_most(hit.t), entries);
+        std::uint32_t met = meet_boxes(node, ray, at_most(farthest), entries);
         if (std::has_single_bit(met)) {
           current = node.children[static_cast<std::size_t>(std::countr_zero(met))];
           continue;
@@ -167,12 +234,11 @@ class BvhSearch {
       do {
         if (waiting == 0) return;
         --waiting;
-      } while (stack[waiting].t > at_most(hit.t));
+      } while (stack[waiting].t > at_most(farthest));
       current = stack[waiting].child;
     }
   }
 
- private:
   /// Where a box may begin of which a sphere was met at `t`: a grazing hit on a sphere of radius r
   /// is off by up to √(2u (t + r) r) along the ray, r ≤ 2, which is less.
   static HWY_INLINE T at_most(T t) {
@@ -203,6 +269,76 @@ class BvhSearch {
       const V leave = hn::Min(hn::Min(leave_x, leave_y), hn::Min(leave_z, hn::Set(d, farthest)));
       hn::Store(enter, d, entries.data() + part * kLanes);
       met |= bits_of(d, hn::Le(enter, leave)) << (part * kLanes);
+    }
+    return met;
+  }
+
+  /// find() among the spheres of one row, in whose coordinates the ray is: lengths of the world are
+  /// `scale` times those there.
+  HWY_INLINE void find_in(std::uint32_t root, std::uint32_t row, const Ray& ray, T scale,
+                          T inverse_scale, Placed departed, PlacedHit& hit) const {
+    constexpr std::uint32_t kNone = 0xFFFFFFFF;
+    const bool is_within = hit.sphere.row == row;
+    const std::uint32_t known = is_within ? hit.sphere.slot : kNone;
+    const T t_known = hit.t * inverse_scale;
+    Hit here{t_known, known};
+    find(root, ray, departed.row == row ? departed.slot : kNone, here);
+    if (here.slot == known && here.t == t_known) return;  // before anything is hit, slot 0 is known
+    const T t = here.t * scale;
+    // Of several instances at one distance the first.
+    if (!is_within && (t > hit.t || (t == hit.t && row > hit.sphere.row))) return;
+    hit = {t, {here.slot, row}};
+  }
+
+  HWY_NOINLINE void find_in_instance(std::uint32_t row, const Rays& rays, std::size_t lane,
+                                     Placed departed, PlacedHit& hit) const {
+    const InstanceTable& table = scene_.instances;
+    const double* numbers = table.rows.data() + row * InstanceTable::kRowSize;
+    Triple<T> from{rays.origin[0][lane] - numbers[InstanceTable::kTranslate],
+                   rays.origin[1][lane] - numbers[InstanceTable::kTranslate + 1],
+                   rays.origin[2][lane] - numbers[InstanceTable::kTranslate + 2]};
+    if constexpr (kMotion) {
+      if (!table.shift[0].empty()) {
+        from = {from.x - table.shift[0][row] * rays.time[lane],
+                from.y - table.shift[1][row] * rays.time[lane],
+                from.z - table.shift[2][row] * rays.time[lane]};
+      }
+    }
+    const Triple<T> along{rays.direction[0][lane], rays.direction[1][lane],
+                          rays.direction[2][lane]};
+    const auto on_axis = [&](std::size_t axis, Triple<T> v, T factor) {
+      const double* along_axis = numbers + InstanceTable::kAxes + 3 * axis;
+      return (along_axis[0] * v.x + along_axis[1] * v.y + along_axis[2] * v.z) * factor;
+    };
+    const T inverse_scale = numbers[InstanceTable::kInverseScale];
+    const Triple<T> origin{on_axis(0, from, inverse_scale), on_axis(1, from, inverse_scale),
+                           on_axis(2, from, inverse_scale)};
+    const Triple<T> direction{on_axis(0, along, 1), on_axis(1, along, 1), on_axis(2, along, 1)};
+    find_in(static_cast<std::uint32_t>(numbers[InstanceTable::kRoot]), row,
+            Ray(origin, direction, rays.time[lane]), numbers[InstanceTable::kScale], inverse_scale,
+            departed, hit);
+  }
+
+  /// The balls of a leaf that the ray meets before `farthest`, as bits, and where it enters them.
+  HWY_INLINE std::uint32_t meet_balls(std::size_t first, const Ray& ray, T farthest,
+                                      std::array<T, kBvhWidth>& entries) const {
+    const D d;
+    std::uint32_t met = 0;
+    for (std::size_t part = 0; part < kParts; ++part) {
+      const std::size_t slot = first + part * kLanes;
+      Triple<V> center = load(scene_.center, slot);
+      if constexpr (kMotion) center = plus_scaled(center, load(scene_.shift, slot), ray.time);
+      const Triple<V> to_center = minus(center, ray.origin);
+      const V middle = dot(to_center, ray.direction);
+      const V radius = hn::Load(d, scene_.radius.data() + slot);
+      // No number where it misses.
+      const V half_chord =
+          hn::Sqrt(chord_discriminant(to_center, ray.direction, middle, hn::Mul(radius, radius)));
+      const V enters = hn::Max(hn::Sub(middle, half_chord), hn::Zero(d));
+      const auto is_met = hn::And(hn::Ge(hn::Add(middle, half_chord), hn::Zero(d)),
+                                  hn::Le(enters, hn::Set(d, farthest)));
+      hn::Store(enters, d, entries.data() + part * kLanes);
+      met |= bits_of(d, is_met) << (part * kLanes);
     }
     return met;
   }

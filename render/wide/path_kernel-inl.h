@@ -29,11 +29,12 @@ namespace sdlc::render::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// What a kernel has and what costs time where a scene does not need it.
-template <bool motion, bool exact_spheres, bool bvh>
+template <bool motion, bool exact_spheres, bool bvh, bool instances = false>
 struct Features {
   static constexpr bool kMotion = motion;
   static constexpr bool kExactSpheres = exact_spheres;
   static constexpr bool kBvh = bvh;
+  static constexpr bool kInstances = instances;  // in double, through a hierarchy
 };
 
 /// All that a thread does: one path in every lane, a new one as soon as it ends.
@@ -64,8 +65,12 @@ class WidePaths {
 
   struct Nearest {
     V t;         // infinite where nothing was hit
-    Bits index;  // of the sphere; 0 there
+    Bits index;  // of the sphere: its slot; 0 there. kInstances: 2^32 rows of the instance more
   };
+  static HWY_INLINE Bits slot_of(Bits index) {
+    if constexpr (F::kInstances) return hn::And(index, word(0xFFFFFFFF));
+    return index;
+  }
 
   static HWY_INLINE V set(double v) { return hn::Set(D(), static_cast<T>(v)); }
   static HWY_INLINE Bits word(std::uint32_t v) { return hn::Set(DU(), v); }
@@ -81,6 +86,9 @@ class WidePaths {
                        Nearest& nearest) const;
   void intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed, Mask alive,
                      Nearest& nearest) const;
+  void intersect_placed(Triple<V> origin, Triple<V> direction, V time, Bits departed, Mask alive,
+                        Nearest& nearest) const;
+  HWY_INLINE V place_in_world(Bits index, V time, Triple<V>& center) const;
   HWY_INLINE TableReader<D> material_reader(const TableReader<D>& read) const {
     if constexpr (F::kBvh) return {read(scene_.material), scene_.materials};
     return read;
@@ -156,13 +164,15 @@ auto WidePaths<T, F>::intersect(Triple<V> origin, Triple<V> direction, V time, B
   if constexpr (F::kBvh) {  // in the order of the tables, where spheres met in double come last
     // Not from one of those, and not from none.
     const auto first_exact = word(static_cast<std::uint32_t>(scene_.first_exact));
-    const Mask has_left = hn::RebindMask(D(), hn::Lt(departed, first_exact));
+    const Mask has_left = hn::RebindMask(D(), hn::Lt(slot_of(departed), first_exact));
     take_if_nearer(hn::IfThenElse(has_left, rehit, set(-1)), departed, nearest);
   }
   if constexpr (F::kExactSpheres) {
     intersect_exact(origin, direction, time, departed, rehit, nearest);
   }
-  if constexpr (F::kBvh) {
+  if constexpr (F::kInstances) {
+    intersect_placed(origin, direction, time, departed, alive, nearest);
+  } else if constexpr (F::kBvh) {
     intersect_bvh(origin, direction, time, departed, alive, nearest);
   }
   return nearest;
@@ -326,6 +336,65 @@ void WidePaths<T, F>::intersect_bvh(Triple<V> origin, Triple<V> direction, V tim
   nearest = {hn::Load(d, distances.data()), hn::Load(du, indices.data())};
 }
 
+/// The same where some of them are instances'.
+template <typename T, typename F>
+void WidePaths<T, F>::intersect_placed(Triple<V> origin, Triple<V> direction, V time, Bits departed,
+                                       Mask alive, Nearest& nearest) const {
+  const D d;
+  const DU du;
+  using Search = BvhSearch<T, F::kMotion>;
+  const typename Search::Rays rays(origin, direction, time);
+  const Search search(scene_);
+  const auto placed = [](Word index) {
+    return typename Search::Placed{static_cast<std::uint32_t>(index),
+                                   static_cast<std::uint32_t>(index >> 32)};
+  };
+  alignas(64) std::array<T, kLanes> distances;
+  alignas(64) std::array<Word, kLanes> left, indices;
+  hn::Store(nearest.t, d, distances.data());
+  hn::Store(departed, du, left.data());
+  hn::Store(nearest.index, du, indices.data());
+  for (std::uint32_t lanes = bits_of(d, alive); lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+    typename Search::PlacedHit hit{distances[lane], placed(indices[lane])};
+    search.find_placed(rays, lane, placed(left[lane]), hit);
+    distances[lane] = hit.t;
+    indices[lane] = Word{hit.sphere.row} << 32 | hit.sphere.slot;
+  }
+  nearest = {hn::Load(d, distances.data()), hn::Load(du, indices.data())};
+}
+
+/// Moves centres from where prototypes have them to where their instances put them at `time`. The
+/// instances' scales.
+template <typename T, typename F>
+auto WidePaths<T, F>::place_in_world(Bits index, V time, Triple<V>& center) const -> V {
+  const D d;
+  const hn::RebindToSigned<D> di;
+  const InstanceTable& table = scene_.instances;
+  const auto row = hn::BitCast(di, hn::ShiftRight<32>(index));
+  const auto first = hn::ShiftLeft<4>(row);
+  static_assert(InstanceTable::kRowSize == 16);
+  const auto column = [&](std::size_t i)
+                          HWY_ATTR { return hn::GatherIndex(d, table.rows.data() + i, first); };
+  const auto triple = [&](std::size_t i) HWY_ATTR {
+    return Triple<V>{column(i), column(i + 1), column(i + 2)};
+  };
+  const V scale = column(InstanceTable::kScale);
+  const Triple<V> scaled_center = scaled(center, scale);
+  center =
+      plus_scaled(triple(InstanceTable::kTranslate), triple(InstanceTable::kAxes), scaled_center.x);
+  center = plus_scaled(center, triple(InstanceTable::kAxes + 3), scaled_center.y);
+  center = plus_scaled(center, triple(InstanceTable::kAxes + 6), scaled_center.z);
+  if constexpr (F::kMotion) {
+    if (!table.shift[0].empty()) {
+      const auto of = [&](std::size_t axis)
+                          HWY_ATTR { return hn::GatherIndex(d, table.shift[axis].data(), row); };
+      center = plus_scaled(center, Triple<V>{of(0), of(1), of(2)}, time);
+    }
+  }
+  return scale;
+}
+
 /// Adds `value` in the lanes of `mask`, in double.
 template <typename T, typename F>
 void WidePaths<T, F>::add_to_sums(Mask mask, Triple<V> value) {
@@ -390,10 +459,15 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
       origin = choose(fresh, Triple<V>{zero, zero, zero}, origin);
       beta = choose(fresh, Triple<V>{one, one, one}, beta);
       depth_left = hn::IfThenElse(fresh_bits, word(scene_.max_depth), depth_left);
-      departed = hn::IfThenElse(fresh_bits, word(scene_.camera_sphere), departed);
+      Bits under_camera = word(scene_.camera_sphere);
+      if constexpr (F::kInstances) {
+        const Bits row = word(scene_.instances.camera_row);
+        under_camera = hn::Or(under_camera, hn::ShiftLeft<32>(row));
+      }
+      departed = hn::IfThenElse(fresh_bits, under_camera, departed);
       if (HWY_UNLIKELY(scene_.camera_sphere != scene_.kNoCameraSphere)) {
         normal = choose(fresh, spread(d, scene_.camera_normal), normal);
-        radius = hn::IfThenElse(fresh, hn::Set(d, scene_.radius[scene_.camera_sphere]), radius);
+        radius = hn::IfThenElse(fresh, hn::Set(d, scene_.camera_sphere_radius), radius);
       }
     }
 
@@ -415,7 +489,7 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     counts.rays += hn::CountTrue(d, alive);
 
     const Mask hit = hn::Lt(nearest.t, infinity);
-    const TableReader<D> read(nearest.index, scene_.slots);
+    const TableReader<D> read(slot_of(nearest.index), scene_.slots);
     const TableReader<D> read_material = material_reader(read);
     const TableReader<D> read_optics = optics_reader(read_material);
     const Bits surface = hn::IfThenElseZero(hn::RebindMask(du, hit), read_optics(scene_.surface));
@@ -428,6 +502,8 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     // From the centre, never from the point in the world: the distance to the origin cancels.
     Triple<V> center = read(scene_.center);
     if constexpr (F::kMotion) center = plus_scaled(center, read(scene_.shift), time);
+    V scale = one;
+    if constexpr (F::kInstances) scale = place_in_world(nearest.index, time, center);
     const Mask is_rehit = hn::RebindMask(d, hn::Eq(nearest.index, departed));
     const Triple<V> from_center = plus_scaled(minus(origin, center), direction, nearest.t);
     Triple<V> outward =
@@ -441,6 +517,7 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
             .scatter(direction, outward, cosine, surface, LaneSampler<D>(stream, mixer), absorbed);
     stream = add_low_32(stream, word(kVertexStep));
     radius = read(scene_.radius);
+    if constexpr (F::kInstances) radius = hn::Mul(radius, scale);
     const Triple<V> on_ray = plus_scaled(origin, direction, nearest.t);
     origin = plus_scaled(center, outward, radius);
     if constexpr (F::kExactSpheres) {
@@ -494,6 +571,12 @@ TraceBlocks<T>* choose_search(WideFeatures features) noexcept {
 
 template <typename T>
 TraceBlocks<T>* choose_kernel(WideFeatures features) noexcept {
+  if constexpr (sizeof(T) == 8) {
+    if (features.instances) {
+      return features.motion ? &trace_blocks<T, Features<true, false, true, true>>
+                             : &trace_blocks<T, Features<false, false, true, true>>;
+    }
+  }
   if constexpr (sizeof(T) == 4) {
     if (features.exact_spheres) {
       return features.motion ? choose_search<T, true, true>(features)

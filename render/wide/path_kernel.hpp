@@ -42,6 +42,7 @@ struct WideFeatures {
   bool motion = false;
   bool exact_spheres = false;  ///< WideScene::exact, in float
   bool bvh = false;            ///< Search::Bvh
+  bool instances = false;      ///< WideScene::instances, in double
 };
 /// The kernel for an instruction set that this machine has.
 template <typename T>

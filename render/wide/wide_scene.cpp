@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include "render/scene/camera_surface.hpp"
+#include "render/scene/instances.hpp"
 #include "render/scene/near_pairs.hpp"
 
 namespace sdlc::render {
@@ -42,7 +43,7 @@ WideScene<T>::WideScene(const Scene& scene, int depth, Search search_for_hits,
     : search(search_for_hits),
       exact_spheres(spheres_in_double.size()),
       max_depth(static_cast<std::uint32_t>(depth)),
-      has_motion(!scene.shifts.empty()) {
+      has_motion(render::has_motion(scene)) {
   std::vector<std::uint32_t> order = without(scene.spheres.size(), spheres_in_double);
   if (search == Search::Bvh) {
     bvh = WideBvh<T>(scene, order);
@@ -52,22 +53,26 @@ WideScene<T>::WideScene(const Scene& scene, int depth, Search search_for_hits,
   slots = first_exact + exact_spheres;
   order.reserve(slots);
   order.insert(order.end(), spheres_in_double.begin(), spheres_in_double.end());
-  add_spheres(scene, order);
+  const Prototype balls = balls_of_instances(scene);
+  std::vector<Part> parts;
+  if (!scene.instances.empty()) parts = add_hierarchies(scene, balls);
+  make_room_for_spheres();
+  add_spheres(scene.spheres, scene.shifts, order, 0, Place::World);
   if (search == Search::Bvh) {
     index_in_scene = std::move(order);
     add_materials(scene);
   } else {
     add_materials_by_slot(scene, order);
   }
+  if (!scene.instances.empty()) add_instances(scene, balls, parts);
   const LinearRgb bottom = scene.background.bottom, top = scene.background.top;
   // bottom at y = −1, top at y = 1; a constant sky stays exact.
   sky_middle = rounded<T>(scene.background.is_constant() ? bottom : (bottom + top) * 0.5);
   sky_slope = rounded<T>((top - bottom) * 0.5);
 }
 
-/// Slots of no sphere, and those that round the tables up, hold one of radius 0.
 template <typename T>
-void WideScene<T>::add_spheres(const Scene& scene, std::span<const std::uint32_t> order) {
+void WideScene<T>::make_room_for_spheres() {
   const std::size_t size = padded(slots);
   for (Table& table : center) table.resize(size);
   if (has_motion) {
@@ -76,16 +81,27 @@ void WideScene<T>::add_spheres(const Scene& scene, std::span<const std::uint32_t
   radius.resize(size);
   if (search == Search::All) radius_squared.resize(size);
   if (search == Search::Bvh) material.resize(size);
+}
+
+/// Slots of no sphere, and those that round the tables up, hold one of radius 0.
+template <typename T>
+void WideScene<T>::add_spheres(const std::vector<Sphere>& spheres, const std::vector<Vec3>& shifts,
+                               std::span<const std::uint32_t> order, std::size_t first_slot,
+                               Place place) {
   constexpr std::size_t kSlotsATask = 4096;
   const auto add = [&](const tbb::blocked_range<std::size_t>& range) {
-    for (std::size_t slot = range.begin(); slot < range.end(); ++slot) {
-      const bool is_empty = slot >= slots || order[slot] == WideBvh<T>::kNoSphere;
-      const Sphere sphere = is_empty ? Sphere{} : scene.spheres[order[slot]];
-      add_sphere(slot, sphere, has_motion && !is_empty ? scene.shifts[order[slot]] : Vec3{});
-      if (search == Search::Bvh) material[slot] = sphere.material;
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const bool is_empty = i >= order.size() || order[i] == WideBvh<T>::kNoSphere;
+      const Sphere sphere = is_empty ? Sphere{} : spheres[order[i]];
+      const Vec3 moves = is_empty || shifts.empty() ? Vec3{} : shifts[order[i]];
+      add_sphere(first_slot + i, sphere, moves);
+      if (place == Place::World && has_camera_on_it(sphere, moves)) {
+        stand_on(static_cast<std::uint32_t>(first_slot + i), sphere);
+      }
+      if (search == Search::Bvh) material[first_slot + i] = sphere.material;
     }
   };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, kSlotsATask), add);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, padded(order.size()), kSlotsATask), add);
 }
 
 template <typename T>
@@ -107,11 +123,14 @@ void WideScene<T>::add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves
                                  .shift = {moves.x, moves.y, moves.z},
                                  .radius_squared = sphere.radius * sphere.radius};
   }
-  if (has_camera_on_it(sphere, moves)) {
-    camera_sphere = static_cast<std::uint32_t>(slot);
-    const Vec3 normal = unit(-sphere.center);
-    camera_normal = {static_cast<T>(normal.x), static_cast<T>(normal.y), static_cast<T>(normal.z)};
-  }
+}
+
+template <typename T>
+void WideScene<T>::stand_on(std::uint32_t slot, const Sphere& sphere) {
+  camera_sphere = slot;
+  camera_sphere_radius = static_cast<T>(sphere.radius);
+  const Vec3 normal = unit(-sphere.center);
+  camera_normal = {static_cast<T>(normal.x), static_cast<T>(normal.y), static_cast<T>(normal.z)};
 }
 
 template <typename T>
@@ -181,7 +200,7 @@ void WideScene<T>::add_optics(std::size_t row, const Optics& of) {
 template <typename T>
 std::size_t WideScene<T>::memory_bytes() const noexcept {
   std::size_t bytes = bvh.nodes.capacity() * sizeof(typename WideBvh<T>::Node) +
-                      index_in_scene.capacity() * sizeof(std::uint32_t);
+                      instances.memory_bytes() + index_in_scene.capacity() * sizeof(std::uint32_t);
   for (const IndexTable* table : {&material, &optics, &surface}) {
     bytes += table->capacity() * sizeof(std::uint32_t);
   }
@@ -196,14 +215,17 @@ std::size_t WideScene<T>::memory_bytes() const noexcept {
 
 template <typename T>
 std::size_t WideScene<T>::estimated_bytes(const Scene& scene, Search search) noexcept {
-  const std::size_t of_sphere = (scene.shifts.empty() ? 4 : 7) * sizeof(T);
+  const std::size_t of_sphere = (render::has_motion(scene) ? 7 : 4) * sizeof(T);
   const std::size_t of_material = 3 * sizeof(T) + sizeof(std::uint32_t);  // optics are few
   if (search == Search::All) return scene.spheres.size() * (of_sphere + of_material + sizeof(T));
   // A tenth of the slots stays empty, and a quarter of the children of nodes.
-  const std::size_t slots = scene.spheres.size() / 9 * 10 + kBvhWidth;
+  std::size_t spheres = scene.spheres.size();
+  for (const Prototype& prototype : scene.prototypes) spheres += prototype.spheres.size();
+  const std::size_t slots = spheres / 9 * 10 + kBvhWidth;
   const std::size_t nodes = slots / kBvhWidth / 12 + 1;
-  return slots * (of_sphere + 2 * sizeof(std::uint32_t)) + scene.materials.size() * of_material +
-         nodes * sizeof(typename WideBvh<T>::Node);
+  const std::size_t of_instance = InstanceTable::kRowSize * sizeof(T) + of_sphere;
+  return scene.instances.size() * of_instance + slots * (of_sphere + 2 * sizeof(std::uint32_t)) +
+         scene.materials.size() * of_material + nodes * sizeof(typename WideBvh<T>::Node);
 }
 
 template struct WideScene<float>;

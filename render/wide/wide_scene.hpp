@@ -3,48 +3,20 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
+#include "render/wide/instance_table.hpp"
 #include "render/wide/optics.hpp"
+#include "render/wide/vector_allocator.hpp"
 #include "render/wide/wide_bvh.hpp"
 
 namespace sdlc::render {
 
 /// The most spheres that every ray is held against: their tables then fit a first-level cache.
 inline constexpr std::size_t kMostWideSpheres = 256;
-
-/// Where vectors of any width can be loaded from. Numbers that are given no value have none yet: it
-/// is for the threads that fill a table to touch its memory first.
-template <typename T>
-struct VectorAllocator {
-  using value_type = T;
-  static constexpr std::align_val_t kAlignment{64};
-
-  VectorAllocator() = default;
-  template <typename U>
-  explicit VectorAllocator(const VectorAllocator<U>& /*other*/) noexcept {}
-
-  T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new(count * sizeof(T), kAlignment));
-  }
-  template <typename U>
-  void construct(U* place) noexcept {
-    ::new (static_cast<void*>(place)) U;
-  }
-  template <typename U, typename... Values>
-  void construct(U* place, Values&&... values) noexcept {
-    ::new (static_cast<void*>(place)) U(std::forward<Values>(values)...);
-  }
-  void deallocate(T* memory, std::size_t /*count*/) noexcept {
-    ::operator delete(memory, kAlignment);
-  }
-  friend bool operator==(VectorAllocator, VectorAllocator) noexcept { return true; }
-};
 
 /// How the first sphere on a ray is found.
 enum class Search : std::uint8_t {
@@ -64,8 +36,8 @@ struct WideScene {
   using TableTriple = std::array<Table, 3>;
 
   /// `scene` is rebased, and the camera stands on at most one of its spheres. Search::All: it has
-  /// at most kMostWideSpheres. `exact_spheres`: those to be met in double, at most
-  /// kMostExactSpheres, none unless T is float.
+  /// at most kMostWideSpheres, and no instances, which there are only in double. `exact_spheres`:
+  /// those to be met in double, at most kMostExactSpheres, none unless T is float.
   WideScene(const Scene& scene, int depth, Search search,
             std::span<const std::uint32_t> exact_spheres = {});
 
@@ -94,7 +66,10 @@ struct WideScene {
   IndexTable surface;  ///< SurfaceBits
 
   Search search = Search::All;
-  WideBvh<T> bvh;               ///< its slots are taken over by index_in_scene
+  WideBvh<T> bvh;  ///< its slots are taken over by index_in_scene
+  /// Prototypes have nodes behind those of the world, and slots behind its slots; the hierarchy of
+  /// instances and their balls come last. Empty without instances.
+  InstanceTable instances;
   std::size_t slots = 0;        ///< of all spheres, holes among them
   std::size_t first_exact = 0;  ///< slots from here on hold spheres that are met in double
   std::size_t materials = 0;    ///< rows of the tables by material
@@ -116,6 +91,7 @@ struct WideScene {
   /// normal there.
   static constexpr std::uint32_t kNoCameraSphere = 0xFFFFFFFF;
   std::uint32_t camera_sphere = kNoCameraSphere;
+  T camera_sphere_radius = 0;
   Triple camera_normal{};
 
   std::size_t memory_bytes() const noexcept;
@@ -123,8 +99,24 @@ struct WideScene {
   static std::size_t estimated_bytes(const Scene& scene, Search search) noexcept;
 
  private:
-  void add_spheres(const Scene& scene, std::span<const std::uint32_t> order);
+  void make_room_for_spheres();
+  enum class Place : std::uint8_t { World, Prototype };
+  /// Those of a scene or prototype, in the slots from `first_slot` on.
+  void add_spheres(const std::vector<Sphere>& spheres, const std::vector<Vec3>& shifts,
+                   std::span<const std::uint32_t> order, std::size_t first_slot, Place place);
   void add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves);
+  void stand_on(std::uint32_t slot, const Sphere& sphere);
+  /// The hierarchy of a prototype's spheres, or of balls around instances: which of them is in each
+  /// slot from the first one on.
+  struct Part {
+    std::vector<std::uint32_t> order;
+    std::size_t first_slot = 0;
+    std::uint32_t root = 0;
+  };
+  /// Puts nodes of each prototype, and those of `balls` last, behind those that there are, and
+  /// counts their slots.
+  std::vector<Part> add_hierarchies(const Scene& scene, const Prototype& balls);
+  void add_instances(const Scene& scene, const Prototype& balls, const std::vector<Part>& parts);
   void add_materials(const Scene& scene);
   void add_materials_by_slot(const Scene& scene, std::span<const std::uint32_t> order);
   void make_room_for_materials();

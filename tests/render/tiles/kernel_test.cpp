@@ -152,5 +152,48 @@ TEST_F(KernelChoice, LeavesASkyToTheScalarKernel) {
               HasSubstr("--kernel: not with the wide kernel: no spheres"));
 }
 
+TEST_F(KernelChoice, TakesInstancesThroughAHierarchyInDouble) {
+  Scene scene = line_of_spheres(2, 0.2);
+  scene.prototypes = {{.spheres = {{{0, 0, 0}, 0.1, 0}}, .shifts = {}}};
+  scene.instances = {{.prototype = 0, .placement = {}, .shift = {}}};
+  const Kernel kernel = choose_kernel(scene, kSettings);
+  EXPECT_THAT(kernel.refusal, IsEmpty());
+  EXPECT_EQ(kernel.kind, KernelKind::Bvh);
+  EXPECT_EQ(kernel.precision, Precision::Double);
+  EXPECT_THAT(
+      choose_kernel(scene, kSettings, {.precision = Precision::Float, .may_take_double = true})
+          .refusal,
+      IsEmpty());
+
+  const auto refusal = [&](const KernelRequest& request) {
+    return choose_kernel(scene, kSettings, request).refusal;
+  };
+  EXPECT_THAT(refusal({.kind = KernelKind::Wide}), HasSubstr("--instances never"));
+  EXPECT_THAT(refusal({.kind = KernelKind::Scalar}), HasSubstr("--instances never"));
+  EXPECT_THAT(refusal({.precision = Precision::Float}), HasSubstr("--instances never"));
+  scene.camera.from = {0, 0, 0.1};  // on the instance, and
+  test::add_sphere(scene, {0, 0, 0.2}, 0.1, test::diffuse({0.5, 0.5, 0.5}));
+  EXPECT_THAT(refusal({}), HasSubstr("stands on several surfaces"));
+}
+
+TEST_F(KernelChoice, JudgesInstancesWhereTheyAre) {
+  Scene scene = line_of_spheres(2, 0.2);
+  scene.prototypes = {{.spheres = {{{0, 0, 0}, 1, 0}, {{0, 5, 0}, 0.5, 0}}, .shifts = {}}};
+  Instance instance{.prototype = 0, .placement = {}, .shift = {}};
+  instance.placement = {.x = {1e-3, 0, 0},
+                        .y = {0, 1e-3, 0},
+                        .z = {0, 0, 1e-3},
+                        .translate = {0, 0, -1000},
+                        .scale = 1e-3};
+  scene.instances = {instance};
+  const PrecisionBound hit = choose_kernel(scene, kSettings).bounds[PrecisionClause::Hit];
+  EXPECT_NEAR(hit.value / (25 * 0x1p-53 * 1004 / 0.5e-3), 1, 0.01);
+  EXPECT_EQ(hit.sphere, std::nullopt);
+  scene.instances[0].placement.translate = {0, 0, 1e-3 + 4 - 1e-9};  // almost on the camera
+  const PrecisionBound across = choose_kernel(scene, kSettings).bounds[PrecisionClause::Across];
+  EXPECT_GT(across.share, 1e-4);
+  EXPECT_LT(across.share, 1e-1);
+}
+
 }  // namespace
 }  // namespace sdlc::render

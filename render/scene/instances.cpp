@@ -1,0 +1,160 @@
+#include "render/scene/instances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "render/scene/camera_surface.hpp"
+#include "render/scene/ranges.hpp"
+#include "render/scene/suspects.hpp"
+
+namespace sdlc::render {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Where a sphere of the prototype is at the closing of the shutter.
+Vec3 closing(const Prototype& prototype, std::size_t i) noexcept {
+  const Vec3 center = prototype.spheres[i].center;
+  return prototype.shifts.empty() ? center : center + prototype.shifts[i];
+}
+
+double smallest_radius(const Prototype& prototype) noexcept {
+  double smallest = kInfinity;
+  for (const Sphere& sphere : prototype.spheres) {
+    if (sphere.radius > 0) smallest = std::min(smallest, sphere.radius);
+  }
+  return smallest;
+}
+
+}  // namespace
+
+std::uint64_t count_spheres(const Scene& scene) noexcept {
+  std::uint64_t count = scene.spheres.size();
+  for (const Instance& instance : scene.instances) {
+    const std::uint64_t more = scene.prototypes[instance.prototype].spheres.size();
+    count += std::min(more, std::numeric_limits<std::uint64_t>::max() - count);
+  }
+  return count;
+}
+
+bool has_motion(const Scene& scene) noexcept {
+  return !scene.shifts.empty() || std::ranges::any_of(scene.prototypes, [](const Prototype& of) {
+    return !of.shifts.empty();
+  }) || std::ranges::any_of(scene.instances, [](const Instance& of) { return of.shift != Vec3{}; });
+}
+
+Sphere placed(const Instance& instance, const Sphere& sphere) noexcept {
+  return {.center = instance.placement.apply(sphere.center),
+          .radius = sphere.radius * instance.placement.scale,
+          .material = sphere.material};
+}
+
+Vec3 placed_shift(const Instance& instance, Vec3 shift) noexcept {
+  return instance.placement.turn(shift) + instance.shift;
+}
+
+Scene without_instances(Scene scene) {
+  const bool is_moving = has_motion(scene);
+  if (is_moving) scene.shifts.resize(scene.spheres.size());
+  for (const Instance& instance : scene.instances) {
+    const Prototype& prototype = scene.prototypes[instance.prototype];
+    for (std::size_t i = 0; i < prototype.spheres.size(); ++i) {
+      scene.spheres.push_back(placed(instance, prototype.spheres[i]));
+      if (!is_moving) continue;
+      const Vec3 shift = prototype.shifts.empty() ? Vec3{} : prototype.shifts[i];
+      scene.shifts.push_back(placed_shift(instance, shift));
+    }
+  }
+  scene.prototypes.clear();
+  scene.instances.clear();
+  return scene;
+}
+
+Ball ball_around(const Prototype& prototype) noexcept {
+  Vec3 low{kInfinity, kInfinity, kInfinity}, high = -low;
+  const auto take = [&](Vec3 p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  };
+  for (std::size_t i = 0; i < prototype.spheres.size(); ++i) {
+    take(prototype.spheres[i].center);
+    take(closing(prototype, i));
+  }
+  Ball ball{.center = low * 0.5 + high * 0.5, .radius = 0};
+  for (std::size_t i = 0; i < prototype.spheres.size(); ++i) {
+    const double from_middle = std::max(moderate_length(prototype.spheres[i].center - ball.center),
+                                        moderate_length(closing(prototype, i) - ball.center));
+    ball.radius = std::max(ball.radius, from_middle + prototype.spheres[i].radius);
+  }
+  return ball;
+}
+
+std::vector<Ball> balls_around(const std::vector<Prototype>& prototypes) {
+  std::vector<Ball> balls;
+  balls.reserve(prototypes.size());
+  for (const Prototype& prototype : prototypes) balls.push_back(ball_around(prototype));
+  return balls;
+}
+
+InstanceExtremes extremes_of_instances(const Scene& scene, const CameraFrame& frame) {
+  const InstanceExtremes none{.radius = kInfinity, .extent = 0, .distance = kInfinity};
+  if (scene.instances.empty()) return none;
+  const std::vector<Ball> balls = balls_around(scene.prototypes);
+  std::vector<double> smallest;
+  for (const Prototype& prototype : scene.prototypes) {
+    smallest.push_back(smallest_radius(prototype));
+  }
+  const auto add = [&](InstanceExtremes& extremes, std::size_t i) {
+    const Instance& instance = scene.instances[i];
+    const Ball& ball = balls[instance.prototype];
+    const double scale = instance.placement.scale, radius = frame.size(ball.radius * scale);
+    const double away = moderate_length(frame.place(instance.placement.apply(ball.center)));
+    const double moves = moderate_length(frame.size(instance.shift));
+    extremes.radius = std::min(extremes.radius, frame.size(smallest[instance.prototype] * scale));
+    extremes.extent = std::max(extremes.extent, away + moves + radius);
+    if (away - moves > radius) {
+      extremes.distance = std::min(extremes.distance, away - moves - radius);
+    } else if (moves == 0) {
+      for (const Sphere& sphere : scene.prototypes[instance.prototype].spheres) {
+        const Sphere there = placed(instance, sphere);
+        const double of_sphere = frame.size(there.radius);
+        const double to_surface = std::fabs(moderate_length(frame.place(there.center)) - of_sphere);
+        if (to_surface <= kCoincidenceTolerance * of_sphere) continue;  // it stands on it
+        extremes.distance = std::min(extremes.distance, to_surface);
+      }
+    }
+  };
+  const auto join = [](InstanceExtremes& extremes, const InstanceExtremes& later) {
+    extremes.radius = std::min(extremes.radius, later.radius);
+    extremes.extent = std::max(extremes.extent, later.extent);
+    extremes.distance = std::min(extremes.distance, later.distance);
+  };
+  return reduce_indices(scene.instances.size(), none, add, join);
+}
+
+std::vector<InstancedSphere> find_instanced_under_camera(const Scene& scene) {
+  std::vector<InstancedSphere> found;
+  if (scene.instances.empty()) return found;
+  const Rebase rebase(scene);
+  const std::vector<Ball> balls = balls_around(scene.prototypes);
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Prototype& prototype = scene.prototypes[scene.instances[i].prototype];
+    const Ball& ball = balls[scene.instances[i].prototype];
+    // A sphere that moves touches the camera for no time at all.
+    if (scene.instances[i].shift != Vec3{}) continue;
+    const Sphere around = rebase.sphere(placed(scene.instances[i], {ball.center, ball.radius, 0}));
+    constexpr double kSlack = 1 + 0x1p-30;
+    if (length(around.center) > around.radius * kSlack) continue;
+    for (std::uint32_t k = 0; k < prototype.spheres.size(); ++k) {
+      const Vec3 shift = prototype.shifts.empty() ? Vec3{} : prototype.shifts[k];
+      const Sphere there = placed(scene.instances[i], prototype.spheres[k]);
+      if (has_camera_on_it(rebase.sphere(there), shift)) found.push_back({i, k});
+    }
+  }
+  return found;
+}
+
+}  // namespace sdlc::render

@@ -1,0 +1,45 @@
+#include "render/wide/instance_table.hpp"
+
+#include <algorithm>
+
+#include "render/scene/instances.hpp"
+#include "render/scene/rebase.hpp"
+
+namespace sdlc::render {
+
+std::size_t InstanceTable::memory_bytes() const noexcept {
+  std::size_t bytes =
+      rows.capacity() * sizeof(double) + row_of_ball.capacity() * sizeof(std::uint32_t);
+  for (const auto& table : shift) bytes += table.capacity() * sizeof(double);
+  return bytes;
+}
+
+void InstanceTable::add_row(const Placement& placement, std::uint32_t root_of_prototype) {
+  const double scale = placement.scale;
+  for (const Vec3 axis : {placement.x, placement.y, placement.z}) {
+    rows.insert(rows.end(), {axis.x / scale, axis.y / scale, axis.z / scale});
+  }
+  const Vec3 to = placement.translate;
+  rows.insert(rows.end(),
+              {to.x, to.y, to.z, scale, 1 / scale, static_cast<double>(root_of_prototype), 0.0});
+}
+
+Prototype balls_of_instances(const Scene& scene) {
+  const std::vector<Ball> balls = balls_around(scene.prototypes);
+  const bool is_moving = std::ranges::any_of(
+      scene.instances, [](const Instance& instance) { return instance.shift != Vec3{}; });
+  // A point on a ray is off by some units of rounding of its distance, which is at most 2.
+  constexpr double kRelativeSlack = 0x1p-40, kSlack = 0x1p-48;
+  Prototype all;
+  all.spheres.reserve(scene.instances.size());
+  for (const Instance& instance : scene.instances) {
+    const Ball& ball = balls[instance.prototype];
+    Sphere around = placed(instance, {.center = ball.center, .radius = ball.radius});
+    around.radius += around.radius * kRelativeSlack + kSlack;
+    all.spheres.push_back(around);
+    if (is_moving) all.shifts.push_back(instance.shift);
+  }
+  return all;
+}
+
+}  // namespace sdlc::render

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <utility>
+
+namespace sdlc::render {
+
+/// Where vectors of any width can be loaded from. Numbers that are given no value have none yet: it
+/// is for the threads that fill a table to touch its memory first.
+template <typename T>
+struct VectorAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t kAlignment{64};
+
+  VectorAllocator() = default;
+  template <typename U>
+  explicit VectorAllocator(const VectorAllocator<U>& /*other*/) noexcept {}
+
+  T* allocate(std::size_t count) {
+    return static_cast<T*>(::operator new(count * sizeof(T), kAlignment));
+  }
+  template <typename U>
+  void construct(U* place) noexcept {
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <typename U, typename... Values>
+  void construct(U* place, Values&&... values) noexcept {
+    ::new (static_cast<void*>(place)) U(std::forward<Values>(values)...);
+  }
+  void deallocate(T* memory, std::size_t /*count*/) noexcept {
+    ::operator delete(memory, kAlignment);
+  }
+  friend bool operator==(VectorAllocator, VectorAllocator) noexcept { return true; }
+};
+
+}  // namespace sdlc::render

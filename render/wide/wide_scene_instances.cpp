@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "render/scene/instances.hpp"
+#include "render/wide/instance_table.hpp"
+#include "render/wide/wide_scene.hpp"
+
+namespace sdlc::render {
+
+template <typename T>
+auto WideScene<T>::add_hierarchies(const Scene& scene, const Prototype& balls)
+    -> std::vector<Part> {
+  std::vector<Part> parts;
+  parts.reserve(scene.prototypes.size() + 1);
+  const auto add_hierarchy = [&](const Prototype& of) {
+    Scene part;
+    part.spheres = of.spheres;
+    part.shifts = of.shifts;
+    std::vector<std::uint32_t> members(of.spheres.size());
+    std::iota(members.begin(), members.end(), 0U);
+    WideBvh<T> tree(part, members);
+    // Slots of a leaf begin at whole vectors.
+    const std::size_t first_slot = (slots + kBvhWidth - 1) / kBvhWidth * kBvhWidth;
+    const auto first_leaf = static_cast<std::uint32_t>(first_slot / kBvhWidth);
+    const auto first_node = static_cast<std::uint32_t>(bvh.nodes.size());
+    for (typename WideBvh<T>::Node& node : tree.nodes) {
+      for (std::uint32_t& child : node.children) {
+        child += (child & WideBvh<T>::kLeaf) != 0 ? first_leaf : first_node;
+      }
+    }
+    bvh.nodes.insert(bvh.nodes.end(), tree.nodes.begin(), tree.nodes.end());
+    slots = first_slot + tree.slots.size();
+    parts.push_back({.order = std::move(tree.slots), .first_slot = first_slot, .root = first_node});
+  };
+  instances.world_root = bvh.nodes.empty() ? InstanceTable::kNone : 0;
+  for (const Prototype& prototype : scene.prototypes) add_hierarchy(prototype);
+  add_hierarchy(balls);
+  first_exact = slots;
+  return parts;
+}
+
+template <typename T>
+void WideScene<T>::add_instances(const Scene& scene, const Prototype& balls,
+                                 const std::vector<Part>& parts) {
+  const auto add_part = [&](const Prototype& of, const Part& part) {
+    add_spheres(of.spheres, of.shifts, part.order, part.first_slot, Place::Prototype);
+    index_in_scene.resize(part.first_slot, WideBvh<T>::kNoSphere);
+    index_in_scene.insert(index_in_scene.end(), part.order.begin(), part.order.end());
+  };
+  for (std::size_t i = 0; i < scene.prototypes.size(); ++i) {
+    add_part(scene.prototypes[i], parts[i]);
+  }
+  add_part(balls, parts.back());
+  instances.root = parts.back().root;
+  instances.first_ball = static_cast<std::uint32_t>(parts.back().first_slot);
+  for (const std::uint32_t instance : parts.back().order) {
+    instances.row_of_ball.push_back(instance == WideBvh<T>::kNoSphere ? 0 : instance + 1);
+  }
+
+  instances.rows.reserve((scene.instances.size() + 1) * InstanceTable::kRowSize);
+  instances.add_row({}, 0);
+  for (const Instance& instance : scene.instances) {
+    instances.add_row(instance.placement, parts[instance.prototype].root);
+  }
+  if (!balls.shifts.empty()) {
+    for (auto& table : instances.shift) table.assign(scene.instances.size() + 1, 0.0);
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+      const Vec3 shift_of_all = scene.instances[i].shift;
+      instances.shift[0][i + 1] = shift_of_all.x;
+      instances.shift[1][i + 1] = shift_of_all.y;
+      instances.shift[2][i + 1] = shift_of_all.z;
+    }
+  }
+
+  for (const auto& [i, sphere] : find_instanced_under_camera(scene)) {
+    const Instance& instance = scene.instances[i];
+    const Part& part = parts[instance.prototype];
+    const auto place = std::ranges::find(part.order, sphere) - part.order.begin();
+    instances.camera_row = i + 1;
+    stand_on(static_cast<std::uint32_t>(part.first_slot) + static_cast<std::uint32_t>(place),
+             placed(instance, scene.prototypes[instance.prototype].spheres[sphere]));
+  }
+}
+
+template auto WideScene<float>::add_hierarchies(const Scene& scene, const Prototype& balls)
+    -> std::vector<Part>;
+template auto WideScene<double>::add_hierarchies(const Scene& scene, const Prototype& balls)
+    -> std::vector<Part>;
+template void WideScene<float>::add_instances(const Scene& scene, const Prototype& balls,
+                                              const std::vector<Part>& parts);
+template void WideScene<double>::add_instances(const Scene& scene, const Prototype& balls,
+                                               const std::vector<Part>& parts);
+
+}  // namespace sdlc::render
