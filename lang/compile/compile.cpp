@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "lang/ast/ast.hpp"
@@ -30,13 +31,14 @@ double seconds(Clock::duration duration) { return std::chrono::duration<double>(
 /// Counts spheres as a SceneBuilder does, and remembers where the wanted ones come from.
 class Tracer final : public ObjectSink {
  public:
-  Tracer(const SourceFile& file, const Limits& limits, std::span<const std::uint32_t> wanted,
+  /// `wanted`: numbers of spheres in the order in which they are added, ascending.
+  Tracer(const SourceFile& file, const Limits& limits, std::span<const std::uint64_t> wanted,
          DiagnosticSink& sink)
       : builder_(file, limits, sink), wanted_(wanted), sink_(sink) {}
 
   void add(const Object& object) override {
     builder_.add(object);
-    if (next_ == wanted_.size() || builder_.sphere_count() <= wanted_[next_]) return;
+    if (next_ == wanted_.size() || count() <= wanted_[next_]) return;
     origins_.push_back({.where = object.where,
                         .material = material_of(object),
                         .name = object.name,
@@ -51,13 +53,37 @@ class Tracer final : public ObjectSink {
     builder_.enter(group);
   }
   void leave() override {
+    if (!begun_.empty() && begun_.back().depth == materials_.size()) {
+      counts_[begun_.back().contents] = count() - begun_.back().count;
+      begun_.pop_back();
+    }
     materials_.pop_back();
     builder_.leave();
+  }
+
+  // Of what repeats only that is looked into which holds a wanted sphere.
+  bool wants_contents() const override { return true; }
+  void begin_contents(std::uint32_t contents) override {
+    begun_.push_back({.contents = contents, .depth = materials_.size(), .count = count()});
+  }
+  bool repeat(const Object& /*group*/, std::uint32_t contents) override {
+    const auto known = counts_.find(contents);
+    if (known == counts_.end()) return false;
+    if (next_ < wanted_.size() && wanted_[next_] < count() + known->second) return false;
+    skipped_ += known->second;
+    return true;
   }
 
   std::vector<Origin> take() { return std::move(origins_); }
 
  private:
+  struct Begun {
+    std::uint32_t contents;
+    std::size_t depth;    // of groups
+    std::uint64_t count;  // of spheres before
+  };
+
+  std::uint64_t count() const { return builder_.sphere_count() + skipped_; }
   Location material_of(const Object& sphere) const {
     const bool has_own = sphere.slot(sphere_property::kMaterial).is_written;
     return has_own || materials_.empty() ? sphere.location(sphere_property::kMaterial)
@@ -66,10 +92,13 @@ class Tracer final : public ObjectSink {
 
   SceneBuilder builder_;
   std::vector<Location> materials_;  // of the groups around
-  std::span<const std::uint32_t> wanted_;
+  std::span<const std::uint64_t> wanted_;
   std::size_t next_ = 0;
   DiagnosticSink& sink_;
   std::vector<Origin> origins_;
+  std::vector<Begun> begun_;
+  std::unordered_map<std::uint32_t, std::uint64_t> counts_;  // of spheres, by contents
+  std::uint64_t skipped_ = 0;
 };
 
 }  // namespace
@@ -107,11 +136,12 @@ LoweredScene Compiler::build(const Overrides& overrides, std::optional<int> fram
   overrides_ = overrides;
   frame_ = frame;
   const auto start = Clock::now();
-  SceneBuilder builder(file_, options_.limits, sink_, purpose);
+  SceneBuilder builder(file_, options_.limits, sink_, purpose, overrides.instancing);
   read(builder, sink_);
   const auto read = Clock::now();
   LoweredScene lowered = builder.finish(overrides);
   dropped_ = builder.dropped();
+  instance_runs_ = builder.instance_runs();
   // What went wrong may be why two are equal.
   if (!sink_.has_errors()) {
     report_dropped();
@@ -222,8 +252,15 @@ void Compiler::report_fault(const PrecisionFault& fault, Location setting) {
 }
 
 std::vector<Origin> Compiler::trace_added(std::span<const std::uint32_t> spheres) {
+  std::vector<std::uint64_t> wanted;
+  auto run = instance_runs_.begin();
+  std::uint64_t of_instances = 0;
+  for (const std::uint32_t sphere : spheres) {
+    for (; run != instance_runs_.end() && run->before <= sphere; ++run) of_instances += run->count;
+    wanted.push_back(sphere + of_instances);
+  }
   DiagnosticSink ignored;  // all has been said
-  Tracer tracer(file_, options_.limits, spheres, ignored);
+  Tracer tracer(file_, options_.limits, wanted, ignored);
   read(tracer, ignored);
   return tracer.take();
 }

@@ -90,7 +90,7 @@ class Compiler {
   /// Everything that the text says, in the order of `objects`.
   void read(ObjectSink& objects, DiagnosticSink& sink);
   LoweredScene build(const Overrides& overrides, std::optional<int> frame, Purpose purpose);
-  /// Origins by the order in which spheres were added.
+  /// Origins by the order in which spheres were added, those of instances not counted; ascending.
   std::vector<Origin> trace_added(std::span<const std::uint32_t> spheres);
   void report_dropped();
   /// That the scene reaches beyond double.
@@ -112,6 +112,7 @@ class Compiler {
   Overrides overrides_;
   std::optional<int> frame_;
   std::vector<DroppedSphere> dropped_;
+  std::vector<GroupRepeats::Run> instance_runs_;
   CompileTimes times_;
 };
 

@@ -104,8 +104,8 @@ void ConfigWriter::enter(const Object& object) {
   // The very arithmetic of SceneBuilder: what is written are the numbers of the lowered scene.
   const double scale = object.get<double>(kScale).value_or(1);
   const auto placement = [&](auto translate, auto rotate) {
-    return Placement::of(translate.value_or(render::Vec3{}), rotate.value_or(AngleTriple{}).degrees,
-                         scale);
+    return placement_of(translate.value_or(render::Vec3{}), rotate.value_or(AngleTriple{}).degrees,
+                        scale);
   };
   Group group{.placements = {placement(object.get<render::Vec3>(kTranslate),
                                        object.get<AngleTriple>(kRotate)),

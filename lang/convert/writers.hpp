@@ -45,7 +45,7 @@ class ConfigWriter final : public ObjectSink {
 
  private:
   struct Group {
-    std::array<Placement, 2> placements;  ///< at the opening and the closing, in the world
+    std::array<render::Placement, 2> placements;  ///< at the opening and the closing, in the world
     bool is_moving = false;
     std::optional<MaterialValue> material;
     Location material_where;

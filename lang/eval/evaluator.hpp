@@ -5,12 +5,14 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/eval/eval.hpp"
+#include "lang/eval/instance_memo.hpp"
 #include "lang/object/object.hpp"
 #include "lang/program/program.hpp"
 #include "lang/schema/schema.hpp"
@@ -80,6 +82,10 @@ class Evaluator final : public ChainSource {
   void run_assert(const Code& code, const Statement& statement);
   void run_group(const Code& code, const Statement& statement);
   void run_instance(const Code& code, const Statement& statement);
+  /// What tells the contents of an instance, whose arguments stand in the frame from `base` on,
+  /// from those of other instances of its def; nothing: it is not to be remembered.
+  std::optional<std::string> identify_contents(InstanceMemo::Def def, std::size_t base,
+                                               std::span<const std::uint32_t> arguments) const;
   void run_include(const Code& code, const Statement& statement);
   /// Whether the file is being run already, which is reported.
   bool is_in_circle(const Code& code, const Statement& statement, std::uint32_t file);
@@ -121,6 +127,8 @@ class Evaluator final : public ChainSource {
   /// The value if it is of the declared type; else that is reported, and it has failed.
   Computed check_type(const Module& module, std::string_view name, const TypeInfo* type,
                       NodeIndex declaration, Computed value, Location where);
+  /// Errors and warnings that have been told so far.
+  std::size_t report_count() const { return sink_.error_count() + sink_.counts().warnings; }
   /// Counts loop turns, calls and the like; false, once reported, when there are too many.
   bool take_steps(const Code& code, NodeIndex node, std::uint64_t count = 1);
   /// Whether one more call or instance may stand inside those that there are; if not, that has been
@@ -164,6 +172,7 @@ class Evaluator final : public ChainSource {
   std::vector<Varying> locals_;
   std::size_t frame_ = 0;  // where the present frame begins in locals_
 
+  InstanceMemo memo_;
   std::vector<Step> steps_inside_;
   Object object_;  // the one being read
   int depth_ = 0;

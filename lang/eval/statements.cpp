@@ -188,10 +188,17 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
     if (arguments[i] != kNothing) take(i, code, arguments[i]);
   }
   read_object(code, statement, kind_info(ObjectKind::Group), pairs);
-  if (!is_broken) {
+  const InstanceMemo::Def key{.module = operands[0], .index = operands[1]};
+  const auto identity = is_broken ? std::nullopt : identify_contents(key, base, arguments);
+  InstanceMemo::Contents contents;
+  if (identity) contents = memo_.look_up(key, *identity);
+  const bool is_known = identity && !contents.is_new;
+  if (!is_broken && !(is_known && objects_->repeat(object_, contents.number))) {
+    const std::size_t reports = report_count();
     const Nested step(
         *this, {.kind = Step::Instance, .code = &code, .node = statement.node, .name = def.name});
     objects_->enter(object_);
+    if (contents.is_new) objects_->begin_contents(contents.number);
     const std::size_t frame = std::exchange(frame_, base);
     ++calls_;
     // A default may use the parameters before it.
@@ -202,8 +209,30 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
     end_call();
     frame_ = frame;
     objects_->leave();
+    // What is wrong, or is warned of, is told of each instance.
+    if (contents.is_new && report_count() != reports) memo_.forget(key, *identity);
   }
   locals_.resize(base);
+}
+
+std::optional<std::string> Evaluator::identify_contents(
+    InstanceMemo::Def def, std::size_t base, std::span<const std::uint32_t> arguments) const {
+  if (!objects_->wants_contents() || !memo_.is_worthwhile(def)) return std::nullopt;
+  std::string identity;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const Varying& value = locals_[base + i];
+    if (arguments[i] == kNothing) {
+      identity += 'd';  // follows from the others
+      continue;
+    }
+    identity += value.varies ? 'v' : value.reads_time ? 'r' : 'c';
+    for (std::size_t moment = 0; moment < (value.varies ? 2 : 1); ++moment) {
+      if (!append_identity(value.values[moment], identity)) return std::nullopt;
+    }
+  }
+  // In what files they are run decides whether an include comes back to itself.
+  for (const std::uint32_t file : files_inside_) identity += fmt::format("/{}", file);
+  return identity;
 }
 
 bool Evaluator::is_in_circle(const Code& code, const Statement& statement, std::uint32_t file) {

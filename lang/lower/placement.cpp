@@ -4,7 +4,8 @@
 
 namespace sdlc::lang {
 
-Placement Placement::of(render::Vec3 translate, render::Vec3 degrees, double scale) noexcept {
+render::Placement placement_of(render::Vec3 translate, render::Vec3 degrees,
+                               double scale) noexcept {
   const double sx = sin_degrees(degrees.x), cx = cos_degrees(degrees.x);
   const double sy = sin_degrees(degrees.y), cy = cos_degrees(degrees.y);
   const double sz = sin_degrees(degrees.z), cz = cos_degrees(degrees.z);
@@ -13,14 +14,6 @@ Placement Placement::of(render::Vec3 translate, render::Vec3 degrees, double sca
           .z = render::Vec3{cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx} * scale,
           .translate = translate,
           .scale = scale};
-}
-
-Placement Placement::around(const Placement& inner) const noexcept {
-  return {.x = turn(inner.x),
-          .y = turn(inner.y),
-          .z = turn(inner.z),
-          .translate = apply(inner.translate),
-          .scale = scale * inner.scale};
 }
 
 }  // namespace sdlc::lang

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "lang/lower/camera.hpp"
+#include "lang/lower/placement.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "render/image/picture.hpp"
@@ -58,49 +59,61 @@ void SceneBuilder::add(const Object& object) {
   }
 }
 
-void SceneBuilder::enter(const Object& object) {
+SceneBuilder::Group SceneBuilder::read_group(const Object& object) const {
   using namespace group_property;
   const double scale = object.get<double>(kScale).value_or(1);
-  const auto placement = [&](auto translate, auto rotate) {
-    return Placement::of(translate.value_or(render::Vec3{}), rotate.value_or(AngleTriple{}).degrees,
-                         scale);
-  };
-  Group group{.placements = {placement(object.get<render::Vec3>(kTranslate),
-                                       object.get<AngleTriple>(kRotate)),
-                             placement(object.get_closing<render::Vec3>(kTranslate),
-                                       object.get_closing<AngleTriple>(kRotate))},
-              .middle = {},
-              .is_moving = !object.closing.empty(),
-              .is_turning = false,
-              .material = object.get<MaterialValue>(kMaterial),
+  const auto translate = object.get<render::Vec3>(kTranslate).value_or(render::Vec3{});
+  const auto rotate = object.get<AngleTriple>(kRotate).value_or(AngleTriple{});
+  const render::Placement opening = placement_of(translate, rotate.degrees, scale);
+  Group group{.placing = {.placements = {opening, opening}, .material = {}},
+              .middle = opening,
               .has_bad_material = object.slot(kMaterial).is_written || object.is_broken};
-  if (purpose_ == Purpose::Check) {
-    const auto translate = object.get<render::Vec3>(kTranslate).value_or(render::Vec3{});
+  if (!object.closing.empty()) {
     const auto translate_to = object.get_closing<render::Vec3>(kTranslate).value_or(translate);
-    const auto rotate = object.get<AngleTriple>(kRotate).value_or(AngleTriple{});
     const auto rotate_to = object.get_closing<AngleTriple>(kRotate).value_or(rotate);
-    group.middle = Placement::of((translate + translate_to) * 0.5,
-                                 (rotate.degrees + rotate_to.degrees) * 0.5, scale);
-    group.is_turning = rotate != rotate_to;
-  }
-  if (!groups_.empty()) {
-    const Group& outer = groups_.back();
-    group.middle = outer.middle.around(group.middle);
-    group.is_turning = group.is_turning || outer.is_turning;
-    for (std::size_t i = 0; i < 2; ++i) {
-      group.placements[i] = outer.placements[i].around(group.placements[i]);
+    group.placing.is_moving = true;
+    group.placing.placements[1] = placement_of(translate_to, rotate_to.degrees, scale);
+    group.is_turning = purpose_ == Purpose::Check && rotate != rotate_to;
+    if (purpose_ == Purpose::Check) {
+      group.middle = placement_of((translate + translate_to) * 0.5,
+                                  (rotate.degrees + rotate_to.degrees) * 0.5, scale);
     }
-    group.is_moving = group.is_moving || outer.is_moving;
-    if (!group.material) group.material = outer.material;
-    group.has_bad_material = group.has_bad_material || outer.has_bad_material;
   }
-  groups_.push_back(std::move(group));
+  if (const auto material = object.get<MaterialValue>(kMaterial)) {
+    group.placing.material = lower_material(*material);
+  }
+  return group;
 }
 
-void SceneBuilder::leave() { groups_.pop_back(); }
+SceneBuilder::Group SceneBuilder::in_world(const Group& group) const {
+  if (groups_.empty()) return group;
+  const Group& outer = groups_.back();
+  return {.placing = outer.placing.around(group.placing),
+          .middle = outer.middle.around(group.middle),
+          .is_turning = group.is_turning || outer.is_turning,
+          .has_bad_material = group.has_bad_material || outer.has_bad_material};
+}
+
+void SceneBuilder::enter(const Object& object) {
+  const Group group = read_group(object);
+  repeats_.enter(group.placing);
+  groups_.push_back(in_world(group));
+}
+
+void SceneBuilder::leave() {
+  repeats_.leave();
+  groups_.pop_back();
+}
+
+bool SceneBuilder::repeat(const Object& object, std::uint32_t contents) {
+  const Group group = read_group(object);
+  return repeats_.repeat(
+      contents, group.placing, in_world(group).placing,
+      {.spheres = world_, .materials = materials_, .most_objects = limits_.objects});
+}
 
 bool SceneBuilder::may_hold_another(Location where) {
-  if (spheres_.size() < limits_.objects) return true;
+  if (world_.spheres.size() + repeats_.object_count() < limits_.objects) return true;
   if (std::exchange(is_full_, true)) return false;  // it is told once
   sink_->report(diag::too_many_objects, where, limits_.objects)
       .help("`--limit objects=N` allows more");
@@ -110,11 +123,13 @@ bool SceneBuilder::may_hold_another(Location where) {
 void SceneBuilder::add_sphere(const Object& object) {
   using namespace sphere_property;
   had_spheres_ = true;
-  auto center = object.get<render::Vec3>(kCenter);
-  auto radius = object.get<double>(kRadius);
-  auto material = object.get<MaterialValue>(kMaterial);
+  const auto center = object.get<render::Vec3>(kCenter);
+  const auto radius = object.get<double>(kRadius);
+  const auto own_material = object.get<MaterialValue>(kMaterial);
+  std::optional<render::Material> material;
+  if (own_material) material = lower_material(*own_material);
   if (!object.slot(kMaterial).is_written) {
-    if (!groups_.empty()) material = groups_.back().material;
+    if (!groups_.empty()) material = groups_.back().placing.material;
     const bool is_reported =
         object.is_broken || (!groups_.empty() && groups_.back().has_bad_material);
     if (!material && !is_reported && !is_part()) {
@@ -127,63 +142,59 @@ void SceneBuilder::add_sphere(const Object& object) {
     sink_->report(diag::zero_radius, object.location(kRadius));
     return;
   }
-
-  const render::Material lowered = lower_material(*material);
-  if (lowered.type == render::MaterialType::Emissive &&
-      !is_finite(lowered.color * lowered.parameter)) {
+  if (material->type == render::MaterialType::Emissive &&
+      !is_finite(material->color * material->parameter)) {
     sink_->report(diag::beyond_numbers, object.location(kMaterial),
                   "the light's color * intensity");
     return;
   }
   if (!may_hold_another(object.where)) return;
 
-  const auto index = static_cast<std::uint32_t>(spheres_.size());
+  const auto index = static_cast<std::uint32_t>(world_.spheres.size());
   if (const auto motion = object.get<MotionValue>(kMotion)) {
     moving_.push_back({.sphere = index,
                        .where = object.location(kMotion),
                        .motion = *motion,
                        .center = *center,
                        .group = {}});
-    if (!groups_.empty()) moving_.back().group = groups_.back().placements;
+    if (!groups_.empty()) moving_.back().group = groups_.back().placing.placements;
+    repeats_.spoil();
   }
-  render::Vec3 shift;
-  if (!groups_.empty() || !object.closing.empty()) {
-    const auto closing = *object.get_closing<render::Vec3>(kCenter);
-    const std::array<Placement, 2> none;
-    const auto& placements = groups_.empty() ? none : groups_.back().placements;
-    const bool is_moving =
-        !object.closing.empty() || (!groups_.empty() && groups_.back().is_moving);
-    const bool is_turning = !groups_.empty() && groups_.back().is_turning;
-    if (is_turning && !object.slot(kMotion).is_written) find_bent_path(index, *center, closing);
-    *center = groups_.empty() ? *center : placements[0].apply(*center);
-    if (is_moving) shift = (groups_.empty() ? closing : placements[1].apply(closing)) - *center;
-    *radius *= placements[0].scale;
-    if (!is_finite(*center) || !is_finite(shift) || !(*radius > 0) || !std::isfinite(*radius)) {
-      sink_->report(diag::beyond_numbers, object.where,
-                    "where the groups around this sphere put it");
-      return;
-    }
+  const std::uint32_t row = materials_.index_of(*material);
+  if (groups_.empty() && object.closing.empty()) {
+    world_.add({.center = *center, .radius = *radius, .material = row}, {});
+    return;
   }
-  if (shift != render::Vec3{} || !shifts_.empty()) {
-    shifts_.resize(index);
-    shifts_.push_back(shift);
+  const auto closing = *object.get_closing<render::Vec3>(kCenter);
+  const bool is_turning = !groups_.empty() && groups_.back().is_turning;
+  if (is_turning && !object.slot(kMotion).is_written) find_bent_path(index, *center, closing);
+  InnerSphere sphere{.center = *center,
+                     .closing = closing,
+                     .radius = *radius,
+                     .material = {},
+                     .is_moving = !object.closing.empty()};
+  if (own_material) sphere.material = row;
+  if (!sphere.add_to(world_, groups_.empty() ? Placing() : groups_.back().placing, row)) {
+    sink_->report(diag::beyond_numbers, object.where, "where the groups around this sphere put it");
+    return;
   }
-  spheres_.push_back(
-      {.center = *center, .radius = *radius, .material = materials_.index_of(lowered)});
+  repeats_.add_sphere(sphere);
 }
 
 void SceneBuilder::find_bent_path(std::uint32_t sphere, render::Vec3 opening,
                                   render::Vec3 closing) {
   const Group& group = groups_.back();
-  const render::Vec3 from = group.placements[0].apply(opening);
-  const render::Vec3 to = group.placements[1].apply(closing);
+  const render::Vec3 from = group.placing.placements[0].apply(opening);
+  const render::Vec3 to = group.placing.placements[1].apply(closing);
   const render::Vec3 middle = group.middle.apply((opening + closing) * 0.5);
   bent_paths_.push_back({.sphere = sphere, .sagitta = length(middle - (from + to) * 0.5)});
 }
 
 LoweredScene SceneBuilder::finish(const Overrides& overrides) {
   LoweredScene lowered;
-  lowered.scene.spheres = std::move(spheres_);
+  lowered.scene.spheres = std::move(world_.spheres);
+  lowered.scene.prototypes = repeats_.take_prototypes();
+  lowered.scene.instances = repeats_.take_instances();
   lowered.scene.materials = materials_.take();
   lower_background(lowered.scene);
 
@@ -354,7 +365,7 @@ void SceneBuilder::lower_background(render::Scene& scene) {
 }
 
 void SceneBuilder::lower_motion(render::Interval shutter, render::Scene& scene) {
-  if (!moving_.empty() || !shifts_.empty()) shifts_.resize(scene.spheres.size());
+  if (!moving_.empty() || !world_.shifts.empty()) world_.shifts.resize(scene.spheres.size());
   for (const MovingSphere& moving : moving_) {
     render::Sphere& sphere = scene.spheres[moving.sphere];
     const render::Interval over = moving.motion.over;
@@ -373,11 +384,11 @@ void SceneBuilder::lower_motion(render::Interval shutter, render::Scene& scene) 
       continue;
     }
     sphere.center = opening;
-    shifts_[moving.sphere] = shift;
+    world_.shifts[moving.sphere] = shift;
   }
-  const bool is_moving = std::any_of(shifts_.begin(), shifts_.end(),
+  const bool is_moving = std::any_of(world_.shifts.begin(), world_.shifts.end(),
                                      [](render::Vec3 shift) { return shift != render::Vec3{}; });
-  if (is_moving) scene.shifts = std::move(shifts_);
+  if (is_moving) scene.shifts = std::move(world_.shifts);
 }
 
 std::optional<int> SceneBuilder::whole(const Object& object, std::size_t property) const {
@@ -519,26 +530,15 @@ void SceneBuilder::drop_coincident(LoweredScene& lowered) {
                                               scene.spheres[pair.earlier].material});
   }
 
-  std::size_t kept = 0, next = 0;
-  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-    if (next < coincident.size() && coincident[next].sphere == i) {
-      ++next;
-      continue;
-    }
-    scene.spheres[kept] = scene.spheres[i];
-    if (!scene.shifts.empty()) scene.shifts[kept] = scene.shifts[i];
-    ++kept;
-  }
+  render::remove_coincident(coincident, scene.spheres, scene.shifts);
   // What was dropped has no path, and each moves those behind it one place down.
-  next = 0;
+  std::size_t next = 0;
   std::erase_if(lowered.bent_paths, [&](BentPath& path) {
     while (next < coincident.size() && coincident[next].sphere < path.sphere) ++next;
     const bool is_dropped = next < coincident.size() && coincident[next].sphere == path.sphere;
     path.sphere -= static_cast<std::uint32_t>(next);
     return is_dropped;
   });
-  scene.spheres.resize(kept);
-  if (!scene.shifts.empty()) scene.shifts.resize(kept);
 }
 
 }  // namespace sdlc::lang

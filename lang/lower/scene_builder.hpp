@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/lower/group_contents.hpp"
+#include "lang/lower/group_repeats.hpp"
 #include "lang/lower/material_table.hpp"
-#include "lang/lower/placement.hpp"
 #include "lang/object/object.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/source/source.hpp"
@@ -27,6 +28,7 @@ struct Overrides {
   std::optional<std::uint64_t> seed = {};
   std::optional<std::string> tone = {}, camera = {}, precision = {};
   bool names_output = false;  ///< the scene's own output is not used
+  Instancing instancing = Instancing::Auto;
 };
 
 /// How the picture is saved, as far as the scene says so.
@@ -81,7 +83,7 @@ struct LoweredScene {
 };
 
 /// A sphere that was found to coincide with an earlier one and left out. Both are numbers of
-/// spheres in the order in which they were added.
+/// spheres in the order in which they were added, those of instances not counted.
 struct DroppedSphere {
   std::uint32_t sphere;
   std::uint32_t earlier;
@@ -101,19 +103,27 @@ class SceneBuilder final : public ObjectSink {
  public:
   /// `file` is the root, and the place of a fault that has no other.
   SceneBuilder(const SourceFile& file, const Limits& limits, DiagnosticSink& sink,
-               Purpose purpose = Purpose::Picture)
-      : file_(&file), limits_(limits), sink_(&sink), purpose_(purpose) {}
+               Purpose purpose = Purpose::Picture, Instancing instancing = Instancing::Auto)
+      : file_(&file), limits_(limits), sink_(&sink), purpose_(purpose), repeats_(instancing) {}
 
   void add(const Object& object) override;
   void enter(const Object& group) override;
   void leave() override;
+  /// A check looks at every sphere where it stands.
+  bool wants_contents() const override { return purpose_ == Purpose::Picture; }
+  void begin_contents(std::uint32_t contents) override { repeats_.begin(contents); }
+  bool repeat(const Object& group, std::uint32_t contents) override;
 
   /// The scene: all of it unless an error has been reported, here or before; else what could be
   /// made, where a picture without width and height is one whose size is not known. Takes what was
   /// added.
   LoweredScene finish(const Overrides& overrides);
 
-  std::size_t sphere_count() const noexcept { return spheres_.size(); }
+  /// Of spheres that are added so far, those of instances not counted.
+  std::size_t sphere_count() const noexcept { return world_.spheres.size(); }
+
+  /// Where spheres of instances stand among the others in the order in which all were added.
+  const std::vector<GroupRepeats::Run>& instance_runs() const noexcept { return repeats_.runs(); }
 
   /// What finish() left out, in order.
   const std::vector<DroppedSphere>& dropped() const noexcept { return dropped_; }
@@ -125,16 +135,14 @@ class SceneBuilder final : public ObjectSink {
     Location where;  ///< of the motion in the text
     MotionValue motion;
     render::Vec3 center;  ///< at motion.over.from, inside the group
-    std::optional<std::array<Placement, 2>> group;
+    std::optional<std::array<render::Placement, 2>> group;
   };
 
   /// A group around what is added.
   struct Group {
-    std::array<Placement, 2> placements;  ///< at the opening and the closing, in the world
-    Placement middle;                     ///< half-way between
-    bool is_moving = false;
-    bool is_turning = false;
-    std::optional<MaterialValue> material;
+    Placing placing;           ///< in the world
+    render::Placement middle;  ///< half-way between the opening and the closing; of a check
+    bool is_turning = false;  ///< while the shutter is open; of a check
     bool has_bad_material = false;  ///< one is written that was wrong, here or further out
   };
 
@@ -145,6 +153,9 @@ class SceneBuilder final : public ObjectSink {
            !is_animated_;
   }
 
+  /// As it stands in the group around it.
+  Group read_group(const Object& object) const;
+  Group in_world(const Group& group) const;
   void add_sphere(const Object& object);
   bool may_hold_another(Location where);
   const Object* choose_camera(const Overrides& overrides);
@@ -177,8 +188,8 @@ class SceneBuilder final : public ObjectSink {
   std::optional<Object> background_;
   std::optional<Object> render_;
   bool is_animated_ = false;
-  std::vector<render::Sphere> spheres_;
-  std::vector<render::Vec3> shifts_;  ///< of the first spheres; empty: none has one
+  PlacedSpheres world_;  ///< but for those of instances
+  GroupRepeats repeats_;
   std::vector<MovingSphere> moving_;
   std::vector<Group> groups_;  ///< the innermost last
   std::vector<DroppedSphere> dropped_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -127,6 +128,14 @@ class ObjectSink {
   /// What is added until leave() stands inside this group.
   virtual void enter(const Object& /*group*/) {}
   virtual void leave() {}
+
+  /// Whether it is of use to know which groups hold the same.
+  virtual bool wants_contents() const { return false; }
+  /// The group entered just now is the first that holds the contents of this number.
+  virtual void begin_contents(std::uint32_t /*contents*/) {}
+  /// Does for `group` what enter(), all that the contents of this number were and leave() would do.
+  /// False where it cannot, and has done nothing: they are then added once more.
+  virtual bool repeat(const Object& /*group*/, std::uint32_t /*contents*/) { return false; }
 };
 
 /// The largest whole number of a property without Range::NonNegativeExact: such values count

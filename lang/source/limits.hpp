@@ -32,7 +32,7 @@ inline constexpr std::uint64_t kIncludedBytesPerStep = 32;
 /// What one evaluation may use up. Each has a flag, `--limit NAME=N`, and an error of its own.
 struct Limits {
   std::uint64_t steps = 100'000'000;              ///< of work: about half a minute
-  std::uint64_t objects = 100'000'000;            ///< spheres
+  std::uint64_t objects = 100'000'000;            ///< spheres and instances
   std::uint64_t string = std::uint64_t{1} << 20;  ///< bytes of one string
   std::uint64_t include_depth = 32;               ///< files inside files
   std::uint64_t file = std::uint64_t{256} << 20;  ///< bytes of one .scene file
@@ -49,7 +49,7 @@ inline constexpr std::array<LimitInfo, 5> kLimits{{
     {"steps", &Limits::steps,
      "steps of one evaluation: a turn of a loop and a call are 1, an instance is 8, an include 50 "
      "and 1 for every 32 bytes of its file"},
-    {"objects", &Limits::objects, "spheres of a scene"},
+    {"objects", &Limits::objects, "spheres of a scene; an instance of many is 1"},
     {"string", &Limits::string, "bytes of one string"},
     {"include-depth", &Limits::include_depth, "files that import or include each other"},
     {"file", &Limits::file, "bytes of one .scene file"},

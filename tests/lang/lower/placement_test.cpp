@@ -28,8 +28,8 @@ testing::Matcher<Vec3> is_near(Vec3 expected) {
 }
 
 TEST(Placement, LeavesThingsWhereTheyAre) {
-  EXPECT_EQ(Placement().apply({1, 2, 3}), (Vec3{1, 2, 3}));
-  EXPECT_EQ(Placement::of({}, {}, 1).apply({1, 2, 3}), (Vec3{1, 2, 3}));
+  EXPECT_EQ(render::Placement().apply({1, 2, 3}), (Vec3{1, 2, 3}));
+  EXPECT_EQ(placement_of({}, {}, 1).apply({1, 2, 3}), (Vec3{1, 2, 3}));
 }
 
 TEST(Placement, TurnsByQuartersExactly) {
@@ -48,7 +48,7 @@ TEST(Placement, TurnsByQuartersExactly) {
                                                      {{90, 0, 90}, y, z, x},
                                                      {{0, 90, 90}, -z, -x, y},
                                                      {{360, -360, 720}, x, y, z}}) {
-    const Placement placement = Placement::of({}, quarter.degrees, 1);
+    const render::Placement placement = placement_of({}, quarter.degrees, 1);
     EXPECT_EQ(placement.apply(x), quarter.of_x) << quarter.degrees.x << " " << quarter.degrees.y;
     EXPECT_EQ(placement.apply(y), quarter.of_y) << quarter.degrees.x << " " << quarter.degrees.y;
     EXPECT_EQ(placement.apply(z), quarter.of_z) << quarter.degrees.x << " " << quarter.degrees.y;
@@ -56,7 +56,7 @@ TEST(Placement, TurnsByQuartersExactly) {
 }
 
 TEST(Placement, ScalesThenTurnsAboutXThenYThenZThenMoves) {
-  const Placement placement = Placement::of({10, 20, 30}, {30, 45, 60}, 2);
+  const render::Placement placement = placement_of({10, 20, 30}, {30, 45, 60}, 2);
   // The product of the three matrices, by hand.
   EXPECT_THAT(placement.apply({1, 2, 3}),
               is_near({12.849407080813794, 25.86352106569152, 33.674234614174765}));
@@ -66,16 +66,16 @@ TEST(Placement, ScalesThenTurnsAboutXThenYThenZThenMoves) {
 
 TEST(Placement, KeepsLengthsAndOrientation) {
   for (const Vec3 degrees : {Vec3{10, 20, 30}, Vec3{-77, 123, 245}, Vec3{0.5, 89, 91}}) {
-    const Placement p = Placement::of({}, degrees, 1);
+    const render::Placement p = placement_of({}, degrees, 1);
     for (const Vec3 column : {p.x, p.y, p.z}) EXPECT_NEAR(length(column), 1, 1e-15);
     EXPECT_THAT(cross(p.x, p.y), is_near(p.z)) << "right-handed";
   }
 }
 
 TEST(Placement, AroundAnotherIsTheSameAsOneAfterTheOther) {
-  const Placement outer = Placement::of({1, -2, 3}, {10, 20, 30}, 2);
-  const Placement inner = Placement::of({-4, 5, 0.5}, {-70, 15, 100}, 0.25);
-  const Placement both = outer.around(inner);
+  const render::Placement outer = placement_of({1, -2, 3}, {10, 20, 30}, 2);
+  const render::Placement inner = placement_of({-4, 5, 0.5}, {-70, 15, 100}, 0.25);
+  const render::Placement both = outer.around(inner);
   for (const Vec3 p : {Vec3{0, 0, 0}, Vec3{1, 2, 3}, Vec3{-7, 0.1, 4}}) {
     EXPECT_THAT(both.apply(p), is_near(outer.apply(inner.apply(p))));
   }

@@ -1,0 +1,110 @@
+#include "lang/eval/instance_memo.hpp"
+
+#include <bit>
+#include <cstddef>
+#include <type_traits>
+
+namespace sdlc::lang {
+namespace {
+
+// A lookup costs about as much as evaluating one sphere, and is told as little as that.
+constexpr std::uint64_t kMostHeavy = 64;  // elements of a list
+
+// A def of which so many instances were new, and not one in kLeastFound an old one, is hardly
+// called with equal arguments at all.
+constexpr std::uint64_t kMostMissed = 16'384, kLeastFound = 16;
+
+void append(std::uint64_t word, std::string& to) {
+  to.append(reinterpret_cast<const char*>(&word), sizeof word);
+}
+void append(double number, std::string& to) { append(std::bit_cast<std::uint64_t>(number), to); }
+void append(render::Vec3 v, std::string& to) {
+  for (const double number : {v.x, v.y, v.z}) append(number, to);
+}
+void append(render::LinearRgb c, std::string& to) {
+  for (const double number : {c.r, c.g, c.b}) append(number, to);
+}
+void append(std::string_view text, std::string& to) {
+  append(std::uint64_t{text.size()}, to);
+  to += text;
+}
+
+}  // namespace
+
+bool append_identity(const Computed& value, std::string& identity) {
+  const auto begin = [&](char tag, Unit unit = Unit::None) {
+    identity += tag;
+    identity += static_cast<char>(unit);
+  };
+  if (const auto* scalar = get_if<Scalar>(&value)) {
+    begin('s', scalar->unit);
+    append(scalar->value, identity);
+  } else if (const auto* flag = get_if<bool>(&value)) {
+    begin(*flag ? 't' : 'f');
+  } else if (const auto* triple = get_if<Triple>(&value)) {
+    begin('3', triple->unit);
+    append(triple->value, identity);
+  } else if (const auto* angle = get_if<Angle>(&value)) {
+    begin('a');
+    append(angle->degrees, identity);
+  } else if (const auto* angles = get_if<AngleTriple>(&value)) {
+    begin('A');
+    append(angles->degrees, identity);
+  } else if (const auto* color = get_if<render::LinearRgb>(&value)) {
+    begin('c');
+    append(*color, identity);
+  } else if (const auto* bounds = get_if<Bounds>(&value)) {
+    begin('b', bounds->unit);
+    append(bounds->from, identity);
+    append(bounds->to, identity);
+  } else if (const auto* material = get_if<MaterialValue>(&value)) {
+    begin(material->exact_fresnel ? 'M' : 'm');
+    append(static_cast<std::uint64_t>(material->kind), identity);
+    append(material->color, identity);
+    append(material->parameter, identity);
+  } else if (const auto* motion = get_if<MotionValue>(&value)) {
+    begin('o');
+    append(motion->to, identity);
+    append(motion->over.from, identity);
+    append(motion->over.to, identity);
+  } else if (holds_alternative<None>(value)) {
+    begin('n');
+  } else if (const auto* text = get_if<std::string>(&value)) {
+    begin('"');
+    append(std::string_view(*text), identity);
+  } else if (const auto* word = get_if<Word>(&value)) {
+    begin('w');
+    append(std::string_view(word->text), identity);
+  } else if (const auto* list = get_if<ListValue>(&value)) {
+    if (list->weight() > kMostHeavy) return false;
+    begin('l');
+    append(std::uint64_t{list->size()}, identity);
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      if (!append_identity((*list)[i], identity)) return false;
+    }
+  } else {
+    return false;  // it has failed
+  }
+  return true;
+}
+
+bool InstanceMemo::is_worthwhile(Def def) const {
+  const auto found = of_def_.find(key(def));
+  if (found == of_def_.end()) return true;
+  const Instances& instances = found->second;
+  return instances.missed < kMostMissed + kLeastFound * instances.found;
+}
+
+InstanceMemo::Contents InstanceMemo::look_up(Def def, const std::string& arguments) {
+  Instances& instances = of_def_[key(def)];
+  const auto [entry, is_new] = instances.numbers.try_emplace(arguments, last_number_ + 1);
+  ++(is_new ? instances.missed : instances.found);
+  if (is_new) ++last_number_;
+  return {.number = entry->second, .is_new = is_new};
+}
+
+void InstanceMemo::forget(Def def, const std::string& arguments) {
+  of_def_[key(def)].numbers.erase(arguments);
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lang/lower/material_table.hpp"
+#include "render/math/placement.hpp"
+#include "render/math/vec3.hpp"
+#include "render/scene/scene.hpp"
+
+namespace sdlc::lang {
+
+/// What groups do to what is inside them: one group, or several inside each other.
+struct Placing {
+  std::array<render::Placement, 2> placements;  ///< at the opening and the closing of the shutter
+  bool is_moving = false;
+  std::optional<render::Material> material;  ///< of what is inside and has none of its own
+
+  /// This placing of what stands inside `inner`.
+  Placing around(const Placing& inner) const;
+  /// Whether all that is inside moves alike.
+  bool keeps_shape() const noexcept;
+};
+
+/// Spheres in the order in which they were added.
+struct PlacedSpheres {
+  std::vector<render::Sphere> spheres;
+  std::vector<render::Vec3> shifts;  ///< of the first spheres; empty: none has one
+
+  void add(const render::Sphere& sphere, render::Vec3 shift);
+  void shrink_to(std::size_t count);
+};
+
+/// A sphere inside a group.
+struct InnerSphere {
+  render::Vec3 center, closing;           ///< at the opening and the closing, in the group
+  double radius = 0;                      ///< in the group
+  std::optional<std::uint32_t> material;  ///< index in the MaterialTable; nothing: the group's
+  bool is_moving = false;                 ///< without the group
+
+  /// Adds it to `to` where `placing` puts it, with the material of that index. False, with nothing
+  /// added, where its numbers are beyond double there.
+  bool add_to(PlacedSpheres& to, const Placing& placing, std::uint32_t material_there) const;
+};
+
+/// All that a group holds, kept to be added again elsewhere. Groups in it have numbers from 1 on, 0
+/// is the group itself.
+class GroupContents {
+ public:
+  /// Another group's contents, inside a group of these.
+  struct Reference {
+    std::uint32_t group;
+    std::uint32_t contents;
+    std::size_t before;  ///< so many spheres come first
+  };
+
+  std::uint32_t add_group(std::uint32_t parent, Placing placing);
+  void add_sphere(std::uint32_t group, const InnerSphere& sphere);
+  void add_reference(std::uint32_t group, std::uint32_t number, const GroupContents& contents);
+
+  std::size_t memory_bytes() const noexcept;
+  /// With those of references, each as often as it stands there; 2^64 - 1 where there are more.
+  std::uint64_t count() const noexcept { return count_; }
+  /// Whether a sphere gets its material from outside.
+  bool inherits() const noexcept { return inherits_; }
+  const std::vector<Reference>& references() const noexcept { return references_; }
+  /// Spheres that are not those of references.
+  std::size_t own_count() const noexcept { return spheres_.size(); }
+
+  /// Calls, in their order, `on_sphere(sphere, placing)` with each InnerSphere and what the groups
+  /// around it in here and `outside` do to it, and `on_reference(reference, placing)`, until one is
+  /// false: then that is the result.
+  template <typename OnSphere, typename OnReference>
+  bool for_each(const Placing& outside, const OnSphere& on_sphere,
+                const OnReference& on_reference) const {
+    std::vector<Placing> placings{outside};
+    placings.reserve(groups_.size() + 1);
+    for (const Group& group : groups_) {
+      placings.push_back(placings[group.parent].around(group.placing));
+    }
+    auto reference = references_.begin();
+    for (std::size_t i = 0; i <= spheres_.size(); ++i) {
+      for (; reference != references_.end() && reference->before == i; ++reference) {
+        if (!on_reference(*reference, placings[reference->group])) return false;
+      }
+      if (i == spheres_.size()) break;
+      if (!on_sphere(spheres_[i], placings[group_of_[i]])) return false;
+    }
+    return true;
+  }
+
+ private:
+  struct Group {
+    std::uint32_t parent;
+    Placing placing;
+  };
+
+  bool inherits_through(std::uint32_t group) const noexcept;
+
+  std::vector<Group> groups_;
+  std::vector<InnerSphere> spheres_;
+  std::vector<std::uint32_t> group_of_;  // of the spheres
+  std::vector<Reference> references_;
+  std::uint64_t count_ = 0;
+  bool inherits_ = false;
+};
+
+}  // namespace sdlc::lang
