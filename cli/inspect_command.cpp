@@ -22,6 +22,7 @@
 #include "lang/compile/compile.hpp"
 #include "lang/object/object.hpp"
 #include "lang/text/display_width.hpp"
+#include "render/scene/instances.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -53,11 +54,13 @@ class InspectJob {
     if (options_.frame && !animation && !sink_.has_errors()) {
       throw UsageError("--frame: the scene has no `animation`, so that all frames are the same");
     }
-    lang::LoweredScene lowered = compiler_.lower_partly(options_.overrides, options_.frame);
+    lang::Overrides overrides = options_.overrides;
+    overrides.instancing = instancing_for(options_.kernel, overrides);
+    lang::LoweredScene lowered = compiler_.lower_partly(overrides, options_.frame);
     render::Kernel kernel = choose_kernel(options_.kernel, options_.overrides, lowered, compiler_);
     print_new_diagnostics();
     // Of a scene with errors the rest is told. That of one which says nothing is nothing.
-    const bool is_empty = lowered.scene.spheres.empty() && !lowered.camera;
+    const bool is_empty = render::count_spheres(lowered.scene) == 0 && !lowered.camera;
     if (sink_.has_errors() && is_empty) return ExitCode::Findings;
     if (!options_.traced.empty()) {
       tell_origins(lowered.scene);
@@ -104,8 +107,9 @@ class InspectJob {
     if (wanted.back() >= scene.spheres.size()) {
       const std::size_t count = scene.spheres.size();
       throw UsageError(fmt::format(
-          "--where: there is no sphere {}; {}", wanted.back(),
-          count == 0 ? "the scene has none" : fmt::format("they are 0 to {}", count - 1)));
+          "--where: there is no sphere {}; {}{}", wanted.back(),
+          count == 0 ? "the scene has none" : fmt::format("they are 0 to {}", count - 1),
+          scene.instances.empty() ? "" : "; those of instances have no numbers"));
     }
     const std::vector<lang::Origin> origins = compiler_.trace(wanted);
     std::vector<TracedSphere> spheres;
@@ -170,7 +174,8 @@ class InspectJob {
         .kernel = std::move(kernel),
         .precisions = {},
         .times = compiler_.times()};
-    if (lowered.camera && !scene.spheres.empty()) report.precisions = judge_precisions(lowered);
+    if (lowered.camera && render::count_spheres(scene) > 0)
+      report.precisions = judge_precisions(lowered);
     report.features = required_features(scene, report.materials);
     report.times.parse_seconds += read_seconds_;
     report.lowered = std::move(lowered);

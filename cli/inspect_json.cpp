@@ -4,6 +4,7 @@
 #include "cli/inspect_report.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/precision_json.hpp"
+#include "render/scene/instances.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -26,7 +27,10 @@ Json animation_json(const InspectReport& report) {
 }
 
 Json spheres_json(const InspectReport& report) {
-  Json json{{"count", report.lowered.scene.spheres.size()},
+  const render::Scene& scene = report.lowered.scene;
+  Json json{{"count", render::count_spheres(scene)},
+            {"instances", scene.instances.size()},
+            {"prototypes", scene.prototypes.size()},
             {"moving", report.spheres ? report.spheres->moving : 0},
             {"dropped", report.lowered.dropped_spheres},
             {"bounds", nullptr},
@@ -38,7 +42,7 @@ Json spheres_json(const InspectReport& report) {
   if (!report.spheres) return json;
   const SphereFigures& figures = *report.spheres;
   const auto sphere = [](const SphereFigures::Radius& radius) -> Json {
-    return {{"radius", radius.radius}, {"sphere", radius.sphere}};
+    return {{"radius", radius.radius}, {"sphere", radius.sphere ? Json(*radius.sphere) : Json()}};
   };
   json["bounds"] = {{"min", triple(figures.low)}, {"max", triple(figures.high)}};
   json["smallest"] = sphere(figures.smallest);
@@ -93,9 +97,10 @@ Json picture_json(const InspectReport& report) {
 
 Json memory_json(const InspectReport& report) {
   const MemoryFigures& memory = report.memory;
-  const std::size_t count = report.lowered.scene.spheres.size();
+  const std::uint64_t count = render::count_spheres(report.lowered.scene);
   return {{"spheres_bytes", memory.spheres},
           {"motion_bytes", memory.motion},
+          {"instances_bytes", memory.instances},
           {"materials_bytes", memory.materials},
           {"bvh_bytes_estimated", memory.bvh},
           {"picture_bytes", memory.picture},

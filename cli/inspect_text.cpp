@@ -9,6 +9,7 @@
 #include "cli/kernel_options.hpp"
 #include "lang/diagnostics/render.hpp"
 #include "lang/text/display_width.hpp"
+#include "render/scene/instances.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -68,6 +69,11 @@ void write_files(const InspectReport& report, Sheet& sheet) {
                fmt::format("frame {}, at {} s", report.frame, format_rounded(report.frame / fps)));
 }
 
+std::string radius(const SphereFigures::Radius& of) {
+  return fmt::format("{} ({})", format_rounded(of.radius),
+                     of.sphere ? fmt::format("sphere {}", *of.sphere) : "of an instance");
+}
+
 void write_spheres(const InspectReport& report, Sheet& sheet) {
   const std::size_t dropped = report.lowered.dropped_spheres;
   if (!report.spheres) {
@@ -76,19 +82,24 @@ void write_spheres(const InspectReport& report, Sheet& sheet) {
     return;
   }
   const SphereFigures& figures = *report.spheres;
-  std::string text = format_whole(report.lowered.scene.spheres.size());
+  const render::Scene& scene = report.lowered.scene;
+  std::string text = format_whole(render::count_spheres(scene));
   if (figures.moving > 0) text += fmt::format(", {} of them moving", format_whole(figures.moving));
   if (dropped > 0) {
     text += fmt::format("; {} more dropped as {}", format_whole(dropped),
                         dropped == 1 ? "a duplicate" : "duplicates");
   }
   sheet.row("spheres", text);
+  if (!scene.instances.empty()) {
+    sheet.detail("instances",
+                 fmt::format("{} of {}, beside {}", format_whole(scene.instances.size()),
+                             plural(scene.prototypes.size(), "prototype"),
+                             plural(scene.spheres.size(), "plain sphere")));
+  }
   sheet.detail("bounds", fmt::format("{} to {}{}", triple(figures.low), triple(figures.high),
                                      figures.moving > 0 ? ", while the shutter is open" : ""));
   sheet.detail("radii",
-               fmt::format("{} (sphere {}) to {} (sphere {}), ratio {}",
-                           format_rounded(figures.smallest.radius), figures.smallest.sphere,
-                           format_rounded(figures.largest.radius), figures.largest.sphere,
+               fmt::format("{} to {}, ratio {}", radius(figures.smallest), radius(figures.largest),
                            format_rounded(figures.radius_ratio())));
   if (!report.lowered.camera) return;
   sheet.detail("extent",
@@ -114,7 +125,7 @@ void write_materials(const MaterialCounts& counts, Sheet& sheet) {
 
 void write_camera(const lang::LoweredScene& lowered, Sheet& sheet) {
   if (!lowered.camera) {
-    if (!lowered.scene.spheres.empty()) sheet.row("camera", "none");
+    if (render::count_spheres(lowered.scene) > 0) sheet.row("camera", "none");
     return;
   }
   const lang::WrittenCamera& chosen = *lowered.camera;
@@ -187,12 +198,13 @@ void write_requirements(const InspectReport& report, Sheet& sheet) {
 
 void write_memory(const InspectReport& report, Sheet& sheet) {
   const MemoryFigures& memory = report.memory;
-  const std::size_t count = report.lowered.scene.spheres.size();
+  const std::uint64_t count = render::count_spheres(report.lowered.scene);
   std::string text = format_bytes(memory.total());
   if (count > 0) text += fmt::format(", {:.0f} B a sphere", memory.per_sphere(count));
   sheet.row("memory", text);
   if (count > 0) {
     sheet.detail("spheres", format_bytes(memory.spheres));
+    if (memory.instances > 0) sheet.detail("instances", format_bytes(memory.instances));
     if (memory.motion > 0) sheet.detail("motion", format_bytes(memory.motion));
     sheet.detail("materials", format_bytes(memory.materials));
     sheet.detail("hierarchy", format_bytes(memory.bvh) + ", estimated without building it");

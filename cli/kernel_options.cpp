@@ -48,6 +48,16 @@ void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
              "The instruction set of the wide kernel; auto: the best of the machine");
 }
 
+lang::Instancing instancing_for(const render::KernelRequest& flags,
+                                const lang::Overrides& overrides) {
+  const bool takes_them = flags.kind.value_or(KernelKind::Bvh) == KernelKind::Bvh &&
+                          overrides.precision.value_or("auto") != "float";
+  if (overrides.instancing == lang::Instancing::Auto && !takes_them) {
+    return lang::Instancing::Never;
+  }
+  return overrides.instancing;
+}
+
 render::Kernel choose_kernel(const render::KernelRequest& flags, const lang::Overrides& overrides,
                              const lang::LoweredScene& lowered, lang::Compiler& compiler) {
   render::KernelRequest request = flags;

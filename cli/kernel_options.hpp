@@ -11,6 +11,11 @@
 namespace sdlc::cli {
 
 /// --kernel and --isa, which force what is otherwise chosen by itself.
+/// Whether a scene has instances: what a kernel or a precision that is asked for cannot take,
+/// `auto` does not make.
+lang::Instancing instancing_for(const render::KernelRequest& flags,
+                                const lang::Overrides& overrides);
+
 void add_kernel_options(CLI::App& command, render::KernelRequest& request);
 
 /// The kernel that flags and scene ask for together. Where its precision does not resolve the scene

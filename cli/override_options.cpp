@@ -1,8 +1,12 @@
 #include "cli/override_options.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -39,6 +43,22 @@ void add_override(CLI::App& command, std::size_t index, std::optional<T>& value)
       std::string(property.doc));
 }
 
+void add_instances(CLI::App& command, lang::Instancing& instancing) {
+  using lang::Instancing;
+  static constexpr std::array<std::string_view, 3> kWords{"auto", "always", "never"};
+  static constexpr std::array kMeanings{Instancing::Auto, Instancing::Always, Instancing::Never};
+  command
+      .add_option_function<std::string>(
+          "--instances",
+          [&instancing](const std::string& word) {
+            const auto found = std::ranges::find(kWords, word);
+            instancing = kMeanings[static_cast<std::size_t>(found - kWords.begin())];
+          },
+          "Hold what a def places again and again once: slower to trace, as it saves memory; auto: "
+          "in scenes of more than a million spheres")
+      ->check(one_of(kWords));
+}
+
 }  // namespace
 
 void add_override_options(CLI::App& command, lang::Overrides& overrides) {
@@ -52,6 +72,7 @@ void add_override_options(CLI::App& command, lang::Overrides& overrides) {
   add_override(command, kTone, overrides.tone);
   add_override(command, kCamera, overrides.camera);
   add_override(command, kPrecision, overrides.precision);
+  add_instances(command, overrides.instancing);
 }
 
 }  // namespace sdlc::cli

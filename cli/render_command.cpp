@@ -32,6 +32,7 @@
 #include "render/image/atomic_file.hpp"
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
+#include "render/scene/instances.hpp"
 #include "render/tiles/render.hpp"
 
 namespace sdlc::cli {
@@ -219,6 +220,7 @@ class RenderJob {
   /// Compiles the scene at this frame and prints its new diagnostics; nothing when it has errors.
   std::optional<LoweredFrame> lower(std::optional<int> frame, RenderStatistics& statistics) {
     lang::Overrides overrides = options_.overrides;
+    overrides.instancing = instancing_for(options_.kernel, overrides);
     overrides.names_output = !options_.outputs.empty();
     auto lowered = compiler_->lower(overrides, frame);
     const auto choice_start = std::chrono::steady_clock::now();
@@ -235,7 +237,8 @@ class RenderJob {
     statistics.compile = compiler_->times();
     if (is_first) statistics.compile.parse_seconds += read_seconds_;
     statistics.settings = lowered->settings;
-    statistics.spheres = lowered->scene.spheres.size();
+    statistics.spheres = render::count_spheres(lowered->scene);
+    statistics.instances = lowered->scene.instances.size();
     statistics.features = required_features(lowered->scene, count_materials(lowered->scene));
     return LoweredFrame{.lowered = *std::move(lowered),
                         .kernel = std::move(kernel),

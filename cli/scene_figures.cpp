@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "render/math/color.hpp"
+#include "render/scene/instances.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -16,6 +17,58 @@ Vec3 lower_corner(Vec3 a, Vec3 b) {
 }
 Vec3 upper_corner(Vec3 a, Vec3 b) {
   return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
+/// What all instances of a prototype have in common.
+struct PrototypeFigures {
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;  // radii
+  std::uint64_t spheres = 0, moving = 0;
+  render::Ball ball;
+};
+
+PrototypeFigures measure_prototype(const render::Prototype& prototype) {
+  PrototypeFigures figures;
+  figures.ball = ball_around(prototype);
+  figures.spheres = prototype.spheres.size();
+  for (const render::Sphere& sphere : prototype.spheres) {
+    figures.smallest = std::min(figures.smallest, sphere.radius);
+    figures.largest = std::max(figures.largest, sphere.radius);
+  }
+  for (const Vec3 shift : prototype.shifts) figures.moving += shift != Vec3{} ? 1 : 0;
+  return figures;
+}
+
+/// Adds those of instances; `add(center, radius)` widens bounds and extent.
+template <typename Add>
+void measure_instances(const render::Scene& scene, const Add& add, SphereFigures& figures) {
+  std::vector<PrototypeFigures> prototypes;
+  for (const render::Prototype& prototype : scene.prototypes) {
+    prototypes.push_back(measure_prototype(prototype));
+  }
+  for (const render::Instance& instance : scene.instances) {
+    const PrototypeFigures& prototype = prototypes[instance.prototype];
+    const double scale = instance.placement.scale;
+    const Vec3 center = instance.placement.apply(prototype.ball.center);
+    for (const Vec3 place : {center, center + instance.shift}) {
+      add(place, prototype.ball.radius * scale);
+    }
+    if (prototype.smallest * scale < figures.smallest.radius) {
+      figures.smallest = {.sphere = {}, .radius = prototype.smallest * scale};
+    }
+    if (prototype.largest * scale > figures.largest.radius) {
+      figures.largest = {.sphere = {}, .radius = prototype.largest * scale};
+    }
+    figures.moving += instance.shift != Vec3{} ? prototype.spheres : prototype.moving;
+  }
+}
+
+std::size_t instance_bytes(const render::Scene& scene) {
+  std::size_t bytes = scene.instances.size() * sizeof(render::Instance);
+  for (const render::Prototype& prototype : scene.prototypes) {
+    bytes +=
+        prototype.spheres.size() * sizeof(render::Sphere) + prototype.shifts.size() * sizeof(Vec3);
+  }
+  return bytes;
 }
 
 }  // namespace
@@ -38,8 +91,15 @@ MaterialCounts count_materials(const render::Scene& scene) {
                          {MaterialType::Transmissive},
                          {MaterialType::Emissive},
                          {MaterialType::Unlit}}};
-  std::vector<std::size_t> spheres_of(scene.materials.size());
+  std::vector<std::uint64_t> spheres_of(scene.materials.size());
   for (const render::Sphere& sphere : scene.spheres) ++spheres_of[sphere.material];
+  std::vector<std::uint64_t> uses(scene.prototypes.size());
+  for (const render::Instance& instance : scene.instances) ++uses[instance.prototype];
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    for (const render::Sphere& sphere : scene.prototypes[i].spheres) {
+      spheres_of[sphere.material] += uses[i];
+    }
+  }
   for (std::size_t i = 0; i < spheres_of.size(); ++i) {
     if (spheres_of[i] == 0) continue;  // its spheres were dropped
     const auto row = std::ranges::find(counts, scene.materials[i].type, &MaterialFigures::type);
@@ -52,7 +112,7 @@ MaterialCounts count_materials(const render::Scene& scene) {
 std::vector<std::string> required_features(const render::Scene& scene,
                                            const MaterialCounts& materials) {
   std::vector<std::string> features;
-  if (!scene.shifts.empty()) features.emplace_back("motion");
+  if (has_motion(scene)) features.emplace_back("motion");
   if (!scene.background.is_constant()) features.emplace_back("gradient");
   for (const MaterialFigures& row : materials) {
     if (row.spheres > 0) features.emplace_back(material_name(row.type));
@@ -61,11 +121,11 @@ std::vector<std::string> required_features(const render::Scene& scene,
 }
 
 std::optional<SphereFigures> measure_spheres(const render::Scene& scene) {
-  if (scene.spheres.empty()) return std::nullopt;
+  if (scene.spheres.empty() && scene.instances.empty()) return std::nullopt;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   SphereFigures figures{.low = {kInfinity, kInfinity, kInfinity},
                         .high = {-kInfinity, -kInfinity, -kInfinity},
-                        .smallest = {.sphere = 0, .radius = kInfinity},
+                        .smallest = {.sphere = {}, .radius = kInfinity},
                         .largest = {}};
   const auto add = [&](Vec3 center, double radius) {
     const Vec3 reach{radius, radius, radius};
@@ -83,6 +143,7 @@ std::optional<SphereFigures> measure_spheres(const render::Scene& scene) {
     add(center + scene.shifts[i], radius);
     ++figures.moving;
   }
+  measure_instances(scene, add, figures);
   return figures;
 }
 
@@ -90,6 +151,7 @@ MemoryFigures estimate_memory(const render::Scene& scene, const render::RenderSe
                               const render::Kernel& kernel) {
   return {.spheres = scene.spheres.size() * sizeof(render::Sphere),
           .motion = scene.shifts.size() * sizeof(Vec3),
+          .instances = instance_bytes(scene),
           .materials = scene.materials.size() * sizeof(render::Material),
           .bvh = estimated_bytes(kernel, scene),
           .picture = static_cast<std::size_t>(settings.width) *

@@ -22,7 +22,7 @@ std::string_view material_name(render::MaterialType type) noexcept;
 struct MaterialFigures {
   render::MaterialType type;
   std::size_t materials = 0;  ///< distinct ones that a sphere has
-  std::size_t spheres = 0;
+  std::uint64_t spheres = 0;
 };
 
 /// One row for each type, in a fixed order.
@@ -38,14 +38,15 @@ std::vector<std::string> required_features(const render::Scene& scene,
 struct SphereFigures {
   /// A sphere by its index in the scene.
   struct Radius {
-    std::uint32_t sphere = 0;
+    std::optional<std::uint32_t> sphere;  ///< nothing: one of an instance
     double radius = 0;
   };
 
-  render::Vec3 low, high;    ///< corners of the box around all spheres, over the whole shutter
+  /// Corners of the box around all spheres, over the whole shutter; of balls around instances.
+  render::Vec3 low, high;
   Radius smallest, largest;  ///< of several the first
   double extent = 0;         ///< from the camera to the far side of the farthest sphere
-  std::size_t moving = 0;
+  std::uint64_t moving = 0;
 
   double radius_ratio() const noexcept { return largest.radius / smallest.radius; }
   /// What the precision of numbers has to span.
@@ -57,14 +58,16 @@ std::optional<SphereFigures> measure_spheres(const render::Scene& scene);
 
 /// Bytes that a scene and its picture take.
 struct MemoryFigures {
-  std::size_t spheres = 0, motion = 0, materials = 0;
+  std::size_t spheres = 0, motion = 0, instances = 0, materials = 0;
   std::size_t bvh = 0;  ///< estimated: nothing is built
   std::size_t picture = 0;
 
-  std::size_t total() const noexcept { return spheres + motion + materials + bvh + picture; }
-  /// What each further sphere takes.
-  double per_sphere(std::size_t count) const noexcept {
-    return static_cast<double>(spheres + motion + bvh) / static_cast<double>(count);
+  std::size_t total() const noexcept {
+    return spheres + motion + instances + materials + bvh + picture;
+  }
+  /// What each sphere takes.
+  double per_sphere(std::uint64_t count) const noexcept {
+    return static_cast<double>(spheres + motion + instances + bvh) / static_cast<double>(count);
   }
 };
 

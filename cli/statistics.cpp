@@ -16,6 +16,7 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
   const nlohmann::ordered_json json{
       {"scene", statistics.scene},
       {"spheres", statistics.spheres},
+      {"instances", statistics.instances},
       {"width", settings.width},
       {"height", settings.height},
       {"samples", settings.samples},

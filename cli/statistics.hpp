@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,9 @@ namespace sdlc::cli {
 
 /// What `render --stats` tells of one picture, beside what the render itself counted.
 struct RenderStatistics {
-  std::string scene;  ///< the file, as the user named it
-  std::size_t spheres = 0;
+  std::string scene;          ///< the file, as the user named it
+  std::uint64_t spheres = 0;  ///< those of instances among them
+  std::size_t instances = 0;
   std::vector<std::string> features;  ///< what the scene required, see required_features
   render::RenderSettings settings;
   lang::CompileTimes compile;

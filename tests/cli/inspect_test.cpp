@@ -215,6 +215,44 @@ TEST_F(InspectCommand, LaysOutAReportForPeople) {
             HasSubstr("  picture       1.32 MiB\n"), HasSubstr(" to parse, ")));
 }
 
+constexpr const char* kGarden = R"(scene 1
+camera main { from: (0, 2, 9), at: (0, 0, 0), fov: 40deg, shutter: 0 .. 1 }
+def flower(petals) {
+  for i in range(petals) {
+    sphere { center: (cos(i / petals * 1turn), 0, sin(i / petals * 1turn)), radius: 0.2,
+             material: diffuse(color: tan) }
+  }
+  sphere { center: (0, 0, 0), radius: 0.5 }
+}
+for i in range(10) {
+  flower { petals: 7, translate: (3 * i, time * 1m / 1s * mod(i, 2), 0), material: unlit(color: white), scale: 1 + i }
+}
+)";
+
+TEST_F(InspectCommand, CountsSpheresOfInstances) {
+  write_text(folder_ / "garden.scene", kGarden);
+  const json plain = inspect("garden.scene"),
+             held_once = inspect("garden.scene --instances always");
+  EXPECT_EQ(plain["spheres"]["instances"], 0);
+  EXPECT_EQ(held_once["spheres"]["instances"], 9);
+  EXPECT_EQ(held_once["spheres"]["prototypes"], 1);
+  EXPECT_EQ(held_once["spheres"]["largest"], (json{{"radius", 5}, {"sphere", nullptr}}));
+  for (const char* field : {"count", "moving", "radius_ratio"}) {
+    EXPECT_EQ(held_once["spheres"][field], plain["spheres"][field]) << field;
+  }
+  EXPECT_EQ(held_once["materials"], plain["materials"]);
+  EXPECT_EQ(held_once["kernel"], "bvh");
+  EXPECT_THAT(run("garden.scene --instances always").out,
+              AllOf(HasSubstr("spheres         80, 40 of them moving\n"
+                              "  instances     9 of 1 prototype, beside 8 plain spheres\n"),
+                    HasSubstr("0.2 (sphere 0) to 5 (of an instance)")));
+  const ProgramResult refused = run("garden.scene --instances always --kernel wide");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--instances never"));
+  EXPECT_THAT(run("garden.scene --instances always --where 8").err,
+              HasSubstr("they are 0 to 7; those of instances have no numbers"));
+}
+
 TEST_F(InspectCommand, TellsTheKernelThatIsAskedFor) {
   EXPECT_EQ(inspect("ring.scene --kernel scalar")["kernel"], "scalar");
   const ProgramResult refused = run("ring.scene --kernel scalar --precision float");
