@@ -105,6 +105,8 @@ class BvhSearch {
 
   using D = hn::CappedTag<T, kBvhWidth>;
   using V = hn::Vec<D>;
+  static constexpr std::size_t kLanes = hn::MaxLanes(D());
+  static constexpr std::size_t kParts = kBvhWidth / kLanes;  // vectors that hold all children
 
   /// One ray, each of its numbers in all lanes.
   struct Ray {
@@ -246,29 +248,70 @@ class BvhSearch {
     return t * (1 + kGrazing) + kGrazing;
   }
 
-  static constexpr std::size_t kLanes = hn::MaxLanes(D());
-  static constexpr std::size_t kParts = kBvhWidth / kLanes;  // vectors that hold all children
+  /// Where a ray enters boxes, and which of them it meets.
+  struct Boxes {
+    V entry;
+    hn::Mask<D> met;
+  };
+  /// The boxes of as many children of a node as a vector has lanes, met before `farthest`.
+  static HWY_INLINE Boxes meet_part(const typename WideBvh<T>::Node& node, std::size_t part,
+                                    const Ray& ray, V farthest) {
+    const D d;
+    const auto bound = [&](std::size_t axis, std::size_t side) HWY_ATTR {
+      return hn::Load(d, node.bounds[axis][side].data() + part * kLanes);
+    };
+    const auto& near = ray.near;
+    const V enter_x = hn::MulSub(bound(0, near[0]), ray.inverse.x, ray.most_offset.x);
+    const V enter_y = hn::MulSub(bound(1, near[1]), ray.inverse.y, ray.most_offset.y);
+    const V enter_z = hn::MulSub(bound(2, near[2]), ray.inverse.z, ray.most_offset.z);
+    const V leave_x = hn::MulSub(bound(0, 1 - near[0]), ray.inverse.x, ray.least_offset.x);
+    const V leave_y = hn::MulSub(bound(1, 1 - near[1]), ray.inverse.y, ray.least_offset.y);
+    const V leave_z = hn::MulSub(bound(2, 1 - near[2]), ray.inverse.z, ray.least_offset.z);
+    const V entry = hn::Max(hn::Max(enter_x, enter_y), hn::Max(enter_z, hn::Zero(d)));
+    const V leave = hn::Min(hn::Min(leave_x, leave_y), hn::Min(leave_z, farthest));
+    return {entry, hn::Le(entry, leave)};
+  }
 
+  /// What spheres cut out of a ray.
+  struct Chords {
+    V middle;
+    V discriminant;  // negative where the ray misses
+
+    /// No number where the ray misses, negative where the sphere is behind it.
+    HWY_INLINE V first_place() const {
+      const V half_chord = hn::Sqrt(discriminant);
+      const V enters = hn::Sub(middle, half_chord), leaves = hn::Add(middle, half_chord);
+      return hn::IfThenElse(hn::Ge(enters, hn::Zero(D())), enters, leaves);
+    }
+  };
+  /// The spheres of as many slots as a vector has lanes.
+  HWY_INLINE Chords cut_spheres(std::size_t first, const Ray& ray) const {
+    const D d;
+    Triple<V> center = load(scene_.center, first);
+    if constexpr (kMotion) center = plus_scaled(center, load(scene_.shift, first), ray.time);
+    const Triple<V> to_center = minus(center, ray.origin);
+    const V middle = dot(to_center, ray.direction);
+    const V radius = hn::Load(d, scene_.radius.data() + first);
+    return {middle, chord_discriminant(to_center, ray.direction, middle, hn::Mul(radius, radius))};
+  }
+
+  /// Of spheres at one distance: those met in double come behind the others, as where all are met
+  /// in order.
+  HWY_INLINE bool comes_first(std::uint32_t slot, std::uint32_t before) const {
+    return before >= scene_.first_exact ||
+           scene_.index_in_scene[slot] <= scene_.index_in_scene[before];
+  }
+
+ private:
   /// The children whose boxes the ray meets before `farthest`, as bits, and where it enters them.
   HWY_INLINE std::uint32_t meet_boxes(const typename WideBvh<T>::Node& node, const Ray& ray,
                                       T farthest, std::array<T, kBvhWidth>& entries) const {
     const D d;
     std::uint32_t met = 0;
     for (std::size_t part = 0; part < kParts; ++part) {
-      const auto bound = [&](std::size_t axis, std::size_t side) HWY_ATTR {
-        return hn::Load(d, node.bounds[axis][side].data() + part * kLanes);
-      };
-      const auto& near = ray.near;
-      const V enter_x = hn::MulSub(bound(0, near[0]), ray.inverse.x, ray.most_offset.x);
-      const V enter_y = hn::MulSub(bound(1, near[1]), ray.inverse.y, ray.most_offset.y);
-      const V enter_z = hn::MulSub(bound(2, near[2]), ray.inverse.z, ray.most_offset.z);
-      const V leave_x = hn::MulSub(bound(0, 1 - near[0]), ray.inverse.x, ray.least_offset.x);
-      const V leave_y = hn::MulSub(bound(1, 1 - near[1]), ray.inverse.y, ray.least_offset.y);
-      const V leave_z = hn::MulSub(bound(2, 1 - near[2]), ray.inverse.z, ray.least_offset.z);
-      const V enter = hn::Max(hn::Max(enter_x, enter_y), hn::Max(enter_z, hn::Zero(d)));
-      const V leave = hn::Min(hn::Min(leave_x, leave_y), hn::Min(leave_z, hn::Set(d, farthest)));
-      hn::Store(enter, d, entries.data() + part * kLanes);
-      met |= bits_of(d, hn::Le(enter, leave)) << (part * kLanes);
+      const Boxes boxes = meet_part(node, part, ray, hn::Set(d, farthest));
+      hn::Store(boxes.entry, d, entries.data() + part * kLanes);
+      met |= bits_of(d, boxes.met) << (part * kLanes);
     }
     return met;
   }
@@ -347,19 +390,9 @@ class BvhSearch {
                             Hit& hit) const {
     const D d;
     for (std::size_t slot = first; slot < first + kBvhWidth; slot += kLanes) {
-      Triple<V> center = load(scene_.center, slot);
-      if constexpr (kMotion) {
-        center = plus_scaled(center, load(scene_.shift, slot), ray.time);
-      }
-      const Triple<V> to_center = minus(center, ray.origin);
-      const V middle = dot(to_center, ray.direction);
-      const V radius = hn::Load(d, scene_.radius.data() + slot);
-      const V discriminant =
-          chord_discriminant(to_center, ray.direction, middle, hn::Mul(radius, radius));
-      if (hn::AllFalse(d, hn::Ge(discriminant, hn::Zero(d)))) continue;
-      const V half_chord = hn::Sqrt(discriminant);
-      const V enters = hn::Sub(middle, half_chord), leaves = hn::Add(middle, half_chord);
-      const V t = hn::IfThenElse(hn::Ge(enters, hn::Zero(d)), enters, leaves);
+      const Chords chords = cut_spheres(slot, ray);
+      if (hn::AllFalse(d, hn::Ge(chords.discriminant, hn::Zero(d)))) continue;
+      const V t = chords.first_place();
       const auto is_near = hn::And(hn::Ge(t, hn::Zero(d)), hn::Le(t, hn::Set(d, hit.t)));
       std::uint32_t near = bits_of(d, is_near);
       if (near == 0) continue;
@@ -374,10 +407,7 @@ class BvhSearch {
 
   HWY_INLINE void take_if_nearer(T t, std::uint32_t slot, std::uint32_t departed, Hit& hit) const {
     if (t > hit.t || slot == departed) return;
-    // One that was met in double comes behind the others, as where all are met in order.
-    const bool is_first = hit.slot >= scene_.first_exact ||
-                          scene_.index_in_scene[slot] <= scene_.index_in_scene[hit.slot];
-    if (t == hit.t && !is_first) return;
+    if (t == hit.t && !comes_first(slot, hit.slot)) return;
     hit = {t, slot};
   }
 

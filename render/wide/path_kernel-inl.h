@@ -18,6 +18,7 @@
 
 #include "render/sampler/sampler.hpp"
 #include "render/wide/bvh_search-inl.h"
+#include "render/wide/bvh_wave-inl.h"
 #include "render/wide/path_kernel.hpp"
 #include "render/wide/scatter-inl.h"
 #include "render/wide/table_reader-inl.h"
@@ -312,7 +313,7 @@ void WidePaths<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction, V t
   }
 }
 
-/// Meets the spheres of WideScene::bvh, one lane after the other.
+/// Meets the spheres of WideScene::bvh, in all lanes at a time or one after the other.
 template <typename T, typename F>
 void WidePaths<T, F>::intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed,
                                     Mask alive, Nearest& nearest) const {
@@ -320,20 +321,31 @@ void WidePaths<T, F>::intersect_bvh(Triple<V> origin, Triple<V> direction, V tim
   const DU du;
   using Search = BvhSearch<T, F::kMotion>;
   const typename Search::Rays rays(origin, direction, time);
-  const Search search(scene_);
-  alignas(64) std::array<T, kLanes> distances;
-  alignas(64) std::array<Word, kLanes> left, indices;
-  hn::Store(nearest.t, d, distances.data());
-  hn::Store(departed, du, left.data());
-  hn::Store(nearest.index, du, indices.data());
-  for (std::uint32_t lanes = bits_of(d, alive); lanes != 0; lanes &= lanes - 1) {
-    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-    typename Search::Hit hit{distances[lane], static_cast<std::uint32_t>(indices[lane])};
-    search.find(0, typename Search::Ray(rays, lane), static_cast<std::uint32_t>(left[lane]), hit);
-    distances[lane] = hit.t;
-    indices[lane] = hit.slot;
+  if constexpr (Search::kParts == 1) {
+    using Wave = BvhWave<T, F::kMotion>;
+    typename Wave::Hits hits;
+    alignas(64) std::array<std::uint32_t, kLanes> left;
+    hn::Store(nearest.t, d, hits.t.data());
+    hn::Store(nearest.index, du, hits.slot.data());
+    hn::Store(departed, du, left.data());
+    Wave::find(scene_, 0, bits_of(d, alive), rays, left, hits);
+    nearest = {hn::Load(d, hits.t.data()), hn::Load(du, hits.slot.data())};
+  } else {
+    const Search search(scene_);
+    alignas(64) std::array<T, kLanes> distances;
+    alignas(64) std::array<Word, kLanes> left, indices;
+    hn::Store(nearest.t, d, distances.data());
+    hn::Store(departed, du, left.data());
+    hn::Store(nearest.index, du, indices.data());
+    for (std::uint32_t lanes = bits_of(d, alive); lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+      typename Search::Hit hit{distances[lane], static_cast<std::uint32_t>(indices[lane])};
+      search.find(0, typename Search::Ray(rays, lane), static_cast<std::uint32_t>(left[lane]), hit);
+      distances[lane] = hit.t;
+      indices[lane] = hit.slot;
+    }
+    nearest = {hn::Load(d, distances.data()), hn::Load(du, indices.data())};
   }
-  nearest = {hn::Load(d, distances.data()), hn::Load(du, indices.data())};
 }
 
 /// The same where some of them are instances'.

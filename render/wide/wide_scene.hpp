@@ -21,7 +21,7 @@ inline constexpr std::size_t kMostWideSpheres = 256;
 /// How the first sphere on a ray is found.
 enum class Search : std::uint8_t {
   All,  ///< every sphere is held against the rays of all lanes
-  Bvh,  ///< one ray after the other goes through a hierarchy of spheres
+  Bvh,  ///< each ray goes through a hierarchy of spheres
 };
 
 /// A scene as the wide kernel reads it, in numbers of type T: one table for each quantity, so that

@@ -1,0 +1,241 @@
+// The search for the first spheres on the rays of all lanes, compiled once for each instruction
+// set: no include guard but Highway's.
+// clang-format off
+#if defined(SDLC_RENDER_WIDE_BVH_WAVE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_WIDE_BVH_WAVE_INL_H
+#undef SDLC_RENDER_WIDE_BVH_WAVE_INL_H
+#else
+#define SDLC_RENDER_WIDE_BVH_WAVE_INL_H
+#endif
+// clang-format on
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include <hwy/highway.h>
+
+#include "render/wide/bvh_search-inl.h"
+#include "render/wide/wide_scene.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace sdlc::render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// BvhSearch for many rays, each one node or leaf further in every round, for vectors that hold all
+/// children of a node. A ray on its own waits for every result, and for every branch that was
+/// guessed wrong; here the next ray's step does not depend on it, and no step branches on what a
+/// ray meets. With vectors of half a node, which hold half as many rays too, this takes twice the
+/// time of BvhSearch.
+template <typename T, bool kMotion>
+class BvhWave {
+ public:
+  using Search = BvhSearch<T, kMotion>;
+  using Ray = typename Search::Ray;
+  using Rays = typename Search::Rays;
+  template <typename U>
+  using Row = typename Search::template Row<U>;
+
+  struct Hits {
+    alignas(64) Row<T> t;
+    alignas(64) Row<std::uint32_t> slot;
+  };
+
+  /// BvhSearch::find for the rays of `lanes`, as bits.
+  static HWY_INLINE void find(const WideScene<T>& scene, std::uint32_t root, std::uint32_t lanes,
+                              const Rays& rays, const Row<std::uint32_t>& departed, Hits& hits) {
+    BvhWave wave(scene, rays, departed, hits);
+    wave.start(root, lanes);
+    wave.run(lanes);
+  }
+
+ private:
+  using D = typename Search::D;
+  using V = typename Search::V;
+  using DI = hn::RebindToSigned<D>;
+  using VI = hn::Vec<DI>;
+  /// Where a ray enters a box, as a whole number that orders as it does, with the child's place in
+  /// the node instead of its lowest bits.
+  using Key = hn::TFromD<DI>;
+  static constexpr Key kChildBits = kBvhWidth - 1;
+  static constexpr Key kEntryBits = std::numeric_limits<Key>::max() - kChildBits;
+  /// Below what waits there are as many keys of 0, which are before any hit.
+  static constexpr std::uint32_t kBottom = kBvhWidth;
+  static constexpr std::size_t kMostSorted = 4;
+
+  struct Stack {
+    // A whole vector is written from the first free place on.
+    static constexpr std::size_t kRoom = kBottom + WideBvh<T>::kMostWaiting + kBvhWidth;
+    alignas(64) std::array<Key, kRoom> keys;
+    std::array<std::uint32_t, kRoom> parents;  // the node whose child it is
+  };
+
+  /// Those that are, or do, as bits.
+  struct Lanes {
+    std::uint32_t at_node = 0, at_leaf = 0, pop = 0;
+  };
+
+  HWY_INLINE BvhWave(const WideScene<T>& scene, const Rays& rays,
+                     const Row<std::uint32_t>& departed, Hits& hits)
+      : scene_(scene), search_(scene), rays_(rays), departed_(departed), hits_(hits) {}
+
+  HWY_INLINE void start(std::uint32_t root, std::uint32_t lanes) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+      current_[lane] = root;
+      waiting_[lane] = kBottom;
+      farthest_[lane] = Search::at_most(hits_.t[lane]);
+      hn::Store(hn::Zero(DI()), DI(), stacks_[lane].keys.data());
+      stacks_[lane].parents[kBottom - 1] = root;
+    }
+  }
+
+  HWY_INLINE void run(std::uint32_t lanes) {
+    Lanes now{.at_node = lanes};
+    while ((now.at_node | now.at_leaf) != 0) {
+      Lanes next{.pop = now.at_leaf};
+      for (; now.at_leaf != 0; now.at_leaf &= now.at_leaf - 1) meet_leaf(first_of(now.at_leaf));
+      for (; now.at_node != 0; now.at_node &= now.at_node - 1) open(first_of(now.at_node), next);
+      for (; next.pop != 0; next.pop &= next.pop - 1) pop(first_of(next.pop), next);
+      now = next;
+    }
+  }
+
+  static HWY_INLINE std::size_t first_of(std::uint32_t lanes) {
+    return static_cast<std::size_t>(std::countr_zero(lanes));
+  }
+
+  /// Of the children that the ray meets, the nearest is next; the others wait, the nearer the
+  /// higher.
+  HWY_INLINE void open(std::size_t lane, Lanes& next) {
+    const D d;
+    const DI di;
+    const hn::RebindToUnsigned<D> du;
+    const Ray ray(rays_, lane);
+    const std::uint32_t index = current_[lane], before = waiting_[lane];
+    const auto& node = scene_.bvh.nodes[index];
+    const auto boxes = Search::meet_part(node, 0, ray, hn::Set(d, farthest_[lane]));
+    const VI keys = hn::Or(hn::And(hn::BitCast(di, boxes.entry), hn::Set(di, kEntryBits)),
+                           hn::Iota(di, Key{0}));
+    const auto met = hn::RebindMask(di, boxes.met);
+    const auto count = static_cast<std::uint32_t>(std::popcount(bits_of(d, boxes.met)));
+    Stack& stack = stacks_[lane];
+    Key* place = stack.keys.data() + before;
+    hn::StoreU(hn::Compress(hn::IfThenElseZero(met, keys), met), di, place);  // and zeros behind
+    hn::StoreU(hn::Set(du, index), du, stack.parents.data() + before);
+    if (HWY_LIKELY(count <= kMostSorted)) {
+      sort_four(place);
+    } else {
+      sort(place, count);
+    }
+    const std::uint32_t is_any = count != 0 ? 1 : 0;
+    waiting_[lane] = before + count - is_any;
+    next.pop |= (is_any ^ 1) << lane;
+    go_to(lane, node.children[child_of(stack.keys[before + count - 1])], is_any, next);
+  }
+
+  /// The greatest one first.
+  static HWY_INLINE void sort_four(Key* keys) {
+    const hn::Full128<Key> d;
+    alignas(16) static constexpr std::array<Key, 4> kInnerSwapped{0, 2, 1, 3};
+    auto v = hn::LoadU(d, keys);
+    auto other = hn::Shuffle2301(v);
+    v = hn::OddEven(hn::Min(v, other), hn::Max(v, other));
+    other = hn::Shuffle1032(v);
+    v = hn::ConcatUpperLower(d, hn::Min(v, other), hn::Max(v, other));
+    other = hn::TableLookupLanes(v, hn::SetTableIndices(d, kInnerSwapped.data()));
+    v = hn::ConcatUpperLower(d, hn::Min(v, other), hn::Max(v, other));
+    hn::StoreU(v, d, keys);
+  }
+  static HWY_INLINE void sort(Key* keys, std::size_t count) {
+    for (std::size_t i = 1; i < count; ++i) {
+      const Key key = keys[i];
+      std::size_t place = i;
+      for (; place > 0 && keys[place - 1] < key; --place) keys[place] = keys[place - 1];
+      keys[place] = key;
+    }
+  }
+
+  static HWY_INLINE std::size_t child_of(Key key) {
+    return static_cast<std::size_t>(key & kChildBits);
+  }
+
+  /// Where the lane is next, if `is_there` is 1.
+  HWY_INLINE void go_to(std::size_t lane, std::uint32_t child, std::uint32_t is_there,
+                        Lanes& next) {
+    const std::uint32_t is_leaf = (child & WideBvh<T>::kLeaf) != 0 ? 1 : 0;
+    current_[lane] = child;
+    next.at_leaf |= (is_there & is_leaf) << lane;
+    next.at_node |= (is_there & (is_leaf ^ 1)) << lane;
+  }
+
+  /// The highest that waits and begins before the hit is next.
+  HWY_INLINE void pop(std::size_t lane, Lanes& next) {
+    const DI di;
+    const Stack& stack = stacks_[lane];
+    Key farthest;
+    std::memcpy(&farthest, &farthest_[lane], sizeof farthest);
+    const VI beyond = hn::Set(di, static_cast<Key>((farthest | kChildBits) + 1));
+    const auto before_hit = [&](std::uint32_t end) HWY_ATTR {
+      const VI keys = hn::LoadU(di, stack.keys.data() + end - kBvhWidth);
+      return bits_of(di, hn::Lt(keys, beyond));
+    };
+    std::uint32_t end = waiting_[lane];
+    std::uint32_t fit = before_hit(end);
+    while (HWY_UNLIKELY(fit == 0)) fit = before_hit(end -= kBvhWidth);
+    const std::uint32_t highest =
+        end - kBvhWidth + static_cast<std::uint32_t>(std::bit_width(fit)) - 1;
+    waiting_[lane] = highest;
+    const auto& parent = scene_.bvh.nodes[stack.parents[highest]];
+    go_to(lane, parent.children[child_of(stack.keys[highest])], highest >= kBottom ? 1 : 0, next);
+  }
+
+  HWY_INLINE void meet_leaf(std::size_t lane) {
+    const D d;
+    const DI di;
+    const std::uint32_t first = (current_[lane] & ~WideBvh<T>::kLeaf) * kBvhWidth;
+    const V t = search_.cut_spheres(first, Ray(rays_, lane)).first_place();
+    const V before = hn::Set(d, hits_.t[lane]);
+    const auto departed = hn::Set(di, static_cast<Key>(departed_[lane] - first));
+    const auto is_other = hn::RebindMask(d, hn::Ne(hn::Iota(di, Key{0}), departed));
+    const auto is_near = hn::And(is_other, hn::And(hn::Ge(t, hn::Zero(d)), hn::Le(t, before)));
+    const V near = hn::IfThenElse(is_near, t, hn::Set(d, std::numeric_limits<T>::infinity()));
+    const V nearest = hn::MinOfLanes(d, near);
+    const std::uint32_t found =
+        first + static_cast<std::uint32_t>(std::countr_zero(bits_of(d, hn::Eq(near, nearest))));
+    take_if_nearer(lane, hn::GetLane(nearest), found,
+                   !hn::AllFalse(d, hn::And(is_near, hn::Eq(t, before))));
+  }
+
+  /// `is_tie`: some sphere is as near as the one before.
+  HWY_INLINE void take_if_nearer(std::size_t lane, T t, std::uint32_t slot, bool is_tie) {
+    T& hit_t = hits_.t[lane];
+    std::uint32_t& hit_slot = hits_.slot[lane];
+    bool is_nearer = t < hit_t;
+    if (HWY_UNLIKELY(is_tie)) is_nearer |= t == hit_t && search_.comes_first(slot, hit_slot);
+    // By bits: a branch instead would be guessed wrong every other time.
+    const std::uint32_t keeps = static_cast<std::uint32_t>(is_nearer) - 1;
+    hit_slot = (hit_slot & keeps) | (slot & ~keeps);
+    hit_t = std::min(t, hit_t);
+    farthest_[lane] = Search::at_most(hit_t);
+  }
+
+  const WideScene<T>& scene_;
+  const Search search_;
+  const Rays& rays_;
+  const Row<std::uint32_t>& departed_;
+  Hits& hits_;
+  Row<std::uint32_t> current_, waiting_;
+  Row<T> farthest_;  // of boxes, by the hit so far
+  Row<Stack> stacks_;
+};
+
+}  // namespace sdlc::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
