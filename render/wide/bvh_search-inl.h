@@ -197,50 +197,6 @@ class BvhSearch {
     });
   }
 
- private:
-  /// Calls `on_leaf` with the first slot of each leaf below `root` that begins on the ray before
-  /// `farthest`, which may become less meanwhile, nearest first as far as it is known.
-  template <typename OnLeaf>
-  HWY_INLINE void walk(std::uint32_t root, const Ray& ray, const T& farthest,
-                       const OnLeaf& on_leaf) const {
-    // Only as much of it is touched as nodes wait.
-    struct Waiting {
-      T t;
-      std::uint32_t child;
-    };
-    Waiting stack[WideBvh<T>::kMostWaiting];  // NOLINT: not initialised
-    std::size_t waiting = 0;
-    std::uint32_t current = root;
-    while (true) {
-      if ((current & WideBvh<T>::kLeaf) != 0) {
-        on_leaf(std::size_t{current & ~WideBvh<T>::kLeaf} * kBvhWidth);
-      } else {
-        const auto& node = scene_.bvh.nodes[current];
-        alignas(64) std::array<T, kBvhWidth> entries;
-        std::uint32_t met = meet_boxes(node, ray, at_most(farthest), entries);
-        if (std::has_single_bit(met)) {
-          current = node.children[static_cast<std::size_t>(std::countr_zero(met))];
-          continue;
-        }
-        const std::size_t before = waiting;
-        for (; met != 0; met &= met - 1) {  // the nearest one ends on top
-          const auto child = static_cast<std::size_t>(std::countr_zero(met));
-          const Waiting box{entries[child], node.children[child]};
-          std::size_t place = waiting++;
-          for (; place > before && stack[place - 1].t < box.t; --place) {
-            stack[place] = stack[place - 1];
-          }
-          stack[place] = box;
-        }
-      }
-      do {
-        if (waiting == 0) return;
-        --waiting;
-      } while (stack[waiting].t > at_most(farthest));
-      current = stack[waiting].child;
-    }
-  }
-
   /// Where a box may begin of which a sphere was met at `t`: a grazing hit on a sphere of radius r
   /// is off by up to √(2u (t + r) r) along the ray, r ≤ 2, which is less.
   static HWY_INLINE T at_most(T t) {
@@ -303,6 +259,49 @@ class BvhSearch {
   }
 
  private:
+  /// Calls `on_leaf` with the first slot of each leaf below `root` that begins on the ray before
+  /// `farthest`, which may become less meanwhile, nearest first as far as it is known.
+  template <typename OnLeaf>
+  HWY_INLINE void walk(std::uint32_t root, const Ray& ray, const T& farthest,
+                       const OnLeaf& on_leaf) const {
+    // Only as much of it is touched as nodes wait.
+    struct Waiting {
+      T t;
+      std::uint32_t child;
+    };
+    Waiting stack[WideBvh<T>::kMostWaiting];  // NOLINT: not initialised
+    std::size_t waiting = 0;
+    std::uint32_t current = root;
+    while (true) {
+      if ((current & WideBvh<T>::kLeaf) != 0) {
+        on_leaf(std::size_t{current & ~WideBvh<T>::kLeaf} * kBvhWidth);
+      } else {
+        const auto& node = scene_.bvh.nodes[current];
+        alignas(64) std::array<T, kBvhWidth> entries;
+        std::uint32_t met = meet_boxes(node, ray, at_most(farthest), entries);
+        if (std::has_single_bit(met)) {
+          current = node.children[static_cast<std::size_t>(std::countr_zero(met))];
+          continue;
+        }
+        const std::size_t before = waiting;
+        for (; met != 0; met &= met - 1) {  // the nearest one ends on top
+          const auto child = static_cast<std::size_t>(std::countr_zero(met));
+          const Waiting box{entries[child], node.children[child]};
+          std::size_t place = waiting++;
+          for (; place > before && stack[place - 1].t < box.t; --place) {
+            stack[place] = stack[place - 1];
+          }
+          stack[place] = box;
+        }
+      }
+      do {
+        if (waiting == 0) return;
+        --waiting;
+      } while (stack[waiting].t > at_most(farthest));
+      current = stack[waiting].child;
+    }
+  }
+
   /// The children whose boxes the ray meets before `farthest`, as bits, and where it enters them.
   HWY_INLINE std::uint32_t meet_boxes(const typename WideBvh<T>::Node& node, const Ray& ray,
                                       T farthest, std::array<T, kBvhWidth>& entries) const {
@@ -368,17 +367,10 @@ class BvhSearch {
     const D d;
     std::uint32_t met = 0;
     for (std::size_t part = 0; part < kParts; ++part) {
-      const std::size_t slot = first + part * kLanes;
-      Triple<V> center = load(scene_.center, slot);
-      if constexpr (kMotion) center = plus_scaled(center, load(scene_.shift, slot), ray.time);
-      const Triple<V> to_center = minus(center, ray.origin);
-      const V middle = dot(to_center, ray.direction);
-      const V radius = hn::Load(d, scene_.radius.data() + slot);
-      // No number where it misses.
-      const V half_chord =
-          hn::Sqrt(chord_discriminant(to_center, ray.direction, middle, hn::Mul(radius, radius)));
-      const V enters = hn::Max(hn::Sub(middle, half_chord), hn::Zero(d));
-      const auto is_met = hn::And(hn::Ge(hn::Add(middle, half_chord), hn::Zero(d)),
+      const Chords chords = cut_spheres(first + part * kLanes, ray);
+      const V half_chord = hn::Sqrt(chords.discriminant);  // no number where it misses
+      const V enters = hn::Max(hn::Sub(chords.middle, half_chord), hn::Zero(d));
+      const auto is_met = hn::And(hn::Ge(hn::Add(chords.middle, half_chord), hn::Zero(d)),
                                   hn::Le(enters, hn::Set(d, farthest)));
       hn::Store(enters, d, entries.data() + part * kLanes);
       met |= bits_of(d, is_met) << (part * kLanes);

@@ -195,8 +195,8 @@ TEST(InstancedScenes, MayHaveTheCameraOnASphere) {
   scene.camera.at = {4.5, 0, 1};
   const Picture seen = picture_of(scene);
   EXPECT_EQ(count_different(seen, picture_of(without_instances(scene))), 0u);
-  scene.camera.from = {3, 0, 1 - 1e-9};  // within: nothing but its inside is seen
-  EXPECT_GT(count_different(seen, picture_of(scene)), seen.pixels.size() / 2);
+  scene.camera.from = {3, 0, 1 - 1e-9};  // within: below the horizon its inside is seen
+  EXPECT_GT(count_different(seen, picture_of(scene)), seen.pixels.size() / 4);
 }
 
 TEST(InstancedScenes, AreMetBehindEachOther) {
