@@ -15,13 +15,6 @@ namespace sdlc::render {
 
 inline constexpr std::size_t kBins = 16;  // along each axis
 
-/// A member's middle, twice as far from the origin, as a box.
-template <typename T>
-BuildBox<T> middle_of(const Member<T>& m) noexcept {
-  const T x = m.middle(0), y = m.middle(1), z = m.middle(2);
-  return {{x, y, z, -x, -y, -z}};
-}
-
 /// Which bin a member belongs to along each axis.
 template <typename T>
 class BinScale {
@@ -36,20 +29,21 @@ class BinScale {
   }
 
   std::array<std::size_t, 3> bins_of(const Member<T>& member) const noexcept {
-    return {bin_of(member, 0), bin_of(member, 1), bin_of(member, 2)};
-  }
-  std::size_t bin_of(const Member<T>& member, std::size_t axis) const noexcept {
-    const auto place = static_cast<std::int32_t>((member.middle(axis) - low_[axis]) * scale_[axis]);
-    return static_cast<std::size_t>(std::min(place, static_cast<std::int32_t>(kBins - 1)));
+    constexpr T kLast = kBins - 1;
+    const Axes<T> place = (member.middles().lows - low_) * scale_;
+    const Axes<T> last{kLast, kLast, kLast, kLast};
+    const auto bins = __builtin_convertvector(place < last ? place : last, Axes<std::int32_t>);
+    const auto bin = [&](std::size_t axis) { return static_cast<std::uint32_t>(bins[axis]); };
+    return {bin(0), bin(1), bin(2)};
   }
 
-  /// Whether bin_of() is less than `bin`.
+  /// Whether that along an axis is less than `bin`.
   bool is_below(const Member<T>& member, std::size_t axis, T bin) const noexcept {
     return (member.middle(axis) - low_[axis]) * scale_[axis] < bin;
   }
 
  private:
-  std::array<T, 3> low_, scale_;
+  Axes<T> low_{}, scale_{};  // the last ones make 0 of what means nothing
 };
 
 /// How many members are in each bin, and the box around them.

@@ -19,22 +19,41 @@ SweepSplitter<T>::SweepSplitter(std::span<const Member<T>> members) : members_(m
   for (auto& order : orders_) order.reset(new std::uint8_t[members.size()]);
 }
 
-/// Finds the rank of each member by holding it against all others, for several at a time: half as
-/// long as a sort of so few takes.
+/// Finds the rank of each member by holding it against all others, eight at a time: half as long as
+/// a sort of so few takes. Of equal ones the earlier comes first.
 template <typename T>
 void SweepSplitter<T>::sort(Group<T>& group) {
-  using Count = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+  using Counts = Axes<std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>>;
+  constexpr std::size_t kAtATime = 8;
+  constexpr Counts kPlaces{0, 1, 2, 3}, kMorePlaces{4, 5, 6, 7};
   const std::size_t count = group.count();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::array<T, kMostSwept> middles;
     for (std::size_t i = 0; i < count; ++i) middles[i] = members_[group.begin + i].middle(axis);
+    std::fill(middles.begin() + count, middles.end(), T{0});
     std::uint8_t* order = orders_[axis].get() + group.begin;
-    for (std::size_t i = 0; i < count; ++i) {
-      const T middle = middles[i];
-      Count rank = 0;
-      for (std::size_t k = 0; k < i; ++k) rank += middles[k] <= middle;
-      for (std::size_t k = i + 1; k < count; ++k) rank += middles[k] < middle;
-      order[rank] = static_cast<std::uint8_t>(i);
+    for (std::size_t i = 0; i < count; i += kAtATime) {
+      const T* of = middles.data() + i;
+      const Axes<T> four{of[0], of[1], of[2], of[3]}, more{of[4], of[5], of[6], of[7]};
+      Counts rank{}, more_ranks{};  // the truth of a comparison is −1
+      for (std::size_t k = 0; k < i; ++k) {
+        rank -= middles[k] <= four;
+        more_ranks -= middles[k] <= more;
+      }
+      const std::size_t end = std::min(count, i + kAtATime);
+      for (std::size_t k = i; k < end; ++k) {
+        const auto place = static_cast<std::int32_t>(k - i);
+        rank -= (middles[k] < four) | ((middles[k] == four) & (place < kPlaces));
+        more_ranks -= (middles[k] < more) | ((middles[k] == more) & (place < kMorePlaces));
+      }
+      for (std::size_t k = end; k < count; ++k) {
+        rank -= middles[k] < four;
+        more_ranks -= middles[k] < more;
+      }
+      for (std::size_t k = i; k < end; ++k) {
+        const std::size_t place = k - i;
+        order[place < 4 ? rank[place] : more_ranks[place - 4]] = static_cast<std::uint8_t>(k);
+      }
     }
   }
   group.sorted_from = group.begin;
@@ -49,9 +68,9 @@ void SweepSplitter<T>::find_cut(const Group<T>& whole, std::size_t axis, Cut& be
   std::array<T, kMostSwept> below, above;
   BuildBox<T> from_below, from_above;
   for (std::size_t i = 1; i < count; ++i) {
-    from_below.add(members[order[i - 1]].box);
+    from_below.add(members[order[i - 1]].box());
     below[i] = from_below.half_area();
-    from_above.add(members[order[count - i]].box);
+    from_above.add(members[order[count - i]].box());
     above[count - i] = from_above.half_area();
   }
   for (std::size_t i = 1; i < count; ++i) {
@@ -61,7 +80,8 @@ void SweepSplitter<T>::find_cut(const Group<T>& whole, std::size_t axis, Cut& be
 }
 
 template <typename T>
-std::array<Group<T>, 2> SweepSplitter<T>::split(Group<T> whole) {
+std::array<Group<T>, 2> SweepSplitter<T>::split(const Group<T>& unsorted) {
+  Group<T> whole = unsorted;
   if (!whole.is_sorted()) sort(whole);
   Cut best{.axis = 0, .below = whole.count() / 2};
   for (std::size_t axis = 0; axis < 3; ++axis) find_cut(whole, axis, best);
@@ -84,7 +104,7 @@ std::array<Group<T>, 2> SweepSplitter<T>::split_at(const Group<T>& whole, const 
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint8_t member = orders_[cut.axis][whole.begin + i];
     is_above[member] = i >= cut.below;
-    parts[i >= cut.below].box.add(members_[from + member].box);
+    parts[i >= cut.below].box.add(members_[from + member].box());
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (axis == cut.axis) continue;
