@@ -9,6 +9,7 @@
 #include "render/math/vec3.hpp"
 #include "render/scene/camera_view.hpp"
 #include "render/scene/movement.hpp"
+#include "render/scene/radiance.hpp"
 #include "render/scene/ranges.hpp"
 #include "render/scene/suspects.hpp"
 
@@ -158,37 +159,8 @@ class Judge {
     view.limit = limits_.widest_view;
     view.share = view.value / view.limit;
 
-    PrecisionBound& radiance = bounds[PrecisionClause::Radiance];
-    radiance = {.value = 1, .share = 0, .limit = limits_.most_radiance, .sphere = {}, .other = {}};
-    const auto add = [&](double v) {
-      const double factor = v >= 1 ? v : 1 / v;
-      if (v == 0 || factor / limits_.most_radiance <= radiance.share) return;
-      radiance.value = v;
-      radiance.share = factor / limits_.most_radiance;
-      radiance.limit = v >= 1 ? limits_.most_radiance : 1 / limits_.most_radiance;
-    };
-    const auto add_color = [&](LinearRgb c) {
-      for (const double v : {c.r, c.g, c.b}) add(v);
-    };
-    double light = std::max(brightest(scene_.background.bottom), brightest(scene_.background.top));
-    double gain = 1;  // of a surface
-    for (const Material& material : scene_.materials) {
-      add_color(material.color);
-      add(material.parameter);
-      if (material.type == MaterialType::Emissive) {
-        light = std::max(light, brightest(material.color * material.parameter));
-      } else if (material.type == MaterialType::Unlit) {
-        light = std::max(light, brightest(material.color));
-      } else {
-        gain = std::max(gain, brightest(material.color));
-      }
-    }
-    add_color(scene_.background.bottom);
-    add_color(scene_.background.top);
-    add(light > 0 ? light * std::pow(gain, depth_ - 1) : 0);
+    bounds[PrecisionClause::Radiance] = judge_radiance(scene_, depth_, limits_.most_radiance);
   }
-
-  static double brightest(LinearRgb c) { return std::max({c.r, c.g, c.b}); }
 
   /// `error`: across the view at the surface, in units of rounding.
   void judge_distances(double error, std::span<const std::uint32_t> exact,
