@@ -31,6 +31,8 @@ constexpr double kFloatError = 0x1p-20;
 /// Sixteen boxes, or where spheres are, side by side.
 class Boxes {
  public:
+  static constexpr std::uint32_t kAll = 0xFFFF;
+
   std::array<std::array<float, kWidth>, 3> low, high;
 
   /// Empty ones are met by none.
@@ -38,18 +40,24 @@ class Boxes {
     for (auto& axis : low) axis.fill(std::numeric_limits<float>::infinity());
     for (auto& axis : high) axis.fill(-std::numeric_limits<float>::infinity());
   }
+  /// Puts one around all of `other` at a place.
   void add(std::size_t place, const Boxes& other) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::size_t i = 0; i < kWidth; ++i) {
-        low[axis][place] = std::min(low[axis][place], other.low[axis][i]);
-        high[axis][place] = std::max(high[axis][place], other.high[axis][i]);
+      Four least = four(other.low[axis], 0), most = four(other.high[axis], 0);
+      for (std::size_t first = 4; first < kWidth; first += 4) {
+        const Four lows = four(other.low[axis], first), highs = four(other.high[axis], first);
+        least = lows < least ? lows : least;
+        most = highs > most ? highs : most;
       }
+      low[axis][place] = std::min({least[0], least[1], least[2], least[3]});
+      high[axis][place] = std::max({most[0], most[1], most[2], most[3]});
     }
   }
-  /// Those that the box at `place` of `other` meets, as bits.
-  std::uint32_t meet(const Boxes& other, std::size_t place) const {
+  /// Those `among` which the box at `place` of `other` meets, as bits.
+  std::uint32_t meet(const Boxes& other, std::size_t place, std::uint32_t among = kAll) const {
     std::uint32_t met = 0;
     for (std::size_t first = 0; first < kWidth; first += 4) {
+      if ((among >> first & 0xF) == 0) continue;
       auto is_met = four(low[0], first) <= other.high[0][place];
       is_met &= other.low[0][place] <= four(high[0], first);
       for (std::size_t axis = 1; axis < 3; ++axis) {
@@ -58,7 +66,7 @@ class Boxes {
       }
       met |= bits_of(is_met) << first;
     }
-    return met;
+    return met & among;
   }
 
  private:
@@ -202,9 +210,6 @@ class Search {
   void find(std::size_t leaf, std::vector<SpherePair>& found) {
     const std::size_t before = found.size();
     std::size_t comparisons = 0;
-    Boxes around;
-    around.clear();
-    around.add(0, levels_[0].boxes[leaf]);
     struct Waiting {
       std::size_t level, node;
     };
@@ -214,13 +219,14 @@ class Search {
     while (waiting > 0) {
       const Waiting now = stack[--waiting];
       if (now.level == 0) {
-        compare(leaf, around, now.node, found);
+        compare(leaf, now.node, found);
         ++comparisons;
         continue;
       }
-      const Level& below = levels_[now.level - 1];
+      const Level &below = levels_[now.level - 1], &above_leaves = levels_[1];
       const std::size_t leaves_a_child = std::size_t{1} << 4 * (now.level - 1);
-      std::uint32_t met = levels_[now.level].boxes[now.node].meet(around, 0);
+      std::uint32_t met =
+          levels_[now.level].boxes[now.node].meet(above_leaves.boxes[leaf / kWidth], leaf % kWidth);
       for (; met != 0; met &= met - 1) {
         const std::size_t child =
             now.node * kWidth + static_cast<std::size_t>(std::countr_zero(met));
@@ -233,15 +239,25 @@ class Search {
     pairs_ += found.size() - before;
   }
 
-  void compare(std::size_t leaf, const Boxes& around, std::size_t other,
-               std::vector<SpherePair>& found) const {
-    const auto& boxes = levels_[0].boxes;
-    std::uint32_t in_other = boxes[other].meet(around, 0);
-    for (; in_other != 0; in_other &= in_other - 1) {
-      const auto k = static_cast<std::size_t>(std::countr_zero(in_other));
-      std::uint32_t met = boxes[leaf].meet(boxes[other], k);
-      if (leaf == other) met &= (1U << k) - 1;
-      for (; met != 0; met &= met - 1) {
+  void compare(std::size_t leaf, std::size_t other, std::vector<SpherePair>& found) const {
+    const Boxes *ours = &levels_[0].boxes[leaf], *theirs = &levels_[0].boxes[other];
+    std::uint32_t of_ours = Boxes::kAll, of_theirs = Boxes::kAll;
+    if (leaf != other) {
+      // Of each leaf those that meet the box around the other one; the fewer are looked at in turn.
+      const Level& above = levels_[1];
+      of_theirs = theirs->meet(above.boxes[leaf / kWidth], leaf % kWidth);
+      if (of_theirs == 0) return;
+      of_ours = ours->meet(above.boxes[other / kWidth], other % kWidth);
+      if (std::popcount(of_ours) < std::popcount(of_theirs)) {
+        std::swap(ours, theirs);
+        std::swap(of_ours, of_theirs);
+        std::swap(leaf, other);
+      }
+    }
+    for (; of_theirs != 0; of_theirs &= of_theirs - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(of_theirs));
+      const std::uint32_t among = leaf == other ? (1U << k) - 1 : of_ours;
+      for (std::uint32_t met = ours->meet(*theirs, k, among); met != 0; met &= met - 1) {
         const auto l = static_cast<std::size_t>(std::countr_zero(met));
         const std::uint32_t a = order_[leaf * kWidth + l], b = order_[other * kWidth + k];
         if (are_near(a, b)) found.push_back({std::min(a, b), std::max(a, b)});
@@ -260,18 +276,21 @@ class Search {
       nearest_squared += nearest * nearest;
       farthest_squared += farthest * farthest;
     }
-    const double nearest = std::sqrt(nearest_squared), farthest = std::sqrt(farthest_squared);
     const double least_sum = a.least_radius + b.least_radius;
     const double most_sum = a.most_radius + b.most_radius;
+    // Far more than rounding does to any of these.
+    const double gap = std::max(gap_, gap_of_radius_ * std::max(a.most_radius, b.most_radius)) +
+                       kFloatError * spheres_.extent();
+    const double reach = most_sum + gap, least_reach = std::max(least_sum - gap, 0.0);
+    if (nearest_squared <= reach * reach && farthest_squared >= least_reach * least_reach) {
+      return true;
+    }
+    const double nearest = std::sqrt(nearest_squared), farthest = std::sqrt(farthest_squared);
     const double least_difference =
         std::max({a.least_radius - b.most_radius, b.least_radius - a.most_radius, 0.0});
     const double most_difference =
         std::max(a.most_radius - b.least_radius, b.most_radius - a.least_radius);
-    // Far more than rounding does to any of these.
-    const double gap = std::max(gap_, gap_of_radius_ * std::max(a.most_radius, b.most_radius)) +
-                       kFloatError * spheres_.extent();
-    return (nearest <= most_sum + gap && farthest >= least_sum - gap) ||
-           (nearest <= most_difference + gap && farthest >= least_difference - gap) ||
+    return (nearest <= most_difference + gap && farthest >= least_difference - gap) ||
            nearest + least_difference <= spread_ + gap;
   }
 
