@@ -140,7 +140,7 @@ class RadixSort {
 
  private:
   static constexpr int kDigitBits = 11;
-  static constexpr std::size_t kDigits = 1 << kDigitBits, kMostRanges = 64;
+  static constexpr std::size_t kDigits = 1 << kDigitBits, kMostRanges = 16;
 
   template <typename Body>
   void for_ranges(int shift, const Body& body) {
@@ -201,8 +201,8 @@ void sort_runs_by_radius(const Crowd& crowd, Entry* entries, std::size_t count) 
 
 }  // namespace
 
-Crowd::Crowd(const Scene& scene, Vec3 camera, std::span<const std::uint32_t> left_out)
-    : CameraView(scene, camera), left_out_(left_out) {
+Crowd::Crowd(const CameraView& view, std::span<const std::uint32_t> left_out)
+    : CameraView(view), left_out_(left_out) {
   const auto add = [&](Sum& sum, std::size_t index) {
     const auto i = static_cast<std::uint32_t>(index);
     if (!has(i)) return;

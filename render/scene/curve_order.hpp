@@ -12,7 +12,7 @@ namespace sdlc::render {
 /// The spheres of a view that are seen and not left out, few.
 class Crowd : public CameraView {
  public:
-  Crowd(const Scene& scene, Vec3 camera, std::span<const std::uint32_t> left_out);
+  Crowd(const CameraView& view, std::span<const std::uint32_t> left_out);
 
   bool has(std::uint32_t sphere) const noexcept;
   std::size_t size() const noexcept { return sum_.size; }

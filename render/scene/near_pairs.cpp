@@ -325,10 +325,10 @@ class Search {
 
 }  // namespace
 
-std::optional<std::vector<SpherePair>> find_near_pairs(const Scene& scene, Vec3 camera,
+std::optional<std::vector<SpherePair>> find_near_pairs(const CameraView& view,
                                                        const Nearness& nearness,
                                                        std::span<const std::uint32_t> left_out) {
-  const Crowd spheres(scene, camera, left_out);
+  const Crowd spheres(view, left_out);
   if (spheres.size() > kFewSpheres) return Search(spheres, nearness).run();
   std::vector<std::uint32_t> members;
   for (std::uint32_t i = 0; i < spheres.count(); ++i) {

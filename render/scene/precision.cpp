@@ -44,7 +44,7 @@ constexpr Limits kDoubleLimits{
     .unit = 0x1p-53, .least_gap = 0, .widest_view = 1e100, .most_radiance = 1e300};
 
 /// From the camera to the surface, when nearest; nothing where the surface goes through it.
-std::optional<double> distance_to(const CameraView& view, std::uint32_t i) {
+inline std::optional<double> distance_to(const CameraView& view, std::uint32_t i) {
   const Vec3 from = view.opening(i);
   const double r = view.radius(i);
   double nearest = moderate_length(from) - r, farthest = nearest;
@@ -205,7 +205,7 @@ class Judge {
     const Nearness nearness{.gap_of_extent = kContactReach * kLeastGap * limits_.unit,
                             .gap_of_radius = limits_.least_gap,
                             .spread_of_extent = kLeastSpread * limits_.unit};
-    bounds.near_pairs = find_near_pairs(scene_, camera_.from, nearness, exact);
+    bounds.near_pairs = find_near_pairs(view_, nearness, exact);
     if (!bounds.near_pairs) {
       if (limits_.least_gap > 0) narrowest.share = kInfinity;
       return;

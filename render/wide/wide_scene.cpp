@@ -28,6 +28,11 @@ constexpr std::size_t padded(std::size_t size) {
 
 std::vector<std::uint32_t> without(std::size_t spheres, std::span<const std::uint32_t> excluded) {
   std::vector<std::uint32_t> rest;
+  if (excluded.empty()) {
+    rest.resize(spheres);
+    for_each_index(spheres, [&](std::size_t i) { rest[i] = static_cast<std::uint32_t>(i); });
+    return rest;
+  }
   rest.reserve(spheres);
   for (std::uint32_t i = 0; i < spheres; ++i) {
     if (!contains(excluded, i)) rest.push_back(i);
