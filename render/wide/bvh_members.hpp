@@ -13,13 +13,54 @@
 
 namespace sdlc::render {
 
+/// One number for each axis, and one more that fills the registers and means nothing. Registers are
+/// those of every machine: compilers take larger vectors apart in memory.
 template <typename T>
-struct AxesOf {
-  using Type __attribute__((vector_size(4 * sizeof(T)))) = T;
+class Axes {
+ public:
+  static constexpr std::size_t kLanes = 16 / sizeof(T), kParts = 4 / kLanes;
+  using Part __attribute__((vector_size(16))) = T;
+
+  Axes() = default;  // not initialised
+  Axes(T x, T y, T z, T last) noexcept {
+    if constexpr (kParts == 1) {
+      parts[0] = Part{x, y, z, last};
+    } else {
+      parts[0] = Part{x, y};
+      parts[1] = Part{z, last};
+    }
+  }
+
+  T operator[](std::size_t i) const noexcept { return parts[i / kLanes][i % kLanes]; }
+
+  Part parts[kParts];  // NOLINT: of registers
 };
-/// One number for each axis, and one more that fills the register and means nothing.
+
+/// `operation` on the registers of two.
+template <typename T, typename Operation>
+Axes<T> combined(const Axes<T>& a, const Axes<T>& b, const Operation& operation) noexcept {
+  Axes<T> result;
+  for (std::size_t i = 0; i < Axes<T>::kParts; ++i) {
+    operation(result.parts[i], a.parts[i], b.parts[i]);
+  }
+  return result;
+}
 template <typename T>
-using Axes = typename AxesOf<T>::Type;
+Axes<T> least(const Axes<T>& a, const Axes<T>& b) noexcept {
+  return combined(a, b, [](auto& to, const auto& x, const auto& y) { to = x < y ? x : y; });
+}
+template <typename T>
+Axes<T> operator+(const Axes<T>& a, const Axes<T>& b) noexcept {
+  return combined(a, b, [](auto& to, const auto& x, const auto& y) { to = x + y; });
+}
+template <typename T>
+Axes<T> operator-(const Axes<T>& a, const Axes<T>& b) noexcept {
+  return combined(a, b, [](auto& to, const auto& x, const auto& y) { to = x - y; });
+}
+template <typename T>
+Axes<T> operator*(const Axes<T>& a, const Axes<T>& b) noexcept {
+  return combined(a, b, [](auto& to, const auto& x, const auto& y) { to = x * y; });
+}
 
 /// An axis-aligned box as the builder reads it, at first around nothing: the high sides have their
 /// signs changed, so that every side grows by a minimum.
@@ -34,8 +75,8 @@ struct BuildBox {
   T high(std::size_t axis) const noexcept { return -minus_highs[axis]; }
 
   void add(const BuildBox& other) noexcept {
-    lows = lows < other.lows ? lows : other.lows;
-    minus_highs = minus_highs < other.minus_highs ? minus_highs : other.minus_highs;
+    lows = least(lows, other.lows);
+    minus_highs = least(minus_highs, other.minus_highs);
   }
   T half_area() const noexcept {
     const Axes<T> minus_size = lows + minus_highs;  // of which products are those of the size

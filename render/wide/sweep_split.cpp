@@ -1,6 +1,7 @@
 #include "render/wide/sweep_split.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -23,9 +24,13 @@ SweepSplitter<T>::SweepSplitter(std::span<const Member<T>> members) : members_(m
 /// a sort of so few takes. Of equal ones the earlier comes first.
 template <typename T>
 void SweepSplitter<T>::sort(Group<T>& group) {
-  using Counts = Axes<std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>>;
-  constexpr std::size_t kAtATime = 8;
-  constexpr Counts kPlaces{0, 1, 2, 3}, kMorePlaces{4, 5, 6, 7};
+  using Count = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+  using Counts __attribute__((vector_size(16))) = Count;
+  using Part = typename Axes<T>::Part;
+  constexpr std::size_t kAtATime = 8, kLanes = Axes<T>::kLanes, kParts = kAtATime / kLanes;
+  // From the place 7 − k on: the truth, which is −1, for those behind the k-th.
+  static constexpr Count kBehind[2 * kAtATime] = {0,  0,  0,  0,  0,  0,  0,  0,
+                                                  -1, -1, -1, -1, -1, -1, -1, -1};
   const std::size_t count = group.count();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::array<T, kMostSwept> middles;
@@ -33,26 +38,25 @@ void SweepSplitter<T>::sort(Group<T>& group) {
     std::fill(middles.begin() + count, middles.end(), T{0});
     std::uint8_t* order = orders_[axis].get() + group.begin;
     for (std::size_t i = 0; i < count; i += kAtATime) {
-      const T* of = middles.data() + i;
-      const Axes<T> four{of[0], of[1], of[2], of[3]}, more{of[4], of[5], of[6], of[7]};
-      Counts rank{}, more_ranks{};  // the truth of a comparison is −1
+      Part own[kParts];
+      std::memcpy(own, middles.data() + i, sizeof own);
+      Counts rank[kParts]{};
       for (std::size_t k = 0; k < i; ++k) {
-        rank -= middles[k] <= four;
-        more_ranks -= middles[k] <= more;
+        for (std::size_t p = 0; p < kParts; ++p) rank[p] -= middles[k] <= own[p];
       }
       const std::size_t end = std::min(count, i + kAtATime);
       for (std::size_t k = i; k < end; ++k) {
-        const auto place = static_cast<std::int32_t>(k - i);
-        rank -= (middles[k] < four) | ((middles[k] == four) & (place < kPlaces));
-        more_ranks -= (middles[k] < more) | ((middles[k] == more) & (place < kMorePlaces));
+        Counts behind[kParts];
+        std::memcpy(behind, kBehind + (kAtATime - 1 - (k - i)), sizeof behind);
+        for (std::size_t p = 0; p < kParts; ++p) {
+          rank[p] -= (middles[k] < own[p]) | ((middles[k] == own[p]) & behind[p]);
+        }
       }
       for (std::size_t k = end; k < count; ++k) {
-        rank -= middles[k] < four;
-        more_ranks -= middles[k] < more;
+        for (std::size_t p = 0; p < kParts; ++p) rank[p] -= middles[k] < own[p];
       }
       for (std::size_t k = i; k < end; ++k) {
-        const std::size_t place = k - i;
-        order[place < 4 ? rank[place] : more_ranks[place - 4]] = static_cast<std::uint8_t>(k);
+        order[rank[(k - i) / kLanes][(k - i) % kLanes]] = static_cast<std::uint8_t>(k);
       }
     }
   }
