@@ -7,18 +7,18 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
 
 #include "render/math/box.hpp"
-#include "render/math/power_of_two.hpp"
 #include "render/math/vec3.hpp"
-#include "render/scene/camera_view.hpp"
+#include "render/scene/curve_order.hpp"
 #include "render/scene/movement.hpp"
 
 namespace sdlc::render {
@@ -28,74 +28,61 @@ constexpr std::size_t kWidth = 16;  // spheres of a leaf, boxes of a node
 // What rounding places, radii and distances to float may add to a distance, in extents: 16 u.
 constexpr double kFloatError = 0x1p-20;
 
-/// The spheres that take part.
-class Members : public CameraView {
- public:
-  Members(const Scene& scene, Vec3 camera, std::span<const std::uint32_t> left_out)
-      : CameraView(scene, camera) {
-    for (std::uint32_t i = 0; i < count(); ++i) {
-      if (!is_seen(i) || contains(left_out, i)) continue;
-      indices_.push_back(i);
-      extent_ = std::max(extent_, CameraView::extent(i));
-    }
-  }
-
-  std::span<const std::uint32_t> indices() const { return indices_; }
-  double extent() const { return extent_; }  ///< of all
-
- private:
-  std::vector<std::uint32_t> indices_;
-  double extent_ = 0;
-};
-
-/// Sixteen boxes, or where spheres are, side by side; empty ones are met by none.
+/// Sixteen boxes, or where spheres are, side by side.
 class Boxes {
  public:
+  static constexpr std::uint32_t kAll = 0xFFFF;
+
   std::array<std::array<float, kWidth>, 3> low, high;
 
-  Boxes() {
+  /// Empty ones are met by none.
+  void clear() {
     for (auto& axis : low) axis.fill(std::numeric_limits<float>::infinity());
     for (auto& axis : high) axis.fill(-std::numeric_limits<float>::infinity());
   }
+  /// Puts one around all of `other` at a place.
   void add(std::size_t place, const Boxes& other) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::size_t i = 0; i < kWidth; ++i) {
-        low[axis][place] = std::min(low[axis][place], other.low[axis][i]);
-        high[axis][place] = std::max(high[axis][place], other.high[axis][i]);
+      Four least = four(other.low[axis], 0), most = four(other.high[axis], 0);
+      for (std::size_t first = 4; first < kWidth; first += 4) {
+        const Four lows = four(other.low[axis], first), highs = four(other.high[axis], first);
+        least = lows < least ? lows : least;
+        most = highs > most ? highs : most;
       }
+      low[axis][place] = std::min({least[0], least[1], least[2], least[3]});
+      high[axis][place] = std::max({most[0], most[1], most[2], most[3]});
     }
   }
-  /// Those that the box at `place` of `other` meets, as bits.
-  std::uint32_t meet(const Boxes& other, std::size_t place) const {
-    std::uint32_t apart = 0;
+  /// Those `among` which the box at `place` of `other` meets, as bits.
+  std::uint32_t meet(const Boxes& other, std::size_t place, std::uint32_t among = kAll) const {
+    std::uint32_t met = 0;
     for (std::size_t first = 0; first < kWidth; first += 4) {
-      Four gap = four(low[0], first) - other.high[0][place];
-      const auto widen = [&](Four by) { gap = gap > by ? gap : by; };
-      widen(other.low[0][place] - four(high[0], first));
+      if ((among >> first & 0xF) == 0) continue;
+      auto is_met = four(low[0], first) <= other.high[0][place];
+      is_met &= other.low[0][place] <= four(high[0], first);
       for (std::size_t axis = 1; axis < 3; ++axis) {
-        widen(four(low[axis], first) - other.high[axis][place]);
-        widen(other.low[axis][place] - four(high[axis], first));
+        is_met &= four(low[axis], first) <= other.high[axis][place];
+        is_met &= other.low[axis][place] <= four(high[axis], first);
       }
-      apart |= positive(gap) << first;
+      met |= bits_of(is_met) << first;
     }
-    return ~apart & 0xFFFF;
+    return met & among;
   }
 
  private:
   using Four = float __attribute__((vector_size(16)));
+  using FourBits = std::int32_t __attribute__((vector_size(16)));
 
   static Four four(const std::array<float, kWidth>& row, std::size_t first) {
     Four v;
     std::memcpy(&v, row.data() + first, sizeof v);
     return v;
   }
-  static std::uint32_t positive(Four v) {
-    const auto is_positive = v > 0;
+  static std::uint32_t bits_of(FourBits v) {
 #if defined(__SSE2__)
-    return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(is_positive)));
+    return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(v)));
 #else
-    return (is_positive[0] & 1U) | (is_positive[1] & 2U) | (is_positive[2] & 4U) |
-           (is_positive[3] & 8U);
+    return static_cast<std::uint32_t>((v[0] & 1) | (v[1] & 2) | (v[2] & 4) | (v[3] & 8));
 #endif
   }
 };
@@ -115,12 +102,12 @@ struct Common {
 
 class Search {
  public:
-  Search(const Members& spheres, const Nearness& nearness)
+  Search(const Crowd& spheres, const Nearness& nearness)
       : spheres_(spheres),
         gap_(nearness.gap_of_extent * spheres.extent()),
         gap_of_radius_(nearness.gap_of_radius),
-        spread_(nearness.spread_of_extent * spheres.extent()) {
-    sort();
+        spread_(nearness.spread_of_extent * spheres.extent()),
+        order_(curve_order(spheres)) {
     build();
   }
 
@@ -152,69 +139,50 @@ class Search {
   /// decides.
   bool is_too_much() const { return comparisons_ > most_comparisons_ || pairs_ > most_pairs_; }
 
-  /// Those of one size, to a factor of 2, by themselves, along Morton's curve.
-  void sort() {
-    struct Entry {
-      std::uint32_t key, sphere;
-    };
-    const auto members = spheres_.indices();
-    std::vector<Entry> entries(members.size());
-    const auto enter = [&](std::size_t k) {
-      constexpr int kMostSizes = 32;
-      const std::uint32_t i = members[k];
-      const int size =
-          std::clamp(-exponent_of(spheres_.radius(i) / spheres_.extent()), 0, kMostSizes - 1);
-      const Vec3 c = spheres_.opening(i) / spheres_.extent();
-      const std::uint32_t curve = spread(c.x) | spread(c.y) << 1 | spread(c.z) << 2;
-      entries[k] = {static_cast<std::uint32_t>(size) << 27 | curve, i};
-    };
-    tbb::parallel_for(std::size_t{0}, members.size(), enter);
-    tbb::parallel_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-      if (a.key != b.key) return a.key < b.key;
-      const double of_a = spheres_.radius(a.sphere), of_b = spheres_.radius(b.sphere);
-      return of_a != of_b ? of_a < of_b : a.sphere < b.sphere;
-    });
-    order_.reserve(entries.size());
-    for (const Entry& entry : entries) order_.push_back(entry.sphere);
-  }
-
-  /// The 9 bits of a coordinate from −1 to 1, two places apart from each other.
-  static std::uint32_t spread(double coordinate) {
-    auto bits = static_cast<std::uint32_t>(std::clamp((coordinate + 1) * 256, 0.0, 511.0));
-    bits = (bits | bits << 16) & 0x30000FF;
-    bits = (bits | bits << 8) & 0x300F00F;
-    bits = (bits | bits << 4) & 0x30C30C3;
-    return (bits | bits << 2) & 0x9249249;
-  }
-
   /// Nodes of one height: those at the bottom are leaves, with the boxes of their spheres; those of
   /// each level above have sixteen nodes of the one below.
   struct Level {
-    std::vector<Boxes> boxes;
-    std::vector<Common> common;
+    // Not initialised: the threads that fill them touch their memory first.
+    std::unique_ptr<Boxes[]> boxes;    // NOLINT
+    std::unique_ptr<Common[]> common;  // NOLINT
+    std::size_t count;
 
-    explicit Level(std::size_t nodes) : boxes(nodes), common(nodes) {}
+    explicit Level(std::size_t nodes)
+        : boxes(std::make_unique_for_overwrite<Boxes[]>(nodes)),    // NOLINT
+          common(std::make_unique_for_overwrite<Common[]>(nodes)),  // NOLINT
+          count(nodes) {}
   };
 
   void build() {
-    std::size_t count = (order_.size() + kWidth - 1) / kWidth;
-    levels_.emplace_back(count);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t leaf) {
-      const std::size_t end = std::min(order_.size(), (leaf + 1) * kWidth);
-      for (std::size_t k = leaf * kWidth; k < end; ++k) {
-        add_sphere(levels_[0].boxes[leaf], k % kWidth, order_[k]);
-        levels_[0].common[leaf].add(common_of(order_[k]));
-      }
+    levels_.emplace_back((order_.size() + kWidth - 1) / kWidth);
+    fill(levels_[0], order_.size(), [&](Boxes& boxes, std::size_t place, std::size_t k) {
+      add_sphere(boxes, place, order_[k]);
+      return common_of(order_[k]);
     });
-    while (count > 1) {
-      Level above((count + kWidth - 1) / kWidth);
-      for (std::size_t k = 0; k < count; ++k) {
-        above.boxes[k / kWidth].add(k % kWidth, levels_.back().boxes[k]);
-        above.common[k / kWidth].add(levels_.back().common[k]);
-      }
-      count = above.boxes.size();
+    while (levels_.back().count > 1) {
+      const Level& below = levels_.back();
+      Level above((below.count + kWidth - 1) / kWidth);
+      fill(above, below.count, [&](Boxes& boxes, std::size_t place, std::size_t k) {
+        boxes.add(place, below.boxes[k]);
+        return below.common[k];
+      });
       levels_.push_back(std::move(above));
     }
+  }
+
+  /// `add(boxes, place, k)` puts each of `count` where it belongs in a node, and says what it has
+  /// in common with the others there.
+  template <typename Add>
+  static void fill(Level& level, std::size_t count, const Add& add) {
+    tbb::parallel_for(std::size_t{0}, level.count, [&](std::size_t node) {
+      level.boxes[node].clear();
+      Common common;
+      const std::size_t end = std::min(count, (node + 1) * kWidth);
+      for (std::size_t k = node * kWidth; k < end; ++k) {
+        common.add(add(level.boxes[node], k % kWidth, k));
+      }
+      level.common[node] = common;
+    });
   }
 
   Common common_of(std::uint32_t i) const {
@@ -242,8 +210,6 @@ class Search {
   void find(std::size_t leaf, std::vector<SpherePair>& found) {
     const std::size_t before = found.size();
     std::size_t comparisons = 0;
-    Boxes around;
-    around.add(0, levels_[0].boxes[leaf]);
     struct Waiting {
       std::size_t level, node;
     };
@@ -253,13 +219,14 @@ class Search {
     while (waiting > 0) {
       const Waiting now = stack[--waiting];
       if (now.level == 0) {
-        compare(leaf, around, now.node, found);
+        compare(leaf, now.node, found);
         ++comparisons;
         continue;
       }
-      const Level& below = levels_[now.level - 1];
+      const Level &below = levels_[now.level - 1], &above_leaves = levels_[1];
       const std::size_t leaves_a_child = std::size_t{1} << 4 * (now.level - 1);
-      std::uint32_t met = levels_[now.level].boxes[now.node].meet(around, 0);
+      std::uint32_t met =
+          levels_[now.level].boxes[now.node].meet(above_leaves.boxes[leaf / kWidth], leaf % kWidth);
       for (; met != 0; met &= met - 1) {
         const std::size_t child =
             now.node * kWidth + static_cast<std::size_t>(std::countr_zero(met));
@@ -272,15 +239,25 @@ class Search {
     pairs_ += found.size() - before;
   }
 
-  void compare(std::size_t leaf, const Boxes& around, std::size_t other,
-               std::vector<SpherePair>& found) const {
-    const std::vector<Boxes>& boxes = levels_[0].boxes;
-    std::uint32_t in_other = boxes[other].meet(around, 0);
-    for (; in_other != 0; in_other &= in_other - 1) {
-      const auto k = static_cast<std::size_t>(std::countr_zero(in_other));
-      std::uint32_t met = boxes[leaf].meet(boxes[other], k);
-      if (leaf == other) met &= (1U << k) - 1;
-      for (; met != 0; met &= met - 1) {
+  void compare(std::size_t leaf, std::size_t other, std::vector<SpherePair>& found) const {
+    const Boxes *ours = &levels_[0].boxes[leaf], *theirs = &levels_[0].boxes[other];
+    std::uint32_t of_ours = Boxes::kAll, of_theirs = Boxes::kAll;
+    if (leaf != other) {
+      // Of each leaf those that meet the box around the other one; the fewer are looked at in turn.
+      const Level& above = levels_[1];
+      of_theirs = theirs->meet(above.boxes[leaf / kWidth], leaf % kWidth);
+      if (of_theirs == 0) return;
+      of_ours = ours->meet(above.boxes[other / kWidth], other % kWidth);
+      if (std::popcount(of_ours) < std::popcount(of_theirs)) {
+        std::swap(ours, theirs);
+        std::swap(of_ours, of_theirs);
+        std::swap(leaf, other);
+      }
+    }
+    for (; of_theirs != 0; of_theirs &= of_theirs - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(of_theirs));
+      const std::uint32_t among = leaf == other ? (1U << k) - 1 : of_ours;
+      for (std::uint32_t met = ours->meet(*theirs, k, among); met != 0; met &= met - 1) {
         const auto l = static_cast<std::size_t>(std::countr_zero(met));
         const std::uint32_t a = order_[leaf * kWidth + l], b = order_[other * kWidth + k];
         if (are_near(a, b)) found.push_back({std::min(a, b), std::max(a, b)});
@@ -299,18 +276,21 @@ class Search {
       nearest_squared += nearest * nearest;
       farthest_squared += farthest * farthest;
     }
-    const double nearest = std::sqrt(nearest_squared), farthest = std::sqrt(farthest_squared);
     const double least_sum = a.least_radius + b.least_radius;
     const double most_sum = a.most_radius + b.most_radius;
+    // Far more than rounding does to any of these.
+    const double gap = std::max(gap_, gap_of_radius_ * std::max(a.most_radius, b.most_radius)) +
+                       kFloatError * spheres_.extent();
+    const double reach = most_sum + gap, least_reach = std::max(least_sum - gap, 0.0);
+    if (nearest_squared <= reach * reach && farthest_squared >= least_reach * least_reach) {
+      return true;
+    }
+    const double nearest = std::sqrt(nearest_squared), farthest = std::sqrt(farthest_squared);
     const double least_difference =
         std::max({a.least_radius - b.most_radius, b.least_radius - a.most_radius, 0.0});
     const double most_difference =
         std::max(a.most_radius - b.least_radius, b.most_radius - a.least_radius);
-    // Far more than rounding does to any of these.
-    const double gap = std::max(gap_, gap_of_radius_ * std::max(a.most_radius, b.most_radius)) +
-                       kFloatError * spheres_.extent();
-    return (nearest <= most_sum + gap && farthest >= least_sum - gap) ||
-           (nearest <= most_difference + gap && farthest >= least_difference - gap) ||
+    return (nearest <= most_difference + gap && farthest >= least_difference - gap) ||
            nearest + least_difference <= spread_ + gap;
   }
 
@@ -335,7 +315,7 @@ class Search {
 
   static constexpr std::size_t kMostLevels = 9;  // of 2^32 spheres
 
-  const Members& spheres_;
+  const Crowd& spheres_;
   double gap_, gap_of_radius_, spread_;
   std::vector<std::uint32_t> order_;
   std::vector<Level> levels_;
@@ -345,12 +325,15 @@ class Search {
 
 }  // namespace
 
-std::optional<std::vector<SpherePair>> find_near_pairs(const Scene& scene, Vec3 camera,
+std::optional<std::vector<SpherePair>> find_near_pairs(const CameraView& view,
                                                        const Nearness& nearness,
                                                        std::span<const std::uint32_t> left_out) {
-  const Members spheres(scene, camera, left_out);
-  const auto members = spheres.indices();
-  if (members.size() > kFewSpheres) return Search(spheres, nearness).run();
+  const Crowd spheres(view, left_out);
+  if (spheres.size() > kFewSpheres) return Search(spheres, nearness).run();
+  std::vector<std::uint32_t> members;
+  for (std::uint32_t i = 0; i < spheres.count(); ++i) {
+    if (spheres.has(i)) members.push_back(i);
+  }
   std::vector<SpherePair> pairs;
   for (std::size_t k = 0; k < members.size(); ++k) {
     for (std::size_t l = k + 1; l < members.size(); ++l) pairs.push_back({members[k], members[l]});

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "render/scene/camera_view.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::render {
@@ -44,18 +45,24 @@ inline constexpr std::size_t kFewSpheres = 600;
 /// Spheres that are near each other for less than such a part of the shutter pass each other.
 inline constexpr double kBriefly = 1.0 / 100;
 
-/// All pairs of spheres that touch, from outside or one within the other, or nearly coincide, for
-/// more than about a hundredth of the time that the shutter is open; of no more than kFewSpheres
-/// all pairs whatever. Spheres of radius 0 and those `left_out` (few) are in none of them, and do
-/// not count for E. Each pair once, in an order that depends on the scene alone. Nothing where so
-/// many spheres heap up in one place that it would take too long.
+/// All pairs of spheres of a view that touch, from outside or one within the other, or nearly
+/// coincide, for more than about a hundredth of the time that the shutter is open; of no more than
+/// kFewSpheres all pairs whatever. Spheres of radius 0 and those `left_out` (few) are in none of
+/// them, and do not count for E. Each pair once, in an order that depends on the scene alone.
+/// Nothing where so many spheres heap up in one place that it would take too long.
 ///
 /// Spheres are sorted along a curve through space, those of one size by themselves, in leaves of
 /// sixteen, and each leaf is held against the boxes of the others: O(n log n) time, some 30 bytes a
 /// sphere beside the result. Works on all threads of the calling arena.
 std::optional<std::vector<SpherePair>> find_near_pairs(
+    const CameraView& view, const Nearness& nearness, std::span<const std::uint32_t> left_out = {});
+
+/// The same of a scene as seen from a camera.
+inline std::optional<std::vector<SpherePair>> find_near_pairs(
     const Scene& scene, Vec3 camera, const Nearness& nearness,
-    std::span<const std::uint32_t> left_out = {});
+    std::span<const std::uint32_t> left_out = {}) {
+  return find_near_pairs(CameraView(scene, camera), nearness, left_out);
+}
 
 /// Calls `visit(larger, smaller)` for each of the near `pairs` and for every pair with a sphere
 /// that find_near_pairs() has left out.

@@ -10,6 +10,7 @@
 #include "render/scene/camera_view.hpp"
 #include "render/scene/instances.hpp"
 #include "render/scene/movement.hpp"
+#include "render/scene/radiance.hpp"
 #include "render/scene/ranges.hpp"
 #include "render/scene/suspects.hpp"
 
@@ -44,7 +45,7 @@ constexpr Limits kDoubleLimits{
     .unit = 0x1p-53, .least_gap = 0, .widest_view = 1e100, .most_radiance = 1e300};
 
 /// From the camera to the surface, when nearest; nothing where the surface goes through it.
-std::optional<double> distance_to(const CameraView& view, std::uint32_t i) {
+inline std::optional<double> distance_to(const CameraView& view, std::uint32_t i) {
   const Vec3 from = view.opening(i);
   const double r = view.radius(i);
   double nearest = moderate_length(from) - r, farthest = nearest;
@@ -169,37 +170,8 @@ class Judge {
     view.limit = limits_.widest_view;
     view.share = view.value / view.limit;
 
-    PrecisionBound& radiance = bounds[PrecisionClause::Radiance];
-    radiance = {.value = 1, .share = 0, .limit = limits_.most_radiance, .sphere = {}, .other = {}};
-    const auto add = [&](double v) {
-      const double factor = v >= 1 ? v : 1 / v;
-      if (v == 0 || factor / limits_.most_radiance <= radiance.share) return;
-      radiance.value = v;
-      radiance.share = factor / limits_.most_radiance;
-      radiance.limit = v >= 1 ? limits_.most_radiance : 1 / limits_.most_radiance;
-    };
-    const auto add_color = [&](LinearRgb c) {
-      for (const double v : {c.r, c.g, c.b}) add(v);
-    };
-    double light = std::max(brightest(scene_.background.bottom), brightest(scene_.background.top));
-    double gain = 1;  // of a surface
-    for (const Material& material : scene_.materials) {
-      add_color(material.color);
-      add(material.parameter);
-      if (material.type == MaterialType::Emissive) {
-        light = std::max(light, brightest(material.color * material.parameter));
-      } else if (material.type == MaterialType::Unlit) {
-        light = std::max(light, brightest(material.color));
-      } else {
-        gain = std::max(gain, brightest(material.color));
-      }
-    }
-    add_color(scene_.background.bottom);
-    add_color(scene_.background.top);
-    add(light > 0 ? light * std::pow(gain, depth_ - 1) : 0);
+    bounds[PrecisionClause::Radiance] = judge_radiance(scene_, depth_, limits_.most_radiance);
   }
-
-  static double brightest(LinearRgb c) { return std::max({c.r, c.g, c.b}); }
 
   /// `error`: across the view at the surface, in units of rounding.
   void judge_distances(double error, std::span<const std::uint32_t> exact,
@@ -251,7 +223,7 @@ class Judge {
     const Nearness nearness{.gap_of_extent = kContactReach * kLeastGap * limits_.unit,
                             .gap_of_radius = limits_.least_gap,
                             .spread_of_extent = kLeastSpread * limits_.unit};
-    bounds.near_pairs = find_near_pairs(scene_, camera_.from, nearness, exact);
+    bounds.near_pairs = find_near_pairs(view_, nearness, exact);
     if (!bounds.near_pairs) {
       if (limits_.least_gap > 0) narrowest.share = kInfinity;
       return;

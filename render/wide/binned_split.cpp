@@ -8,7 +8,7 @@ namespace {
 template <typename T>
 BuildBox<T> box_of(std::span<const Member<T>> members) {
   BuildBox<T> box;
-  for (const Member<T>& member : members) box.add(member.box);
+  for (const Member<T>& member : members) box.add(member.box());
   return box;
 }
 
@@ -47,10 +47,10 @@ template <typename T>
 std::array<Group<T>, 2> split_by_bins(std::span<Member<T>> all, const Group<T>& whole) {
   const auto members = all.subspan(whole.begin, whole.count());
   BuildBox<T> middles;
-  for (const Member<T>& member : members) middles.add(middle_of(member));
+  for (const Member<T>& member : members) middles.add(member.middles());
   const BinScale<T> scale(middles);
   Bins<T> bins;
-  for (const Member<T>& member : members) bins.add(member.box, 1, scale.bins_of(member));
+  for (const Member<T>& member : members) bins.add(member.box(), 1, scale.bins_of(member));
   const Cut<T> cut = best_cut(bins);
   if (!cut.exists()) return split_in_halves<T>(all, whole);
   partition(members, scale, cut);

@@ -15,41 +15,42 @@ namespace sdlc::render {
 
 inline constexpr std::size_t kBins = 16;  // along each axis
 
-/// A member's middle, twice as far from the origin, as a box.
-template <typename T>
-BuildBox<T> middle_of(const Member<T>& m) noexcept {
-  const T x = m.middle(0), y = m.middle(1), z = m.middle(2);
-  return {{x, y, z, -x, -y, -z}};
-}
-
 /// Which bin a member belongs to along each axis.
 template <typename T>
 class BinScale {
  public:
   explicit BinScale(const BuildBox<T>& middles) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const T scale = T{kBins} / (middles.high(axis) - middles.low(axis));
-      low_[axis] = middles.low(axis);
+    const auto scale = [&](std::size_t axis) {
+      const T of_axis = T{kBins} / (middles.high(axis) - middles.low(axis));
       // Where there is next to nothing between the middles, all are in the first bin.
-      scale_[axis] = std::isfinite(scale) ? scale : 0;
-    }
+      return std::isfinite(of_axis) ? of_axis : 0;
+    };
+    low_ = {middles.low(0), middles.low(1), middles.low(2), 0};
+    scale_ = {scale(0), scale(1), scale(2), 0};
   }
 
   std::array<std::size_t, 3> bins_of(const Member<T>& member) const noexcept {
-    return {bin_of(member, 0), bin_of(member, 1), bin_of(member, 2)};
-  }
-  std::size_t bin_of(const Member<T>& member, std::size_t axis) const noexcept {
-    const auto place = static_cast<std::int32_t>((member.middle(axis) - low_[axis]) * scale_[axis]);
-    return static_cast<std::size_t>(std::min(place, static_cast<std::int32_t>(kBins - 1)));
+    constexpr T kLast = kBins - 1;
+    const Axes<T> place =
+        least((member.middles().lows - low_) * scale_, Axes<T>(kLast, kLast, kLast, kLast));
+    const auto bin = [](auto of_axis) {
+      return static_cast<std::uint32_t>(static_cast<std::int32_t>(of_axis));
+    };
+    if constexpr (Axes<T>::kParts == 1) {
+      using Bins __attribute__((vector_size(16))) = std::int32_t;
+      const auto bins = __builtin_convertvector(place.parts[0], Bins);
+      return {bin(bins[0]), bin(bins[1]), bin(bins[2])};
+    }
+    return {bin(place[0]), bin(place[1]), bin(place[2])};
   }
 
-  /// Whether bin_of() is less than `bin`.
+  /// Whether that along an axis is less than `bin`.
   bool is_below(const Member<T>& member, std::size_t axis, T bin) const noexcept {
     return (member.middle(axis) - low_[axis]) * scale_[axis] < bin;
   }
 
  private:
-  std::array<T, 3> low_, scale_;
+  Axes<T> low_, scale_;  // the last ones make 0 of what means nothing
 };
 
 /// How many members are in each bin, and the box around them.

@@ -89,7 +89,7 @@ class GridSplit {
   BuildBox<T> middles() const {
     std::vector<BuildBox<T>> of_ranges(ranges_);
     for_members([&](std::size_t range, const Member<T>& member) {
-      of_ranges[range].add(middle_of(member));
+      of_ranges[range].add(member.middles());
     });
     BuildBox<T> all;
     for (const BuildBox<T>& box : of_ranges) all.add(box);
@@ -100,7 +100,7 @@ class GridSplit {
     of_ranges_.resize(ranges_);
     for_members([&](std::size_t range, const Member<T>& member) {
       const std::size_t cell = cell_of(scale.bins_of(member));
-      of_ranges_[range].boxes[cell].add(member.box);
+      of_ranges_[range].boxes[cell].add(member.box());
       ++of_ranges_[range].counts[cell];
     });
     all_ = of_ranges_[0];

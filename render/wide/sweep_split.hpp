@@ -21,14 +21,14 @@ class SweepSplitter {
   explicit SweepSplitter(std::span<const Member<T>> members);
 
   /// Both parts of a group of 2 to kMostSwept members.
-  std::array<Group<T>, 2> split(Group<T> whole);
+  std::array<Group<T>, 2> split(const Group<T>& unsorted);
   /// The first half along x and the second one, of a group that is sorted.
   std::array<Group<T>, 2> split_in_halves(const Group<T>& whole);
 
   /// The sphere at a place within a group, sorted or not.
   std::uint32_t sphere_at(const Group<T>& group, std::size_t place) const noexcept {
-    if (!group.is_sorted()) return members_[place].sphere;
-    return members_[group.sorted_from + orders_[0][place]].sphere;
+    if (!group.is_sorted()) return members_[place].sphere();
+    return members_[group.sorted_from + orders_[0][place]].sphere();
   }
 
  private:

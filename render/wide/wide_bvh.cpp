@@ -71,7 +71,7 @@ class Builder {
     Group<T> all{.begin = 0, .end = members_.size(), .box = {}};
     for (std::size_t i = 0; i < members_.size(); ++i) {
       members_[i] = source(i);
-      all.box.add(members_[i].box);
+      all.box.add(members_[i].box());
     }
     build_node(all, 0, tree);
     return tree;
@@ -238,15 +238,10 @@ class Splicer {
 template <typename T>
 Member<T> member_of(const Scene& scene, std::uint32_t index) {
   const Sphere& sphere = scene.spheres[index];
-  Member<T> member{.box = {}, .sphere = index};
-  const auto add = [&](Vec3 c) {
-    const double r = sphere.radius;
-    const auto side = [](double v) { return static_cast<T>(v); };
-    member.box.add({{side(c.x - r), side(c.y - r), side(c.z - r), side(-c.x - r), side(-c.y - r),
-                     side(-c.z - r)}});
-  };
-  add(sphere.center);
-  if (!scene.shifts.empty()) add(sphere.center + scene.shifts[index]);
+  Member<T> member(sphere.center, sphere.radius, index);
+  if (!scene.shifts.empty()) {
+    member.add({sphere.center + scene.shifts[index], sphere.radius, index});
+  }
   return member;
 }
 

@@ -11,6 +11,7 @@
 #include "render/scene/camera_surface.hpp"
 #include "render/scene/instances.hpp"
 #include "render/scene/near_pairs.hpp"
+#include "render/scene/ranges.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -28,6 +29,11 @@ constexpr std::size_t padded(std::size_t size) {
 
 std::vector<std::uint32_t> without(std::size_t spheres, std::span<const std::uint32_t> excluded) {
   std::vector<std::uint32_t> rest;
+  if (excluded.empty()) {
+    rest.resize(spheres);
+    for_each_index(spheres, [&](std::size_t i) { rest[i] = static_cast<std::uint32_t>(i); });
+    return rest;
+  }
   rest.reserve(spheres);
   for (std::uint32_t i = 0; i < spheres; ++i) {
     if (!contains(excluded, i)) rest.push_back(i);
@@ -138,11 +144,26 @@ void WideScene<T>::add_materials(const Scene& scene) {
   materials = scene.materials.size();
   make_room_for_materials();
   optics.resize(padded(materials));
-  OpticsTable table;
-  for (std::size_t i = 0; i < materials; ++i) {
+  std::fill(optics.begin() + static_cast<std::ptrdiff_t>(materials), optics.end(), 0);
+  // Different optics of each range, and then of all, in the order in which they first occur.
+  const std::size_t ranges = (materials + kRange - 1) / kRange;
+  std::vector<OpticsTable> of_ranges(ranges);
+  const auto for_ranges = [&](const auto& body) {
+    tbb::parallel_for(std::size_t{0}, ranges, [&](std::size_t range) {
+      const std::size_t end = std::min(materials, (range + 1) * kRange);
+      for (std::size_t i = range * kRange; i < end; ++i) body(range, i);
+    });
+  };
+  for_ranges([&](std::size_t range, std::size_t i) {
     add_color(i, scene.materials[i]);
-    optics[i] = table.row_of(optics_of(scene.materials[i]));
+    optics[i] = of_ranges[range].row_of(optics_of(scene.materials[i]));
+  });
+  OpticsTable table;
+  std::vector<std::vector<std::uint32_t>> rows(ranges);
+  for (std::size_t range = 0; range < ranges; ++range) {
+    for (const Optics& of : of_ranges[range].rows()) rows[range].push_back(table.row_of(of));
   }
+  for_ranges([&](std::size_t range, std::size_t i) { optics[i] = rows[range][optics[i]]; });
   optics_rows = table.rows().size();
   make_room_for_optics();
   for (std::size_t i = 0; i < optics_rows; ++i) add_optics(i, table.rows()[i]);
@@ -162,7 +183,10 @@ void WideScene<T>::add_materials_by_slot(const Scene& scene, std::span<const std
 
 template <typename T>
 void WideScene<T>::make_room_for_materials() {
-  for (Table& table : color) table.resize(padded(materials), T{});
+  for (Table& table : color) {
+    table.resize(padded(materials));
+    std::fill(table.begin() + static_cast<std::ptrdiff_t>(materials), table.end(), T{});
+  }
 }
 
 template <typename T>
