@@ -75,11 +75,6 @@ class BvhWave {
     std::array<std::uint32_t, kRoom> parents;  // the node whose child it is
   };
 
-  /// Those that are, or do, as bits.
-  struct Lanes {
-    std::uint32_t at_node = 0, at_leaf = 0, pop = 0;
-  };
-
   HWY_INLINE BvhWave(const WideScene<T>& scene, const Rays& rays,
                      const Row<std::uint32_t>& departed, Hits& hits)
       : scene_(scene), search_(scene), rays_(rays), departed_(departed), hits_(hits) {}
@@ -96,14 +91,26 @@ class BvhWave {
   }
 
   HWY_INLINE void run(std::uint32_t lanes) {
-    Lanes now{.at_node = lanes};
-    while ((now.at_node | now.at_leaf) != 0) {
-      Lanes next{.pop = now.at_leaf};
-      for (; now.at_leaf != 0; now.at_leaf &= now.at_leaf - 1) meet_leaf(first_of(now.at_leaf));
-      for (; now.at_node != 0; now.at_node &= now.at_node - 1) open(first_of(now.at_node), next);
-      for (; next.pop != 0; next.pop &= next.pop - 1) pop(first_of(next.pop), next);
-      now = next;
+    while (lanes != 0) {
+      std::uint32_t at_leaf = lanes & lanes_at_leaf();
+      std::uint32_t at_node = lanes ^ at_leaf, pops = at_leaf;
+      for (; at_leaf != 0; at_leaf &= at_leaf - 1) meet_leaf(first_of(at_leaf));
+      for (; at_node != 0; at_node &= at_node - 1) {
+        const std::size_t lane = first_of(at_node);
+        pops |= open(lane) << lane;
+      }
+      for (; pops != 0; pops &= pops - 1) {
+        const std::size_t lane = first_of(pops);
+        lanes ^= pop(lane) << lane;
+      }
     }
+  }
+
+  HWY_INLINE std::uint32_t lanes_at_leaf() const {
+    const hn::RebindToUnsigned<D> du;
+    static_assert(WideBvh<T>::kLeaf == 0x80000000);
+    const auto current = hn::BitCast(DI(), hn::Load(du, current_.data()));
+    return bits_of(DI(), hn::Lt(current, hn::Zero(DI())));
   }
 
   static HWY_INLINE std::size_t first_of(std::uint32_t lanes) {
@@ -111,11 +118,10 @@ class BvhWave {
   }
 
   /// Of the children that the ray meets, the nearest is next; the others wait, the nearer the
-  /// higher.
-  HWY_INLINE void open(std::size_t lane, Lanes& next) {
+  /// higher. 1 where it meets none, and 0 else.
+  HWY_INLINE std::uint32_t open(std::size_t lane) {
     const D d;
     const DI di;
-    const hn::RebindToUnsigned<D> du;
     const Ray ray(rays_, lane);
     const std::uint32_t index = current_[lane], before = waiting_[lane];
     const auto& node = scene_.bvh.nodes[index];
@@ -123,34 +129,37 @@ class BvhWave {
     const VI keys = hn::Or(hn::And(hn::BitCast(di, boxes.entry), hn::Set(di, kEntryBits)),
                            hn::Iota(di, Key{0}));
     const auto met = hn::RebindMask(di, boxes.met);
+    const VI packed = hn::Compress(hn::IfThenElseZero(met, keys), met);  // and zeros behind
     const auto count = static_cast<std::uint32_t>(std::popcount(bits_of(d, boxes.met)));
-    Stack& stack = stacks_[lane];
-    Key* place = stack.keys.data() + before;
-    hn::StoreU(hn::Compress(hn::IfThenElseZero(met, keys), met), di, place);  // and zeros behind
-    hn::StoreU(hn::Set(du, index), du, stack.parents.data() + before);
+    Key* const place = stacks_[lane].keys.data() + before;
+    std::uint32_t* const parents = stacks_[lane].parents.data() + before;
     if (HWY_LIKELY(count <= kMostSorted)) {
-      sort_four(place);
+      const hn::Full128<Key> d4;
+      const hn::Full128<std::uint32_t> du4;
+      hn::StoreU(sorted_four(hn::LowerHalf(hn::LowerHalf(packed))), d4, place);
+      hn::StoreU(hn::Set(du4, index), du4, parents);
     } else {
+      const hn::RebindToUnsigned<D> du;
+      hn::StoreU(packed, di, place);
+      hn::StoreU(hn::Set(du, index), du, parents);
       sort(place, count);
     }
-    const std::uint32_t is_any = count != 0 ? 1 : 0;
-    waiting_[lane] = before + count - is_any;
-    next.pop |= (is_any ^ 1) << lane;
-    go_to(lane, node.children[child_of(stack.keys[before + count - 1])], is_any, next);
+    current_[lane] = node.children[child_of(*(place + count - 1))];
+    const std::uint32_t is_none = count == 0 ? 1 : 0;
+    waiting_[lane] = before + count - (is_none ^ 1);
+    return is_none;
   }
 
   /// The greatest one first.
-  static HWY_INLINE void sort_four(Key* keys) {
+  static HWY_INLINE hn::Vec<hn::Full128<Key>> sorted_four(hn::Vec<hn::Full128<Key>> v) {
     const hn::Full128<Key> d;
     alignas(16) static constexpr std::array<Key, 4> kInnerSwapped{0, 2, 1, 3};
-    auto v = hn::LoadU(d, keys);
     auto other = hn::Shuffle2301(v);
     v = hn::OddEven(hn::Min(v, other), hn::Max(v, other));
     other = hn::Shuffle1032(v);
     v = hn::ConcatUpperLower(d, hn::Min(v, other), hn::Max(v, other));
     other = hn::TableLookupLanes(v, hn::SetTableIndices(d, kInnerSwapped.data()));
-    v = hn::ConcatUpperLower(d, hn::Min(v, other), hn::Max(v, other));
-    hn::StoreU(v, d, keys);
+    return hn::ConcatUpperLower(d, hn::Min(v, other), hn::Max(v, other));
   }
   static HWY_INLINE void sort(Key* keys, std::size_t count) {
     for (std::size_t i = 1; i < count; ++i) {
@@ -165,17 +174,8 @@ class BvhWave {
     return static_cast<std::size_t>(key & kChildBits);
   }
 
-  /// Where the lane is next, if `is_there` is 1.
-  HWY_INLINE void go_to(std::size_t lane, std::uint32_t child, std::uint32_t is_there,
-                        Lanes& next) {
-    const std::uint32_t is_leaf = (child & WideBvh<T>::kLeaf) != 0 ? 1 : 0;
-    current_[lane] = child;
-    next.at_leaf |= (is_there & is_leaf) << lane;
-    next.at_node |= (is_there & (is_leaf ^ 1)) << lane;
-  }
-
-  /// The highest that waits and begins before the hit is next.
-  HWY_INLINE void pop(std::size_t lane, Lanes& next) {
+  /// The highest that waits and begins before the hit is next. 1 where none does, and 0 else.
+  HWY_INLINE std::uint32_t pop(std::size_t lane) {
     const DI di;
     const Stack& stack = stacks_[lane];
     Key farthest;
@@ -192,7 +192,8 @@ class BvhWave {
         end - kBvhWidth + static_cast<std::uint32_t>(std::bit_width(fit)) - 1;
     waiting_[lane] = highest;
     const auto& parent = scene_.bvh.nodes[stack.parents[highest]];
-    go_to(lane, parent.children[child_of(stack.keys[highest])], highest >= kBottom ? 1 : 0, next);
+    current_[lane] = parent.children[child_of(stack.keys[highest])];
+    return highest < kBottom ? 1 : 0;
   }
 
   HWY_INLINE void meet_leaf(std::size_t lane) {
@@ -230,7 +231,8 @@ class BvhWave {
   const Rays& rays_;
   const Row<std::uint32_t>& departed_;
   Hits& hits_;
-  Row<std::uint32_t> current_, waiting_;
+  alignas(64) Row<std::uint32_t> current_;
+  Row<std::uint32_t> waiting_;
   Row<T> farthest_;  // of boxes, by the hit so far
   Row<Stack> stacks_;
 };
