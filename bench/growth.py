@@ -4,8 +4,9 @@
 growth.py SDLC PEERS [--counts 10,100,...] [--repeats 3] [--threads 2] [--chart FILE.svg]
 
 PEERS is a folder with gen_scene.py and embree_pt.cpp, which is compiled here. Prints a table in
-Markdown and the law a + b log2 n fitted to the time of a path by least squares, with its residual,
-and draws both as a chart. Medians of the repeats.
+Markdown and laws fitted to the time of a ray by least squares, with their residuals, and draws both
+as a chart: a + b n where rays are held against all spheres, a + b log2 n where they go through a
+hierarchy. Paths of Embree have as many rays as ours, on average. Medians of the repeats.
 """
 
 import argparse
@@ -34,7 +35,8 @@ def run_sdlc(sdlc, scene, samples, threads, folder):
                          check=True).stdout
     stats = json.loads(out)
     return {"speed": stats["samples_per_second"] / 1e6, "build": stats["build_seconds"],
-            "memory": stats["render_rss_bytes"], "kernel": f"{stats['kernel']}, {stats['precision']}"}
+            "memory": stats["render_rss_bytes"], "kernel": f"{stats['kernel']}, {stats['precision']}",
+            "rays": stats["rays"] / stats["camera_samples"]}
 
 
 def run_embree(embree, scene, samples, threads, folder):
@@ -47,25 +49,45 @@ def run_embree(embree, scene, samples, threads, folder):
             "memory": stats["peak_rss_mb"] * 1e6}
 
 
+def series_of(kernel):
+    if kernel.startswith("wide"):
+        return "sdlc, all spheres"
+    return "sdlc, hierarchy, double" if kernel.endswith("double") else "sdlc, hierarchy"
+
+
 def median_of(runs, field):
     return statistics.median(run[field] for run in runs)
 
 
-def fit(points):
-    """a, b and the residual in per cent of y = a + b log2 n, every point weighted by 1 / y²."""
-    rows = [(math.log2(n), y, 1 / y**2) for n, y in points]
-    weight = sum(w for _, _, w in rows)
-    mean_x = sum(w * x for x, _, w in rows) / weight
-    mean_y = sum(w * y for _, y, w in rows) / weight
-    slope = (sum(w * (x - mean_x) * (y - mean_y) for x, y, w in rows) /
-             sum(w * (x - mean_x)**2 for x, _, w in rows))
-    start = mean_y - slope * mean_x
-    error = math.sqrt(statistics.mean(((start + slope * x) / y - 1)**2 for x, y, _ in rows))
-    return start, slope, 100 * error
+class Law:
+    """a + b f(n), every point weighted by 1 / y²; `error` is the residual in per cent."""
+
+    def __init__(self, points, is_linear):
+        self.counts = [n for n, _ in points]
+        self.f = float if is_linear else math.log2
+        self.term = "n" if is_linear else "log2 n"
+        rows = [(self.f(n), y, 1 / y**2) for n, y in points]
+        weight = sum(w for _, _, w in rows)
+        mean_x = sum(w * x for x, _, w in rows) / weight
+        mean_y = sum(w * y for _, y, w in rows) / weight
+        spread = sum(w * (x - mean_x)**2 for x, _, w in rows)
+        self.slope = sum(w * (x - mean_x) * (y - mean_y) for x, y, w in rows) / spread
+        self.start = mean_y - self.slope * mean_x
+        self.error = 100 * math.sqrt(statistics.mean((self(n) / y - 1)**2 for n, y in points))
+
+    def __call__(self, n):
+        return self.start + self.slope * self.f(n)
+
+    def __str__(self):
+        return f"{self.start:.1f} + {self.slope:.2g} {self.term}, to {self.error:.0f} %"
+
+
+COLORS = {"sdlc, all spheres": "#56b4e9", "sdlc, hierarchy": "#0072b2",
+          "sdlc, hierarchy, double": "#009e73", "Embree": "#d55e00"}
 
 
 def chart(series, laws):
-    """An SVG of the time of a path over the number of spheres, both axes logarithmic."""
+    """An SVG of the time of a ray over the number of spheres, both axes logarithmic."""
     width, height, left, bottom = 640, 360, 60, 40
     counts = [n for points in series.values() for n, _ in points]
     times = [y for points in series.values() for _, y in points]
@@ -88,20 +110,23 @@ def chart(series, laws):
         parts.append(f'<path d="M{left} {y:.1f}H{width - 20}" stroke="#76767640"/>'
                      f'<text x="{left - 6}" y="{y + 4:.1f}" text-anchor="end">{10**power:g}</text>')
     parts.append(f'<text x="{width - 20}" y="{height - 6}" text-anchor="end">spheres</text>'
-                 f'<text x="{left}" y="12">nanoseconds a path</text>')
-    colors = {"sdlc": "#0072b2", "Embree": "#d55e00"}
+                 f'<text x="{left}" y="12">nanoseconds a ray</text>')
     for name, points in series.items():
-        start, slope, _ = laws[name]
-        steps = [10**(1 + k * (most - 1) / 60) for k in range(61)]
-        line = " ".join("{:.1f},{:.1f}".format(*place(n, max(start + slope * math.log2(n), 10**low)))
-                        for n in steps)
-        parts.append(f'<polyline points="{line}" fill="none" stroke="{colors[name]}"/>')
+        if not points:
+            continue
+        color = COLORS[name]
+        if name in laws:
+            first, last = (math.log10(n) for n in (points[0][0], points[-1][0]))
+            steps = [10**(first + k * (last - first) / 60) for k in range(61)]
+            line = " ".join("{:.1f},{:.1f}".format(*place(n, laws[name](n))) for n in steps)
+            parts.append(f'<polyline points="{line}" fill="none" stroke="{color}"/>')
         for n, y in points:
             x, y = place(n, y)
-            parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{colors[name]}"/>')
+            parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{color}"/>')
         x, y = place(*points[-1])
-        parts.append(f'<text x="{x - 8:.1f}" y="{y - 8:.1f}" text-anchor="end" '
-                     f'fill="{colors[name]}">{name}</text>')
+        below = {"Embree": -10, "sdlc, hierarchy, double": 32}.get(name, 20)
+        parts.append(f'<text x="{x:.1f}" y="{y + below:.1f}" text-anchor="end" '
+                     f'fill="{color}">{name}</text>')
     return "\n".join(parts) + "\n</svg>\n"
 
 
@@ -121,10 +146,10 @@ def main():
         subprocess.run(["g++", "-O3", "-march=native", "-std=c++17", "-ffp-contract=fast",
                         options.peers / "embree_pt.cpp", "-o", embree, "-lembree3", "-lpthread"],
                        check=True)
-        print("| spheres | sdlc, build | bytes a sphere | million paths/s | kernel "
+        print("| spheres | sdlc, build | bytes a sphere | million paths/s | kernel | rays a path "
               "| Embree, build | million paths/s | ratio |")
-        print("| ---: | ---: | ---: | ---: | --- | ---: | ---: | ---: |")
-        series = {"sdlc": [], "Embree": []}
+        print("| ---: | ---: | ---: | ---: | --- | ---: | ---: | ---: | ---: |")
+        series = {name: [] for name in COLORS}
         base = None
         for count in (int(word) for word in options.counts.split(",")):
             scene = folder / "field.json"
@@ -140,13 +165,15 @@ def main():
             base = memory if base is None else base
             own = f"{(memory - base) / count:.0f}" if count >= 100_000 else ""
             print(f"| {count:,} | {median_of(ours, 'build'):.3g} s | {own} | {speed:.3g} "
-                  f"| {ours[-1]['kernel']} | {median_of(theirs, 'build'):.3g} s | {peer:.3g} "
+                  f"| {ours[-1]['kernel']} | {ours[-1]['rays']:.2f} | {median_of(theirs, 'build'):.3g} s | {peer:.3g} "
                   f"| {speed / peer:.2f} |", flush=True)
-            series["sdlc"].append((count, 1e3 / speed))
-            series["Embree"].append((count, 1e3 / peer))
-        laws = {name: fit(points) for name, points in series.items()}
-        for name, (start, slope, error) in laws.items():
-            print(f"\n{name}: {start:.0f} + {slope:.1f} log2 n nanoseconds a path, to {error:.0f} %")
+            rays = ours[-1]["rays"]
+            series[series_of(ours[-1]["kernel"])].append((count, 1e3 / speed / rays))
+            series["Embree"].append((count, 1e3 / peer / rays))
+        laws = {name: Law(points, "all spheres" in name)
+                for name, points in series.items() if len(points) > 1}
+        for name, law in laws.items():
+            print(f"\n{name}: {law} nanoseconds a ray")
         if options.chart:
             options.chart.write_text(chart(series, laws), encoding="utf-8")
 

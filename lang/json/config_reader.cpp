@@ -217,6 +217,8 @@ void ConfigReader::set_threads() {
 }
 
 void read_config(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink) {
+  constexpr std::size_t kLeastSphere = 64;  // bytes of its text
+  objects.expect(file.text().size() / kLeastSphere);
   ConfigReader reader(file, objects, sink);
   if (parse_config(file, streamed_key(), reader, sink)) reader.finish();
 }

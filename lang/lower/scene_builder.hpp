@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -106,6 +108,10 @@ class SceneBuilder final : public ObjectSink {
                Purpose purpose = Purpose::Picture, Instancing instancing = Instancing::Auto)
       : file_(&file), limits_(limits), sink_(&sink), purpose_(purpose), repeats_(instancing) {}
 
+  /// Memory that no sphere is written to costs nothing.
+  void expect(std::size_t objects) override {
+    world_.spheres.reserve(std::min<std::size_t>(objects, limits_.objects));
+  }
   void add(const Object& object) override;
   void enter(const Object& group) override;
   void leave() override;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -120,6 +121,9 @@ struct Object {
 class ObjectSink {
  public:
   virtual ~ObjectSink() = default;
+
+  /// There may be so many objects to come, not more: room for them need not be moved later.
+  virtual void expect(std::size_t /*objects*/) {}
 
   /// An object of any kind. Its written values have passed check_value or are monostate; what it
   /// lacks has been reported.
