@@ -277,6 +277,61 @@ TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphere) {
   }
 }
 
+/// Up to kMostWideSpheres of a kind that chance chooses, moving or not, on a large ground or not,
+/// seen from outside or from among them.
+Scene random_scene(unsigned seed) {
+  Random random(seed);
+  const auto choice = [&](int count) { return static_cast<int>(random.between(0, count)); };
+  const int family = choice(6), count = 1 + choice(250);
+  const Vec3 center = random.in_box(0.5), along = random.direction();
+  const double decades = random.between(1, 12);
+  NamedSpheres named{.name = "random", .spheres = {}};
+  for (int i = 0; i < count; ++i) {
+    const double radius = 0.3 * std::pow(10.0, -random.between(0, decades));
+    switch (family) {
+      case 0: named.spheres.push_back({random.in_box(0.7), random.between(0.01, 0.15)}); break;
+      case 1: named.spheres.push_back({random.in_box(0.5), radius}); break;
+      case 2: named.spheres.push_back({center, random.between(0.01, 0.3)}); break;  // nested
+      case 3: named.spheres.push_back({center, i % 5 == 0 ? 0.2 : 0.1}); break;     // equal
+      case 4: named.spheres.push_back({center + along * random.between(-1, 1), 0.02}); break;
+      default:  // in pairs that touch
+        named.spheres.push_back(
+            i % 2 == 0 ? Sphere{random.in_box(0.7), 0.1}
+                       : Sphere{named.spheres.back().center + random.direction() * 0.15, 0.05});
+    }
+  }
+  if (choice(3) == 0) {
+    for (int i = 0; i < count; ++i) named.shifts.push_back(choice(2) * random.in_box(0.3));
+  }
+  Scene scene = scene_of(named);
+  scene.camera.from = choice(4) == 0 ? random.in_box(0.4) : random.direction() * 1.9;
+  scene.camera.at = random.in_box(0.2) + Vec3{0, 0.01, 0};
+  scene.camera.up = random.direction();
+  if (choice(2) == 0 && count < 250) {
+    test::add_sphere(scene, {0, -1001, 0}, 1000, test::diffuse({0.5, 0.5, 0.5}));
+    if (!scene.shifts.empty()) scene.shifts.emplace_back();
+  }
+  return scene;
+}
+
+TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphereOfRandomScenes) {
+  constexpr RenderSettings kSettings{.width = 16, .height = 16, .samples = 6, .depth = 12};
+  std::size_t mixed = 0, on_surfaces = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    const Scene scene = random_scene(seed);
+    KernelRequest request = GetParam().request();
+    const RenderResult all = render_with(scene, kSettings, request);
+    mixed += all.kernel.precision == Precision::Mixed ? 1 : 0;
+    on_surfaces += all.kernel.refusal.empty() ? 0 : 1;
+    request.kind = KernelKind::Bvh;
+    const RenderResult bvh = render_with(scene, kSettings, request);
+    EXPECT_EQ(bvh.rays, all.rays) << seed;
+    EXPECT_TRUE(bvh.picture.pixels == all.picture.pixels) << seed;
+  }
+  EXPECT_EQ(mixed > 50, GetParam().precision == Precision::Float) << mixed;
+  EXPECT_EQ(on_surfaces, 0u);
+}
+
 // With the hierarchy, what materials do is looked up in tables that several of them share.
 TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphereWhateverTheMaterials) {
   constexpr RenderSettings kSettings{.width = 48, .height = 27, .samples = 40, .depth = 12};
