@@ -112,6 +112,13 @@ class InspectJob {
           scene.instances.empty() ? "" : "; those of instances have no numbers"));
     }
     const std::vector<lang::Origin> origins = compiler_.trace(wanted);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (origins[i].where.file != nullptr) continue;
+      throw UsageError(fmt::format(
+          "--where: of sphere {}, which was an instance's, no place is known; --instances never "
+          "tells those of all",
+          wanted[i]));
+    }
     std::vector<TracedSphere> spheres;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       const render::Sphere& sphere = scene.spheres[wanted[i]];

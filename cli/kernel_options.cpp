@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "cli/words.hpp"
+#include "render/scene/instances.hpp"
 #include "render/wide/isa.hpp"
 
 namespace sdlc::cli {
@@ -59,12 +62,19 @@ lang::Instancing instancing_for(const render::KernelRequest& flags,
 }
 
 render::Kernel choose_kernel(const render::KernelRequest& flags, const lang::Overrides& overrides,
-                             const lang::LoweredScene& lowered, lang::Compiler& compiler) {
+                             lang::LoweredScene& lowered, lang::Compiler& compiler) {
   render::KernelRequest request = flags;
   request.precision = lowered.precision;
   // What the scene says is a wish, what a flag says is an order.
   request.may_take_double = !overrides.precision;
   render::Kernel kernel = render::choose_kernel(lowered.scene, lowered.settings, request);
+  // That there are instances was no wish, and many scenes can do without.
+  constexpr std::uint64_t kMostPlainSpheres = 100'000'000;
+  if (!kernel.refusal.empty() && overrides.instancing == lang::Instancing::Auto &&
+      !lowered.scene.instances.empty() && count_spheres(lowered.scene) <= kMostPlainSpheres) {
+    lowered.scene = without_instances(std::move(lowered.scene));
+    kernel = render::choose_kernel(lowered.scene, lowered.settings, request);
+  }
   if (kernel.refusal.empty() && lowered.camera) {
     compiler.warn_of_precision(lowered, kernel.precision, kernel.bounds);
   }

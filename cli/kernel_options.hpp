@@ -19,9 +19,10 @@ lang::Instancing instancing_for(const render::KernelRequest& flags,
 void add_kernel_options(CLI::App& command, render::KernelRequest& request);
 
 /// The kernel that flags and scene ask for together. Where its precision does not resolve the scene
-/// that `compiler` lowered last, there is a warning of that.
+/// that `compiler` lowered last, there is a warning of that. Instances that nobody asked for, and
+/// that no kernel can take, become spheres of their own.
 render::Kernel choose_kernel(const render::KernelRequest& flags, const lang::Overrides& overrides,
-                             const lang::LoweredScene& lowered, lang::Compiler& compiler);
+                             lang::LoweredScene& lowered, lang::Compiler& compiler);
 
 /// Throws UsageError where a kernel cannot be the one that is asked for.
 void check_not_refused(const render::Kernel& kernel);

@@ -19,11 +19,13 @@ using Clock = std::chrono::steady_clock;
 std::string_view describe(const DroppedSphere& sphere) {
   if (!sphere.is_exact) {
     return sphere.has_other_material
-               ? "coincides with an earlier one of another material (within 2^-40 of its radius)"
-               : "coincides with an earlier one (within 2^-40 of its radius)";
+               ? "sphere coincides with an earlier one of another material (within 2^-40 of its "
+                 "radius)"
+               : "sphere coincides with an earlier one (within 2^-40 of its radius)";
   }
-  return sphere.has_other_material ? "has the place and size of an earlier one of another material"
-                                   : "is the same as an earlier one";
+  return sphere.has_other_material
+             ? "sphere has the place and size of an earlier one of another material"
+             : "sphere is the same as an earlier one";
 }
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
@@ -54,7 +56,8 @@ class Tracer final : public ObjectSink {
   }
   void leave() override {
     if (!begun_.empty() && begun_.back().depth == materials_.size()) {
-      counts_[begun_.back().contents] = count() - begun_.back().count;
+      counts_[begun_.back().contents] = {.spheres = count() - begun_.back().count,
+                                         .has_material = has_material()};
       begun_.pop_back();
     }
     materials_.pop_back();
@@ -66,11 +69,15 @@ class Tracer final : public ObjectSink {
   void begin_contents(std::uint32_t contents) override {
     begun_.push_back({.contents = contents, .depth = materials_.size(), .count = count()});
   }
-  bool repeat(const Object& /*group*/, std::uint32_t contents) override {
+  bool repeat(const Object& group, std::uint32_t contents) override {
     const auto known = counts_.find(contents);
     if (known == counts_.end()) return false;
-    if (next_ < wanted_.size() && wanted_[next_] < count() + known->second) return false;
-    skipped_ += known->second;
+    const auto& [spheres, had_material] = known->second;
+    // A check leaves out spheres without material.
+    const bool has_own = group.slot(group_property::kMaterial).is_written;
+    if ((has_own || has_material()) != had_material) return false;
+    if (next_ < wanted_.size() && wanted_[next_] < count() + spheres) return false;
+    skipped_ += spheres;
     return true;
   }
 
@@ -83,6 +90,12 @@ class Tracer final : public ObjectSink {
     std::uint64_t count;  // of spheres before
   };
 
+  struct Contents {
+    std::uint64_t spheres = 0;
+    bool has_material = false;  // of a group around, or of its own
+  };
+
+  bool has_material() const { return !materials_.empty() && materials_.back().file != nullptr; }
   std::uint64_t count() const { return builder_.sphere_count() + skipped_; }
   Location material_of(const Object& sphere) const {
     const bool has_own = sphere.slot(sphere_property::kMaterial).is_written;
@@ -97,7 +110,7 @@ class Tracer final : public ObjectSink {
   DiagnosticSink& sink_;
   std::vector<Origin> origins_;
   std::vector<Begun> begun_;
-  std::unordered_map<std::uint32_t, std::uint64_t> counts_;  // of spheres, by contents
+  std::unordered_map<std::uint32_t, Contents> counts_;
   std::uint64_t skipped_ = 0;
 };
 
@@ -262,7 +275,9 @@ std::vector<Origin> Compiler::trace_added(std::span<const std::uint32_t> spheres
   DiagnosticSink ignored;  // all has been said
   Tracer tracer(file_, options_.limits, wanted, ignored);
   read(tracer, ignored);
-  return tracer.take();
+  std::vector<Origin> origins = tracer.take();
+  origins.resize(spheres.size());  // no place is known of spheres that were an instance's
+  return origins;
 }
 
 std::vector<Origin> Compiler::trace(std::span<const std::uint32_t> spheres) {

@@ -68,7 +68,8 @@ class Compiler {
   void warn_of_precision(const LoweredScene& lowered, render::Precision taken,
                          const render::PrecisionBounds& bounds);
 
-  /// Where spheres of the scene lowered last come from, by their index in it, ascending. They are
+  /// Where spheres of the scene lowered last come from, by their index in it, ascending; places
+  /// without a file of those that its instances were given in place of themselves. They are
   /// found by evaluating once more, so that no sphere has to remember.
   std::vector<Origin> trace(std::span<const std::uint32_t> spheres);
 

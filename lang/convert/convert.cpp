@@ -57,13 +57,13 @@ std::vector<double> scaled_numbers(const SyntaxTree& tree) {
 }
 
 LoweredScene lower_config(const SourceFile& config, DiagnosticSink& sink) {
-  SceneBuilder builder(config, {}, sink);
+  SceneBuilder builder(config, {}, sink, Purpose::Picture, Instancing::Never);
   read_config(config, builder, sink);
   return builder.finish({});
 }
 
 LoweredScene lower_scene(const SourceFile& scene, DiagnosticSink& sink) {
-  SceneBuilder builder(scene, {}, sink);
+  SceneBuilder builder(scene, {}, sink, Purpose::Picture, Instancing::Never);
   evaluate(scene, builder, sink);
   return builder.finish({});
 }
@@ -96,7 +96,7 @@ std::optional<std::string> Conversion::to_scene() {
   LoweredScene lowered;
   {
     const WarningsOff off(sink_);
-    SceneBuilder builder(file_, options_.limits, sink_);
+    SceneBuilder builder(file_, options_.limits, sink_, Purpose::Picture, Instancing::Never);
     read_config(file_, builder, sink_);
     lowered = builder.finish({});
   }
@@ -126,7 +126,7 @@ bool Conversion::may_be_read(const SourceFile& scene, const LoweredScene& lowere
 
 std::optional<std::string> Conversion::to_config(const ConvertOptions& options) {
   const Overrides overrides{.tone = options.tone, .camera = options.camera};
-  SceneBuilder builder(file_, options_.limits, sink_);
+  SceneBuilder builder(file_, options_.limits, sink_, Purpose::Picture, Instancing::Never);
   ConfigWriter writer(builder, options.camera,
                       scaled_numbers(program_->module(Program::kRoot).tree), sink_);
   std::optional<Animation> film;

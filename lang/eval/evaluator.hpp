@@ -177,6 +177,7 @@ class Evaluator final : public ChainSource {
   Object object_;  // the one being read
   int depth_ = 0;
   int calls_ = 0;
+  int deepest_calls_ = 0;  // calls_ at most, in what is being evaluated
   bool has_called_too_deep_ = false;
   std::vector<std::uint32_t> files_inside_;  // that are being run through includes
   std::uint64_t steps_ = 0;

@@ -14,6 +14,9 @@ constexpr std::uint64_t kMostHeavy = 64;  // elements of a list
 // called with equal arguments at all.
 constexpr std::uint64_t kMostMissed = 16'384, kLeastFound = 16;
 
+// All arguments together, with what a table entry takes beside them.
+constexpr std::size_t kMostBytes = std::size_t{64} << 20, kBytesBeside = 64;
+
 void append(std::uint64_t word, std::string& to) {
   to.append(reinterpret_cast<const char*>(&word), sizeof word);
 }
@@ -97,14 +100,24 @@ bool InstanceMemo::is_worthwhile(Def def) const {
 
 InstanceMemo::Contents InstanceMemo::look_up(Def def, const std::string& arguments) {
   Instances& instances = of_def_[key(def)];
-  const auto [entry, is_new] = instances.numbers.try_emplace(arguments, last_number_ + 1);
-  ++(is_new ? instances.missed : instances.found);
-  if (is_new) ++last_number_;
-  return {.number = entry->second, .is_new = is_new};
+  const auto found = instances.known.find(arguments);
+  if (found != instances.known.end()) {
+    ++instances.found;
+    return {.number = found->second.number, .is_new = false, .height = found->second.height};
+  }
+  ++instances.missed;
+  if (bytes_ + arguments.size() + kBytesBeside > kMostBytes) return {};
+  bytes_ += arguments.size() + kBytesBeside;
+  instances.known.emplace(arguments, Known{.number = ++last_number_, .height = 0});
+  return {.number = last_number_, .is_new = true, .height = 0};
+}
+
+void InstanceMemo::set_height(Def def, const std::string& arguments, int height) {
+  of_def_[key(def)].known[arguments].height = height;
 }
 
 void InstanceMemo::forget(Def def, const std::string& arguments) {
-  of_def_[key(def)].numbers.erase(arguments);
+  if (of_def_[key(def)].known.erase(arguments) > 0) bytes_ -= arguments.size() + kBytesBeside;
 }
 
 }  // namespace sdlc::lang

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -25,9 +26,11 @@ class InstanceMemo {
     std::uint32_t module = 0, index = 0;
   };
   /// `number`: the same for all instances with the same contents, from 1 on.
+  /// 0: they are not remembered. `height`: instances inside each other that were evaluated for it.
   struct Contents {
     std::uint32_t number = 0;
     bool is_new = false;
+    int height = 0;
   };
 
   /// Whether instances of the def are still looked up: not after many of which hardly any was like
@@ -38,18 +41,26 @@ class InstanceMemo {
   /// all others.
   Contents look_up(Def def, const std::string& arguments);
 
+  /// Says of a new one how high it is.
+  void set_height(Def def, const std::string& arguments, int height);
+
   /// That of a new one was not to be remembered, as what is wrong with it has to be told each time.
   void forget(Def def, const std::string& arguments);
 
  private:
+  struct Known {
+    std::uint32_t number;
+    int height;
+  };
   struct Instances {
-    std::unordered_map<std::string, std::uint32_t> numbers;
+    std::unordered_map<std::string, Known> known;
     std::uint64_t found = 0, missed = 0;
   };
   static std::uint64_t key(Def def) noexcept { return std::uint64_t{def.module} << 32 | def.index; }
 
   std::unordered_map<std::uint64_t, Instances> of_def_;
   std::uint32_t last_number_ = 0;
+  std::size_t bytes_ = 0;  // of arguments
 };
 
 }  // namespace sdlc::lang

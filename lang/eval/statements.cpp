@@ -192,15 +192,19 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
   const auto identity = is_broken ? std::nullopt : identify_contents(key, base, arguments);
   InstanceMemo::Contents contents;
   if (identity) contents = memo_.look_up(key, *identity);
-  const bool is_known = identity && !contents.is_new;
-  if (!is_broken && !(is_known && objects_->repeat(object_, contents.number))) {
+  // What is higher than may be is evaluated, and then reported.
+  const bool is_known =
+      contents.number != 0 && !contents.is_new && calls_ + contents.height <= kMaxCalls;
+  if (is_known && objects_->repeat(object_, contents.number)) {
+    deepest_calls_ = std::max(deepest_calls_, calls_ + contents.height);
+  } else if (!is_broken) {
     const std::size_t reports = report_count();
     const Nested step(
         *this, {.kind = Step::Instance, .code = &code, .node = statement.node, .name = def.name});
     objects_->enter(object_);
     if (contents.is_new) objects_->begin_contents(contents.number);
     const std::size_t frame = std::exchange(frame_, base);
-    ++calls_;
+    const int deepest_outside = std::exchange(deepest_calls_, ++calls_);
     // A default may use the parameters before it.
     for (std::size_t i = 0; i < arguments.size(); ++i) {
       if (arguments[i] == kNothing) take(i, module.code, def.parameters[i].default_value);
@@ -209,8 +213,14 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
     end_call();
     frame_ = frame;
     objects_->leave();
-    // What is wrong, or is warned of, is told of each instance.
-    if (contents.is_new && report_count() != reports) memo_.forget(key, *identity);
+    if (contents.is_new && report_count() != reports) {
+      // What is wrong, or is warned of, is told of each instance.
+      memo_.forget(key, *identity);
+      objects_->forget_contents(contents.number);
+    } else if (contents.is_new) {
+      memo_.set_height(key, *identity, deepest_calls_ - calls_);
+    }
+    deepest_calls_ = std::max(deepest_calls_, deepest_outside);
   }
   locals_.resize(base);
 }

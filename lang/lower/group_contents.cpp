@@ -51,6 +51,8 @@ std::uint32_t GroupContents::add_group(std::uint32_t parent, Placing placing) {
   return static_cast<std::uint32_t>(groups_.size());
 }
 
+void GroupContents::remove_groups_from(std::uint32_t group) { groups_.resize(group - 1); }
+
 void GroupContents::add_sphere(std::uint32_t group, const InnerSphere& sphere) {
   spheres_.push_back(sphere);
   group_of_.push_back(group);

@@ -58,6 +58,8 @@ class GroupContents {
   };
 
   std::uint32_t add_group(std::uint32_t parent, Placing placing);
+  /// Takes the last ones away, in which nothing is.
+  void remove_groups_from(std::uint32_t group);
   void add_sphere(std::uint32_t group, const InnerSphere& sphere);
   void add_reference(std::uint32_t group, std::uint32_t number, const GroupContents& contents);
 
@@ -69,6 +71,8 @@ class GroupContents {
   const std::vector<Reference>& references() const noexcept { return references_; }
   /// Spheres that are not those of references.
   std::size_t own_count() const noexcept { return spheres_.size(); }
+  /// Spheres and references.
+  std::size_t parts() const noexcept { return spheres_.size() + references_.size(); }
 
   /// Calls, in their order, `on_sphere(sphere, placing)` with each InnerSphere and what the groups
   /// around it in here and `outside` do to it, and `on_reference(reference, placing)`, until one is

@@ -1,6 +1,7 @@
 #include "lang/lower/group_repeats.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -14,7 +15,7 @@ namespace {
 constexpr std::size_t kMostRecordedBytes = std::size_t{96} << 20;
 
 // Slots of spheres have 32 bits in the tables that they are traced from, some of them empty.
-constexpr std::uint64_t kMostPrototypeSpheres = std::uint64_t{1} << 31;
+constexpr std::uint64_t kMostPrototypeSlots = std::uint64_t{1} << 31;
 
 bool is_finite(const render::Material& material) {
   return material.type != render::MaterialType::Emissive ||
@@ -31,12 +32,21 @@ std::uint32_t material_of(const InnerSphere& sphere, const Placing& placing,
 void GroupRepeats::enter(const Placing& group) {
   Recording* const current = recording();
   if (current == nullptr) return;
-  current->groups.push_back(
-      current->is_spoilt ? 0 : current->contents.add_group(current->groups.back(), group));
+  Recording::Open open{.group = 0, .parts = current->contents.parts()};
+  if (!current->is_spoilt) {
+    open.group = current->contents.add_group(current->groups.back().group, group);
+  }
+  current->groups.push_back(open);
+  charge(sizeof(Placing));
 }
 
-void GroupRepeats::begin(std::uint32_t contents) {
-  recordings_.push_back({.number = contents, .contents = {}, .groups = {0}});
+void GroupRepeats::begin(std::uint32_t contents, const Placing& in_world) {
+  recordings_.push_back({.number = contents,
+                         .in_world = in_world,
+                         .contents = {},
+                         .groups = {{}},
+                         .bytes = 0,
+                         .is_spoilt = is_full_});
 }
 
 void GroupRepeats::leave() {
@@ -47,48 +57,121 @@ void GroupRepeats::leave() {
     current = recording();
     if (current == nullptr) return;
   }
+  const auto [group, parts] = current->groups.back();
   current->groups.pop_back();
+  const bool is_empty = group > 0 && current->contents.parts() == parts;
+  if (is_empty && !current->is_spoilt) current->contents.remove_groups_from(group);
 }
 
 void GroupRepeats::finish_recording() {
   Recording done = std::move(recordings_.back());
   recordings_.pop_back();
-  const std::size_t bytes = done.contents.memory_bytes();
-  const bool is_kept = !done.is_spoilt && recorded_bytes_ + bytes <= kMostRecordedBytes;
-  if (Recording* const outer = recording()) {
-    if (is_kept) {
-      outer->contents.add_reference(outer->groups.back(), done.number, done.contents);
-    } else {
-      spoil();
-    }
+  Recording* const outer = recording();
+  if (done.is_spoilt) {
+    recorded_bytes_ -= done.bytes;
+    spoil();
+    return;
   }
-  if (!is_kept) return;
+  Record& record = records_[done.number];
+  record = {
+      .contents = std::move(done.contents), .bytes = done.bytes, .is_used = false, .uses = {}};
+  if (record.contents.count() > kSpheresPerInstance) {
+    places_.insert(identity_of(done.number, record, done.in_world));
+  }
+  if (outer != nullptr && !outer->is_spoilt && record.contents.count() > 0) {
+    outer->contents.add_reference(outer->groups.back().group, done.number, record.contents);
+    record.is_used = true;
+    charge(sizeof(GroupContents::Reference));
+  }
+}
+
+void GroupRepeats::charge(std::size_t bytes) {
+  Recording* const current = recording();
+  if (current == nullptr || current->is_spoilt) return;
+  current->bytes += bytes;
   recorded_bytes_ += bytes;
-  records_[done.number].contents = std::move(done.contents);
+  if (recorded_bytes_ <= kMostRecordedBytes) return;
+  drop_unused();
+  is_full_ = recorded_bytes_ > kMostRecordedBytes / 2;
+  if (is_full_) spoil();
+}
+
+void GroupRepeats::drop_unused() {
+  std::erase_if(records_, [&](const auto& entry) {
+    if (entry.second.is_used) return false;
+    recorded_bytes_ -= entry.second.bytes;
+    return true;
+  });
 }
 
 void GroupRepeats::add_sphere(const InnerSphere& sphere) {
   Recording* const current = recording();
   if (current == nullptr || current->is_spoilt) return;
-  current->contents.add_sphere(current->groups.back(), sphere);
-  if (recorded_bytes_ + current->contents.memory_bytes() > kMostRecordedBytes) spoil();
+  current->contents.add_sphere(current->groups.back().group, sphere);
+  charge(sizeof(InnerSphere) + sizeof(std::uint32_t));
 }
 
 void GroupRepeats::spoil() {
-  if (Recording* const current = recording()) {
-    current->is_spoilt = true;
-    current->contents = {};
-  }
+  Recording* const current = recording();
+  if (current == nullptr || current->is_spoilt) return;
+  current->is_spoilt = true;
+  current->contents = {};
+  recorded_bytes_ -= std::exchange(current->bytes, 0);
 }
 
-bool GroupRepeats::repeat(std::uint32_t contents, const Placing& group, const Placing& in_world,
-                          const World& world) {
+void GroupRepeats::forget(std::uint32_t contents) {
   const auto found = records_.find(contents);
-  if (found == records_.end()) return false;
+  if (found == records_.end() || found->second.is_used) return;
+  recorded_bytes_ -= found->second.bytes;
+  records_.erase(found);
+}
+
+GroupRepeats::Identity GroupRepeats::identity_of(std::uint32_t contents, const Record& record,
+                                                 const Placing& in_world) const {
+  Identity identity{contents, ~std::uint64_t{contents}};
+  const auto mix = [&](double number) {
+    // Adding 0 turns -0, which equals 0, into 0.
+    const auto word = std::bit_cast<std::uint64_t>(number + 0.0);
+    identity[0] = (identity[0] ^ word) * 0x9E3779B97F4A7C15u;
+    identity[0] ^= identity[0] >> 29;
+    identity[1] = (identity[1] ^ word) * 0xD6E8FEB86659FD93u;
+    identity[1] ^= identity[1] >> 32;
+  };
+  for (const render::Placement& at : in_world.placements) {
+    for (const render::Vec3 v : {at.x, at.y, at.z, at.translate}) {
+      for (const double number : {v.x, v.y, v.z}) mix(number);
+    }
+  }
+  if (record.contents.inherits() && in_world.material) {
+    const render::Material& material = *in_world.material;
+    const render::LinearRgb color = material.color;
+    for (const double number :
+         {color.r, color.g, color.b, material.parameter, static_cast<double>(material.type),
+          static_cast<double>(material.fresnel)}) {
+      mix(number);
+    }
+  }
+  return identity;
+}
+
+GroupRepeats::Outcome GroupRepeats::repeat(std::uint32_t contents, const Placing& group,
+                                           const Placing& in_world, const World& world) {
+  const auto found = records_.find(contents);
+  if (found == records_.end()) return Outcome::Unknown;
   Record& record = found->second;
   if (record.contents.inherits() && !(in_world.material && is_finite(*in_world.material))) {
-    return false;
+    return Outcome::Unknown;
   }
+  if (record.contents.count() == 0) return Outcome::Added;
+  const bool may_be_instance = record.contents.count() > kSpheresPerInstance;
+  const Identity identity = may_be_instance ? identity_of(contents, record, in_world) : Identity{};
+  if (may_be_instance && places_.contains(identity)) {
+    // Duplicates of plain spheres are found, and told of, one by one.
+    if (stays_plain(record.contents, in_world, world)) return Outcome::Unknown;
+    skip(record.contents.count(), world);
+    return Outcome::Duplicate;
+  }
+
   const std::size_t spheres = world.spheres.spheres.size(), instances = instances_.size();
   const std::size_t runs = runs_.size();
   const std::uint64_t in_last_run = runs_.empty() ? 0 : runs_.back().count;
@@ -97,27 +180,37 @@ bool GroupRepeats::repeat(std::uint32_t contents, const Placing& group, const Pl
     instances_.resize(instances);
     runs_.resize(runs);
     if (runs > 0) runs_.back().count = in_last_run;
-    return false;
+    return Outcome::Unknown;
   }
+  record.is_used = true;
+  repeated_spheres_ += world.spheres.spheres.size() - spheres;
+  if (may_be_instance) places_.insert(identity);
   Recording* const current = recording();
   if (current != nullptr && !current->is_spoilt) {
-    const std::uint32_t inner = current->contents.add_group(current->groups.back(), group);
+    const std::uint32_t inner = current->contents.add_group(current->groups.back().group, group);
     current->contents.add_reference(inner, contents, record.contents);
-    if (recorded_bytes_ + current->contents.memory_bytes() > kMostRecordedBytes) spoil();
+    charge(sizeof(Placing) + sizeof(GroupContents::Reference));
   }
-  return true;
+  return Outcome::Added;
 }
 
 bool GroupRepeats::place(Record& record, const Placing& placing, const World& world) {
   const GroupContents& contents = record.contents;
   if (stays_plain(contents, placing, world)) {
-    if (contents.count() > world.most_objects - objects_in(world)) return false;
+    const std::uint64_t objects = objects_in(world);
+    if (objects > world.most_objects || contents.count() > world.most_objects - objects) {
+      return false;
+    }
     return add_spheres(contents, placing, world.spheres, world.materials);
   }
-  if (wants_prototype(record, world)) {
-    const auto prototype = prototype_of(record, placing.material, world.materials);
-    return prototype && add_instance(contents, *prototype, placing, world);
+  std::optional<std::uint32_t> inherited;
+  if (contents.inherits()) inherited = world.materials.index_of(*placing.material);
+  Use& use = record.uses[inherited];
+  if (!use.prototype && wants_prototype(contents, use, world)) {
+    use.prototype = make_prototype(contents, placing.material, world.materials);
+    if (!use.prototype) return false;
   }
+  if (use.prototype) return add_instance(contents, *use.prototype, placing, world);
   return contents.for_each(
       placing,
       [&](const InnerSphere& sphere, const Placing& there) {
@@ -132,42 +225,42 @@ bool GroupRepeats::place(Record& record, const Placing& placing, const World& wo
 bool GroupRepeats::stays_plain(const GroupContents& contents, const Placing& placing,
                                const World& world) const {
   // What turns while the shutter is open moves each sphere along a line of its own.
-  if (instancing_ == Instancing::Never || contents.count() == 0 || !placing.keeps_shape()) {
-    return true;
-  }
+  if (instancing_ == Instancing::Never || !placing.keeps_shape()) return true;
   if (instancing_ == Instancing::Always) return false;
   const std::size_t plain = world.spheres.spheres.size();
-  return contents.count() <= kSpheresPerInstance ||
-         (plain <= kMostPlainSpheres && contents.count() <= kMostPlainSpheres - plain);
+  if (contents.count() <= kSpheresPerInstance) return true;
+  if (plain <= kMostPlainSpheres && contents.count() <= kMostPlainSpheres - plain) return true;
+  // Instances make plain spheres half as large again, in double: few of them are not worth it.
+  const std::uint64_t repeated =
+      repeated_spheres_ + std::min(contents.count(), std::uint64_t{1} << 62);
+  return 3 * repeated < plain;
 }
 
 /// Whether a prototype of all of it takes less memory than its parts, placed one by one, have taken
 /// so far and would take now: at most twice what is best in the end.
-bool GroupRepeats::wants_prototype(Record& record, const World& world) const {
-  const GroupContents& contents = record.contents;
-  const bool may_be = contents.count() <= kMostPrototypeSpheres - prototype_spheres_ &&
-                      contents.count() <= world.most_objects - objects_in(world);
-  if (!record.prototypes.empty()) return true;
+bool GroupRepeats::wants_prototype(const GroupContents& contents, Use& use,
+                                   const World& world) const {
+  const std::uint64_t objects = objects_in(world);
+  const std::uint64_t slots = (contents.count() + 15) / 16 * 16;  // of a leaf
+  const bool may_be = slots <= kMostPrototypeSlots - prototype_slots_ &&
+                      objects <= world.most_objects &&
+                      contents.count() <= world.most_objects - objects;
   if (instancing_ == Instancing::Always) return may_be;
   std::uint64_t parts = contents.own_count();
   for (const GroupContents::Reference& reference : contents.references()) {
     parts += std::min(records_.at(reference.contents).contents.count(), kSpheresPerInstance);
   }
-  record.added += parts;
-  return may_be && record.added >= contents.count();
+  use.added += parts;
+  return may_be && use.added >= contents.count() + kSpheresPerPrototype;
 }
 
-std::optional<std::uint32_t> GroupRepeats::prototype_of(
-    Record& record, const std::optional<render::Material>& material, MaterialTable& materials) {
-  std::optional<std::uint32_t> inherited;
-  if (record.contents.inherits()) inherited = materials.index_of(*material);
-  const auto found = record.prototypes.find(inherited);
-  if (found != record.prototypes.end()) return found->second;
-
+std::optional<std::uint32_t> GroupRepeats::make_prototype(
+    const GroupContents& contents, const std::optional<render::Material>& material,
+    MaterialTable& materials) {
   Placing own;
   own.material = material;
   PlacedSpheres placed;
-  if (!add_spheres(record.contents, own, placed, materials)) return std::nullopt;
+  if (!add_spheres(contents, own, placed, materials)) return std::nullopt;
   if (!placed.shifts.empty()) placed.shifts.resize(placed.spheres.size());
   render::Prototype prototype{.spheres = std::move(placed.spheres),
                               .shifts = std::move(placed.shifts)};
@@ -177,16 +270,16 @@ std::optional<std::uint32_t> GroupRepeats::prototype_of(
   prototype.shifts.shrink_to_fit();
   const auto smallest = std::ranges::min_element(prototype.spheres, {}, &render::Sphere::radius);
   reaches_.push_back({.ball = render::ball_around(prototype), .smallest_radius = smallest->radius});
-  const auto index = static_cast<std::uint32_t>(prototypes_.size());
   prototype_spheres_ += prototype.spheres.size();
+  // No leaf is emptier than one of two on average, which bounds slots.
+  prototype_slots_ += 2 * ((prototype.spheres.size() + 15) / 16 * 16);
   prototypes_.push_back(std::move(prototype));
-  record.prototypes.emplace(inherited, index);
-  return index;
+  return static_cast<std::uint32_t>(prototypes_.size() - 1);
 }
 
 bool GroupRepeats::add_instance(const GroupContents& contents, std::uint32_t prototype,
                                 const Placing& placing, const World& world) {
-  if (objects_in(world) >= world.most_objects) return false;
+  if (objects_in(world) + kSpheresPerInstance > world.most_objects) return false;
   const auto& [opening, closing] = placing.placements;
   const render::Instance instance{
       .prototype = prototype, .placement = opening, .shift = closing.translate - opening.translate};
@@ -197,13 +290,17 @@ bool GroupRepeats::add_instance(const GroupContents& contents, std::uint32_t pro
                                  render::is_finite(instance.shift);
   if (!is_within_numbers) return false;
   instances_.push_back(instance);
+  skip(contents.count(), world);
+  return true;
+}
+
+void GroupRepeats::skip(std::uint64_t spheres, const World& world) {
   const std::size_t before = world.spheres.spheres.size();
   if (!runs_.empty() && runs_.back().before == before) {
-    runs_.back().count += contents.count();
+    runs_.back().count += spheres;
   } else {
-    runs_.push_back({.before = before, .count = contents.count()});
+    runs_.push_back({.before = before, .count = spheres});
   }
-  return true;
 }
 
 bool GroupRepeats::add_spheres(const GroupContents& contents, const Placing& placing,

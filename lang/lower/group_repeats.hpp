@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -23,12 +25,13 @@ enum class Instancing : std::uint8_t {
   Never,
 };
 
-/// So many spheres a scene may have before any are made instances: with 10^6 of them a ray takes
-/// half as long as through instances, and they fit every machine.
+/// So many spheres a scene may have before any are made instances: rays are faster without them,
+/// and a million fits every machine.
 inline constexpr std::size_t kMostPlainSpheres = std::size_t{1} << 20;
 
-/// So many spheres take as much memory as an instance: 264 bytes, against 96 of a sphere.
-inline constexpr std::uint64_t kSpheresPerInstance = 3;
+/// So many spheres take as much memory as an instance, 264 bytes against 96, and as the node, the
+/// leaf and the lists of a prototype beside its spheres, some 2 KB.
+inline constexpr std::uint64_t kSpheresPerInstance = 3, kSpheresPerPrototype = 20;
 
 /// Records what groups hold while it is added for the first time, and adds it again from that.
 class GroupRepeats {
@@ -52,20 +55,30 @@ class GroupRepeats {
   // group around them.
   void enter(const Placing& group);
   void leave();
-  /// The group entered just now is the first with the contents of this number.
-  void begin(std::uint32_t contents);
+  /// The group entered just now, which stands so in the world, is the first with the contents of
+  /// this number.
+  void begin(std::uint32_t contents, const Placing& in_world);
   void add_sphere(const InnerSphere& sphere);
   /// Something was added that cannot be added again from a record.
   void spoil();
+  /// Contents of this number will not be repeated.
+  void forget(std::uint32_t contents);
 
+  enum class Outcome : std::uint8_t {
+    Added,
+    Duplicate,  ///< nothing done: an equal one stands in the very place
+    Unknown,  ///< nothing done: it was not recorded, or something is wrong with it there, which is
+              ///< to be found by adding it in the usual way
+  };
   /// Adds to the world a group with contents of this number: `group` as it stands in the group
-  /// around it, `in_world` as it stands there. False, with nothing done, where they were not
-  /// recorded, or what is wrong with them there is to be found by adding them in the usual way.
-  bool repeat(std::uint32_t contents, const Placing& group, const Placing& in_world,
-              const World& world);
+  /// around it, `in_world` as it stands there.
+  Outcome repeat(std::uint32_t contents, const Placing& group, const Placing& in_world,
+                 const World& world);
 
-  /// Instances, and spheres of prototypes.
-  std::uint64_t object_count() const noexcept { return prototype_spheres_ + instances_.size(); }
+  /// Spheres of prototypes, and instances in spheres' stead.
+  std::uint64_t object_count() const noexcept {
+    return prototype_spheres_ + kSpheresPerInstance * instances_.size();
+  }
   /// By Run::before.
   const std::vector<Run>& runs() const noexcept { return runs_; }
   /// Hands them over; what was recorded is forgotten.
@@ -75,16 +88,34 @@ class GroupRepeats {
  private:
   /// What is being recorded.
   struct Recording {
+    /// A group that is open, and how much came before it.
+    struct Open {
+      std::uint32_t group = 0;
+      std::size_t parts = 0;
+    };
+
     std::uint32_t number;
+    Placing in_world;
     GroupContents contents;
-    std::vector<std::uint32_t> groups;  ///< that are open, the innermost last; the first is 0
+    std::vector<Open> groups;  ///< the innermost last; the first is the group itself
+    std::size_t bytes = 0;
     bool is_spoilt = false;
+  };
+  /// What was repeated with one material for what inherits one.
+  struct Use {
+    std::uint64_t added = 0;  ///< in spheres: memory that repetitions took without a prototype
+    std::optional<std::uint32_t> prototype;
   };
   struct Record {
     GroupContents contents;
-    std::uint64_t added = 0;  ///< in spheres: memory that its repetitions took without a prototype
-    /// Index of the prototype with this material for what inherits one.
-    std::map<std::optional<std::uint32_t>, std::uint32_t> prototypes;
+    std::size_t bytes = 0;
+    bool is_used = false;  ///< repeated, or a part of others
+    std::map<std::optional<std::uint32_t>, Use> uses;
+  };
+  /// A group in its place, told from others by 128 bits.
+  using Identity = std::array<std::uint64_t, 2>;
+  struct IdentityHash {
+    std::size_t operator()(const Identity& identity) const noexcept { return identity[0]; }
   };
 
   /// Of the scene's spheres and instances.
@@ -93,15 +124,22 @@ class GroupRepeats {
   }
   Recording* recording() { return recordings_.empty() ? nullptr : &recordings_.back(); }
   void finish_recording();
+  /// Counts what is recorded; the recording is given up where there is too much.
+  void charge(std::size_t bytes);
+  /// Forgets records that nothing has repeated.
+  void drop_unused();
+  Identity identity_of(std::uint32_t contents, const Record& record, const Placing& in_world) const;
   bool place(Record& record, const Placing& placing, const World& world);
   bool stays_plain(const GroupContents& contents, const Placing& placing, const World& world) const;
-  bool wants_prototype(Record& record, const World& world) const;
+  bool wants_prototype(const GroupContents& contents, Use& use, const World& world) const;
   /// Nothing where its numbers are beyond double.
-  std::optional<std::uint32_t> prototype_of(Record& record,
-                                            const std::optional<render::Material>& material,
-                                            MaterialTable& materials);
+  std::optional<std::uint32_t> make_prototype(const GroupContents& contents,
+                                              const std::optional<render::Material>& material,
+                                              MaterialTable& materials);
   bool add_instance(const GroupContents& contents, std::uint32_t prototype, const Placing& placing,
                     const World& world);
+  /// Counts spheres that are none of the world's own.
+  void skip(std::uint64_t spheres, const World& world);
   /// All of it as spheres.
   bool add_spheres(const GroupContents& contents, const Placing& placing, PlacedSpheres& to,
                    MaterialTable& materials) const;
@@ -109,7 +147,10 @@ class GroupRepeats {
   Instancing instancing_;
   std::vector<Recording> recordings_;  // the innermost last
   std::unordered_map<std::uint32_t, Record> records_;
-  std::size_t recorded_bytes_ = 0;
+  std::size_t recorded_bytes_ = 0;  // of records and recordings
+  bool is_full_ = false;            // of records that are in use
+  std::unordered_set<Identity, IdentityHash> places_;
+  std::uint64_t repeated_spheres_ = 0;  // that stand in the world as plain ones
   std::vector<render::Prototype> prototypes_;
   /// Of each prototype, what says whether it is within numbers in some place.
   struct Reach {
@@ -117,7 +158,7 @@ class GroupRepeats {
     double smallest_radius;
   };
   std::vector<Reach> reaches_;
-  std::uint64_t prototype_spheres_ = 0;
+  std::uint64_t prototype_spheres_ = 0, prototype_slots_ = 0;
   std::vector<render::Instance> instances_;
   std::vector<Run> runs_;
 };

@@ -107,9 +107,13 @@ void SceneBuilder::leave() {
 
 bool SceneBuilder::repeat(const Object& object, std::uint32_t contents) {
   const Group group = read_group(object);
-  return repeats_.repeat(
+  const auto outcome = repeats_.repeat(
       contents, group.placing, in_world(group).placing,
       {.spheres = world_, .materials = materials_, .most_objects = limits_.objects});
+  if (outcome == GroupRepeats::Outcome::Duplicate) {
+    sink_->report(diag::duplicate_sphere, object.where, "group is the same as an earlier one");
+  }
+  return outcome != GroupRepeats::Outcome::Unknown;
 }
 
 bool SceneBuilder::may_hold_another(Location where) {

@@ -93,6 +93,10 @@ struct DroppedSphere {
   bool has_other_material;
 };
 
+/// Spheres and instances that a scene may have whatever the limits are: they have numbers of 32
+/// bits, and their tables some that are empty.
+inline constexpr std::uint64_t kMostObjects = std::uint64_t{1} << 31;
+
 /// What a scene is made for.
 enum class Purpose : std::uint8_t {
   Picture,  ///< of one camera, which must be there
@@ -106,7 +110,9 @@ class SceneBuilder final : public ObjectSink {
   /// `file` is the root, and the place of a fault that has no other.
   SceneBuilder(const SourceFile& file, const Limits& limits, DiagnosticSink& sink,
                Purpose purpose = Purpose::Picture, Instancing instancing = Instancing::Auto)
-      : file_(&file), limits_(limits), sink_(&sink), purpose_(purpose), repeats_(instancing) {}
+      : file_(&file), limits_(limits), sink_(&sink), purpose_(purpose), repeats_(instancing) {
+    limits_.objects = std::min(limits_.objects, kMostObjects);
+  }
 
   /// Memory that no sphere is written to costs nothing.
   void expect(std::size_t objects) override {
@@ -117,7 +123,10 @@ class SceneBuilder final : public ObjectSink {
   void leave() override;
   /// A check looks at every sphere where it stands.
   bool wants_contents() const override { return purpose_ == Purpose::Picture; }
-  void begin_contents(std::uint32_t contents) override { repeats_.begin(contents); }
+  void begin_contents(std::uint32_t contents) override {
+    repeats_.begin(contents, groups_.back().placing);
+  }
+  void forget_contents(std::uint32_t contents) override { repeats_.forget(contents); }
   bool repeat(const Object& group, std::uint32_t contents) override;
 
   /// The scene: all of it unless an error has been reported, here or before; else what could be
@@ -146,9 +155,9 @@ class SceneBuilder final : public ObjectSink {
 
   /// A group around what is added.
   struct Group {
-    Placing placing;           ///< in the world
-    render::Placement middle;  ///< half-way between the opening and the closing; of a check
-    bool is_turning = false;  ///< while the shutter is open; of a check
+    Placing placing;                ///< in the world
+    render::Placement middle;       ///< half-way between the opening and the closing; of a check
+    bool is_turning = false;        ///< while the shutter is open; of a check
     bool has_bad_material = false;  ///< one is written that was wrong, here or further out
   };
 

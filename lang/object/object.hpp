@@ -137,6 +137,8 @@ class ObjectSink {
   virtual bool wants_contents() const { return false; }
   /// The group entered just now is the first that holds the contents of this number.
   virtual void begin_contents(std::uint32_t /*contents*/) {}
+  /// Those of this number will not be repeated.
+  virtual void forget_contents(std::uint32_t /*contents*/) {}
   /// Does for `group` what enter(), all that the contents of this number were and leave() would do.
   /// False where it cannot, and has done nothing: they are then added once more.
   virtual bool repeat(const Object& /*group*/, std::uint32_t /*contents*/) { return false; }

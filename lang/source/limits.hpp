@@ -49,7 +49,7 @@ inline constexpr std::array<LimitInfo, 5> kLimits{{
     {"steps", &Limits::steps,
      "steps of one evaluation: a turn of a loop and a call are 1, an instance is 8, an include 50 "
      "and 1 for every 32 bytes of its file"},
-    {"objects", &Limits::objects, "spheres of a scene; an instance of many is 1"},
+    {"objects", &Limits::objects, "spheres of a scene; an instance of many is 3"},
     {"string", &Limits::string, "bytes of one string"},
     {"include-depth", &Limits::include_depth, "files that import or include each other"},
     {"file", &Limits::file, "bytes of one .scene file"},
