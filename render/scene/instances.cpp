@@ -99,6 +99,24 @@ std::vector<Ball> balls_around(const std::vector<Prototype>& prototypes) {
   return balls;
 }
 
+namespace {
+
+/// An instance as seen from a camera.
+struct SeenInstance {
+  double away = 0;    // from the camera to the middle of its ball, at the opening
+  double moves = 0;   // up to the closing
+  double radius = 0;  // of its ball
+
+  SeenInstance(const Instance& instance, const Ball& ball, const CameraFrame& frame)
+      : away(moderate_length(frame.place(instance.placement.apply(ball.center)))),
+        moves(moderate_length(frame.size(instance.shift))),
+        radius(frame.size(ball.radius * instance.placement.scale)) {}
+
+  double extent() const { return away + moves + radius; }
+};
+
+}  // namespace
+
 InstanceExtremes extremes_of_instances(const Scene& scene, const CameraFrame& frame) {
   const InstanceExtremes none{.radius = kInfinity, .extent = 0, .distance = kInfinity};
   if (scene.instances.empty()) return none;
@@ -109,22 +127,12 @@ InstanceExtremes extremes_of_instances(const Scene& scene, const CameraFrame& fr
   }
   const auto add = [&](InstanceExtremes& extremes, std::size_t i) {
     const Instance& instance = scene.instances[i];
-    const Ball& ball = balls[instance.prototype];
-    const double scale = instance.placement.scale, radius = frame.size(ball.radius * scale);
-    const double away = moderate_length(frame.place(instance.placement.apply(ball.center)));
-    const double moves = moderate_length(frame.size(instance.shift));
-    extremes.radius = std::min(extremes.radius, frame.size(smallest[instance.prototype] * scale));
-    extremes.extent = std::max(extremes.extent, away + moves + radius);
-    if (away - moves > radius) {
-      extremes.distance = std::min(extremes.distance, away - moves - radius);
-    } else if (moves == 0) {
-      for (const Sphere& sphere : scene.prototypes[instance.prototype].spheres) {
-        const Sphere there = placed(instance, sphere);
-        const double of_sphere = frame.size(there.radius);
-        const double to_surface = std::fabs(moderate_length(frame.place(there.center)) - of_sphere);
-        if (to_surface <= kCoincidenceTolerance * of_sphere) continue;  // it stands on it
-        extremes.distance = std::min(extremes.distance, to_surface);
-      }
+    const SeenInstance seen(instance, balls[instance.prototype], frame);
+    const double least = smallest[instance.prototype] * instance.placement.scale;
+    extremes.radius = std::min(extremes.radius, frame.size(least));
+    extremes.extent = std::max(extremes.extent, seen.extent());
+    if (seen.away - seen.moves > seen.radius) {
+      extremes.distance = std::min(extremes.distance, seen.away - seen.moves - seen.radius);
     }
   };
   const auto join = [](InstanceExtremes& extremes, const InstanceExtremes& later) {
@@ -132,7 +140,31 @@ InstanceExtremes extremes_of_instances(const Scene& scene, const CameraFrame& fr
     extremes.extent = std::max(extremes.extent, later.extent);
     extremes.distance = std::min(extremes.distance, later.distance);
   };
-  return reduce_indices(scene.instances.size(), none, add, join);
+  InstanceExtremes extremes = reduce_indices(scene.instances.size(), none, add, join);
+
+  std::size_t looks = 10'000'000;
+  for (const Instance& instance : scene.instances) {
+    const std::vector<Sphere>& spheres = scene.prototypes[instance.prototype].spheres;
+    const SeenInstance seen(instance, balls[instance.prototype], frame);
+    if (seen.away > seen.radius || seen.moves > 0 || spheres.size() > looks) continue;
+    looks -= spheres.size();
+    for (const Sphere& sphere : spheres) {
+      const Sphere there = placed(instance, sphere);
+      const double of_sphere = frame.size(there.radius);
+      const double to_surface = std::fabs(moderate_length(frame.place(there.center)) - of_sphere);
+      if (to_surface <= kCoincidenceTolerance * of_sphere) continue;  // it stands on it
+      extremes.distance = std::min(extremes.distance, to_surface);
+    }
+  }
+  return extremes;
+}
+
+double extent_of_instances(const Scene& scene, const CameraFrame& frame) {
+  const std::vector<Ball> balls = balls_around(scene.prototypes);
+  return largest_of(scene.instances.size(), 0, [&](std::size_t i) {
+    const Instance& instance = scene.instances[i];
+    return SeenInstance(instance, balls[instance.prototype], frame).extent();
+  });
 }
 
 std::vector<InstancedSphere> find_instanced_under_camera(const Scene& scene) {

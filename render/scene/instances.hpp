@@ -28,11 +28,15 @@ Scene without_instances(Scene scene);
 struct InstanceExtremes {
   double radius;    ///< of the smallest sphere; infinite without instances
   double extent;    ///< at least the distance from the camera to the far side of the farthest one
-  double distance;  ///< at most that from the camera to the nearest surface
+  double distance;  ///< from the camera to the nearest surface: at most, from outside the balls
+                    ///< around instances; in those that stand still, that of spheres at opening
 };
-/// O(instances + spheres of prototypes) time, and the spheres of each instance whose ball the
-/// camera is in.
+/// O(instances + spheres of prototypes) time, and the spheres of instances whose ball the camera is
+/// in, some 10^7 of them at most.
 InstanceExtremes extremes_of_instances(const Scene& scene, const CameraFrame& frame);
+
+/// InstanceExtremes::extent alone. O(instances + spheres of prototypes) time.
+double extent_of_instances(const Scene& scene, const CameraFrame& frame);
 
 /// A sphere of an instance, by the index of each.
 struct InstancedSphere {

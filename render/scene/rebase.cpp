@@ -63,7 +63,7 @@ Rebase::Rebase(const Scene& scene, std::span<const std::uint32_t> left_out)
     if (scene.shifts.empty()) return opened;
     return std::max(opened, moderate_length(center + frame_.size(scene.shifts[i])) + radius);
   });
-  extent = std::max(extent, extremes_of_instances(scene, frame_).extent);
+  extent = std::max(extent, extent_of_instances(scene, frame_));
   const int e = -exponent_of(extent);
   first_ = power_of_two(e / 2);
   second_ = power_of_two(e - e / 2);

@@ -322,7 +322,9 @@ class BvhSearch {
     constexpr std::uint32_t kNone = 0xFFFFFFFF;
     const bool is_within = hit.sphere.row == row;
     const std::uint32_t known = is_within ? hit.sphere.slot : kNone;
-    const T t_known = hit.t * inverse_scale;
+    // Of two at one distance the world decides, below: here rounding must not.
+    constexpr T kSlack = 1 + 4 * std::numeric_limits<T>::epsilon();
+    const T t_known = is_within ? hit.t * inverse_scale : hit.t * inverse_scale * kSlack;
     Hit here{t_known, known};
     find(root, ray, departed.row == row ? departed.slot : kNone, here);
     if (here.slot == known && here.t == t_known) return;  // before anything is hit, slot 0 is known

@@ -243,13 +243,17 @@ std::size_t WideScene<T>::estimated_bytes(const Scene& scene, Search search) noe
   const std::size_t of_material = 3 * sizeof(T) + sizeof(std::uint32_t);  // optics are few
   if (search == Search::All) return scene.spheres.size() * (of_sphere + of_material + sizeof(T));
   // A tenth of the slots stays empty, and a quarter of the children of nodes.
-  std::size_t spheres = scene.spheres.size();
-  for (const Prototype& prototype : scene.prototypes) spheres += prototype.spheres.size();
-  const std::size_t slots = spheres / 9 * 10 + kBvhWidth;
-  const std::size_t nodes = slots / kBvhWidth / 12 + 1;
-  const std::size_t of_instance = InstanceTable::kRowSize * sizeof(T) + of_sphere;
-  return scene.instances.size() * of_instance + slots * (of_sphere + 2 * sizeof(std::uint32_t)) +
-         scene.materials.size() * of_material + nodes * sizeof(typename WideBvh<T>::Node);
+  const auto hierarchy = [&](std::size_t spheres) {
+    const std::size_t slots = (spheres / 9 * 10 + kBvhWidth) / kBvhWidth * kBvhWidth;
+    const std::size_t nodes = slots / kBvhWidth / 12 + 1;
+    return slots * (of_sphere + 2 * sizeof(std::uint32_t)) +
+           nodes * sizeof(typename WideBvh<T>::Node);
+  };
+  std::size_t bytes = scene.materials.size() * of_material + hierarchy(scene.spheres.size());
+  for (const Prototype& prototype : scene.prototypes) bytes += hierarchy(prototype.spheres.size());
+  if (scene.instances.empty()) return bytes;
+  return bytes + hierarchy(scene.instances.size()) +
+         scene.instances.size() * InstanceTable::kRowSize * sizeof(T);
 }
 
 template struct WideScene<float>;

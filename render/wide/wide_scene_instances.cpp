@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include <tbb/parallel_for.h>
+
 #include "render/scene/instances.hpp"
 #include "render/wide/instance_table.hpp"
 #include "render/wide/wide_scene.hpp"
@@ -14,13 +16,22 @@ auto WideScene<T>::add_hierarchies(const Scene& scene, const Prototype& balls)
     -> std::vector<Part> {
   std::vector<Part> parts;
   parts.reserve(scene.prototypes.size() + 1);
-  const auto add_hierarchy = [&](const Prototype& of) {
+  // Those of large prototypes are built by several threads, those of small ones at once.
+  std::vector<WideBvh<T>> trees(scene.prototypes.size() + 1);
+  tbb::parallel_for(std::size_t{0}, trees.size(), [&](std::size_t i) {
+    const Prototype& of = i < scene.prototypes.size() ? scene.prototypes[i] : balls;
     Scene part;
     part.spheres = of.spheres;
     part.shifts = of.shifts;
     std::vector<std::uint32_t> members(of.spheres.size());
     std::iota(members.begin(), members.end(), 0U);
-    WideBvh<T> tree(part, members);
+    trees[i] = WideBvh<T>(part, members);
+  });
+  std::size_t nodes = bvh.nodes.size();
+  for (const WideBvh<T>& tree : trees) nodes += tree.nodes.size();
+  bvh.nodes.reserve(nodes);
+  instances.world_root = bvh.nodes.empty() ? InstanceTable::kNone : 0;
+  for (WideBvh<T>& tree : trees) {
     // Slots of a leaf begin at whole vectors.
     const std::size_t first_slot = (slots + kBvhWidth - 1) / kBvhWidth * kBvhWidth;
     const auto first_leaf = static_cast<std::uint32_t>(first_slot / kBvhWidth);
@@ -29,14 +40,12 @@ auto WideScene<T>::add_hierarchies(const Scene& scene, const Prototype& balls)
       for (std::uint32_t& child : node.children) {
         child += (child & WideBvh<T>::kLeaf) != 0 ? first_leaf : first_node;
       }
+      bvh.nodes.push_back(node);
     }
-    bvh.nodes.insert(bvh.nodes.end(), tree.nodes.begin(), tree.nodes.end());
     slots = first_slot + tree.slots.size();
     parts.push_back({.order = std::move(tree.slots), .first_slot = first_slot, .root = first_node});
-  };
-  instances.world_root = bvh.nodes.empty() ? InstanceTable::kNone : 0;
-  for (const Prototype& prototype : scene.prototypes) add_hierarchy(prototype);
-  add_hierarchy(balls);
+    tree = {};
+  }
   first_exact = slots;
   return parts;
 }

@@ -375,6 +375,35 @@ TEST_P(BvhPaths, AreTheSameWhereASphereTouchesAGroundMetInDouble) {
   EXPECT_TRUE(bvh.picture.pixels == all.picture.pixels);
 }
 
+// The middle column of the picture lies in the plane on which mirror images meet: both are hit at
+// one distance, and as they are far apart they are mostly in different leaves.
+TEST_P(BvhPaths, TakeTheFirstOfSpheresAtOneDistance) {
+  Random random(17);
+  Scene scene = test::beam_scene({0, 0, 3}, {0, 0, 0}, LinearRgb{0});
+  constexpr int kPairs = 120;
+  for (int i = 0; i < kPairs; ++i) {
+    const double y = 0.9 * (2.0 * i / kPairs - 1), z = random.between(-0.3, 0.3);
+    const double apart = random.between(0.2, 0.5), side = random.between(-1, 1) > 0 ? 1 : -1;
+    for (const double x : {side * apart, -side * apart}) {
+      test::add_sphere(scene, {x, y, z}, apart + 0.03, test::unlit({x > 0 ? 1.0 : 0.0, 0.5, 0}));
+    }
+  }
+  constexpr int kSide = 63;
+  scene.camera.plane_height = kSide / 64.0;  // the middle of the column is 0 without rounding
+  constexpr RenderSettings kSettings{.width = kSide, .height = kSide, .samples = 1, .depth = 2};
+  KernelRequest request = GetParam().request();
+  const RenderResult all = render_with(scene, kSettings, request);
+  request.kind = KernelKind::Bvh;
+  const RenderResult bvh = render_with(scene, kSettings, request);
+  EXPECT_TRUE(bvh.picture.pixels == all.picture.pixels);
+  int left = 0, right = 0;
+  for (int row = 0; row < kSide; ++row) {
+    const LinearRgb pixel = bvh.picture.at(kSide / 2, row);
+    if (pixel.g > 0) ++(pixel.r > 0 ? right : left);
+  }
+  EXPECT_GT(std::min(left, right), 10) << "either is first now and then";
+}
+
 double largest_difference(const Picture& a, const Picture& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
