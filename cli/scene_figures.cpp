@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "render/math/color.hpp"
+#include "render/scene/ball.hpp"
 #include "render/scene/instances.hpp"
 
 namespace sdlc::cli {

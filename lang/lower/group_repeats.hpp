@@ -12,7 +12,7 @@
 
 #include "lang/lower/group_contents.hpp"
 #include "lang/lower/material_table.hpp"
-#include "render/scene/rebase.hpp"
+#include "render/scene/ball.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::lang {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "render/scene/ball.hpp"
 #include "render/scene/camera_surface.hpp"
 #include "render/scene/ranges.hpp"
 #include "render/scene/suspects.hpp"
@@ -15,12 +16,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Where a sphere of the prototype is at the closing of the shutter.
-Vec3 closing(const Prototype& prototype, std::size_t i) noexcept {
-  const Vec3 center = prototype.spheres[i].center;
-  return prototype.shifts.empty() ? center : center + prototype.shifts[i];
-}
-
 double smallest_radius(const Prototype& prototype) noexcept {
   double smallest = kInfinity;
   for (const Sphere& sphere : prototype.spheres) {
@@ -28,6 +23,20 @@ double smallest_radius(const Prototype& prototype) noexcept {
   }
   return smallest;
 }
+
+/// An instance as seen from a camera.
+struct SeenInstance {
+  double away = 0;    // from the camera to the middle of its ball, at the opening
+  double moves = 0;   // up to the closing
+  double radius = 0;  // of its ball
+
+  SeenInstance(const Instance& instance, const Ball& ball, const CameraFrame& frame)
+      : away(moderate_length(frame.place(instance.placement.apply(ball.center)))),
+        moves(moderate_length(frame.size(instance.shift))),
+        radius(frame.size(ball.radius * instance.placement.scale)) {}
+
+  double extent() const { return away + moves + radius; }
+};
 
 }  // namespace
 
@@ -72,50 +81,6 @@ Scene without_instances(Scene scene) {
   scene.instances.clear();
   return scene;
 }
-
-Ball ball_around(const Prototype& prototype) noexcept {
-  Vec3 low{kInfinity, kInfinity, kInfinity}, high = -low;
-  const auto take = [&](Vec3 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  };
-  for (std::size_t i = 0; i < prototype.spheres.size(); ++i) {
-    take(prototype.spheres[i].center);
-    take(closing(prototype, i));
-  }
-  Ball ball{.center = low * 0.5 + high * 0.5, .radius = 0};
-  for (std::size_t i = 0; i < prototype.spheres.size(); ++i) {
-    const double from_middle = std::max(moderate_length(prototype.spheres[i].center - ball.center),
-                                        moderate_length(closing(prototype, i) - ball.center));
-    ball.radius = std::max(ball.radius, from_middle + prototype.spheres[i].radius);
-  }
-  return ball;
-}
-
-std::vector<Ball> balls_around(const std::vector<Prototype>& prototypes) {
-  std::vector<Ball> balls;
-  balls.reserve(prototypes.size());
-  for (const Prototype& prototype : prototypes) balls.push_back(ball_around(prototype));
-  return balls;
-}
-
-namespace {
-
-/// An instance as seen from a camera.
-struct SeenInstance {
-  double away = 0;    // from the camera to the middle of its ball, at the opening
-  double moves = 0;   // up to the closing
-  double radius = 0;  // of its ball
-
-  SeenInstance(const Instance& instance, const Ball& ball, const CameraFrame& frame)
-      : away(moderate_length(frame.place(instance.placement.apply(ball.center)))),
-        moves(moderate_length(frame.size(instance.shift))),
-        radius(frame.size(ball.radius * instance.placement.scale)) {}
-
-  double extent() const { return away + moves + radius; }
-};
-
-}  // namespace
 
 InstanceExtremes extremes_of_instances(const Scene& scene, const CameraFrame& frame) {
   const InstanceExtremes none{.radius = kInfinity, .extent = 0, .distance = kInfinity};

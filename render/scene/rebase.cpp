@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/math/power_of_two.hpp"
+#include "render/scene/ball.hpp"
 #include "render/scene/instances.hpp"
 #include "render/scene/near_pairs.hpp"
 #include "render/scene/ranges.hpp"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "render/scene/ball.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::render {
@@ -36,14 +36,6 @@ inline double moderate_length(Vec3 v) noexcept {
   const double squared = length_squared(v);
   return squared >= kLeast && squared < kMost ? std::sqrt(squared) : length_of_extreme(v);
 }
-
-/// A ball around all spheres of a prototype, over the whole shutter.
-struct Ball {
-  Vec3 center;
-  double radius = 0;
-};
-Ball ball_around(const Prototype& prototype) noexcept;
-std::vector<Ball> balls_around(const std::vector<Prototype>& prototypes);
 
 /// What rebase_to_camera() makes of a scene's spheres, to look at without a copy of all of them.
 class Rebase {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "render/scene/ball.hpp"
 #include "render/scene/instances.hpp"
-#include "render/scene/rebase.hpp"
 
 namespace sdlc::render {
 
