@@ -68,12 +68,6 @@ void GroupContents::add_reference(std::uint32_t group, std::uint32_t number,
   count_ += std::min(room, contents.count_);
 }
 
-std::size_t GroupContents::memory_bytes() const noexcept {
-  return groups_.size() * sizeof(Group) +
-         spheres_.size() * (sizeof(InnerSphere) + sizeof(std::uint32_t)) +
-         references_.size() * sizeof(Reference);
-}
-
 /// Whether no group from `group` outwards has a material.
 bool GroupContents::inherits_through(std::uint32_t group) const noexcept {
   for (; group != 0; group = groups_[group - 1].parent) {

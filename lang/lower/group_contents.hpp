@@ -63,7 +63,6 @@ class GroupContents {
   void add_sphere(std::uint32_t group, const InnerSphere& sphere);
   void add_reference(std::uint32_t group, std::uint32_t number, const GroupContents& contents);
 
-  std::size_t memory_bytes() const noexcept;
   /// With those of references, each as often as it stands there; 2^64 - 1 where there are more.
   std::uint64_t count() const noexcept { return count_; }
   /// Whether a sphere gets its material from outside.

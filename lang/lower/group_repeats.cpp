@@ -17,10 +17,8 @@ constexpr std::size_t kMostRecordedBytes = std::size_t{96} << 20;
 // Slots of spheres have 32 bits in the tables that they are traced from, some of them empty.
 constexpr std::uint64_t kMostPrototypeSlots = std::uint64_t{1} << 31;
 
-bool is_finite(const render::Material& material) {
-  return material.type != render::MaterialType::Emissive ||
-         render::is_finite(material.color * material.parameter);
-}
+/// At most: no leaf is emptier than one of two on average.
+std::uint64_t slots_of(std::uint64_t spheres) { return 2 * ((spheres + 15) / 16 * 16); }
 
 std::uint32_t material_of(const InnerSphere& sphere, const Placing& placing,
                           MaterialTable& materials) {
@@ -159,7 +157,7 @@ GroupRepeats::Outcome GroupRepeats::repeat(std::uint32_t contents, const Placing
   const auto found = records_.find(contents);
   if (found == records_.end()) return Outcome::Unknown;
   Record& record = found->second;
-  if (record.contents.inherits() && !(in_world.material && is_finite(*in_world.material))) {
+  if (record.contents.inherits() && !(in_world.material && has_finite_light(*in_world.material))) {
     return Outcome::Unknown;
   }
   if (record.contents.count() == 0) return Outcome::Added;
@@ -241,8 +239,8 @@ bool GroupRepeats::stays_plain(const GroupContents& contents, const Placing& pla
 bool GroupRepeats::wants_prototype(const GroupContents& contents, Use& use,
                                    const World& world) const {
   const std::uint64_t objects = objects_in(world);
-  const std::uint64_t slots = (contents.count() + 15) / 16 * 16;  // of a leaf
-  const bool may_be = slots <= kMostPrototypeSlots - prototype_slots_ &&
+  const bool may_be = contents.count() <= kMostPrototypeSlots &&
+                      slots_of(contents.count()) <= kMostPrototypeSlots - prototype_slots_ &&
                       objects <= world.most_objects &&
                       contents.count() <= world.most_objects - objects;
   if (instancing_ == Instancing::Always) return may_be;
@@ -271,8 +269,7 @@ std::optional<std::uint32_t> GroupRepeats::make_prototype(
   const auto smallest = std::ranges::min_element(prototype.spheres, {}, &render::Sphere::radius);
   reaches_.push_back({.ball = render::ball_around(prototype), .smallest_radius = smallest->radius});
   prototype_spheres_ += prototype.spheres.size();
-  // No leaf is emptier than one of two on average, which bounds slots.
-  prototype_slots_ += 2 * ((prototype.spheres.size() + 15) / 16 * 16);
+  prototype_slots_ += slots_of(prototype.spheres.size());
   prototypes_.push_back(std::move(prototype));
   return static_cast<std::uint32_t>(prototypes_.size() - 1);
 }

@@ -20,6 +20,11 @@ std::uint32_t hash(const render::Material& material) {
 
 }  // namespace
 
+bool has_finite_light(const render::Material& material) noexcept {
+  return material.type != render::MaterialType::Emissive ||
+         is_finite(material.color * material.parameter);
+}
+
 std::uint32_t MaterialTable::index_of(const render::Material& material) {
   if (2 * materials_.size() >= slots_.size()) grow();
   const std::uint32_t own_hash = hash(material);

@@ -7,6 +7,9 @@
 
 namespace sdlc::lang {
 
+/// Whether all the light that it gives off is a number.
+bool has_finite_light(const render::Material& material) noexcept;
+
 /// The materials of a scene, each once: spheres with equal materials share it.
 class MaterialTable {
  public:

@@ -146,8 +146,7 @@ void SceneBuilder::add_sphere(const Object& object) {
     sink_->report(diag::zero_radius, object.location(kRadius));
     return;
   }
-  if (material->type == render::MaterialType::Emissive &&
-      !is_finite(material->color * material->parameter)) {
+  if (!has_finite_light(*material)) {
     sink_->report(diag::beyond_numbers, object.location(kMaterial),
                   "the light's color * intensity");
     return;

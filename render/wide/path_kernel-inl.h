@@ -87,6 +87,9 @@ class WidePaths {
                        Nearest& nearest) const;
   void intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed, Mask alive,
                      Nearest& nearest) const;
+  template <typename Find>
+  static HWY_INLINE void find_one_by_one(Bits departed, Mask alive, Nearest& nearest,
+                                         const Find& find);
   void intersect_placed(Triple<V> origin, Triple<V> direction, V time, Bits departed, Mask alive,
                         Nearest& nearest) const;
   HWY_INLINE V place_in_world(Bits index, V time, Triple<V>& center) const;
@@ -317,11 +320,11 @@ void WidePaths<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction, V t
 template <typename T, typename F>
 void WidePaths<T, F>::intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed,
                                     Mask alive, Nearest& nearest) const {
-  const D d;
-  const DU du;
   using Search = BvhSearch<T, F::kMotion>;
   const typename Search::Rays rays(origin, direction, time);
   if constexpr (Search::kParts == 1) {
+    const D d;
+    const DU du;
     using Wave = BvhWave<T, F::kMotion>;
     typename Wave::Hits hits;
     alignas(64) std::array<std::uint32_t, kLanes> left;
@@ -332,35 +335,24 @@ void WidePaths<T, F>::intersect_bvh(Triple<V> origin, Triple<V> direction, V tim
     nearest = {hn::Load(d, hits.t.data()), hn::Load(du, hits.slot.data())};
   } else {
     const Search search(scene_);
-    alignas(64) std::array<T, kLanes> distances;
-    alignas(64) std::array<Word, kLanes> left, indices;
-    hn::Store(nearest.t, d, distances.data());
-    hn::Store(departed, du, left.data());
-    hn::Store(nearest.index, du, indices.data());
-    for (std::uint32_t lanes = bits_of(d, alive); lanes != 0; lanes &= lanes - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-      typename Search::Hit hit{distances[lane], static_cast<std::uint32_t>(indices[lane])};
-      search.find(0, typename Search::Ray(rays, lane), static_cast<std::uint32_t>(left[lane]), hit);
-      distances[lane] = hit.t;
-      indices[lane] = hit.slot;
-    }
-    nearest = {hn::Load(d, distances.data()), hn::Load(du, indices.data())};
+    const auto find = [&](std::size_t lane, Word left, T& t, Word& index) HWY_ATTR {
+      typename Search::Hit hit{t, static_cast<std::uint32_t>(index)};
+      search.find(0, typename Search::Ray(rays, lane), static_cast<std::uint32_t>(left), hit);
+      t = hit.t;
+      index = hit.slot;
+    };
+    find_one_by_one(departed, alive, nearest, find);
   }
 }
 
-/// The same where some of them are instances'.
+/// Calls `find(lane, departed, t, index)` with the numbers of each lane of `alive`, the last two of
+/// `nearest`, to be replaced.
 template <typename T, typename F>
-void WidePaths<T, F>::intersect_placed(Triple<V> origin, Triple<V> direction, V time, Bits departed,
-                                       Mask alive, Nearest& nearest) const {
+template <typename Find>
+void WidePaths<T, F>::find_one_by_one(Bits departed, Mask alive, Nearest& nearest,
+                                      const Find& find) {
   const D d;
   const DU du;
-  using Search = BvhSearch<T, F::kMotion>;
-  const typename Search::Rays rays(origin, direction, time);
-  const Search search(scene_);
-  const auto placed = [](Word index) {
-    return typename Search::Placed{static_cast<std::uint32_t>(index),
-                                   static_cast<std::uint32_t>(index >> 32)};
-  };
   alignas(64) std::array<T, kLanes> distances;
   alignas(64) std::array<Word, kLanes> left, indices;
   hn::Store(nearest.t, d, distances.data());
@@ -368,12 +360,29 @@ void WidePaths<T, F>::intersect_placed(Triple<V> origin, Triple<V> direction, V 
   hn::Store(nearest.index, du, indices.data());
   for (std::uint32_t lanes = bits_of(d, alive); lanes != 0; lanes &= lanes - 1) {
     const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-    typename Search::PlacedHit hit{distances[lane], placed(indices[lane])};
-    search.find_placed(rays, lane, placed(left[lane]), hit);
-    distances[lane] = hit.t;
-    indices[lane] = Word{hit.sphere.row} << 32 | hit.sphere.slot;
+    find(lane, left[lane], distances[lane], indices[lane]);
   }
   nearest = {hn::Load(d, distances.data()), hn::Load(du, indices.data())};
+}
+
+/// The same where some of them are instances'.
+template <typename T, typename F>
+void WidePaths<T, F>::intersect_placed(Triple<V> origin, Triple<V> direction, V time, Bits departed,
+                                       Mask alive, Nearest& nearest) const {
+  using Search = BvhSearch<T, F::kMotion>;
+  const typename Search::Rays rays(origin, direction, time);
+  const Search search(scene_);
+  const auto placed = [](Word index) {
+    return typename Search::Placed{static_cast<std::uint32_t>(index),
+                                   static_cast<std::uint32_t>(index >> 32)};
+  };
+  const auto find = [&](std::size_t lane, Word left, T& t, Word& index) HWY_ATTR {
+    typename Search::PlacedHit hit{t, placed(index)};
+    search.find_placed(rays, lane, placed(left), hit);
+    t = hit.t;
+    index = Word{hit.sphere.row} << 32 | hit.sphere.slot;
+  };
+  find_one_by_one(departed, alive, nearest, find);
 }
 
 /// Moves centres from where prototypes have them to where their instances put them at `time`. The

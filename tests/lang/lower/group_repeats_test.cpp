@@ -65,6 +65,10 @@ struct Built {
 const std::string kCamera =
     "camera { from: (0, 0, 50), at: (0, 0, 0), fov: 40deg, shutter: 0 .. 1 }\n";
 
+const std::string kRow =
+    "def row(n) { for i in range(n) { sphere { center: (i, 0, 0), radius: 0.1,\n"
+    "  material: unlit(red) } } }\n";
+
 Built build(const std::string& text, bool tells_repetitions, Instancing instancing,
             const lang::Limits& limits = {}) {
   const lang::SourceFile file("test.scene", "scene 1\n" + kCamera + text);
@@ -287,9 +291,7 @@ TEST(GroupRepeats, AreInstancesInLargeScenesThatSaveMemoryByThem) {
                       built.scene.instances.size());
   };
   const std::string defs =
-      "def row(n) { for i in range(n) { sphere { center: (i, 0, 0), radius: 0.1,\n"
-      "  material: unlit(red) } } }\n"
-      "def rows(n) { for i in range(n) { row { n: 1000, translate: (0, i, 0) } } }\n";
+      kRow + "def rows(n) { for i in range(n) { row { n: 1000, translate: (0, i, 0) } } }\n";
   EXPECT_EQ(counts_of(defs + "for x in range(1000) { row { n: 1000, translate: (0, x, 0) } }"),
             std::tuple(1'000'000u, 0u, 0u));
   EXPECT_EQ(counts_of(defs + "for x in range(3000) { row { n: 1000, translate: (0, x, 0) } }"),
@@ -327,12 +329,10 @@ TEST(GroupRepeats, HaveAPrototypeForEachMaterialFromOutside) {
 }
 
 TEST(GroupRepeats, InOnePlaceAreOneTooMany) {
-  const std::string row =
-      "def row(n) { for i in range(n) { sphere { center: (i, 0, 0), radius: 0.1,\n"
-      "  material: unlit(red) } } }\n"
-      "for x in range(4) { row { n: 100, translate: (0, mod(x, 2), 0) } }\n"
-      "row { n: 100, translate: (0, 1, 0), rotate: (0deg, 90deg, 0deg) }\n"
-      "sphere last { center: (0, 50, 0), radius: 1, material: unlit(red) }\n";
+  const std::string row = kRow +
+                          "for x in range(4) { row { n: 100, translate: (0, mod(x, 2), 0) } }\n"
+                          "row { n: 100, translate: (0, 1, 0), rotate: (0deg, 90deg, 0deg) }\n"
+                          "sphere last { center: (0, 50, 0), radius: 1, material: unlit(red) }\n";
   const Built held_once = build(row, true, Instancing::Always);
   EXPECT_THAT(held_once.codes, ElementsAre("W401"));
   EXPECT_EQ(held_once.scene.instances.size(), 2u);
@@ -380,9 +380,7 @@ TEST(GroupRepeats, AreRecordedAgainWhereTheFirstRecordsWereInVain) {
 }
 
 TEST(GroupRepeats, CountAsObjects) {
-  const std::string text =
-      "def row(n) { for i in range(n) { sphere { center: (i, 0, 0), radius: 0.1,\n"
-      "  material: unlit(red) } } }\nfor x in range(50) { row { n: 100, translate: (0, x, 0) } }";
+  const std::string text = kRow + "for x in range(50) { row { n: 100, translate: (0, x, 0) } }";
   const auto codes_within = [&](Instancing instancing, std::uint64_t objects) {
     return build(text, true, instancing, {.objects = objects}).codes;
   };

@@ -316,20 +316,20 @@ Scene random_scene(unsigned seed) {
 
 TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphereOfRandomScenes) {
   constexpr RenderSettings kSettings{.width = 16, .height = 16, .samples = 6, .depth = 12};
-  std::size_t mixed = 0, on_surfaces = 0;
+  std::size_t mixed = 0, refused = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
     const Scene scene = random_scene(seed);
     KernelRequest request = GetParam().request();
     const RenderResult all = render_with(scene, kSettings, request);
     mixed += all.kernel.precision == Precision::Mixed ? 1 : 0;
-    on_surfaces += all.kernel.refusal.empty() ? 0 : 1;
+    refused += all.kernel.refusal.empty() ? 0 : 1;
     request.kind = KernelKind::Bvh;
     const RenderResult bvh = render_with(scene, kSettings, request);
     EXPECT_EQ(bvh.rays, all.rays) << seed;
     EXPECT_TRUE(bvh.picture.pixels == all.picture.pixels) << seed;
   }
   EXPECT_EQ(mixed > 50, GetParam().precision == Precision::Float) << mixed;
-  EXPECT_EQ(on_surfaces, 0u);
+  EXPECT_EQ(refused, 0u);
 }
 
 // With the hierarchy, what materials do is looked up in tables that several of them share.
