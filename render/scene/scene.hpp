@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "render/math/color.hpp"
@@ -79,14 +80,34 @@ struct Scene {
   std::vector<Instance> instances;  ///< their spheres come behind `spheres`, one after the other
 };
 
+/// Where the random numbers of paths come from.
+enum class SamplerKind : std::uint8_t {
+  Sobol,        ///< Owen-scrambled Sobol' points, pair by pair of dimensions
+  Independent,  ///< each number by itself: the yardstick
+};
+
+/// Whether diffuse surfaces look for emitters by themselves; either way expectations are the same.
+enum class LightSampling : std::uint8_t {
+  Auto,  ///< for those of which geometry says that it pays
+  On,    ///< for all
+  Off,
+};
+
 /// How the picture is made.
 struct RenderSettings {
   int width = 960;
   int height = 540;
-  int samples = 64;  ///< camera paths per pixel
+  int samples = 64;  ///< camera paths per pixel; with a goal below, the most of them
   int depth = 16;    ///< rays per path, the camera's included
   std::uint64_t seed = 0;
   int threads = 0;  ///< 0: all of the machine
+  SamplerKind sampler = SamplerKind::Sobol;
+  LightSampling light_sampling = LightSampling::Auto;
+  /// Trace until the relative error of the picture (see ErrorEstimate) is at most this, above 0.
+  std::optional<double> error;
+  /// Trace until this many seconds have passed since render() was called, above 0.
+  std::optional<double> seconds;
+  bool is_adaptive = false;  ///< with `error`: more samples where there is more noise
 };
 
 }  // namespace sdlc::render
