@@ -13,7 +13,7 @@ namespace sdlc::render::HWY_NAMESPACE {
 /// Calls `draw` with the samplers of many paths, a vector of them at a time, and adds up what it
 /// returns, so that none of it can be left out. `count`: of paths, whole vectors.
 template <typename T, typename Draw>
-HWY_INLINE double sum_over_paths(std::uint32_t count, const Draw& draw) {
+HWY_INLINE double sum_over_paths(SamplerKind kind, std::uint32_t count, const Draw& draw) {
   const hn::ScalableTag<T> d;
   const hn::RebindToUnsigned<decltype(d)> du;
   const auto mixer = hn::Set(du, 0x5A17C0DE);
@@ -21,34 +21,38 @@ HWY_INLINE double sum_over_paths(std::uint32_t count, const Draw& draw) {
   auto key = hn::Iota(du, 1);
   auto sum = hn::Zero(d);
   for (std::uint32_t i = 0; i < count; i += hn::Lanes(d)) {
-    sum = hn::Add(sum, draw(LaneSampler<decltype(d)>(key, mixer)));
+    const LaneSampler<decltype(d)> sampler(kind, key, mixer, reverse_lane_bits(key));
+    sum = hn::Add(sum, draw(sampler));
     key = hn::Add(key, step);
   }
   return static_cast<double>(hn::GetLane(hn::SumOfLanes(d, sum)));
 }
 
 template <typename T>
-double lane_numbers(std::uint32_t paths) {
-  return sum_over_paths<T>(paths, [](const auto& sampler) HWY_ATTR {
-    auto sum = sampler.uniform(0);
-    for (std::uint32_t i = 1; i < 8; ++i) sum = hn::Add(sum, sampler.uniform(i));
+double lane_numbers(SamplerKind kind, std::uint32_t paths) {
+  return sum_over_paths<T>(kind, paths, [](const auto& sampler) HWY_ATTR {
+    auto sum = hn::Zero(hn::ScalableTag<T>());
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const auto pair = sampler.pair(i);
+      sum = hn::Add(sum, hn::Add(pair.first, pair.second));
+    }
     return sum;
   });
 }
 
 template <typename T>
-double lane_directions(std::uint32_t paths) {
-  return sum_over_paths<T>(paths, [](const auto& sampler) HWY_ATTR {
+double lane_directions(SamplerKind kind, std::uint32_t paths) {
+  return sum_over_paths<T>(kind, paths, [](const auto& sampler) HWY_ATTR {
     const hn::ScalableTag<T> d;
-    const auto u = sampler.uniform(kDirectionZ);
+    const auto [u, turn] = sampler.pair(kDirection);
     const auto circle = hn::Sqrt(hn::Mul(u, hn::Sub(hn::Set(d, T{1}), u)));
     auto x = hn::Zero(d), y = hn::Zero(d);
-    point_on_circle(sampler.uniform(kDirectionTurn), hn::Add(circle, circle), x, y);
+    point_on_circle(turn, hn::Add(circle, circle), x, y);
     return hn::Add(hn::Add(x, y), hn::Sub(hn::Set(d, T{1}), hn::Add(u, u)));
   });
 }
 
-using LaneFunction = double(std::uint32_t);
+using LaneFunction = double(SamplerKind, std::uint32_t);
 LaneFunction* lane_function(bool is_double, bool is_direction) {
   if (is_double) return is_direction ? &lane_directions<double> : &lane_numbers<double>;
   return is_direction ? &lane_directions<float> : &lane_numbers<float>;
@@ -71,7 +75,8 @@ namespace sdlc::bench {
 namespace {
 
 using render::Isa;
-using LaneFunction = double(std::uint32_t);
+using render::SamplerKind;
+using LaneFunction = double(SamplerKind, std::uint32_t);
 
 constexpr std::uint32_t kPaths = 1 << 14;
 constexpr std::uint32_t kNumbersAPath = 8;
@@ -84,19 +89,22 @@ LaneFunction* lane_function(Isa isa, bool is_double, bool is_direction) {
   }
 }
 
-double scalar_numbers(std::uint32_t paths) {
+double scalar_numbers(SamplerKind kind, std::uint32_t paths) {
   double sum = 0;
   for (std::uint32_t i = 0; i < paths; ++i) {
-    const render::PathSampler sampler(0x5A17C0DE00000000, i);
-    for (std::uint32_t k = 0; k < kNumbersAPath; ++k) sum += sampler.uniform(k);
+    const render::PathSampler sampler(kind, 0x5A17C0DE00000000, i);
+    for (std::uint32_t k = 0; k < kNumbersAPath / 2; ++k) {
+      const render::UniformPair pair = sampler.pair(k);
+      sum += pair.first + pair.second;
+    }
   }
   return sum;
 }
 
-double scalar_directions(std::uint32_t paths) {
+double scalar_directions(SamplerKind kind, std::uint32_t paths) {
   double sum = 0;
   for (std::uint32_t i = 0; i < paths; ++i) {
-    const render::PathSampler sampler(0x5A17C0DE00000000, i);
+    const render::PathSampler sampler(kind, 0x5A17C0DE00000000, i);
     const render::Vec3 direction = render::sample_unit_sphere(render::VertexSampler(sampler, 0));
     sum += direction.x + direction.y + direction.z;
   }
@@ -104,11 +112,15 @@ double scalar_directions(std::uint32_t paths) {
 }
 
 void register_drawing(const std::string& name, LaneFunction* draw, double drawn_a_path) {
-  benchmark::RegisterBenchmark(("sampling/" + name).c_str(), [=](benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(draw(kPaths));
-    using benchmark::Counter;
-    state.counters["drawn"] = Counter(drawn_a_path * kPaths, Counter::kIsIterationInvariantRate);
-  })->Unit(benchmark::kMicrosecond);
+  for (const SamplerKind kind : {SamplerKind::Independent, SamplerKind::Sobol}) {
+    const std::string sampler = kind == SamplerKind::Sobol ? "sobol/" : "independent/";
+    benchmark::RegisterBenchmark(("sampling/" + sampler + name).c_str(), [=](benchmark::State&
+                                                                                 state) {
+      for (auto _ : state) benchmark::DoNotOptimize(draw(kind, kPaths));
+      using benchmark::Counter;
+      state.counters["drawn"] = Counter(drawn_a_path * kPaths, Counter::kIsIterationInvariantRate);
+    })->Unit(benchmark::kMicrosecond);
+  }
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ LinearRgb PathIntegrator::sample(double s, double t, const PathSampler& sampler,
                                  const std::atomic<bool>* cancel) const noexcept {
   Ray ray{.origin = {}, .direction = pinhole_.direction(s, t)};
   if (!has_motion_) return li<false>(ray, sampler, counts, cancel);
-  ray.u = sampler.uniform(kTime);
+  ray.u = sampler.pair(kTime).first;
   return li<true>(ray, sampler, counts, cancel);
 }
 

@@ -17,8 +17,8 @@ namespace sdlc::render {
 class VertexSampler {
  public:
   VertexSampler(const PathSampler& path, int vertex) noexcept : path_(path), vertex_(vertex) {}
-  double operator()(VertexDimension dimension) const noexcept {
-    return path_.uniform(vertex_dimension(vertex_, dimension));
+  UniformPair operator()(VertexPair pair) const noexcept {
+    return path_.pair(vertex_pair(vertex_, pair));
   }
 
  private:
@@ -30,17 +30,15 @@ class VertexSampler {
 /// from √(1 − z²), which loses its digits at the poles. Turns begin at −x, where wide kernels save
 /// an instruction.
 inline Vec3 sample_unit_sphere(const VertexSampler& sample) noexcept {
-  const double u = sample(kDirectionZ);
-  const SinCos around = sincos_turns(sample(kDirectionTurn));
+  const auto [u, turn] = sample(kDirection);
+  const SinCos around = sincos_turns(turn);
   const double circle = 2 * std::sqrt(u * (1 - u));
   return {-circle * around.cos, -circle * around.sin, 1 - 2 * u};
 }
 
-/// Uniform in the unit ball: the largest of three uniform numbers is distributed as the cube root
-/// of one.
+/// Uniform in the unit ball.
 inline Vec3 sample_unit_ball(const VertexSampler& sample) noexcept {
-  const double radius = std::max({sample(kRadiusA), sample(kRadiusB), sample(kRadiusC)});
-  return sample_unit_sphere(sample) * radius;
+  return sample_unit_sphere(sample) * std::cbrt(sample(kChoice).first);
 }
 
 inline Vec3 reflect(Vec3 direction, Vec3 normal) noexcept {
@@ -84,7 +82,7 @@ inline Vec3 scatter_transmissive(Vec3 direction, Vec3 outward, double ior, Fresn
 
   const double reflected =
       fresnel == Fresnel::Schlick ? fresnel_schlick(cosine, eta) : fresnel_exact(cosine, eta);
-  if (sample(kChoice) < reflected) return unit(reflect(direction, facing));
+  if (sample(kChoice).first < reflected) return unit(reflect(direction, facing));
 
   const Vec3 along = (direction + facing * cosine) * eta;
   return unit(along - facing * std::sqrt(std::fabs(1 - length_squared(along))));

@@ -2,6 +2,9 @@
 
 #include <cstdint>
 
+#include "render/sampler/owen.hpp"
+#include "render/scene/scene.hpp"
+
 namespace sdlc::render {
 
 /// The finaliser of SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number
@@ -21,53 +24,73 @@ constexpr std::uint32_t mix_bits(std::uint32_t x, std::uint32_t key) noexcept {
   return (x ^ (x >> 15)) * 0x846CA68B;
 }
 
-/// The random numbers of one camera path: a function of (seed, pixel, sample, dimension) and of
-/// nothing else, so that the picture does not depend on who computes which part of it, or in which
-/// order. 32-bit arithmetic alone, so that wide kernels compute the same numbers in every lane.
+/// What each pair of dimensions decides. A vertex of the path has its own pairs, whatever the
+/// surfaces before it asked for.
+enum CameraPair : std::uint32_t { kPixel, kTime, kCameraPairs };
+enum VertexPair : std::uint32_t {
+  kDirection,  ///< scattered direction: height on the sphere, and angle around it
+  kChoice,     ///< first: which of several things happens, or the distance in a ball
+  kLight,      ///< direction within the cone of an emitter
+  kVertexPairs,
+};
+constexpr std::uint32_t vertex_pair(int vertex, VertexPair pair) noexcept {
+  return kCameraPairs + static_cast<std::uint32_t>(vertex) * kVertexPairs + pair;
+}
+
+/// Two random numbers, each uniform in [0, 1), never 1.
+struct UniformPair {
+  double first, second;
+};
+
+/// The random numbers of one camera path: a function of (seed, pixel, replicate, sample, dimension)
+/// and of nothing else, so that the picture does not depend on who computes which part of it, or in
+/// which order. 32-bit arithmetic alone, so that wide kernels compute the same numbers in every
+/// lane. Numbers come in pairs. With SamplerKind::Sobol the pairs of the first 2^k samples of a
+/// stream are a (0, k, 2)-net in base 2, for any k, and different pairs have nothing to do with
+/// each other.
 class PathSampler {
  public:
-  /// What consecutive samples and dimensions are apart before they are mixed: 2^32 over the golden
+  /// What consecutive samples and words are apart before they are mixed: 2^32 over the golden
   /// ratio, odd.
   static constexpr std::uint32_t kIncrement = 0x9E3779B9;
+  static constexpr std::uint32_t kWordsAPair = 3;  ///< that a pair is made from
+  static constexpr std::uint32_t kPairIncrement = kWordsAPair * kIncrement;
 
-  PathSampler(std::uint64_t pixel_key, std::uint64_t sample) noexcept
-      : mixer_(static_cast<std::uint32_t>(pixel_key >> 32)),
-        start_(mix_bits(
-            static_cast<std::uint32_t>(pixel_key) + static_cast<std::uint32_t>(sample) * kIncrement,
-            mixer_)) {
+  /// `stream_key`: see stream_key(). `sample`: of the stream, from 0.
+  PathSampler(SamplerKind kind, std::uint64_t stream_key, std::uint32_t sample) noexcept
+      : kind_(kind),
+        mixer_(static_cast<std::uint32_t>(stream_key >> 32)),
+        order_(reversed_bits(sample)) {
+    // The words of Sobol' points choose how they are scrambled, the same for all samples.
+    const std::uint32_t own = kind == SamplerKind::Independent ? sample : 0;
+    start_ = mix_bits(static_cast<std::uint32_t>(stream_key) + own * kIncrement, mixer_);
     start_ ^= start_ >> 16;
   }
 
-  /// `pixel_key` for all samples of one pixel.
-  static std::uint64_t pixel_key(std::uint64_t seed, std::uint64_t pixel) noexcept {
+  /// `stream_key` for all samples of one replicate of a pixel; `replicate` below 4.
+  static std::uint64_t stream_key(std::uint64_t seed, std::uint64_t pixel,
+                                  std::uint64_t replicate) noexcept {
     constexpr std::uint64_t kIncrement64 = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio, odd
-    return mix_bits(mix_bits(seed + kIncrement64) ^ (pixel + kIncrement64));
+    const std::uint64_t stream = 4 * pixel + replicate;
+    return mix_bits(mix_bits(seed + kIncrement64) ^ (stream + kIncrement64));
   }
 
-  /// Uniform in [0, 1), never 1: a multiple of 2^-32.
-  double uniform(std::uint32_t dimension) const noexcept {
-    return mix_bits(start_ + (dimension + 1) * kIncrement, mixer_) * 0x1p-32;
+  /// The numbers of a pair; multiples of 2^-32.
+  UniformPair pair(std::uint32_t index) const noexcept {
+    const std::uint32_t base = start_ + index * kPairIncrement;
+    const auto word = [&](std::uint32_t i) {
+      return mix_bits(base + (i + 1) * kIncrement, mixer_);
+    };
+    if (kind_ == SamplerKind::Independent) return {word(0) * 0x1p-32, word(1) * 0x1p-32};
+    const ScrambledPoint point = scrambled_sobol(order_, word(0), word(1), word(2));
+    return {point.x * 0x1p-32, point.y * 0x1p-32};
   }
 
  private:
+  SamplerKind kind_;
   std::uint32_t mixer_;
+  std::uint32_t order_;  // the sample's index, its bits reversed
   std::uint32_t start_;
 };
-
-/// What each dimension decides. A vertex of the path has its own block of dimensions, whatever the
-/// surfaces before it asked for.
-enum CameraDimension : std::uint32_t { kPixelX, kPixelY, kTime, kCameraDimensions };
-enum VertexDimension : std::uint32_t {
-  kDirectionZ,     ///< scattered direction: height on the sphere
-  kDirectionTurn,  ///< and angle around it
-  kChoice,         ///< reflect or refract
-  kRadiusA,
-  kRadiusB,
-  kRadiusC,  ///< the largest of three is the radius of a uniform point in a ball
-  kVertexDimensions,
-};
-constexpr std::uint32_t vertex_dimension(int vertex, VertexDimension dimension) noexcept {
-  return kCameraDimensions + static_cast<std::uint32_t>(vertex) * kVertexDimensions + dimension;
-}
 
 }  // namespace sdlc::render

@@ -104,9 +104,9 @@ struct RenderSettings {
   SamplerKind sampler = SamplerKind::Sobol;
   LightSampling light_sampling = LightSampling::Auto;
   /// Trace until the relative error of the picture (see ErrorEstimate) is at most this, above 0.
-  std::optional<double> error;
+  std::optional<double> error{};
   /// Trace until this many seconds have passed since render() was called, above 0.
-  std::optional<double> seconds;
+  std::optional<double> seconds{};
   bool is_adaptive = false;  ///< with `error`: more samples where there is more noise
 };
 

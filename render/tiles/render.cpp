@@ -98,14 +98,15 @@ class ScalarTiles final : public Tiles {
   std::optional<LinearRgb> mean_radiance(int x, int y) {
     const auto pixel = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings_.width) +
                        static_cast<std::uint64_t>(x);
-    const std::uint64_t key = PathSampler::pixel_key(settings_.seed, pixel);
+    const std::uint64_t key = PathSampler::stream_key(settings_.seed, pixel, 0);
     const auto samples = static_cast<std::uint64_t>(settings_.samples);
     SampleSum sum;
     while (sum.count() < samples) {
       Counts counts;
       const std::uint64_t end = std::min(samples, sum.count() + SampleSum::kBlock);
       for (std::uint64_t i = sum.count(); i < end; ++i) {
-        sum.add(sample(x, y, PathSampler(key, i), counts));
+        sum.add(sample(x, y, PathSampler(settings_.sampler, key, static_cast<std::uint32_t>(i)),
+                       counts));
       }
       if (monitor_.cancel.load(std::memory_order_relaxed)) return std::nullopt;
       report(monitor_, counts);
@@ -117,8 +118,7 @@ class ScalarTiles final : public Tiles {
   LinearRgb sample(int x, int y, const PathSampler& sampler, Counts& counts) const {
     // A picture of one sample a pixel looks through the middle of each.
     const bool is_centred = settings_.samples == 1;
-    const double dx = is_centred ? 0.5 : sampler.uniform(kPixelX);
-    const double dy = is_centred ? 0.5 : sampler.uniform(kPixelY);
+    const auto [dx, dy] = is_centred ? UniformPair{0.5, 0.5} : sampler.pair(kPixel);
     const double s = (x + dx) / settings_.width;
     const double t = (settings_.height - 1 - y + dy) / settings_.height;
     const LinearRgb radiance = integrator_.sample(s, t, sampler, counts.paths, &monitor_.cancel);

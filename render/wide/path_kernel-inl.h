@@ -58,7 +58,7 @@ class WidePaths {
   using Mask = hn::Mask<D>;
   using Word = hn::TFromD<DU>;
   static constexpr std::size_t kLanes = hn::MaxLanes(D());
-  static constexpr std::uint32_t kVertexStep = PathSampler::kIncrement * kVertexDimensions;
+  static constexpr std::uint32_t kVertexStep = PathSampler::kPairIncrement * kVertexPairs;
 
   // As whole numbers, floating point numbers from 0 on have their own order, and all that are
   // negative, or none, come behind infinity: one minimum takes the place of three comparisons.
@@ -113,8 +113,9 @@ class WidePaths {
 
   // What changes only with the block stays in memory.
   alignas(64) std::array<std::array<T, kLanes>, 3> corner_{};
-  alignas(64) std::array<Word, kLanes> sample_key_{};  // of the lane's next sample
-  alignas(64) std::array<Word, kLanes> mixer_{};
+  alignas(64) std::array<Word, kLanes> stream_key_{};    // its lower half
+  alignas(64) std::array<Word, kLanes> mixer_{};         // its upper half
+  alignas(64) std::array<Word, kLanes> sample_{};        // the index of the lane's next sample
   alignas(64) std::array<Word, kLanes> samples_left_{};  // 0: the lane has nothing to do
   alignas(64) std::array<std::array<double, kLanes>, 3> sum_{};
   std::array<std::size_t, kLanes> block_{};
@@ -130,11 +131,11 @@ void WidePaths<T, F>::start_block(std::size_t lane) {
   block_[lane] = next_block_++;
   for (std::size_t i = 0; i < 3; ++i) {
     corner_[i][lane] = block.corner[i];
-    sum_[i][lane] = 0;
+    sum_[i][lane] = block.sum[i];
   }
-  mixer_[lane] = static_cast<std::uint32_t>(block.pixel_key >> 32);
-  sample_key_[lane] = static_cast<std::uint32_t>(static_cast<std::uint32_t>(block.pixel_key) +
-                                                 block.first * PathSampler::kIncrement);
+  mixer_[lane] = static_cast<std::uint32_t>(block.stream_key >> 32);
+  stream_key_[lane] = static_cast<std::uint32_t>(block.stream_key);
+  sample_[lane] = block.first;
   samples_left_[lane] = block.count;
 }
 
@@ -450,7 +451,8 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
   Triple<V> normal{zero, zero, zero};  // outward, where the path left the last sphere
   Triple<V> beta{zero, zero, zero};    // throughput of the path so far
   V time = zero, radius = zero;        // of the last sphere
-  Bits departed = hn::Zero(du), depth_left = hn::Zero(du), stream = hn::Zero(du);
+  Bits departed = hn::Zero(du), depth_left = hn::Zero(du);
+  Bits stream = hn::Zero(du), order = hn::Zero(du);  // of the path's random numbers
   Mask alive = hn::RebindMask(d, hn::Gt(hn::Load(du, samples_left_.data()), hn::Zero(du)));
   Mask fresh = alive;
   std::uint32_t step = 0;
@@ -462,20 +464,26 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     const Bits mixer = hn::Load(du, mixer_.data());
     if (!hn::AllFalse(d, fresh)) {
       const auto fresh_bits = hn::RebindMask(du, fresh);
-      const Bits key = hn::Load(du, sample_key_.data());
-      Bits start = mix_lanes(key, mixer);
+      const Bits sample = hn::Load(du, sample_.data());
+      hn::Store(hn::IfThenElse(fresh_bits, add_low_32(sample, word(1)), sample), du,
+                sample_.data());
+      Bits start = hn::Load(du, stream_key_.data());
+      if (view_.sampler == SamplerKind::Independent) {
+        start = add_low_32(start, mul_low_32(sample, PathSampler::kIncrement));
+      }
+      start = mix_lanes(start, mixer);
       start = hn::Xor(start, hn::ShiftRight<16>(start));
-      const LaneSampler<D> sampler(start, mixer);
-      hn::Store(hn::IfThenElse(fresh_bits, add_low_32(key, word(PathSampler::kIncrement)), key), du,
-                sample_key_.data());
+      order = hn::IfThenElse(fresh_bits, reverse_lane_bits(sample), order);
+      const LaneSampler<D> sampler(view_.sampler, start, mixer, order);
+      const auto in_pixel = sampler.pair(kPixel);
       const Triple<V> corner{hn::Load(d, corner_[0].data()), hn::Load(d, corner_[1].data()),
                              hn::Load(d, corner_[2].data())};
       const Triple<V> place =
-          plus_scaled(plus_scaled(corner, spread(d, view_.right), sampler.uniform(kPixelX)),
-                      spread(d, view_.up), sampler.uniform(kPixelY));
-      if constexpr (F::kMotion) time = hn::IfThenElse(fresh, sampler.uniform(kTime), time);
+          plus_scaled(plus_scaled(corner, spread(d, view_.right), in_pixel.first),
+                      spread(d, view_.up), in_pixel.second);
+      if constexpr (F::kMotion) time = hn::IfThenElse(fresh, sampler.first(kTime), time);
       stream = hn::IfThenElse(
-          fresh_bits, add_low_32(start, word(PathSampler::kIncrement * kCameraDimensions)), stream);
+          fresh_bits, add_low_32(start, word(PathSampler::kPairIncrement * kCameraPairs)), stream);
       next = choose(fresh, place, next);
       origin = choose(fresh, Triple<V>{zero, zero, zero}, origin);
       beta = choose(fresh, Triple<V>{one, one, one}, beta);
@@ -533,9 +541,9 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     const V cosine = dot(direction, outward);
 
     Mask absorbed = hn::MaskFromVec(hn::Zero(d));
-    next =
-        Scattering<T>(scene_, read_optics)
-            .scatter(direction, outward, cosine, surface, LaneSampler<D>(stream, mixer), absorbed);
+    const LaneSampler<D> sampler(view_.sampler, stream, mixer, order);
+    next = Scattering<T>(scene_, read_optics)
+               .scatter(direction, outward, cosine, surface, sampler, absorbed);
     stream = add_low_32(stream, word(kVertexStep));
     radius = read(scene_.radius);
     if constexpr (F::kInstances) radius = hn::Mul(radius, scale);

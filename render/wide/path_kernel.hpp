@@ -12,25 +12,28 @@
 
 namespace sdlc::render {
 
-/// Up to 64 consecutive samples of one pixel: what a lane works on, alone, from the first to the
-/// last.
+/// Consecutive samples of one stream of random numbers, in one block of a SampleSum: what a lane
+/// works on, alone, from the first to the last.
 template <typename T>
 struct SampleBlock {
   /// From the camera to the pixel's lower left corner on the view plane at distance 1.
   std::array<T, 3> corner;
   std::uint32_t first = 0;  ///< index of the first sample
   std::uint32_t count = 0;
-  std::uint64_t pixel_key = 0;  ///< PathSampler::pixel_key
+  std::uint64_t stream_key = 0;  ///< PathSampler::stream_key
+  std::array<double, 3> sum{};   ///< of the block's earlier samples
 };
 
 /// What all blocks of a picture have in common.
 template <typename T>
 struct WideView {
-  std::array<T, 3> right, up;  ///< a pixel's sides on the view plane
+  std::array<T, 3> right{}, up{};  ///< a pixel's sides on the view plane
+  SamplerKind sampler = SamplerKind::Sobol;
 };
 
-/// Traces all samples of `blocks`; the sum of each goes into `sums`, in double, one sample after
-/// the other. Returns soon, with sums that mean nothing, once `cancel` is set.
+/// Traces all samples of `blocks`; the sum of each, and of what was summed before, goes into
+/// `sums`, in double, one sample after the other. Returns soon, with sums that mean nothing, once
+/// `cancel` is set.
 template <typename T>
 using TraceBlocks = void(const WideScene<T>& scene, const WideView<T>& view,
                          std::span<const SampleBlock<T>> blocks, std::span<LinearRgb> sums,

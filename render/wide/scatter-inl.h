@@ -66,10 +66,10 @@ HWY_INLINE auto Scattering<T>::scatter(Triple<V> direction, Triple<V> outward, V
   const Triple<V> facing{hn::Xor(outward.x, turned), hn::Xor(outward.y, turned),
                          hn::Xor(outward.z, turned)};
 
-  const V u = sampler.uniform(kDirectionZ);
+  const auto [u, turn] = sampler.pair(kDirection);
   const V circle = hn::Sqrt(hn::Mul(u, hn::Sub(one, u)));
   Triple<V> ball;  // on the unit sphere
-  point_on_circle(sampler.uniform(kDirectionTurn), hn::Add(circle, circle), ball.x, ball.y);
+  point_on_circle(turn, hn::Add(circle, circle), ball.x, ball.y);
   ball.z = hn::NegMulAdd(set(2), u, one);
 
   Triple<V> next{hn::Add(facing.x, ball.x), hn::Add(facing.y, ball.y), hn::Add(facing.z, ball.z)};
@@ -80,8 +80,7 @@ HWY_INLINE auto Scattering<T>::scatter(Triple<V> direction, Triple<V> outward, V
   if (!hn::AllFalse(d, mirrors)) {
     Triple<V> spread_out = scaled(mirrored, read_(scene_.first));
     if (!hn::AllFalse(d, has(surface, kIsFuzzy))) {
-      const V radius = hn::Max(sampler.uniform(kRadiusA),
-                               hn::Max(sampler.uniform(kRadiusB), sampler.uniform(kRadiusC)));
+      const V radius = cube_root(sampler.first(kChoice));
       spread_out = plus_scaled(spread_out, ball, hn::Mul(radius, read_(scene_.second)));
     }
     absorbed = hn::And(mirrors, hn::Not(hn::Gt(dot(spread_out, facing), hn::Zero(d))));
@@ -89,7 +88,7 @@ HWY_INLINE auto Scattering<T>::scatter(Triple<V> direction, Triple<V> outward, V
   }
   if (!hn::AllFalse(d, refracts)) {
     const Triple<V> onwards =
-        refract(direction, facing, mirrored, cosine, surface, sampler.uniform(kChoice));
+        refract(direction, facing, mirrored, cosine, surface, sampler.first(kChoice));
     next = choose(refracts, onwards, next);
   }
   return next;

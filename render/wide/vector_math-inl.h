@@ -11,9 +11,11 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 #include <hwy/highway.h>
 
+#include "render/sampler/owen.hpp"
 #include "render/sampler/sampler.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -72,15 +74,21 @@ HWY_INLINE V chord_discriminant(Triple<V> to_center, Triple<V> direction, V midd
 // --- random numbers: render/sampler/sampler.hpp in every lane ---
 
 /// The low 32 bits of a product; lanes of 64 bits hold numbers below 2^32.
-HWY_INLINE auto mul_low_32(auto a, std::uint32_t factor) {
-  const hn::DFromV<decltype(a)> du;
-  if constexpr (sizeof(hn::TFromD<decltype(du)>) == 4) {
-    return hn::Mul(a, hn::Set(du, factor));
+template <typename V>
+HWY_INLINE V mul_low_32(V a, V b) {
+  const hn::DFromV<V> du;
+  if constexpr (sizeof(hn::TFromV<V>) == 4) {
+    return hn::Mul(a, b);
   } else {
     const hn::Repartition<std::uint32_t, decltype(du)> du32;
-    return hn::And(hn::MulEven(hn::BitCast(du32, a), hn::BitCast(du32, hn::Set(du, factor))),
+    return hn::And(hn::MulEven(hn::BitCast(du32, a), hn::BitCast(du32, b)),
                    hn::Set(du, 0xFFFFFFFFu));
   }
+}
+
+template <typename V>
+HWY_INLINE V mul_low_32(V a, std::uint32_t factor) {
+  return mul_low_32(a, hn::Set(hn::DFromV<V>(), factor));
 }
 
 /// The low 32 bits of a sum.
@@ -113,23 +121,102 @@ HWY_INLINE hn::Vec<D> uniform_from_bits(D d, V bits) {
   }
 }
 
-/// The numbers of one block of dimensions.
+/// reversed_bits in every lane.
+template <typename V>
+HWY_INLINE V reverse_lane_bits(V x) {
+  const hn::DFromV<V> du;
+  using Word = hn::TFromV<V>;
+  if constexpr (sizeof(Word) == 4) {
+    const auto swap = [&](V v, Word mask, auto by) HWY_ATTR {
+      constexpr int kBy = decltype(by)::value;
+      const V low = hn::Set(du, mask);
+      return hn::Or(hn::ShiftLeft<kBy>(hn::And(v, low)), hn::And(hn::ShiftRight<kBy>(v), low));
+    };
+    x = swap(x, 0x55555555u, std::integral_constant<int, 1>{});
+    x = swap(x, 0x33333333u, std::integral_constant<int, 2>{});
+    x = swap(x, 0x0F0F0F0Fu, std::integral_constant<int, 4>{});
+    const hn::Repartition<std::uint8_t, decltype(du)> bytes;
+    alignas(16) static constexpr std::uint8_t kReversed[16]{3,  2,  1, 0, 7,  6,  5,  4,
+                                                            11, 10, 9, 8, 15, 14, 13, 12};
+    const auto order = hn::LoadDup128(bytes, kReversed);
+    return hn::BitCast(du, hn::TableLookupBytes(hn::BitCast(bytes, x), order));
+  } else {
+    const hn::Repartition<std::uint32_t, decltype(du)> du32;
+    // The upper half of a lane is 0, and stays so.
+    return hn::BitCast(du, reverse_lane_bits(hn::BitCast(du32, x)));
+  }
+}
+
+/// scramble_upwards in every lane.
+template <typename V>
+HWY_INLINE V scramble_lanes_upwards(V x, V key) {
+  const hn::DFromV<V> du;
+  x = hn::Xor(x, mul_low_32(x, kScramble[0]));
+  x = add_low_32(x, key);
+  x = mul_low_32(x, hn::Or(hn::ShiftRight<16>(key), hn::Set(du, 1)));
+  x = hn::Xor(x, mul_low_32(x, kScramble[1]));
+  return hn::Xor(x, mul_low_32(x, kScramble[2]));
+}
+
+/// sobol_second_reversed in every lane.
+template <typename V>
+HWY_INLINE V sobol_second_reversed_lanes(V index) {
+  const hn::DFromV<V> du;
+  using Word = hn::TFromV<V>;
+  const auto upper = [&](V v, Word mask) HWY_ATTR { return hn::And(v, hn::Set(du, mask)); };
+  index = hn::Xor(index, hn::ShiftRight<16>(index));
+  index = hn::Xor(index, hn::ShiftRight<8>(upper(index, 0xFF00FF00u)));
+  index = hn::Xor(index, hn::ShiftRight<4>(upper(index, 0xF0F0F0F0u)));
+  index = hn::Xor(index, hn::ShiftRight<2>(upper(index, 0xCCCCCCCCu)));
+  return hn::Xor(index, hn::ShiftRight<1>(upper(index, 0xAAAAAAAAu)));
+}
+
+/// What all the numbers of a path, or of one of its vertices, come from.
 template <typename D>
 class LaneSampler {
  public:
+  using V = hn::Vec<D>;
   using Bits = hn::Vec<hn::RebindToUnsigned<D>>;
+  struct Pair {
+    V first, second;
+  };
 
-  /// `start`: PathSampler's, plus the increments up to the block.
-  HWY_INLINE LaneSampler(Bits start, Bits mixer) : start_(start), mixer_(mixer) {}
+  /// `start`: PathSampler's, plus the increments up to the first pair; `order`: its too.
+  HWY_INLINE LaneSampler(SamplerKind kind, Bits start, Bits mixer, Bits order)
+      : kind_(kind), start_(start), mixer_(mixer), order_(order) {}
 
-  HWY_INLINE hn::Vec<D> uniform(std::uint32_t dimension) const {
-    const hn::RebindToUnsigned<D> du;
-    const auto offset = hn::Set(du, (dimension + 1) * PathSampler::kIncrement);
-    return uniform_from_bits(D(), mix_lanes(add_low_32(start_, offset), mixer_));
+  HWY_INLINE Pair pair(std::uint32_t index) const {
+    if (kind_ == SamplerKind::Independent) {
+      return {uniform_from_bits(D(), word(index, 0)), uniform_from_bits(D(), word(index, 1))};
+    }
+    const Bits place = shuffled(index);
+    const Bits x = scramble_lanes_upwards(place, key(word(index, 1)));
+    const Bits y = scramble_lanes_upwards(sobol_second_reversed_lanes(place), key(word(index, 2)));
+    return {uniform_from_bits(D(), reverse_lane_bits(x)),
+            uniform_from_bits(D(), reverse_lane_bits(y))};
+  }
+
+  /// The first number of a pair.
+  HWY_INLINE V first(std::uint32_t index) const {
+    if (kind_ == SamplerKind::Independent) return uniform_from_bits(D(), word(index, 0));
+    const Bits x = scramble_lanes_upwards(shuffled(index), key(word(index, 1)));
+    return uniform_from_bits(D(), reverse_lane_bits(x));
   }
 
  private:
-  Bits start_, mixer_;
+  HWY_INLINE Bits word(std::uint32_t pair, std::uint32_t i) const {
+    const hn::RebindToUnsigned<D> du;
+    const std::uint32_t offset =
+        pair * PathSampler::kPairIncrement + (i + 1) * PathSampler::kIncrement;
+    return mix_lanes(add_low_32(start_, hn::Set(du, offset)), mixer_);
+  }
+  static HWY_INLINE Bits key(Bits word) { return hn::Xor(word, hn::ShiftRight<16>(word)); }
+  HWY_INLINE Bits shuffled(std::uint32_t pair) const {
+    return reverse_lane_bits(scramble_lanes_upwards(order_, key(word(pair, 0))));
+  }
+
+  SamplerKind kind_;
+  Bits start_, mixer_, order_;
 };
 
 // --- sine and cosine ---
@@ -173,6 +260,36 @@ HWY_INLINE void point_on_circle(V turn, V radius, V& x, V& y) {
   const V folded = hn::IfThenElse(hn::Gt(size, quarter), hn::Sub(hn::CopySign(half, u), u), u);
   x = hn::Mul(radius, sine_of_quarter_turn(hn::Sub(quarter, size)));
   y = hn::Mul(radius, sine_of_quarter_turn(folded));
+}
+
+/// ∛x for x from 0 to 1; 0 below 2^-126.
+template <typename V>
+HWY_INLINE V cube_root(V x) {
+  const hn::DFromV<V> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  using T = hn::TFromV<V>;
+  // A third of the bits as a whole number is a third of the logarithm but for a constant, to 4 %
+  // (Kahan's, as in FreeBSD's cbrt); 2^-32 is the least number, so that float can hold a third.
+  V y;
+  if constexpr (sizeof(T) == 4) {
+    const V bits = hn::ConvertTo(d, hn::BitCast(di, x));
+    const auto third = hn::ConvertTo(di, hn::Mul(bits, hn::Set(d, 1 / 3.0f)));
+    y = hn::BitCast(d, hn::Add(third, hn::Set(di, 709958130)));
+  } else {
+    const auto high = hn::ShiftRight<32>(hn::BitCast(di, x));
+    // high / 3 by a product, exact enough: high is below 2^31.
+    const hn::Repartition<std::int32_t, decltype(d)> di32;
+    const auto third = hn::ShiftRight<32>(
+        hn::MulEven(hn::BitCast(di32, high), hn::BitCast(di32, hn::Set(di, 0x55555556))));
+    y = hn::BitCast(d, hn::ShiftLeft<32>(hn::Add(third, hn::Set(di, 715094163))));
+  }
+  // Halley's steps: the error is cubed each time, 4e-2 to 4e-5 to 1e-13 and below rounding.
+  const int steps = sizeof(T) == 4 ? 2 : 3;
+  for (int i = 0; i < steps; ++i) {
+    const V cube = hn::Mul(hn::Mul(y, y), y);
+    y = hn::Mul(y, hn::Div(hn::Add(cube, hn::Add(x, x)), hn::Add(hn::Add(cube, cube), x)));
+  }
+  return hn::IfThenElseZero(hn::Gt(x, hn::Zero(d)), y);
 }
 
 /// Share of unpolarised light reflected by Fresnel's equations, with the cosines on both sides.

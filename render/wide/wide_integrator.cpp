@@ -53,11 +53,13 @@ class WideIntegrator::TracerIn final : public Tracer {
         corner_(pinhole.place(0, 1)),
         right_(pinhole.across() / settings.width),
         down_(-pinhole.upwards() / settings.height) {
+    view_.sampler = settings.sampler;
     if (samples_ == 1) {  // a picture of one sample a pixel looks through the middle of each
       corner_ = corner_ + (right_ - down_) * 0.5;
       return;
     }
-    view_ = {.right = rounded<T>(right_), .up = rounded<T>(-down_)};
+    view_.right = rounded<T>(right_);
+    view_.up = rounded<T>(-down_);
   }
 
   bool render(std::uint64_t first, std::span<LinearRgb> means, const std::atomic<bool>& cancel,
@@ -97,7 +99,7 @@ class WideIntegrator::TracerIn final : public Tracer {
     const auto x = static_cast<double>(pixel % width_);
     const auto y = static_cast<double>(pixel / width_ + 1);  // of the pixel's lower side
     SampleBlock<T> block{.corner = rounded<T>(corner_ + right_ * x + down_ * y),
-                         .pixel_key = PathSampler::pixel_key(seed_, pixel)};
+                         .stream_key = PathSampler::stream_key(seed_, pixel, 0)};
     for (std::uint64_t i = from; i < to; ++i) {
       const std::uint64_t sample = i * SampleSum::kBlock;
       block.first = static_cast<std::uint32_t>(sample);

@@ -24,8 +24,11 @@ struct Place {
 
 /// Ours.
 double path_number(const Place& place) {
-  return PathSampler(PathSampler::pixel_key(place.seed, place.pixel), place.sample)
-      .uniform(place.dimension);
+  const PathSampler sampler(SamplerKind::Independent,
+                            PathSampler::stream_key(place.seed, place.pixel, 0),
+                            static_cast<std::uint32_t>(place.sample));
+  const UniformPair pair = sampler.pair(place.dimension / 2);
+  return place.dimension % 2 == 0 ? pair.first : pair.second;
 }
 
 /// PCG32, XSH RR 64/32 (O'Neill, "PCG: A family of simple fast space-efficient statistically good

@@ -1,26 +1,88 @@
 #include "render/sampler/sampler.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 namespace sdlc::render {
 namespace {
 
-TEST(PathSampler, IsAFunctionOfSeedPixelSampleAndDimension) {
-  const auto value = [](std::uint64_t seed, std::uint64_t pixel, std::uint64_t sample,
-                        std::uint32_t d) {
-    return PathSampler(PathSampler::pixel_key(seed, pixel), sample).uniform(d);
-  };
-  const double base = value(1, 2, 3, 4);
-  EXPECT_EQ(value(1, 2, 3, 4), base);
-  EXPECT_NE(value(2, 2, 3, 4), base);
-  EXPECT_NE(value(1, 3, 3, 4), base);
-  EXPECT_NE(value(1, 2, 4, 4), base);
-  EXPECT_NE(value(1, 2, 3, 5), base);
+constexpr std::array kKinds{SamplerKind::Sobol, SamplerKind::Independent};
+
+PathSampler independent(std::uint64_t pixel, std::uint64_t sample, std::uint64_t seed = 0) {
+  return {SamplerKind::Independent, PathSampler::stream_key(seed, pixel, 0),
+          static_cast<std::uint32_t>(sample)};
+}
+
+TEST(PathSampler, IsAFunctionOfSeedPixelReplicateSampleAndPair) {
+  for (const SamplerKind kind : kKinds) {
+    const auto value = [&](std::uint64_t seed, std::uint64_t pixel, std::uint64_t replicate,
+                           std::uint32_t sample, std::uint32_t pair) {
+      const PathSampler sampler(kind, PathSampler::stream_key(seed, pixel, replicate), sample);
+      return sampler.pair(pair).first;
+    };
+    const double base = value(1, 2, 3, 4, 5);
+    EXPECT_EQ(value(1, 2, 3, 4, 5), base);
+    EXPECT_NE(value(2, 2, 3, 4, 5), base);
+    EXPECT_NE(value(1, 3, 3, 4, 5), base);
+    EXPECT_NE(value(1, 2, 2, 4, 5), base);
+    EXPECT_NE(value(1, 2, 3, 5, 5), base);
+    EXPECT_NE(value(1, 2, 3, 4, 6), base);
+  }
+}
+
+// What Sobol' points are taken for: of the first 2^k points each of the 2^k boxes of one shape
+// holds exactly one, whatever the shape.
+TEST(SobolSampler, PutsOnePointIntoEachElementaryInterval) {
+  for (const std::uint32_t pair : {0u, 1u, 2u, 17u}) {
+    for (int k = 0; k <= 10; ++k) {
+      const std::uint32_t points = 1u << k;
+      for (int columns_log = 0; columns_log <= k; ++columns_log) {
+        const double columns = std::ldexp(1, columns_log), rows = std::ldexp(1, k - columns_log);
+        std::vector<int> found(points);
+        for (std::uint32_t i = 0; i < points; ++i) {
+          const PathSampler sampler(SamplerKind::Sobol, PathSampler::stream_key(5, 77, 1), i);
+          const auto [x, y] = sampler.pair(pair);
+          ++found[static_cast<std::size_t>(std::floor(x * columns) * rows + std::floor(y * rows))];
+        }
+        ASSERT_EQ(found, std::vector<int>(points, 1))
+            << points << " points in " << columns << " columns, pair " << pair;
+      }
+    }
+  }
+}
+
+// H0: the mean of f over the first 16 points of a stream has the expectation 1/4, and streams are
+// independent. 4 tests, |z| < 4.5: false alarm rate 3e-5.
+TEST(SobolSampler, IsUnbiasedOverStreams) {
+  constexpr int kStreams = 1 << 14;
+  const std::array<double (*)(const UniformPair&, const UniformPair&), 4> functions{
+      [](const UniformPair& a, const UniformPair&) { return a.first * a.second; },
+      [](const UniformPair& a, const UniformPair& b) { return a.first * b.first; },
+      [](const UniformPair& a, const UniformPair& b) { return a.second * b.first; },
+      [](const UniformPair& a, const UniformPair& b) {
+        return a.first < 0.37 && b.second < 0.37 ? 0.25 / (0.37 * 0.37) : 0.0;
+      }};
+  for (std::size_t f = 0; f < functions.size(); ++f) {
+    double sum = 0, squares = 0;
+    for (std::uint64_t stream = 0; stream < kStreams; ++stream) {
+      const std::uint64_t key = PathSampler::stream_key(3, stream / 4, stream % 4);
+      double mean = 0;
+      for (std::uint32_t i = 0; i < 16; ++i) {
+        const PathSampler sampler(SamplerKind::Sobol, key, i);
+        mean += functions[f](sampler.pair(2), sampler.pair(5)) / 16;
+      }
+      sum += mean - 0.25;
+      squares += (mean - 0.25) * (mean - 0.25);
+    }
+    EXPECT_LT(std::fabs(sum) / std::sqrt(squares), 4.5) << "function " << f;
+  }
 }
 
 /// The statistic's p-value by the normal approximation to χ² (Wilson, Hilferty, 1931).
@@ -34,8 +96,8 @@ double chi_square_p(double statistic, double degrees) {
 // 32 cells, significance 1e-4 each.
 TEST(PathSampler, FillsTheSquareEvenlyAcrossPixelsSamplesAndDimensions) {
   constexpr int kCells = 32, kPairs = 1 << 20;
-  const auto key = [](int pixel) {
-    return PathSampler::pixel_key(0, static_cast<std::uint64_t>(pixel));
+  const auto first = [](std::uint64_t pixel, std::uint64_t sample, std::uint32_t pair) {
+    return independent(pixel, sample).pair(pair).first;
   };
   const auto check = [&](const char* name, auto&& pair) {
     std::array<std::array<int, kCells>, kCells> counts{};
@@ -53,16 +115,20 @@ TEST(PathSampler, FillsTheSquareEvenlyAcrossPixelsSamplesAndDimensions) {
     EXPECT_LT(p, 1 - 1e-4) << name << " is too even to be random";
   };
   check("pixels", [&](int i) {
-    return std::pair{PathSampler(key(i), 0).uniform(0), PathSampler(key(i + 1), 0).uniform(0)};
+    const auto pixel = static_cast<std::uint64_t>(i);
+    return std::pair{first(pixel, 0, 0), first(pixel + 1, 0, 0)};
   });
   check("samples", [&](int i) {
     const auto sample = static_cast<std::uint64_t>(i);
-    return std::pair{PathSampler(key(5), sample).uniform(3),
-                     PathSampler(key(5), sample + 1).uniform(3)};
+    return std::pair{first(5, sample, 3), first(5, sample + 1, 3)};
   });
-  check("dimensions", [&](int i) {
-    const PathSampler sampler(key(i), 9);
-    return std::pair{sampler.uniform(6), sampler.uniform(7)};
+  check("numbers of a pair", [&](int i) {
+    const UniformPair pair = independent(static_cast<std::uint64_t>(i), 9).pair(6);
+    return std::pair{pair.first, pair.second};
+  });
+  check("pairs", [&](int i) {
+    const auto pixel = static_cast<std::uint64_t>(i);
+    return std::pair{first(pixel, 9, 6), first(pixel, 9, 7)};
   });
 }
 
@@ -71,16 +137,14 @@ TEST(PathSampler, FillsTheSquareEvenlyAcrossPixelsSamplesAndDimensions) {
 // neighbours do not correlate. 16 tests at |z| < 4.5: false alarm rate 1.1e-4.
 TEST(PathSampler, MakesPixelMeansThatSpreadAsThoseOfIndependentSamples) {
   constexpr int kPixels = 1 << 16, kSamples = 64;
-  for (const std::uint32_t dimension :
-       {kPixelX + 0u, vertex_dimension(0, kDirectionZ), vertex_dimension(0, kDirectionTurn),
-        vertex_dimension(3, kChoice)}) {
+  for (const std::uint32_t pair :
+       {kPixel + 0u, vertex_pair(0, kDirection), vertex_pair(0, kLight), vertex_pair(3, kChoice)}) {
     for (std::uint64_t seed = 0; seed < 2; ++seed) {
       double variance = 0, covariance = 0, last = 0;
       for (std::uint64_t pixel = 0; pixel < kPixels; ++pixel) {
-        const std::uint64_t key = PathSampler::pixel_key(seed, pixel);
         double sum = 0;
         for (std::uint64_t i = 0; i < kSamples; ++i) {
-          sum += PathSampler(key, i).uniform(dimension) - 0.5;
+          sum += independent(pixel, i, seed).pair(pair).second - 0.5;
         }
         const double mean = sum / std::sqrt(kSamples / 12.0);
         variance += mean * mean;
@@ -88,17 +152,20 @@ TEST(PathSampler, MakesPixelMeansThatSpreadAsThoseOfIndependentSamples) {
         last = mean;
       }
       const double spread = std::sqrt((2 - 1.2 / kSamples) / kPixels);
-      EXPECT_LT(std::fabs(variance / kPixels - 1) / spread, 4.5) << "dimension " << dimension;
-      EXPECT_LT(std::fabs(covariance) / std::sqrt(kPixels), 4.5) << "dimension " << dimension;
+      EXPECT_LT(std::fabs(variance / kPixels - 1) / spread, 4.5) << "pair " << pair;
+      EXPECT_LT(std::fabs(covariance) / std::sqrt(kPixels), 4.5) << "pair " << pair;
     }
   }
 }
 
 TEST(PathSampler, StaysBelowOne) {
-  const PathSampler sampler(PathSampler::pixel_key(3, 1), 4);
-  for (std::uint32_t d = 0; d < 100000; ++d) {
-    ASSERT_GE(sampler.uniform(d), 0);
-    ASSERT_LT(sampler.uniform(d), 1);
+  for (const SamplerKind kind : kKinds) {
+    const PathSampler sampler(kind, PathSampler::stream_key(3, 1, 0), 4);
+    for (std::uint32_t pair = 0; pair < 100000; ++pair) {
+      const auto [a, b] = sampler.pair(pair);
+      ASSERT_GE(std::min(a, b), 0);
+      ASSERT_LT(std::max(a, b), 1);
+    }
   }
 }
 

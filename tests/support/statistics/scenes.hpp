@@ -61,9 +61,12 @@ inline Estimate radiance_along_axis(const render::Scene& scene, const BeamOption
   const render::PathIntegrator integrator(scene, options.depth);
   render::PathCounts counts;
   EstimateBuilder builder;
-  const std::uint64_t key = render::PathSampler::pixel_key(options.seed, 0);
+  const std::uint64_t key = render::PathSampler::stream_key(options.seed, 0, 0);
   for (std::uint64_t i = 0; i < options.samples; ++i) {
-    builder.add(integrator.sample(0.5, 0.5, render::PathSampler(key, i), counts));
+    // Standard errors are those of independent samples.
+    const render::PathSampler sampler(render::SamplerKind::Independent, key,
+                                      static_cast<std::uint32_t>(i));
+    builder.add(integrator.sample(0.5, 0.5, sampler, counts));
   }
   return builder.estimate();
 }
