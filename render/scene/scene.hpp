@@ -108,6 +108,11 @@ struct RenderSettings {
   /// Trace until this many seconds have passed since render() was called, above 0.
   std::optional<double> seconds{};
   bool is_adaptive = false;  ///< with `error`: more samples where there is more noise
+  bool keeps_variance = false;  ///< of each pixel, in RenderResult::variance
+
+  bool has_goal() const noexcept { return error || seconds; }
+  /// A picture of one sample a pixel looks through the middle of each.
+  bool is_centred() const noexcept { return samples == 1 && !has_goal(); }
 };
 
 }  // namespace sdlc::render

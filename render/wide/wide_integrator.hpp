@@ -2,12 +2,11 @@
 
 #include <atomic>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 
-#include "render/math/color.hpp"
+#include "render/film/sample_run.hpp"
 #include "render/scene/near_pairs.hpp"
 #include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
@@ -42,13 +41,8 @@ class WideIntegrator {
   WideIntegrator(Scene scene, const RenderSettings& settings, const Options& options);
   ~WideIntegrator();
 
-  /// Told now and then how many samples were traced since the last time, and what happened to them.
-  using Report = std::function<void(std::uint64_t samples, const WideCounts& counts)>;
-
-  /// The mean of all samples of each of the pixels from `first` on, counted row by row from the top
-  /// left. False, and means that mean nothing, once `cancel` is set.
-  bool render(std::uint64_t first, std::span<LinearRgb> means, const std::atomic<bool>& cancel,
-              const Report& report) const;
+  /// Traces all runs, each in one lane. False, and sums that mean nothing, once `cancel` is set.
+  bool trace(std::span<SampleRun> runs, WideCounts& counts, const std::atomic<bool>& cancel) const;
 
   std::size_t memory_bytes() const noexcept;  ///< of tables and hierarchy
 

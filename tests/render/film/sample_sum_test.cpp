@@ -33,8 +33,9 @@ double defined_sum(const std::vector<double>& all, std::size_t begin, std::size_
 TEST(SampleSum, IsTheTreeOverBlocks) {
   for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 128u, 1000u, 4096u, 12345u}) {
     const std::vector<double> all = values(count);
-    SampleSum sum;
-    for (const double value : all) sum.add(LinearRgb{value});
+    std::vector<LinearRgb> storage(SampleSum::storage_for(count));
+    SampleSum sum(storage, 0);
+    for (const double value : all) sum.extend(sum.open_block() + LinearRgb{value}, 1);
     EXPECT_EQ(sum.count(), count);
     EXPECT_EQ(sum.total().g, defined_sum(all, 0, count)) << count;
   }

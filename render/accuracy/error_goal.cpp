@@ -1,0 +1,46 @@
+#include "render/accuracy/error_goal.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/film/film.hpp"
+
+namespace sdlc::render {
+namespace {
+
+std::uint64_t whole_replicates(std::uint64_t samples) {
+  return (samples + kReplicates - 1) / kReplicates * kReplicates;
+}
+
+}  // namespace
+
+std::uint64_t ErrorGoal::first_samples() const noexcept {
+  constexpr std::uint64_t kFirst = 16;  // four in each replicate
+  return std::min(kFirst, most_samples_);
+}
+
+std::optional<std::uint64_t> ErrorGoal::next_samples(std::uint64_t samples,
+                                                     const ErrorEstimate& estimate) {
+  is_reached_ = samples >= kLeastReplicatedSamples && estimate.interval.to <= error_;
+  if (is_reached_ || samples >= most_samples_) return std::nullopt;
+
+  const auto now = static_cast<double>(samples);
+  if (samples >= 2 * earlier_samples_) {  // less far apart, noise would be a slope
+    const double slope = std::log(estimate.relative_error / earlier_error_) /
+                         std::log(now / static_cast<double>(earlier_samples_));
+    if (earlier_samples_ > 0 && std::isfinite(slope)) {
+      constexpr double kSteepest = -1.5, kFlattest = -0.4;
+      slope_ = std::clamp(slope, kSteepest, kFlattest);
+    }
+    earlier_samples_ = samples;
+    earlier_error_ = estimate.relative_error;
+  }
+  const double wanted = now * std::pow(error_ / estimate.interval.to, 1 / slope_);
+  const std::uint64_t most =
+      std::min(samples + std::max<std::uint64_t>(samples / 4, kReplicates), most_samples_);
+  if (!(wanted < static_cast<double>(most))) return std::min(whole_replicates(most), most_samples_);
+  return std::min(whole_replicates(std::max(static_cast<std::uint64_t>(wanted), samples + 1)),
+                  most_samples_);
+}
+
+}  // namespace sdlc::render

@@ -1,0 +1,108 @@
+#include "render/film/film.hpp"
+
+#include <algorithm>
+
+namespace sdlc::render {
+namespace {
+
+double dot(LinearRgb a, LinearRgb b) noexcept { return a.r * b.r + a.g * b.g + a.b * b.b; }
+double grey(LinearRgb c) noexcept { return (c.r + c.g + c.b) / 3; }
+
+}  // namespace
+
+Film::Film(std::uint64_t first, std::size_t pixels)
+    : first_(first), counts_(pixels * kReplicates), values_(pixels * kReplicates) {}
+
+void Film::reserve(std::uint32_t samples_a_replicate) {
+  const std::size_t stride = SampleSum::storage_for(samples_a_replicate);
+  if (stride <= stride_) return;
+  std::vector<LinearRgb> values(counts_.size() * stride);
+  for (std::size_t slot = 0; slot < counts_.size(); ++slot) {
+    std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(slot * stride_), stride_,
+                values.begin() + static_cast<std::ptrdiff_t>(slot * stride));
+  }
+  values_ = std::move(values);
+  stride_ = stride;
+}
+
+void Film::plan(std::size_t pixel, const Target& target, std::uint32_t most_blocks,
+                std::vector<SampleRun>& runs) const {
+  for (std::uint32_t replicate = 0; replicate < kReplicates; ++replicate) {
+    const std::size_t slot = pixel * kReplicates + replicate;
+    std::uint32_t next = counts_[slot];
+    SampleRun run{.pixel = first_ + pixel, .replicate = replicate, .sum = sum(slot).open_block()};
+    for (std::uint32_t i = 0; i < most_blocks && next < target[replicate]; ++i) {
+      const std::uint32_t end = (next / SampleSum::kBlock + 1) * SampleSum::kBlock;
+      run.first = next;
+      run.count = std::min(end, target[replicate]) - next;
+      runs.push_back(run);
+      next += run.count;
+      run.sum = LinearRgb{};
+    }
+  }
+}
+
+void Film::add(const SampleRun& run) noexcept {
+  const std::size_t slot = static_cast<std::size_t>(run.pixel - first_) * kReplicates +
+                           static_cast<std::size_t>(run.replicate);
+  SampleSum sum(storage(slot), counts_[slot]);
+  sum.extend(run.sum, run.count);
+  counts_[slot] = static_cast<std::uint32_t>(sum.count());
+}
+
+std::uint64_t Film::samples(std::size_t pixel) const noexcept {
+  std::uint64_t samples = 0;
+  for (std::size_t i = 0; i < kReplicates; ++i) samples += counts_[pixel * kReplicates + i];
+  return samples;
+}
+
+LinearRgb Film::mean(std::size_t pixel) const noexcept {
+  const std::uint64_t count = samples(pixel);
+  if (count == 0) return LinearRgb{};
+  const auto total = [&](std::size_t i) { return sum(pixel * kReplicates + i).total(); };
+  return ((total(0) + total(1)) + (total(2) + total(3))) / static_cast<double>(count);
+}
+
+std::array<LinearRgb, kReplicates> Film::means(std::size_t pixel) const noexcept {
+  std::array<LinearRgb, kReplicates> means;
+  for (std::size_t i = 0; i < kReplicates; ++i) {
+    const std::size_t slot = pixel * kReplicates + i;
+    means[i] = sum(slot).total() / static_cast<double>(counts_[slot]);
+  }
+  return means;
+}
+
+LinearRgb Film::variance(std::size_t pixel) const noexcept {
+  const std::array<LinearRgb, kReplicates> x = means(pixel);
+  const LinearRgb mean = this->mean(pixel);
+  LinearRgb squares;
+  for (std::size_t i = 0; i < kReplicates; ++i) {
+    const LinearRgb d = x[i] - mean;
+    squares += d * d * counts_[pixel * kReplicates + i];
+  }
+  return squares / ((kReplicates - 1) * static_cast<double>(samples(pixel)));
+}
+
+PixelSpread Film::spread(std::size_t pixel) const noexcept {
+  const std::array<LinearRgb, kReplicates> x = means(pixel);
+  const LinearRgb mean = this->mean(pixel);
+  PixelSpread spread;
+  for (std::size_t i = 0; i < kReplicates; ++i) {
+    const LinearRgb d = x[i] - mean;
+    const double weight = counts_[pixel * kReplicates + i];
+    spread.squared_error += weight * dot(d, d);
+    spread.grey_variance += weight * grey(d) * grey(d);
+  }
+  const double share = 1 / ((kReplicates - 1) * static_cast<double>(samples(pixel)));
+  spread.squared_error *= share;
+  spread.grey_variance *= share;
+  // Two differences of independent pairs: E[((a − b)·(c − d))²] = 4 tr Σ². Of three such pairings.
+  const auto paired = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+    const double product = dot(x[a] - x[b], x[c] - x[d]);
+    return product * product;
+  };
+  spread.squared_covariance = (paired(0, 1, 2, 3) + paired(0, 2, 1, 3) + paired(0, 3, 1, 2)) / 12;
+  return spread;
+}
+
+}  // namespace sdlc::render

@@ -1,0 +1,120 @@
+#include "render/tiles/picture_tracer.hpp"
+
+#include <algorithm>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+
+namespace sdlc::render {
+namespace {
+
+// Some thousands of runs at a time keep all lanes busy to the end, and their sums in the cache.
+constexpr std::size_t kRunsAtATime = 4096;
+
+Film::Target target_in_replicates(std::uint64_t samples) {
+  Film::Target target;
+  for (std::uint32_t i = 0; i < kReplicates; ++i) target[i] = samples_in_replicate(samples, i);
+  return target;
+}
+
+/// Of a picture of `samples` a pixel; fewer than make replicates are one.
+Film::Target whole_target(std::uint64_t samples) {
+  if (samples < kLeastReplicatedSamples) return {static_cast<std::uint32_t>(samples)};
+  return target_in_replicates(samples);
+}
+
+}  // namespace
+
+PictureTracer::PictureTracer(const Tracer& tracer, const RenderSettings& settings, int threads,
+                             RenderMonitor& monitor)
+    : tracer_(tracer),
+      settings_(settings),
+      pixels_(static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height)),
+      threads_(threads),
+      monitor_(monitor) {}
+
+std::size_t PictureTracer::pixels_a_tile(std::uint64_t samples) const noexcept {
+  // Lanes idle while a tile's last runs end: half a run in 64 of them, with 16 lanes. Threads idle
+  // while the picture's last tiles do.
+  constexpr std::size_t kSamplesATile = 1 << 16, kMostPixels = 1024, kTilesAThread = 16,
+                        kMostTiles = 1 << 30;
+  const std::size_t least = std::max<std::size_t>(1, pixels_ / kMostTiles);
+  const std::size_t of_threads = pixels_ / (static_cast<std::size_t>(threads_) * kTilesAThread);
+  const std::size_t of_samples = kSamplesATile / std::max<std::uint64_t>(samples, 1);
+  return std::clamp(std::min(of_samples, kMostPixels), least, std::max(least, of_threads));
+}
+
+void PictureTracer::for_each_tile(
+    std::size_t pixels_a_tile,
+    const std::function<void(std::size_t begin, std::size_t end)>& body) const {
+  const std::size_t tiles = (pixels_ + pixels_a_tile - 1) / pixels_a_tile;
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, tiles, 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t tile = range.begin(); tile < range.end(); ++tile) {
+          if (monitor_.cancel.load(std::memory_order_relaxed)) return;
+          const std::size_t begin = tile * pixels_a_tile;
+          body(begin, std::min(pixels_, begin + pixels_a_tile));
+        }
+      },
+      tbb::simple_partitioner{});
+}
+
+template <typename Target>
+bool PictureTracer::trace_pixels(Film& film, std::size_t begin, std::size_t end,
+                                 const Target& target) {
+  const std::size_t most_blocks =
+      std::max<std::size_t>(1, kRunsAtATime / (kReplicates * (end - begin)));
+  std::vector<SampleRun> runs;
+  while (true) {
+    runs.clear();
+    for (std::size_t pixel = begin; pixel < end; ++pixel) {
+      film.plan(pixel, target(pixel), static_cast<std::uint32_t>(most_blocks), runs);
+    }
+    if (runs.empty()) return true;
+    TraceCounts counts;
+    if (!tracer_.trace(runs, counts, monitor_.cancel)) return false;
+    std::uint64_t samples = 0;
+    for (const SampleRun& run : runs) {
+      film.add(run);
+      samples += run.count;
+    }
+    monitor_.samples_done.fetch_add(samples, std::memory_order_relaxed);
+    monitor_.rays_done.fetch_add(counts.paths.rays, std::memory_order_relaxed);
+    truncated_.fetch_add(counts.paths.truncated_paths, std::memory_order_relaxed);
+    nonfinite_.fetch_add(counts.nonfinite_samples, std::memory_order_relaxed);
+  }
+}
+
+void PictureTracer::trace_at_once(RenderResult& result, std::vector<PixelSpread>& spreads) {
+  const auto samples = static_cast<std::uint64_t>(settings_.samples);
+  const Film::Target target = whole_target(samples);
+  for_each_tile(pixels_a_tile(samples), [&](std::size_t begin, std::size_t end) {
+    Film film(begin, end - begin);
+    film.reserve(target[0]);
+    if (!trace_pixels(film, 0, end - begin, [&](std::size_t) { return target; })) return;
+    for (std::size_t i = begin; i < end; ++i) {
+      result.picture.pixels[i] = film.mean(i - begin);
+      if (!spreads.empty()) spreads[i] = film.spread(i - begin);
+      if (!result.variance.pixels.empty()) result.variance.pixels[i] = film.variance(i - begin);
+    }
+  });
+}
+
+bool PictureTracer::trace_pass(Film& film, std::uint64_t most,
+                               const std::function<std::uint64_t(std::size_t pixel)>& target,
+                               const std::function<bool()>& is_late) {
+  film.reserve(target_in_replicates(most)[0]);
+  std::atomic<bool> is_whole{true};
+  const std::uint64_t added = most - std::min(most, film.samples(0));
+  for_each_tile(pixels_a_tile(added), [&](std::size_t begin, std::size_t end) {
+    const bool was_traced = !is_late() && trace_pixels(film, begin, end, [&](std::size_t pixel) {
+      return target_in_replicates(target(pixel));
+    });
+    if (!was_traced) is_whole = false;
+  });
+  return is_whole && !monitor_.cancel.load();
+}
+
+}  // namespace sdlc::render

@@ -1,0 +1,89 @@
+#include "render/tiles/tracer.hpp"
+
+#include <utility>
+
+#include "render/sampler/sampler.hpp"
+#include "render/wide/wide_integrator.hpp"
+
+namespace sdlc::render {
+namespace {
+
+/// One path after the other.
+class ScalarTracer final : public Tracer {
+ public:
+  ScalarTracer(const Kernel& kernel, Scene scene, const RenderSettings& settings)
+      : integrator_(std::move(scene), settings.depth, kernel.bounds.near_pairs),
+        settings_(settings) {}
+
+  bool trace(std::span<SampleRun> runs, TraceCounts& counts,
+             const std::atomic<bool>& cancel) const override {
+    for (SampleRun& run : runs) {
+      const std::uint64_t key = PathSampler::stream_key(settings_.seed, run.pixel, run.replicate);
+      for (std::uint32_t i = 0; i < run.count; ++i) {
+        const PathSampler sampler(settings_.sampler, key, run.first + i);
+        const LinearRgb radiance = sample(run.pixel, sampler, counts.paths, cancel);
+        if (is_finite(radiance)) {
+          run.sum += radiance;
+        } else {
+          ++counts.nonfinite_samples;
+        }
+      }
+      if (cancel.load(std::memory_order_relaxed)) return false;
+    }
+    return true;
+  }
+
+  std::size_t memory_bytes() const noexcept override { return integrator_.bvh().memory_bytes(); }
+
+ private:
+  LinearRgb sample(std::uint64_t pixel, const PathSampler& sampler, PathCounts& counts,
+                   const std::atomic<bool>& cancel) const {
+    const auto width = static_cast<std::uint64_t>(settings_.width);
+    const auto x = static_cast<double>(pixel % width);
+    const auto row = static_cast<double>(settings_.height) - 1 - static_cast<double>(pixel / width);
+    const auto [dx, dy] = settings_.is_centred() ? UniformPair{0.5, 0.5} : sampler.pair(kPixel);
+    return integrator_.sample((x + dx) / settings_.width, (row + dy) / settings_.height, sampler,
+                              counts, &cancel);
+  }
+
+  const PathIntegrator integrator_;
+  const RenderSettings settings_;
+};
+
+/// A path in each lane of a vector.
+class WideTracer final : public Tracer {
+ public:
+  WideTracer(const Kernel& kernel, Scene scene, const RenderSettings& settings)
+      : integrator_(std::move(scene), settings,
+                    {.precision = kernel.precision,
+                     .isa = *kernel.isa,
+                     .search = kernel.kind == KernelKind::Bvh ? Search::Bvh : Search::All,
+                     .exact_spheres = kernel.exact_spheres,
+                     .near_pairs = kernel.bounds.near_pairs}) {}
+
+  bool trace(std::span<SampleRun> runs, TraceCounts& counts,
+             const std::atomic<bool>& cancel) const override {
+    WideCounts wide;
+    if (!integrator_.trace(runs, wide, cancel)) return false;
+    counts.paths += {.rays = wide.rays, .truncated_paths = wide.truncated_paths};
+    counts.nonfinite_samples += wide.nonfinite_samples;
+    return true;
+  }
+
+  std::size_t memory_bytes() const noexcept override { return integrator_.memory_bytes(); }
+
+ private:
+  const WideIntegrator integrator_;
+};
+
+}  // namespace
+
+std::unique_ptr<const Tracer> make_tracer(const Kernel& kernel, Scene scene,
+                                          const RenderSettings& settings) {
+  if (kernel.kind == KernelKind::Scalar) {
+    return std::make_unique<const ScalarTracer>(kernel, std::move(scene), settings);
+  }
+  return std::make_unique<const WideTracer>(kernel, std::move(scene), settings);
+}
+
+}  // namespace sdlc::render
