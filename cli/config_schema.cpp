@@ -35,6 +35,10 @@ void add_range(Json& schema, lang::Range range) {
       schema["minimum"] = 0;
       schema["maximum"] = 1;
       break;
+    case lang::Range::PositiveFraction:
+      schema["exclusiveMinimum"] = 0;
+      schema["maximum"] = 1;
+      break;
     case lang::Range::Kelvin:
       schema["minimum"] = 1667;
       schema["maximum"] = 25000;

@@ -59,6 +59,7 @@ class InspectJob {
     lang::LoweredScene lowered = compiler_.lower_partly(overrides, options_.frame);
     render::Kernel kernel = choose_kernel(options_.kernel, options_.overrides, lowered, compiler_);
     print_new_diagnostics();
+    if (!sink_.has_errors()) check_goals(overrides, lowered);
     // Of a scene with errors the rest is told. That of one which says nothing is nothing.
     const bool is_empty = render::count_spheres(lowered.scene) == 0 && !lowered.camera;
     if (sink_.has_errors() && is_empty) return ExitCode::Findings;

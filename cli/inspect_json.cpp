@@ -1,9 +1,12 @@
+#include <optional>
+
 #include <nlohmann/json.hpp>
 
 #include "cli/frames.hpp"
 #include "cli/inspect_report.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/precision_json.hpp"
+#include "render/scene/choices.hpp"
 #include "render/scene/instances.hpp"
 
 namespace sdlc::cli {
@@ -15,6 +18,8 @@ Json triple(render::Vec3 v) { return {v.x, v.y, v.z}; }
 Json triple(render::LinearRgb c) { return {c.r, c.g, c.b}; }
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+Json number_or_null(std::optional<double> number) { return number ? Json(*number) : Json(); }
 
 Json animation_json(const InspectReport& report) {
   if (!report.animation) return nullptr;
@@ -90,6 +95,11 @@ Json picture_json(const InspectReport& report) {
           {"samples", settings.samples},
           {"depth", settings.depth},
           {"seed", settings.seed},
+          {"sampler", name_of(settings.sampler)},
+          {"light_sampling", name_of(settings.light_sampling)},
+          {"error", number_or_null(settings.error)},
+          {"seconds", number_or_null(settings.seconds)},
+          {"adaptive", settings.is_adaptive},
           {"threads", settings.threads},
           {"tone", tone_name(report.lowered.output.tone)},
           {"output", report.output ? Json(*report.output) : Json()}};

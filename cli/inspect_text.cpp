@@ -9,6 +9,7 @@
 #include "cli/kernel_options.hpp"
 #include "lang/diagnostics/render.hpp"
 #include "lang/text/display_width.hpp"
+#include "render/scene/choices.hpp"
 #include "render/scene/instances.hpp"
 
 namespace sdlc::cli {
@@ -148,6 +149,18 @@ void write_camera(const lang::LoweredScene& lowered, Sheet& sheet) {
                                          : "none: nothing moves");
 }
 
+/// "an error of 1% or 10.0 s, whichever comes first"
+std::string describe_goals(const render::RenderSettings& settings) {
+  std::vector<std::string> goals;
+  if (settings.error) {
+    goals.push_back(fmt::format("an error of {}%", format_rounded(100 * *settings.error)));
+  }
+  if (settings.seconds) goals.push_back(format_seconds(*settings.seconds));
+  return fmt::format("{}{}{}", fmt::join(goals, " or "),
+                     goals.size() > 1 ? ", whichever comes first" : "",
+                     settings.is_adaptive ? ", more samples where there is more noise" : "");
+}
+
 void write_picture(const InspectReport& report, Sheet& sheet) {
   const render::Background& background = report.lowered.scene.background;
   sheet.row("background", background.is_constant()
@@ -158,10 +171,14 @@ void write_picture(const InspectReport& report, Sheet& sheet) {
   const std::string size = settings.width > 0
                                ? fmt::format("{} x {} pixels", settings.width, settings.height)
                                : "of unknown size";
+  const bool has_goal = settings.error || settings.seconds;
   sheet.row("picture",
-            fmt::format("{}, {}, depth {}, seed {}, tone {}", size,
+            fmt::format("{}, {}{}, depth {}, seed {}, tone {}", size, has_goal ? "at most " : "",
                         plural(static_cast<std::size_t>(settings.samples), "sample"),
                         settings.depth, settings.seed, tone_name(report.lowered.output.tone)));
+  sheet.detail("sampling", fmt::format("{}, light sampling {}", name_of(settings.sampler),
+                                       name_of(settings.light_sampling)));
+  if (has_goal) sheet.detail("until", describe_goals(settings));
   sheet.detail("output",
                report.output ? lang::printable(*report.output) : "no name: `render` needs -o OUT");
 }

@@ -10,4 +10,7 @@ namespace sdlc::cli {
 /// Overrides has, named and explained by the property's row in its table.
 void add_override_options(CLI::App& command, lang::Overrides& overrides);
 
+/// Throws UsageError where the flags ask for what neither they nor the scene say how to reach.
+void check_goals(const lang::Overrides& overrides, const lang::LoweredScene& lowered);
+
 }  // namespace sdlc::cli

@@ -232,6 +232,7 @@ class RenderJob {
       print_diagnostics(sink_, options_.scene.diagnostics, env_.err, env_.err_is_terminal, env_);
     }
     if (!lowered) return std::nullopt;
+    check_goals(overrides, *lowered);
     sink_.forget_shown();
     statistics.scene = source_->name();
     statistics.compile = compiler_->times();
@@ -344,6 +345,8 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
       "  sdlc render ball.scene\n"
       "  sdlc render ball.scene -o ball.png -o ball.exr --samples 256\n"
       "  sdlc render config.json --width 320 --samples 16 --progress none --stats stats.json\n"
+      "  sdlc render ball.scene --error 1%\n"
+      "  sdlc render ball.scene --time 10s --samples 4096\n"
       "  cat ball.scene | sdlc render - -o - > ball.png\n"
       "  sdlc render ring.scene --set count=200 --frames 1-24 -o ring.####.png\n\n"
       "#### in an output's name is the number of the frame.\n"

@@ -5,6 +5,7 @@
 #include "cli/environment.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/precision_json.hpp"
+#include "render/scene/choices.hpp"
 
 namespace sdlc::cli {
 
@@ -22,6 +23,8 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"samples", settings.samples},
       {"depth", settings.depth},
       {"seed", settings.seed},
+      {"sampler", name_of(settings.sampler)},
+      {"light_sampling", name_of(settings.light_sampling)},
       {"threads", result.threads},
       {"instruction_set", instruction_set(result.kernel)},
       {"precision", name_of(result.kernel.precision)},

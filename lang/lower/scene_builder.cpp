@@ -14,6 +14,7 @@
 #include "lang/schema/schema.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "render/image/picture.hpp"
+#include "render/scene/choices.hpp"
 #include "render/scene/coincident.hpp"
 
 namespace sdlc::lang {
@@ -40,6 +41,14 @@ std::optional<render::Precision> lower_precision(std::string_view word) {
   if (word == "float") return render::Precision::Float;
   if (word == "double") return render::Precision::Double;
   return std::nullopt;
+}
+
+/// The one that the word names.
+template <typename T, std::size_t N>
+T lower_choice(std::string_view word, const std::array<T, N>& choices) {
+  const auto found =
+      std::ranges::find(choices, word, [](T choice) { return render::name_of(choice); });
+  return found == choices.end() ? choices.front() : *found;
 }
 
 }  // namespace
@@ -331,8 +340,10 @@ void SceneBuilder::find_places(LoweredScene& lowered) const {
   };
   lowered.places.width = place(kWidth);
   lowered.places.height = place(kHeight);
+  lowered.places.samples = place(kSamples);
   lowered.places.depth = place(kDepth);
   lowered.places.precision = place(kPrecision);
+  lowered.places.error = place(kError);
 }
 
 void SceneBuilder::lower_background(render::Scene& scene) {
@@ -420,7 +431,6 @@ void SceneBuilder::lower_settings(const Overrides& overrides, LoweredScene& lowe
   const auto set = [](auto& setting, const auto& value) {
     if (value) setting = static_cast<std::remove_reference_t<decltype(setting)>>(*value);
   };
-  set(settings.samples, overrides.samples ? overrides.samples : whole(object, kSamples));
   set(settings.depth, overrides.depth ? overrides.depth : whole(object, kDepth));
   set(settings.threads, overrides.threads ? overrides.threads : whole(object, kThreads));
   // A config's number_cores says how many it would like; more than there are means all.
@@ -442,7 +452,56 @@ void SceneBuilder::lower_settings(const Overrides& overrides, LoweredScene& lowe
     lowered.precision = lower_precision(precision->text);
   }
   if (overrides.precision) lowered.precision = lower_precision(*overrides.precision);
-  if (cameras_.empty()) settings.samples = settings.depth = 1;  // a plain picture has no noise
+  const auto word = [&](const std::optional<std::string>& flag, std::size_t property) {
+    const auto written = object.get<Word>(property).value_or(Word{});
+    return flag.value_or(written.text);
+  };
+  settings.sampler = lower_choice(word(overrides.sampler, kSampler), render::kSamplerKinds);
+  settings.light_sampling =
+      lower_choice(word(overrides.light_sampling, kLightSampling), render::kLightSamplings);
+  lower_goals(overrides, lowered);
+}
+
+void SceneBuilder::lower_goals(const Overrides& overrides, LoweredScene& lowered) {
+  using namespace render_property;
+  const Object& object = *render_;
+  render::RenderSettings& settings = lowered.settings;
+  if (cameras_.empty()) {  // a plain picture has no noise
+    settings.samples = settings.depth = 1;
+    return;
+  }
+  const bool is_by_flag = overrides.error || overrides.seconds;
+  settings.error = is_by_flag ? overrides.error : object.get<double>(kError);
+  settings.seconds = overrides.seconds;
+  settings.is_adaptive = overrides.is_adaptive && settings.error;
+  // The scene's samples are the most for its own goal only, and where it says how many.
+  const bool is_by_scene =
+      !is_by_flag && (object.slot(kSamples).is_written || !settings.error.has_value());
+  if (overrides.samples) {
+    settings.samples = *overrides.samples;
+  } else if (!is_by_scene) {
+    settings.samples = render::kMostSamples;
+  } else if (const auto written = whole(object, kSamples)) {
+    settings.samples = *written;
+  }
+  diagnose_few_samples(lowered, overrides.samples.has_value());
+}
+
+void SceneBuilder::diagnose_few_samples(const LoweredScene& lowered, bool is_by_flag) {
+  // Fewer samples of a pixel give no estimate of its error.
+  constexpr int kLeastSamples = 8;
+  const std::optional<double> error = lowered.settings.error;
+  const int samples = lowered.settings.samples;
+  if (!error || samples >= kLeastSamples) return;
+  const WrittenPlaces& places = lowered.places;
+  const Location where = is_by_flag ? places.error : places.samples;
+  auto report = sink_->report(diag::samples_below_error, where,
+                              fmt::format("{} sample{}", samples, samples == 1 ? "" : "s"),
+                              fmt::format("{:.6g}%", 100 * *error),
+                              fmt::format("of fewer than {} no error is known", kLeastSamples));
+  if (!is_by_flag) report.label(places.error, "the error to reach");
+  report.help(fmt::format("leave `{}` out, or give {} or more",
+                          is_by_flag ? "--samples" : "samples", kLeastSamples));
 }
 
 void SceneBuilder::lower_size(const Object* camera, const Overrides& overrides,

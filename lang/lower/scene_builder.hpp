@@ -29,6 +29,10 @@ struct Overrides {
   std::optional<int> width = {}, height = {}, samples = {}, depth = {}, threads = {};
   std::optional<std::uint64_t> seed = {};
   std::optional<std::string> tone = {}, camera = {}, precision = {};
+  std::optional<std::string> sampler = {}, light_sampling = {};
+  /// As in render::RenderSettings: either takes the place of the scene's `error` and `samples`.
+  std::optional<double> error = {}, seconds = {};
+  bool is_adaptive = false;
   bool names_output = false;  ///< the scene's own output is not used
   Instancing instancing = Instancing::Auto;
 };
@@ -58,7 +62,7 @@ struct CheckedCamera {
 
 /// Where the text says something; no file: it does not.
 struct WrittenPlaces {
-  Location background, width, height, depth, precision;
+  Location background, width, height, samples, depth, precision, error;
 };
 
 /// A sphere that groups turn while the shutter is open, whose centre nevertheless goes straight.
@@ -183,6 +187,9 @@ class SceneBuilder final : public ObjectSink {
   void lower_background(render::Scene& scene);
   void lower_motion(render::Interval shutter, render::Scene& scene);
   void lower_settings(const Overrides& overrides, LoweredScene& lowered);
+  /// Error and time to reach, and the samples that may be taken for them.
+  void lower_goals(const Overrides& overrides, LoweredScene& lowered);
+  void diagnose_few_samples(const LoweredScene& lowered, bool is_by_flag);
   /// Width, height and the aspect of the view plane, which the camera's aspect and both formats'
   /// sizes decide.
   void lower_size(const Object* camera, const Overrides& overrides, LoweredScene& lowered);

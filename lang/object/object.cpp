@@ -17,6 +17,7 @@ bool is_in(Range range, double number) noexcept {
     case Range::AtLeastOne: return number >= 1;
     case Range::ByteCode: return number >= 0 && number <= 255;
     case Range::Fraction: return number >= 0 && number <= 1;
+    case Range::PositiveFraction: return number > 0 && number <= 1;
     case Range::Kelvin: return number >= 1667 && number <= 25000;
     case Range::BetweenZeroAndHalfTurn: return number > 0 && number < 180;
   }

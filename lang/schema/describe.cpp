@@ -31,6 +31,7 @@ std::string_view describe(Range range) noexcept {
     case Range::AtLeastOne: return "at least 1";
     case Range::ByteCode: return "from 0 to 255";
     case Range::Fraction: return "from 0 to 100%";
+    case Range::PositiveFraction: return "greater than 0 and at most 100%";
     case Range::Kelvin: return "from 1667 to 25000";
     case Range::BetweenZeroAndHalfTurn: return "greater than 0 and less than 180 degrees";
   }

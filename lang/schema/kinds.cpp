@@ -7,6 +7,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kToneWords{"srgb", "sqrt", "linear"};
 constexpr std::array<std::string_view, 3> kPrecisionWords{"auto", "float", "double"};
+constexpr std::array<std::string_view, 2> kSamplerWords{"sobol", "independent"};
+constexpr std::array<std::string_view, 3> kLightSamplingWords{"auto", "on", "off"};
 constexpr std::array<std::string_view, 2> kFresnelWords{"schlick", "exact"};
 
 constexpr auto kCameraProperties = std::to_array<Property>({
@@ -105,7 +107,8 @@ constexpr auto kRenderProperties = std::to_array<Property>({
      .range = Range::AtLeastOne,
      .default_value = 64.0,
      .default_text = "64",
-     .doc = "Paths per pixel; four times as many halve the noise."},
+     .doc = "Paths per pixel; four times as many halve the noise. Beside an `error`: the most of "
+            "them."},
     {.name = "depth",
      .type = Type::WholeNumber,
      .range = Range::AtLeastOne,
@@ -142,6 +145,25 @@ constexpr auto kRenderProperties = std::to_array<Property>({
      .words = kPrecisionWords,
      .doc = "Of the numbers that paths are computed in; auto: `float` where nothing can be seen of "
             "its rounding, else `double`. In `float` a few large spheres may be met in double."},
+    {.name = "sampler",
+     .type = Type::Word,
+     .default_value = std::string_view("sobol"),
+     .default_text = "sobol",
+     .words = kSamplerWords,
+     .doc = "Where random numbers come from; sobol: points that fill space evenly, with less noise"
+            " for as many samples; independent: each number by itself."},
+    {.name = "light_sampling",
+     .type = Type::Word,
+     .default_value = std::string_view("auto"),
+     .default_text = "auto",
+     .words = kLightSamplingWords,
+     .doc = "Whether matt surfaces look for lamps by themselves, with less noise where these are"
+            " small; auto: where it pays. Never changes what is drawn but for its noise."},
+    {.name = "error",
+     .type = Type::Number,
+     .range = Range::PositiveFraction,
+     .doc = "The relative error of the picture to reach, such as `1%`: the root mean square of the"
+            " linear error over pixels and channels, divided by the mean linear radiance."},
 });
 static_assert(kRenderProperties.size() == render_property::kCount);
 

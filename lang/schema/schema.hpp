@@ -42,6 +42,7 @@ enum class Range : std::uint8_t {
   AtLeastOne,
   ByteCode,                ///< 0 to 255
   Fraction,                ///< 0 to 1
+  PositiveFraction,        ///< the same without 0
   Kelvin,                  ///< where the colour of a black body is known: 1667 to 25000
   BetweenZeroAndHalfTurn,  ///< both ends excluded
 };
@@ -120,6 +121,9 @@ enum : std::size_t {
   kSeed,
   kThreads,
   kPrecision,
+  kSampler,
+  kLightSampling,
+  kError,
   kCount
 };
 }
@@ -129,7 +133,7 @@ enum : std::size_t { kTranslate, kRotate, kScale, kMaterial, kCount };
 namespace animation_property {
 enum : std::size_t { kFrames, kFps, kStep, kCount };
 }
-inline constexpr std::size_t kMaxProperties = 10;
+inline constexpr std::size_t kMaxProperties = 13;
 
 /// The shape of a value in the JSON config format.
 enum class JsonType : std::uint8_t {

@@ -93,6 +93,9 @@ enum class LightSampling : std::uint8_t {
   Off,
 };
 
+/// Camera paths per pixel at most where there is a goal and nothing says how many.
+inline constexpr int kMostSamples = 1 << 24;
+
 /// How the picture is made.
 struct RenderSettings {
   int width = 960;

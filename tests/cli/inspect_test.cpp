@@ -119,11 +119,43 @@ TEST_F(InspectCommand, TellsHowThePictureIsMade) {
                                      {"samples", 2},
                                      {"depth", 6},
                                      {"seed", 9},
+                                     {"sampler", "sobol"},
+                                     {"light_sampling", "auto"},
+                                     {"error", nullptr},
+                                     {"seconds", nullptr},
+                                     {"adaptive", false},
                                      {"threads", 0},
                                      {"tone", "sqrt"},
                                      {"output", "out/ring.0001.png"}}));
   EXPECT_EQ(report["background"]["kind"], "color");
   EXPECT_EQ(report["memory"]["picture_bytes"], 100 * 56 * 24);
+}
+
+TEST_F(InspectCommand, TellsTheGoalsOfTheFlags) {
+  const json goals = inspect(
+      "ring.scene --error 3% --time 2min --adaptive --sampler independent --light-sampling "
+      "on")["picture"];
+  EXPECT_EQ(goals["error"], 0.03);
+  EXPECT_EQ(goals["seconds"], 120);
+  EXPECT_EQ(goals["adaptive"], true);
+  EXPECT_EQ(goals["samples"], 1 << 24);
+  EXPECT_EQ(goals["sampler"], "independent");
+  EXPECT_EQ(goals["light_sampling"], "on");
+  EXPECT_EQ(inspect("ring.scene --error 3% --samples 50")["picture"]["samples"], 50);
+  const ProgramResult result = run("ring.scene --adaptive");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("--adaptive: there is no error to reach"));
+}
+
+TEST_F(InspectCommand, LaysOutGoalsForPeople) {
+  const auto text = [&](const std::string& flags) { return run("ring.scene " + flags).out; };
+  EXPECT_THAT(text(""), HasSubstr("  sampling      sobol, light sampling auto\n  output"));
+  EXPECT_THAT(text("--error 7% --samples 100"),
+              AllOf(HasSubstr("pixels, at most 100 samples, depth"),
+                    HasSubstr("  until         an error of 7%\n")));
+  EXPECT_THAT(text("--error 7% --time 90s --adaptive"),
+              HasSubstr("  until         an error of 7% or 1 min 30 s, whichever comes first, more "
+                        "samples where there is more noise\n"));
 }
 
 TEST_F(InspectCommand, ShowsTheFirstFrameOrTheOneAskedFor) {

@@ -130,6 +130,8 @@ TEST_F(RenderCommand, TellsEveryFieldOfTheStatistics) {
                             "samples",
                             "depth",
                             "seed",
+                            "sampler",
+                            "light_sampling",
                             "threads",
                             "instruction_set",
                             "precision",
@@ -370,6 +372,72 @@ TEST_F(RenderCommand, SuggestsTheFlagThatWasMeant) {
   const ProgramResult command = run("\"$SDLC\" rendr ball.scene");
   EXPECT_EQ(command.exit_code, 2);
   EXPECT_THAT(command.err, HasSubstr("did you mean `render`?"));
+}
+
+TEST_F(RenderCommand, TellsHowItSampled) {
+  const auto stats = [&](const std::string& flags) {
+    const ProgramResult result =
+        run("\"$SDLC\" render ball.scene --width 8 --quiet --stats - " + flags);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return nlohmann::json::parse(result.out);
+  };
+  EXPECT_EQ(stats("")["sampler"], "sobol");
+  EXPECT_EQ(stats("")["light_sampling"], "auto");
+  EXPECT_EQ(stats("--sampler independent")["sampler"], "independent");
+  EXPECT_EQ(stats("--light-sampling off")["light_sampling"], "off");
+}
+
+TEST_F(RenderCommand, TakesSamplesBesideAGoalAsTheMostOfThem) {
+  for (const char* flags :
+       {"--error 1%", "--error 0.01", "--time 1h", "--error 1% --time 2min --adaptive"}) {
+    const ProgramResult result = run(
+        std::string("\"$SDLC\" render ball.scene --width 8 --samples 9 --stats s.json ") + flags);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, Not(HasSubstr("W502"))) << flags;
+    const auto stats = nlohmann::json::parse(content_of(folder_ / "s.json"));
+    EXPECT_LE(stats["samples"], 9) << flags;
+  }
+}
+
+TEST_F(RenderCommand, SuggestsWhatWasMeantByAGoal) {
+  const auto refusal = [&](const std::string& flags) {
+    const ProgramResult result = run("\"$SDLC\" render ball.scene " + flags);
+    EXPECT_EQ(result.exit_code, 2) << flags;
+    return result.err;
+  };
+  EXPECT_THAT(refusal("--time 10"), HasSubstr("--time: takes a time above 0 with its unit"));
+  EXPECT_THAT(refusal("--time 10"), HasSubstr("not `10` (did you mean `10s`?)"));
+  EXPECT_THAT(refusal("--error 3"), HasSubstr("--error: takes a share above 0 and at most 100%"));
+  EXPECT_THAT(refusal("--error 3"), HasSubstr("not `3` (did you mean `3%`?)"));
+  EXPECT_THAT(refusal("--error 200%"), HasSubstr("at most 100%"));
+  EXPECT_THAT(refusal("--sampler sobel"), HasSubstr("did you mean `sobol`?"));
+  EXPECT_THAT(refusal("--light-sampling auot"), HasSubstr("did you mean `auto`?"));
+  EXPECT_THAT(refusal("--light_sampling off"), HasSubstr("did you mean `--light-sampling`?"));
+  EXPECT_THAT(refusal("--eror 1%"), HasSubstr("did you mean `--error`?"));
+  EXPECT_THAT(names(), ElementsAre("ball.scene", "config.json"));
+}
+
+TEST_F(RenderCommand, IsAdaptiveOnlyTowardsAnError) {
+  for (const char* flags : {"", "--samples 64", "--time 10s"}) {
+    const ProgramResult result =
+        run(std::string("\"$SDLC\" render ball.scene --adaptive ") + flags);
+    EXPECT_EQ(result.exit_code, 2) << flags;
+    EXPECT_THAT(result.err, HasSubstr("--adaptive: ")) << flags;
+    EXPECT_THAT(result.err, HasSubstr("--error 1%")) << flags;
+  }
+  write_text(folder_ / "goal.scene", R"(scene 1
+camera main { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }
+render { width: 8, samples: 8, error: 5% }
+)");
+  EXPECT_EQ(run("\"$SDLC\" render goal.scene --adaptive").exit_code, 0);
+  EXPECT_EQ(run("\"$SDLC\" render goal.scene --adaptive --time 10s").exit_code, 2);
+}
+
+TEST_F(RenderCommand, WarnsOfSamplesThatCannotReachTheError) {
+  const ProgramResult result = run("\"$SDLC\" render ball.scene --error 1% --samples 4");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("warning[W502]: 4 samples cannot reach an error of 1%"));
+  EXPECT_THAT(result.err, HasSubstr("leave `--samples` out, or give 8 or more"));
 }
 
 TEST_F(RenderCommand, RefusesNumbersOutOfRange) {

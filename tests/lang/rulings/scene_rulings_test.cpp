@@ -239,7 +239,6 @@ TEST(Rulings, Ruling32_TheHeightIsTheWidthOverTheAspectRoundedDown) {
   EXPECT_EQ(given.scene.camera.aspect, 2);
 }
 
-// Of `render`, precision, sampler, light_sampling and error are still to come.
 TEST(Rulings, Ruling33_RenderHasTheseSettingsAndDefaults) {
   const auto plain = scene_of({.root = kCamera + kBall});
   EXPECT_EQ(plain.settings.width, 960);
@@ -249,17 +248,24 @@ TEST(Rulings, Ruling33_RenderHasTheseSettingsAndDefaults) {
   EXPECT_EQ(plain.output.tone, render::Tone::Srgb);
   EXPECT_EQ(plain.output.output, "");
   const std::string render =
-      "render { width: 5, height: 4, samples: 3, depth: 2, output: \"o.png\", tone: linear, "
-      "seed: 9007199254740992, threads: 1, precision: float }";
+      "render { width: 5, height: 4, samples: 9, depth: 2, output: \"o.png\", tone: linear, "
+      "seed: 9007199254740992, threads: 1, precision: float, sampler: independent, "
+      "light_sampling: off, error: 3% }";
   const auto written = scene_of({.root = kCamera + kBall + render});
   EXPECT_EQ(written.settings.width, 5);
   EXPECT_EQ(written.settings.height, 4);
-  EXPECT_EQ(written.settings.samples, 3);
+  EXPECT_EQ(written.settings.samples, 9);
   EXPECT_EQ(written.settings.depth, 2);
   EXPECT_EQ(written.settings.seed, 9007199254740992u);
   EXPECT_EQ(written.settings.threads, 1);
   EXPECT_EQ(written.precision, render::Precision::Float);
   EXPECT_EQ(plain.precision, std::nullopt);
+  EXPECT_EQ(written.settings.sampler, render::SamplerKind::Independent);
+  EXPECT_EQ(plain.settings.sampler, render::SamplerKind::Sobol);
+  EXPECT_EQ(written.settings.light_sampling, render::LightSampling::Off);
+  EXPECT_EQ(plain.settings.light_sampling, render::LightSampling::Auto);
+  EXPECT_EQ(written.settings.error, 0.03);
+  EXPECT_EQ(plain.settings.error, std::nullopt);
   EXPECT_EQ(written.output.tone, render::Tone::Linear);
   EXPECT_EQ(written.output.output, "o.png");
 }

@@ -1,0 +1,120 @@
+#include "cli/amounts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "lang/text/ascii.hpp"
+#include "lang/text/display_width.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+/// A number and what stands right behind it.
+struct Amount {
+  double number;
+  std::string_view digits, unit;
+};
+
+/// Nothing where the text does not begin with a number that is above 0 and finite.
+std::optional<Amount> read_amount(std::string_view text) {
+  // from_chars reads signs and words too.
+  if (text.empty() || !(lang::is_ascii_digit(text[0]) || text[0] == '.')) return std::nullopt;
+  Amount amount{};
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), amount.number);
+  if (error != std::errc() || !(amount.number > 0)) return std::nullopt;
+  amount.digits = text.substr(0, static_cast<std::size_t>(stop - text.data()));
+  amount.unit = text.substr(amount.digits.size());
+  return amount;
+}
+
+std::optional<double> read_share(std::string_view text) {
+  const std::optional<Amount> amount = read_amount(text);
+  if (!amount || !(amount->unit.empty() || amount->unit == "%")) return std::nullopt;
+  const double share = amount->unit.empty() ? amount->number : amount->number / 100;
+  return share > 0 && share <= 1 ? std::optional(share) : std::nullopt;
+}
+
+struct TimeUnit {
+  std::string_view name;
+  double factor, divisor;  // one of them 1, so that there is one rounding
+};
+
+constexpr std::array kTimeUnits{TimeUnit{"ms", 1, 1000}, TimeUnit{"s", 1, 1},
+                                TimeUnit{"min", 60, 1}, TimeUnit{"h", 3600, 1}};
+
+std::optional<double> read_duration(std::string_view text) {
+  const std::optional<Amount> amount = read_amount(text);
+  if (!amount) return std::nullopt;
+  const auto unit = std::ranges::find(kTimeUnits, amount->unit, &TimeUnit::name);
+  if (unit == kTimeUnits.end()) return std::nullopt;
+  const double seconds = amount->number * unit->factor / unit->divisor;
+  return seconds > 0 && std::isfinite(seconds) ? std::optional(seconds) : std::nullopt;
+}
+
+std::string without_blanks(std::string_view text) {
+  std::string joined;
+  std::ranges::copy_if(text, std::back_inserter(joined), [](char c) { return c != ' '; });
+  return joined;
+}
+
+/// The unit that begins like this word: "s" for "seconds".
+std::string_view nearest_unit(std::string_view word) {
+  struct Beginning {
+    std::string_view text, unit;
+  };
+  static constexpr std::array kBeginnings{Beginning{"ms", "ms"}, Beginning{"mil", "ms"},
+                                          Beginning{"m", "min"}, Beginning{"s", "s"},
+                                          Beginning{"h", "h"}};
+  if (word.empty()) return "s";
+  if (!std::ranges::all_of(word, lang::is_ascii_letter)) return {};
+  const std::string lower = lang::lower_case(word);
+  const auto found = std::ranges::find_if(
+      kBeginnings, [&](const Beginning& beginning) { return lower.starts_with(beginning.text); });
+  return found == kBeginnings.end() ? std::string_view() : found->unit;
+}
+
+/// `text` with the sign or unit that it seems to lack; perhaps no better.
+std::string mend_share(std::string_view text) {
+  const std::string joined = without_blanks(text);
+  return read_share(joined) ? joined : joined + "%";
+}
+std::string mend_duration(std::string_view text) {
+  const std::string joined = without_blanks(text);
+  const std::optional<Amount> amount = read_amount(joined);
+  if (!amount) return joined;
+  return fmt::format("{}{}", amount->digits, nearest_unit(amount->unit));
+}
+
+double parse_amount(const std::string& flag, const std::string& text, std::string_view wanted,
+                    std::optional<double> (*read)(std::string_view),
+                    std::string (*mend)(std::string_view)) {
+  if (const auto amount = read(text)) return *amount;
+  const std::string mended = mend(text);
+  throw CLI::ValidationError(
+      flag, fmt::format("takes {}, not `{}`{}", wanted, lang::printable(text),
+                        read(mended) ? fmt::format(" (did you mean `{}`?)", mended) : ""));
+}
+
+}  // namespace
+
+double parse_share(const std::string& flag, const std::string& text) {
+  return parse_amount(flag, text, "a share above 0 and at most 100%, such as `3%` or `0.03`",
+                      read_share, mend_share);
+}
+
+double parse_duration(const std::string& flag, const std::string& text) {
+  return parse_amount(flag, text,
+                      "a time above 0 with its unit, such as `10s`, `500ms`, `2min` or `1h`",
+                      read_duration, mend_duration);
+}
+
+}  // namespace sdlc::cli

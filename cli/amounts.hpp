@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace sdlc::cli {
+
+/// The share that the text is: a number above 0 and at most 1, or with a `%` behind it at most 100.
+/// Throws CLI::ValidationError, which names the flag.
+double parse_share(const std::string& flag, const std::string& text);
+
+/// The seconds that the text is: a number with its unit, `ms`, `s`, `min` or `h`; above 0 and
+/// finite. Throws CLI::ValidationError, which names the flag.
+double parse_duration(const std::string& flag, const std::string& text);
+
+}  // namespace sdlc::cli

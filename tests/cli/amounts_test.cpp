@@ -1,0 +1,115 @@
+#include "cli/amounts.hpp"
+
+#include <cstddef>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sdlc::cli {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// What is said of a text; empty where it is read.
+template <typename Parse>
+std::string complaint(Parse parse, const std::string& text) {
+  try {
+    parse("--flag", text);
+    return {};
+  } catch (const CLI::ValidationError& error) {
+    return error.what();
+  }
+}
+
+struct Good {
+  const char* text;
+  double value;
+};
+
+/// What is refused, and what was probably meant; empty where that cannot be told.
+struct Bad {
+  const char* text;
+  const char* meant;
+};
+
+template <typename Parse, std::size_t N>
+void expect_refused(Parse parse, const Bad (&all)[N]) {
+  for (const auto& [text, meant] : all) {
+    const std::string told = complaint(parse, text);
+    EXPECT_THAT(told, StartsWith("--flag: takes ")) << "`" << text << "`";
+    const std::string suggestion = "(did you mean `" + std::string(meant) + "`?)";
+    if (*meant == '\0') {
+      EXPECT_THAT(told, Not(HasSubstr("did you mean"))) << text;
+    } else {
+      EXPECT_THAT(told, EndsWith(suggestion)) << text;
+    }
+  }
+}
+
+TEST(Amounts, AShareIsANumberOrAPercentage) {
+  for (const auto& [text, value] :
+       {Good{"3%", 0.03}, Good{"0.03", 0.03}, Good{"0.5%", 0.005}, Good{".5%", 0.005},
+        Good{"100%", 1}, Good{"1", 1}, Good{"1e-3", 0.001}, Good{"1e1%", 0.1}}) {
+    EXPECT_EQ(parse_share("--flag", text), value) << text;
+  }
+}
+
+TEST(Amounts, OtherTextsAreNoShares) {
+  expect_refused(
+      parse_share,
+      {{"", ""},      {"%", ""},      {"1%%", ""},    {"1e3%", ""},   {"100.5%", ""},
+       {"nan", ""},   {"inf", ""},    {"inf%", ""},   {"-1%", ""},    {"+1%", ""},
+       {"0", ""},     {"0%", ""},     {"0x1p-3", ""}, {"1e-400", ""}, {"4e-324%", ""},
+       {"1e400", ""}, {"1e400%", ""}, {"3s", ""},     {"0.03.1", ""}, {"1,5%", ""},
+       {"10", "10%"}, {"3", "3%"},    {" 3%", "3%"},  {"3 %", "3%"},  {" 0.03", "0.03"}});
+}
+
+TEST(Amounts, ADurationIsANumberWithItsUnit) {
+  for (const auto& [text, value] :
+       {Good{"10s", 10}, Good{"500ms", 0.5}, Good{"2min", 120}, Good{"1h", 3600},
+        Good{"1.5h", 5400}, Good{"0.1s", 0.1}, Good{"1ms", 0.001}, Good{"1e3ms", 1}}) {
+    EXPECT_EQ(parse_duration("--flag", text), value) << text;
+  }
+}
+
+TEST(Amounts, OtherTextsAreNoDurations) {
+  expect_refused(parse_duration, {{"", ""},
+                                  {"s", ""},
+                                  {"%", ""},
+                                  {"1%%", ""},
+                                  {"nan", ""},
+                                  {"nans", ""},
+                                  {"inf", ""},
+                                  {"infs", ""},
+                                  {"-1s", ""},
+                                  {"0", ""},
+                                  {"0s", ""},
+                                  {"1e400s", ""},
+                                  {"1e308h", ""},
+                                  {"1e-400s", ""},
+                                  {"4e-324ms", ""},
+                                  {"1m30s", ""},
+                                  {"10d", ""},
+                                  {"10", "10s"},
+                                  {"10 s", "10s"},
+                                  {" 10s", "10s"},
+                                  {"10sec", "10s"},
+                                  {"10S", "10s"},
+                                  {"2m", "2min"},
+                                  {"2 minutes", "2min"},
+                                  {"1hour", "1h"},
+                                  {"500msec", "500ms"},
+                                  {"500 milliseconds", "500ms"}});
+}
+
+TEST(Amounts, WhatIsRefusedIsShownWithoutItsControlCharacters) {
+  EXPECT_THAT(complaint(parse_share, "3\x1b%"), Not(HasSubstr("\x1b")));
+}
+
+}  // namespace
+}  // namespace sdlc::cli
