@@ -8,11 +8,17 @@
 
 namespace sdlc::cli {
 
+std::uint64_t total_samples(const render::RenderSettings& settings) {
+  return static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height) *
+         static_cast<std::uint64_t>(settings.samples);
+}
+
 ProgressReporter::ProgressReporter(ProgressStyle style, const render::RenderMonitor& monitor,
-                                   std::uint64_t total_samples, std::ostream& err)
+                                   const render::RenderSettings& settings, std::ostream& err)
     : style_(style),
       monitor_(monitor),
-      total_(static_cast<double>(total_samples)),
+      has_goal_(settings.has_goal()),
+      total_(static_cast<double>(total_samples(settings))),
       err_(err),
       next_seconds_(style == ProgressStyle::Json ? 1 : 10) {
   if (style_ != ProgressStyle::None) thread_ = std::thread([this] { run(); });
@@ -39,7 +45,7 @@ void ProgressReporter::run() {
 
 void ProgressReporter::report(double seconds) {
   const auto samples = static_cast<double>(monitor_.samples_done.load());
-  const double fraction = samples / total_;
+  const double fraction = has_goal_ ? monitor_.goal_share.load() : samples / total_;
   const double rays_per_second = static_cast<double>(monitor_.rays_done.load()) / seconds;
   const double left = fraction > 0 ? seconds * (1 - fraction) / fraction : HUGE_VAL;
 

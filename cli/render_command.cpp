@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/accuracy_report.hpp"
 #include "cli/clock.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/format_numbers.hpp"
@@ -29,6 +31,7 @@
 #include "lang/compile/compile.hpp"
 #include "lang/lower/scene_builder.hpp"
 #include "lang/text/display_width.hpp"
+#include "render/film/film.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
@@ -59,21 +62,23 @@ struct RenderOptions {
 void check_memory(const render::RenderSettings& settings) {
   const auto pixels =
       static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
-  // The picture, its 32-bit copy and the encoded file.
-  const std::size_t bytes = pixels * (sizeof(render::LinearRgb) + 2 * 3 * sizeof(float));
+  // The picture, its 32-bit copy and the encoded file, and what is kept of its error; with a goal
+  // the sums of all samples too.
+  std::size_t pixel_bytes =
+      sizeof(render::LinearRgb) + 2 * 3 * sizeof(float) + sizeof(render::PixelSpread);
+  if (settings.has_goal()) pixel_bytes += render::Film::kBytesAPixel;
+  const std::size_t bytes = pixels * pixel_bytes;
   if (bytes > physical_memory_bytes()) throw std::bad_alloc();
 }
 
 render::WriteOptions write_options(const Output& output, const RenderOptions& options,
-                                   const lang::LoweredScene& lowered) {
-  const render::RenderSettings& settings = lowered.settings;
+                                   const lang::LoweredScene& lowered,
+                                   const render::RenderResult& result) {
   return {.format = output.format,
           .tone = lowered.output.tone,
           .ppm_text = options.ppm_text,
           .metadata = {.software = fmt::format("sdlc {}", kVersion),
-                       .entries = {{"sdlc:samples", fmt::to_string(settings.samples)},
-                                   {"sdlc:depth", fmt::to_string(settings.depth)},
-                                   {"sdlc:seed", fmt::to_string(settings.seed)}}}};
+                       .entries = picture_metadata(lowered.settings, result)}};
 }
 
 void write_to_stdout(const render::Picture& picture, const render::WriteOptions& options,
@@ -91,7 +96,7 @@ std::vector<std::string> write_pictures(const std::vector<Output>& outputs,
                                         const render::RenderResult& result, Environment& env) {
   std::vector<std::string> names;
   for (const Output& output : outputs) {
-    const render::WriteOptions write = write_options(output, options, lowered);
+    const render::WriteOptions write = write_options(output, options, lowered, result);
     fs::path path = output.path;
     if (output.is_stdout) {
       write_to_stdout(result.picture, write, env);
@@ -121,9 +126,14 @@ void write_stats(const std::string& path, const std::string& lines, Environment&
   }
 }
 
-std::uint64_t total_samples(const render::RenderSettings& settings) {
-  return static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height) *
-         static_cast<std::uint64_t>(settings.samples);
+/// What is left for tracing of the time that a picture may take, once it is read and until it is
+/// written.
+double seconds_to_trace(const render::RenderSettings& settings, std::size_t outputs, double spent) {
+  // PNG, the slowest of those that are common, takes some 60 ns a pixel.
+  constexpr double kSecondsAPixel = 60e-9, kSecondsAFile = 0.02, kLeast = 1e-3;
+  const double pixels = static_cast<double>(settings.width) * settings.height;
+  const double to_write = (pixels * kSecondsAPixel + kSecondsAFile) * static_cast<double>(outputs);
+  return std::max(*settings.seconds - spent - to_write, kLeast);
 }
 
 /// Traces with progress; Ctrl-C ends it early. Takes the scene's spheres.
@@ -139,8 +149,7 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
     render::preload_image_codec();
   };
   const InterruptGuard interrupt(monitor.cancel);
-  const ProgressReporter progress(progress_style(options, env), monitor,
-                                  total_samples(lowered.settings), env.err);
+  const ProgressReporter progress(progress_style(options, env), monitor, lowered.settings, env.err);
   return render::render(std::move(kernel), std::move(lowered.scene), lowered.settings, monitor);
 }
 
@@ -153,19 +162,25 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
                            result.nonfinite_samples);
   }
   if (!result.is_complete) {
-    env.err << fmt::format("interrupted after {} of {} samples; what there is was saved as {}\n",
-                           format_count(static_cast<double>(result.camera_samples)),
-                           format_count(static_cast<double>(total_samples(settings))),
+    const std::string of =
+        settings.has_goal()
+            ? ""
+            : fmt::format(" of {}", format_count(static_cast<double>(total_samples(settings))));
+    env.err << fmt::format("interrupted after {}{} samples; what there is was saved as {}\n",
+                           format_count(static_cast<double>(result.camera_samples)), of,
                            fmt::join(written, ", "));
     return ExitCode::Interrupted;
   }
   const bool is_quiet = options.quiet || options.progress == "none";
   if (!is_quiet) {
+    for (const std::string& warning : accuracy_warnings(settings, result)) {
+      env.err << "warning: " << warning << "\n";
+    }
     env.err << fmt::format(
-        "{}: {} x {} pixels, {} sample{}, {} ({} samples/s)\n", fmt::join(written, ", "),
-        settings.width, settings.height, settings.samples, settings.samples == 1 ? "" : "s",
-        format_seconds(result.render_seconds),
-        format_count(static_cast<double>(result.camera_samples) / result.render_seconds));
+        "{}: {} x {} pixels, {}, {} ({} samples/s){}\n", fmt::join(written, ", "), settings.width,
+        settings.height, describe_samples(result), format_seconds(result.render_seconds),
+        format_count(static_cast<double>(result.camera_samples) / result.render_seconds),
+        describe_error(result));
   }
   return result.nonfinite_samples > 0 ? ExitCode::Defect : ExitCode::Success;
 }
@@ -176,9 +191,8 @@ class RenderJob {
   RenderJob(const RenderOptions& options, Environment& env) : options_(options), env_(env) {}
 
   ExitCode run() {
-    const auto start = std::chrono::steady_clock::now();
     source_.emplace(read_source(options_.scene, env_));
-    read_seconds_ = seconds_since(start);
+    read_seconds_ = seconds_since(start_);
     compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
     choose_frames();
     for (std::size_t i = 0; i < frames_.size(); ++i) {
@@ -259,6 +273,7 @@ class RenderJob {
   }
 
   ExitCode render_frame(std::optional<int> frame, bool is_last) {
+    const auto start = frame == frames_.front() ? start_ : std::chrono::steady_clock::now();
     RenderStatistics statistics;
     std::optional<LoweredFrame> lowered_frame = lower(frame, statistics);
     if (!lowered_frame) return ExitCode::Findings;
@@ -276,6 +291,9 @@ class RenderJob {
     check_memory(settings);
     check_not_refused(kernel);
 
+    if (settings.seconds) {
+      lowered.settings.seconds = seconds_to_trace(settings, outputs.size(), seconds_since(start));
+    }
     render::RenderResult result = trace(lowered, std::move(kernel), options_, statistics, env_);
     result.build_seconds += choice_seconds;
     if (!result.is_complete) env_.err << "interrupted; saving what there is" << std::endl;
@@ -295,6 +313,7 @@ class RenderJob {
   lang::DiagnosticSink sink_;
   std::optional<lang::SourceFile> source_;
   std::optional<lang::Compiler> compiler_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::vector<std::optional<int>> frames_;  // nothing: a scene without an animation
   double read_seconds_ = 0;
   std::string stats_;  // of the frames so far, one a line

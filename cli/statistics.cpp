@@ -8,6 +8,28 @@
 #include "render/scene/choices.hpp"
 
 namespace sdlc::cli {
+namespace {
+
+nlohmann::ordered_json number_or_null(const std::optional<render::ErrorEstimate>& error,
+                                      double render::ErrorEstimate::*member) {
+  return error ? nlohmann::ordered_json((*error).*member) : nullptr;
+}
+
+nlohmann::ordered_json interval_or_null(const std::optional<render::ErrorEstimate>& error,
+                                        render::Interval render::ErrorEstimate::*member) {
+  if (!error) return nullptr;
+  const render::Interval interval = (*error).*member;
+  return {interval.from, interval.to};
+}
+
+/// A whole number where all pixels have as many.
+nlohmann::ordered_json mean_samples(const render::RenderResult& result,
+                                    const render::RenderSettings& settings) {
+  if (result.least_samples == result.most_samples) return result.most_samples;
+  return static_cast<double>(result.camera_samples) / settings.width / settings.height;
+}
+
+}  // namespace
 
 std::string to_json(const RenderStatistics& statistics, const render::RenderResult& result) {
   const auto per_second = [&](std::uint64_t count) {
@@ -20,7 +42,7 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"instances", statistics.instances},
       {"width", settings.width},
       {"height", settings.height},
-      {"samples", settings.samples},
+      {"samples", mean_samples(result, settings)},
       {"depth", settings.depth},
       {"seed", settings.seed},
       {"sampler", name_of(settings.sampler)},
@@ -43,8 +65,13 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"peak_rss_bytes", peak_resident_bytes()},
       {"render_rss_bytes", statistics.render_rss_bytes},
       {"bvh_bytes", result.bvh_bytes},
-      {"relative_error", nullptr},  // not estimated
-      {"relative_error_interval", nullptr},
+      {"least_samples", result.least_samples},
+      {"most_samples", result.most_samples},
+      {"relative_error", number_or_null(result.error, &render::ErrorEstimate::relative_error)},
+      {"relative_error_interval", interval_or_null(result.error, &render::ErrorEstimate::interval)},
+      {"mean_radiance", number_or_null(result.error, &render::ErrorEstimate::mean)},
+      {"mean_radiance_interval",
+       interval_or_null(result.error, &render::ErrorEstimate::mean_interval)},
       {"truncated_paths", result.truncated_paths},
       {"nonfinite_samples", result.nonfinite_samples},
   };

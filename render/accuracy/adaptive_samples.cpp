@@ -7,28 +7,41 @@
 namespace sdlc::render {
 namespace {
 
-/// Squared errors of pixels, each the mean over its neighbours; of a lone pixel its own.
-std::vector<double> of_neighbours(std::span<const PixelSpread> spreads, int width) {
+/// The squared errors that pixels are taken to have: the mean of 5 × 5 without the pixel itself,
+/// and a tenth of the mean of all. A path that finds a light by chance, in one pixel of many, would
+/// otherwise leave the others with too few samples to find it in.
+std::vector<double> expected_errors(std::span<const PixelSpread> spreads, int width) {
+  constexpr std::ptrdiff_t kRadius = 2;
+  constexpr double kShareOfAll = 0.1;
   const auto columns = static_cast<std::ptrdiff_t>(width);
   const auto rows = static_cast<std::ptrdiff_t>(spreads.size()) / columns;
-  std::vector<double> means;
-  means.reserve(spreads.size());
+  const auto error_at = [&](std::ptrdiff_t x, std::ptrdiff_t y) {
+    return spreads[static_cast<std::size_t>(y * columns + x)].squared_error;
+  };
+  double total = 0;
+  for (const PixelSpread& spread : spreads) total += spread.squared_error;
+  const double of_all = total / static_cast<double>(spreads.size());
+
+  std::vector<double> errors;
+  errors.reserve(spreads.size());
   for (std::ptrdiff_t y = 0; y < rows; ++y) {
     for (std::ptrdiff_t x = 0; x < columns; ++x) {
       double sum = 0;
       int count = 0;
-      for (std::ptrdiff_t v = std::max<std::ptrdiff_t>(y - 1, 0); v < std::min(y + 2, rows); ++v) {
-        for (std::ptrdiff_t u = std::max<std::ptrdiff_t>(x - 1, 0); u < std::min(x + 2, columns);
-             ++u) {
+      for (std::ptrdiff_t v = std::max<std::ptrdiff_t>(y - kRadius, 0);
+           v <= std::min(y + kRadius, rows - 1); ++v) {
+        for (std::ptrdiff_t u = std::max<std::ptrdiff_t>(x - kRadius, 0);
+             u <= std::min(x + kRadius, columns - 1); ++u) {
           if (u == x && v == y) continue;
-          sum += spreads[static_cast<std::size_t>(v * columns + u)].squared_error;
+          sum += error_at(u, v);
           ++count;
         }
       }
-      means.push_back(count > 0 ? sum / count : spreads.front().squared_error);
+      const double nearby = count > 0 ? sum / count : of_all;
+      errors.push_back((1 - kShareOfAll) * nearby + kShareOfAll * of_all);
     }
   }
-  return means;
+  return errors;
 }
 
 }  // namespace
@@ -39,7 +52,7 @@ std::vector<std::uint32_t> adaptive_samples(std::span<const PixelSpread> pilot,
                                             std::uint64_t most_samples) {
   // The exponent of Sobol' points on scenes with edges and several bounces.
   const double b = sampler == SamplerKind::Sobol ? 1.15 : 1;
-  const std::vector<double> variances = of_neighbours(pilot, width);
+  const std::vector<double> variances = expected_errors(pilot, width);
   const double root = error * estimate.mean;
   const double goal = root * root * 3 * static_cast<double>(pilot.size());
 

@@ -37,6 +37,10 @@ struct PixelSpread {
 /// different threads at a time.
 class Film {
  public:
+  /// Up to 64 samples a replicate; later 96 more for each factor of 2.
+  static constexpr std::size_t kBytesAPixel =
+      kReplicates * (2 * sizeof(LinearRgb) + sizeof(std::uint32_t));
+
   /// Of `pixels` pixels from `first` on, counted row by row from the top left of the picture.
   Film(std::uint64_t first, std::size_t pixels);
 

@@ -21,7 +21,8 @@ std::string reported(ProgressStyle style, std::chrono::milliseconds time) {
   monitor.rays_done = 2000;
   std::ostringstream err;
   {
-    const ProgressReporter reporter(style, monitor, 1000, err);
+    const render::RenderSettings settings{.width = 10, .height = 10, .samples = 10};
+    const ProgressReporter reporter(style, monitor, settings, err);
     std::this_thread::sleep_for(time);
   }
   return err.str();
@@ -32,6 +33,19 @@ TEST(ProgressReporter, RewritesOneLineOfATerminalAndClearsIt) {
   EXPECT_THAT(text, HasSubstr("\r 50.0 %  500 samples"));
   EXPECT_THAT(text, HasSubstr(" left"));
   EXPECT_THAT(text, EndsWith("\r\x1b[K"));
+}
+
+TEST(ProgressReporter, TellsOfAGoalHowNearItIs) {
+  render::RenderMonitor monitor;
+  monitor.samples_done = 500;
+  monitor.goal_share = 0.25;
+  std::ostringstream err;
+  {
+    const render::RenderSettings settings{.error = 0.01};
+    const ProgressReporter reporter(ProgressStyle::Line, monitor, settings, err);
+    std::this_thread::sleep_for(std::chrono::milliseconds(350));
+  }
+  EXPECT_THAT(err.str(), HasSubstr("\r 25.0 %  500 samples"));
 }
 
 TEST(ProgressReporter, WritesAnObjectASecond) {

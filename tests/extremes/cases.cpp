@@ -603,7 +603,9 @@ render::RenderSettings settings_of(const ExtremeVariant& variant) {
           .samples = variant.samples,
           .depth = variant.depth,
           .seed = 7,
-          .threads = 2};
+          .threads = 2,
+          // Standard errors are those of independent samples.
+          .sampler = render::SamplerKind::Independent};
 }
 
 Measured measure(const ExtremeVariant& variant, const Form& form) {

@@ -210,9 +210,12 @@ TEST_P(KnownAnswer, AGroundMetInDoubleIsMetWhereItIs) {
   const render::WideIntegrator integrator(
       scene, settings,
       {.precision = render::Precision::Mixed, .isa = GetParam().isa, .exact_spheres = ground});
-  std::vector<LinearRgb> means(64);
-  ASSERT_TRUE(integrator.render(0, means, std::atomic<bool>{false}, [](auto, const auto&) {}));
-  for (const LinearRgb& mean : means) EXPECT_EQ(mean, kWhite);
+  std::vector<render::SampleRun> runs;
+  for (std::uint64_t pixel = 0; pixel < 64; ++pixel)
+    runs.push_back({.pixel = pixel, .count = 16, .sum = {}});
+  render::WideCounts counts;
+  ASSERT_TRUE(integrator.trace(runs, counts, std::atomic<bool>{false}));
+  for (const render::SampleRun& run : runs) EXPECT_EQ(run.sum, LinearRgb{16});
 }
 
 TEST_P(KnownAnswer, TheOffsetFromTheOriginDoesNotMatter) {
