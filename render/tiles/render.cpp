@@ -67,7 +67,7 @@ class ScalarTiles final : public Tiles {
  public:
   ScalarTiles(Scene scene, const RenderSettings& settings, const Kernel& kernel, Picture& picture,
               RenderMonitor& monitor)
-      : integrator_(std::move(scene), settings.depth, kernel.bounds.near_pairs),
+      : integrator_(std::move(scene), settings.depth, kernel.bounds.near_pairs, kernel.lights),
         settings_(settings),
         picture_(picture),
         monitor_(monitor) {}
@@ -170,7 +170,8 @@ class WideTiles final : public Tiles {
             .isa = *kernel.isa,
             .search = kernel.kind == KernelKind::Bvh ? Search::Bvh : Search::All,
             .exact_spheres = kernel.exact_spheres,
-            .near_pairs = kernel.bounds.near_pairs};
+            .near_pairs = kernel.bounds.near_pairs,
+            .lights = kernel.lights};
   }
 
   static std::size_t pixels_a_tile(const RenderSettings& settings, std::size_t pixels,
@@ -252,6 +253,7 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   result.rays = monitor.rays_done.load();
   result.truncated_paths = tiles->truncated_paths();
   result.nonfinite_samples = tiles->nonfinite_samples();
+  result.sampled_lights = static_cast<std::uint32_t>(result.kernel.lights.size());
   return result;
 }
 

@@ -25,11 +25,12 @@ struct RenderResult {
   Picture picture;           ///< mean radiance; pixels that were not reached are black
   bool is_complete = false;  ///< false after a cancelled render
   Kernel kernel;             ///< without its near pairs
-  int threads = 0;  ///< that were asked for, after 0 became all of the machine
+  int threads = 0;           ///< that were asked for, after 0 became all of the machine
   std::uint64_t camera_samples = 0;
   std::uint64_t rays = 0;
   std::uint64_t truncated_paths = 0;
   std::uint64_t nonfinite_samples = 0;  ///< left out of their pixel's sum; a defect if not 0
+  std::uint32_t sampled_lights = 0;     ///< emitters that diffuse surfaces look for by themselves
   std::size_t bvh_bytes = 0;            ///< 0 without a hierarchy
   double build_seconds = 0;             ///< rebasing and hierarchy, and choosing the kernel
   double render_seconds = 0;            ///< tracing alone

@@ -46,10 +46,18 @@ struct WideFeatures {
   bool exact_spheres = false;  ///< WideScene::exact, in float
   bool bvh = false;            ///< Search::Bvh
   bool instances = false;      ///< WideScene::instances, in double
+  bool lights = false;         ///< WideScene::lights
 };
 /// The kernel for an instruction set that this machine has.
 template <typename T>
 TraceBlocks<T>* wide_kernel(Isa isa, WideFeatures features) noexcept;
+/// Those of them that have WideFeatures::lights, and a source file of their own.
+template <typename T>
+TraceBlocks<T>* wide_kernel_with_lights(Isa isa, WideFeatures features) noexcept;
+extern template TraceBlocks<float>* wide_kernel_with_lights(Isa isa,
+                                                            WideFeatures features) noexcept;
+extern template TraceBlocks<double>* wide_kernel_with_lights(Isa isa,
+                                                             WideFeatures features) noexcept;
 extern template TraceBlocks<float>* wide_kernel(Isa isa, WideFeatures features) noexcept;
 extern template TraceBlocks<double>* wide_kernel(Isa isa, WideFeatures features) noexcept;
 

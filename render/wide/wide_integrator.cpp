@@ -41,11 +41,12 @@ class WideIntegrator::TracerIn final : public Tracer {
  public:
   TracerIn(const Scene& rebased, const Pinhole& pinhole, const RenderSettings& settings,
            const Options& options)
-      : scene_(rebased, settings.depth, options.search, options.exact_spheres),
+      : scene_(rebased, settings.depth, options.search, options.exact_spheres, options.lights),
         kernel_(wide_kernel<T>(options.isa, {.motion = scene_.has_motion,
                                              .exact_spheres = scene_.exact_spheres > 0,
                                              .bvh = options.search == Search::Bvh,
-                                             .instances = !scene_.instances.empty()})),
+                                             .instances = !scene_.instances.empty(),
+                                             .lights = scene_.lights.nodes > 0})),
         width_(static_cast<std::uint64_t>(settings.width)),
         height_(static_cast<std::uint64_t>(settings.height)),
         samples_(static_cast<std::uint64_t>(settings.samples)),

@@ -35,6 +35,7 @@ class WideIntegrator {
     std::span<const std::uint32_t> exact_spheres;
     /// PrecisionBounds::near_pairs, if they are known.
     std::optional<std::span<const SpherePair>> near_pairs{};
+    std::span<const std::uint32_t> lights{};  ///< the spheres of choose_lights()
   };
 
   /// `scene` is in world coordinates, already checked; the camera stands on at most one of its
