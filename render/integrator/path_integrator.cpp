@@ -13,12 +13,13 @@ namespace sdlc::render {
 
 PathIntegrator::PathIntegrator(Scene scene, int max_depth,
                                std::optional<std::span<const SpherePair>> near_pairs,
-                               std::span<const std::uint32_t> lights)
+                               std::span<const std::uint32_t> lights, EmitterTally* emitters)
     : pinhole_(scene.camera),
       background_(scene.background),
       has_constant_background_(scene.background.is_constant()),
       has_motion_(!scene.shifts.empty()),
-      max_depth_(max_depth) {
+      max_depth_(max_depth),
+      emitters_(emitters) {
   rebase_to_camera(scene);
   part_touching(scene, Precision::Double, {}, near_pairs);
   bvh_ = Bvh(scene.spheres, scene.shifts);
@@ -87,7 +88,9 @@ LinearRgb PathIntegrator::direct_light(const Ray& ray, const Departure& departur
   // Where the light's own surface is met, or just missed, rounding decides: both count as seen.
   const bool is_hidden = hit.sphere != kNoSphere && hit.t < connection->distance &&
                          bvh_.index_in_scene(hit.sphere) != connection->sphere;
-  return is_hidden ? LinearRgb{} : connection->radiance;
+  if (is_hidden) return LinearRgb{};
+  if (emitters_ != nullptr && emitters_->is_counting()) emitters_->count(connection->sphere);
+  return connection->radiance;
 }
 
 template <bool kMoving>
@@ -118,6 +121,7 @@ LinearRgb PathIntegrator::li(Ray ray, const PathSampler& sampler, PathCounts& co
     const Material& material = materials_[material_of_slot_[hit.sphere]];
     if (material.type == MaterialType::Unlit) return gathered + beta * material.color;
     if (material.type == MaterialType::Emissive) {
+      count_reached(hit.sphere);
       const LinearRgb arriving = beta * (material.color * material.parameter);
       if (!left_diffuse) return gathered + arriving;
       const double cosine = std::fabs(dot(ray.direction, facing));

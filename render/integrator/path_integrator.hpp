@@ -8,6 +8,7 @@
 
 #include "render/bvh/bvh.hpp"
 #include "render/camera/pinhole.hpp"
+#include "render/light/emitter_tally.hpp"
 #include "render/light/lights.hpp"
 #include "render/math/color.hpp"
 #include "render/math/ray.hpp"
@@ -37,10 +38,10 @@ class PathIntegrator {
   /// `scene` is in world coordinates and already checked. `max_depth` counts the rays of a path,
   /// the camera's included; at least 1.
   /// `near_pairs`: PrecisionBounds::near_pairs in double, if they are known; `lights`: the spheres
-  /// of choose_lights().
+  /// of choose_lights(); `emitters`: where to count what paths reach, if at all.
   PathIntegrator(Scene scene, int max_depth,
                  std::optional<std::span<const SpherePair>> near_pairs = {},
-                 std::span<const std::uint32_t> lights = {});
+                 std::span<const std::uint32_t> lights = {}, EmitterTally* emitters = nullptr);
 
   /// One path through the place (s, t) of the picture, (0, 0) its lower left corner: linear RGB.
   /// Once `cancel` is set a long path ends soon, with a value that means nothing.
@@ -61,6 +62,11 @@ class PathIntegrator {
   BvhHit first_hit_from_surfaces(const Ray& ray) const noexcept;
   LinearRgb background(Vec3 direction) const noexcept;
   void find_camera_surfaces();
+  void count_reached(std::uint32_t slot) const noexcept {
+    if (emitters_ != nullptr && emitters_->is_counting()) {
+      emitters_->count(bvh_.index_in_scene(slot));
+    }
+  }
 
   Pinhole pinhole_;
   Background background_;
@@ -69,6 +75,7 @@ class PathIntegrator {
   int max_depth_;
   Bvh bvh_;
   Lights lights_;
+  EmitterTally* emitters_;
   std::vector<Material> materials_;
   std::vector<std::uint32_t> material_of_slot_;
   std::vector<Departure> camera_surfaces_;  // spheres on whose surface the camera stands

@@ -16,6 +16,7 @@
 
 #include "render/film/sample_sum.hpp"
 #include "render/integrator/path_integrator.hpp"
+#include "render/light/emitter_tally.hpp"
 #include "render/math/color.hpp"
 #include "render/sampler/sampler.hpp"
 #include "render/tiles/threads.hpp"
@@ -65,9 +66,10 @@ class Tiles {
 /// Square tiles, one path after the other.
 class ScalarTiles final : public Tiles {
  public:
-  ScalarTiles(Scene scene, const RenderSettings& settings, const Kernel& kernel, Picture& picture,
-              RenderMonitor& monitor)
-      : integrator_(std::move(scene), settings.depth, kernel.bounds.near_pairs, kernel.lights),
+  ScalarTiles(Scene scene, const RenderSettings& settings, const Kernel& kernel,
+              EmitterTally& emitters, Picture& picture, RenderMonitor& monitor)
+      : integrator_(std::move(scene), settings.depth, kernel.bounds.near_pairs, kernel.lights,
+                    &emitters),
         settings_(settings),
         picture_(picture),
         monitor_(monitor) {}
@@ -137,9 +139,9 @@ class ScalarTiles final : public Tiles {
 /// Runs of pixels, long enough to keep all lanes busy, and short enough to keep all threads so.
 class WideTiles final : public Tiles {
  public:
-  WideTiles(Scene scene, const RenderSettings& settings, const Kernel& kernel, int threads,
-            Picture& picture, RenderMonitor& monitor)
-      : integrator_(std::move(scene), settings, options(kernel)),
+  WideTiles(Scene scene, const RenderSettings& settings, const Kernel& kernel,
+            EmitterTally& emitters, int threads, Picture& picture, RenderMonitor& monitor)
+      : integrator_(std::move(scene), settings, options(kernel, emitters)),
         picture_(picture),
         monitor_(monitor),
         pixels_a_tile_(pixels_a_tile(settings, picture.pixels.size(), threads)) {}
@@ -165,13 +167,14 @@ class WideTiles final : public Tiles {
   std::size_t bvh_bytes() const override { return integrator_.memory_bytes(); }
 
  private:
-  static WideIntegrator::Options options(const Kernel& kernel) {
+  static WideIntegrator::Options options(const Kernel& kernel, EmitterTally& emitters) {
     return {.precision = kernel.precision,
             .isa = *kernel.isa,
             .search = kernel.kind == KernelKind::Bvh ? Search::Bvh : Search::All,
             .exact_spheres = kernel.exact_spheres,
             .near_pairs = kernel.bounds.near_pairs,
-            .lights = kernel.lights};
+            .lights = kernel.lights,
+            .emitters = &emitters};
   }
 
   static std::size_t pixels_a_tile(const RenderSettings& settings, std::size_t pixels,
@@ -194,11 +197,14 @@ class WideTiles final : public Tiles {
 };
 
 std::unique_ptr<Tiles> make_tiles(Scene scene, const RenderSettings& settings, const Kernel& kernel,
-                                  int threads, Picture& picture, RenderMonitor& monitor) {
+                                  EmitterTally& emitters, int threads, Picture& picture,
+                                  RenderMonitor& monitor) {
   if (kernel.kind == KernelKind::Scalar) {
-    return std::make_unique<ScalarTiles>(std::move(scene), settings, kernel, picture, monitor);
+    return std::make_unique<ScalarTiles>(std::move(scene), settings, kernel, emitters, picture,
+                                         monitor);
   }
-  return std::make_unique<WideTiles>(std::move(scene), settings, kernel, threads, picture, monitor);
+  return std::make_unique<WideTiles>(std::move(scene), settings, kernel, emitters, threads, picture,
+                                     monitor);
 }
 
 }  // namespace
@@ -236,9 +242,10 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   for_each(result.threads, [](int) {});
   const auto build_start = std::chrono::steady_clock::now();
   result.kernel = std::move(kernel);
+  EmitterTally emitters(scene);
   const std::unique_ptr<Tiles> tiles = arena.execute([&] {
-    return make_tiles(std::move(scene), settings, result.kernel, result.threads, result.picture,
-                      monitor);
+    return make_tiles(std::move(scene), settings, result.kernel, emitters, result.threads,
+                      result.picture, monitor);
   });
   result.kernel.bounds.near_pairs.reset();  // of a lattice that touches, more than its spheres
   result.build_seconds = seconds_since(build_start);
@@ -253,6 +260,7 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   result.rays = monitor.rays_done.load();
   result.truncated_paths = tiles->truncated_paths();
   result.nonfinite_samples = tiles->nonfinite_samples();
+  result.scarce_emitters = emitters.scarce();
   result.sampled_lights = static_cast<std::uint32_t>(result.kernel.lights.size());
   return result;
 }

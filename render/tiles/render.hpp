@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "render/image/picture.hpp"
+#include "render/light/emitter_tally.hpp"
 #include "render/scene/scene.hpp"
 #include "render/tiles/kernel.hpp"
 
@@ -31,9 +33,11 @@ struct RenderResult {
   std::uint64_t truncated_paths = 0;
   std::uint64_t nonfinite_samples = 0;  ///< left out of their pixel's sum; a defect if not 0
   std::uint32_t sampled_lights = 0;     ///< emitters that diffuse surfaces look for by themselves
-  std::size_t bvh_bytes = 0;            ///< 0 without a hierarchy
-  double build_seconds = 0;             ///< rebasing and hierarchy, and choosing the kernel
-  double render_seconds = 0;            ///< tracing alone
+  /// Those that fewer than EmitterTally::kEnough paths reached: what they light may be missing.
+  std::vector<ReachedEmitter> scarce_emitters;
+  std::size_t bvh_bytes = 0;  ///< 0 without a hierarchy
+  double build_seconds = 0;   ///< rebasing and hierarchy, and choosing the kernel
+  double render_seconds = 0;  ///< tracing alone
 };
 
 /// Renders the scene, tile by tile on all threads, with the kernel of choose_kernel(). The same

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <limits>
 
@@ -72,6 +73,7 @@ class WidePaths {
     return read_material;
   }
   HWY_INLINE void add_to_sums(Mask mask, Triple<V> value);
+  void count_reached(Mask mask, Bits index, EmitterTally& emitters) const;
 
   const WideScene<T>& scene_;
   const WideView<T>& view_;
@@ -140,6 +142,22 @@ void WidePaths<T, F>::add_to_sums(Mask mask, Triple<V> value) {
   }
 }
 
+/// The spheres of `mask`, but for those of instances.
+template <typename T, typename F>
+void WidePaths<T, F>::count_reached(Mask mask, Bits index, EmitterTally& emitters) const {
+  const D d;
+  const DU du;
+  alignas(64) std::array<Word, kLanes> indices;
+  hn::Store(index, du, indices.data());
+  for (std::uint32_t lanes = bits_of(d, mask); lanes != 0; lanes &= lanes - 1) {
+    const Word sphere = indices[static_cast<std::size_t>(std::countr_zero(lanes))];
+    if constexpr (F::kInstances) {
+      if (sphere >> 32 != 0) continue;
+    }
+    emitters.count(scene_.index_in_scene[sphere]);
+  }
+}
+
 template <typename T, typename F>
 void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel) {
   const D d;
@@ -158,6 +176,8 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
   Mask fresh = alive;
   std::uint32_t step = 0;
   const Search search(scene_);
+  EmitterTally* const emitters =
+      view_.emitters != nullptr && view_.emitters->is_counting() ? view_.emitters : nullptr;
   // kLights: what connections brought to each path, and whether its ray left a surface where
   // lights were looked for.
   [[maybe_unused]] Triple<V> gathered{zero, zero, zero};
@@ -279,6 +299,9 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     depth_left = hn::Sub(depth_left, word(1));
     const Mask shines =
         hn::And(alive, hn::Or(hn::Not(hit), Scattering<T>::has(surface, kEndsPath)));
+    if (HWY_UNLIKELY(emitters != nullptr)) {
+      count_reached(hn::And(shines, hit), nearest.index, *emitters);
+    }
     const Mask exhausted = hn::And(alive, hn::RebindMask(d, hn::Eq(depth_left, hn::Zero(du))));
     const Mask ended = hn::Or(shines, hn::And(alive, absorbed));
     counts.truncated_paths += hn::CountTrue(d, hn::AndNot(ended, exhausted));
@@ -306,6 +329,7 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
           const Mask is_hidden = hn::And(hn::Lt(met.t, connection.distance),
                                          hn::RebindMask(d, hn::Ne(met.index, connection.slot)));
           const Mask is_seen = hn::AndNot(is_hidden, connection.exists);
+          if (HWY_UNLIKELY(emitters != nullptr)) count_reached(is_seen, connection.slot, *emitters);
           const auto add = [&](V sum, V factor, V radiance) HWY_ATTR {
             return hn::Add(sum, hn::IfThenElseZero(is_seen, hn::Mul(factor, radiance)));
           };

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "render/light/emitter_tally.hpp"
 #include "render/math/color.hpp"
 #include "render/wide/isa.hpp"
 #include "render/wide/wide_integrator.hpp"
@@ -29,6 +30,7 @@ template <typename T>
 struct WideView {
   std::array<T, 3> right{}, up{};  ///< a pixel's sides on the view plane
   SamplerKind sampler = SamplerKind::Sobol;
+  EmitterTally* emitters = nullptr;  ///< where to count what paths reach
 };
 
 /// Traces all samples of `blocks`; the sum of each, and of what was summed before, goes into

@@ -55,6 +55,7 @@ class WideIntegrator::TracerIn final : public Tracer {
         right_(pinhole.across() / settings.width),
         down_(-pinhole.upwards() / settings.height) {
     view_.sampler = settings.sampler;
+    view_.emitters = options.emitters;
     if (samples_ == 1) {  // a picture of one sample a pixel looks through the middle of each
       corner_ = corner_ + (right_ - down_) * 0.5;
       return;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "render/light/emitter_tally.hpp"
 #include "render/math/color.hpp"
 #include "render/scene/near_pairs.hpp"
 #include "render/scene/precision.hpp"
@@ -36,6 +37,7 @@ class WideIntegrator {
     /// PrecisionBounds::near_pairs, if they are known.
     std::optional<std::span<const SpherePair>> near_pairs{};
     std::span<const std::uint32_t> lights{};  ///< the spheres of choose_lights()
+    EmitterTally* emitters = nullptr;         ///< where to count what paths reach, if at all
   };
 
   /// `scene` is in world coordinates, already checked; the camera stands on at most one of its

@@ -67,11 +67,11 @@ WideScene<T>::WideScene(const Scene& scene, int depth, Search search_for_hits,
   make_room_for_spheres();
   add_spheres(scene.spheres, scene.shifts, order, 0, Place::World);
   if (search == Search::Bvh) {
-    index_in_scene = std::move(order);
     add_materials(scene);
   } else {
     add_materials_by_slot(scene, order);
   }
+  index_in_scene = std::move(order);
   if (!scene.instances.empty()) add_instances(scene, balls, parts);
   const LinearRgb bottom = scene.background.bottom, top = scene.background.top;
   // bottom at y = −1, top at y = 1; a constant sky stays exact.

@@ -50,10 +50,9 @@ struct WideScene {
       center;         ///< at the opening of the shutter; not a number where there is nothing to hit
   TableTriple shift;  ///< up to its closing; empty where nothing moves
   Table radius;
-  Table radius_squared;  ///< Search::All
-  /// Search::Bvh: the rows of the tables of colours, and the spheres' indices in the scene.
-  IndexTable material;
-  std::vector<std::uint32_t> index_in_scene;
+  Table radius_squared;                       ///< Search::All
+  IndexTable material;                        ///< Search::Bvh: the rows of the tables of colours
+  std::vector<std::uint32_t> index_in_scene;  ///< or, of an instance's sphere, in its prototype
 
   // Tables by material, or by slot with Search::All.
   TableTriple color;  ///< attenuation; the radiance where the path ends

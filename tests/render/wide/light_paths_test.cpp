@@ -245,6 +245,43 @@ TEST_P(LightPaths, FindTheTiniestLights) {
   }
 }
 
+/// Emitters that are seen directly, found by chance, looked for, and behind something.
+Scene hardly_lit() {
+  Scene scene = lit_scene();
+  add_sphere(scene, {0, 0, 0}, 0.3, emissive({1, 1, 1}, 1));
+  add_sphere(scene, {0, 0, 0}, 0.35, diffuse({1, 1, 1}));  // around the one before
+  add_sphere(scene, {-3, 4, 3}, 0.004, emissive({1, 1, 1}, 1));
+  add_sphere(scene, {3, 40, 3}, 0.1, emissive({1, 1, 1}, 1));
+  return scene;
+}
+
+TEST_P(LightPaths, ReachEmittersAsOftenAsThoseOfTheScalarKernel) {
+  const Scene scene = hardly_lit();
+  RenderSettings settings = kSettings;
+  settings.samples = 3;
+  for (const LightSampling sampling : {LightSampling::Off, LightSampling::On}) {
+    settings.light_sampling = sampling;
+    settings.threads = 1;
+    const RenderResult scalar = render_with(scene, settings, {.kind = KernelKind::Scalar});
+    EXPECT_GE(scalar.scarce_emitters.size(), 2u);
+    EXPECT_EQ(std::ranges::count(scalar.scarce_emitters, render::ReachedEmitter{13, 0}), 1)
+        << "in the dark";
+    settings.threads = 3;
+    for (const auto& request : {GetParam().request(), through_hierarchy()}) {
+      const RenderResult wide = render_with(scene, settings, request);
+      if (wide.kernel.precision == Precision::Double) {
+        EXPECT_EQ(wide.scarce_emitters, scalar.scarce_emitters);
+      } else {  // a path or two part
+        ASSERT_EQ(wide.scarce_emitters.size(), scalar.scarce_emitters.size());
+        for (std::size_t i = 0; i < wide.scarce_emitters.size(); ++i) {
+          EXPECT_EQ(wide.scarce_emitters[i].sphere, scalar.scarce_emitters[i].sphere);
+          EXPECT_NEAR(wide.scarce_emitters[i].paths, scalar.scarce_emitters[i].paths, 2);
+        }
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Forms, LightPaths, testing::ValuesIn(wide_forms()), form_name);
 
 TEST(LightKernel, GivesTheSameBytesWithAvx2AndAvx512) {
