@@ -15,7 +15,7 @@ std::uint64_t whole_replicates(std::uint64_t samples) {
 }  // namespace
 
 std::uint64_t ErrorGoal::first_samples() const noexcept {
-  constexpr std::uint64_t kFirst = 16;  // four in each replicate
+  constexpr std::uint64_t kFirst = 32;
   return std::min(kFirst, most_samples_);
 }
 

@@ -12,16 +12,19 @@
 namespace sdlc::render {
 
 PathIntegrator::PathIntegrator(Scene scene, int max_depth,
-                               std::optional<std::span<const SpherePair>> near_pairs)
+                               std::optional<std::span<const SpherePair>> near_pairs,
+                               std::span<const std::uint32_t> lights, EmitterTally* emitters)
     : pinhole_(scene.camera),
       background_(scene.background),
       has_constant_background_(scene.background.is_constant()),
       has_motion_(!scene.shifts.empty()),
       max_depth_(max_depth),
-      materials_(std::move(scene.materials)) {
+      emitters_(emitters) {
   rebase_to_camera(scene);
   part_touching(scene, Precision::Double, {}, near_pairs);
   bvh_ = Bvh(scene.spheres, scene.shifts);
+  lights_ = Lights(scene, lights);
+  materials_ = std::move(scene.materials);
   material_of_slot_.reserve(bvh_.size());
   for (std::uint32_t slot = 0; slot < bvh_.size(); ++slot) {
     material_of_slot_.push_back(scene.spheres[bvh_.index_in_scene(slot)].material);
@@ -69,12 +72,36 @@ LinearRgb PathIntegrator::background(Vec3 direction) const noexcept {
   return background_.bottom * (1 - t) + background_.top * t;
 }
 
+/// What arrives, times cos/π over the densities of both techniques, from one light that is chosen
+/// for the place on a diffuse surface where `ray` begins; its direction does not matter.
+template <bool kMoving>
+LinearRgb PathIntegrator::direct_light(const Ray& ray, const Departure& departure, Vec3 facing,
+                                       const PathSampler& sampler, int vertex,
+                                       PathCounts& counts) const noexcept {
+  const VertexSampler random(sampler, vertex);
+  const auto connection = lights_.connect({.x = ray.origin, .normal = facing, .u = ray.u},
+                                          random(kChoice), random(kLight));
+  if (!connection) return LinearRgb{};
+  ++counts.rays;
+  const Ray towards{.origin = ray.origin, .direction = connection->direction, .u = ray.u};
+  const BvhHit hit = bvh_.intersect<kMoving>(towards, departure);
+  // Where the light's own surface is met, or just missed, rounding decides: both count as seen.
+  const bool is_hidden = hit.sphere != kNoSphere && hit.t < connection->distance &&
+                         bvh_.index_in_scene(hit.sphere) != connection->sphere;
+  if (is_hidden) return LinearRgb{};
+  if (emitters_ != nullptr && emitters_->is_counting()) emitters_->count(connection->sphere);
+  return connection->radiance;
+}
+
 template <bool kMoving>
 LinearRgb PathIntegrator::li(Ray ray, const PathSampler& sampler, PathCounts& counts,
                              const std::atomic<bool>* cancel) const noexcept {
   constexpr int kRaysBetweenLooks = 4096;  // a walk may be a thousand million rays long
   LinearRgb beta{1};                       // throughput of the walk so far
+  LinearRgb gathered;                      // what connections to lights have brought
   Departure departure;
+  Vec3 facing;
+  bool left_diffuse = false;  // the surface before, and lights were looked for there
   for (int depth = 0; depth < max_depth_; ++depth) {
     if (depth % kRaysBetweenLooks == kRaysBetweenLooks - 1 && cancel != nullptr &&
         cancel->load(std::memory_order_relaxed)) {
@@ -89,12 +116,18 @@ LinearRgb PathIntegrator::li(Ray ray, const PathSampler& sampler, PathCounts& co
     } else {
       hit = bvh_.intersect<kMoving>(ray, departure);
     }
-    if (hit.sphere == kNoSphere) return beta * background(ray.direction);
+    if (hit.sphere == kNoSphere) return gathered + beta * background(ray.direction);
 
     const Material& material = materials_[material_of_slot_[hit.sphere]];
-    if (material.type == MaterialType::Unlit) return beta * material.color;
+    if (material.type == MaterialType::Unlit) return gathered + beta * material.color;
     if (material.type == MaterialType::Emissive) {
-      return beta * (material.color * material.parameter);
+      count_reached(hit.sphere);
+      const LinearRgb arriving = beta * (material.color * material.parameter);
+      if (!left_diffuse) return gathered + arriving;
+      const double cosine = std::fabs(dot(ray.direction, facing));
+      return gathered + arriving * lights_.weight_of_hit(
+                                       bvh_.index_in_scene(hit.sphere),
+                                       {.x = ray.origin, .normal = facing, .u = ray.u}, cosine);
     }
 
     const Vec3 center = bvh_.center<kMoving>(hit.sphere, ray.u);
@@ -102,14 +135,14 @@ LinearRgb PathIntegrator::li(Ray ray, const PathSampler& sampler, PathCounts& co
     const Vec3 outward = hit.sphere == departure.sphere
                              ? rehit_normal(ray.direction, departure.normal)
                              : unit((ray.origin - center) + ray.direction * hit.t);
-    const Vec3 facing = dot(ray.direction, outward) > 0 ? -outward : outward;
+    facing = dot(ray.direction, outward) > 0 ? -outward : outward;
     const VertexSampler vertex(sampler, depth);
     Vec3 direction;
     switch (material.type) {
       case MaterialType::Diffuse: direction = scatter_diffuse(facing, vertex); break;
       case MaterialType::Specular:
         if (!scatter_specular(ray.direction, facing, material.parameter, vertex, direction)) {
-          return LinearRgb{};
+          return gathered;
         }
         break;
       default:
@@ -120,9 +153,13 @@ LinearRgb PathIntegrator::li(Ray ray, const PathSampler& sampler, PathCounts& co
     ray.origin = center + outward * bvh_.sphere(hit.sphere).radius;
     ray.direction = direction;
     departure = {.sphere = hit.sphere, .normal = outward};
+    left_diffuse = material.type == MaterialType::Diffuse && !lights_.empty();
+    if (left_diffuse && depth + 1 < max_depth_) {
+      gathered += beta * direct_light<kMoving>(ray, departure, facing, sampler, depth, counts);
+    }
   }
   ++counts.truncated_paths;
-  return LinearRgb{};
+  return gathered;
 }
 
 }  // namespace sdlc::render

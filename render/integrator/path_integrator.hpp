@@ -8,6 +8,8 @@
 
 #include "render/bvh/bvh.hpp"
 #include "render/camera/pinhole.hpp"
+#include "render/light/emitter_tally.hpp"
+#include "render/light/lights.hpp"
 #include "render/math/color.hpp"
 #include "render/math/ray.hpp"
 #include "render/sampler/sampler.hpp"
@@ -35,9 +37,11 @@ class PathIntegrator {
  public:
   /// `scene` is in world coordinates and already checked. `max_depth` counts the rays of a path,
   /// the camera's included; at least 1.
-  /// `near_pairs`: PrecisionBounds::near_pairs in double, if they are known.
+  /// `near_pairs`: PrecisionBounds::near_pairs in double, if they are known; `lights`: the spheres
+  /// of choose_lights(); `emitters`: where to count what paths reach, if at all.
   PathIntegrator(Scene scene, int max_depth,
-                 std::optional<std::span<const SpherePair>> near_pairs = {});
+                 std::optional<std::span<const SpherePair>> near_pairs = {},
+                 std::span<const std::uint32_t> lights = {}, EmitterTally* emitters = nullptr);
 
   /// One path through the place (s, t) of the picture, (0, 0) its lower left corner: linear RGB.
   /// Once `cancel` is set a long path ends soon, with a value that means nothing.
@@ -52,9 +56,17 @@ class PathIntegrator {
   LinearRgb li(Ray ray, const PathSampler& sampler, PathCounts& counts,
                const std::atomic<bool>* cancel) const noexcept;
   template <bool kMoving>
+  LinearRgb direct_light(const Ray& ray, const Departure& departure, Vec3 facing,
+                         const PathSampler& sampler, int vertex, PathCounts& counts) const noexcept;
+  template <bool kMoving>
   BvhHit first_hit_from_surfaces(const Ray& ray) const noexcept;
   LinearRgb background(Vec3 direction) const noexcept;
   void find_camera_surfaces();
+  void count_reached(std::uint32_t slot) const noexcept {
+    if (emitters_ != nullptr && emitters_->is_counting()) {
+      emitters_->count(bvh_.index_in_scene(slot));
+    }
+  }
 
   Pinhole pinhole_;
   Background background_;
@@ -62,6 +74,8 @@ class PathIntegrator {
   bool has_motion_;
   int max_depth_;
   Bvh bvh_;
+  Lights lights_;
+  EmitterTally* emitters_;
   std::vector<Material> materials_;
   std::vector<std::uint32_t> material_of_slot_;
   std::vector<Departure> camera_surfaces_;  // spheres on whose surface the camera stands

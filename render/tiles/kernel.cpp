@@ -7,6 +7,7 @@
 #include <tbb/global_control.h>
 
 #include "render/bvh/bvh.hpp"
+#include "render/light/choose_lights.hpp"
 #include "render/scene/camera_surface.hpp"
 #include "render/scene/precision.hpp"
 #include "render/tiles/threads.hpp"
@@ -126,18 +127,8 @@ Kernel wide_kernel_for(const Scene& scene, const RenderSettings& settings,
   return kernel;
 }
 
-}  // namespace
-
-std::string_view name_of(KernelKind kind) noexcept {
-  switch (kind) {
-    case KernelKind::Wide: return "wide";
-    case KernelKind::Bvh: return "bvh";
-    default: return "scalar";
-  }
-}
-
-Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
-                     const KernelRequest& request) {
+Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
+                  const KernelRequest& request) {
   const auto scalar = [&](std::string reason) {
     return kernel_in_double(scene, settings, std::move(reason));
   };
@@ -166,6 +157,23 @@ Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
     return refused(std::string(flag) + ": not with the wide kernel: " + objection);
   }
   return wide_kernel_for(scene, settings, request);
+}
+
+}  // namespace
+
+std::string_view name_of(KernelKind kind) noexcept {
+  switch (kind) {
+    case KernelKind::Wide: return "wide";
+    case KernelKind::Bvh: return "bvh";
+    default: return "scalar";
+  }
+}
+
+Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
+                     const KernelRequest& request) {
+  Kernel kernel = kernel_for(scene, settings, request);
+  if (kernel.refusal.empty()) kernel.lights = choose_lights(scene, settings.light_sampling);
+  return kernel;
 }
 
 std::size_t estimated_bytes(const Kernel& kernel, const Scene& scene) noexcept {

@@ -36,6 +36,7 @@ struct Kernel {
   Precision precision = Precision::Double;
   std::optional<Isa> isa;                    ///< of the wide kernel
   std::vector<std::uint32_t> exact_spheres;  ///< Mixed: those that are met in double
+  std::vector<std::uint32_t> lights;         ///< the spheres of choose_lights()
   /// How near the scene comes to what the precision resolves; of a refused request unknown.
   PrecisionBounds bounds{};
   std::string reason;

@@ -12,6 +12,7 @@
 #include <tbb/task_arena.h>
 
 #include "render/film/film.hpp"
+#include "render/light/emitter_tally.hpp"
 #include "render/tiles/goal_render.hpp"
 #include "render/tiles/picture_tracer.hpp"
 #include "render/tiles/threads.hpp"
@@ -66,8 +67,9 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   });
   const auto build_start = std::chrono::steady_clock::now();
   result.kernel = std::move(kernel);
-  const std::unique_ptr<const Tracer> tracer =
-      arena.execute([&] { return make_tracer(result.kernel, std::move(scene), settings); });
+  EmitterTally emitters(scene);
+  const std::unique_ptr<const Tracer> tracer = arena.execute(
+      [&] { return make_tracer(result.kernel, std::move(scene), settings, emitters); });
   result.kernel.bounds.near_pairs.reset();  // of a lattice that touches, more than its spheres
   result.build_seconds = seconds_since(build_start);
   result.bvh_bytes = tracer->memory_bytes();
@@ -89,6 +91,8 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   result.rays = monitor.rays_done.load();
   result.truncated_paths = pictures.truncated_paths();
   result.nonfinite_samples = pictures.nonfinite_samples();
+  result.scarce_emitters = emitters.scarce();
+  result.sampled_lights = static_cast<std::uint32_t>(result.kernel.lights.size());
   return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "render/accuracy/error_estimate.hpp"
 #include "render/image/picture.hpp"
+#include "render/light/emitter_tally.hpp"
 #include "render/scene/scene.hpp"
 #include "render/tiles/kernel.hpp"
 
@@ -41,7 +42,10 @@ struct RenderResult {
   std::optional<ErrorEstimate> error{};  ///< from 8 samples a pixel on, of a whole picture
   Picture variance;                      ///< of each pixel's mean, if it was asked for and is known
   std::vector<std::uint32_t> samples_of_pixels;  ///< empty: all have as many
-  std::size_t bvh_bytes = 0;                     ///< 0 without a hierarchy
+  std::uint32_t sampled_lights = 0;  ///< emitters that diffuse surfaces look for by themselves
+  /// Those that fewer than EmitterTally::kEnough paths reached: what they light may be missing.
+  std::vector<ReachedEmitter> scarce_emitters;
+  std::size_t bvh_bytes = 0;  ///< 0 without a hierarchy
   double build_seconds = 0;   ///< rebasing and hierarchy, and choosing the kernel
   double render_seconds = 0;  ///< tracing alone
 };

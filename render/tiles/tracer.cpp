@@ -11,8 +11,10 @@ namespace {
 /// One path after the other.
 class ScalarTracer final : public Tracer {
  public:
-  ScalarTracer(const Kernel& kernel, Scene scene, const RenderSettings& settings)
-      : integrator_(std::move(scene), settings.depth, kernel.bounds.near_pairs),
+  ScalarTracer(const Kernel& kernel, Scene scene, const RenderSettings& settings,
+               EmitterTally& emitters)
+      : integrator_(std::move(scene), settings.depth, kernel.bounds.near_pairs, kernel.lights,
+                    &emitters),
         settings_(settings) {}
 
   bool trace(std::span<SampleRun> runs, TraceCounts& counts,
@@ -53,13 +55,16 @@ class ScalarTracer final : public Tracer {
 /// A path in each lane of a vector.
 class WideTracer final : public Tracer {
  public:
-  WideTracer(const Kernel& kernel, Scene scene, const RenderSettings& settings)
+  WideTracer(const Kernel& kernel, Scene scene, const RenderSettings& settings,
+             EmitterTally& emitters)
       : integrator_(std::move(scene), settings,
                     {.precision = kernel.precision,
                      .isa = *kernel.isa,
                      .search = kernel.kind == KernelKind::Bvh ? Search::Bvh : Search::All,
                      .exact_spheres = kernel.exact_spheres,
-                     .near_pairs = kernel.bounds.near_pairs}) {}
+                     .near_pairs = kernel.bounds.near_pairs,
+                     .lights = kernel.lights,
+                     .emitters = &emitters}) {}
 
   bool trace(std::span<SampleRun> runs, TraceCounts& counts,
              const std::atomic<bool>& cancel) const override {
@@ -79,11 +84,11 @@ class WideTracer final : public Tracer {
 }  // namespace
 
 std::unique_ptr<const Tracer> make_tracer(const Kernel& kernel, Scene scene,
-                                          const RenderSettings& settings) {
+                                          const RenderSettings& settings, EmitterTally& emitters) {
   if (kernel.kind == KernelKind::Scalar) {
-    return std::make_unique<const ScalarTracer>(kernel, std::move(scene), settings);
+    return std::make_unique<const ScalarTracer>(kernel, std::move(scene), settings, emitters);
   }
-  return std::make_unique<const WideTracer>(kernel, std::move(scene), settings);
+  return std::make_unique<const WideTracer>(kernel, std::move(scene), settings, emitters);
 }
 
 }  // namespace sdlc::render

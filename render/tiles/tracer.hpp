@@ -8,6 +8,7 @@
 
 #include "render/film/sample_run.hpp"
 #include "render/integrator/path_integrator.hpp"
+#include "render/light/emitter_tally.hpp"
 #include "render/scene/scene.hpp"
 #include "render/tiles/kernel.hpp"
 
@@ -31,8 +32,9 @@ class Tracer {
   virtual std::size_t memory_bytes() const noexcept = 0;  ///< of tables and hierarchy
 };
 
-/// `kernel`: of choose_kernel() for this scene, not refused.
+/// `kernel`: of choose_kernel() for this scene, not refused. `emitters` counts what reaches them
+/// and is borrowed.
 std::unique_ptr<const Tracer> make_tracer(const Kernel& kernel, Scene scene,
-                                          const RenderSettings& settings);
+                                          const RenderSettings& settings, EmitterTally& emitters);
 
 }  // namespace sdlc::render

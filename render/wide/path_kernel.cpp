@@ -10,10 +10,10 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 // Called here, so that all they instantiate is compiled for the instruction set.
 TraceBlocks<float>* kernel_for(float /*type*/, WideFeatures features) noexcept {
-  return choose_kernel<float>(features);
+  return choose_kernel<float, false>(features);
 }
 TraceBlocks<double>* kernel_for(double /*type*/, WideFeatures features) noexcept {
-  return choose_kernel<double>(features);
+  return choose_kernel<double, false>(features);
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE
@@ -24,8 +24,8 @@ HWY_AFTER_NAMESPACE();
 namespace sdlc::render {
 
 template <typename T>
-TraceBlocks<T>* wide_kernel([[maybe_unused]] Isa isa,
-                            [[maybe_unused]] WideFeatures features) noexcept {
+TraceBlocks<T>* wide_kernel([[maybe_unused]] Isa isa, WideFeatures features) noexcept {
+  if (features.lights) return wide_kernel_with_lights<T>(isa, features);
 #if HWY_ARCH_X86_64
   switch (isa) {
     case Isa::Sse4: return N_SSE4::kernel_for(T{}, features);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "render/light/emitter_tally.hpp"
 #include "render/math/color.hpp"
 #include "render/wide/isa.hpp"
 #include "render/wide/wide_integrator.hpp"
@@ -29,6 +30,7 @@ template <typename T>
 struct WideView {
   std::array<T, 3> right{}, up{};  ///< a pixel's sides on the view plane
   SamplerKind sampler = SamplerKind::Sobol;
+  EmitterTally* emitters = nullptr;  ///< where to count what paths reach
 };
 
 /// Traces all samples of `blocks`; the sum of each, and of what was summed before, goes into
@@ -46,10 +48,18 @@ struct WideFeatures {
   bool exact_spheres = false;  ///< WideScene::exact, in float
   bool bvh = false;            ///< Search::Bvh
   bool instances = false;      ///< WideScene::instances, in double
+  bool lights = false;         ///< WideScene::lights
 };
 /// The kernel for an instruction set that this machine has.
 template <typename T>
 TraceBlocks<T>* wide_kernel(Isa isa, WideFeatures features) noexcept;
+/// Those of them that have WideFeatures::lights, and a source file of their own.
+template <typename T>
+TraceBlocks<T>* wide_kernel_with_lights(Isa isa, WideFeatures features) noexcept;
+extern template TraceBlocks<float>* wide_kernel_with_lights(Isa isa,
+                                                            WideFeatures features) noexcept;
+extern template TraceBlocks<double>* wide_kernel_with_lights(Isa isa,
+                                                             WideFeatures features) noexcept;
 extern template TraceBlocks<float>* wide_kernel(Isa isa, WideFeatures features) noexcept;
 extern template TraceBlocks<double>* wide_kernel(Isa isa, WideFeatures features) noexcept;
 

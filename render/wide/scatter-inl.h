@@ -62,9 +62,7 @@ HWY_INLINE auto Scattering<T>::scatter(Triple<V> direction, Triple<V> outward, V
   const D d;
   const V one = set(1);
   // The normal on the side of the ray: turned round where the cosine is positive.
-  const V turned = hn::AndNot(cosine, hn::SignBit(d));
-  const Triple<V> facing{hn::Xor(outward.x, turned), hn::Xor(outward.y, turned),
-                         hn::Xor(outward.z, turned)};
+  const Triple<V> facing = flipped(outward, hn::AndNot(cosine, hn::SignBit(d)));
 
   const auto [u, turn] = sampler.pair(kDirection);
   const V circle = hn::Sqrt(hn::Mul(u, hn::Sub(one, u)));

@@ -55,6 +55,11 @@ HWY_INLINE Triple<V> choose(M mask, Triple<V> yes, Triple<V> no) {
   return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
           hn::IfThenElse(mask, yes.z, no.z)};
 }
+/// Turned round where `signs` has a sign bit; its other bits are 0.
+template <typename V>
+HWY_INLINE Triple<V> flipped(Triple<V> a, V signs) {
+  return {hn::Xor(a.x, signs), hn::Xor(a.y, signs), hn::Xor(a.z, signs)};
+}
 template <typename D, typename T>
 HWY_INLINE Triple<hn::Vec<D>> spread(D d, const std::array<T, 3>& v) {
   return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};

@@ -36,17 +36,19 @@ class WideIntegrator::TracerIn final : public Tracer {
  public:
   TracerIn(const Scene& rebased, const Pinhole& pinhole, const RenderSettings& settings,
            const Options& options)
-      : scene_(rebased, settings.depth, options.search, options.exact_spheres),
+      : scene_(rebased, settings.depth, options.search, options.exact_spheres, options.lights),
         kernel_(wide_kernel<T>(options.isa, {.motion = scene_.has_motion,
                                              .exact_spheres = scene_.exact_spheres > 0,
                                              .bvh = options.search == Search::Bvh,
-                                             .instances = !scene_.instances.empty()})),
+                                             .instances = !scene_.instances.empty(),
+                                             .lights = scene_.lights.nodes > 0})),
         width_(static_cast<std::uint64_t>(settings.width)),
         seed_(settings.seed),
         corner_(pinhole.place(0, 1)),
         right_(pinhole.across() / settings.width),
         down_(-pinhole.upwards() / settings.height) {
     view_.sampler = settings.sampler;
+    view_.emitters = options.emitters;
     if (settings.is_centred()) {
       corner_ = corner_ + (right_ - down_) * 0.5;
       return;

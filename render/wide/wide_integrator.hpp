@@ -7,6 +7,7 @@
 #include <span>
 
 #include "render/film/sample_run.hpp"
+#include "render/light/emitter_tally.hpp"
 #include "render/scene/near_pairs.hpp"
 #include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
@@ -34,6 +35,8 @@ class WideIntegrator {
     std::span<const std::uint32_t> exact_spheres;
     /// PrecisionBounds::near_pairs, if they are known.
     std::optional<std::span<const SpherePair>> near_pairs{};
+    std::span<const std::uint32_t> lights{};  ///< the spheres of choose_lights()
+    EmitterTally* emitters = nullptr;         ///< where to count what paths reach, if at all
   };
 
   /// `scene` is in world coordinates, already checked; the camera stands on at most one of its

@@ -45,7 +45,8 @@ std::vector<std::uint32_t> without(std::size_t spheres, std::span<const std::uin
 
 template <typename T>
 WideScene<T>::WideScene(const Scene& scene, int depth, Search search_for_hits,
-                        std::span<const std::uint32_t> spheres_in_double)
+                        std::span<const std::uint32_t> spheres_in_double,
+                        std::span<const std::uint32_t> sampled_lights)
     : search(search_for_hits),
       exact_spheres(spheres_in_double.size()),
       max_depth(static_cast<std::uint32_t>(depth)),
@@ -62,14 +63,15 @@ WideScene<T>::WideScene(const Scene& scene, int depth, Search search_for_hits,
   const Prototype balls = balls_of_instances(scene);
   std::vector<Part> parts;
   if (!scene.instances.empty()) parts = add_hierarchies(scene, balls);
+  lights = WideLights<T>(Lights(scene, sampled_lights), order, slots);
   make_room_for_spheres();
   add_spheres(scene.spheres, scene.shifts, order, 0, Place::World);
   if (search == Search::Bvh) {
-    index_in_scene = std::move(order);
     add_materials(scene);
   } else {
     add_materials_by_slot(scene, order);
   }
+  index_in_scene = std::move(order);
   if (!scene.instances.empty()) add_instances(scene, balls, parts);
   const LinearRgb bottom = scene.background.bottom, top = scene.background.top;
   // bottom at y = −1, top at y = 1; a constant sky stays exact.
@@ -224,7 +226,8 @@ void WideScene<T>::add_optics(std::size_t row, const Optics& of) {
 template <typename T>
 std::size_t WideScene<T>::memory_bytes() const noexcept {
   std::size_t bytes = bvh.nodes.capacity() * sizeof(typename WideBvh<T>::Node) +
-                      instances.memory_bytes() + index_in_scene.capacity() * sizeof(std::uint32_t);
+                      instances.memory_bytes() + lights.memory_bytes() +
+                      index_in_scene.capacity() * sizeof(std::uint32_t);
   for (const IndexTable* table : {&material, &optics, &surface}) {
     bytes += table->capacity() * sizeof(std::uint32_t);
   }

@@ -12,6 +12,7 @@
 #include "render/wide/optics.hpp"
 #include "render/wide/vector_allocator.hpp"
 #include "render/wide/wide_bvh.hpp"
+#include "render/wide/wide_lights.hpp"
 
 namespace sdlc::render {
 
@@ -38,8 +39,10 @@ struct WideScene {
   /// `scene` is rebased, and the camera stands on at most one of its spheres. Search::All: it has
   /// at most kMostWideSpheres, and no instances, which there are only in double. `exact_spheres`:
   /// those to be met in double, at most kMostExactSpheres, none unless T is float.
+  /// `sampled_lights`: those of choose_lights().
   WideScene(const Scene& scene, int depth, Search search,
-            std::span<const std::uint32_t> exact_spheres = {});
+            std::span<const std::uint32_t> exact_spheres = {},
+            std::span<const std::uint32_t> sampled_lights = {});
 
   // Tables by slot, whole vectors long. The slots of spheres to be met in double come last; the
   // others are in the scene's order, or in that of the hierarchy, with slots of no sphere.
@@ -47,10 +50,9 @@ struct WideScene {
       center;         ///< at the opening of the shutter; not a number where there is nothing to hit
   TableTriple shift;  ///< up to its closing; empty where nothing moves
   Table radius;
-  Table radius_squared;  ///< Search::All
-  /// Search::Bvh: the rows of the tables of colours, and the spheres' indices in the scene.
-  IndexTable material;
-  std::vector<std::uint32_t> index_in_scene;
+  Table radius_squared;                       ///< Search::All
+  IndexTable material;                        ///< Search::Bvh: the rows of the tables of colours
+  std::vector<std::uint32_t> index_in_scene;  ///< or, of an instance's sphere, in its prototype
 
   // Tables by material, or by slot with Search::All.
   TableTriple color;  ///< attenuation; the radiance where the path ends
@@ -70,6 +72,7 @@ struct WideScene {
   /// Prototypes have nodes behind those of the world, and slots behind its slots; the hierarchy of
   /// instances and their balls come last. Empty without instances.
   InstanceTable instances;
+  WideLights<T> lights;
   std::size_t slots = 0;        ///< of all spheres, holes among them
   std::size_t first_exact = 0;  ///< slots from here on hold spheres that are met in double
   std::size_t materials = 0;    ///< rows of the tables by material

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "render/integrator/path_integrator.hpp"
+#include "render/light/choose_lights.hpp"
 #include "render/sampler/sampler.hpp"
 #include "render/scene/scene.hpp"
 #include "tests/support/statistics/estimate.hpp"
@@ -54,11 +55,13 @@ struct BeamOptions {
   int depth = 16;
   std::uint64_t samples = 1 << 16;
   std::uint64_t seed = 7;
+  render::LightSampling light_sampling = render::LightSampling::Off;
 };
 
 /// The radiance that arrives along the camera's axis.
 inline Estimate radiance_along_axis(const render::Scene& scene, const BeamOptions& options) {
-  const render::PathIntegrator integrator(scene, options.depth);
+  const auto lights = render::choose_lights(scene, options.light_sampling);
+  const render::PathIntegrator integrator(scene, options.depth, {}, lights);
   render::PathCounts counts;
   EstimateBuilder builder;
   const std::uint64_t key = render::PathSampler::stream_key(options.seed, 0, 0);

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "render/math/sincos.hpp"
+#include "render/math/vec3.hpp"
+#include "render/sampler/sampler.hpp"
+
+/// The cone of directions in which a sphere is seen, after Shirley, Wang, Zimmerman, "Monte Carlo
+/// techniques for direct lighting calculations", 1996, 3.2. A wide kernel has the same formulas in
+/// render/wide/light_sampling-inl.h.
+namespace sdlc::render {
+
+/// Where the square of the sine of the half angle is not below this, half the sky is full of the
+/// light, or the place is inside it: scattering finds it by itself.
+inline constexpr double kLargestLightSine2 = 0.9;
+
+struct LightCone {
+  Vec3 to_center;
+  double distance = 0;  ///< to the centre
+  /// 1 − cos of the half angle, by which the solid angle is 2π times as large; 0: there is no cone
+  /// to take directions from.
+  double height = 0;
+};
+
+inline LightCone light_cone(Vec3 to_center, double radius) noexcept {
+  const double distance_squared = dot(to_center, to_center);
+  const double sine_squared = radius * radius / distance_squared;
+  if (!(sine_squared < kLargestLightSine2)) return {};
+  // 1 − √(1 − s) would have no digits left for small lights.
+  return {to_center, std::sqrt(distance_squared), sine_squared / (1 + std::sqrt(1 - sine_squared))};
+}
+
+/// A direction that is uniform in the cone, and how far away the sphere is in it.
+struct LightDirection {
+  Vec3 direction;
+  double distance = 0;
+};
+
+inline LightDirection sample_cone(const LightCone& cone, double radius,
+                                  UniformPair random) noexcept {
+  const double below = random.first * cone.height;  // 1 − cos θ
+  const double cosine = 1 - below, sine_squared = below * (2 - below);
+  // Of the axis z; two directions across it by Duff et al., "Building an orthonormal basis,
+  // revisited", 2017.
+  const Vec3 z = cone.to_center / cone.distance;
+  const double sign = std::copysign(1.0, z.z);
+  const double a = -1 / (sign + z.z), b = z.x * z.y * a;
+  const Vec3 x{1 + sign * z.x * z.x * a, sign * b, -sign * z.x};
+  const Vec3 y{b, sign + z.y * z.y * a, -z.y};
+  const double sine = std::sqrt(sine_squared);
+  const SinCos around = sincos_turns(random.second);
+  const Vec3 direction = z * cosine + x * (-sine * around.cos) + y * (-sine * around.sin);
+  const double across_squared = cone.distance * cone.distance * sine_squared;
+  const double half_chord = std::sqrt(std::fmax(radius * radius - across_squared, 0.0));
+  return {direction, cone.distance * cosine - half_chord};
+}
+
+/// The balance heuristic (Veach, "Robust Monte Carlo methods for light transport simulation", 1997,
+/// 9.2.2) of a diffuse scattering against "choose the light with this probability, and a direction
+/// in its cone": cos/π over the sum of cos/π and probability over solid angle. A scattered ray that
+/// hits the light counts with this weight. A connection, too, counts as its radiance times this:
+/// the weight of its own technique times cos/π over its own density is the same number. `cosine`:
+/// of direction and normal, not negative.
+inline double scattering_weight(double probability, const LightCone& cone, double cosine) noexcept {
+  if (!(probability > 0 && cone.height > 0)) return 1;
+  const double scattered = 2 * cone.height * cosine;
+  return scattered / (probability + scattered);
+}
+
+}  // namespace sdlc::render

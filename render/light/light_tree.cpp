@@ -1,0 +1,129 @@
+#include "render/light/light_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace sdlc::render {
+namespace {
+
+struct Box {
+  Vec3 low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+
+  void add(Vec3 p) noexcept {
+    low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y), std::fmin(low.z, p.z)};
+    high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y), std::fmax(high.z, p.z)};
+  }
+
+ private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+};
+
+double along(Vec3 v, int axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+int longest_axis(Vec3 size) noexcept {
+  if (size.x >= size.y && size.x >= size.z) return 0;
+  return size.y >= size.z ? 1 : 2;
+}
+
+}  // namespace
+
+LightTree::LightTree(const std::vector<LightBall>& balls) {
+  if (balls.empty()) return;
+  levels_ = static_cast<int>(std::bit_width(balls.size() - 1));
+  const std::size_t leaves = std::size_t{1} << levels_;
+  nodes_.resize(2 * leaves);
+  balls_of_leaves_.assign(leaves, kNoLight);
+  std::vector<std::uint32_t> order(balls.size());
+  std::iota(order.begin(), order.end(), 0U);
+  build(balls, order.data(), order.data() + order.size(), 1, levels_);
+}
+
+void LightTree::build(const std::vector<LightBall>& balls, std::uint32_t* first,
+                      std::uint32_t* last, std::size_t node, int levels_below) {
+  if (first == last) return;
+  Box ends, centers;
+  for (const std::uint32_t* i = first; i != last; ++i) {
+    const LightBall& ball = balls[*i];
+    const Vec3 end = ball.center + ball.shift;
+    const Vec3 size{ball.radius, ball.radius, ball.radius};
+    for (const Vec3 c : {ball.center, end}) {
+      ends.add(c - size);
+      ends.add(c + size);
+    }
+    centers.add((ball.center + end) * 0.5);
+  }
+  Node& here = nodes_[node];
+  here.center = (ends.low + ends.high) * 0.5;
+  for (const std::uint32_t* i = first; i != last; ++i) {
+    const LightBall& ball = balls[*i];
+    for (const Vec3 c : {ball.center, ball.center + ball.shift}) {
+      here.radius = std::fmax(here.radius, length(c - here.center) + ball.radius);
+    }
+    here.power += ball.power;
+  }
+  if (levels_below == 0) {
+    balls_of_leaves_[node - nodes_.size() / 2] = *first;
+    return;
+  }
+  const int axis = longest_axis(centers.high - centers.low);
+  const auto place = [&](std::uint32_t i) {
+    return along(balls[i].center * 2 + balls[i].shift, axis);
+  };
+  std::uint32_t* middle = first + (last - first + 1) / 2;
+  std::nth_element(first, middle, last, [&](std::uint32_t a, std::uint32_t b) {
+    const double of_a = place(a), of_b = place(b);
+    return of_a != of_b ? of_a < of_b : a < b;
+  });
+  build(balls, first, middle, 2 * node, levels_below - 1);
+  build(balls, middle, last, 2 * node + 1, levels_below - 1);
+}
+
+/// What of a node's light may arrive, but for a factor: at most power · cos θ / d², the cosine that
+/// of the place of the ball that is highest above the horizon, and 0 where all of it is below.
+double LightTree::importance(std::size_t node, Vec3 x, Vec3 normal) const noexcept {
+  const Node& of = nodes_[node];
+  const Vec3 to_center = of.center - x;
+  const double height = dot(to_center, normal) + of.radius;
+  const double distance = std::fmax(length(to_center), of.radius);
+  return height > 0 ? of.power * height / (distance * distance * distance) : 0;
+}
+
+LightTree::Choice LightTree::choose(Vec3 x, Vec3 normal, UniformPair random) const noexcept {
+  std::size_t node = 1;
+  double probability = 1, u = random.first;
+  for (int level = 0; level < levels_; ++level) {
+    if (level == kLevelsANumber) u = random.second;
+    const double left = importance(2 * node, x, normal);
+    const double right = importance(2 * node + 1, x, normal);
+    const double total = left + right;
+    // Nothing arrives of either; or x is so near that numbers do not tell.
+    if (!(total > 0 && total < std::numeric_limits<double>::infinity())) return {};
+    const double share_left = left / total, share_right = right / total;
+    const bool goes_left = u < share_left;
+    u = goes_left ? u / share_left : (u - share_left) / share_right;
+    probability *= goes_left ? share_left : share_right;
+    node = 2 * node + (goes_left ? 0 : 1);
+  }
+  return {static_cast<std::uint32_t>(node - nodes_.size() / 2), probability};
+}
+
+double LightTree::probability(std::uint32_t leaf, Vec3 x, Vec3 normal) const noexcept {
+  std::size_t node = 1;
+  double probability = 1;
+  for (int level = levels_ - 1; level >= 0; --level) {
+    const double left = importance(2 * node, x, normal);
+    const double right = importance(2 * node + 1, x, normal);
+    const double total = left + right;
+    if (!(total > 0 && total < std::numeric_limits<double>::infinity())) return 0;
+    const std::size_t side = leaf >> level & 1;
+    probability *= (side == 0 ? left : right) / total;
+    node = 2 * node + side;
+  }
+  return probability;
+}
+
+}  // namespace sdlc::render

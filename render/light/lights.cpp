@@ -1,0 +1,90 @@
+#include "render/light/lights.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/light/light_cone.hpp"
+
+namespace sdlc::render {
+namespace {
+
+// Radiance may be beyond all numbers; the tree needs some.
+constexpr double kBrightest = 1e300;
+
+double brightness(LinearRgb radiance) noexcept {
+  return std::fmin(radiance.r / 3 + radiance.g / 3 + radiance.b / 3, kBrightest);
+}
+
+}  // namespace
+
+Lights::Lights(const Scene& scene, std::span<const std::uint32_t> spheres) {
+  if (spheres.empty()) return;
+  std::vector<LightBall> balls;
+  balls.reserve(spheres.size());
+  double brightest = 0;
+  for (const std::uint32_t i : spheres) {
+    const Material& material = scene.materials[scene.spheres[i].material];
+    brightest = std::fmax(brightest, brightness(material.color * material.parameter));
+  }
+  const auto light = [&](std::uint32_t i) {
+    const Sphere& sphere = scene.spheres[i];
+    const Material& material = scene.materials[sphere.material];
+    return Light{.center = sphere.center,
+                 .shift = scene.shifts.empty() ? Vec3{} : scene.shifts[i],
+                 .radius = sphere.radius,
+                 .radiance = material.color * material.parameter,
+                 .sphere = i};
+  };
+  for (const std::uint32_t i : spheres) {
+    const Light of = light(i);
+    balls.push_back({.center = of.center,
+                     .shift = of.shift,
+                     .radius = of.radius,
+                     .power = brightness(of.radiance) / brightest * of.radius * of.radius});
+  }
+  tree_ = LightTree(balls);
+  leaves_.reserve(tree_.balls_of_leaves().size());
+  leaves_of_spheres_.reserve(spheres.size());
+  for (const std::uint32_t ball : tree_.balls_of_leaves()) {
+    if (ball == kNoLight) {
+      leaves_.emplace_back();
+      continue;
+    }
+    leaves_of_spheres_.emplace_back(spheres[ball], static_cast<std::uint32_t>(leaves_.size()));
+    leaves_.push_back(light(spheres[ball]));
+  }
+  std::ranges::sort(leaves_of_spheres_);
+}
+
+std::uint32_t Lights::leaf_of(std::uint32_t sphere) const noexcept {
+  const auto found = std::ranges::lower_bound(leaves_of_spheres_, sphere, {},
+                                              [](const auto& pair) { return pair.first; });
+  return found != leaves_of_spheres_.end() && found->first == sphere ? found->second : kNoLight;
+}
+
+auto Lights::connect(const Place& at, UniformPair choice, UniformPair direction) const noexcept
+    -> std::optional<Connection> {
+  const LightTree::Choice chosen = tree_.choose(at.x, at.normal, choice);
+  if (!(chosen.probability > 0)) return std::nullopt;
+  const Light& light = leaves_[chosen.leaf];
+  const LightCone cone = light_cone(light.center_at(at.u) - at.x, light.radius);
+  if (!(cone.height > 0)) return std::nullopt;
+  const LightDirection way = sample_cone(cone, light.radius, direction);
+  const double cosine = dot(way.direction, at.normal);
+  if (!(cosine > 0)) return std::nullopt;
+  return Connection{
+      .direction = way.direction,
+      .distance = way.distance,
+      .radiance = light.radiance * scattering_weight(chosen.probability, cone, cosine),
+      .sphere = light.sphere};
+}
+
+double Lights::weight_of_hit(std::uint32_t sphere, const Place& at, double cosine) const noexcept {
+  const std::uint32_t leaf = leaf_of(sphere);
+  if (leaf == kNoLight) return 1;
+  const Light& light = leaves_[leaf];
+  return scattering_weight(tree_.probability(leaf, at.x, at.normal),
+                           light_cone(light.center_at(at.u) - at.x, light.radius), cosine);
+}
+
+}  // namespace sdlc::render

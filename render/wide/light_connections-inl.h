@@ -1,0 +1,218 @@
+// Lights that diffuse surfaces look for, compiled once for each instruction set: no include guard
+// but Highway's.
+// clang-format off
+#if defined(SDLC_RENDER_WIDE_LIGHT_CONNECTIONS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_WIDE_LIGHT_CONNECTIONS_INL_H
+#undef SDLC_RENDER_WIDE_LIGHT_CONNECTIONS_INL_H
+#else
+#define SDLC_RENDER_WIDE_LIGHT_CONNECTIONS_INL_H
+#endif
+// clang-format on
+
+#include <cstdint>
+#include <limits>
+
+#include <hwy/highway.h>
+
+#include "render/light/light_cone.hpp"
+#include "render/light/light_tree.hpp"
+#include "render/sampler/sampler.hpp"
+#include "render/wide/table_reader-inl.h"
+#include "render/wide/vector_math-inl.h"
+#include "render/wide/wide_lights.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace sdlc::render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// What Lights, LightTree and LightCone do, in every lane; the formulas are explained there.
+template <typename T, bool kMotion>
+class LightConnections {
+ public:
+  using D = hn::ScalableTag<T>;
+  using DU = hn::RebindToUnsigned<D>;
+  using V = hn::Vec<D>;
+  using Bits = hn::Vec<DU>;
+  using Mask = hn::Mask<D>;
+
+  /// Lights::Place
+  struct Place {
+    Triple<V> x, normal;
+    V time;
+  };
+  /// Lights::Connection
+  struct Connection {
+    Mask exists;  ///< elsewhere the rest means nothing
+    Triple<V> direction;
+    V distance;
+    Triple<V> radiance;
+    Bits slot;
+  };
+
+  explicit HWY_INLINE LightConnections(const WideLights<T>& lights) : lights_(lights) {}
+
+  /// In the lanes of `wanted`.
+  HWY_INLINE Connection connect(Mask wanted, const Place& at, const LaneSampler<D>& sampler) const;
+  /// Of rays scattered there that hit the light of a leaf, in the lanes of `is_light`.
+  HWY_INLINE V weight_of_hit(Mask is_light, Bits leaf, const Place& at, V cosine) const;
+
+ private:
+  struct Choice {
+    Bits leaf;
+    V probability;  // 0: no light
+  };
+  struct Children {
+    V share_left, share_right;
+    Mask any;  // either may be chosen
+  };
+  struct Cone {
+    Triple<V> to_center;
+    V distance, height;
+    V radius_squared;
+    Mask exists;
+  };
+
+  static HWY_INLINE V set(double v) { return hn::Set(D(), static_cast<T>(v)); }
+  static HWY_INLINE Bits word(std::uint32_t v) { return hn::Set(DU(), v); }
+
+  HWY_INLINE V importance(Bits node, const Place& at) const;
+  HWY_INLINE Children children(Bits left, const Place& at) const;
+  HWY_INLINE Choice choose_leaf(Mask wanted, const Place& at, const LaneSampler<D>& sampler) const;
+  HWY_INLINE Cone cone(const TableReader<D>& read, const Place& at) const;
+  static HWY_INLINE V scattering_weight(V probability, const Cone& cone, V cosine);
+
+  const WideLights<T>& lights_;
+};
+
+template <typename T, bool kMotion>
+auto LightConnections<T, kMotion>::importance(Bits node, const Place& at) const -> V {
+  const D d;
+  const TableReader<D> read(node, lights_.nodes);
+  const Triple<V> to_center = minus(read(lights_.node_center), at.x);
+  const V radius = read(lights_.node_radius);
+  const V height = hn::Add(dot(to_center, at.normal), radius);
+  const V distance = hn::Max(hn::Sqrt(dot(to_center, to_center)), radius);
+  const V cube = hn::Mul(hn::Mul(distance, distance), distance);
+  return hn::IfThenElseZero(hn::Gt(height, hn::Zero(d)),
+                            hn::Div(hn::Mul(read(lights_.node_power), height), cube));
+}
+
+/// Of the node whose left child is `left`.
+template <typename T, bool kMotion>
+auto LightConnections<T, kMotion>::children(Bits left, const Place& at) const -> Children {
+  const D d;
+  const V of_left = importance(left, at), of_right = importance(hn::Add(left, word(1)), at);
+  const V total = hn::Add(of_left, of_right);
+  const V infinity = hn::Set(d, std::numeric_limits<T>::infinity());
+  return {hn::Div(of_left, total), hn::Div(of_right, total),
+          hn::And(hn::Gt(total, hn::Zero(d)), hn::Lt(total, infinity))};
+}
+
+template <typename T, bool kMotion>
+auto LightConnections<T, kMotion>::choose_leaf(Mask wanted, const Place& at,
+                                               const LaneSampler<D>& sampler) const -> Choice {
+  const D d;
+  const DU du;
+  V u = sampler.first(kChoice);
+  V probability = hn::IfThenElseZero(wanted, set(1));
+  Bits node = word(1);
+  for (int level = 0; level < lights_.levels; ++level) {
+    if (level == LightTree::kLevelsANumber) u = sampler.pair(kChoice).second;
+    const Bits left = hn::Add(node, node);
+    const Children shares = children(left, at);
+    const Mask goes_left = hn::Lt(u, shares.share_left);
+    const V share = hn::IfThenElse(goes_left, shares.share_left, shares.share_right);
+    u = hn::Div(hn::IfThenElse(goes_left, u, hn::Sub(u, shares.share_left)), share);
+    probability = hn::IfThenElseZero(shares.any, hn::Mul(probability, share));
+    node = hn::Add(left, hn::IfThenZeroElse(hn::RebindMask(du, goes_left), word(1)));
+  }
+  return {hn::Sub(node, word(lights_.leaves)),
+          hn::IfThenElseZero(hn::Gt(probability, hn::Zero(d)), probability)};
+}
+
+template <typename T, bool kMotion>
+auto LightConnections<T, kMotion>::cone(const TableReader<D>& read, const Place& at) const -> Cone {
+  const V one = set(1);
+  Triple<V> center = read(lights_.center);
+  if constexpr (kMotion) center = plus_scaled(center, read(lights_.shift), at.time);
+  const Triple<V> to_center = minus(center, at.x);
+  const V distance_squared = dot(to_center, to_center);
+  const V radius = read(lights_.radius), radius_squared = hn::Mul(radius, radius);
+  const V sine_squared = hn::Div(radius_squared, distance_squared);
+  const V height = hn::Div(sine_squared, hn::Add(one, hn::Sqrt(hn::Sub(one, sine_squared))));
+  return {to_center, hn::Sqrt(distance_squared), height, radius_squared,
+          hn::And(hn::Lt(sine_squared, set(kLargestLightSine2)), hn::Gt(height, hn::Zero(D())))};
+}
+
+/// Where there is a cone, and a probability above 0.
+template <typename T, bool kMotion>
+auto LightConnections<T, kMotion>::scattering_weight(V probability, const Cone& cone, V cosine)
+    -> V {
+  const V scattered = hn::Mul(hn::Add(cone.height, cone.height), cosine);
+  return hn::Div(scattered, hn::Add(probability, scattered));
+}
+
+template <typename T, bool kMotion>
+auto LightConnections<T, kMotion>::connect(Mask wanted, const Place& at,
+                                           const LaneSampler<D>& sampler) const -> Connection {
+  const D d;
+  const V one = set(1), zero = hn::Zero(d);
+  const Choice chosen = choose_leaf(wanted, at, sampler);
+  const TableReader<D> read(chosen.leaf, lights_.leaves);
+  const Cone seen = cone(read, at);
+
+  const auto [height, turn] = sampler.pair(kLight);
+  const V below = hn::Mul(height, seen.height);
+  const V cosine = hn::Sub(one, below);
+  const V sine_squared = hn::Mul(below, hn::Sub(set(2), below));
+  const Triple<V> z = scaled(seen.to_center, hn::Div(one, seen.distance));
+  const V sign = hn::CopySign(one, z.z);
+  const V a = hn::Neg(hn::Div(one, hn::Add(sign, z.z)));
+  const V b = hn::Mul(hn::Mul(z.x, z.y), a);
+  const Triple<V> x{hn::MulAdd(hn::Mul(sign, z.x), hn::Mul(z.x, a), one), hn::Mul(sign, b),
+                    hn::Neg(hn::Mul(sign, z.x))};
+  const Triple<V> y{b, hn::MulAdd(hn::Mul(z.y, z.y), a, sign), hn::Neg(z.y)};
+  V along_x, along_y;
+  point_on_circle(turn, hn::Sqrt(sine_squared), along_x, along_y);
+  const Triple<V> direction = plus_scaled(plus_scaled(scaled(z, cosine), x, along_x), y, along_y);
+  const V across_squared = hn::Mul(hn::Mul(seen.distance, seen.distance), sine_squared);
+  const V half_chord = hn::Sqrt(hn::Max(hn::Sub(seen.radius_squared, across_squared), zero));
+
+  const V to_normal = dot(direction, at.normal);
+  const V weight = scattering_weight(chosen.probability, seen, to_normal);
+  const Mask is_above = hn::And(seen.exists, hn::Gt(to_normal, zero));
+  return {.exists = hn::And(hn::Gt(chosen.probability, zero), is_above),
+          .direction = direction,
+          .distance = hn::MulSub(seen.distance, cosine, half_chord),
+          .radiance = scaled(read(lights_.radiance), weight),
+          .slot = read(lights_.slot)};
+}
+
+template <typename T, bool kMotion>
+auto LightConnections<T, kMotion>::weight_of_hit(Mask is_light, Bits leaf, const Place& at,
+                                                 V cosine) const -> V {
+  const D d;
+  const DU du;
+  const V one = set(1);
+  leaf = hn::IfThenElseZero(hn::RebindMask(du, is_light), leaf);
+  V probability = one;
+  Bits node = word(1);
+  for (int level = lights_.levels - 1; level >= 0; --level) {
+    const Bits left = hn::Add(node, node);
+    const Children shares = children(left, at);
+    const Bits side = hn::And(hn::ShiftRightSame(leaf, level), word(1));
+    const Mask goes_left = hn::RebindMask(d, hn::Eq(side, hn::Zero(du)));
+    const V share = hn::IfThenElse(goes_left, shares.share_left, shares.share_right);
+    probability = hn::IfThenElseZero(shares.any, hn::Mul(probability, share));
+    node = hn::Add(left, side);
+  }
+  const Cone seen = cone(TableReader<D>(leaf, lights_.leaves), at);
+  const Mask is_sampled = hn::And(seen.exists, hn::Gt(probability, hn::Zero(d)));
+  return hn::IfThenElse(is_sampled, scattering_weight(probability, seen, cosine), one);
+}
+
+}  // namespace sdlc::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

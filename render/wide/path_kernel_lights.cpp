@@ -1,0 +1,44 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/wide/path_kernel_lights.cpp"
+#include <hwy/foreach_target.h>
+
+#if HWY_TARGET != HWY_STATIC_TARGET
+#include "render/wide/path_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sdlc::render::HWY_NAMESPACE {
+
+// Called here, so that all they instantiate is compiled for the instruction set.
+TraceBlocks<float>* kernel_with_lights_for(float /*type*/, WideFeatures features) noexcept {
+  return choose_kernel<float, true>(features);
+}
+TraceBlocks<double>* kernel_with_lights_for(double /*type*/, WideFeatures features) noexcept {
+  return choose_kernel<double, true>(features);
+}
+
+}  // namespace sdlc::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+
+#if HWY_ONCE
+namespace sdlc::render {
+
+template <typename T>
+TraceBlocks<T>* wide_kernel_with_lights([[maybe_unused]] Isa isa,
+                                        [[maybe_unused]] WideFeatures features) noexcept {
+#if HWY_ARCH_X86_64
+  switch (isa) {
+    case Isa::Sse4: return N_SSE4::kernel_with_lights_for(T{}, features);
+    case Isa::Avx2: return N_AVX2::kernel_with_lights_for(T{}, features);
+    default: return N_AVX3::kernel_with_lights_for(T{}, features);
+  }
+#else
+  return nullptr;  // no Isa is available
+#endif
+}
+
+template TraceBlocks<float>* wide_kernel_with_lights(Isa isa, WideFeatures features) noexcept;
+template TraceBlocks<double>* wide_kernel_with_lights(Isa isa, WideFeatures features) noexcept;
+
+}  // namespace sdlc::render
+#endif

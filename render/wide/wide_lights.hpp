@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/light/lights.hpp"
+#include "render/wide/vector_allocator.hpp"
+
+namespace sdlc::render {
+
+/// The lights of a scene as the wide kernel reads them, in numbers of type T: tables that are whole
+/// vectors long.
+template <typename T>
+struct WideLights {
+  using Table = std::vector<T, VectorAllocator<T>>;
+  using IndexTable = std::vector<std::uint32_t, VectorAllocator<std::uint32_t>>;
+  using TableTriple = std::array<Table, 3>;
+
+  WideLights() = default;
+  /// `slots` of the scene; the first ones hold its spheres in this order, by their indices.
+  WideLights(const Lights& lights, std::span<const std::uint32_t> order, std::size_t slots);
+
+  // By node of the LightTree.
+  TableTriple node_center;
+  Table node_radius;
+  Table node_power;
+
+  // By leaf of the tree: spheres that shine, as Light has them.
+  TableTriple center;
+  TableTriple shift;
+  Table radius;
+  TableTriple radiance;
+  IndexTable slot;
+
+  IndexTable leaf_of_slot;  ///< kNoLight: not a light
+
+  std::uint32_t nodes = 0;   ///< of the tree; 0: there are no lights
+  std::uint32_t leaves = 0;  ///< the number of the first one among the nodes, too
+  int levels = 0;
+
+  std::size_t memory_bytes() const noexcept;
+};
+
+extern template struct WideLights<float>;
+extern template struct WideLights<double>;
+
+}  // namespace sdlc::render

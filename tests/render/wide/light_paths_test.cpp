@@ -1,0 +1,309 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "render/tiles/render.hpp"
+#include "tests/render/wide/kernels.hpp"
+#include "tests/support/statistics/random.hpp"
+#include "tests/support/statistics/scaled_scene.hpp"
+#include "tests/support/statistics/scenes.hpp"
+
+// Paths that look for lights by themselves, in the wide kernel: those of the scalar kernel, as in
+// same_paths_test.cpp.
+namespace sdlc::test {
+namespace {
+
+using render::KernelKind;
+using render::LightSampling;
+using render::LinearRgb;
+using render::Precision;
+using render::RenderResult;
+using render::RenderSettings;
+using render::Scene;
+using render::Vec3;
+
+/// Every material beneath a few lights, of which some overlap, one is around a sphere, and some are
+/// partly below the ground.
+Scene lit_scene() {
+  Scene scene = beam_scene({0, 1, 4}, {0, 0, 0}, LinearRgb{0.05});
+  scene.camera.aspect = 1.5;
+  scene.camera.plane_height = 1.2;
+  add_sphere(scene, {0, -100.5, 0}, 100, diffuse({0.5, 0.6, 0.3}));
+  add_sphere(scene, {-1, 0, 0}, 0.5, specular({0.8, 0.8, 0.6}, 0.2));
+  add_sphere(scene, {0, 0, 0}, 0.5, transmissive({1, 0.9, 1}, 1.5));
+  add_sphere(scene, {1, 0, 0}, 0.5, diffuse({0.9, 0.2, 0.1}));
+  add_sphere(scene, {0.5, 1, -1}, 0.3, emissive({1, 0.9, 0.8}, 5));
+  add_sphere(scene, {0.3, 1.1, -0.8}, 0.2, emissive({0.2, 0.9, 0.8}, 8));
+  add_sphere(scene, {-0.5, 0.8, 0.5}, 0.1, unlit({0.1, 0.3, 0.9}));
+  add_sphere(scene, {-0.3, 0.3, 1}, 0.05, emissive({0.9, 0.5, 0.8}, 50));
+  add_sphere(scene, {1.5, 0.2, 1}, 0.02, emissive({0.9, 0.5, 0.2}, 100));
+  add_sphere(scene, {-1.5, -0.45, 1}, 0.2, emissive({0.1, 0.5, 0.2}, 3));
+  add_sphere(scene, {0.4, -0.3, 1.2}, 0.15, diffuse({0.9, 1, 1}));
+  add_sphere(scene, {0.4, -0.3, 1.2}, 0.3, transmissive({0.9, 1, 1}, 1.2));
+  add_sphere(scene, {0, 0, 0}, 0, emissive({1, 1, 1}, 1));
+  return scene;
+}
+
+Scene lit_and_moving() {
+  Scene scene = lit_scene();
+  scene.shifts.assign(scene.spheres.size(), Vec3{});
+  scene.shifts[3] = {0, 0.4, 0};
+  scene.shifts[4] = {-0.5, 0.1, 0.2};
+  scene.shifts[8] = {0, -1, 0};
+  return scene;
+}
+
+Scene lit_by_one() {
+  Scene scene = beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{});
+  add_sphere(scene, {0, -100.5, 0}, 100, diffuse({0.5, 0.6, 0.3}));
+  add_sphere(scene, {0, 0, 0}, 0.5, diffuse({0.8, 0.2, 0.3}));
+  add_sphere(scene, {2, 3, 1}, 0.1, emissive({1, 1, 0.8}, 400));
+  return scene;
+}
+
+/// More than one random number chooses from.
+Scene lit_by_thousands() {
+  Scene scene = lit_by_one();
+  Random random(4);
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 place{random.between(-5, 5), random.between(1, 3), random.between(-5, 3)};
+    add_sphere(scene, place, random.between(0.005, 0.02),
+               emissive({random.between(0, 1), random.between(0, 1), 1}, 50));
+  }
+  return scene;
+}
+
+Scene lit_room() {
+  Scene scene = beam_scene({0, 0, 0.5}, {0, 0.3, 2}, LinearRgb{});
+  add_sphere(scene, {0, 0, 0}, 2, diffuse({0.8, 0.7, 0.9}));
+  add_sphere(scene, {0.5, 0.2, 0}, 0.3, emissive({1, 1, 0.7}, 10));
+  add_sphere(scene, {-0.8, 0.9, 0.9}, 0.5, diffuse({0.3, 0.7, 0.9}));
+  return scene;
+}
+
+Scene lit_from_a_surface() {
+  Scene scene = lit_scene();
+  scene.camera.from = {0, 2, 4};
+  add_sphere(scene, {0, 2, 5}, 1, diffuse({0.5, 0.5, 0.5}));
+  return scene;
+}
+
+/// The ground and a distant sun are met in double where the rest is float.
+Scene lit_above_a_large_ground() {
+  Scene scene = beam_scene({0, 1, 4}, {0, 0, 0}, LinearRgb{0.1});
+  scene.camera.plane_height = 1.2;
+  add_sphere(scene, {0, -1e4 - 1, 0}, 1e4, diffuse({0.5, 0.6, 0.3}));
+  add_sphere(scene, {-1.2, 0, 0}, 0.5, specular({0.8, 0.8, 0.6}, 0.2));
+  add_sphere(scene, {0, 0, 0}, 0.5, transmissive({1, 0.9, 1}, 1.5));
+  add_sphere(scene, {1.2, 0, 0}, 0.5, diffuse({0.9, 0.2, 0.1}));
+  add_sphere(scene, {3e4, 4e4, 1e4}, 1e4, emissive({1, 0.9, 0.7}, 5));
+  add_sphere(scene, {0.5, 1, 1}, 0.3, emissive({0.5, 0.9, 0.7}, 5));
+  return scene;
+}
+
+const std::vector<std::pair<const char*, Scene>>& scenes() {
+  static const std::vector<std::pair<const char*, Scene>> all{
+      {"lit", lit_scene()},
+      {"moving", lit_and_moving()},
+      {"by one", lit_by_one()},
+      {"room", lit_room()},
+      {"from a surface", lit_from_a_surface()},
+      {"above a large ground", lit_above_a_large_ground()}};
+  return all;
+}
+
+constexpr RenderSettings kSettings{
+    .width = 42, .height = 28, .samples = 150, .depth = 12, .light_sampling = LightSampling::On};
+
+double difference(LinearRgb a, LinearRgb b) {
+  const LinearRgb d = a - b;
+  return std::max({std::fabs(d.r), std::fabs(d.g), std::fabs(d.b)});
+}
+
+/// In double but for rounding. In float some paths part where it rounds a choice the other way. H0:
+/// their radiance has the same expectation, but for 1e-6 of the largest by which float may round.
+/// Significance 1e-5.
+void expect_same_paths(const RenderResult& wide, const RenderResult& scalar, const char* name) {
+  EXPECT_EQ(wide.nonfinite_samples, 0u) << name;
+  EXPECT_EQ(wide.camera_samples, scalar.camera_samples) << name;
+  EXPECT_GT(wide.sampled_lights, 0u) << name;
+  EstimateBuilder differences;
+  double largest = 0, brightest = 0;
+  for (std::size_t i = 0; i < wide.picture.pixels.size(); ++i) {
+    const LinearRgb ours = wide.picture.pixels[i], theirs = scalar.picture.pixels[i];
+    differences.add(ours - theirs);
+    largest = std::max(largest, difference(ours, theirs));
+    brightest = std::max(brightest, difference(theirs, LinearRgb{}));
+  }
+  if (wide.kernel.precision == Precision::Double) {
+    EXPECT_LT(largest, 1e-9 * std::max(1.0, brightest)) << name;
+    EXPECT_EQ(wide.rays, scalar.rays) << name;
+    EXPECT_EQ(wide.truncated_paths, scalar.truncated_paths) << name;
+  } else {
+    Estimate estimate = differences.estimate();
+    if (difference(estimate.mean, LinearRgb{}) <= 1e-6 * brightest) estimate.mean = LinearRgb{};
+    EXPECT_TRUE(agrees(estimate, LinearRgb{}, 1e-5)) << name;
+    EXPECT_LT(estimate.standard_error.g, 1e-3) << name;
+    EXPECT_NEAR(static_cast<double>(wide.rays) / static_cast<double>(scalar.rays), 1, 1e-3) << name;
+  }
+}
+
+class LightPaths : public testing::TestWithParam<WideForm> {
+ protected:
+  static render::KernelRequest through_hierarchy() {
+    render::KernelRequest request = GetParam().request();
+    request.kind = KernelKind::Bvh;
+    return request;
+  }
+};
+
+TEST_P(LightPaths, AreThoseOfTheScalarKernel) {
+  for (const auto& [name, scene] : scenes()) {
+    const RenderResult scalar = render_with(scene, kSettings, {.kind = KernelKind::Scalar});
+    expect_same_paths(render_with(scene, kSettings, GetParam().request()), scalar, name);
+  }
+}
+
+TEST_P(LightPaths, AreTheSameThroughAHierarchy) {
+  for (const auto& [name, scene] : scenes()) {
+    const RenderResult all = render_with(scene, kSettings, GetParam().request());
+    const RenderResult bvh = render_with(scene, kSettings, through_hierarchy());
+    ASSERT_EQ(all.kernel.kind, KernelKind::Wide);
+    ASSERT_EQ(bvh.kernel.kind, KernelKind::Bvh);
+    EXPECT_EQ(all.picture.pixels, bvh.picture.pixels) << name;
+    EXPECT_EQ(all.rays, bvh.rays) << name;
+  }
+}
+
+TEST_P(LightPaths, ToThousandsOfLightsAreThoseOfTheScalarKernel) {
+  RenderSettings settings = kSettings;
+  settings.samples = 32;
+  const Scene scene = lit_by_thousands();
+  const RenderResult scalar = render_with(scene, settings, {.kind = KernelKind::Scalar});
+  EXPECT_EQ(scalar.sampled_lights, 5001u);
+  expect_same_paths(render_with(scene, settings, through_hierarchy()), scalar, "thousands");
+}
+
+TEST_P(LightPaths, DoNotDependOnThreads) {
+  RenderSettings settings = kSettings;
+  settings.threads = 1;
+  const RenderResult expected = render_with(lit_and_moving(), settings, GetParam().request());
+  settings.threads = 3;
+  const RenderResult result = render_with(lit_and_moving(), settings, GetParam().request());
+  EXPECT_EQ(result.picture.pixels, expected.picture.pixels);
+  EXPECT_EQ(result.rays, expected.rays);
+}
+
+TEST_P(LightPaths, DoNotDependOnTheScaleOfTheWorld) {
+  RenderSettings settings = kSettings;
+  settings.samples = 8;
+  for (const Scene& scene : {lit_and_moving(), lit_by_one()}) {
+    const auto expected = render_with(scene, settings, GetParam().request()).picture;
+    for (const int exponent : {60, -60}) {
+      const Scene other = scaled(scene, exponent);
+      EXPECT_EQ(render_with(other, settings, GetParam().request()).picture.pixels, expected.pixels);
+    }
+  }
+}
+
+TEST_P(LightPaths, LeaveSamplesOutAsAWholeThatAreNotFinite) {
+  Scene scene = lit_by_one();
+  scene.background = {.bottom = LinearRgb{1}, .top = LinearRgb{1}};
+  scene.materials[2] = emissive({1e300, 1, 1}, 1e300);
+  const RenderSettings settings{
+      .width = 32, .height = 32, .samples = 16, .depth = 6, .light_sampling = LightSampling::On};
+  const RenderResult scalar = render_with(scene, settings, {.kind = KernelKind::Scalar});
+  const RenderResult wide = render_with(scene, settings, GetParam().request());
+  EXPECT_GT(scalar.nonfinite_samples, 1000u);
+  EXPECT_LE(scalar.nonfinite_samples, scalar.camera_samples);
+  EXPECT_NEAR(static_cast<double>(wide.nonfinite_samples),
+              static_cast<double>(scalar.nonfinite_samples), 3);
+  for (std::size_t i = 0; i < wide.picture.pixels.size(); ++i) {
+    ASSERT_TRUE(is_finite(wide.picture.pixels[i]));
+  }
+}
+
+/// A light of so small an angle that directions in float hardly tell its edge from its middle gives
+/// a·L·cos θ·(r/d)² all the same, from where nothing is in its way.
+TEST_P(LightPaths, FindTheTiniestLights) {
+  const double a = 0.7, d = 4, radius = 4e-9, theta = 0.6;
+  Scene scene = beam_scene({0, 3, 0}, {0, 0, 0}, LinearRgb{});
+  scene.camera.plane_height = 1e-4;
+  add_sphere(scene, {0, -10, 0}, 10, diffuse(LinearRgb{a}));  // its top is the origin
+  add_sphere(scene, {d * std::sin(theta), d * std::cos(theta), 0}, radius,
+             emissive(LinearRgb{1}, 20 * (d / radius) * (d / radius)));
+  const RenderSettings settings{
+      .width = 4, .height = 4, .samples = 64, .depth = 2, .light_sampling = LightSampling::On};
+  const LinearRgb expected{20 * a * std::cos(theta)};
+  for (const LinearRgb pixel : render_with(scene, settings, GetParam().request()).picture.pixels) {
+    EXPECT_LT(difference(pixel, expected), 1e-3 * expected.r);
+  }
+}
+
+/// Emitters that are seen directly, found by chance, looked for, and behind something.
+Scene hardly_lit() {
+  Scene scene = lit_scene();
+  add_sphere(scene, {0, 0, 0}, 0.3, emissive({1, 1, 1}, 1));
+  add_sphere(scene, {0, 0, 0}, 0.35, diffuse({1, 1, 1}));  // around the one before
+  add_sphere(scene, {-3, 4, 3}, 0.004, emissive({1, 1, 1}, 1));
+  add_sphere(scene, {3, 40, 3}, 0.1, emissive({1, 1, 1}, 1));
+  return scene;
+}
+
+TEST_P(LightPaths, ReachEmittersAsOftenAsThoseOfTheScalarKernel) {
+  const Scene scene = hardly_lit();
+  RenderSettings settings = kSettings;
+  settings.samples = 3;
+  for (const LightSampling sampling : {LightSampling::Off, LightSampling::On}) {
+    settings.light_sampling = sampling;
+    settings.threads = 1;
+    const RenderResult scalar = render_with(scene, settings, {.kind = KernelKind::Scalar});
+    EXPECT_GE(scalar.scarce_emitters.size(), 2u);
+    EXPECT_EQ(std::ranges::count(scalar.scarce_emitters, render::ReachedEmitter{13, 0}), 1)
+        << "in the dark";
+    settings.threads = 3;
+    for (const auto& request : {GetParam().request(), through_hierarchy()}) {
+      const RenderResult wide = render_with(scene, settings, request);
+      if (wide.kernel.precision == Precision::Double) {
+        EXPECT_EQ(wide.scarce_emitters, scalar.scarce_emitters);
+      } else {  // a path or two part
+        ASSERT_EQ(wide.scarce_emitters.size(), scalar.scarce_emitters.size());
+        for (std::size_t i = 0; i < wide.scarce_emitters.size(); ++i) {
+          EXPECT_EQ(wide.scarce_emitters[i].sphere, scalar.scarce_emitters[i].sphere);
+          EXPECT_NEAR(wide.scarce_emitters[i].paths, scalar.scarce_emitters[i].paths, 2);
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, LightPaths, testing::ValuesIn(wide_forms()), form_name);
+
+TEST(LightKernel, GivesTheSameBytesWithAvx2AndAvx512) {
+  const auto isas = render::available_isas();
+  for (const render::Isa isa : {render::Isa::Avx2, render::Isa::Avx512}) {
+    if (std::find(isas.begin(), isas.end(), isa) == isas.end())
+      GTEST_SKIP() << "not on this machine";
+  }
+  std::set<Precision> precisions;
+  for (const auto& [name, scene] : scenes()) {
+    for (const Precision precision : {Precision::Float, Precision::Double}) {
+      const auto result = [&](render::Isa isa) {
+        return render_with(scene, kSettings, WideForm{isa, precision}.request());
+      };
+      const RenderResult with_avx2 = result(render::Isa::Avx2);
+      precisions.insert(with_avx2.kernel.precision);
+      EXPECT_EQ(with_avx2.picture.pixels, result(render::Isa::Avx512).picture.pixels)
+          << name << ", " << name_of(precision);
+    }
+  }
+  EXPECT_EQ(precisions.size(), 3u) << "mixed too";
+}
+
+}  // namespace
+}  // namespace sdlc::test

@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/statistics/estimate.hpp"
+#include "tests/support/statistics/random.hpp"
+#include "tests/support/statistics/scenes.hpp"
+
+// Light sampling has the expectation of scattering alone, at every limit on depth. Where there is a
+// closed form, H0 is that the expectation is it; elsewhere, that plain paths and those that look
+// for lights have one expectation, whose estimates from different seeds then differ by as much as
+// their standard errors say. Significance 1e-4 a test, shared among its cases; seeds are fixed.
+namespace sdlc::test {
+namespace {
+
+using render::LightSampling;
+using render::LinearRgb;
+using render::Scene;
+using render::Vec3;
+
+constexpr LinearRgb kWhite{1};
+constexpr LinearRgb kBlack{};
+constexpr int kDepths[]{2, 3, 5, 16};
+
+Estimate with_lights(const Scene& scene, int depth, std::uint64_t samples = 1 << 16) {
+  return radiance_along_axis(
+      scene, {.depth = depth, .samples = samples, .seed = 11, .light_sampling = LightSampling::On});
+}
+
+testing::AssertionResult agree(const Estimate& a, const Estimate& b, double significance) {
+  const LinearRgb variance =
+      a.standard_error * a.standard_error + b.standard_error * b.standard_error;
+  const Estimate difference{
+      .mean = a.mean - b.mean,
+      .standard_error = {std::sqrt(variance.r), std::sqrt(variance.g), std::sqrt(variance.b)},
+      .samples = std::min(a.samples, b.samples)};
+  return agrees(difference, kBlack, significance);
+}
+
+/// A gray ground, seen at the origin, under a dim sky; its color keeps many bounces alive.
+Scene on_the_ground() {
+  Scene scene = beam_scene({0, 3, 2}, {0, 0, 0}, {0.1, 0.05, 0.2});
+  add_sphere(scene, {0, -100, 0}, 100, diffuse({0.8, 0.7, 0.9}));
+  return scene;
+}
+
+Scene behind_glass() {
+  Scene scene = on_the_ground();
+  add_sphere(scene, {0.5, 1.5, 0}, 0.4, emissive({1, 0.8, 0.5}, 10));
+  add_sphere(scene, {0.3, 0.8, 0}, 0.3, transmissive({0.9, 1, 1}, 1.5));
+  add_sphere(scene, {-1, 0.5, -0.5}, 0.5, specular({0.8, 0.8, 0.8}, 0.1));
+  return scene;
+}
+
+Scene behind_unlit_ones() {
+  Scene scene = on_the_ground();
+  add_sphere(scene, {0.5, 1.5, 0}, 0.5, emissive({1, 0.8, 0.5}, 10));
+  add_sphere(scene, {0.3, 0.8, 0}, 0.25, unlit({0.2, 0.3, 0.1}));
+  add_sphere(scene, {-1, 0.5, 0}, 0.4, diffuse({0.5, 0.8, 0.3}));
+  return scene;
+}
+
+Scene moving_ones() {
+  Scene scene = behind_unlit_ones();
+  add_sphere(scene, {-1, 1.4, 0}, 0.3, emissive({0.2, 0.8, 1}, 15));
+  scene.shifts.assign(scene.spheres.size(), Vec3{});
+  scene.shifts[1] = {-1, 0.5, 0.2};
+  scene.shifts[2] = {0.5, 0, 0};
+  scene.shifts[4] = {0.3, -2, 0.1};  // below the ground
+  return scene;
+}
+
+Scene from_inside_of_one() {
+  Scene scene = on_the_ground();
+  add_sphere(scene, {0, 0.2, 0}, 0.5, emissive({1, 0.8, 0.5}, 2));
+  add_sphere(scene, {0.6, 0.4, 0}, 0.3, emissive({0.3, 0.8, 0.5}, 9));
+  scene.camera.from = {0, 0.3, 0.1};
+  return scene;
+}
+
+Scene overlapping_ones() {
+  Scene scene = on_the_ground();
+  add_sphere(scene, {0.2, 1, 0}, 0.4, emissive({1, 0.1, 0.1}, 8));
+  add_sphere(scene, {-0.2, 1.1, 0}, 0.4, emissive({0.1, 1, 0.1}, 4));
+  add_sphere(scene, {0.2, 1.2, 0}, 0.1, emissive({0.1, 0.1, 1}, 100));  // in the first one
+  return scene;
+}
+
+Scene both_sides_of_a_shell() {
+  Scene scene = beam_scene({0, 0, 0.5}, {0, 0.3, 2}, kBlack);
+  add_sphere(scene, {0, 0, 0}, 2, diffuse({0.8, 0.7, 0.9}));
+  add_sphere(scene, {0.5, 0.2, 0}, 0.3, emissive(kWhite, 10));
+  add_sphere(scene, {3, 3, 3}, 0.7, emissive(kWhite, 100));  // outside
+  add_sphere(scene, {-0.8, 0.9, 0.9}, 0.5, diffuse({0.3, 0.7, 0.9}));
+  return scene;
+}
+
+Scene camera_on_a_surface() {
+  Scene scene = behind_unlit_ones();
+  scene.camera.from = {0, 1, 1.5};
+  add_sphere(scene, {0, 1.5, 1.5}, 0.5, diffuse({0.7, 0.7, 0.7}));
+  return scene;
+}
+
+/// Centres, and with them half of each light, below the horizon of the place that is seen.
+Scene at_the_horizon() {
+  Scene scene = on_the_ground();
+  add_sphere(scene, {1, 0, 0}, 0.4, emissive({1, 0.8, 0.5}, 10));
+  add_sphere(scene, {-1, -0.1, 0}, 0.4, emissive({0.2, 0.8, 0.5}, 10));
+  add_sphere(scene, {0, -1, 0}, 0.5, emissive({1, 1, 1}, 1000));
+  return scene;
+}
+
+Scene three_thousand() {
+  Scene scene = on_the_ground();
+  Random random(9);
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 place{random.between(-3, 3), random.between(-0.2, 2.5), random.between(-3, 3)};
+    const LinearRgb color{random.between(0, 1), random.between(0, 1), random.between(0, 1)};
+    add_sphere(scene, place, random.between(0.005, 0.02), emissive(color, 50));
+  }
+  return scene;
+}
+
+TEST(LightSampling, HasTheExpectationOfPlainPathsAtEveryDepth) {
+  const std::vector<std::pair<const char*, Scene>> scenes{
+      {"behind glass", behind_glass()},
+      {"behind unlit spheres", behind_unlit_ones()},
+      {"moving", moving_ones()},
+      {"from inside of one", from_inside_of_one()},
+      {"overlapping", overlapping_ones()},
+      {"both sides of a shell", both_sides_of_a_shell()},
+      {"camera on a surface", camera_on_a_surface()},
+      {"at the horizon", at_the_horizon()},
+      {"three thousand", three_thousand()}};
+  const double significance = 1e-4 / static_cast<double>(scenes.size() * std::size(kDepths));
+  for (const auto& [name, scene] : scenes) {
+    for (const int depth : kDepths) {
+      const Estimate plain = radiance_along_axis(scene, {.depth = depth, .samples = 1 << 18});
+      EXPECT_TRUE(agree(with_lights(scene, depth), plain, significance))
+          << name << ", depth " << depth;
+    }
+  }
+}
+
+TEST(LightSampling, ChangesNothingThatTheLastRayCannotReach) {
+  for (const Scene& scene : {behind_glass(), moving_ones()}) {
+    EXPECT_EQ(with_lights(scene, 1, 100).mean, kBlack);
+  }
+}
+
+// As in analytic_test.cpp.
+TEST(LightSampling, LightsADiffuseShellAsTheGeometricSeriesSays) {
+  const double a = 0.8, rho = 0.6, f = rho * rho, l = 2;
+  Scene scene = beam_scene({0, 0, 1.6}, {0, 0.3, 2}, kBlack);
+  add_sphere(scene, {0, 0, 0}, 2, diffuse(LinearRgb{a}));
+  add_sphere(scene, {0, 0, 0}, 2 * rho, emissive(kWhite, l));
+  for (const int depth : kDepths) {
+    const double q = a * (1 - f);
+    const double expected = a * f * l * (1 - std::pow(q, depth - 1)) / (1 - q);
+    EXPECT_TRUE(agrees(with_lights(scene, depth), LinearRgb{expected}, 1e-4 / 4))
+        << "depth " << depth;
+  }
+}
+
+TEST(LightSampling, LightsADiffuseSurfaceByTheInverseSquareLawWithLittleNoise) {
+  const double a = 0.7, theta = 0.6;
+  // From half the view to an angular radius of 1e-9.
+  for (const auto& [radius, d] : {std::pair{0.5, 4.0}, {2.9, 4.0}, {1e-3, 50.0}, {5e-8, 50.0}}) {
+    const double l = 20 * (d / radius) * (d / radius);
+    Scene scene = beam_scene({0, 3, 2}, {0, 0, 0}, kBlack);
+    add_sphere(scene, {0, -100, 0}, 100, diffuse(LinearRgb{a}));  // its top is the origin
+    add_sphere(scene, {d * std::sin(theta), d * std::cos(theta), 0}, radius, emissive(kWhite, l));
+    const double expected = 20 * a * std::cos(theta);
+    const Estimate estimate = with_lights(scene, 2);
+    EXPECT_TRUE(agrees(estimate, LinearRgb{expected}, 1e-4 / 4)) << "radius " << radius;
+    // Of one sample; that of plain paths is about d / radius times the mean.
+    EXPECT_LT(estimate.standard_error.g * 256, (radius < 1 ? 0.15 : 0.6) * expected) << radius;
+  }
+}
+
+TEST(LightSampling, FindsTheLightsThatMatterAmongThousands) {
+  const Scene scene = three_thousand();
+  const Estimate plain = radiance_along_axis(scene, {.depth = 2, .samples = 1 << 16});
+  EXPECT_LT(with_lights(scene, 2).standard_error.g, plain.standard_error.g / 5);
+}
+
+}  // namespace
+}  // namespace sdlc::test
