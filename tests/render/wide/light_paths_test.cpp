@@ -237,6 +237,7 @@ TEST_P(LightPaths, FindTheTiniestLights) {
   add_sphere(scene, {0, -10, 0}, 10, diffuse(LinearRgb{a}));  // its top is the origin
   add_sphere(scene, {d * std::sin(theta), d * std::cos(theta), 0}, radius,
              emissive(LinearRgb{1}, 20 * (d / radius) * (d / radius)));
+  add_sphere(scene, {0, 0, 0}, 25, unlit(LinearRgb{}));  // behind it
   const RenderSettings settings{
       .width = 4, .height = 4, .samples = 64, .depth = 2, .light_sampling = LightSampling::On};
   const LinearRgb expected{20 * a * std::cos(theta)};
