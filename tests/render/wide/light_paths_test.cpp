@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "render/scene/instances.hpp"
 #include "render/tiles/render.hpp"
 #include "tests/render/wide/kernels.hpp"
 #include "tests/support/statistics/random.hpp"
@@ -237,6 +238,7 @@ TEST_P(LightPaths, FindTheTiniestLights) {
   add_sphere(scene, {0, -10, 0}, 10, diffuse(LinearRgb{a}));  // its top is the origin
   add_sphere(scene, {d * std::sin(theta), d * std::cos(theta), 0}, radius,
              emissive(LinearRgb{1}, 20 * (d / radius) * (d / radius)));
+  add_sphere(scene, {0, 0, 0}, 25, unlit(LinearRgb{}));  // behind it
   const RenderSettings settings{
       .width = 4, .height = 4, .samples = 64, .depth = 2, .light_sampling = LightSampling::On};
   const LinearRgb expected{20 * a * std::cos(theta)};
@@ -280,6 +282,25 @@ TEST_P(LightPaths, ReachEmittersAsOftenAsThoseOfTheScalarKernel) {
       }
     }
   }
+}
+
+TEST_P(LightPaths, OfInstancesAreThoseOfTheirSpheres) {
+  if (GetParam().precision != Precision::Double) GTEST_SKIP() << "instances are traced in double";
+  Scene scene = lit_and_moving();
+  scene.prototypes = {{.spheres = {{{0, 0, 0}, 0.2, 0}, {{0.3, 0.1, 0}, 0.15, 3}}, .shifts = {}}};
+  for (const Vec3 place : {Vec3{-0.6, -0.3, 1.5}, Vec3{0.2, 0.5, 0.3}}) {
+    scene.instances.push_back({.prototype = 0, .placement = {.translate = place}, .shift = {}});
+  }
+  const RenderResult held_once = render_with(scene, kSettings, through_hierarchy());
+  const RenderResult plain = render_with(without_instances(scene), kSettings, through_hierarchy());
+  EXPECT_EQ(held_once.sampled_lights, plain.sampled_lights);
+  EXPECT_EQ(held_once.scarce_emitters, plain.scarce_emitters);
+  EXPECT_NEAR(static_cast<double>(held_once.rays), static_cast<double>(plain.rays), 20);
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < plain.picture.pixels.size(); ++i) {
+    different += difference(held_once.picture.pixels[i], plain.picture.pixels[i]) > 1e-6;
+  }
+  EXPECT_LE(different, 5u);  // rounding sends a path in some ten thousand another way
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, LightPaths, testing::ValuesIn(wide_forms()), form_name);
