@@ -27,7 +27,7 @@ struct ErrorEstimate {
 /// independent of each other, so the variances v of many add up, and as many of them as matter,
 /// (Σ v)² / Σ v² (Satterthwaite, 1946), are the degrees of freedom of a Student's t. That makes an
 /// interval for the error of this very picture, twice as long as one for that of pictures like it
-/// would be.
+/// would be. Where rare and large samples make the error it is longer than it need be.
 ErrorEstimate estimate_error(const Picture& picture, std::span<const PixelSpread> spreads);
 
 }  // namespace sdlc::render

@@ -27,7 +27,8 @@ constexpr std::uint32_t samples_in_replicate(std::uint64_t samples, std::uint32_
 struct PixelSpread {
   /// Estimate of the squared error of the pixel's mean, summed over the channels.
   double squared_error = 0;
-  /// Estimate of the trace of the squared covariance matrix of the mean of one replicate.
+  /// Estimate of the trace of the squared covariance matrix of the mean of one replicate; of normal
+  /// means unbiased, of means with heavier tails too large.
   double squared_covariance = 0;
   /// Estimate of the variance of the mean of the channels of the pixel's mean.
   double grey_variance = 0;

@@ -22,42 +22,63 @@ using render::RenderSettings;
 using render::SamplerKind;
 using render::Scene;
 
-/// Edges, glass, a mirror, a lamp and a dim sky. In so small a picture the reflection of a small and
-/// bright lamp would be in two or three pixels, and have most of the error: more than can be said
-/// of from 4 replicates, or by the law of large numbers. Of 1000 intervals 883 held the truth then.
+/// Edges, shadows, a lamp and a dim sky.
 Scene small_room() {
   Scene scene = beam_scene({0, 1, 5}, {0, 0.3, 0}, LinearRgb{0.3});
   scene.camera.aspect = 1.6;
   scene.camera.plane_height = 0.7;
   add_sphere(scene, {0, -100, 0}, 100, diffuse({0.7, 0.6, 0.5}));
   add_sphere(scene, {-1.1, 0.5, 0}, 0.5, diffuse({0.8, 0.2, 0.2}));
-  add_sphere(scene, {0, 0.5, 0}, 0.5, transmissive(LinearRgb{1}, 1.5));
-  add_sphere(scene, {1.1, 0.5, 0}, 0.5, specular({0.9, 0.8, 0.6}, 0.1));
-  add_sphere(scene, {0.5, 3, 1}, 0.7, emissive({1, 0.9, 0.7}, 2.5));
+  add_sphere(scene, {0, 0.5, 0}, 0.5, diffuse({0.8, 0.8, 0.6}));
+  add_sphere(scene, {1.1, 0.5, 0}, 0.5, diffuse({0.2, 0.3, 0.8}));
+  add_sphere(scene, {0.5, 4, 1}, 1, emissive({1, 0.9, 0.7}, 2));
   return scene;
 }
 
-RenderResult rendered(const RenderSettings& settings) {
-  render::RenderMonitor monitor;
-  return render::render(small_room(), settings, monitor);
+/// The lamp is found by way of brushed metal too, seldom: in so small a picture two or three pixels
+/// have most of the error.
+Scene room_with_rare_paths() {
+  Scene scene = small_room();
+  scene.materials[2] = specular({0.9, 0.8, 0.6}, 0.8);
+  scene.materials[4] = emissive({1, 0.9, 0.7}, 8);
+  scene.spheres[4] = {.center = {0.5, 2.2, 1}, .radius = 0.3, .material = 4};
+  return scene;
 }
+
+/// Noise in a third of the picture, of several kinds; the rest is the sky.
+Scene things_before_the_sky() {
+  Scene scene = beam_scene({0, 0, 6}, {0, 0, 0}, LinearRgb{1});
+  scene.background = {};
+  scene.camera.aspect = 1.6;
+  scene.camera.plane_height = 0.7;
+  add_sphere(scene, {-1.6, 0, 0}, 0.9, diffuse({0.8, 0.3, 0.2}));
+  add_sphere(scene, {0.2, -0.3, 0.5}, 0.8, diffuse({0.2, 0.2, 0.3}));
+  add_sphere(scene, {1.8, 0.2, 0}, 0.9, specular({0.9, 0.9, 0.9}, 0.5));
+  return scene;
+}
+
+RenderResult rendered(const Scene& scene, const RenderSettings& settings) {
+  render::RenderMonitor monitor;
+  return render::render(scene, settings, monitor);
+}
+RenderResult rendered(const RenderSettings& settings) { return rendered(small_room(), settings); }
 
 constexpr RenderSettings kTiny{.width = 32, .height = 20, .depth = 8};
 
 /// Far from the seeds of the pictures that are held against it.
+RenderResult long_render(const Scene& scene) {
+  RenderSettings settings = kTiny;
+  settings.samples = 1 << 16;
+  settings.seed = 1'000'000;
+  return rendered(scene, settings);
+}
 const RenderResult& reference() {
-  static const RenderResult result = [] {
-    RenderSettings settings = kTiny;
-    settings.samples = 1 << 16;
-    settings.seed = 1'000'000;
-    return rendered(settings);
-  }();
+  static const RenderResult result = long_render(small_room());
   return result;
 }
 
-/// The relative error of a picture, from the reference.
-double realised_error(const Picture& picture) {
-  const Picture& truth = reference().picture;
+/// The relative error of a picture, from a reference.
+double realised_error(const Picture& picture, const Picture& truth = reference().picture) {
   double squares = 0, sum = 0;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
     const LinearRgb d = picture.pixels[i] - truth.pixels[i];
@@ -78,10 +99,11 @@ struct Calibration {
   double bias = 0, bias_squares = 0;  ///< Σ of relative differences of the picture's mean
   double samples = 0;
 
-  void add(const RenderResult& result, double goal = 0) {
+  void add(const RenderResult& result, double goal = 0, const RenderResult& truth = reference()) {
     ASSERT_TRUE(result.error);
     const render::ErrorEstimate& error = *result.error;
-    const double realised = realised_error(result.picture), mean = reference().error->mean;
+    const double realised = realised_error(result.picture, truth.picture);
+    const double mean = truth.error->mean;
     ++pictures;
     errors_inside += error.interval.from <= realised && realised <= error.interval.to;
     means_inside += error.mean_interval.from <= mean && mean <= error.mean_interval.to;
@@ -93,10 +115,13 @@ struct Calibration {
     samples += static_cast<double>(result.camera_samples) / (kTiny.width * kTiny.height);
   }
   double share(int count) const { return static_cast<double>(count) / pictures; }
-  /// The bias in its standard errors.
-  double bias_z() const {
+  /// The bias in its standard errors, of which the reference has a share.
+  double bias_z(const RenderResult& truth) const {
+    const render::Interval interval = truth.error->mean_interval;
+    const double of_truth = (interval.to - interval.from) / (2 * 1.96 * truth.error->mean);
     const double mean = bias / pictures;
-    return mean / std::sqrt((bias_squares / pictures - mean * mean) / pictures);
+    return mean /
+           std::sqrt((bias_squares / pictures - mean * mean) / pictures + of_truth * of_truth);
   }
 };
 
@@ -138,20 +163,21 @@ TEST_P(Calibrated, IntervalsHoldTheTruthAsOftenAsTheySay) {
 // 97.5 % fewer than 90 have a probability of 5e-5. The samples that were needed: those with which
 // the error that was realised would have been the goal, by the slope of −1/2.
 TEST_P(Calibrated, AGoalIsMetAndHardlyMore) {
-  constexpr double kGoal = 0.02;
-  Calibration calibration;
   RenderSettings settings = kTiny;
-  settings.samples = 1 << 20;
-  settings.error = kGoal;
   settings.sampler = GetParam().sampler;
   settings.light_sampling = GetParam().lights;
+  settings.samples = 64;
+  const double goal = rendered(settings).error->relative_error / 2;
+  settings.samples = 1 << 20;
+  settings.error = goal;
+  Calibration calibration;
   double needed = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     settings.seed = seed;
     const RenderResult result = rendered(settings);
     EXPECT_TRUE(result.has_reached_error);
-    calibration.add(result, kGoal);
-    const double ratio = realised_error(result.picture) / kGoal;
+    calibration.add(result, goal);
+    const double ratio = realised_error(result.picture) / goal;
     needed += static_cast<double>(result.most_samples) * ratio * ratio;
   }
   EXPECT_GE(calibration.met, 90);
@@ -169,11 +195,29 @@ INSTANTIATE_TEST_SUITE_P(Samplings, Calibrated,
                                   std::string(name_of(test.param.lights));
                          });
 
+// Where the error comes from few samples that are rare and large, intervals are longer than they
+// need be, never shorter. With the unbiased estimate of tr Σ² that only pairs of independent
+// replicates make, which such samples leave at 0, 78 % held the truth.
+TEST(RarePaths, MakeIntervalsLongerNotWrong) {
+  const Scene scene = room_with_rare_paths();
+  const RenderResult truth = long_render(scene);
+  Calibration calibration;
+  RenderSettings settings = kTiny;
+  settings.samples = 32;
+  settings.light_sampling = LightSampling::On;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    settings.seed = seed;
+    calibration.add(rendered(scene, settings), 0, truth);
+  }
+  EXPECT_GE(calibration.share(calibration.errors_inside), 0.93);
+  EXPECT_GE(calibration.share(calibration.means_inside), 0.93);
+}
+
 // A goal that was reached with N samples gives the picture of N samples.
 TEST(Goal, GivesThePictureOfAsManySamples) {
   RenderSettings settings = kTiny;
   settings.samples = 1 << 20;
-  settings.error = 0.05;
+  settings.error = 0.01;
   const RenderResult by_goal = rendered(settings);
   ASSERT_TRUE(by_goal.has_reached_error);
   ASSERT_EQ(by_goal.least_samples, by_goal.most_samples);
@@ -189,7 +233,9 @@ TEST(Goal, GivesThePictureOfAsManySamples) {
 // Bias below 3 standard errors; intervals that hold the truth in at least 93 % of 400 pictures (if
 // 95 % do, fewer have a probability of 3 %; the seeds are fixed).
 TEST(AdaptiveGoal, IsUnbiasedCalibratedAndTakesFewerSamples) {
-  constexpr double kGoal = 0.03;
+  const Scene scene = things_before_the_sky();
+  const RenderResult truth = long_render(scene);
+  constexpr double kGoal = 0.004;
   Calibration adaptive, uniform;
   RenderSettings settings = kTiny;
   settings.samples = 1 << 20;
@@ -197,16 +243,16 @@ TEST(AdaptiveGoal, IsUnbiasedCalibratedAndTakesFewerSamples) {
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     settings.seed = seed;
     settings.is_adaptive = true;
-    adaptive.add(rendered(settings), kGoal);
+    adaptive.add(rendered(scene, settings), kGoal, truth);
     if (seed > 50) continue;
     settings.is_adaptive = false;
-    uniform.add(rendered(settings), kGoal);
+    uniform.add(rendered(scene, settings), kGoal, truth);
   }
-  EXPECT_LT(std::fabs(adaptive.bias_z()), 3);
+  EXPECT_LT(std::fabs(adaptive.bias_z(truth)), 3);
   EXPECT_GE(adaptive.share(adaptive.errors_inside), 0.93);
   EXPECT_GE(adaptive.share(adaptive.means_inside), 0.93);
   EXPECT_GE(adaptive.share(adaptive.met), 0.95);
-  EXPECT_LT(adaptive.samples / adaptive.pictures, 0.9 * uniform.samples / uniform.pictures);
+  EXPECT_LT(adaptive.samples / adaptive.pictures, 0.75 * uniform.samples / uniform.pictures);
 }
 
 }  // namespace

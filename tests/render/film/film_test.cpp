@@ -84,8 +84,9 @@ TEST(Film, KnowsHowFarReplicatesAreApart) {
   const PixelSpread spread = film.spread(0);
   EXPECT_DOUBLE_EQ(spread.squared_error, 1.25 * 14.0 / 12);
   EXPECT_DOUBLE_EQ(spread.grey_variance, 0.25 * 14.0 / 12);
-  // ((1−2)(3−6))², ((1−3)(2−6))², ((1−6)(2−3))², each (5/4)² of it in two channels.
-  EXPECT_DOUBLE_EQ(spread.squared_covariance, 25.0 / 16 * (9 + 64 + 25) / 12);
+  // S has rank 1 and the trace 14 / 3 · 5 / 4: 0.9 (1 − 1 / 3) of its square.
+  const double trace = 14.0 / 3 * 1.25;
+  EXPECT_DOUBLE_EQ(spread.squared_covariance, 0.6 * trace * trace);
 }
 
 }  // namespace
