@@ -13,6 +13,17 @@ namespace {
 /// Two digits more than the interval is wide do not matter: three significant ones in all.
 std::string percent(double share) { return fmt::format("{:.3g}", 100 * share); }
 
+/// Light that was met so seldom that the picture may lack some, and its error not show it.
+std::string scarce_light(const std::vector<render::ReachedEmitter>& emitters) {
+  const auto fewest = std::ranges::min_element(
+      emitters, {}, [](const render::ReachedEmitter& emitter) { return emitter.paths; });
+  return fmt::format(
+      "{} emissive sphere{} reached by fewer than {} paths, of which sphere {} by {}: {} light may "
+      "be missing in the picture and in its error; more samples, or --light-sampling on, find it",
+      emitters.size(), emitters.size() == 1 ? " was" : "s were", render::EmitterTally::kEnough,
+      fewest->sphere, fewest->paths, emitters.size() == 1 ? "its" : "their");
+}
+
 }  // namespace
 
 std::string describe_samples(const render::RenderResult& result) {
@@ -48,6 +59,7 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
     warnings.push_back(fmt::format("the error did not come down to {} % with {}: {}",
                                    percent(*settings.error), limit, reached));
   }
+  if (!result.scarce_emitters.empty()) warnings.push_back(scarce_light(result.scarce_emitters));
   return warnings;
 }
 

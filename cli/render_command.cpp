@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/accuracy_report.hpp"
+#include "cli/aov_option.hpp"
 #include "cli/clock.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/format_numbers.hpp"
@@ -31,6 +33,7 @@
 #include "lang/compile/compile.hpp"
 #include "lang/lower/scene_builder.hpp"
 #include "lang/text/display_width.hpp"
+#include "render/aov/aov.hpp"
 #include "render/film/film.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/image.hpp"
@@ -50,6 +53,7 @@ struct RenderOptions {
   std::vector<std::string> outputs;
   lang::Overrides overrides;
   render::KernelRequest kernel;
+  render::Aovs aovs;
   std::optional<FrameRange> frames;
   std::string progress = "auto";
   std::string stats;
@@ -59,7 +63,7 @@ struct RenderOptions {
 };
 
 /// Refuses a picture that the machine cannot hold before any of it is allocated.
-void check_memory(const render::RenderSettings& settings) {
+void check_memory(const render::RenderSettings& settings, const render::Aovs& aovs) {
   const auto pixels =
       static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
   // The picture, its 32-bit copy and the encoded file, and what is kept of its error; with a goal
@@ -67,7 +71,7 @@ void check_memory(const render::RenderSettings& settings) {
   std::size_t pixel_bytes =
       sizeof(render::LinearRgb) + 2 * 3 * sizeof(float) + sizeof(render::PixelSpread);
   if (settings.has_goal()) pixel_bytes += render::Film::kBytesAPixel;
-  const std::size_t bytes = pixels * pixel_bytes;
+  const std::size_t bytes = pixels * pixel_bytes + aov_bytes(aovs, pixels);
   if (bytes > physical_memory_bytes()) throw std::bad_alloc();
 }
 
@@ -93,10 +97,12 @@ void write_to_stdout(const render::Picture& picture, const render::WriteOptions&
 std::vector<std::string> write_pictures(const std::vector<Output>& outputs,
                                         const RenderOptions& options,
                                         const lang::LoweredScene& lowered,
-                                        const render::RenderResult& result, Environment& env) {
+                                        const render::RenderResult& result,
+                                        std::span<const render::Layer> layers, Environment& env) {
   std::vector<std::string> names;
   for (const Output& output : outputs) {
-    const render::WriteOptions write = write_options(output, options, lowered, result);
+    render::WriteOptions write = write_options(output, options, lowered, result);
+    write.layers = layers;
     fs::path path = output.path;
     if (output.is_stdout) {
       write_to_stdout(result.picture, write, env);
@@ -126,20 +132,24 @@ void write_stats(const std::string& path, const std::string& lines, Environment&
   }
 }
 
+/// The first pass is finished anyhow.
+constexpr double kLeastSecondsToTrace = 1e-3;
+
 /// What is left for tracing of the time that a picture may take, once it is read and until it is
 /// written.
 double seconds_to_trace(const render::RenderSettings& settings, std::size_t outputs, double spent) {
   // PNG, the slowest of those that are common, takes some 60 ns a pixel.
-  constexpr double kSecondsAPixel = 60e-9, kSecondsAFile = 0.02, kLeast = 1e-3;
+  constexpr double kSecondsAPixel = 60e-9, kSecondsAFile = 0.02;
   const double pixels = static_cast<double>(settings.width) * settings.height;
   const double to_write = (pixels * kSecondsAPixel + kSecondsAFile) * static_cast<double>(outputs);
-  return std::max(*settings.seconds - spent - to_write, kLeast);
+  return std::max(*settings.seconds - spent - to_write, kLeastSecondsToTrace);
 }
 
-/// Traces with progress; Ctrl-C ends it early. Takes the scene's spheres.
+/// Traces with progress; Ctrl-C ends it early. Takes the scene's spheres, and adds what --aov asks
+/// of the first surfaces to `layers`.
 render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
                            const RenderOptions& options, RenderStatistics& statistics,
-                           Environment& env) {
+                           std::vector<render::Layer>& layers, Environment& env) {
   render::RenderMonitor monitor;
   monitor.on_tracing = [&] {
     // Of ten million spheres, what was compiled and what the hierarchy was built from leave 140 MB
@@ -149,6 +159,13 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
     render::preload_image_codec();
   };
   const InterruptGuard interrupt(monitor.cancel);
+  if (options.aovs.has_first_hits()) {
+    const auto start = std::chrono::steady_clock::now();
+    layers = first_hit_layers(lowered.scene, lowered.settings, options.aovs, monitor.cancel);
+    if (auto& seconds = lowered.settings.seconds) {
+      *seconds = std::max(*seconds - seconds_since(start), kLeastSecondsToTrace);
+    }
+  }
   const ProgressReporter progress(progress_style(options, env), monitor, lowered.settings, env.err);
   return render::render(std::move(kernel), std::move(lowered.scene), lowered.settings, monitor);
 }
@@ -283,23 +300,28 @@ class RenderJob {
       source_.reset();
     }
 
+    lowered.settings.keeps_variance = options_.aovs.variance;
     const render::RenderSettings settings = lowered.settings;
     OutputRequest request = output_request(lowered, frame);
     // The statistics of earlier frames are there by now.
     if (frame != frames_.front()) request.stats.clear();
     const std::vector<Output> outputs = plan_outputs(request);
-    check_memory(settings);
+    check_aovs(options_.aovs, outputs, lowered.scene, settings);
+    check_memory(settings, options_.aovs);
     check_not_refused(kernel);
 
     if (settings.seconds) {
       lowered.settings.seconds = seconds_to_trace(settings, outputs.size(), seconds_since(start));
     }
-    render::RenderResult result = trace(lowered, std::move(kernel), options_, statistics, env_);
+    std::vector<render::Layer> layers;
+    render::RenderResult result =
+        trace(lowered, std::move(kernel), options_, statistics, layers, env_);
     result.build_seconds += choice_seconds;
     if (!result.is_complete) env_.err << "interrupted; saving what there is" << std::endl;
+    add_picture_layers(options_.aovs, settings, result, layers, env_.err);
     const auto write_start = std::chrono::steady_clock::now();
     const std::vector<std::string> written =
-        write_pictures(outputs, options_, lowered, result, env_);
+        write_pictures(outputs, options_, lowered, result, layers, env_);
     statistics.write_seconds = seconds_since(write_start);
     if (!options_.stats.empty()) {
       stats_ += to_json(statistics, result) + "\n";
@@ -339,6 +361,7 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
       ->allow_extra_args(false);  // FILE may stand behind it
   add_override_options(*command, options->overrides);
   add_kernel_options(*command, options->kernel);
+  add_aov_option(*command, options->aovs);
   command->add_flag("--ppm-text", options->ppm_text, "Write PPM as decimal numbers");
   command->add_flag("--no-clobber,!--overwrite", options->keeps_existing,
                     "Refuse to replace files");
@@ -366,6 +389,7 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
       "  sdlc render config.json --width 320 --samples 16 --progress none --stats stats.json\n"
       "  sdlc render ball.scene --error 1%\n"
       "  sdlc render ball.scene --time 10s --samples 4096\n"
+      "  sdlc render ball.scene -o ball.exr --aov normal,depth,albedo\n"
       "  cat ball.scene | sdlc render - -o - > ball.png\n"
       "  sdlc render ring.scene --set count=200 --frames 1-24 -o ring.####.png\n\n"
       "#### in an output's name is the number of the frame.\n"

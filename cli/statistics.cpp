@@ -73,6 +73,8 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"mean_radiance_interval",
        interval_or_null(result.error, &render::ErrorEstimate::mean_interval)},
       {"truncated_paths", result.truncated_paths},
+      {"sampled_lights", result.sampled_lights},
+      {"scarce_emitters", result.scarce_emitters.size()},
       {"nonfinite_samples", result.nonfinite_samples},
   };
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

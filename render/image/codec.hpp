@@ -4,12 +4,19 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "render/image/image_format.hpp"
 
 namespace sdlc::render {
+
+/// A channel beside red, green and blue: one value a pixel, rows from the top.
+struct EncodeChannel {
+  std::string_view name;
+  std::span<const float> values;
+};
 
 /// A picture to encode. Rows from the top, three values a pixel, in exactly one of `codes` (formats
 /// with 8-bit codes) and `radiance` (linear formats). The spans are borrowed for the call.
@@ -19,6 +26,7 @@ struct EncodeRequest {
   int height = 0;
   std::span<const std::uint8_t> codes = {};
   std::span<const float> radiance = {};
+  std::span<const EncodeChannel> channels = {};  ///< of EXR alone, beside `radiance`
   bool is_srgb = false;       ///< the codes follow the sRGB curve, which the file may then say
   bool ppm_text = false;      ///< PPM as decimal numbers (P3), not bytes (P6)
   std::string software = {};  ///< empty: not written
@@ -48,7 +56,7 @@ class __attribute__((visibility("default"))) ImageCodec {
 };
 
 /// To be raised with any change to this header: the program refuses a module with another number.
-inline constexpr int kImageCodecVersion = 1;
+inline constexpr int kImageCodecVersion = 2;
 
 /// The module's only visible function, `sdlc_image_codec`, returns this. The codec lives as long as
 /// the process.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <system_error>
 
@@ -34,15 +33,22 @@ std::vector<Value> components(const Picture& picture, Convert convert) {
   return values;
 }
 
-/// The nearest 32-bit float; a finite number beyond the largest becomes the largest, not infinity.
-float to_float(double v) noexcept {
-  constexpr double kLargest = std::numeric_limits<float>::max();
-  return static_cast<float>(!std::isfinite(v) ? v : std::clamp(v, -kLargest, kLargest));
-}
-
 float to_hdr(double v) noexcept {
   if (!(v > 0)) return 0;  // a NaN goes this way
   return static_cast<float>(std::min(v, kMaxHdrValue));
+}
+
+std::vector<EncodeChannel> channels_of(std::span<const Layer> layers, const Picture& picture,
+                                       const fs::path& shown) {
+  std::vector<EncodeChannel> channels;
+  for (const Layer& layer : layers) {
+    if (layer.values.size() != picture.pixels.size()) {
+      throw IoError("write", shown,
+                    fmt::format("`{}` has another number of pixels than the picture", layer.name));
+    }
+    channels.push_back({.name = layer.name, .values = layer.values});
+  }
+  return channels;
 }
 
 std::vector<std::byte> read_file(const fs::path& path) {
@@ -110,6 +116,9 @@ std::vector<std::byte> encode_picture(const Picture& picture, const WriteOptions
   }
   request.codes = codes;
   request.radiance = radiance;
+  std::vector<EncodeChannel> channels;
+  if (options.format == ImageFormat::Exr) channels = channels_of(options.layers, picture, shown);
+  request.channels = channels;
 
   std::vector<std::byte> file;
   std::string error;

@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "render/image/image_format.hpp"
+#include "render/image/layer.hpp"
 #include "render/image/picture.hpp"
 #include "render/image/tone.hpp"
 
@@ -27,6 +29,9 @@ struct WriteOptions {
   Tone tone = Tone::Srgb;  ///< for formats that are not linear
   bool ppm_text = false;   ///< PPM as decimal numbers (P3), not bytes (P6)
   Metadata metadata = {};
+  /// Further channels, in EXR alone: the other formats have no room for them and hold the picture.
+  /// Borrowed; their names differ from each other and from R, G and B.
+  std::span<const Layer> layers = {};
 };
 
 /// Throws the IoError that encode_picture would for a picture of this size.
@@ -48,7 +53,8 @@ void write_picture(const std::filesystem::path& path, const Picture& picture,
 
 /// The picture in a file whose extension names its format. Linear formats give linear radiance, the
 /// others code / 255 (their tone curve is not undone: the file does not say which it was). One
-/// channel is taken as grey, a fourth is dropped. Throws IoError; a file cut short is an error.
+/// channel is taken as grey; beside red, green and blue others are dropped. Throws IoError; a file
+/// cut short is an error.
 Picture read_picture(const std::filesystem::path& path);
 
 /// Starts to load the codec in the background, so that it is ready when the first picture is.

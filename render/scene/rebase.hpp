@@ -17,6 +17,8 @@ class CameraFrame {
 
   double size(double v) const noexcept { return v * first_ * second_; }
   Vec3 size(Vec3 v) const noexcept { return {size(v.x), size(v.y), size(v.z)}; }
+  /// A length of this frame in the scene's own unit.
+  double length_in_scene(double v) const noexcept { return v / second_ / first_; }
   /// From the camera to a place.
   Vec3 place(Vec3 v) const noexcept { return size(v) - origin_; }
 
@@ -47,6 +49,10 @@ class Rebase {
         .center = scaled(frame_.place(s.center)), .radius = size(s.radius), .material = s.material};
   }
   Vec3 shift(Vec3 v) const noexcept { return scaled(frame_.size(v)); }
+  /// A length of the rebased scene in the unit of the one before; may overflow.
+  double length_in_scene(double v) const noexcept {
+    return frame_.length_in_scene(v / second_ / first_);
+  }
   /// Of the prototype as center_prototype() makes it; `ball` is the one around it before.
   Instance instance(const Instance& from, const Ball& ball) const noexcept;
 

@@ -382,7 +382,7 @@ std::vector<std::string> page_paths() {
   std::ranges::sort(paths);
   paths.insert(paths.begin(),
                {"README.md", "docs/language.md", "docs/mistakes.md", "docs/json-config.md",
-                "docs/format.md", "docs/convert.md", "docs/lint.md"});
+                "docs/format.md", "docs/convert.md", "docs/lint.md", "docs/aov.md"});
   return paths;
 }
 

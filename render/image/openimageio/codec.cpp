@@ -46,7 +46,11 @@ const char* plugin_of(ImageFormat format) noexcept {
 
 ImageSpec spec_of(const EncodeRequest& request) {
   const TypeDesc type = request.radiance.empty() ? TypeDesc::UINT8 : TypeDesc::FLOAT;
-  ImageSpec spec(request.width, request.height, 3, type);
+  ImageSpec spec(request.width, request.height, 3 + static_cast<int>(request.channels.size()),
+                 type);
+  for (std::size_t i = 0; i < request.channels.size(); ++i) {
+    spec.channelnames[3 + i] = request.channels[i].name;
+  }
   if (!request.software.empty()) spec.attribute("Software", request.software);
   for (const auto& [key, value] : request.metadata) spec.attribute(key, value);
   switch (request.format) {
@@ -78,6 +82,34 @@ bool fail(std::string& error, std::string words) {
   return false;
 }
 
+/// Some rows at a time, so that there is no second copy of all channels.
+bool write_channels(ImageOutput& output, const EncodeRequest& request) {
+  constexpr int kRows = 64;  // a multiple of the rows that EXR compresses together
+  const auto width = static_cast<std::size_t>(request.width);
+  const std::size_t count = 3 + request.channels.size();
+  std::vector<float> rows(kRows * width * count);
+  for (int y = 0; y < request.height; y += kRows) {
+    const int end = std::min(y + kRows, request.height);
+    const std::size_t first = static_cast<std::size_t>(y) * width;
+    const std::size_t pixels = static_cast<std::size_t>(end - y) * width;
+    for (std::size_t i = 0; i < pixels; ++i) {
+      float* const pixel = rows.data() + i * count;
+      for (std::size_t c = 0; c < 3; ++c) pixel[c] = request.radiance[(first + i) * 3 + c];
+      for (std::size_t c = 3; c < count; ++c) pixel[c] = request.channels[c - 3].values[first + i];
+    }
+    if (!output.write_scanlines(y, end, 0, TypeDesc::FLOAT, rows.data())) return false;
+  }
+  return true;
+}
+
+bool write_pixels(ImageOutput& output, const EncodeRequest& request) {
+  if (!request.channels.empty()) return write_channels(output, request);
+  if (!request.radiance.empty()) {
+    return output.write_image(TypeDesc::FLOAT, request.radiance.data());
+  }
+  return output.write_image(TypeDesc::UINT8, request.codes.data());
+}
+
 bool encode_with_oiio(const EncodeRequest& request, std::vector<std::byte>& file,
                       std::string& error) {
   std::vector<unsigned char> bytes;
@@ -88,10 +120,7 @@ bool encode_with_oiio(const EncodeRequest& request, std::vector<std::byte>& file
     if (!output) return fail(error, OIIO::geterror());
     if (!output->set_ioproxy(&memory)) return fail(error, "this format is not written to memory");
     if (!output->open(kNoFileName, spec_of(request))) return fail(error, output->geterror());
-    const bool is_written = request.radiance.empty()
-                                ? output->write_image(TypeDesc::UINT8, request.codes.data())
-                                : output->write_image(TypeDesc::FLOAT, request.radiance.data());
-    if (!is_written) return fail(error, output->geterror());
+    if (!write_pixels(*output, request)) return fail(error, output->geterror());
     if (!output->close()) return fail(error, output->geterror());
   }
   const auto* first = reinterpret_cast<const std::byte*>(bytes.data());

@@ -1,0 +1,119 @@
+#include "cli/aov_option.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/format_numbers.hpp"
+#include "cli/usage_error.hpp"
+#include "cli/words.hpp"
+#include "render/film/film.hpp"
+#include "render/scene/instances.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+using render::Aovs;
+
+constexpr std::array<std::string_view, 5> kWords{"normal", "depth", "albedo", "variance",
+                                                 "samples"};
+constexpr std::array kMembers{&Aovs::normal, &Aovs::depth, &Aovs::albedo, &Aovs::variance,
+                              &Aovs::samples};
+
+}  // namespace
+
+void add_aov_option(CLI::App& command, Aovs& aovs) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--aov",
+          [&aovs](const std::vector<std::string>& words) {
+            for (const std::string& word : words) {
+              const auto found = std::ranges::find(kWords, word);
+              aovs.*kMembers[static_cast<std::size_t>(found - kWords.begin())] = true;
+            }
+          },
+          "Further channels in .exr outputs, with commas between them (may be repeated)")
+      ->check(one_of(kWords))
+      ->delimiter(',')
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false);  // FILE may stand behind it
+}
+
+void check_aovs(const Aovs& aovs, const std::vector<Output>& outputs, const render::Scene& scene,
+                const render::RenderSettings& settings) {
+  if (!aovs.any()) return;
+  const auto is_exr = [](const Output& output) {
+    return !output.is_stdout && output.format == render::ImageFormat::Exr;
+  };
+  if (std::ranges::none_of(outputs, is_exr)) {
+    throw UsageError(
+        "--aov: only .exr files have room for further channels, and no output is one; add one, "
+        "such as -o picture.exr");
+  }
+  const auto least = static_cast<int>(render::kLeastReplicatedSamples);
+  if (aovs.variance && settings.samples < least) {
+    throw UsageError(fmt::format(
+        "--aov: `variance` takes at least {0} samples a pixel, and this render has {1}; raise "
+        "them, such as --samples {0}, or leave `variance` out",
+        least, settings.samples));
+  }
+  if (!aovs.has_first_hits() || scene.instances.empty()) return;
+  if (const std::uint64_t spheres = count_spheres(scene); spheres > render::kMostUninstanced) {
+    throw UsageError(
+        fmt::format("--aov: `normal`, `depth` and `albedo` hold each sphere of an instance by "
+                    "itself, which is done up to {} spheres, and this scene has {}; `variance` and "
+                    "`samples` can be had of it",
+                    format_whole(render::kMostUninstanced), format_whole(spheres)));
+  }
+}
+
+std::size_t aov_bytes(const Aovs& aovs, std::size_t pixels) noexcept {
+  // Each channel, and its part of the encoded file.
+  const std::size_t channels = aovs.channels() * 2 * sizeof(float);
+  return pixels * (channels + (aovs.variance ? sizeof(render::LinearRgb) : 0));
+}
+
+void add_picture_layers(const Aovs& aovs, const render::RenderSettings& settings,
+                        const render::RenderResult& result, std::vector<render::Layer>& layers,
+                        std::ostream& err) {
+  // Only a render with a goal counts the samples of each pixel.
+  const bool is_counted = result.is_complete || settings.has_goal();
+  std::vector<std::string_view> missing;
+  if (aovs.has_first_hits() && layers.empty()) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (aovs.*kMembers[i]) missing.push_back(kWords[i]);
+    }
+  }
+  if (aovs.variance) {
+    if (is_counted && !result.variance.pixels.empty()) {
+      std::ranges::move(render::variance_layers(result.variance), std::back_inserter(layers));
+    } else {
+      missing.push_back("variance");
+    }
+  }
+  if (aovs.samples) {
+    if (is_counted) {
+      layers.push_back(render::samples_layer(result.samples_of_pixels, result.least_samples,
+                                             result.picture.pixels.size()));
+    } else {
+      missing.push_back("samples");
+    }
+  }
+  if (missing.empty()) return;
+  const std::string reason =
+      result.is_complete
+          ? fmt::format("it takes at least {} samples a pixel, and there was time for {}",
+                        render::kLeastReplicatedSamples, result.least_samples)
+          : "the render was interrupted";
+  err << fmt::format("warning: --aov: without {}, as {}\n", fmt::join(missing, ", "), reason);
+}
+
+}  // namespace sdlc::cli
