@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "render/film/film.hpp"
 #include "render/scene/choices.hpp"
 
 namespace sdlc::cli {
@@ -14,14 +15,19 @@ namespace {
 std::string percent(double share) { return fmt::format("{:.3g}", 100 * share); }
 
 /// Light that was met so seldom that the picture may lack some, and its error not show it.
-std::string scarce_light(const std::vector<render::ReachedEmitter>& emitters) {
+std::string scarce_light(const render::RenderSettings& settings,
+                         const std::vector<render::ReachedEmitter>& emitters) {
+  const bool is_one = emitters.size() == 1;
   const auto fewest = std::ranges::min_element(
       emitters, {}, [](const render::ReachedEmitter& emitter) { return emitter.paths; });
+  const char* way_out = settings.light_sampling == render::LightSampling::On
+                            ? "more samples find it, if it is not hidden"
+                            : "more samples, or --light-sampling on, find it, if it is not hidden";
   return fmt::format(
-      "{} emissive sphere{} reached by fewer than {} paths, of which sphere {} by {}: {} light may "
-      "be missing in the picture and in its error; more samples, or --light-sampling on, find it",
-      emitters.size(), emitters.size() == 1 ? " was" : "s were", render::EmitterTally::kEnough,
-      fewest->sphere, fewest->paths, emitters.size() == 1 ? "its" : "their");
+      "{} emissive sphere{} reached by fewer than {} paths, {}by {}: {} light may be missing in "
+      "the picture and in its error; {}",
+      emitters.size(), is_one ? " was" : "s were", render::EmitterTally::kEnough,
+      is_one ? "" : "one of them ", fewest->paths, is_one ? "its" : "their", way_out);
 }
 
 }  // namespace
@@ -38,6 +44,8 @@ std::string describe_error(const render::RenderResult& result) {
   if (result.error) {
     text += fmt::format(", error {} % ({} to {} %)", percent(result.error->relative_error),
                         percent(result.error->interval.from), percent(result.error->interval.to));
+  } else if (result.least_samples >= render::kLeastReplicatedSamples) {
+    text += ", error unknown";
   }
   const double cut = static_cast<double>(result.truncated_paths) /
                      static_cast<double>(std::max<std::uint64_t>(result.camera_samples, 1));
@@ -51,15 +59,19 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
   std::vector<std::string> warnings;
   if (settings.error && !result.has_reached_error) {
     const std::string reached =
-        result.error ? fmt::format("it is at most {} %", percent(result.error->interval.to))
-                     : std::string("fewer than 8 samples a pixel do not tell what it is");
+        result.error ? fmt::format("it is up to {:.5g} %", 100 * result.error->interval.to)
+                     : std::string("what it is cannot be told");
     const char* limit = result.most_samples >= static_cast<std::uint64_t>(settings.samples)
                             ? "the samples that are allowed"
                             : "the time that is allowed";
     warnings.push_back(fmt::format("the error did not come down to {} % with {}: {}",
                                    percent(*settings.error), limit, reached));
   }
-  if (!result.scarce_emitters.empty()) warnings.push_back(scarce_light(result.scarce_emitters));
+  // A picture of fewer samples is a draft that claims nothing of its error.
+  const bool claims_error = result.least_samples >= render::kLeastReplicatedSamples;
+  if (claims_error && !result.scarce_emitters.empty()) {
+    warnings.push_back(scarce_light(settings, result.scarce_emitters));
+  }
   return warnings;
 }
 
@@ -73,6 +85,8 @@ std::vector<std::pair<std::string, std::string>> picture_metadata(
       {"sdlc:seed", fmt::to_string(settings.seed)},
       {"sdlc:sampler", std::string(name_of(settings.sampler))},
       {"sdlc:light_sampling", std::string(name_of(settings.light_sampling))}};
+  entries.emplace_back("sdlc:truncated_paths", fmt::to_string(result.truncated_paths));
+  entries.emplace_back("sdlc:scarce_emitters", fmt::to_string(result.scarce_emitters.size()));
   if (result.error) {
     entries.emplace_back("sdlc:relative_error", fmt::to_string(result.error->relative_error));
     entries.emplace_back(

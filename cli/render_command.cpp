@@ -188,11 +188,11 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
                            fmt::join(written, ", "));
     return ExitCode::Interrupted;
   }
+  for (const std::string& warning : accuracy_warnings(settings, result)) {
+    env.err << "warning: " << warning << "\n";
+  }
   const bool is_quiet = options.quiet || options.progress == "none";
   if (!is_quiet) {
-    for (const std::string& warning : accuracy_warnings(settings, result)) {
-      env.err << "warning: " << warning << "\n";
-    }
     env.err << fmt::format(
         "{}: {} x {} pixels, {}, {} ({} samples/s){}\n", fmt::join(written, ", "), settings.width,
         settings.height, describe_samples(result), format_seconds(result.render_seconds),

@@ -83,7 +83,8 @@ std::vector<std::uint32_t> adaptive_samples(std::span<const PixelSpread> pilot,
   samples.reserve(shares.size());
   for (std::size_t i = 0; i < shares.size(); ++i) {
     const double wanted = growth(i, high) * pilot_samples / kReplicates;
-    samples.push_back(static_cast<std::uint32_t>(std::ceil(wanted)) * kReplicates);
+    const std::uint64_t whole = static_cast<std::uint64_t>(std::ceil(wanted)) * kReplicates;
+    samples.push_back(static_cast<std::uint32_t>(std::min(whole, most_samples)));
   }
   return samples;
 }

@@ -35,10 +35,14 @@ struct PooledVariance {
 
 }  // namespace
 
-ErrorEstimate estimate_error(const Picture& picture, std::span<const PixelSpread> spreads) {
+std::optional<ErrorEstimate> estimate_error(const Picture& picture,
+                                            std::span<const PixelSpread> spreads) {
   // Numbers far from 1 would overflow where they are squared twice.
   double largest = 0;
-  for (const PixelSpread& spread : spreads) largest = std::max(largest, spread.squared_error);
+  for (const PixelSpread& spread : spreads) {
+    if (!std::isfinite(spread.squared_error)) return std::nullopt;
+    largest = std::max(largest, spread.squared_error);
+  }
   const double scale = largest > 0 ? 1 / largest : 0;
 
   double total = 0, squared_error = 0;
@@ -47,7 +51,8 @@ ErrorEstimate estimate_error(const Picture& picture, std::span<const PixelSpread
     const LinearRgb& pixel = picture.pixels[i];
     total += (pixel.r + pixel.g + pixel.b) / 3;
     squared_error += spreads[i].squared_error * scale;
-    of_squared_error.add(spreads[i].squared_covariance * scale * scale / 6);
+    const double covariance = spreads[i].covariance * scale;
+    of_squared_error.add(covariance * covariance / 6);
     of_mean.add(spreads[i].grey_variance * scale);
   }
   const double pixels = static_cast<double>(spreads.size()), values = 3 * pixels;
@@ -57,13 +62,16 @@ ErrorEstimate estimate_error(const Picture& picture, std::span<const PixelSpread
   estimate.mean = total / pixels;
   const double mean_half_width = of_mean.half_width() * unit / pixels;
   estimate.mean_interval = {estimate.mean - mean_half_width, estimate.mean + mean_half_width};
-  if (!(estimate.mean > 0)) return estimate;
+  if (estimate.mean == 0) return estimate;
   const auto relative = [&](double squares) {
     return std::sqrt(std::max(0.0, squares) / values) * unit / estimate.mean;
   };
   const double half_width = of_squared_error.half_width();
   estimate.relative_error = relative(squared_error);
   estimate.interval = {relative(squared_error - half_width), relative(squared_error + half_width)};
+  const double sum = squared_error + half_width + estimate.mean + mean_half_width;
+  // Radiance whose squares are no numbers.
+  if (!std::isfinite(sum) || !std::isfinite(unit)) return std::nullopt;
   return estimate;
 }
 

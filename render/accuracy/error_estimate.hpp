@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "render/film/film.hpp"
@@ -27,7 +28,9 @@ struct ErrorEstimate {
 /// independent of each other, so the variances v of many add up, and as many of them as matter,
 /// (Σ v)² / Σ v² (Satterthwaite, 1946), are the degrees of freedom of a Student's t. That makes an
 /// interval for the error of this very picture, twice as long as one for that of pictures like it
-/// would be. Where rare and large samples make the error it is longer than it need be.
-ErrorEstimate estimate_error(const Picture& picture, std::span<const PixelSpread> spreads);
+/// would be. Where rare and large samples make the error it is longer than it need be. Nothing
+/// where squares of the radiance are no finite numbers, from 1e150 on.
+std::optional<ErrorEstimate> estimate_error(const Picture& picture,
+                                            std::span<const PixelSpread> spreads);
 
 }  // namespace sdlc::render

@@ -15,6 +15,7 @@ class ErrorGoal {
   ErrorGoal(double error, std::uint64_t most_samples)
       : error_(error), most_samples_(most_samples) {}
 
+  /// What a goal takes at least: of fewer samples all replicates may miss the same highlight.
   std::uint64_t first_samples() const noexcept;
 
   /// The samples a pixel to be reached by the next pass, of those before and what they came to;

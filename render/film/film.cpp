@@ -1,6 +1,7 @@
 #include "render/film/film.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sdlc::render {
 namespace {
@@ -99,17 +100,21 @@ PixelSpread Film::spread(std::size_t pixel) const noexcept {
   // Unbiased for tr Σ² where the means are normal, of any covariance: with the sample covariance S
   // of R means, E tr S² = tr Σ² + (tr Σ² + (tr Σ)²) / ν and E (tr S)² = (tr Σ)² + 2 tr Σ² / ν with
   // ν = R − 1 = 3. Of rare and large samples too much, by 0.15 of their means' excess kurtosis.
+  // In units of the largest square, as fourth powers overflow, or vanish, long before squares do.
+  double unit = 0;
+  for (const LinearRgb& value : x) unit = std::max(unit, dot(value - mean, value - mean));
+  if (!(unit > 0)) return spread;
   double trace = 0, trace_of_square = 0;
   for (std::size_t i = 0; i < kReplicates; ++i) {
     for (std::size_t j = 0; j < kReplicates; ++j) {
-      const double product = dot(x[i] - mean, x[j] - mean);
+      const double product = dot(x[i] - mean, x[j] - mean) / unit;
       trace_of_square += product * product;
       if (i == j) trace += product;
     }
   }
   constexpr double kDegrees = kReplicates - 1;
-  spread.squared_covariance =
-      0.9 * (trace_of_square - trace * trace / kDegrees) / (kDegrees * kDegrees);
+  const double squared = 0.9 * (trace_of_square - trace * trace / kDegrees);
+  spread.covariance = std::sqrt(std::max(squared, 0.0)) / kDegrees * unit;
   return spread;
 }
 

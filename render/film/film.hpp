@@ -27,9 +27,9 @@ constexpr std::uint32_t samples_in_replicate(std::uint64_t samples, std::uint32_
 struct PixelSpread {
   /// Estimate of the squared error of the pixel's mean, summed over the channels.
   double squared_error = 0;
-  /// Estimate of the trace of the squared covariance matrix of the mean of one replicate; of normal
-  /// means unbiased, of means with heavier tails too large.
-  double squared_covariance = 0;
+  /// Root of an estimate of tr Σ², with the covariance matrix Σ of the mean of one replicate; its
+  /// square is unbiased for normal means, and too large for means with heavier tails.
+  double covariance = 0;
   /// Estimate of the variance of the mean of the channels of the pixel's mean.
   double grey_variance = 0;
 };

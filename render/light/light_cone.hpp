@@ -9,7 +9,7 @@
 
 /// The cone of directions in which a sphere is seen, after Shirley, Wang, Zimmerman, "Monte Carlo
 /// techniques for direct lighting calculations", 1996, 3.2. A wide kernel has the same formulas in
-/// render/wide/light_sampling-inl.h.
+/// render/wide/light_connections-inl.h.
 namespace sdlc::render {
 
 /// Where the square of the sine of the half angle is not below this, half the sky is full of the

@@ -12,9 +12,11 @@
 namespace sdlc::render {
 
 GoalRender::GoalRender(PictureTracer& tracer, const RenderSettings& settings,
-                       Clock::time_point start, RenderMonitor& monitor, RenderResult& result)
+                       const EmitterTally& emitters, Clock::time_point start,
+                       RenderMonitor& monitor, RenderResult& result)
     : tracer_(tracer),
       settings_(settings),
+      emitters_(emitters),
       monitor_(monitor),
       result_(result),
       start_(start),
@@ -27,6 +29,10 @@ GoalRender::GoalRender(PictureTracer& tracer, const RenderSettings& settings,
 bool GoalRender::is_late() const {
   // The first pass is finished whatever it takes: a picture with holes is none.
   return deadline_ && !is_first_pass_ && Clock::now() >= *deadline_;
+}
+
+bool GoalRender::is_blind() const {
+  return result_.error && result_.error->relative_error == 0 && emitters_.is_counting();
 }
 
 bool GoalRender::pass(std::uint64_t most, const Target& target) {
@@ -97,6 +103,14 @@ void GoalRender::run_uniform() {
     if (settings_.error) {
       estimate();
       if (!result_.error) return;
+      if (is_blind()) {
+        // Not for ever: it may stand where no path gets.
+        constexpr std::uint64_t kMostBlindSamples = 1024;
+        const std::uint64_t next = std::min({2 * *samples, kMostBlindSamples, most});
+        if (next <= *samples) return;
+        samples = next;
+        continue;
+      }
       const double to_go = *settings_.error / result_.error->interval.to;
       tell_share(to_go * to_go);
       samples = goal.next_samples(*samples, *result_.error);

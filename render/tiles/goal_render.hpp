@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/film/film.hpp"
+#include "render/light/emitter_tally.hpp"
 #include "render/tiles/picture_tracer.hpp"
 #include "render/tiles/render.hpp"
 
@@ -19,8 +20,8 @@ class GoalRender {
   using Clock = std::chrono::steady_clock;
 
   /// All are borrowed. `start`: when the time that RenderSettings::seconds counts began.
-  GoalRender(PictureTracer& tracer, const RenderSettings& settings, Clock::time_point start,
-             RenderMonitor& monitor, RenderResult& result);
+  GoalRender(PictureTracer& tracer, const RenderSettings& settings, const EmitterTally& emitters,
+             Clock::time_point start, RenderMonitor& monitor, RenderResult& result);
 
   void run();
 
@@ -32,12 +33,15 @@ class GoalRender {
   void run_uniform();
   void run_adaptive();
   bool is_late() const;
+  /// Whether no noise was seen, and an emitter hardly: what it lights may be missing altogether.
+  bool is_blind() const;
   void tell_share(double share);
   /// Takes over the picture and what is known of its error.
   void estimate();
 
   PictureTracer& tracer_;
   const RenderSettings& settings_;
+  const EmitterTally& emitters_;
   RenderMonitor& monitor_;
   RenderResult& result_;
   std::optional<Clock::time_point> deadline_;

@@ -61,9 +61,9 @@ void PictureTracer::for_each_tile(
       tbb::simple_partitioner{});
 }
 
-template <typename Target>
+template <typename TargetOf, typename IsLate>
 bool PictureTracer::trace_pixels(Film& film, std::size_t begin, std::size_t end,
-                                 const Target& target) {
+                                 const TargetOf& target, const IsLate& is_late) {
   const std::size_t most_blocks =
       std::max<std::size_t>(1, kRunsAtATime / (kReplicates * (end - begin)));
   std::vector<SampleRun> runs;
@@ -73,6 +73,7 @@ bool PictureTracer::trace_pixels(Film& film, std::size_t begin, std::size_t end,
       film.plan(pixel, target(pixel), static_cast<std::uint32_t>(most_blocks), runs);
     }
     if (runs.empty()) return true;
+    if (is_late()) return false;
     TraceCounts counts;
     if (!tracer_.trace(runs, counts, monitor_.cancel)) return false;
     std::uint64_t samples = 0;
@@ -93,7 +94,8 @@ void PictureTracer::trace_at_once(RenderResult& result, std::vector<PixelSpread>
   for_each_tile(pixels_a_tile(samples), [&](std::size_t begin, std::size_t end) {
     Film film(begin, end - begin);
     film.reserve(target[0]);
-    if (!trace_pixels(film, 0, end - begin, [&](std::size_t) { return target; })) return;
+    const auto target_of = [&](std::size_t) { return target; };
+    if (!trace_pixels(film, 0, end - begin, target_of, [] { return false; })) return;
     for (std::size_t i = begin; i < end; ++i) {
       result.picture.pixels[i] = film.mean(i - begin);
       if (!spreads.empty()) spreads[i] = film.spread(i - begin);
@@ -108,11 +110,12 @@ bool PictureTracer::trace_pass(Film& film, std::uint64_t most,
   film.reserve(target_in_replicates(most)[0]);
   std::atomic<bool> is_whole{true};
   const std::uint64_t added = most - std::min(most, film.samples(0));
-  for_each_tile(pixels_a_tile(added), [&](std::size_t begin, std::size_t end) {
-    const bool was_traced = !is_late() && trace_pixels(film, begin, end, [&](std::size_t pixel) {
-      return target_in_replicates(target(pixel));
-    });
-    if (!was_traced) is_whole = false;
+  // Of a pass that time may end in the middle smaller ones: what is begun is finished.
+  constexpr std::uint64_t kSmaller = 8;
+  const std::size_t tile = pixels_a_tile(settings_.seconds ? kSmaller * added : added);
+  for_each_tile(tile, [&](std::size_t begin, std::size_t end) {
+    const auto target_of = [&](std::size_t pixel) { return target_in_replicates(target(pixel)); };
+    if (!trace_pixels(film, begin, end, target_of, is_late)) is_whole = false;
   });
   return is_whole && !monitor_.cancel.load();
 }

@@ -27,7 +27,8 @@ class PictureTracer {
   void trace_at_once(RenderResult& result, std::vector<PixelSpread>& spreads);
 
   /// Brings the pixels of a film of the whole picture to `target(pixel)` samples each, `most` being
-  /// the largest. A tile is not begun once `is_late` says so. False if any was not.
+  /// the largest. Nothing more is begun once `is_late` says so. False if anything is
+  /// left.
   bool trace_pass(Film& film, std::uint64_t most,
                   const std::function<std::uint64_t(std::size_t pixel)>& target,
                   const std::function<bool()>& is_late);
@@ -36,9 +37,10 @@ class PictureTracer {
   std::uint64_t nonfinite_samples() const noexcept { return nonfinite_; }
 
  private:
-  /// All pixels of a film from `begin` to `end`. False once it is cancelled.
-  template <typename Target>
-  bool trace_pixels(Film& film, std::size_t begin, std::size_t end, const Target& target);
+  /// All pixels of a film from `begin` to `end`. False once it is cancelled or late.
+  template <typename TargetOf, typename IsLate>
+  bool trace_pixels(Film& film, std::size_t begin, std::size_t end, const TargetOf& target,
+                    const IsLate& is_late);
   void for_each_tile(std::size_t pixels_a_tile,
                      const std::function<void(std::size_t begin, std::size_t end)>& body) const;
   std::size_t pixels_a_tile(std::uint64_t samples) const noexcept;

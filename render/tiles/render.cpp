@@ -26,15 +26,18 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 /// A render without a goal.
-void render_at_once(PictureTracer& tracer, const RenderSettings& settings, RenderResult& result) {
+void render_at_once(PictureTracer& tracer, const RenderSettings& settings,
+                    const RenderMonitor& monitor, RenderResult& result) {
   const auto samples = static_cast<std::uint64_t>(settings.samples);
-  result.least_samples = result.most_samples = samples;
+  result.most_samples = samples;
   const bool has_replicates = samples >= kLeastReplicatedSamples;
   std::vector<PixelSpread> spreads(has_replicates ? result.picture.pixels.size() : 0);
   if (has_replicates && settings.keeps_variance) {
     result.variance = Picture(settings.width, settings.height);
   }
   tracer.trace_at_once(result, spreads);
+  if (monitor.cancel.load()) return;  // and some pixels have no sample
+  result.least_samples = samples;
   if (has_replicates) result.error = estimate_error(result.picture, spreads);
 }
 
@@ -79,14 +82,16 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   PictureTracer pictures(*tracer, settings, result.threads, monitor);
   arena.execute([&] {
     if (settings.has_goal()) {
-      GoalRender(pictures, settings, start, monitor, result).run();
+      GoalRender(pictures, settings, emitters, start, monitor, result).run();
     } else {
-      render_at_once(pictures, settings, result);
+      render_at_once(pictures, settings, monitor, result);
     }
   });
   result.render_seconds = seconds_since(render_start);
   result.is_complete = !monitor.cancel.load();
-  if (!result.is_complete) result.error.reset();
+  const bool is_blind = result.error && result.error->relative_error == 0 && emitters.is_counting();
+  if (!result.is_complete || is_blind) result.error.reset();
+  if (is_blind) result.has_reached_error = false;
   result.camera_samples = monitor.samples_done.load();
   result.rays = monitor.rays_done.load();
   result.truncated_paths = pictures.truncated_paths();

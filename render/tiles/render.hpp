@@ -38,9 +38,11 @@ struct RenderResult {
   std::uint64_t nonfinite_samples = 0;  ///< left out of their pixel's sum; a defect if not 0
   std::uint64_t least_samples = 0;      ///< of any pixel
   std::uint64_t most_samples = 0;
-  bool has_reached_error = false;        ///< RenderSettings::error
-  std::optional<ErrorEstimate> error{};  ///< from 8 samples a pixel on, of a whole picture
-  Picture variance;                      ///< of each pixel's mean, if it was asked for and is known
+  bool has_reached_error = false;  ///< RenderSettings::error
+  /// From 8 samples a pixel on, of a whole picture; not where no noise was seen, and an emitter
+  /// hardly, whose light would then be missing in both.
+  std::optional<ErrorEstimate> error{};
+  Picture variance;  ///< of each pixel's mean, if it was asked for and is known
   std::vector<std::uint32_t> samples_of_pixels;  ///< empty: all have as many
   std::uint32_t sampled_lights = 0;  ///< emitters that diffuse surfaces look for by themselves
   /// Those that fewer than EmitterTally::kEnough paths reached: what they light may be missing.

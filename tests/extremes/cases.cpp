@@ -206,12 +206,13 @@ ExtremeCase centre_of_glass() {
 
 ExtremeCase glass_at_impact() {
   ExtremeCase all{"glass at impact parameter b: R_o c + (1 − R_o)c²(1 − R_i) / (1 − cR_i)", {}};
-  const auto add = [&](double n, double b, double c, double radius, Fresnel kind, int depth = 60) {
+  const auto add = [&](double n, double b, double c, double radius, Fresnel kind, int depth = 60,
+                       int samples = 256) {
     Scene scene = beam(Vec3{b, 0, 5} * radius, Vec3{b, 0, 0} * radius, kWhite);
     add_sphere(scene, {0, 0, 0}, radius, transmissive(LinearRgb{c}, n, kind));
     all.variants.push_back({fmt::format("ior {}, b = {}, c = {}, radius {:g}{}", n, b, c, radius,
                                         kind == Fresnel::Exact ? ", Fresnel's equations" : ""),
-                            scene, depth, LinearRgb{glass(n, b, c, kind)}, 256});
+                            scene, depth, LinearRgb{glass(n, b, c, kind)}, samples});
   };
   for (const double b : {0.0, 0.5, 0.9, 0.99}) add(1.5, b, 0.5, 1, Fresnel::Schlick);
   for (const double b : {0.0, 0.3, 0.8, 0.95}) add(1.5, b, 0.5, 1, Fresnel::Exact);
@@ -221,7 +222,8 @@ ExtremeCase glass_at_impact() {
   }
   for (const double radius : {1e-5, 1e-8, 1e-100, 1e150})
     add(1.5, 0, 0.5, radius, Fresnel::Schlick);
-  add(1e6, 0.3, 0.8, 1, Fresnel::Exact);
+  // Of so many paths some ten are let in.
+  add(1e6, 0.3, 0.8, 1, Fresnel::Exact, 60, 1 << 14);
   for (const double n : {1e-320, 1e-300, 1e-20, 1e20, 1e300}) {
     for (const Fresnel kind : {Fresnel::Schlick, Fresnel::Exact}) {
       // All is reflected, but for one part in the index.

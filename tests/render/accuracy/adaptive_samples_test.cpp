@@ -61,6 +61,7 @@ TEST(AdaptiveSamples, AreWholeReplicatesFromThePilotUpToTheMost) {
     EXPECT_GE(n, 64u);
     EXPECT_LE(n, 2000u);
   }
+  for (const std::uint32_t n : samples_for(0.001, uneven_spreads(), 1001)) EXPECT_LE(n, 1001u);
   const std::vector<std::uint32_t> few = samples_for(0.5, uneven_spreads());
   EXPECT_EQ(*std::ranges::max_element(few), 64u);
 }

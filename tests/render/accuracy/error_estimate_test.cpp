@@ -15,8 +15,8 @@ Picture grey_picture(std::size_t pixels, double value) {
 TEST(EstimateError, DividesTheRootOfTheMeanSquareByTheMean) {
   // 400 pixels of radiance 2, each off by √(3 · .01) in its three channels together.
   const std::vector<PixelSpread> spreads(
-      400, {.squared_error = 0.03, .squared_covariance = 6e-4, .grey_variance = 1e-4});
-  const ErrorEstimate estimate = estimate_error(grey_picture(400, 2), spreads);
+      400, {.squared_error = 0.03, .covariance = std::sqrt(6e-4), .grey_variance = 1e-4});
+  const ErrorEstimate estimate = *estimate_error(grey_picture(400, 2), spreads);
   EXPECT_DOUBLE_EQ(estimate.mean, 2);
   EXPECT_NEAR(estimate.relative_error, 0.05, 1e-15);
   // Σ tr Σ² / 6 = .04, 1.966 its t of 400 degrees of freedom: Σ = 12 ± 1.966 · .2.
@@ -29,15 +29,15 @@ TEST(EstimateError, DividesTheRootOfTheMeanSquareByTheMean) {
 TEST(EstimateError, CountsOnlyThePixelsThatMatter) {
   // One of 100 has all the noise: t of one degree of freedom, 12.7, by the series 11.3.
   std::vector<PixelSpread> spreads(100);
-  spreads[17] = {.squared_error = 1, .squared_covariance = 6e-4, .grey_variance = 0};
-  const ErrorEstimate estimate = estimate_error(grey_picture(100, 1), spreads);
+  spreads[17] = {.squared_error = 1, .covariance = std::sqrt(6e-4), .grey_variance = 0};
+  const ErrorEstimate estimate = *estimate_error(grey_picture(100, 1), spreads);
   EXPECT_NEAR(estimate.interval.to, std::sqrt((1 + 0.01 * 11.3) / 300), 2e-4);
 }
 
 TEST(EstimateError, IsZeroWhereNothingDiffersAndOfABlackPicture) {
   const std::vector<PixelSpread> spreads(9);
   for (const double value : {0.0, 0.4}) {
-    const ErrorEstimate estimate = estimate_error(grey_picture(9, value), spreads);
+    const ErrorEstimate estimate = *estimate_error(grey_picture(9, value), spreads);
     EXPECT_EQ(estimate.relative_error, 0);
     EXPECT_EQ(estimate.interval, Interval{});
     EXPECT_EQ(estimate.mean_interval, (Interval{estimate.mean, estimate.mean}));
@@ -48,12 +48,19 @@ TEST(EstimateError, DoesNotDependOnTheUnitOfRadiance) {
   const auto relative = [](double unit) {
     const double squared = unit * unit;
     const std::vector<PixelSpread> spreads(
-        50, {.squared_error = 0.03 * squared, .squared_covariance = 1e-4 * squared * squared});
-    return estimate_error(grey_picture(50, unit), spreads);
+        50, {.squared_error = 0.03 * squared, .covariance = 1e-2 * squared});
+    return *estimate_error(grey_picture(50, unit), spreads);
   };
-  // 2^±240: fourth powers are near the ends of what a double holds.
-  EXPECT_EQ(relative(0x1p240).relative_error, relative(1).relative_error);
-  EXPECT_EQ(relative(0x1p-240).interval, relative(1).interval);
+  EXPECT_EQ(relative(0x1p480).relative_error, relative(1).relative_error);
+  EXPECT_EQ(relative(0x1p480).interval, relative(1).interval);
+  EXPECT_EQ(relative(0x1p-480).interval, relative(1).interval);
+}
+
+TEST(EstimateError, SaysNothingWhereSquaresAreNoNumbers) {
+  const std::vector<PixelSpread> spreads(50, {.squared_error = HUGE_VAL, .covariance = HUGE_VAL});
+  EXPECT_FALSE(estimate_error(grey_picture(50, 1e200), spreads));
+  const std::vector<PixelSpread> none(50, {.squared_error = NAN});
+  EXPECT_FALSE(estimate_error(grey_picture(50, 1), none));
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(Film, HasTheSameBitsInOnePassAndInMany) {
     bring_to(in_passes, 1, samples);
     EXPECT_EQ(in_passes.samples(1), samples);
     EXPECT_EQ(in_passes.mean(1), at_once.mean(1)) << samples;
-    EXPECT_EQ(in_passes.spread(1).squared_covariance, at_once.spread(1).squared_covariance);
+    EXPECT_EQ(in_passes.spread(1).covariance, at_once.spread(1).covariance);
     EXPECT_EQ(in_passes.samples(0), 0u);
     EXPECT_EQ(in_passes.mean(0), LinearRgb{});
   }
@@ -86,7 +86,26 @@ TEST(Film, KnowsHowFarReplicatesAreApart) {
   EXPECT_DOUBLE_EQ(spread.grey_variance, 0.25 * 14.0 / 12);
   // S has rank 1 and the trace 14 / 3 · 5 / 4: 0.9 (1 − 1 / 3) of its square.
   const double trace = 14.0 / 3 * 1.25;
-  EXPECT_DOUBLE_EQ(spread.squared_covariance, 0.6 * trace * trace);
+  EXPECT_DOUBLE_EQ(spread.covariance, std::sqrt(0.6) * trace);
+}
+
+TEST(Film, KnowsItOfRadianceFarFromOne) {
+  const auto relative = [](double unit) {
+    Film film(0, 1);
+    film.reserve(2);
+    for (std::uint32_t i = 0; i < kReplicates; ++i) {
+      film.add({.pixel = 0,
+                .replicate = i,
+                .first = 0,
+                .count = 2,
+                .sum = LinearRgb{1.0 + i * i, 2, 3} * (2 * unit)});
+    }
+    const PixelSpread spread = film.spread(0);
+    return spread.covariance / spread.squared_error;
+  };
+  EXPECT_GT(relative(1), 0);
+  EXPECT_NEAR(relative(0x1p340), relative(1), 1e-12);
+  EXPECT_NEAR(relative(0x1p-340), relative(1), 1e-12);
 }
 
 }  // namespace

@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "lang/lint/context.hpp"
+#include "render/accuracy/error_estimate.hpp"
+#include "render/tiles/render.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+/// The most spheres of a scene that is tried: more take longer to make ready than all rules do.
+constexpr std::size_t kMostSpheres = 100'000;
+constexpr int kTrialWidth = 64, kTrialSamples = 32, kTrialDepth = 64;
+
+/// What a trial is to the picture: the same scene, small, and with few samples.
+render::RenderSettings trial_of(const render::RenderSettings& asked, double aspect) {
+  render::RenderSettings trial = asked;
+  trial.width = kTrialWidth;
+  trial.height = std::clamp(static_cast<int>(kTrialWidth / aspect), 1, kTrialWidth);
+  trial.samples = std::min(asked.samples, kTrialSamples);
+  trial.depth = std::min(asked.depth, kTrialDepth);
+  trial.error.reset();
+  trial.seconds.reset();
+  return trial;
+}
+
+}  // namespace
+
+/// By a small picture with few samples, the samples that are allowed do not come near the error
+/// that is asked for, even if it falls as steeply as it does at best. A trial sees less noise than
+/// there is where light is rare, never more but for edges, of which a small picture has more for
+/// its size; so only twice the error is told.
+void check_error_out_of_reach(LintContext& context) {
+  const LoweredScene& lowered = context.lowered();
+  const render::RenderSettings& asked = lowered.settings;
+  if (!asked.error || lowered.checked_cameras.empty() || asked.samples == render::kMostSamples) {
+    return;
+  }
+  if (context.spheres().size() > kMostSpheres || !context.scene().instances.empty()) return;
+  render::Scene scene = context.scene();
+  scene.camera = lowered.checked_cameras.front().camera;
+  const render::RenderSettings trial = trial_of(asked, scene.camera.aspect);
+  render::RenderMonitor monitor;
+  render::KernelRequest request{.precision = lowered.precision};
+  request.may_take_double = true;
+  const render::RenderResult result = render::render(std::move(scene), trial, monitor, request);
+  if (!result.error) return;
+
+  constexpr double kSteepest = 0.75, kUsual = 0.57, kMargin = 2;
+  const double more = static_cast<double>(asked.samples) / trial.samples;
+  const double at_best = result.error->interval.from * std::pow(more, -kSteepest);
+  if (at_best <= kMargin * *asked.error) return;
+  const double needed =
+      trial.samples * std::pow(result.error->relative_error / *asked.error, 1 / kUsual);
+  const bool is_written = lowered.places.samples.file != nullptr;
+  Finding& finding =
+      context.add(diag::error_out_of_reach,
+                  LintPlace::of(is_written ? lowered.places.samples : lowered.places.error),
+                  fmt::format("{}", asked.samples), fmt::format("{:.2g}%", 100 * at_best),
+                  fmt::format("{:.6g}%", 100 * *asked.error));
+  finding.help.push_back(fmt::format("by a small trial it takes about {:.0f}", needed));
+}
+
+}  // namespace sdlc::lang
