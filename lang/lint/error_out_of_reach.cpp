@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "lang/lint/context.hpp"
-#include "render/accuracy/error_estimate.hpp"
+#include "render/accuracy/error_goal.hpp"
 #include "render/tiles/render.hpp"
 
 namespace sdlc::lang {
@@ -48,12 +47,12 @@ void check_error_out_of_reach(LintContext& context) {
   const render::RenderResult result = render::render(std::move(scene), trial, monitor, request);
   if (!result.error) return;
 
-  constexpr double kSteepest = 0.75, kUsual = 0.57, kMargin = 2;
+  constexpr double kMargin = 2;
   const double more = static_cast<double>(asked.samples) / trial.samples;
-  const double at_best = result.error->interval.from * std::pow(more, -kSteepest);
+  const double at_best = render::least_error(result.error->interval.from, more);
   if (at_best <= kMargin * *asked.error) return;
   const double needed =
-      trial.samples * std::pow(result.error->relative_error / *asked.error, 1 / kUsual);
+      trial.samples * render::usual_growth(*asked.error / result.error->relative_error);
   const bool is_written = lowered.places.samples.file != nullptr;
   Finding& finding =
       context.add(diag::error_out_of_reach,

@@ -14,6 +14,12 @@ std::uint64_t whole_replicates(std::uint64_t samples) {
 
 }  // namespace
 
+double least_error(double error, double more_samples) noexcept {
+  return error * std::pow(more_samples, -0.75);
+}
+
+double usual_growth(double part) noexcept { return std::pow(part, -1 / 0.57); }
+
 std::uint64_t ErrorGoal::first_samples() const noexcept {
   constexpr std::uint64_t kFirst = 32;
   return std::min(kFirst, most_samples_);

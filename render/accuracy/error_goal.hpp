@@ -7,6 +7,12 @@
 
 namespace sdlc::render {
 
+/// What an error comes down to at best with so many times the samples, and how many times it takes,
+/// usually, to bring it down to a part: it falls as a power of the samples, at best that of Sobol'
+/// points on plain edges.
+double least_error(double error, double more_samples) noexcept;
+double usual_growth(double part) noexcept;
+
 /// Decides after each pass over a picture how many samples come next until its error is known to be
 /// small enough.
 class ErrorGoal {

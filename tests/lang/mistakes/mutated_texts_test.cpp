@@ -37,7 +37,7 @@ std::uint64_t seed() { return number_from_environment("SDLC_MUTATION_SEED", 21);
 std::uint64_t count(std::uint64_t otherwise) {
   return number_from_environment("SDLC_MUTANTS", otherwise);
 }
-constexpr std::uint64_t kOfExamples = 600, kOfLanguage = 4000, kOfConfigs = 1500;
+constexpr std::uint64_t kOfExamples = 600, kOfLanguage = 6000, kOfConfigs = 1500;
 
 bool contains(const std::vector<std::uint32_t>& lines, std::uint32_t line) {
   return std::find(lines.begin(), lines.end(), line) != lines.end();

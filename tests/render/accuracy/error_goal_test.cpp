@@ -44,6 +44,12 @@ TEST(ErrorGoal, IsReachedWithHardlyMoreSamplesThanItTakes) {
   }
 }
 
+TEST(ErrorGoal, FallsWithAPowerOfTheSamples) {
+  EXPECT_NEAR(least_error(0.08, 16), 0.01, 1e-12);
+  EXPECT_NEAR(usual_growth(0.5), 3.374, 1e-3);
+  EXPECT_EQ(usual_growth(1), 1);
+}
+
 TEST(ErrorGoal, AddsAQuarterAtMostInWholeReplicates) {
   ErrorGoal goal(1e-3, 1 << 24);
   const std::vector<std::uint64_t> all = passes(goal, 1, -0.5);
