@@ -11,7 +11,6 @@
 
 #include <array>
 #include <cstdint>
-#include <type_traits>
 
 #include <hwy/highway.h>
 
@@ -126,30 +125,26 @@ HWY_INLINE hn::Vec<D> uniform_from_bits(D d, V bits) {
   }
 }
 
-/// reversed_bits in every lane.
+/// reversed_bits in every lane: the halves of bytes by a table, then the bytes.
 template <typename V>
 HWY_INLINE V reverse_lane_bits(V x) {
   const hn::DFromV<V> du;
-  using Word = hn::TFromV<V>;
-  if constexpr (sizeof(Word) == 4) {
-    const auto swap = [&](V v, Word mask, auto by) HWY_ATTR {
-      constexpr int kBy = decltype(by)::value;
-      const V low = hn::Set(du, mask);
-      return hn::Or(hn::ShiftLeft<kBy>(hn::And(v, low)), hn::And(hn::ShiftRight<kBy>(v), low));
-    };
-    x = swap(x, 0x55555555u, std::integral_constant<int, 1>{});
-    x = swap(x, 0x33333333u, std::integral_constant<int, 2>{});
-    x = swap(x, 0x0F0F0F0Fu, std::integral_constant<int, 4>{});
-    const hn::Repartition<std::uint8_t, decltype(du)> bytes;
-    alignas(16) static constexpr std::uint8_t kReversed[16]{3,  2,  1, 0, 7,  6,  5,  4,
-                                                            11, 10, 9, 8, 15, 14, 13, 12};
-    const auto order = hn::LoadDup128(bytes, kReversed);
-    return hn::BitCast(du, hn::TableLookupBytes(hn::BitCast(bytes, x), order));
-  } else {
-    const hn::Repartition<std::uint32_t, decltype(du)> du32;
-    // The upper half of a lane is 0, and stays so.
-    return hn::BitCast(du, reverse_lane_bits(hn::BitCast(du32, x)));
-  }
+  const hn::Repartition<std::uint8_t, decltype(du)> bytes;
+  // Of what was the lower half of a byte, which becomes the upper one, and the other way round.
+  alignas(16) static constexpr std::uint8_t kToUpper[16]{0x00, 0x80, 0x40, 0xC0, 0x20, 0xA0,
+                                                         0x60, 0xE0, 0x10, 0x90, 0x50, 0xD0,
+                                                         0x30, 0xB0, 0x70, 0xF0};
+  alignas(16) static constexpr std::uint8_t kToLower[16]{0x0, 0x8, 0x4, 0xC, 0x2, 0xA, 0x6, 0xE,
+                                                         0x1, 0x9, 0x5, 0xD, 0x3, 0xB, 0x7, 0xF};
+  // The upper half of a lane of 64 bits is 0, and stays so.
+  alignas(16) static constexpr std::uint8_t kOrder[16]{3,  2,  1, 0, 7,  6,  5,  4,
+                                                       11, 10, 9, 8, 15, 14, 13, 12};
+  const auto half = hn::Set(bytes, 0x0F);
+  const auto in_bytes = hn::BitCast(bytes, x);
+  const auto upper = hn::TableLookupBytes(hn::LoadDup128(bytes, kToUpper), hn::And(in_bytes, half));
+  const auto shifted = hn::BitCast(bytes, hn::ShiftRight<4>(x));
+  const auto lower = hn::TableLookupBytes(hn::LoadDup128(bytes, kToLower), hn::And(shifted, half));
+  return hn::BitCast(du, hn::TableLookupBytes(hn::Or(upper, lower), hn::LoadDup128(bytes, kOrder)));
 }
 
 /// scramble_upwards in every lane.
