@@ -66,7 +66,7 @@ bool PictureTracer::trace_pixels(Film& film, std::size_t begin, std::size_t end,
                                  const TargetOf& target, const IsLate& is_late) {
   const std::size_t most_blocks =
       std::max<std::size_t>(1, kRunsAtATime / (kReplicates * (end - begin)));
-  std::vector<SampleRun> runs;
+  thread_local std::vector<SampleRun> runs;  // so that its memory is mapped once
   while (true) {
     runs.clear();
     for (std::size_t pixel = begin; pixel < end; ++pixel) {

@@ -59,10 +59,12 @@ class WideIntegrator::TracerIn final : public Tracer {
 
   bool trace(std::span<SampleRun> runs, WideCounts& counts,
              const std::atomic<bool>& cancel) const override {
-    std::vector<SampleBlock<T>> blocks;
-    blocks.reserve(runs.size());
+    // Kept by each thread: memory that is new each time has to be mapped each time.
+    thread_local std::vector<SampleBlock<T>> blocks;
+    thread_local std::vector<LinearRgb> sums;
+    blocks.clear();
     for (const SampleRun& run : runs) blocks.push_back(block_of(run));
-    std::vector<LinearRgb> sums(runs.size());
+    sums.resize(runs.size());
     kernel_(scene_, view_, blocks, sums, counts, cancel);
     if (cancel.load(std::memory_order_relaxed)) return false;
     for (std::size_t i = 0; i < runs.size(); ++i) runs[i].sum = sums[i];
