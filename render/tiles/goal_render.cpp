@@ -50,14 +50,11 @@ void GoalRender::tell_share(double share) {
 
 void GoalRender::estimate() {
   spreads_.resize(film_.size());
-  const auto least = [&](std::size_t begin, std::size_t end, std::uint64_t samples) {
-    for (std::size_t i = begin; i < end; ++i) samples = std::min(samples, film_.samples(i));
-    return samples;
-  };
-  result_.least_samples = least(0, film_.size(), film_.samples(0));
-  result_.most_samples = result_.least_samples;
-  for (std::size_t i = 0; i < film_.size(); ++i) {
-    result_.most_samples = std::max(result_.most_samples, film_.samples(i));
+  result_.least_samples = result_.most_samples = film_.samples(0);
+  for (std::size_t i = 1; i < film_.size(); ++i) {
+    const std::uint64_t samples = film_.samples(i);
+    result_.least_samples = std::min(result_.least_samples, samples);
+    result_.most_samples = std::max(result_.most_samples, samples);
   }
   const bool is_known = result_.least_samples >= kLeastReplicatedSamples;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film_.size(), 1024),
@@ -140,6 +137,7 @@ void GoalRender::run_adaptive() {
                        settings_.sampler, static_cast<std::uint32_t>(pilot), most);
   while (pass(*std::ranges::max_element(samples), [&](std::size_t i) { return samples[i]; })) {
     estimate();
+    if (!result_.error) return;
     const double left = result_.error->interval.to / *settings_.error;
     tell_share(1 / (left * left));
     if (left <= 1 || result_.least_samples >= most) return;
