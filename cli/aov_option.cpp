@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/format_numbers.hpp"
+#include "cli/numbers/format_numbers.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/words.hpp"
 #include "render/film/film.hpp"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/format_numbers.hpp"
+#include "cli/numbers/format_numbers.hpp"
 #include "cli/frames.hpp"
 #include "cli/inspect_report.hpp"
 #include "cli/kernel_options.hpp"

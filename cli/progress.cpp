@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/format_numbers.hpp"
+#include "cli/numbers/format_numbers.hpp"
 
 namespace sdlc::cli {
 

@@ -17,7 +17,7 @@
 #include "cli/aov_option.hpp"
 #include "cli/clock.hpp"
 #include "cli/dispatcher.hpp"
-#include "cli/format_numbers.hpp"
+#include "cli/numbers/format_numbers.hpp"
 #include "cli/frames.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/kernel_options.hpp"

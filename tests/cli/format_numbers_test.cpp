@@ -1,4 +1,4 @@
-#include "cli/format_numbers.hpp"
+#include "cli/numbers/format_numbers.hpp"
 
 #include <gtest/gtest.h>
 
