@@ -102,7 +102,7 @@ TEST(Architecture, TheRendererKnowsNothingOfTheLanguage) {
 
 TEST(Architecture, EachLibraryIsUsedInOnePlace) {
   const std::map<std::string, std::vector<std::string>> users{
-      {"<tbb/", {"render/aov", "render/scene", "render/tiles", "render/wide"}},
+      {"<tbb/", {"render/aov", "render/compare", "render/scene", "render/tiles", "render/wide"}},
       {"<OpenImageIO/", {"render/image/openimageio"}},
       {"<CLI/", {"cli"}},
       {"<hwy/", {"render/wide"}},
