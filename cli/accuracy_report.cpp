@@ -76,7 +76,8 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
 }
 
 std::vector<std::pair<std::string, std::string>> picture_metadata(
-    const render::RenderSettings& settings, const render::RenderResult& result) {
+    const render::RenderSettings& settings, const render::RenderResult& result,
+    std::optional<render::Tone> tone) {
   std::vector<std::pair<std::string, std::string>> entries{
       {"sdlc:samples", result.least_samples == result.most_samples
                            ? fmt::to_string(result.most_samples)
@@ -87,6 +88,7 @@ std::vector<std::pair<std::string, std::string>> picture_metadata(
       {"sdlc:light_sampling", std::string(name_of(settings.light_sampling))}};
   entries.emplace_back("sdlc:truncated_paths", fmt::to_string(result.truncated_paths));
   entries.emplace_back("sdlc:scarce_emitters", fmt::to_string(result.scarce_emitters.size()));
+  if (tone) entries.emplace_back("sdlc:tone", name_of(*tone));
   if (result.error) {
     entries.emplace_back("sdlc:relative_error", fmt::to_string(result.error->relative_error));
     entries.emplace_back(

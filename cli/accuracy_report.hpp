@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "render/image/tone.hpp"
 #include "render/scene/scene.hpp"
 #include "render/tiles/render.hpp"
 
@@ -21,8 +23,10 @@ std::string describe_error(const render::RenderResult& result);
 std::vector<std::string> accuracy_warnings(const render::RenderSettings& settings,
                                            const render::RenderResult& result);
 
-/// What picture files say of themselves; keys carry the prefix "sdlc:".
+/// What picture files say of themselves; keys carry the prefix "sdlc:". `tone` is that of the
+/// codes; nothing where the file holds linear radiance.
 std::vector<std::pair<std::string, std::string>> picture_metadata(
-    const render::RenderSettings& settings, const render::RenderResult& result);
+    const render::RenderSettings& settings, const render::RenderResult& result,
+    std::optional<render::Tone> tone);
 
 }  // namespace sdlc::cli

@@ -6,6 +6,7 @@
 #include "cli/inspect_report.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/precision_json.hpp"
+#include "render/image/tone.hpp"
 #include "render/scene/choices.hpp"
 #include "render/scene/instances.hpp"
 
@@ -101,7 +102,7 @@ Json picture_json(const InspectReport& report) {
           {"seconds", number_or_null(settings.seconds)},
           {"adaptive", settings.is_adaptive},
           {"threads", settings.threads},
-          {"tone", tone_name(report.lowered.output.tone)},
+          {"tone", name_of(report.lowered.output.tone)},
           {"output", report.output ? Json(*report.output) : Json()}};
 }
 

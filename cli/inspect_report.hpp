@@ -59,7 +59,4 @@ std::string to_json(std::span<const TracedSphere> spheres);
 /// An array of the names.
 std::string to_json(std::span<const std::string> files);
 
-/// The word for the curve: "srgb", "sqrt" or "linear".
-std::string_view tone_name(render::Tone tone) noexcept;
-
 }  // namespace sdlc::cli

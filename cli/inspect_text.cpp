@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/numbers/format_numbers.hpp"
 #include "cli/frames.hpp"
 #include "cli/inspect_report.hpp"
 #include "cli/kernel_options.hpp"
+#include "cli/numbers/format_numbers.hpp"
 #include "lang/diagnostics/render.hpp"
 #include "lang/text/display_width.hpp"
+#include "render/image/tone.hpp"
 #include "render/scene/choices.hpp"
 #include "render/scene/instances.hpp"
 
@@ -175,7 +176,7 @@ void write_picture(const InspectReport& report, Sheet& sheet) {
   sheet.row("picture",
             fmt::format("{}, {}{}, depth {}, seed {}, tone {}", size, has_goal ? "at most " : "",
                         plural(static_cast<std::size_t>(settings.samples), "sample"),
-                        settings.depth, settings.seed, tone_name(report.lowered.output.tone)));
+                        settings.depth, settings.seed, name_of(report.lowered.output.tone)));
   sheet.detail("sampling", fmt::format("{}, light sampling {}", name_of(settings.sampler),
                                        name_of(settings.light_sampling)));
   if (has_goal) sheet.detail("until", describe_goals(settings));
@@ -230,15 +231,6 @@ void write_memory(const InspectReport& report, Sheet& sheet) {
 }
 
 }  // namespace
-
-std::string_view tone_name(render::Tone tone) noexcept {
-  switch (tone) {
-    case render::Tone::Srgb: return "srgb";
-    case render::Tone::Sqrt: return "sqrt";
-    case render::Tone::Linear: break;
-  }
-  return "linear";
-}
 
 std::string to_text(const InspectReport& report) {
   Sheet sheet;

@@ -17,10 +17,10 @@
 #include "cli/aov_option.hpp"
 #include "cli/clock.hpp"
 #include "cli/dispatcher.hpp"
-#include "cli/numbers/format_numbers.hpp"
 #include "cli/frames.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/kernel_options.hpp"
+#include "cli/numbers/format_numbers.hpp"
 #include "cli/outputs.hpp"
 #include "cli/override_options.hpp"
 #include "cli/progress.hpp"
@@ -78,11 +78,13 @@ void check_memory(const render::RenderSettings& settings, const render::Aovs& ao
 render::WriteOptions write_options(const Output& output, const RenderOptions& options,
                                    const lang::LoweredScene& lowered,
                                    const render::RenderResult& result) {
+  std::optional<render::Tone> tone;
+  if (!describe(output.format).is_linear) tone = lowered.output.tone;
   return {.format = output.format,
           .tone = lowered.output.tone,
           .ppm_text = options.ppm_text,
           .metadata = {.software = fmt::format("sdlc {}", kVersion),
-                       .entries = picture_metadata(lowered.settings, result)}};
+                       .entries = picture_metadata(lowered.settings, result, tone)}};
 }
 
 void write_to_stdout(const render::Picture& picture, const render::WriteOptions& options,

@@ -33,13 +33,26 @@ struct EncodeRequest {
   std::span<const std::pair<std::string, std::string>> metadata = {};
 };
 
-/// A decoded picture: rows from the top, `channels` values a pixel, each a multiple of `white`.
+/// Where pixels are: from `x`, `y` on, so many of them.
+struct PixelWindow {
+  int x = 0, y = 0, width = 0, height = 0;
+
+  friend bool operator==(const PixelWindow&, const PixelWindow&) = default;
+};
+
+/// The first picture of a file: rows from the top, a value for each channel in each pixel, each a
+/// multiple of `white`.
 struct DecodedImage {
   int width = 0;
   int height = 0;
-  int channels = 0;  ///< 1 or more; red, green and blue come first where there are three or more
-  float white = 1;   ///< the value that stands for 1: the largest code of integer formats
+  std::vector<std::string> channels;  ///< names in the order of the values, at least one
+  bool has_codes = false;             ///< integers of 8 or 16 bits
+  float white = 1;                    ///< the value that stands for 1: the largest code
   std::vector<float> values;
+  int pictures = 1;           ///< in the file: parts, pages or frames
+  PixelWindow data, display;  ///< of EXR: what the file has, and what is meant to be seen
+  /// Texts whose key begins with `sdlc:`.
+  std::vector<std::pair<std::string, std::string>> metadata;
 };
 
 /// The border between the program and the module that encodes and decodes pictures. Nothing is
@@ -56,7 +69,7 @@ class __attribute__((visibility("default"))) ImageCodec {
 };
 
 /// To be raised with any change to this header: the program refuses a module with another number.
-inline constexpr int kImageCodecVersion = 2;
+inline constexpr int kImageCodecVersion = 3;
 
 /// The module's only visible function, `sdlc_image_codec`, returns this. The codec lives as long as
 /// the process.

@@ -1,17 +1,13 @@
 #include "render/image/image.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <optional>
-#include <system_error>
 
 #include <fmt/format.h>
 
 #include "render/image/atomic_file.hpp"
 #include "render/image/codec_loader.hpp"
+#include "render/image/decoded_file.hpp"
 #include "render/image/io_error.hpp"
 
 namespace sdlc::render {
@@ -49,31 +45,6 @@ std::vector<EncodeChannel> channels_of(std::span<const Layer> layers, const Pict
     channels.push_back({.name = layer.name, .values = layer.values});
   }
   return channels;
-}
-
-std::vector<std::byte> read_file(const fs::path& path) {
-  // A stream opens a folder without complaint and fails only later, without saying why.
-  if (fs::is_directory(path)) throw IoError("read", path, "it is a folder");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw IoError("read", path, std::generic_category().message(errno));
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  if (file.bad()) throw IoError("read", path, std::generic_category().message(errno));
-  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
-  return {first, first + bytes.size()};
-}
-
-Picture picture_of(const DecodedImage& image) {
-  Picture picture(image.width, image.height);
-  const auto channels = static_cast<std::size_t>(image.channels);
-  // Grey, with or without an opacity, is the same value three times.
-  const std::size_t step = channels >= 3 ? 1 : 0;
-  const float* value = image.values.data();
-  for (LinearRgb& pixel : picture.pixels) {
-    // Divided as doubles: code / 255 is then the nearest double to it.
-    pixel = LinearRgb(value[0], value[step], value[2 * step]) / image.white;
-    value += channels;
-  }
-  return picture;
 }
 
 }  // namespace
@@ -130,21 +101,7 @@ void write_picture(const fs::path& path, const Picture& picture, const WriteOpti
   write_file_atomically(path, encode_picture(picture, options, path));
 }
 
-Picture read_picture(const fs::path& path) {
-  const std::optional<ImageFormat> format = image_format_of(path);
-  if (!format) {
-    throw IoError("read", path,
-                  fmt::format("its extension names no picture format; known are {}",
-                              fmt::join(image_extensions(), ", ")));
-  }
-  const std::vector<std::byte> file = read_file(path);
-  DecodedImage image;
-  std::string error;
-  if (!image_codec().decode(*format, file, kMaxPicturePixels, image, error)) {
-    throw IoError("read", path, error);
-  }
-  return picture_of(image);
-}
+Picture read_picture(const fs::path& path) { return rgb_of(decode_file(path).image); }
 
 void preload_image_codec() { preload_codec(); }
 

@@ -10,6 +10,10 @@ double encode_srgb(double v) noexcept {
   return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
+double decode_srgb(double v) noexcept {
+  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
 }  // namespace
 
 double encode_tone(Tone tone, double v) noexcept {
@@ -22,6 +26,31 @@ double encode_tone(Tone tone, double v) noexcept {
     case Tone::Linear: return v;
   }
   return v;
+}
+
+double decode_tone(Tone tone, double encoded) noexcept {
+  switch (tone) {
+    case Tone::Srgb: return decode_srgb(encoded);
+    case Tone::Sqrt: return encoded * encoded;
+    case Tone::Linear: break;
+  }
+  return encoded;
+}
+
+std::string_view name_of(Tone tone) noexcept {
+  switch (tone) {
+    case Tone::Srgb: return "srgb";
+    case Tone::Sqrt: return "sqrt";
+    case Tone::Linear: break;
+  }
+  return "linear";
+}
+
+std::optional<Tone> tone_of(std::string_view name) noexcept {
+  for (const Tone tone : {Tone::Srgb, Tone::Sqrt, Tone::Linear}) {
+    if (name_of(tone) == name) return tone;
+  }
+  return std::nullopt;
 }
 
 std::uint8_t to_code8(Tone tone, double v) noexcept {

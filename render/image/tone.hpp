@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace sdlc::render {
 
@@ -10,6 +12,13 @@ enum class Tone : std::uint8_t { Srgb, Sqrt, Linear };
 /// Encoded value in [0, 1] of the linear value `v`: clamped to [0, 1] first, NaN counts as 0.
 /// Srgb is the curve of IEC 61966-2-1; Sqrt the square root (the JSON format's `gamma_correct`).
 double encode_tone(Tone tone, double v) noexcept;
+
+/// The linear value in [0, 1] that encode_tone makes `encoded`, from 0 to 1, of.
+double decode_tone(Tone tone, double encoded) noexcept;
+
+/// As scenes spell it: "srgb", "sqrt" or "linear".
+std::string_view name_of(Tone tone) noexcept;
+std::optional<Tone> tone_of(std::string_view name) noexcept;
 
 /// The 8-bit code of a linear value: encode_tone scaled by 255 and rounded once, to nearest
 /// (truncation would darken every picture by half a code).

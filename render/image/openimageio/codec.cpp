@@ -138,25 +138,6 @@ bool has_end_mark(ImageFormat format, std::span<const std::byte> file) {
   return std::string_view(reinterpret_cast<const char*>(file.data()), file.size()).ends_with(end);
 }
 
-/// EXR keeps its channels in alphabetical order of any names; this brings red, green and blue to
-/// the front where they are there by these names.
-void bring_colour_to_front(const ImageSpec& spec, DecodedImage& image) {
-  constexpr std::array kNames{"R", "G", "B"};
-  std::array<int, 3> source{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    source[i] = spec.channelindex(kNames[i]);
-    if (source[i] < 0) return;
-  }
-  if (source == std::array{0, 1, 2}) return;
-  std::vector<float> colour(image.values.size() / static_cast<std::size_t>(image.channels) * 3);
-  for (std::size_t i = 0; i < colour.size(); ++i) {
-    colour[i] = image.values[i / 3 * static_cast<std::size_t>(image.channels) +
-                             static_cast<std::size_t>(source[i % 3])];
-  }
-  image.values = std::move(colour);
-  image.channels = 3;
-}
-
 /// Reads the pixels as they are in the file: left to OpenImageIO, codes would become fractions that
 /// are rounded twice.
 template <typename Value>
@@ -164,7 +145,8 @@ bool read_values(ImageInput& input, const ImageSpec& spec, TypeDesc type, Decode
   std::vector<Value> values(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
   if (!input.read_image(0, 0, 0, spec.nchannels, type, values.data())) return false;
   image.values.assign(values.begin(), values.end());
-  if (std::is_integral_v<Value>) image.white = std::numeric_limits<Value>::max();
+  image.has_codes = std::is_integral_v<Value>;
+  if (image.has_codes) image.white = static_cast<float>(std::numeric_limits<Value>::max());
   return true;
 }
 
@@ -176,6 +158,23 @@ bool read_values(ImageInput& input, const ImageSpec& spec, DecodedImage& image) 
     return read_values<std::uint16_t>(input, spec, TypeDesc::UINT16, image);
   }
   return read_values<float>(input, spec, TypeDesc::FLOAT, image);
+}
+
+std::vector<std::pair<std::string, std::string>> own_metadata(const ImageSpec& spec) {
+  std::vector<std::pair<std::string, std::string>> metadata;
+  for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
+    if (!attribute.name().string().starts_with("sdlc:")) continue;
+    metadata.emplace_back(attribute.name().string(), attribute.get_string());
+  }
+  return metadata;
+}
+
+/// To be called last: some readers cannot go back.
+int count_pictures(ImageInput& input) {
+  int count = 1;
+  while (input.seek_subimage(count, 0)) ++count;
+  input.geterror();  // that there is no further one
+  return count;
 }
 
 bool decode_with_oiio(ImageFormat format, std::span<const std::byte> file, std::int64_t max_pixels,
@@ -191,17 +190,23 @@ bool decode_with_oiio(ImageFormat format, std::span<const std::byte> file, std::
   if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.nchannels > kMaxChannels) {
     return fail(error, "it has no pixels");
   }
+  if (spec.deep) return fail(error, "it holds samples at several depths, not a picture");
   if (spec.depth > 1) return fail(error, "it is a volume, not a picture");
   if (std::int64_t{spec.width} * spec.height > max_pixels) {
     return fail(error, "it has more than " + std::to_string(max_pixels) + " pixels");
   }
   image.width = spec.width;
   image.height = spec.height;
-  image.channels = spec.nchannels;
+  image.channels = spec.channelnames;
+  image.metadata = own_metadata(spec);
+  if (format == ImageFormat::Exr) {
+    image.data = {spec.x, spec.y, spec.width, spec.height};
+    image.display = {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
+  }
   const bool is_read = read_values(*input, spec, image);
   // JPEG reports success beside an error when the file ends early.
   if (!is_read || input->has_error()) return fail(error, input->geterror());
-  bring_colour_to_front(spec, image);
+  image.pictures = count_pictures(*input);
   return true;
 }
 

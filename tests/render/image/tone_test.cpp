@@ -10,13 +10,6 @@
 namespace sdlc::render {
 namespace {
 
-/// The inverse of encode_tone, from the same standard.
-double decode_tone(Tone tone, double e) {
-  if (tone == Tone::Linear) return e;
-  if (tone == Tone::Sqrt) return e * e;
-  return e <= 0.04045 ? e / 12.92 : std::pow((e + 0.055) / 1.055, 2.4);
-}
-
 TEST(Tone, SrgbGivesTheKnownCodes) {
   EXPECT_EQ(to_code8(Tone::Srgb, 0.18), 118);  // 117.65: truncation would give 117
   EXPECT_EQ(to_code8(Tone::Srgb, 0.5), 188);   // 187.52
@@ -60,6 +53,12 @@ TEST_P(EveryTone, EncodesTheValueBehindEachCodeAsThatCode) {
     EXPECT_EQ(to_code8(GetParam(), decode_tone(GetParam(), code / 255.0)), code);
   }
 }
+
+TEST_P(EveryTone, HasANameThatLeadsBackToIt) {
+  EXPECT_EQ(tone_of(name_of(GetParam())), GetParam());
+}
+
+TEST(Tone, IsNothingByAnotherName) { EXPECT_EQ(tone_of("gamma"), std::nullopt); }
 
 }  // namespace
 }  // namespace sdlc::render

@@ -1,0 +1,103 @@
+#include "render/image/picture_file.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "render/image/decoded_file.hpp"
+#include "render/image/io_error.hpp"
+
+namespace sdlc::render {
+namespace {
+
+using Names = std::array<std::string_view, 3>;
+
+constexpr Names kColors{"R", "G", "B"};
+constexpr Names kVariances{"variance.R", "variance.G", "variance.B"};
+
+std::array<int, 3> indices_of(const DecodedImage& image, const Names& names) {
+  return {channel_index(image, names[0]), channel_index(image, names[1]),
+          channel_index(image, names[2])};
+}
+
+void check_is_one_picture(const DecodedImage& image, const std::filesystem::path& path) {
+  if (image.pictures > 1) {
+    throw IoError(
+        "read", path,
+        fmt::format("it holds {} pictures; take the one that is meant out of it", image.pictures));
+  }
+  if (image.data != image.display) {
+    throw IoError(
+        "read", path,
+        fmt::format("it holds {} x {} pixels at ({}, {}) of a picture of {} x {} at "
+                    "({}, {}), a crop; write all of the picture",
+                    image.data.width, image.data.height, image.data.x, image.data.y,
+                    image.display.width, image.display.height, image.display.x, image.display.y));
+  }
+}
+
+/// Takes R, G, B and the variance, and names what is left.
+void take_exr_channels(const DecodedImage& image, const std::filesystem::path& path,
+                       PictureFile& file) {
+  const auto colors = indices_of(image, kColors);
+  if (std::ranges::count(colors, -1) > 0) {
+    throw IoError("read", path,
+                  fmt::format("it has no channels R, G and B; its channels are {}",
+                              fmt::join(image.channels, ", ")));
+  }
+  file.picture = picture_of(image, colors);
+  const auto variances = indices_of(image, kVariances);
+  const auto missing = std::ranges::count(variances, -1);
+  if (missing == 0) file.variance = picture_of(image, variances);
+  if (missing == 1 || missing == 2) {
+    throw IoError("read", path,
+                  fmt::format("of {} it has some but not all", fmt::join(kVariances, ", ")));
+  }
+  for (const std::string& name : image.channels) {
+    const auto is_name = [&](const Names& names) {
+      return std::ranges::find(names, name) != names.end();
+    };
+    if (!is_name(kColors) && !is_name(kVariances)) file.other_channels.push_back(name);
+  }
+}
+
+}  // namespace
+
+std::optional<std::string_view> PictureFile::find_metadata(std::string_view key) const noexcept {
+  const auto found = std::ranges::find(
+      metadata, key, [](const auto& entry) -> std::string_view { return entry.first; });
+  if (found == metadata.end()) return std::nullopt;
+  return found->second;
+}
+
+PictureFile read_picture_file(const std::filesystem::path& path) {
+  DecodedFile decoded = decode_file(path);
+  DecodedImage& image = decoded.image;
+  check_is_one_picture(image, path);
+  PictureFile file;
+  file.format = decoded.format;
+  file.is_linear = describe(decoded.format).is_linear;
+  if (file.format == ImageFormat::Exr) {
+    take_exr_channels(image, path, file);
+  } else {
+    file.is_grey = image.channels.size() < 3;
+    file.picture = rgb_of(image);
+    image.channels.erase(image.channels.begin(), image.channels.begin() + (file.is_grey ? 1 : 3));
+    file.other_channels = std::move(image.channels);
+  }
+  if (!file.is_linear) {
+    if (!image.has_codes) {
+      throw IoError("read", path,
+                    fmt::format("its values are no codes of 8 or 16 bits, and {} does not tell "
+                                "what they are; write them as .exr",
+                                describe(file.format).name));
+    }
+    file.largest_code = static_cast<int>(image.white);
+  }
+  file.metadata = std::move(image.metadata);
+  return file;
+}
+
+}  // namespace sdlc::render
