@@ -56,6 +56,10 @@ TEST(Difference, IsWithoutBoundBesideABlackReference) {
   EXPECT_DOUBLE_EQ(difference.relative_mse, 0.01 / 0.01);
 }
 
+TEST(Difference, OfTwoBlackPicturesIsNothing) {
+  EXPECT_EQ(measure_difference(Picture(2, 2), Picture(2, 2)).relative_error, 0);
+}
+
 TEST(Difference, IsTrimmedOfTheWorstHundredth) {
   const Picture reference(20, 10, LinearRgb(1));
   Picture picture(20, 10, LinearRgb(1.1));
