@@ -117,4 +117,15 @@ double parse_duration(const std::string& flag, const std::string& text) {
                       read_duration, mend_duration);
 }
 
+double parse_number(const std::string& flag, const std::string& text, double least) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error == std::errc() && stop == end && std::isfinite(number) && number >= least) {
+    return number;
+  }
+  throw CLI::ValidationError(flag, fmt::format("takes a number from {} on, such as `{}`, not `{}`",
+                                               least, least + 0.5, lang::printable(text)));
+}
+
 }  // namespace sdlc::cli

@@ -12,4 +12,8 @@ double parse_share(const std::string& flag, const std::string& text);
 /// finite. Throws CLI::ValidationError, which names the flag.
 double parse_duration(const std::string& flag, const std::string& text);
 
+/// The number that the text is: finite and not below `least`. Throws CLI::ValidationError, which
+/// names the flag.
+double parse_number(const std::string& flag, const std::string& text, double least);
+
 }  // namespace sdlc::cli

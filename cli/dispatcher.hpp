@@ -25,6 +25,7 @@ class Dispatcher {
 };
 
 // One function a subcommand, in NAME_command.cpp.
+void add_compare_command(CLI::App& app, Dispatcher& dispatcher);
 void add_convert_command(CLI::App& app, Dispatcher& dispatcher);
 void add_explain_command(CLI::App& app, Dispatcher& dispatcher);
 void add_fmt_command(CLI::App& app, Dispatcher& dispatcher);

@@ -19,18 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-render::ImageFormat format_of(const fs::path& path) {
-  if (const auto format = render::image_format_of(path)) return *format;
-  const std::string extension = path.extension().string();
-  const auto known = render::image_extensions();
-  const std::string cause = extension.empty() ? "the name has no extension"
-                                              : fmt::format("unknown extension `{}`", extension);
-  const std::string_view written = std::string_view(extension).substr(extension.empty() ? 0 : 1);
-  throw render::IoError("write", path,
-                        fmt::format("{}; known are {}{}", cause, fmt::join(known, " "),
-                                    did_you_mean(written, known)));
-}
-
 std::string numbered(const std::string& name, std::optional<int> frame) {
   return frame ? name_of_frame(name, *frame) : name;
 }
@@ -41,14 +29,16 @@ std::vector<Output> name_outputs(const OutputRequest& request) {
     if (name == kStandardStream) {
       outputs.push_back({.path = "standard output", .is_stdout = true});
     } else {
-      outputs.push_back({.path = numbered(name, request.frame), .format = format_of(name)});
+      outputs.push_back(
+          {.path = numbered(name, request.frame), .format = picture_format(name, "write")});
     }
   }
   if (!outputs.empty()) return outputs;
   const auto name = default_picture(request.of_scene, request.input, request.frame);
   if (!name) throw UsageError("a scene from `-` needs -o OUT or --stdin-filename NAME");
-  return {
-      {.path = *name, .format = format_of(*name), .may_make_folders = !request.of_scene.empty()}};
+  return {{.path = *name,
+           .format = picture_format(*name, "write"),
+           .may_make_folders = !request.of_scene.empty()}};
 }
 
 void check_distinct(const std::vector<Output>& outputs, const std::string& stats) {
@@ -76,6 +66,18 @@ void check_absent(const fs::path& path) {
 }
 
 }  // namespace
+
+render::ImageFormat picture_format(const fs::path& path, const std::string& action) {
+  if (const auto format = render::image_format_of(path)) return *format;
+  const std::string extension = path.extension().string();
+  const auto known = render::image_extensions();
+  const std::string cause = extension.empty() ? "the name has no extension"
+                                              : fmt::format("unknown extension `{}`", extension);
+  const std::string_view written = std::string_view(extension).substr(extension.empty() ? 0 : 1);
+  throw render::IoError(action, path,
+                        fmt::format("{}; known are {}{}", cause, fmt::join(known, " "),
+                                    did_you_mean(written, known)));
+}
 
 std::optional<std::string> default_picture(const std::string& of_scene, const std::string& input,
                                            std::optional<int> frame) {

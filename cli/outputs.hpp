@@ -31,6 +31,10 @@ struct OutputRequest {
   std::optional<int> frame = {};      ///< its number takes the place of #### in names
 };
 
+/// The format that the extension names. Throws IoError, which begins "cannot ACTION", with the
+/// extension that was probably meant.
+render::ImageFormat picture_format(const std::filesystem::path& path, const std::string& action);
+
 /// The picture's file when the command line names none: the scene's own, else the stem of the
 /// input's with .png; nothing where neither has a name. A frame's number is put in.
 std::optional<std::string> default_picture(const std::string& of_scene, const std::string& input,

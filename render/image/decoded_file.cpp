@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -31,6 +32,35 @@ std::vector<std::byte> read_file(const fs::path& path) {
   return {first, first + bytes.size()};
 }
 
+/// The format that the first bytes of a file belong to.
+std::optional<ImageFormat> format_by_content(std::span<const std::byte> file) {
+  using namespace std::string_view_literals;
+  struct Beginning {
+    std::string_view bytes;
+    ImageFormat format;
+  };
+  static constexpr std::array kBeginnings{
+      Beginning{"\x89PNG"sv, ImageFormat::Png}, Beginning{"\x76\x2f\x31\x01"sv, ImageFormat::Exr},
+      Beginning{"#?"sv, ImageFormat::Hdr},      Beginning{"II*\0"sv, ImageFormat::Tiff},
+      Beginning{"MM\0*"sv, ImageFormat::Tiff},  Beginning{"\xff\xd8\xff"sv, ImageFormat::Jpeg},
+      Beginning{"RIFF"sv, ImageFormat::WebP},   Beginning{"GIF8"sv, ImageFormat::Gif}};
+  const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+  for (const Beginning& beginning : kBeginnings) {
+    if (text.starts_with(beginning.bytes)) return beginning.format;
+  }
+  return std::nullopt;
+}
+
+void check_content(std::span<const std::byte> file, ImageFormat format, const fs::path& path) {
+  if (file.empty()) throw IoError("read", path, "it is empty");
+  const std::optional<ImageFormat> content = format_by_content(file);
+  if (!content || *content == format) return;
+  const ImageFormatInfo& info = describe(*content);
+  throw IoError("read", path,
+                fmt::format("its content is {}, not {}; call it .{}", info.name,
+                            describe(format).name, info.extensions[0]));
+}
+
 }  // namespace
 
 DecodedFile decode_file(const fs::path& path) {
@@ -42,6 +72,7 @@ DecodedFile decode_file(const fs::path& path) {
   }
   DecodedFile decoded{.format = *format, .image = {}};
   const std::vector<std::byte> file = read_file(path);
+  check_content(file, *format, path);
   std::string error;
   if (!image_codec().decode(*format, file, kMaxPicturePixels, decoded.image, error)) {
     throw IoError("read", path, error);

@@ -38,7 +38,15 @@ void check_is_one_picture(const DecodedImage& image, const std::filesystem::path
   }
 }
 
-/// Takes R, G, B and the variance, and names what is left.
+/// An opacity that is the same everywhere has nothing to tell.
+bool is_opaque(const DecodedImage& image, std::size_t channel) {
+  for (std::size_t i = channel; i < image.values.size(); i += image.channels.size()) {
+    if (image.values[i] != image.white) return false;
+  }
+  return true;
+}
+
+/// Takes R, G, B and the variance.
 void take_exr_channels(const DecodedImage& image, const std::filesystem::path& path,
                        PictureFile& file) {
   const auto colors = indices_of(image, kColors);
@@ -55,11 +63,19 @@ void take_exr_channels(const DecodedImage& image, const std::filesystem::path& p
     throw IoError("read", path,
                   fmt::format("of {} it has some but not all", fmt::join(kVariances, ", ")));
   }
-  for (const std::string& name : image.channels) {
-    const auto is_name = [&](const Names& names) {
-      return std::ranges::find(names, name) != names.end();
-    };
-    if (!is_name(kColors) && !is_name(kVariances)) file.other_channels.push_back(name);
+}
+
+/// Names the channels that nothing was made of.
+void name_others(const DecodedImage& image, PictureFile& file) {
+  const auto is_taken = [&](std::size_t channel) {
+    const std::string_view name = image.channels[channel];
+    if (name == "A" && is_opaque(image, channel)) return true;
+    if (file.format != ImageFormat::Exr) return channel < (file.is_grey ? 1u : 3u);
+    return std::ranges::find(kColors, name) != kColors.end() ||
+           std::ranges::find(kVariances, name) != kVariances.end();
+  };
+  for (std::size_t i = 0; i < image.channels.size(); ++i) {
+    if (!is_taken(i)) file.other_channels.push_back(image.channels[i]);
   }
 }
 
@@ -84,9 +100,8 @@ PictureFile read_picture_file(const std::filesystem::path& path) {
   } else {
     file.is_grey = image.channels.size() < 3;
     file.picture = rgb_of(image);
-    image.channels.erase(image.channels.begin(), image.channels.begin() + (file.is_grey ? 1 : 3));
-    file.other_channels = std::move(image.channels);
   }
+  name_others(image, file);
   if (!file.is_linear) {
     if (!image.has_codes) {
       throw IoError("read", path,

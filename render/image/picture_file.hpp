@@ -22,7 +22,8 @@ struct PictureFile {
   /// Of each value of the picture, as `render --aov variance` writes it; may be anything as long
   /// as nobody has looked.
   std::optional<Picture> variance;
-  std::vector<std::string> other_channels;  ///< names: "A", "normal.X"
+  /// By name: "A" if it is not opaque everywhere, "normal.X".
+  std::vector<std::string> other_channels;
   /// What sdlc says of the picture, where the format has room: "sdlc:seed" and its value.
   std::vector<std::pair<std::string, std::string>> metadata;
 

@@ -285,7 +285,12 @@ TEST(Image, ReportsAFileOfAnotherFormat) {
   const TemporaryFolder folder;
   write_picture(folder / "a.exr", Picture(1, 1), {.format = ImageFormat::Exr});
   fs::rename(folder / "a.exr", folder / "a.png");
-  EXPECT_THAT(error_of([&] { read_picture(folder / "a.png"); }), StartsWith("cannot read `"));
+  EXPECT_THAT(error_of([&] { read_picture(folder / "a.png"); }),
+              HasSubstr("a.png`: its content is OpenEXR, not PNG; call it .exr"));
+  write_text(folder / "b.png", "");
+  EXPECT_THAT(error_of([&] { read_picture(folder / "b.png"); }), HasSubstr("b.png`: it is empty"));
+  write_text(folder / "c.png", "no picture at all");
+  EXPECT_THAT(error_of([&] { read_picture(folder / "c.png"); }), StartsWith("cannot read `"));
 }
 
 }  // namespace

@@ -86,6 +86,12 @@ TEST_F(PictureFiles, NameAnOpacityBesideTheColours) {
   EXPECT_THAT(read("a.png", spec).other_channels, ElementsAre("A"));
 }
 
+TEST_F(PictureFiles, DoNotNameAnOpacityWithNothingToTell) {
+  const OIIO::ImageSpec spec = float_spec(2, 2, {"R", "G", "B", "A"});
+  write_oiio_file(folder_ / "a.exr", {spec}, 1);
+  EXPECT_THAT(read_picture_file(folder_ / "a.exr").other_channels, IsEmpty());
+}
+
 TEST_F(PictureFiles, SayThatTheyAreGrey) {
   OIIO::ImageSpec spec = float_spec(3, 2, {"Y", "A"});
   spec.alpha_channel = 1;

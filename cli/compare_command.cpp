@@ -1,0 +1,295 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/amounts.hpp"
+#include "cli/compare_pair.hpp"
+#include "cli/compare_report.hpp"
+#include "cli/dispatcher.hpp"
+#include "cli/outputs.hpp"
+#include "cli/usage_error.hpp"
+#include "cli/version.hpp"
+#include "cli/words.hpp"
+#include "lang/text/display_width.hpp"
+#include "render/compare/color_map.hpp"
+#include "render/compare/difference.hpp"
+#include "render/compare/flip.hpp"
+#include "render/compare/z_test.hpp"
+#include "render/image/atomic_file.hpp"
+#include "render/image/image.hpp"
+#include "render/image/io_error.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 3> kFormats{"human", "concise", "json"};
+constexpr std::array<std::string_view, 2> kMaps{"difference", "flip"};
+
+/// A gate that the command line can set.
+struct GateKind {
+  const char* flag;
+  const char* quantity;
+  const char* help;
+  bool is_share;
+  bool is_least;
+  double (*value)(const CompareReport&);
+};
+
+constexpr std::array kGates{
+    GateKind{"max-rmse", "the RMSE", "Highest RMSE", false, false,
+             [](const CompareReport& report) { return report.difference.rmse; }},
+    GateKind{"max-relative-error", "the relative error",
+             "Highest RMSE as a share of the mean of B: 3% or 0.03", true, false,
+             [](const CompareReport& report) { return report.difference.relative_error; }},
+    GateKind{"max-relative-mse", "the relative MSE", "Highest relative MSE, untrimmed", false,
+             false, [](const CompareReport& report) { return report.difference.relative_mse; }},
+    GateKind{"max-flip", "FLIP", "Highest mean of FLIP, which is from 0 to 1", false, false,
+             [](const CompareReport& report) { return report.flip.mean; }},
+    GateKind{"max-difference", "the largest difference",
+             "Highest difference of a value, in either direction; 0: equal", false, false,
+             [](const CompareReport& report) { return std::abs(report.difference.largest.value); }},
+    GateKind{"min-psnr", "the PSNR", "Lowest PSNR, in decibels", false, true,
+             [](const CompareReport& report) { return report.difference.psnr; }},
+    GateKind{"max-z", "z",
+             "Highest z of the z-test, of means and of noise; over 4 is hardly chance", false,
+             false, [](const CompareReport& report) { return report.z_test->largest(); }},
+};
+constexpr std::size_t kMaxZ = kGates.size() - 1;
+
+struct CompareOptions {
+  std::string picture, reference;
+  std::string output;
+  std::string what{kMaps[0]};
+  std::optional<double> top;
+  double pixels_per_degree = render::kFlipPixelsPerDegree;
+  std::array<std::optional<double>, kGates.size()> limits;
+  std::string format{kFormats[0]};
+  bool quiet = false;
+};
+
+/// Codes as the linear values behind them, for FLIP.
+render::Picture to_linear(const render::Picture& picture, render::Tone tone) {
+  render::Picture linear = picture;
+  if (tone == render::Tone::Linear) return linear;
+  for (render::LinearRgb& c : linear.pixels) {
+    c = {decode_tone(tone, c.r), decode_tone(tone, c.g), decode_tone(tone, c.b)};
+  }
+  return linear;
+}
+
+class CompareJob {
+ public:
+  CompareJob(const CompareOptions& options, Environment& env) : options_(options), env_(env) {}
+
+  ExitCode run() {
+    check_output();
+    CompareReport report;
+    report.pair = read_pair(options_.picture, options_.reference);
+    if (options_.limits[kMaxZ] && !report.pair.has_variance) {
+      throw UsageError(
+          "--max-z takes two .exr files with a variance, of `sdlc render --aov variance`");
+    }
+    measure(report);
+    set_gates(report);
+    if (!options_.output.empty()) write_output(report);
+    if (options_.format == "json") {
+      env_.out << to_json(report);
+    } else if (!options_.quiet) {
+      env_.out << (options_.format == "concise" ? to_concise_text(report) : to_text(report));
+    }
+    return tell_broken_gates(report) ? ExitCode::Findings : ExitCode::Success;
+  }
+
+ private:
+  /// What is known to fail before anything is read.
+  void check_output() {
+    if (options_.output.empty()) {
+      if (options_.top || options_.what != kMaps[0]) {
+        throw UsageError(
+            fmt::format("{} is of the picture that -o writes; name one, such as -o "
+                        "diff.png",
+                        options_.top ? "--top" : "--what"));
+      }
+      return;
+    }
+    if (options_.output == kStandardStream) {
+      throw UsageError("-o -: standard output has the report; name a file, such as -o diff.png");
+    }
+    format_ = picture_format(options_.output, "write");
+    if (format_ == render::ImageFormat::Hdr) {
+      throw render::IoError("write", options_.output,
+                            "Radiance HDR holds no negative values; .exr does");
+    }
+    if (options_.top && is_linear_output()) {
+      throw UsageError("--top is for the colours of a .png and the like; .exr holds the values");
+    }
+    for (const std::string& input : {options_.picture, options_.reference}) {
+      std::error_code ignored;
+      if (fs::equivalent(input, options_.output, ignored)) {
+        throw render::IoError("write", options_.output, "it is one of the pictures to compare");
+      }
+    }
+    render::check_writable(options_.output);
+  }
+
+  bool is_linear_output() const { return render::describe(format_).is_linear; }
+
+  void measure(CompareReport& report) const {
+    const ComparedPair& pair = report.pair;
+    const render::Picture &picture = pair.picture.picture, &reference = pair.reference.picture;
+    report.difference = measure_difference(picture, reference);
+    report.pixels_per_degree = options_.pixels_per_degree;
+    report.flip = flip(to_linear(picture, pair.tone), to_linear(reference, pair.tone),
+                       options_.pixels_per_degree);
+    if (pair.has_variance) {
+      report.z_test = render::z_test({.mean = picture, .variance = *pair.picture.variance},
+                                     {.mean = reference, .variance = *pair.reference.variance});
+    }
+  }
+
+  void set_gates(CompareReport& report) const {
+    for (std::size_t i = 0; i < kGates.size(); ++i) {
+      if (!options_.limits[i]) continue;
+      report.gates.push_back({.name = kGates[i].flag,
+                              .quantity = kGates[i].quantity,
+                              .limit = *options_.limits[i],
+                              .value = kGates[i].value(report),
+                              .is_least = kGates[i].is_least});
+    }
+  }
+
+  /// A - B, or FLIP as grey.
+  render::Picture values_to_write(const CompareReport& report) const {
+    const render::Picture &picture = report.pair.picture.picture,
+                          &reference = report.pair.reference.picture;
+    render::Picture values(picture.width, picture.height);
+    for (std::size_t i = 0; i < values.pixels.size(); ++i) {
+      values.pixels[i] = options_.what == "flip" ? render::LinearRgb(report.flip.values[i])
+                                                 : picture.pixels[i] - reference.pixels[i];
+    }
+    return values;
+  }
+
+  void write_output(CompareReport& report) const {
+    render::Picture values = values_to_write(report);
+    report.output = {.path = options_.output, .what = options_.what, .top = {}};
+    if (!is_linear_output()) {
+      std::vector<float> sizes;  // of the difference in each pixel
+      float largest = 0;
+      for (const render::LinearRgb c : values.pixels) {
+        sizes.push_back(static_cast<float>(std::sqrt((c.r * c.r + c.g * c.g + c.b * c.b) / 3)));
+        largest = std::max(largest, sizes.back());
+      }
+      // FLIP has a largest value of its own.
+      const double top = options_.what == "flip" ? 1 : largest;
+      report.output->top = options_.top.value_or(top);
+      values = render::color_mapped(sizes, values.width, values.height, *report.output->top);
+    }
+    write_picture(options_.output, values,
+                  {.format = format_,
+                   .metadata = {.software = fmt::format("sdlc {}", kVersion), .entries = {}}});
+  }
+
+  bool tell_broken_gates(const CompareReport& report) {
+    bool is_any = false;
+    for (const Gate& gate : report.gates) {
+      if (gate.passes()) continue;
+      is_any = true;
+      env_.err << fmt::format("error: {} is {:.6g}, {} than the {:.6g} of --{}\n", gate.quantity,
+                              gate.value, gate.is_least ? "less" : "more", gate.limit, gate.name);
+    }
+    return is_any;
+  }
+
+  const CompareOptions& options_;
+  Environment& env_;
+  render::ImageFormat format_ = render::ImageFormat::Png;
+};
+
+void add_number(CLI::App& command, const std::string& flag, double least, const char* type,
+                const std::string& help, std::function<void(double)> set) {
+  command
+      .add_option_function<std::string>(
+          flag,
+          [flag, least, set = std::move(set)](const std::string& text) {
+            set(parse_number(flag, text, least));
+          },
+          help)
+      ->type_name(type);
+}
+
+void add_gates(CLI::App& command, CompareOptions& options) {
+  for (std::size_t i = 0; i < kGates.size(); ++i) {
+    const std::string flag = std::string("--") + kGates[i].flag;
+    std::optional<double>& limit = options.limits[i];
+    if (kGates[i].is_share) {
+      command
+          .add_option_function<std::string>(
+              flag, [flag, &limit](const std::string& text) { limit = parse_share(flag, text); },
+              kGates[i].help)
+          ->type_name("SHARE");
+    } else {
+      add_number(command, flag, 0, "X", kGates[i].help, [&limit](double v) { limit = v; });
+    }
+  }
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, Dispatcher& dispatcher) {
+  // Farther away than any display, and a filter of some hundred pixels.
+  constexpr double kLeastPixelsPerDegree = 1, kMostPixelsPerDegree = 1000;
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* command = app.add_subcommand(
+      "compare", "Measure how far a picture is from another, and fail where it is too far");
+  command->add_option("A", options->picture, "The picture")->required();
+  command->add_option("B", options->reference, "The reference, of the same size and kind")
+      ->required();
+  add_gates(*command, *options);
+  command->add_option("-o,--output", options->output,
+                      "Write the difference: as colours, or signed, A - B, to an .exr");
+  command->add_option("--what", options->what, "What -o shows: the difference, or the FLIP map")
+      ->check(one_of(kMaps));
+  add_number(*command, "--top", 0, "X",
+             "Value of the brightest colour of -o; default: the largest, 1 for FLIP",
+             [options = options.get()](double v) { options->top = v; });
+  add_number(*command, "--pixels-per-degree", kLeastPixelsPerDegree, "X",
+             "Of the viewer's sight, for FLIP: 1 to 1000; default 67.0206",
+             [options = options.get()](double v) {
+               if (v > kMostPixelsPerDegree) {
+                 throw CLI::ValidationError("--pixels-per-degree", "takes a number up to 1000");
+               }
+               options->pixels_per_degree = v;
+             });
+  command->add_option("--format", options->format, "How the report is printed")
+      ->check(one_of(kFormats));
+  command->add_flag("--quiet", options->quiet, "No report, but for --format json");
+  command->footer(
+      "Examples:\n"
+      "  sdlc compare new.exr reference.exr                     all measures\n"
+      "  sdlc compare new.png old.png --max-difference 0        fails unless they are equal\n"
+      "  sdlc compare new.exr old.exr --max-relative-error 2%   a gate for CI; any number of them\n"
+      "  sdlc compare a.exr b.exr --max-z 4                     with --aov variance in both\n"
+      "  sdlc compare new.png old.png -o diff.png --top 0.1     where they differ, as colours\n"
+      "  sdlc compare new.png old.png --format json | jq .flip\n\n"
+      "docs/compare.md tells what each measure means. Exit status: 0 no gate is broken, 1 one is, "
+      "2 a file cannot be\nread or written, or the two cannot be compared.");
+  dispatcher.on(command, [options](Environment& env) { return CompareJob(*options, env).run(); });
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,163 @@
+#include "cli/compare_pair.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/outputs.hpp"
+#include "cli/usage_error.hpp"
+#include "lang/text/display_width.hpp"
+#include "render/image/io_error.hpp"
+#include "render/image/picture.hpp"
+#include "render/math/color.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+using render::IoError;
+using render::LinearRgb;
+using render::PictureFile;
+
+/// Throws where a value is not wanted, and says where the first of them is.
+template <typename IsWanted>
+void check_values(const std::string& name, const render::Picture& picture, std::string_view fault,
+                  IsWanted is_wanted) {
+  static constexpr std::array<std::string_view, 3> kChannels{"red", "green", "blue"};
+  std::size_t count = 0;
+  std::string first;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    const LinearRgb c = picture.pixels[i];
+    const std::array values{c.r, c.g, c.b};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      if (is_wanted(values[channel]) || count++ > 0) continue;
+      const auto width = static_cast<std::size_t>(picture.width);
+      first = fmt::format("{} in {} of the pixel ({}, {})", values[channel], kChannels[channel],
+                          i % width, i / width);
+    }
+  }
+  if (count == 0) return;
+  throw IoError("compare", name,
+                fmt::format("{} of its values {} {}; the first is {}", count,
+                            count == 1 ? "is" : "are", fault, first));
+}
+
+PictureFile read(const std::string& name) {
+  if (name == kStandardStream) {
+    throw UsageError("pictures are not read from standard input: their names tell the format");
+  }
+  picture_format(name, "read");
+  PictureFile file = render::read_picture_file(name);
+  check_values(name, file.picture, "no finite numbers", [](double v) { return std::isfinite(v); });
+  if (file.variance) {
+    check_values(name, *file.variance, "of the variance and no numbers from 0 on",
+                 [](double v) { return std::isfinite(v) && v >= 0; });
+  }
+  return file;
+}
+
+/// Nothing if the file does not tell.
+std::optional<render::Tone> tone_in(const PictureFile& file) {
+  const auto word = file.find_metadata("sdlc:tone");
+  return word ? render::tone_of(*word) : std::nullopt;
+}
+
+void check_match(const ComparedPair& pair) {
+  const PictureFile &a = pair.picture, &b = pair.reference;
+  const std::string a_name = lang::printable(pair.picture_name);
+  const std::string b_name = lang::printable(pair.reference_name);
+  if (a.picture.width != b.picture.width || a.picture.height != b.picture.height) {
+    throw UsageError(fmt::format(
+        "`{}` has {} x {} pixels and `{}` {} x {}; only pictures of one size can be compared",
+        a_name, a.picture.width, a.picture.height, b_name, b.picture.width, b.picture.height));
+  }
+  if (a.is_linear != b.is_linear) {
+    throw UsageError(fmt::format(
+        "`{}` holds linear radiance and `{}` the codes of a tone curve; compare two files of one "
+        "kind, such as two .exr or two .png",
+        a.is_linear ? a_name : b_name, a.is_linear ? b_name : a_name));
+  }
+  if (a.is_grey != b.is_grey) {
+    throw UsageError(fmt::format("`{}` is grey and `{}` has colours; make both the same",
+                                 a.is_grey ? a_name : b_name, a.is_grey ? b_name : a_name));
+  }
+  const auto a_tone = tone_in(a), b_tone = tone_in(b);
+  if (a_tone && b_tone && a_tone != b_tone) {
+    throw UsageError(fmt::format(
+        "`{}` has codes of the tone {} and `{}` of {}; render one of them with the other's --tone, "
+        "or compare .exr files",
+        a_name, name_of(*a_tone), b_name, name_of(*b_tone)));
+  }
+}
+
+void choose_tone(ComparedPair& pair) {
+  if (pair.picture.is_linear) {
+    pair.tone = render::Tone::Linear;
+    return;
+  }
+  const auto a_tone = tone_in(pair.picture), b_tone = tone_in(pair.reference);
+  if (a_tone || b_tone) pair.tone = a_tone ? *a_tone : *b_tone;
+  // What nearly every picture follows needs no word.
+  if (pair.tone == render::Tone::Srgb || (a_tone && b_tone)) return;
+  pair.notes.push_back(fmt::format(
+      "{} does not tell its tone, which is taken for that of the other, {}",
+      lang::printable(a_tone ? pair.reference_name : pair.picture_name), name_of(pair.tone)));
+}
+
+void note_others(const std::string& name, const PictureFile& file,
+                 std::vector<std::string>& notes) {
+  if (file.other_channels.empty()) return;
+  notes.push_back(
+      fmt::format("not compared: {} of {}",
+                  lang::printable(fmt::format("{}", fmt::join(file.other_channels, ", "))),
+                  lang::printable(name)));
+}
+
+/// Pictures of one seed have the same noise where they trace the same paths.
+void note_shared_noise(ComparedPair& pair) {
+  const auto seed = pair.picture.find_metadata("sdlc:seed");
+  const auto sampler = pair.picture.find_metadata("sdlc:sampler");
+  if (!seed || seed != pair.reference.find_metadata("sdlc:seed") ||
+      sampler != pair.reference.find_metadata("sdlc:sampler")) {
+    return;
+  }
+  pair.notes.push_back(
+      fmt::format("both are of seed {}: they share noise, of which the z-test knows nothing, and "
+                  "it finds too little; give one of them another --seed",
+                  lang::printable(*seed)));
+}
+
+}  // namespace
+
+std::string ComparedPair::values() const {
+  if (picture.is_linear) return "linear radiance";
+  const int codes = picture.largest_code, reference_codes = reference.largest_code;
+  if (codes == reference_codes) return fmt::format("codes / {}", codes);
+  return fmt::format("codes / {} and codes / {}", codes, reference_codes);
+}
+
+ComparedPair read_pair(const std::string& picture, const std::string& reference) {
+  ComparedPair pair{.picture_name = picture,
+                    .reference_name = reference,
+                    .picture = read(picture),
+                    .reference = read(reference),
+                    .notes = {}};
+  check_match(pair);
+  choose_tone(pair);
+  note_others(picture, pair.picture, pair.notes);
+  note_others(reference, pair.reference, pair.notes);
+  pair.has_variance = pair.picture.variance && pair.reference.variance;
+  if (pair.has_variance) {
+    note_shared_noise(pair);
+  } else if (pair.picture.variance || pair.reference.variance) {
+    pair.notes.push_back(fmt::format("no z-test: {} has no variance",
+                                     lang::printable(pair.picture.variance ? reference : picture)));
+  }
+  return pair;
+}
+
+}  // namespace sdlc::cli

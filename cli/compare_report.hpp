@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/compare_pair.hpp"
+#include "render/compare/difference.hpp"
+#include "render/compare/flip.hpp"
+#include "render/compare/z_test.hpp"
+
+namespace sdlc::cli {
+
+/// What was asked for: not more, or for the PSNR not less, than the limit.
+struct Gate {
+  std::string name;      ///< of the flag: "max-rmse"
+  std::string quantity;  ///< in words: "the RMSE"
+  double limit = 0;
+  double value = 0;
+  bool is_least = false;  ///< the limit is the least value, not the largest
+
+  bool passes() const noexcept { return is_least ? value >= limit : value <= limit; }
+};
+
+/// The picture of -o.
+struct DifferencePicture {
+  std::string path;
+  std::string what;           ///< "difference" or "flip"
+  std::optional<double> top;  ///< value of the brightest colour; nothing where there are no colours
+};
+
+/// All that `sdlc compare` tells.
+struct CompareReport {
+  ComparedPair pair;
+  render::Difference difference;
+  render::FlipMap flip;
+  double pixels_per_degree = render::kFlipPixelsPerDegree;
+  std::optional<render::ZTest> z_test;
+  std::vector<Gate> gates;
+  std::optional<DifferencePicture> output;
+
+  /// "red", or "grey" where there are no colours.
+  std::string_view channel_name() const noexcept;
+};
+
+std::string to_text(const CompareReport& report);
+/// One line of `name=value`.
+std::string to_concise_text(const CompareReport& report);
+std::string to_json(const CompareReport& report);
+
+}  // namespace sdlc::cli
