@@ -25,8 +25,8 @@ using render::PictureFile;
 
 /// Throws where a value is not wanted, and says where the first of them is.
 template <typename IsWanted>
-void check_values(const std::string& name, const render::Picture& picture, std::string_view fault,
-                  IsWanted is_wanted) {
+void check_values(const std::string& name, const render::Picture& picture, std::string_view what,
+                  std::string_view fault, IsWanted is_wanted) {
   static constexpr std::array<std::string_view, 3> kChannels{"red", "green", "blue"};
   std::size_t count = 0;
   std::string first;
@@ -42,7 +42,7 @@ void check_values(const std::string& name, const render::Picture& picture, std::
   }
   if (count == 0) return;
   throw IoError("compare", name,
-                fmt::format("{} of its values {} {}; the first is {}", count,
+                fmt::format("{} of its {} {} {}; the first is {}", count, what,
                             count == 1 ? "is" : "are", fault, first));
 }
 
@@ -52,9 +52,10 @@ PictureFile read(const std::string& name) {
   }
   picture_format(name, "read");
   PictureFile file = render::read_picture_file(name);
-  check_values(name, file.picture, "no finite numbers", [](double v) { return std::isfinite(v); });
+  check_values(name, file.picture, "values", "not finite",
+               [](double v) { return std::isfinite(v); });
   if (file.variance) {
-    check_values(name, *file.variance, "of the variance and no numbers from 0 on",
+    check_values(name, *file.variance, "variances", "negative or not finite",
                  [](double v) { return std::isfinite(v) && v >= 0; });
   }
   return file;

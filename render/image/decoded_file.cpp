@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 
 std::vector<std::byte> read_file(const fs::path& path) {
   // A stream opens a folder without complaint and fails only later, without saying why.
-  if (fs::is_directory(path)) throw IoError("read", path, "it is a folder");
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) throw IoError("read", path, "it is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError("read", path, std::generic_category().message(errno));
   const std::string bytes(std::istreambuf_iterator<char>(file), {});

@@ -380,9 +380,9 @@ std::vector<std::string> page_paths() {
     paths.push_back(fs::relative(entry.path(), root).string());
   }
   std::ranges::sort(paths);
-  paths.insert(paths.begin(),
-               {"README.md", "docs/language.md", "docs/mistakes.md", "docs/json-config.md",
-                "docs/format.md", "docs/convert.md", "docs/lint.md", "docs/aov.md"});
+  paths.insert(paths.begin(), {"README.md", "docs/language.md", "docs/mistakes.md",
+                               "docs/json-config.md", "docs/format.md", "docs/convert.md",
+                               "docs/lint.md", "docs/aov.md", "docs/compare.md"});
   return paths;
 }
 

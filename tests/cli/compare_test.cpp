@@ -1,0 +1,617 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "render/compare/color_map.hpp"
+#include "render/image/image.hpp"
+#include "tests/support/oiio_file.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace sdlc::test {
+namespace {
+
+using Json = nlohmann::json;
+using render::ImageFormat;
+using render::LinearRgb;
+using render::Picture;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::MatchesRegex;
+using testing::Not;
+using testing::StartsWith;
+
+/// Smooth, every channel another, from 0.1 to 0.9.
+Picture gradient(int width = 12, int height = 8) {
+  Picture picture(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double u = 0.1 + 0.8 * x / width, v = 0.1 + 0.8 * y / height;
+      picture.at(x, y) = {u, v, 1 - u};
+    }
+  }
+  return picture;
+}
+
+class CompareCommand : public testing::Test {
+ protected:
+  void write(const std::string& name, const Picture& picture,
+             render::Tone tone = render::Tone::Srgb,
+             const std::vector<std::pair<std::string, std::string>>& entries = {}) {
+    render::write_picture(folder_ / name, picture,
+                          {.format = render::image_format_of(name).value(),
+                           .tone = tone,
+                           .metadata = {.entries = entries}});
+  }
+  /// Both with a variance of that size everywhere.
+  void write_noisy(const std::string& name, const Picture& picture, float variance) {
+    std::vector<render::Layer> layers;
+    for (const char* channel : {"variance.R", "variance.G", "variance.B"}) {
+      layers.push_back({channel, std::vector<float>(picture.pixels.size(), variance)});
+    }
+    render::write_picture(folder_ / name, picture, {.format = ImageFormat::Exr, .layers = layers});
+  }
+  ProgramResult run(const std::string& command) { return run_shell(folder_.path(), command); }
+  ProgramResult compare(const std::string& arguments) {
+    return run("\"$SDLC\" compare " + arguments);
+  }
+  Json json(const std::string& arguments) {
+    return Json::parse(compare(arguments + " --format json").out);
+  }
+
+  TemporaryFolder folder_;
+};
+
+// --- What is told ---
+
+TEST_F(CompareCommand, MeasuresLinearRadianceInLinearFiles) {
+  const Picture reference(10, 10, LinearRgb(0.5));
+  Picture picture = reference;
+  picture.at(3, 7).g = 0.75;
+  write("a.exr", picture);
+  write("b.exr", reference);
+  const Json report = json("a.exr b.exr");
+  EXPECT_EQ(report["a"], "a.exr");
+  EXPECT_EQ(report["b"], "b.exr");
+  EXPECT_EQ(report["width"], 10);
+  EXPECT_EQ(report["height"], 10);
+  EXPECT_EQ(report["values"], "linear radiance");
+  const double rmse = 0.25 / std::sqrt(300);
+  EXPECT_DOUBLE_EQ(report["rmse"], rmse);
+  EXPECT_DOUBLE_EQ(report["relative_error"], rmse / 0.5);
+  EXPECT_DOUBLE_EQ(report["relative_mse"], 0.0625 / 0.26 / 300);
+  EXPECT_EQ(report["relative_mse_trimmed"], 0) << "the one pixel of a hundred is left out";
+  EXPECT_DOUBLE_EQ(report["psnr"], -20 * std::log10(rmse));
+  EXPECT_GT(report["flip"], 0);
+  EXPECT_EQ(report["max_difference"],
+            (Json{{"value", 0.25}, {"x", 3}, {"y", 7}, {"channel", "green"}}));
+  EXPECT_EQ(report["z_test"], nullptr);
+  EXPECT_THAT(report["gates"], IsEmpty());
+  EXPECT_THAT(report["notes"], IsEmpty());
+  EXPECT_EQ(report["output"], nullptr);
+}
+
+TEST_F(CompareCommand, MeasuresCodesAsSharesOfWhite) {
+  write("a.png", Picture(4, 4, LinearRgb(1)));
+  write("b.tiff", Picture(4, 4, LinearRgb(0)));
+  const Json report = json("a.png b.tiff");
+  EXPECT_EQ(report["values"], "codes / 255");
+  EXPECT_EQ(report["rmse"], 1);
+  EXPECT_EQ(report["relative_error"], nullptr) << "the reference is black";
+  EXPECT_EQ(report["psnr"], 0);
+}
+
+TEST_F(CompareCommand, TellsPeopleTheSame) {
+  write("a.exr", Picture(10, 10, LinearRgb(0.6)));
+  write("b.exr", Picture(10, 10, LinearRgb(0.5)));
+  const ProgramResult result = compare("a.exr b.exr");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_THAT(result.out, StartsWith("a.exr against b.exr: 10 x 10 pixels, linear radiance\n"));
+  for (const char* line :
+       {"  RMSE                 0.1\n",
+        "  relative error       20 %          RMSE / mean of the reference\n",
+        "  relative MSE         0.03846\n", "  PSNR                 20 dB         peak 1\n",
+        "mean, at 67.02 pixels per degree\n",
+        "  largest difference   0.1           at (0, 0), red\n",
+        "descriptive: without the worst 1 % of pixels\n"}) {
+    EXPECT_THAT(result.out, HasSubstr(line));
+  }
+}
+
+TEST_F(CompareCommand, HasAFormOfOneLine) {
+  write("a.exr", Picture(10, 10, LinearRgb(0.6)));
+  write("b.exr", Picture(10, 10, LinearRgb(0.5)));
+  EXPECT_THAT(compare("a.exr b.exr --format concise").out,
+              MatchesRegex("rmse=0.1 relative_error=0.2 relative_mse=0.038[0-9]* "
+                           "relative_mse_trimmed=0.038[0-9]* psnr=20 flip=[0-9.]* "
+                           "max_difference=0.1\n"));
+}
+
+TEST_F(CompareCommand, FindsNoDifferenceBetweenAFileAndItself) {
+  write("a.png", gradient());
+  const Json report = json("a.png a.png");
+  EXPECT_EQ(report["rmse"], 0);
+  EXPECT_EQ(report["flip"], 0);
+  EXPECT_EQ(report["psnr"], nullptr);
+  EXPECT_EQ(report["max_difference"]["value"], 0);
+  EXPECT_EQ(compare("a.png a.png --max-difference 0 --min-psnr 200").exit_code, 0);
+}
+
+TEST_F(CompareCommand, ComparesFormatsOfOneKind) {
+  write("a.png", gradient());
+  write("b.webp", gradient());
+  write("c.ppm", gradient());
+  EXPECT_LT(json("b.webp a.png")["max_difference"]["value"], 0.2);
+  EXPECT_EQ(json("c.ppm a.png")["rmse"], 0);
+  write("a.exr", Picture(4, 4, LinearRgb(0.5)));
+  write("b.hdr", Picture(4, 4, LinearRgb(0.5)));
+  EXPECT_EQ(json("b.hdr a.exr")["rmse"], 0);
+}
+
+// FLIP takes radiance: two files of one picture with different curves show the same.
+TEST_F(CompareCommand, DecodesCodesForFlipByTheTone) {
+  const Picture bright(16, 16, LinearRgb(0.5)), dark(16, 16, LinearRgb(0.1));
+  write("a.exr", bright);
+  write("b.exr", dark);
+  const double expected = json("a.exr b.exr")["flip"];
+  for (const render::Tone tone : {render::Tone::Srgb, render::Tone::Sqrt, render::Tone::Linear}) {
+    const std::string name(name_of(tone));
+    write("a.png", bright, tone, {{"sdlc:tone", name}});
+    write("b.png", dark, tone, {{"sdlc:tone", name}});
+    // The codes are rounded.
+    EXPECT_NEAR(json("a.png b.png")["flip"], expected, 0.02) << name;
+  }
+}
+
+TEST_F(CompareCommand, TakesAnUntoldToneForThatOfTheOther) {
+  write("a.png", gradient(), render::Tone::Sqrt, {{"sdlc:tone", "sqrt"}});
+  write("b.tiff", gradient(), render::Tone::Sqrt);
+  EXPECT_THAT(json("a.png b.tiff")["notes"],
+              ElementsAre("b.tiff does not tell its tone, which is taken for that of the other, "
+                          "sqrt"));
+}
+
+TEST_F(CompareCommand, NamesChannelsThatItDoesNotCompare) {
+  write_oiio_file(folder_ / "a.exr", {float_spec(4, 4, {"R", "G", "B", "A", "Z"})});
+  write_oiio_file(folder_ / "b.exr", {float_spec(4, 4, {"R", "G", "B"})});
+  EXPECT_THAT(json("a.exr b.exr")["notes"], ElementsAre("not compared: A, Z of a.exr"));
+}
+
+TEST_F(CompareCommand, CallsGreyGrey) {
+  OIIO::ImageSpec spec = float_spec(4, 4, {"Y"});
+  spec.format = OIIO::TypeDesc::UINT8;
+  write_oiio_file(folder_ / "a.png", {spec}, 0.5F);
+  write_oiio_file(folder_ / "b.png", {spec}, 0.6F);
+  EXPECT_EQ(json("a.png b.png")["max_difference"]["channel"], "grey");
+}
+
+TEST_F(CompareCommand, SeesLessFromFartherAway) {
+  // Fine noise, which blurs into grey.
+  Picture noise(64, 64);
+  for (int i = 0; i < 64 * 64; ++i) noise.at(i % 64, i / 64) = LinearRgb(i * i % 97 / 97.0);
+  write("a.exr", noise);
+  write("b.exr", Picture(64, 64, LinearRgb(0.5)));
+  EXPECT_LT(json("a.exr b.exr --pixels-per-degree 200")["flip"],
+            0.5 * json("a.exr b.exr --pixels-per-degree 20")["flip"].get<double>());
+  EXPECT_THAT(compare("a.exr b.exr --pixels-per-degree 0.5").err,
+              HasSubstr("takes a number from 1 on"));
+  EXPECT_EQ(compare("a.exr b.exr --pixels-per-degree 2000").exit_code, 2);
+}
+
+// --- Gates ---
+
+struct GateCase {
+  const char* name;
+  const char* passes;
+  const char* breaks;
+  const char* told;
+};
+
+class CompareGate : public CompareCommand, public testing::WithParamInterface<GateCase> {};
+INSTANTIATE_TEST_SUITE_P(
+    Compare, CompareGate,
+    testing::Values(
+        GateCase{"Rmse", "--max-rmse 0.11", "--max-rmse 0.09",
+                 "error: the RMSE is 0.1, more than the 0.09 of --max-rmse\n"},
+        GateCase{"RelativeError", "--max-relative-error 21%", "--max-relative-error 0.19",
+                 "error: the relative error is 0.2, more than the 0.19 of --max-relative-error\n"},
+        GateCase{"RelativeMse", "--max-relative-mse 0.04", "--max-relative-mse 0.03",
+                 "of --max-relative-mse\n"},
+        GateCase{"Flip", "--max-flip 1", "--max-flip 0.01", "of --max-flip\n"},
+        GateCase{"Difference", "--max-difference 0.11", "--max-difference 0",
+                 "error: the largest difference is 0.1, more than the 0 of --max-difference\n"},
+        GateCase{"Psnr", "--min-psnr 19.9", "--min-psnr 20.1",
+                 "error: the PSNR is 20, less than the 20.1 of --min-psnr\n"},
+        GateCase{"Z", "--max-z 40", "--max-z 10", "of --max-z\n"}),
+    [](const auto& gate) { return gate.param.name; });
+
+TEST_P(CompareGate, EndsTheCommandWithOneWhereItIsBroken) {
+  const auto& [name, passes, breaks, told] = GetParam();
+  // The difference is negative, so that its size counts.
+  write_noisy("a.exr", Picture(10, 10, LinearRgb(0.4)), 0.001F);
+  write_noisy("b.exr", Picture(10, 10, LinearRgb(0.5)), 0.001F);
+  const ProgramResult passed = compare(std::string("a.exr b.exr ") + passes);
+  EXPECT_EQ(passed.exit_code, 0);
+  EXPECT_EQ(passed.err, "");
+  const ProgramResult broken = compare(std::string("a.exr b.exr ") + breaks);
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_THAT(broken.err, HasSubstr(told));
+  EXPECT_THAT(broken.out, StartsWith("a.exr against b.exr")) << "the report is there all the same";
+  const Json gates = json(std::string("a.exr b.exr ") + breaks)["gates"];
+  ASSERT_EQ(gates.size(), 1u);
+  EXPECT_EQ(gates[0]["passed"], false);
+  EXPECT_THAT(breaks, HasSubstr(gates[0]["name"].get<std::string>()));
+}
+
+TEST_F(CompareCommand, TellsEachGateThatIsBroken) {
+  write("a.exr", Picture(10, 10, LinearRgb(0.6)));
+  write("b.exr", Picture(10, 10, LinearRgb(0.5)));
+  const ProgramResult result =
+      compare("a.exr b.exr --max-rmse 0.01 --max-flip 1 --min-psnr 90 --quiet");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(std::ranges::count(result.err, '\n'), 2) << result.err;
+  EXPECT_EQ(result.out, "");
+}
+
+TEST_F(CompareCommand, PassesAGateAtItsLimit) {
+  write("a.exr", Picture(10, 10, LinearRgb(0.75)));
+  write("b.exr", Picture(10, 10, LinearRgb(0.5)));
+  EXPECT_EQ(compare("a.exr b.exr --max-rmse 0.25 --max-difference 0.25").exit_code, 0);
+}
+
+TEST_F(CompareCommand, NeedsAVarianceForAGateOnZ) {
+  write("a.exr", gradient());
+  write_noisy("b.exr", gradient(), 1);
+  const ProgramResult result = compare("a.exr b.exr --max-z 4");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("--max-z takes two .exr files with a variance, of `sdlc render "
+                                    "--aov variance`"));
+  EXPECT_THAT(json("a.exr b.exr")["notes"], ElementsAre("no z-test: a.exr has no variance"));
+}
+
+TEST_F(CompareCommand, RefusesLimitsThatAreNoNumbers) {
+  write("a.exr", gradient());
+  for (const char* limit : {"x", "''", "-1", "nan", "inf", "1e999", "0,5", "0.5x", "0x1"}) {
+    const ProgramResult result = compare(std::string("a.exr a.exr --max-rmse ") + limit);
+    EXPECT_EQ(result.exit_code, 2) << limit;
+    EXPECT_THAT(result.err, HasSubstr("--max-rmse")) << limit;
+  }
+  EXPECT_THAT(compare("a.exr a.exr --max-fip 1").err, HasSubstr("did you mean `--max-flip`?"));
+}
+
+// --- Pictures of the difference ---
+
+TEST_F(CompareCommand, ShowsTheDifferenceInColours) {
+  const Picture reference(3, 1, LinearRgb(0.5));
+  Picture picture = reference;
+  picture.at(1, 0) = LinearRgb(0.75);
+  picture.at(2, 0) = LinearRgb(0);
+  write("a.exr", picture);
+  write("b.exr", reference);
+  const Json output = json("a.exr b.exr -o d.png")["output"];
+  EXPECT_EQ(output, (Json{{"path", "d.png"}, {"what", "difference"}, {"top", 0.5}}));
+  const auto code = [](double share) {
+    const LinearRgb c = render::mapped_color(share);
+    return LinearRgb(to_code8(render::Tone::Srgb, c.r), to_code8(render::Tone::Srgb, c.g),
+                     to_code8(render::Tone::Srgb, c.b)) /
+           255;
+  };
+  Picture shown = render::read_picture(folder_ / "d.png");
+  EXPECT_EQ(shown.at(0, 0), code(0));
+  EXPECT_EQ(shown.at(1, 0), code(0.5));
+  EXPECT_EQ(shown.at(2, 0), code(1));
+  EXPECT_EQ(json("a.exr b.exr -o d.png --top 1")["output"]["top"], 1);
+  shown = render::read_picture(folder_ / "d.png");
+  EXPECT_EQ(shown.at(1, 0), code(0.25));
+  EXPECT_EQ(shown.at(2, 0), code(0.5));
+}
+
+TEST_F(CompareCommand, WritesTheSignedDifferenceToExr) {
+  write("a.exr", Picture(2, 2, {0.25, 0.5, 1}));
+  write("b.exr", Picture(2, 2, {0.5, 0.5, 0.5}));
+  EXPECT_EQ(compare("a.exr b.exr -o d.exr").exit_code, 0);
+  EXPECT_EQ(render::read_picture(folder_ / "d.exr").at(1, 1), LinearRgb(-0.25, 0, 0.5));
+}
+
+TEST_F(CompareCommand, ShowsTheFlipMap) {
+  Picture picture = gradient(40, 40);
+  picture.at(20, 20) = LinearRgb(0);
+  write("a.exr", picture);
+  write("b.exr", gradient(40, 40));
+  EXPECT_EQ(json("a.exr b.exr -o d.png --what flip")["output"],
+            (Json{{"path", "d.png"}, {"what", "flip"}, {"top", 1}}));
+  const double mean = json("a.exr b.exr -o d.exr --what flip")["flip"];
+  const Picture map = render::read_picture(folder_ / "d.exr");
+  EXPECT_GT(map.at(20, 20).r, 0.1);
+  EXPECT_EQ(map.at(20, 20).r, map.at(20, 20).b);
+  EXPECT_EQ(map.at(0, 0).r, 0);
+  double sum = 0;
+  for (const LinearRgb c : map.pixels) sum += c.g;
+  EXPECT_NEAR(sum / 1600, mean, 1e-9);
+}
+
+TEST_F(CompareCommand, ShowsTheDifferenceBesideABrokenGate) {
+  write("a.exr", Picture(2, 2, LinearRgb(1)));
+  write("b.exr", Picture(2, 2, LinearRgb(0)));
+  EXPECT_EQ(compare("a.exr b.exr -o d.png --max-rmse 0.1").exit_code, 1);
+  EXPECT_THAT(names_in(folder_.path()), ElementsAre("a.exr", "b.exr", "d.png"));
+}
+
+TEST_F(CompareCommand, RefusesOutputsThatCannotBe) {
+  write("a.exr", gradient());
+  write("b.exr", gradient());
+  run("ln -s a.exr link.exr");
+  const auto refusal = [&](const std::string& flags) {
+    const ProgramResult result = compare("a.exr b.exr " + flags);
+    EXPECT_EQ(result.exit_code, 2) << flags;
+    EXPECT_EQ(result.out, "") << flags;
+    return result.err;
+  };
+  const std::string before = content_of(folder_ / "a.exr");
+  for (const char* name : {"a.exr", "./b.exr", "link.exr"}) {
+    EXPECT_THAT(refusal(std::string("-o ") + name),
+                HasSubstr("it is one of the pictures to compare"));
+  }
+  EXPECT_EQ(content_of(folder_ / "a.exr"), before);
+  EXPECT_THAT(refusal("-o d.hdr"), HasSubstr("holds no negative values; .exr does"));
+  EXPECT_THAT(refusal("-o d.pgn"), HasSubstr("(did you mean `png`?)"));
+  EXPECT_THAT(refusal("-o none/d.png"), HasSubstr("none/d.png"));
+  EXPECT_THAT(refusal("-o -"), HasSubstr("name a file"));
+  EXPECT_THAT(refusal("-o d.exr --top 1"), HasSubstr("--top is for the colours of a .png"));
+  EXPECT_THAT(refusal("--top 1"), HasSubstr("--top is of the picture that -o writes"));
+  EXPECT_THAT(refusal("--what flip"), HasSubstr("--what is of the picture that -o writes"));
+  EXPECT_THAT(refusal("-o d.png --what flipp"), HasSubstr("(did you mean `flip`?)"));
+  EXPECT_THAT(names_in(folder_.path()), ElementsAre("a.exr", "b.exr", "link.exr"));
+}
+
+// --- The z-test ---
+
+constexpr const char* kScene = R"(scene 1
+param shade = 0.7
+camera main { from: (0, 1, 5), at: (0, 0.5, 0), fov: 30deg }
+sphere ground { center: (0, -1000, 0), radius: 1000, material: diffuse(color: gray) }
+sphere ball { center: (0, 0.5, 0), radius: 0.5, material: diffuse(color: shade * white) }
+render { width: 64, height: 48, samples: 32, depth: 8 }
+)";
+
+// H0: the same scene. Noise alone goes beyond 4 in one of some 4500 pairs of seeds.
+TEST_F(CompareCommand, TellsNoiseFromADifference) {
+  write_text(folder_ / "s.scene", kScene);
+  const std::string render = "\"$SDLC\" render s.scene --quiet --aov variance ";
+  EXPECT_EQ(run(render + "-o a.exr --seed 1").err, "");
+  EXPECT_EQ(run(render + "-o b.exr --seed 2").err, "");
+  EXPECT_EQ(run(render + "-o c.exr --seed 3 --set shade=0.67").err, "");
+  const ProgramResult same = compare("a.exr b.exr --max-z 4");
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_THAT(same.out, HasSubstr("z of the means"));
+  EXPECT_THAT(same.out, Not(HasSubstr("note")));
+  const ProgramResult changed = compare("c.exr b.exr --max-z 4");
+  EXPECT_EQ(changed.exit_code, 1) << changed.out;
+  const Json test = json("c.exr b.exr")["z_test"];
+  EXPECT_LT(test["mean_z"][1], -4);
+  EXPECT_LT(test["mean_p"], 1e-3);
+}
+
+TEST_F(CompareCommand, SaysThatPicturesOfOneSeedShareTheirNoise) {
+  write_text(folder_ / "s.scene", kScene);
+  for (const std::string name : {"a", "b"}) {
+    run("\"$SDLC\" render s.scene --quiet --aov variance --seed 7 -o " + name + ".exr");
+  }
+  EXPECT_THAT(json("a.exr b.exr")["notes"].dump(),
+              HasSubstr("both are of seed 7: they share noise, of which the z-test knows nothing, "
+                        "and it finds too little; give one of them another --seed"));
+}
+
+TEST_F(CompareCommand, RefusesTonesThatDiffer) {
+  write_text(folder_ / "s.scene", kScene);
+  run("\"$SDLC\" render s.scene --quiet -o a.png --tone srgb -o a.exr");
+  run("\"$SDLC\" render s.scene --quiet -o b.png --tone sqrt");
+  const ProgramResult result = compare("a.png b.png");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err,
+              HasSubstr("`a.png` has codes of the tone srgb and `b.png` of sqrt; render "
+                        "one of them with the other's --tone, or compare .exr files"));
+}
+
+// --- What cannot be compared ---
+
+/// The file `bad`, made beside good.exr and good.png of 12 x 8 pixels, is compared with `with`.
+struct BrokenCase {
+  const char* name;
+  const char* bad;
+  const char* with;
+  std::function<void(const TemporaryFolder&)> make;
+  const char* told;
+};
+
+void write_good(const std::filesystem::path& path) {
+  render::write_picture(path, gradient(), {.format = render::image_format_of(path).value()});
+}
+
+/// A good picture without its last `share`.
+std::function<void(const TemporaryFolder&)> cut(const std::string& name, double share) {
+  return [=](const TemporaryFolder& folder) {
+    write_good(folder / name);
+    const std::string whole = content_of(folder / name);
+    write_text(
+        folder / name,
+        whole.substr(0, static_cast<std::size_t>((1 - share) * static_cast<double>(whole.size()))));
+  };
+}
+
+std::function<void(const TemporaryFolder&)> text(const std::string& name,
+                                                 const std::string& content) {
+  return [=](const TemporaryFolder& folder) { write_text(folder / name, content); };
+}
+
+/// good.exr with another value in green of the pixel (5, 3).
+std::function<void(const TemporaryFolder&)> with_value(double value) {
+  return [=](const TemporaryFolder& folder) {
+    Picture picture = gradient();
+    picture.at(5, 3).g = value;
+    render::write_picture(folder / "bad.exr", picture, {.format = ImageFormat::Exr});
+    // Infinity is not lost on the way.
+    ASSERT_FALSE(std::isfinite(render::read_picture(folder / "bad.exr").at(5, 3).g));
+  };
+}
+
+std::function<void(const TemporaryFolder&)> channels(std::vector<std::string> names,
+                                                     float value = 0.5F) {
+  return [=](const TemporaryFolder& folder) {
+    write_oiio_file(folder / "bad.exr", {float_spec(12, 8, names)}, value);
+  };
+}
+
+std::function<void(const TemporaryFolder&)> parts(const std::string& name, OIIO::TypeDesc type) {
+  return [=](const TemporaryFolder& folder) {
+    OIIO::ImageSpec spec = float_spec(12, 8, {"R", "G", "B"});
+    spec.format = type;
+    std::vector<OIIO::ImageSpec> specs(2, spec);
+    specs[0].attribute("oiio:subimagename", "left");
+    specs[1].attribute("oiio:subimagename", "right");
+    write_oiio_file(folder / name, specs);
+  };
+}
+
+std::vector<BrokenCase> broken_cases() {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto nothing = [](const TemporaryFolder&) {};
+  return {
+      {"Missing", "bad.png", "good.png", nothing, "No such file or directory"},
+      {"Folder", "bad.png", "good.png",
+       [](const TemporaryFolder& folder) { std::filesystem::create_directory(folder / "bad.png"); },
+       "it is a folder"},
+      {"Empty", "bad.png", "good.png", text("bad.png", ""), "it is empty"},
+      {"StandardInput", "-", "good.png", nothing,
+       "pictures are not read from standard input: their names tell the format"},
+      {"NoExtension", "bad", "good.png", text("bad", "x"), "the name has no extension"},
+      {"UnknownExtension", "bad.pgn", "good.png", text("bad.pgn", "x"),
+       "unknown extension `.pgn`; known are png exr hdr tiff tif jpg jpeg webp ppm gif (did you "
+       "mean `png`?)"},
+      {"ContentOfAnotherFormat", "bad.png", "good.png",
+       [](const TemporaryFolder& folder) {
+         std::filesystem::copy(folder / "good.exr", folder / "bad.png");
+       },
+       "its content is OpenEXR, not PNG; call it .exr"},
+      {"NoPicture", "bad.exr", "good.exr", text("bad.exr", "hello, world"),
+       "cannot read `bad.exr`"},
+      {"CutPng", "bad.png", "good.png", cut("bad.png", 0.01), "cannot read `bad.png`"},
+      {"CutExr", "bad.exr", "good.exr", cut("bad.exr", 0.2), "cannot read `bad.exr`"},
+      {"CutHdr", "bad.hdr", "good.exr", cut("bad.hdr", 0.2), "cannot read `bad.hdr`"},
+      {"CutJpeg", "bad.jpg", "good.png", cut("bad.jpg", 0.2), "cannot read `bad.jpg`"},
+      {"CutTiff", "bad.tiff", "good.png", cut("bad.tiff", 0.4), "cannot read `bad.tiff`"},
+      {"CutWebP", "bad.webp", "good.png", cut("bad.webp", 0.2), "cannot read `bad.webp`"},
+      {"CutPpm", "bad.ppm", "good.png", cut("bad.ppm", 0.1), "cannot read `bad.ppm`"},
+      {"CutGif", "bad.gif", "good.png", cut("bad.gif", 0.1), "cannot read `bad.gif`"},
+      {"OtherSize", "bad.png", "good.png",
+       [](const TemporaryFolder& folder) {
+         render::write_picture(folder / "bad.png", gradient(8, 12), {});
+       },
+       "only pictures of one size can be compared"},
+      {"Nan", "bad.exr", "good.exr", with_value(std::nan("")),
+       "cannot compare `bad.exr`: 1 of its values is not finite; the first is nan in green "
+       "of the pixel (5, 3)"},
+      {"Infinity", "bad.exr", "good.exr", with_value(-kInfinity),
+       "the first is -inf in green of the pixel (5, 3)"},
+      {"LinearAndCodes", "good.exr", "good.png", nothing,
+       "`good.exr` holds linear radiance and `good.png` the codes of a tone curve; compare two "
+       "files of one kind"},
+      {"GreyAndColour", "bad.ppm", "good.png",
+       [](const TemporaryFolder& folder) {
+         write_text(folder / "bad.ppm", "P5\n12 8\n255\n" + std::string(96, 'x'));
+       },
+       "`bad.ppm` is grey and `good.png` has colours"},
+      {"OnlyY", "bad.exr", "good.exr", channels({"Y"}), "its channels are Y"},
+      {"OnlyXyz", "bad.exr", "good.exr", channels({"X", "Y", "Z"}), "its channels are X, Y, Z"},
+      {"OnlyALayer", "bad.exr", "good.exr", channels({"beauty.R", "beauty.G", "beauty.B"}),
+       "it has no channels R, G and B; its channels are beauty.R, beauty.G, beauty.B"},
+      {"TwoParts", "bad.exr", "good.exr", parts("bad.exr", OIIO::TypeDesc::FLOAT),
+       "it holds 2 pictures"},
+      {"AnimatedGif", "bad.gif", "good.png", parts("bad.gif", OIIO::TypeDesc::UINT8),
+       "it holds 2 pictures; take the one that is meant out of it"},
+      {"Crop", "bad.exr", "good.exr",
+       [](const TemporaryFolder& folder) {
+         OIIO::ImageSpec spec = float_spec(12, 8, {"R", "G", "B"});
+         spec.full_width = 100;
+         write_oiio_file(folder / "bad.exr", {spec});
+       },
+       "it holds 12 x 8 pixels at (0, 0) of a picture of 100 x 8 at (0, 0), a crop"},
+      {"PartOfAVariance", "bad.exr", "good.exr", channels({"R", "G", "B", "variance.G"}),
+       "of variance.R, variance.G, variance.B it has some but not all"},
+      {"NegativeVariance", "bad.exr", "good.exr",
+       channels({"R", "G", "B", "variance.R", "variance.G", "variance.B"}, -0.25F),
+       "288 of its variances are negative or not finite; the first is -0.25 in red of the pixel "
+       "(0, 0)"},
+      {"VarianceOfNan", "bad.exr", "good.exr",
+       channels({"R", "G", "B", "variance.R", "variance.G", "variance.B"},
+                std::numeric_limits<float>::quiet_NaN()),
+       "cannot compare `bad.exr`"},
+      {"TooManyPixels", "bad.ppm", "good.png", text("bad.ppm", "P6\n100000 100000\n255\n"),
+       "it has more than 268435456 pixels"},
+      {"FloatTiff", "bad.tiff", "good.png",
+       [](const TemporaryFolder& folder) {
+         write_oiio_file(folder / "bad.tiff", {float_spec(12, 8, {"R", "G", "B"})});
+       },
+       "its values are no codes of 8 or 16 bits"},
+      {"TerminalCodesInTheName", "'bad\033[31m.exr'", "good.exr", nothing, "bad"},
+      {"LinkToItself", "bad.tif", "good.png",
+       [](const TemporaryFolder& folder) {
+         std::filesystem::create_symlink("bad.tif", folder / "bad.tif");
+       },
+       "cannot read `bad.tif`: Too many levels of symbolic links"},
+  };
+}
+
+class CompareRefuses : public CompareCommand, public testing::WithParamInterface<BrokenCase> {};
+INSTANTIATE_TEST_SUITE_P(Compare, CompareRefuses, testing::ValuesIn(broken_cases()),
+                         [](const auto& broken) { return broken.param.name; });
+
+TEST_P(CompareRefuses, WhatItCannotCompare) {
+  const BrokenCase& broken = GetParam();
+  write_good(folder_ / "good.exr");
+  write_good(folder_ / "good.png");
+  broken.make(folder_);
+  for (const std::string& files :
+       {std::string(broken.bad) + " " + broken.with, std::string(broken.with) + " " + broken.bad}) {
+    const ProgramResult result = compare(files + " -o diff.png");
+    EXPECT_EQ(result.exit_code, 2) << files;
+    EXPECT_EQ(result.out, "") << files;
+    EXPECT_THAT(result.err, StartsWith("error: ")) << files;
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    EXPECT_THAT(result.err, Not(HasSubstr("\033")));
+    EXPECT_THAT(result.err, HasSubstr(broken.told)) << files;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "diff.png"));
+  }
+}
+
+TEST_F(CompareCommand, TellsBothSizes) {
+  write("a.png", gradient(8, 12));
+  write("b.png", gradient(12, 8));
+  EXPECT_THAT(compare("a.png b.png").err,
+              HasSubstr("`a.png` has 8 x 12 pixels and `b.png` 12 x 8;"));
+}
+
+// --- The same by another program ---
+
+TEST_F(CompareCommand, MeasuresWhatNumpyDoes) {
+  if (run("/usr/bin/python3 -c 'import numpy, OpenImageIO'").exit_code != 0) {
+    GTEST_SKIP() << "no python3-numpy and python3-openimageio here";
+  }
+  const ProgramResult result =
+      run("/usr/bin/python3 '" SDLC_SOURCE_DIR "/tests/cli/check_compare.py' \"$SDLC\" .");
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_THAT(result.out, HasSubstr("flip: "));
+}
+
+}  // namespace
+}  // namespace sdlc::test
