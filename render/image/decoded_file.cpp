@@ -25,6 +25,10 @@ std::vector<std::byte> read_file(const fs::path& path) {
   // A stream opens a folder without complaint and fails only later, without saying why.
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) throw IoError("read", path, "it is a folder");
+  // A pipe may keep us waiting, and a device has no end.
+  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) {
+    throw IoError("read", path, "it is no regular file");
+  }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError("read", path, std::generic_category().message(errno));
   const std::string bytes(std::istreambuf_iterator<char>(file), {});
@@ -49,17 +53,23 @@ std::optional<ImageFormat> format_by_content(std::span<const std::byte> file) {
   for (const Beginning& beginning : kBeginnings) {
     if (text.starts_with(beginning.bytes)) return beginning.format;
   }
+  // P1 to P6: colours, grey and black and white, as text and as bytes.
+  if (text.size() >= 2 && text[0] == 'P' && text[1] >= '1' && text[1] <= '6') {
+    return ImageFormat::Ppm;
+  }
   return std::nullopt;
 }
 
 void check_content(std::span<const std::byte> file, ImageFormat format, const fs::path& path) {
   if (file.empty()) throw IoError("read", path, "it is empty");
   const std::optional<ImageFormat> content = format_by_content(file);
-  if (!content || *content == format) return;
+  if (content == format) return;
+  const std::string_view name = describe(format).name;
+  if (!content) throw IoError("read", path, fmt::format("its content is not {}", name));
   const ImageFormatInfo& info = describe(*content);
-  throw IoError("read", path,
-                fmt::format("its content is {}, not {}; call it .{}", info.name,
-                            describe(format).name, info.extensions[0]));
+  throw IoError(
+      "read", path,
+      fmt::format("its content is {}, not {}; call it .{}", info.name, name, info.extensions[0]));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 #include "render/compare/color_map.hpp"
 #include "render/image/image.hpp"
@@ -504,7 +505,7 @@ std::vector<BrokenCase> broken_cases() {
        },
        "its content is OpenEXR, not PNG; call it .exr"},
       {"NoPicture", "bad.exr", "good.exr", text("bad.exr", "hello, world"),
-       "cannot read `bad.exr`"},
+       "its content is not OpenEXR"},
       {"CutPng", "bad.png", "good.png", cut("bad.png", 0.01), "cannot read `bad.png`"},
       {"CutExr", "bad.exr", "good.exr", cut("bad.exr", 0.2), "cannot read `bad.exr`"},
       {"CutHdr", "bad.hdr", "good.exr", cut("bad.hdr", 0.2), "cannot read `bad.hdr`"},
@@ -563,6 +564,11 @@ std::vector<BrokenCase> broken_cases() {
          write_oiio_file(folder / "bad.tiff", {float_spec(12, 8, {"R", "G", "B"})});
        },
        "its values are no codes of 8 or 16 bits"},
+      {"Pipe", "bad.png", "good.png",
+       [](const TemporaryFolder& folder) {
+         ASSERT_EQ(::mkfifo((folder / "bad.png").c_str(), 0600), 0);
+       },
+       "it is no regular file"},
       {"TerminalCodesInTheName", "'bad\033[31m.exr'", "good.exr", nothing, "bad"},
       {"LinkToItself", "bad.tif", "good.png",
        [](const TemporaryFolder& folder) {
