@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
@@ -65,7 +66,7 @@ Oklab between(Oklab a, Oklab b, Oklab c, Oklab d, double t) noexcept {
 std::vector<Oklab> curve() {
   constexpr int kPieces = 256;  // between two colours of the way
   std::vector<Oklab> way;
-  for (const Oklch& color : kWay) way.push_back(to_oklab(color));
+  std::ranges::transform(kWay, std::back_inserter(way), to_oklab);
   // Straight on beyond either end.
   way.insert(way.begin(), 2 * way[0] + -1 * way[1]);
   way.push_back(2 * way.back() + -1 * way[way.size() - 2]);

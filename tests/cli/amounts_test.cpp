@@ -111,5 +111,22 @@ TEST(Amounts, WhatIsRefusedIsShownWithoutItsControlCharacters) {
   EXPECT_THAT(complaint(parse_share, "3\x1b%"), Not(HasSubstr("\x1b")));
 }
 
+TEST(Number, IsAnyFromTheLeastOn) {
+  EXPECT_EQ(parse_number("--flag", "0", 0), 0);
+  EXPECT_EQ(parse_number("--flag", "2.5e-3", 0), 0.0025);
+  EXPECT_EQ(parse_number("--flag", "1", 1), 1);
+}
+
+TEST(Number, RefusesWhatIsNoneAndSaysWhatItTakes) {
+  const auto from_one = [](const std::string& flag, const std::string& text) {
+    return parse_number(flag, text, 1);
+  };
+  for (const char* text : {"", "x", "0.5", "-3", "2x", " 2", "nan", "inf", "1e999"}) {
+    EXPECT_THAT(complaint(from_one, text), StartsWith("--flag: takes a number from 1 on, such as "
+                                                      "`1.5`, not `"))
+        << text;
+  }
+}
+
 }  // namespace
 }  // namespace sdlc::cli
