@@ -1,0 +1,110 @@
+#include "cli/report/figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "cli/numbers/format_numbers.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+constexpr std::string_view kUnknown = "unknown";
+constexpr std::string_view kSpace = "\u00a0";
+
+std::string superscript(int number) {
+  static constexpr std::string_view kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text;
+  for (const char c : fmt::to_string(number)) {
+    text += c == '-' ? "⁻" : kDigits[static_cast<std::size_t>(c - '0')];
+  }
+  return text;
+}
+
+std::string fixed(double number, int decimals) {
+  std::string text = fmt::format("{:.{}f}", number, decimals);
+  if (decimals > 0) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string figure(double number, int digits) {
+  if (!std::isfinite(number)) return std::string(kUnknown);
+  if (number == 0) return "0";
+  const std::string sign = number < 0 ? "−" : "";
+  // Rounded first: 9.996 has an exponent of 1.
+  const std::string rounded = fmt::format("{:.{}e}", std::abs(number), digits - 1);
+  const std::size_t mark = rounded.find('e');
+  const int exponent = std::atoi(rounded.c_str() + mark + 1);
+  if (exponent >= -4 && exponent < 7) {
+    return sign + fixed(std::strtod(rounded.c_str(), nullptr), std::max(0, digits - 1 - exponent));
+  }
+  const std::string mantissa = fixed(std::strtod(rounded.substr(0, mark).c_str(), nullptr), digits);
+  return fmt::format("{}{}10{}", sign, mantissa == "1" ? "" : mantissa + "·",
+                     superscript(exponent));
+}
+
+std::string percent(double share) {
+  if (!std::isfinite(share)) return std::string(kUnknown);
+  return fmt::format("{}{}%", figure(100 * share), kSpace);
+}
+
+std::string percent_tick(double share) {
+  constexpr int kDigits = 6;  // more than any tick has: it hides what rounding left of 0.07 * 100
+  return fmt::format("{}{}%", figure(100 * share, kDigits), kSpace);
+}
+
+std::string duration(double seconds) {
+  constexpr double kLongest = 1e12;  // beyond any whole number of seconds that is worth reading
+  if (!(seconds >= 0 && seconds < kLongest)) return std::string(kUnknown);
+  // With one decimal an interval of a few seconds often has two equal ends.
+  if (seconds >= 1 && seconds < 60) return fmt::format("{}{}s", figure(seconds), kSpace);
+  std::string text;
+  for (const char c : format_seconds(seconds)) text += c == ' ' ? kSpace : std::string_view(&c, 1);
+  return text;
+}
+
+std::string times(double ratio) {
+  return std::isfinite(ratio) ? fmt::format("{}{}times", figure(ratio), kSpace)
+                              : std::string(kUnknown);
+}
+
+std::string count_of(std::uint64_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", format_whole(count), noun, count == 1 ? "" : "s");
+}
+
+std::string Reading::text() const {
+  return interval.empty() ? value : fmt::format("{} ({})", value, interval);
+}
+
+Reading read(const render::Measured& measured, FigureText* as) {
+  Reading reading{.value = as(measured.value), .interval = {}};
+  if (!has_interval(measured)) return reading;
+  std::string from = as(measured.interval.from);
+  const std::string to = as(measured.interval.to);
+  if (!std::isfinite(measured.interval.to)) {
+    reading.interval = fmt::format("at least {}", from);
+    return reading;
+  }
+  // "8.1 to 10 s", but "58.2 s to 1 min 02 s".
+  const auto unit = [](std::string_view text) {
+    const std::size_t space = text.find(kSpace);
+    return space == std::string_view::npos ? std::string_view() : text.substr(space);
+  };
+  if (unit(from) == unit(to)) from.resize(from.size() - unit(from).size());
+  reading.interval = fmt::format("{} to {}", from, to);
+  return reading;
+}
+
+bool has_interval(const render::Measured& measured) noexcept {
+  const auto [from, to] = measured.interval;
+  return std::isfinite(from) && from < to;
+}
+
+}  // namespace sdlc::cli
