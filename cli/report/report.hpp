@@ -48,8 +48,11 @@ struct Report {
 std::string render_flags(const render::Measurement& measurement, const render::Way& way,
                          int samples);
 
-/// "Sobol', light sampling on, float, depth 16"; what all ways share may be left out.
+/// "Sobol', light sampling on, float, depth 16".
 std::string describe_way(const render::Way& way);
+
+/// The same without what all series of the measurement share; all of it where nothing is left.
+std::string describe_way(const render::Measurement& measurement, const render::Way& way);
 
 /// The page: HTML of its own, without scripts and without a network.
 std::string html_report(const Report& report);

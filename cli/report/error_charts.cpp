@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/report/chart.hpp"
+#include "cli/report/html.hpp"
+#include "cli/report/sections.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+std::string seconds_tick(double seconds) {
+  return seconds > 0 && seconds < 1 ? figure(1000 * seconds, 6) + "\u00a0ms"
+                                    : figure(seconds, 6) + "\u00a0s";
+}
+std::string samples_tick(double samples) { return figure(samples, 6); }
+
+MarkLook look_of(render::Standing standing) {
+  switch (standing) {
+    case render::Standing::Front: return MarkLook::Filled;
+    case render::Standing::NotDistinguished: return MarkLook::Hollow;
+    default: return MarkLook::Faded;
+  }
+}
+
+/// The series with the error of each point over what `x` takes from it.
+template <typename X>
+std::vector<ChartSeries> series_over(const render::Measurement& measurement, X&& x) {
+  std::vector<ChartSeries> all;
+  for (std::size_t i = 0; i < measurement.series.size(); ++i) {
+    const render::Series& series = measurement.series[i];
+    ChartSeries drawn{.style = i,
+                      .key = series_key(i),
+                      .name = describe_way(measurement, series.way),
+                      .points = {},
+                      .slope = {}};
+    for (const std::size_t index : series.points) {
+      const render::Point& point = measurement.points[index];
+      drawn.points.push_back(
+          {.x = x(point),
+           .y = point.error,
+           .look = look_of(point.standing),
+           .reading = fmt::format(
+               "{}, {}, error {}", count_of(static_cast<std::uint64_t>(point.samples), "sample"),
+               read(point.seconds, duration).text(), read(point.error, percent).text()),
+           .remark = std::string(words_of(point.standing))});
+    }
+    all.push_back(std::move(drawn));
+  }
+  return all;
+}
+
+std::optional<ChartLevel> reference_level(const render::Measurement& measurement) {
+  if (!measurement.reference) return std::nullopt;
+  const render::Measured& error = measurement.reference->error;
+  return ChartLevel{.y = error,
+                    .label = fmt::format("the reference's own error, {}", percent(error.value))};
+}
+
+Chart error_against_time(const render::Measurement& measurement) {
+  Chart chart{
+      .id = "error-time",
+      .title = "Error against time",
+      .description =
+          "The error of each render over the seconds that it took, one mark a "
+          "render. All figures are in the table of all renders.",
+      .x = {"time of a render", seconds_tick},
+      .y = {"error", percent_tick},
+      .series = series_over(measurement, [](const render::Point& point) { return point.seconds; }),
+      .front = {},
+      .level = reference_level(measurement)};
+  for (ChartSeries& series : chart.series) series.is_joined = true;
+  for (const render::Point& point : measurement.points) {
+    if (point.standing != render::Standing::Front) continue;
+    chart.front.emplace_back(point.seconds.value, point.error.value);
+  }
+  std::ranges::sort(chart.front);
+  return chart;
+}
+
+Chart error_against_samples(const render::Measurement& measurement) {
+  Chart chart{.id = "error-samples",
+              .title = "Error against samples",
+              .description =
+                  "The error of each render over its samples a pixel, with a straight "
+                  "line for each way of three renders or more.",
+              .x = {"samples a pixel", samples_tick},
+              .y = {"error", percent_tick},
+              .series = series_over(measurement,
+                                    [](const render::Point& point) {
+                                      return render::Measured{
+                                          .value = static_cast<double>(point.samples),
+                                          .interval = {}};
+                                    }),
+              .front = {},
+              .level = reference_level(measurement)};
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    if (const auto& slope = measurement.series[i].slope) chart.series[i].slope = slope->value;
+  }
+  return chart;
+}
+
+std::string plain(double number) { return figure(number); }
+
+std::string legend(const render::Measurement& measurement) {
+  std::string html = "<ul class=\"legend\">\n";
+  for (std::size_t i = 0; i < measurement.series.size(); ++i) {
+    const render::Series& series = measurement.series[i];
+    html +=
+        fmt::format("<li>{} <b>{}</b> <span>{}<br/><small>{}</small></span></li>\n",
+                    legend_sample(i), series_key(i), escaped(describe_way(measurement, series.way)),
+                    series.slope ? "slope " + read(*series.slope, plain).text()
+                                 : std::string("no slope: fewer than three renders"));
+  }
+  return html + "</ul>\n";
+}
+
+/// "3 renders have no place here: their error or time is unknown."
+std::string missing_points(const render::Measurement& measurement) {
+  const auto count = std::ranges::count_if(measurement.points, [](const render::Point& point) {
+    return !std::isfinite(point.error.value) || !std::isfinite(point.seconds.value);
+  });
+  if (count == 0) return "";
+  return fmt::format(" {} {} missing, as error or time is unknown.",
+                     count_of(static_cast<std::uint64_t>(count), "render"),
+                     count == 1 ? "is" : "are");
+}
+
+std::string looks() {
+  return fmt::format(
+      "{} on the front: no other render is both faster and nearer to the reference. {} not "
+      "distinguished from the front: some render is faster and nearer, but their intervals "
+      "overlap. {} dominated: some render is faster and nearer beyond all doubt of the intervals.",
+      look_sample(MarkLook::Filled), look_sample(MarkLook::Hollow), look_sample(MarkLook::Faded));
+}
+
+}  // namespace
+
+std::string series_key(std::size_t index) {
+  constexpr std::size_t kLetters = 26;
+  const std::string letter(1, static_cast<char>('A' + index % kLetters));
+  return index < kLetters ? letter : letter + fmt::to_string(index / kLetters);
+}
+
+std::string error_charts_section(const Report& report) {
+  const render::Measurement& measurement = report.measurement;
+  const Chart by_time = error_against_time(measurement);
+  const Chart by_samples = error_against_samples(measurement);
+  if (!can_be_drawn(by_time) && !can_be_drawn(by_samples)) return "";
+  const std::string missing = missing_points(measurement);
+  return legend(measurement) + "<div class=\"charts\">\n" +
+         chart_figure(by_time,
+                      "Lower and further left is better. The stepped line is the front: the least "
+                      "error that was reached within a time. " +
+                          looks() + missing) +
+         chart_figure(by_samples,
+                      "The lines are straight fits; their slopes stand in the key above. At "
+                      "−0.5, which independent samples have, half the error takes four times "
+                      "the samples; at −1 twice. A line that flattens out has met what its depth "
+                      "or precision lacks." +
+                          missing) +
+         "</div>\n";
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include "cli/numbers/format_numbers.hpp"
+#include "cli/report/figures.hpp"
+#include "cli/report/html.hpp"
+#include "cli/report/sections.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+/// Terms and what is said of them, side by side.
+class Facts {
+ public:
+  void add(std::string_view term, std::string_view html) {
+    out_ += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", escaped(term), html);
+  }
+  std::string finish() const { return "<dl>\n" + out_ + "</dl>\n"; }
+
+ private:
+  std::string out_;
+};
+
+std::string describe_reference(const render::Reference& reference) {
+  std::string text =
+      fmt::format("{}, {}, seed {}, rendered in {}; its own error is {}, and its mean radiance {}",
+                  count_of(static_cast<std::uint64_t>(reference.samples), "sample"),
+                  describe_way(reference.way), reference.seed, duration(reference.seconds),
+                  read(reference.error, percent).text(), figure(reference.mean_radiance));
+  if (reference.scarce_emitters > 0) {
+    text += fmt::format("; {} hardly reached by its paths, so that light may be missing in it",
+                        count_of(reference.scarce_emitters, "emitter"));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string method_section(const Report& report) {
+  const render::Measurement& measurement = report.measurement;
+  Facts facts;
+  facts.add("Reference", measurement.reference ? escaped(describe_reference(*measurement.reference))
+                                               : std::string("none was rendered"));
+  facts.add("The scene's own settings",
+            escaped(fmt::format(
+                "{}, {}", count_of(static_cast<std::uint64_t>(measurement.own_samples), "sample"),
+                describe_way(measurement.own))));
+  facts.add("Size", fmt::format("{} × {} pixels", measurement.width, measurement.height));
+  facts.add("Seed", fmt::to_string(measurement.seed));
+  facts.add("Threads", fmt::to_string(measurement.threads));
+  facts.add("Time spent", fmt::format("{} of a budget of {}", duration(measurement.spent_seconds),
+                                      duration(measurement.budget_seconds)));
+  facts.add("Reading and writing", fmt::format("{} beside the time of each render here",
+                                               duration(measurement.other_seconds)));
+  facts.add("Version", escaped(report.provenance.version));
+  facts.add("Command", fmt::format("<code>{}</code>", escaped(report.provenance.command)));
+  std::string html =
+      "<p>Each render was timed and its picture held against one long reference. The error is the "
+      "root mean square difference over all pixels and channels, in linear radiance, divided by "
+      "the mean radiance: 1 % is next to invisible, 5 % is fine grain, 20 % is a draft. Behind "
+      "each "
+      "figure stands its interval of 95 %: of a hundred such intervals about ninety-five hold the "
+      "true value. Where intervals of two renders overlap, this measurement cannot tell which one "
+      "is better, and says so. Times are medians of what this machine took for building and "
+      "tracing.</p>\n";
+  html += facts.finish();
+  if (report.provenance.machine.empty()) return html;
+  Facts machine;
+  for (const auto& [what, value] : report.provenance.machine) machine.add(what, escaped(value));
+  return html + "<h3>The machine</h3>\n" + machine.finish();
+}
+
+}  // namespace sdlc::cli

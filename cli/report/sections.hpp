@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "cli/report/report.hpp"
+
+/// The parts of the page, as HTML. One that has nothing to say is empty.
+namespace sdlc::cli {
+
+/// What has to be known before all else: warnings, what is missing, another size.
+std::string callouts(const Report& report);
+
+std::string recommendation_section(const Report& report);
+std::string error_charts_section(const Report& report);
+std::string depth_section(const Report& report);
+std::string precision_section(const Report& report);
+std::string points_section(const Report& report);
+std::string pictures_section(const Report& report);
+std::string against_section(const Report& report);
+std::string method_section(const Report& report);
+
+/// "on the front".
+std::string_view words_of(render::Standing standing);
+
+/// The letter of a series in charts and tables: A to Z, then A1.
+std::string series_key(std::size_t index);
+
+/// A sentence, which is text, with a frame that strikes the eye.
+std::string callout(std::string_view text);
+
+/// The picture as an element that holds its bytes; empty without any.
+std::string picture_element(const ReportImage& image);
+
+}  // namespace sdlc::cli

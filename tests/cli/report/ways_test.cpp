@@ -1,0 +1,65 @@
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "cli/report/report.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+using enum render::SamplerKind;
+using enum render::LightSampling;
+using enum render::Precision;
+using render::Way;
+
+TEST(RenderFlags, SayWhatDiffersFromTheScenesOwn) {
+  const Way own{.sampler = Sobol, .light_sampling = Auto, .precision = Float, .depth = 16};
+  const struct {
+    Way own, way;
+    const char* flags;
+  } cases[] = {
+      {own, own, "--samples 64"},
+      {own, {.sampler = Independent}, "--samples 64 --sampler independent"},
+      {{.sampler = Independent}, own, "--samples 64 --sampler sobol"},
+      {own, {.light_sampling = On}, "--samples 64 --light-sampling on"},
+      {own, {.light_sampling = Off}, "--samples 64 --light-sampling off"},
+      {own, {.precision = Double}, "--samples 64 --precision double"},
+      {{.precision = Double}, own, "--samples 64 --precision float"},
+      {{.precision = Double}, {.precision = Mixed}, "--samples 64 --precision float"},
+      {own, {.precision = Mixed}, "--samples 64"},
+      {{.precision = Mixed}, own, "--samples 64"},
+      {own, {.depth = 64}, "--samples 64 --depth 64"},
+      {own,
+       {.sampler = Independent, .light_sampling = On, .precision = Double, .depth = 4},
+       "--samples 64 --sampler independent --light-sampling on --precision double --depth 4"},
+  };
+  for (const auto& [of, way, flags] : cases) {
+    render::Measurement measurement;
+    measurement.own = of;
+    EXPECT_EQ(render_flags(measurement, way, 64), flags);
+  }
+}
+
+TEST(DescribeWay, NamesAllOfIt) {
+  EXPECT_EQ(describe_way({.sampler = Sobol, .light_sampling = On, .precision = Float, .depth = 16}),
+            "Sobol', light sampling on, float, depth 16");
+  EXPECT_EQ(describe_way({.sampler = Independent, .precision = Mixed, .depth = 4}),
+            "independent, light sampling auto, mixed, depth 4");
+}
+
+TEST(DescribeWay, AmongOthersLeavesOutWhatAllShare) {
+  render::Measurement measurement;
+  const auto add = [&](Way way) {
+    measurement.series.push_back({.way = way, .points = {}, .slope = {}});
+  };
+  add({.sampler = Sobol});
+  EXPECT_EQ(describe_way(measurement, measurement.series[0].way),
+            "Sobol', light sampling auto, float, depth 16");
+  add({.sampler = Independent});
+  EXPECT_EQ(describe_way(measurement, measurement.series[0].way), "Sobol'");
+  add({.sampler = Sobol, .depth = 4});
+  EXPECT_EQ(describe_way(measurement, measurement.series[2].way), "Sobol', depth 4");
+}
+
+}  // namespace
+}  // namespace sdlc::cli
