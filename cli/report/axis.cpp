@@ -71,7 +71,7 @@ LogAxis LogAxis::covering(std::span<const double> values) {
   if (to / from < kLeastSpan) {
     const double middle = std::sqrt(from) * std::sqrt(to);
     from = middle / std::sqrt(kLeastSpan);
-    to = middle * std::sqrt(kLeastSpan);
+    to = std::min(middle * std::sqrt(kLeastSpan), std::numeric_limits<double>::max());
   }
   const double margin = std::pow(to / from, kMargin);
   if (std::isfinite(margin) && std::isfinite(to * margin) && from / margin > 0) {

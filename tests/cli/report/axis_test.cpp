@@ -73,6 +73,8 @@ TEST(LogAxis, TheFarthestNumbersHaveAxesToo) {
   for (const std::vector<double>& values :
        {std::vector<double>{}, {kLeast}, {kLargest}, {kLeast, kLargest}}) {
     const LogAxis axis = covering(values);
+    EXPECT_GT(axis.from(), 0);
+    EXPECT_TRUE(std::isfinite(axis.to()));
     EXPECT_LE(axis.ticks(8).size(), 60u);
     for (const Tick& tick : axis.ticks(8)) EXPECT_TRUE(std::isfinite(tick.value));
     for (const double value : values) {
