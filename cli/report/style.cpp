@@ -68,12 +68,13 @@ th, td { padding: .45rem .75rem; text-align: left; vertical-align: top; font-wei
 thead th { vertical-align: bottom; font-weight: 600; font-size: .8rem; color: var(--soft); border-bottom: 2px solid var(--rule); }
 tbody tr { border-bottom: 1px solid var(--rule); break-inside: avoid; }
 .group { padding-top: 1.1rem; font-weight: 600; }
+.group small { font-size: inherit; font-weight: normal; }
 .number { text-align: right; font-variant-numeric: tabular-nums; }
 tbody .number, .flag { white-space: nowrap; }
 td small, tbody th.number small { display: block; font-size: .78rem; }
 #renders table { font-size: .82rem; }
 #renders th, #renders td { padding: .4rem .45rem; }
-#renders small { white-space: normal; }
+#renders thead th { font-size: .75rem; }
 .verdict.better { color: var(--better); font-weight: 600; }
 .verdict.worse { color: var(--worse); font-weight: 600; }
 .charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(27rem, 100%), 1fr)); gap: 1.5rem 2.5rem; }
