@@ -11,7 +11,7 @@
 
 #include "lang/compile/compile.hpp"
 #include "lang/source/source.hpp"
-#include "tests/support/scene_digest/scene_digest.hpp"
+#include "render/scene/digest.hpp"
 
 // The same file lowers to the same scene, bit for bit, whatever the compiler, its flags and the
 // machine: these digests hold for all of them.
@@ -38,7 +38,7 @@ std::string digests_of_examples() {
     EXPECT_TRUE(lowered) << path;
     if (!lowered) continue;
     lines += fmt::format("{} {} {:016x}\n", path.filename().string(), lowered->scene.spheres.size(),
-                         test::digest_of(lowered->scene));
+                         render::digest_of(lowered->scene));
   }
   return lines;
 }

@@ -12,9 +12,9 @@
 #include "lang/compile/compile.hpp"
 #include "lang/convert/convert.hpp"
 #include "lang/format/format.hpp"
+#include "render/scene/digest.hpp"
 #include "render/tiles/render.hpp"
 #include "tests/support/configs/config_generator.hpp"
-#include "tests/support/scene_digest/scene_digest.hpp"
 
 // What holds for every config: it becomes a scene and a config again that mean the same, and all
 // three render the same picture. The generated ones have fixed seeds.
@@ -63,7 +63,7 @@ std::vector<std::string> read_reference_configs() {
 }
 
 void expect_same_lowering(const LoweredScene& a, const LoweredScene& b) {
-  EXPECT_EQ(test::digest_of(a.scene), test::digest_of(b.scene));
+  EXPECT_EQ(render::digest_of(a.scene), render::digest_of(b.scene));
   EXPECT_EQ(a.settings.width, b.settings.width);
   EXPECT_EQ(a.settings.height, b.settings.height);
   EXPECT_EQ(a.settings.samples, b.settings.samples);

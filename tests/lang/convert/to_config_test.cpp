@@ -12,8 +12,8 @@
 #include "lang/compile/compile.hpp"
 #include "lang/convert/convert.hpp"
 #include "lang/value/colors.hpp"
+#include "render/scene/digest.hpp"
 #include "tests/support/compilation/compilation.hpp"
-#include "tests/support/scene_digest/scene_digest.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -55,7 +55,7 @@ Converted convert(const std::string& scene, const ConvertOptions& options = {},
   const auto of_config = compile(config, {}, silent);
   EXPECT_TRUE(of_scene && of_config) << *converted.text;
   if (of_scene && of_config && converted.told.empty()) {
-    EXPECT_EQ(test::digest_of(of_scene->scene), test::digest_of(of_config->scene))
+    EXPECT_EQ(render::digest_of(of_scene->scene), render::digest_of(of_config->scene))
         << *converted.text;
   }
   return converted;
