@@ -4,36 +4,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "render/accuracy/pooled_variance.hpp"
+
 namespace sdlc::render {
-namespace {
-
-/// The quantile at .975 of Student's t, by its series in 1 / ν (Abramowitz, Stegun, 26.7.5): 1 %
-/// too small for 2 degrees of freedom, 11 % for 1.
-double student_t_975(double degrees) {
-  constexpr double z = 1.959963984540054, z2 = z * z;
-  constexpr double g1 = z * (z2 + 1) / 4;
-  constexpr double g2 = z * ((5 * z2 + 16) * z2 + 3) / 96;
-  constexpr double g3 = z * (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384;
-  constexpr double g4 = z * ((((79 * z2 + 776) * z2 + 1482) * z2 - 1920) * z2 - 945) / 92160;
-  const double u = 1 / std::max(degrees, 1.0);
-  return z + u * (g1 + u * (g2 + u * (g3 + u * g4)));
-}
-
-/// A sum of terms at least 0, and half the length of an interval of 95 % around it.
-struct PooledVariance {
-  double sum = 0, squares = 0;
-
-  void add(double v) {
-    sum += v;
-    squares += v * v;
-  }
-  double half_width() const {
-    if (!(sum > 0)) return 0;
-    return student_t_975(sum * sum / squares) * std::sqrt(sum);
-  }
-};
-
-}  // namespace
 
 std::optional<ErrorEstimate> estimate_error(const Picture& picture,
                                             std::span<const PixelSpread> spreads) {

@@ -25,8 +25,7 @@ struct ErrorEstimate {
 /// error of the pixel is |x̄|², its estimate the unbiased variance of x̄; the first less the second
 /// is the mean of x_i · x_j over the six pairs, whose variance is tr Σ² / 6 with the covariance
 /// matrix Σ of one replicate, whatever its distribution: fourth moments cancel. Pixels are
-/// independent of each other, so the variances v of many add up, and as many of them as matter,
-/// (Σ v)² / Σ v² (Satterthwaite, 1946), are the degrees of freedom of a Student's t. That makes an
+/// independent of each other, so the variances of many add up (PooledVariance). That makes an
 /// interval for the error of this very picture, twice as long as one for that of pictures like it
 /// would be. Where rare and large samples make the error it is longer than it need be. Nothing
 /// where squares of the radiance are no finite numbers, from 1e150 on.

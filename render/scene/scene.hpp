@@ -111,7 +111,7 @@ struct RenderSettings {
   /// Trace until this many seconds have passed since render() was called, above 0.
   std::optional<double> seconds{};
   bool is_adaptive = false;  ///< with `error`: more samples where there is more noise
-  bool keeps_variance = false;  ///< of each pixel, in RenderResult::variance
+  bool keeps_variance = false;  ///< of each pixel, in RenderResult::variance and spreads
 
   bool has_goal() const noexcept { return error || seconds; }
   /// A picture of one sample a pixel looks through the middle of each.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -88,6 +89,7 @@ void GoalRender::run() {
     for (std::size_t i = 0; i < film_.size(); ++i) {
       result_.variance.pixels[i] = film_.variance(i);
     }
+    result_.spreads = std::move(spreads_);
   }
 }
 

@@ -39,6 +39,7 @@ void render_at_once(PictureTracer& tracer, const RenderSettings& settings,
   if (monitor.cancel.load()) return;  // and some pixels have no sample
   result.least_samples = samples;
   if (has_replicates) result.error = estimate_error(result.picture, spreads);
+  if (settings.keeps_variance) result.spreads = std::move(spreads);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/accuracy/error_estimate.hpp"
+#include "render/film/film.hpp"
 #include "render/image/picture.hpp"
 #include "render/light/emitter_tally.hpp"
 #include "render/scene/scene.hpp"
@@ -42,7 +43,8 @@ struct RenderResult {
   /// From 8 samples a pixel on, of a whole picture; not where no noise was seen, and an emitter
   /// hardly, whose light would then be missing in both.
   std::optional<ErrorEstimate> error{};
-  Picture variance;  ///< of each pixel's mean, if it was asked for and is known
+  Picture variance;                  ///< of each pixel's mean, if it was asked for and is known
+  std::vector<PixelSpread> spreads;  ///< the same, channels together, of each pixel
   std::vector<std::uint32_t> samples_of_pixels;  ///< empty: all have as many
   std::uint32_t sampled_lights = 0;  ///< emitters that diffuse surfaces look for by themselves
   /// Those that fewer than EmitterTally::kEnough paths reached: what they light may be missing.
