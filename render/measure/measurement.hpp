@@ -40,13 +40,15 @@ enum class Standing : std::uint8_t {
 
 /// One render that was timed and held against the reference.
 struct Point {
-  Way way;
+  Way way{};
   int samples = 0;
-  std::vector<double> timings;  ///< of building and tracing, once each time it was rendered
-  Measured seconds;             ///< their median
+  std::vector<double> timings{};  ///< of building and tracing, once each time it was rendered
+  Measured seconds{};             ///< their median
   double samples_per_second = 0, rays_per_second = 0;
-  Measured error;         ///< of this very picture, what its depth and precision lack included
-  Difference difference;  ///< plain, with what noise the reference has
+  Measured error{};  ///< of this very picture, what its depth and precision lack included
+  /// The standard deviation of the error from seed to seed, which pictures have by their pixels.
+  double error_spread = 0;
+  Difference difference{};  ///< plain, with what noise the reference has
   double flip = 0;
   std::uint64_t scarce_emitters = 0;  ///< RenderResult::scarce_emitters
   double cut_share = 0;               ///< of its paths, by the depth
@@ -55,17 +57,17 @@ struct Point {
 
 /// The points of one way, with more and more samples.
 struct Series {
-  Way way;
-  std::vector<std::size_t> points;  ///< by index, ascending in samples
+  Way way{};
+  std::vector<std::size_t> points{};  ///< by index, ascending in samples
   /// The error falls as samples to the power of this, by the line through all points; -1/2 for
   /// independent samples. Nothing of fewer than three points.
-  std::optional<Measured> slope;
+  std::optional<Measured> slope{};
 };
 
 /// The light that a depth cuts off: the same paths with that depth and with the greatest here.
 struct DepthLoss {
   int depth = 0;
-  Measured loss;         ///< share of the mean radiance
+  Measured loss{};       ///< share of the mean radiance
   double seconds = 0;    ///< of a render, relative to that of the scene's own depth
   double cut_share = 0;  ///< of all paths
 };
@@ -74,20 +76,20 @@ struct DepthLoss {
 struct PrecisionDifference {
   Precision taken = Precision::Float;  ///< by itself
   Precision other = Precision::Double;
-  std::string refusal;        ///< why the other cannot be had; then the figures are 0
-  Measured mean_difference;   ///< of the mean radiance, taken less other, as a share of it
-  double rms_difference = 0;  ///< of the pictures, relative like an error: mostly paths that part
-  double seconds = 0;         ///< of the other, relative to the one that is taken
-  std::string bound;          ///< what decided, in words
+  std::string refusal{};       ///< why the other cannot be had; then the figures are 0
+  Measured mean_difference{};  ///< of the mean radiance, taken less other, as a share of it
+  double rms_difference = 0;   ///< of the pictures, relative like an error: mostly paths that part
+  double seconds = 0;          ///< of the other, relative to the one that is taken
+  std::string bound{};         ///< what decided, in words
 };
 
 /// What everything is held against.
 struct Reference {
-  Way way;
+  Way way{};
   int samples = 0;
   std::uint64_t seed = 0;
   double seconds = 0;
-  Measured error;
+  Measured error{};
   double mean_radiance = 0;
   std::uint64_t scarce_emitters = 0;
 };
@@ -95,22 +97,22 @@ struct Reference {
 /// What to render with to come down to an error.
 struct Recommendation {
   double goal = 0;  ///< relative error
-  Way way;
+  Way way{};
   int samples = 0;
   bool is_measured = false;  ///< these very samples were rendered; else by the line of the series
-  Measured error;            ///< to be expected, or measured
-  Measured seconds;          ///< of the next render on this machine, building and tracing
+  Measured error{};          ///< to be expected, or measured
+  Measured seconds{};        ///< of the next `sdlc render` on this machine, reading and writing too
 };
 
 struct LeftOut {
-  Way way;
+  Way way{};
   int samples = 0;
-  std::string reason;
+  std::string reason{};
 };
 
 struct Measurement {
   // The scene's own settings.
-  Way own;
+  Way own{};
   int width = 0, height = 0;  ///< that were measured
   int full_width = 0, full_height = 0;
   int own_samples = 0;
@@ -120,14 +122,14 @@ struct Measurement {
   double spent_seconds = 0;
   double other_seconds = 0;  ///< of a render beside building and tracing: reading and writing
 
-  std::optional<Reference> reference;
-  std::vector<Point> points;
-  std::vector<Series> series;
-  std::vector<DepthLoss> depths;  ///< ascending
-  std::optional<PrecisionDifference> precision;
-  std::vector<Recommendation> recommendations;  ///< from the largest error to the least
+  std::optional<Reference> reference{};
+  std::vector<Point> points{};
+  std::vector<Series> series{};
+  std::vector<DepthLoss> depths{};  ///< ascending
+  std::optional<PrecisionDifference> precision{};
+  std::vector<Recommendation> recommendations{};  ///< from the largest error to the least
   std::size_t main_recommendation = 0;
-  std::vector<LeftOut> left_out;
+  std::vector<LeftOut> left_out{};
   bool is_complete = false;  ///< nothing of the plan is missing but what time left out
 };
 

@@ -7,6 +7,7 @@
 
 #include "render/scene/choices.hpp"
 #include "render/tiles/render.hpp"
+#include "tests/support/statistics/rooms.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
 // What a picture says of its own error, held against its distance from a reference whose error is a
@@ -21,41 +22,6 @@ using render::RenderResult;
 using render::RenderSettings;
 using render::SamplerKind;
 using render::Scene;
-
-/// Edges, shadows, a lamp and a dim sky.
-Scene small_room() {
-  Scene scene = beam_scene({0, 1, 5}, {0, 0.3, 0}, LinearRgb{0.3});
-  scene.camera.aspect = 1.6;
-  scene.camera.plane_height = 0.7;
-  add_sphere(scene, {0, -100, 0}, 100, diffuse({0.7, 0.6, 0.5}));
-  add_sphere(scene, {-1.1, 0.5, 0}, 0.5, diffuse({0.8, 0.2, 0.2}));
-  add_sphere(scene, {0, 0.5, 0}, 0.5, diffuse({0.8, 0.8, 0.6}));
-  add_sphere(scene, {1.1, 0.5, 0}, 0.5, diffuse({0.2, 0.3, 0.8}));
-  add_sphere(scene, {0.5, 4, 1}, 1, emissive({1, 0.9, 0.7}, 2));
-  return scene;
-}
-
-/// The lamp is found by way of brushed metal too, seldom: in so small a picture two or three pixels
-/// have most of the error.
-Scene room_with_rare_paths() {
-  Scene scene = small_room();
-  scene.materials[2] = specular({0.9, 0.8, 0.6}, 0.8);
-  scene.materials[4] = emissive({1, 0.9, 0.7}, 8);
-  scene.spheres[4] = {.center = {0.5, 2.2, 1}, .radius = 0.3, .material = 4};
-  return scene;
-}
-
-/// Noise in a third of the picture, of several kinds; the rest is the sky.
-Scene things_before_the_sky() {
-  Scene scene = beam_scene({0, 0, 6}, {0, 0, 0}, LinearRgb{1});
-  scene.background = {};
-  scene.camera.aspect = 1.6;
-  scene.camera.plane_height = 0.7;
-  add_sphere(scene, {-1.6, 0, 0}, 0.9, diffuse({0.8, 0.3, 0.2}));
-  add_sphere(scene, {0.2, -0.3, 0.5}, 0.8, diffuse({0.2, 0.2, 0.3}));
-  add_sphere(scene, {1.8, 0.2, 0}, 0.9, specular({0.9, 0.9, 0.9}, 0.5));
-  return scene;
-}
 
 RenderResult rendered(const Scene& scene, const RenderSettings& settings) {
   render::RenderMonitor monitor;

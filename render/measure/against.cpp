@@ -1,0 +1,83 @@
+#include "render/measure/against.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "render/accuracy/student_t.hpp"
+
+namespace sdlc::render {
+namespace {
+
+constexpr double kLevel = 0.05;
+constexpr double kDrift = 0.05;
+constexpr double kNormalQuantile = 1.96;
+
+/// Of the error of any picture of a point, whatever its seed.
+double squared_deviation(const Measured& error, double spread) {
+  const double of_interval = (error.interval.to - error.interval.from) / (2 * kNormalQuantile);
+  return of_interval * of_interval + spread * spread;
+}
+
+Verdict judge_error(const Point& now, const Point& before, std::size_t tests) {
+  const double difference = now.error.value - before.error.value;
+  const double variance = squared_deviation(now.error, now.error_spread) +
+                          squared_deviation(before.error, before.error_spread);
+  if (difference == 0 || !(variance > 0)) {
+    return difference > 0   ? Verdict::Worse
+           : difference < 0 ? Verdict::Better
+                            : Verdict::NotDistinguished;
+  }
+  const double p = std::erfc(std::abs(difference) / std::sqrt(2 * variance));
+  if (p * static_cast<double>(tests) > kLevel) return Verdict::NotDistinguished;
+  return difference > 0 ? Verdict::Worse : Verdict::Better;
+}
+
+std::optional<Measured> mean_ratio(const std::vector<PointChange>& points) {
+  constexpr std::size_t kLeastPoints = 3;
+  if (points.size() < kLeastPoints) return std::nullopt;
+  const auto n = static_cast<double>(points.size());
+  double mean = 0, squares = 0;
+  const auto log_ratio = [](const PointChange& point) {
+    return std::log(point.seconds_after.value / point.seconds_before.value);
+  };
+  for (const PointChange& point : points) mean += log_ratio(point) / n;
+  for (const PointChange& point : points) squares += std::pow(log_ratio(point) - mean, 2);
+  const double half_width = student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
+  return Measured{std::exp(mean), {std::exp(mean - half_width), std::exp(mean + half_width)}};
+}
+
+}  // namespace
+
+Comparison compare_measurements(const std::vector<Point>& now, const std::vector<Point>& before,
+                                bool has_comparable_times) {
+  Comparison comparison;
+  std::vector<const Point*> pairs;
+  for (const Point& point : now) {
+    const auto earlier = std::ranges::find_if(before, [&](const Point& other) {
+      return other.way == point.way && other.samples == point.samples;
+    });
+    if (earlier == before.end()) continue;
+    pairs.push_back(&point);
+    comparison.points.push_back({.way = point.way,
+                                 .samples = point.samples,
+                                 .error_before = earlier->error,
+                                 .error_after = point.error,
+                                 .seconds_before = earlier->seconds,
+                                 .seconds_after = point.seconds});
+    pairs.push_back(&*earlier);
+  }
+  for (std::size_t i = 0; i < comparison.points.size(); ++i) {
+    comparison.points[i].error =
+        judge_error(*pairs[2 * i], *pairs[2 * i + 1], comparison.points.size());
+  }
+  if (has_comparable_times) comparison.time_ratio = mean_ratio(comparison.points);
+  if (comparison.time_ratio) {
+    const Interval& ratio = comparison.time_ratio->interval;
+    if (ratio.from > 1 + kDrift) comparison.time = Verdict::Worse;
+    if (ratio.to < 1 / (1 + kDrift)) comparison.time = Verdict::Better;
+  }
+  return comparison;
+}
+
+}  // namespace sdlc::render

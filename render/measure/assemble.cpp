@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "render/accuracy/student_t.hpp"
+#include "render/measure/noise_of_time.hpp"
+#include "render/measure/study.hpp"
+#include "render/measure/trade.hpp"
+#include "render/tiles/threads.hpp"
+
+namespace sdlc::render {
+namespace {
+
+/// The mean of a few values and its interval, by Student's t.
+Measured mean_of(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  double mean = 0, squares = 0;
+  for (const double value : values) mean += value / n;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  const double half_width =
+      values.size() < 2 ? INFINITY : student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
+  return {mean, {mean - half_width, mean + half_width}};
+}
+
+double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+std::vector<Point> points_of(const StudyLedger& ledger) {
+  std::vector<Point> points;
+  for (const Evaluation& evaluation : ledger.evaluations) {
+    Point point{.way = evaluation.way,
+                .samples = evaluation.samples,
+                .error = evaluation.error,
+                .error_spread = evaluation.error_spread,
+                .difference = evaluation.difference,
+                .flip = evaluation.flip,
+                .scarce_emitters = evaluation.scarce_emitters,
+                .cut_share = evaluation.cut_share};
+    for (const TimedRender& render : ledger.renders) {
+      if (render.way != point.way || render.samples != point.samples) continue;
+      point.timings.push_back(render.seconds);
+      point.samples_per_second = static_cast<double>(render.camera_samples);
+      point.rays_per_second = static_cast<double>(render.rays);
+    }
+    points.push_back(std::move(point));
+  }
+  // Those of the scene's own way first, each way's in the order of their samples.
+  const auto rank = [&](const Point& point) {
+    const auto& costs = ledger.plan->costs;
+    return std::ranges::find(costs, point.way, &WayCost::way) - costs.begin();
+  };
+  std::ranges::stable_sort(points, [&](const Point& a, const Point& b) {
+    return std::pair(rank(a), a.samples) < std::pair(rank(b), b.samples);
+  });
+  return points;
+}
+
+NoiseOfTime noise_of(const std::vector<Point>& points) {
+  std::vector<std::vector<double>> timings;
+  for (const Point& point : points) timings.push_back(point.timings);
+  return NoiseOfTime(timings);
+}
+
+std::vector<DepthLoss> losses_of(const StudyLedger& ledger, int own) {
+  std::vector<DepthLoss> losses;
+  const int deepest = ledger.plan->depths.back();
+  for (const int depth : ledger.plan->depths) {
+    std::vector<double> lost, cut;
+    double seconds = 0, own_seconds = 0;
+    for (int round = 0; round < kProbeSeeds; ++round) {
+      const auto find = [&](int of) {
+        return std::ranges::find_if(ledger.depths, [&](const DepthProbe& probe) {
+          return probe.depth == of && probe.round == round;
+        });
+      };
+      const auto here = find(depth), full = find(deepest), usual = find(own);
+      if (here == ledger.depths.end()) continue;
+      lost.push_back(share(full->mean - here->mean, full->mean));
+      cut.push_back(here->cut_share);
+      seconds += here->seconds;
+      own_seconds += usual->seconds;
+    }
+    if (lost.size() < 2) return {};
+    losses.push_back({.depth = depth,
+                      .loss = mean_of(lost),
+                      .seconds = share(seconds, own_seconds),
+                      .cut_share = mean_of(cut).value});
+  }
+  return losses;
+}
+
+std::optional<PrecisionDifference> precision_of(const StudyLedger& ledger) {
+  const std::vector<WayCost>& costs = ledger.plan->costs;
+  const Way& own = costs.front().way;
+  const auto other = std::ranges::find_if(
+      costs, [&](const WayCost& cost) { return cost.way.precision != own.precision; });
+  if (other == costs.end()) return std::nullopt;
+  PrecisionDifference difference{.taken = own.precision,
+                                 .other = other->way.precision,
+                                 .refusal = other->refusal,
+                                 .bound = ledger.precision_bound};
+  if (!difference.refusal.empty()) return difference;
+  if (ledger.precisions.size() < 2) return std::nullopt;
+  std::vector<double> differences, squares;
+  double seconds = 0, other_seconds = 0;
+  for (const PrecisionProbe& probe : ledger.precisions) {
+    differences.push_back(share(probe.mean - probe.other_mean, probe.other_mean));
+    squares.push_back(probe.rms_difference * probe.rms_difference);
+    seconds += probe.seconds;
+    other_seconds += probe.other_seconds;
+  }
+  difference.mean_difference = mean_of(differences);
+  difference.rms_difference = std::sqrt(mean_of(squares).value);
+  difference.seconds = share(other_seconds, seconds);
+  return difference;
+}
+
+/// What of the plan there was no time for, or what cannot be rendered.
+std::vector<LeftOut> left_out_of(const StudyLedger& ledger, const std::vector<Point>& points) {
+  std::vector<LeftOut> left_out;
+  for (const WayCost& cost : ledger.plan->costs) {
+    if (!cost.refusal.empty()) left_out.push_back({cost.way, 0, cost.refusal});
+  }
+  for (const StudyTask& task : ledger.plan->tasks) {
+    if (task.kind != StudyTask::Kind::Point) continue;
+    const bool is_there = std::ranges::any_of(points, [&](const Point& point) {
+      return point.way == task.way && point.samples == task.samples;
+    });
+    if (!is_there) left_out.push_back({task.way, task.samples, "there was no time left"});
+  }
+  return left_out;
+}
+
+/// The one that is told first: of 1 %, or the nearest to it that was tried.
+std::size_t main_of(const std::vector<Recommendation>& all, std::optional<double> goal) {
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (goal && all[i].goal == *goal) return i;
+    constexpr double kUsual = 0.01;
+    if (all[i].is_measured && (all[i].goal >= kUsual || !all[best].is_measured)) best = i;
+  }
+  return best;
+}
+
+}  // namespace
+
+Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& settings,
+                           const StudyOptions& options) {
+  Measurement measurement{.full_width = settings.width,
+                          .full_height = settings.height,
+                          .own_samples = settings.samples,
+                          .seed = settings.seed,
+                          .threads = thread_count(settings.threads),
+                          .budget_seconds = options.budget_seconds,
+                          .spent_seconds = ledger.spent_seconds,
+                          .other_seconds = ledger.other_seconds,
+                          .reference = ledger.reference};
+  if (!ledger.plan) return measurement;
+  measurement.own = ledger.plan->costs.front().way;
+  measurement.width = ledger.plan->width;
+  measurement.height = ledger.plan->height;
+  measurement.points = points_of(ledger);
+  std::vector<Point>& points = measurement.points;
+  const NoiseOfTime noise = noise_of(points);
+  for (Point& point : points) {
+    point.seconds = noise.typical(point.timings);
+    point.samples_per_second /= point.seconds.value;
+    point.rays_per_second /= point.seconds.value;
+  }
+  mark_standings(points);
+  measurement.series = group_by_way(points);
+  measurement.depths = losses_of(ledger, measurement.own.depth);
+  measurement.precision = precision_of(ledger);
+  measurement.left_out = left_out_of(ledger, points);
+
+  const double area = static_cast<double>(settings.width) * settings.height /
+                      (static_cast<double>(measurement.width) * measurement.height);
+  for (const double goal : worthwhile_goals(points, options.goal)) {
+    std::optional<Recommendation> found =
+        recommend(goal, measurement.series, points, noise, ledger.other_seconds / area);
+    if (!found) continue;
+    if (area != 1) {  // a smaller picture was measured
+      found->is_measured = false;
+      for (double* seconds :
+           {&found->seconds.value, &found->seconds.interval.from, &found->seconds.interval.to}) {
+        *seconds *= area;
+      }
+    }
+    measurement.recommendations.push_back(*std::move(found));
+  }
+  measurement.main_recommendation = main_of(measurement.recommendations, options.goal);
+  return measurement;
+}
+
+}  // namespace sdlc::render

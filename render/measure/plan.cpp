@@ -1,0 +1,202 @@
+#include "render/measure/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "render/film/film.hpp"
+#include "render/scene/choices.hpp"
+
+namespace sdlc::render {
+namespace {
+
+constexpr int kFirstSamples = static_cast<int>(kLeastReplicatedSamples);
+constexpr int kLeastMostSamples = 64, kMostMostSamples = 1 << 16;
+/// Holding a picture against the reference, its FLIP above all, and making details of it: of one
+/// pixel.
+constexpr double kComparingSeconds = 1.5e-6;
+/// Of the budget, the rest being for what trials foretell badly, and for the recommendation.
+constexpr double kPlannedShare = 0.8;
+
+/// 2, 4, 8, … to twice the scene's own, and that.
+std::vector<int> depths_around(int own) {
+  constexpr int kMostDepth = 128;
+  std::vector<int> depths;
+  for (int depth = 2; depth <= std::min(2 * own, kMostDepth); depth *= 2) depths.push_back(depth);
+  depths.push_back(own);
+  std::ranges::sort(depths);
+  depths.erase(std::ranges::unique(depths).begin(), depths.end());
+  return depths;
+}
+
+/// The plan whose own ladder ends at `most`, whatever it takes.
+class PlanBuilder {
+ public:
+  PlanBuilder(const StudyRequest& request, int width, int height, int most)
+      : settings_(request.settings), most_(most) {
+    plan_.width = width;
+    plan_.height = height;
+    plan_.costs = request.costs;
+    plan_.reference_way = request.reference_way;
+    plan_.reference_samples = 4 * most;
+    plan_.depths = depths_around(request.settings.depth);
+    plan_.probe_samples = std::max(kFirstSamples, most / 32);
+    repeat_below_ = request.budget_seconds / 60;
+  }
+
+  StudyPlan build() {
+    const Way own = plan_.costs.front().way;
+    plan_.tasks.push_back({.kind = StudyTask::Kind::Reference,
+                           .way = plan_.reference_way,
+                           .samples = plan_.reference_samples});
+    for (int samples = kFirstSamples; samples <= most_; samples *= 2) add_point(own, samples);
+    if (settings_.samples <= most_) add_point(own, settings_.samples);
+    for (const WayCost& cost : plan_.costs) {
+      if (cost.way == own || !cost.refusal.empty()) continue;
+      add_others(cost.way, own);
+    }
+    for (int seed = 0; seed < kProbeSeeds; ++seed) {
+      plan_.tasks.push_back(
+          {.kind = StudyTask::Kind::Depths, .samples = plan_.probe_samples, .round = seed});
+      if (has_other_precision(own)) {
+        plan_.tasks.push_back(
+            {.kind = StudyTask::Kind::Precisions, .samples = plan_.probe_samples, .round = seed});
+      }
+    }
+    add_repeats();
+    return std::move(plan_);
+  }
+
+ private:
+  void add_point(const Way& way, int samples) {
+    const StudyTask task{.way = way, .samples = samples};
+    if (std::ranges::count(plan_.tasks, task) == 0) plan_.tasks.push_back(task);
+  }
+
+  void add_others(const Way& way, const Way& own) {
+    // What differs in depth alone is off by what that loses, whatever its samples.
+    if (way.depth != own.depth) return add_point(way, std::min(most_, kLeastMostSamples));
+    // Another precision has nearly the same error, and only its time is of interest.
+    const bool is_whole = way.precision == own.precision;
+    const int last = is_whole ? most_ : most_ / 4;
+    int samples = 2 * kFirstSamples;
+    for (; samples <= last; samples *= 4) add_point(way, samples);
+    if (is_whole && samples != 4 * last) add_point(way, last);
+  }
+
+  bool has_other_precision(const Way& own) const {
+    return std::ranges::any_of(plan_.costs, [&](const WayCost& cost) {
+      return cost.way.precision != own.precision && cost.refusal.empty();
+    });
+  }
+
+  /// In rounds over all points that are quick, so that repeats are spread over the whole time.
+  void add_repeats() {
+    const std::vector<StudyTask> once = plan_.tasks;
+    for (int round = 1; round <= 2; ++round) {
+      for (StudyTask task : once) {
+        if (task.kind != StudyTask::Kind::Point) continue;
+        task.kind = StudyTask::Kind::Repeat;
+        task.round = round;
+        if (plan_.seconds_of(task) <= repeat_below_) plan_.tasks.push_back(task);
+      }
+    }
+  }
+
+  const RenderSettings& settings_;
+  int most_;
+  double repeat_below_ = 0;
+  StudyPlan plan_;
+};
+
+double total_seconds(const StudyPlan& plan) {
+  double seconds = 0;
+  for (const StudyTask& task : plan.tasks) seconds += plan.seconds_of(task);
+  return seconds;
+}
+
+}  // namespace
+
+const WayCost& StudyPlan::cost_of(const Way& way) const {
+  // Depths and the reference are not among the ways that were tried: they differ little.
+  const auto found = std::ranges::find(costs, way, &WayCost::way);
+  if (found != costs.end()) return *found;
+  const auto near = std::ranges::find_if(costs, [&](const WayCost& cost) {
+    return cost.way.light_sampling == way.light_sampling && cost.way.precision == way.precision;
+  });
+  return near != costs.end() ? *near : costs.front();
+}
+
+double StudyPlan::seconds_of(const StudyTask& task) const {
+  const double pixels = static_cast<double>(width) * height;
+  const auto render = [&](const Way& way) {
+    const WayCost& cost = cost_of(way);
+    return cost.build_seconds + cost.seconds_a_sample * pixels * task.samples;
+  };
+  switch (task.kind) {
+    case StudyTask::Kind::Reference:
+    case StudyTask::Kind::Repeat: return render(task.way);
+    case StudyTask::Kind::Point: return render(task.way) + pixels * kComparingSeconds;
+    case StudyTask::Kind::Depths:
+      return static_cast<double>(depths.size()) * render(costs.front().way);
+    case StudyTask::Kind::Precisions: {
+      constexpr double kOther = 2;  // double takes about so much longer
+      return (1 + kOther) * render(costs.front().way);
+    }
+  }
+  return 0;
+}
+
+std::string describe(const StudyTask& task) {
+  const auto of_way = [&] {
+    return fmt::format("{} samples, {}, light sampling {}, {}, depth {}", task.samples,
+                       name_of(task.way.sampler), name_of(task.way.light_sampling),
+                       name_of(task.way.precision), task.way.depth);
+  };
+  switch (task.kind) {
+    case StudyTask::Kind::Reference: return "reference: " + of_way();
+    case StudyTask::Kind::Point: return of_way();
+    case StudyTask::Kind::Repeat: return of_way() + ", again for its time";
+    case StudyTask::Kind::Depths:
+      return fmt::format("depths, {} of {}", task.round + 1, kProbeSeeds);
+    case StudyTask::Kind::Precisions:
+      return fmt::format("precisions, {} of {}", task.round + 1, kProbeSeeds);
+  }
+  return {};
+}
+
+StudyPlan plan_study(const StudyRequest& request) {
+  const double seconds = kPlannedShare * request.budget_seconds;
+  const RenderSettings& settings = request.settings;
+  const auto build = [&](double scale, int most) {
+    const auto side = [&](int full) {
+      return std::max(1, static_cast<int>(std::lround(full * scale)));
+    };
+    return PlanBuilder(request, side(settings.width), side(settings.height), most).build();
+  };
+  // Smaller pictures tell less of edges: as large as the budget allows.
+  double scale = 1;
+  constexpr double kLeastScale = 1.0 / 64;
+  while (total_seconds(build(scale, kLeastMostSamples)) > seconds && scale > kLeastScale) {
+    scale *= 0.9;
+  }
+  StudyPlan plan = build(scale, kLeastMostSamples);
+  for (int most = 2 * kLeastMostSamples; scale == 1 && most <= kMostMostSamples; most *= 2) {
+    StudyPlan longer = build(scale, most);
+    if (total_seconds(longer) > seconds) break;
+    plan = std::move(longer);
+  }
+  // What is left makes the reference better.
+  StudyTask& reference = plan.tasks.front();
+  reference.samples *= 2;
+  plan.reference_samples *= 2;
+  if (total_seconds(plan) > seconds) {
+    reference.samples /= 2;
+    plan.reference_samples /= 2;
+  }
+  return plan;
+}
+
+}  // namespace sdlc::render

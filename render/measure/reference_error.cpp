@@ -1,0 +1,89 @@
+#include "render/measure/reference_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "render/accuracy/pooled_variance.hpp"
+#include "render/image/layer.hpp"
+
+namespace sdlc::render {
+namespace {
+
+double squared_distance(const LinearRgb& a, const LinearRgb& b) {
+  const LinearRgb d = a - b;
+  return d.r * d.r + d.g * d.g + d.b * d.b;
+}
+
+/// tr Σ² / (tr Σ)² of the noise, from 1/3 where the channels have noise of their own to 1 where
+/// they share it.
+double shared_noise(const ReferencePicture& reference) {
+  double trace_of_square = 0, square_of_trace = 0;
+  for (std::size_t i = 0; i < reference.covariance.size(); ++i) {
+    const double covariance = reference.covariance[i];
+    const double trace = kReplicates * static_cast<double>(reference.squared_error[i]);
+    trace_of_square += covariance * covariance;
+    square_of_trace += trace * trace;
+  }
+  // E (tr S)² is (tr Σ)² + 2 tr Σ² / ν of a covariance matrix S with ν degrees of freedom.
+  square_of_trace -= 2.0 / (kReplicates - 1) * trace_of_square;
+  if (!(square_of_trace > trace_of_square)) return 1;
+  return std::max(trace_of_square / square_of_trace, 1.0 / 3);
+}
+
+}  // namespace
+
+ReferencePicture reference_picture(RenderResult&& result) {
+  ReferencePicture reference{.picture = std::move(result.picture)};
+  for (LinearRgb& pixel : reference.picture.pixels) {
+    pixel = {to_float(pixel.r), to_float(pixel.g), to_float(pixel.b)};
+  }
+  for (const PixelSpread& spread : result.spreads) {
+    reference.squared_error.push_back(to_float(spread.squared_error));
+    reference.covariance.push_back(to_float(spread.covariance));
+  }
+  return reference;
+}
+
+double mean_radiance(const Picture& picture) {
+  double sum = 0;
+  for (const LinearRgb& pixel : picture.pixels) sum += (pixel.r + pixel.g + pixel.b) / 3;
+  return sum / static_cast<double>(picture.pixels.size());
+}
+
+Measured error_against(const Picture& picture, const ReferencePicture& reference) {
+  const double mean = mean_radiance(reference.picture);
+  if (mean == 0) return {};
+  const double shared = shared_noise(reference);
+  double sum = 0;
+  PooledVariance variance;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    const double noise = reference.squared_error[i];
+    const double covariance = reference.covariance[i];
+    const double square = squared_distance(picture.pixels[i], reference.picture.pixels[i]) - noise;
+    sum += square;
+    variance.add(covariance * covariance / 6 + 4 * shared * std::max(square, 0.0) * noise);
+  }
+  const double half_width = variance.half_width();
+  const double values = 3 * static_cast<double>(picture.pixels.size());
+  const auto relative = [&](double squares) {
+    return std::sqrt(std::max(squares, 0.0) / values) / mean;
+  };
+  return {relative(sum), {relative(sum - half_width), relative(sum + half_width)}};
+}
+
+double error_spread(const Picture& picture, const ReferencePicture& reference) {
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    const double square = squared_distance(picture.pixels[i], reference.picture.pixels[i]) -
+                          reference.squared_error[i];
+    sum += square;
+    squares += square * square;
+  }
+  if (!(sum > 0)) return 0;
+  // Half the relative deviation of its square.
+  return error_against(picture, reference).value * std::sqrt(2.0 / 3 * squares) / (2 * sum);
+}
+
+}  // namespace sdlc::render

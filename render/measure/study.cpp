@@ -1,0 +1,345 @@
+#include "render/measure/study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include "render/compare/flip.hpp"
+#include "render/light/choose_lights.hpp"
+#include "render/measure/trade.hpp"
+
+namespace sdlc::render {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Seeds far from that of the points, so that what they are held against knows nothing of them.
+constexpr std::uint64_t kReferenceSeed = 1'000'003, kProbeSeed = 2'000'003;
+
+double cut_share(const RenderResult& result) {
+  return static_cast<double>(result.truncated_paths) /
+         static_cast<double>(std::max<std::uint64_t>(result.camera_samples, 1));
+}
+
+double seconds_of(const RenderResult& result) {
+  return result.build_seconds + result.render_seconds;
+}
+
+}  // namespace
+
+Study::Study(const Scene& scene, const RenderSettings& settings, KernelRequest request,
+             StudyOptions options, StudyLedger& ledger, const StudyObserver& observer,
+             RenderMonitor& monitor)
+    : scene_(scene),
+      settings_(settings),
+      request_(request),
+      options_(options),
+      ledger_(ledger),
+      observer_(observer),
+      monitor_(monitor),
+      spent_before_(ledger.spent_seconds),
+      start_(Clock::now()) {
+  settings_.error.reset();
+  settings_.seconds.reset();
+  settings_.is_adaptive = false;
+  const Kernel kernel = choose_kernel(scene, settings, request);
+  if (!kernel.refusal.empty()) throw std::invalid_argument(kernel.refusal);
+  own_ = {.sampler = settings.sampler,
+          .light_sampling = settings.light_sampling,
+          .precision = kernel.precision,
+          .depth = settings.depth};
+  const PrecisionClause clause = kernel.bounds.deciding();
+  ledger_.precision_bound = describe(clause, kernel.bounds[clause]);
+}
+
+KernelRequest Study::request_of(const Way& way) const {
+  if (way.precision == own_.precision) return request_;
+  KernelRequest request = request_;
+  request.precision = way.precision;
+  request.may_take_double = false;
+  return request;
+}
+
+RenderSettings Study::settings_of(const Way& way, int samples, std::uint64_t seed) const {
+  RenderSettings settings = settings_;
+  if (ledger_.plan) {
+    settings.width = ledger_.plan->width;
+    settings.height = ledger_.plan->height;
+  }
+  settings.samples = samples;
+  settings.sampler = way.sampler;
+  settings.light_sampling = way.light_sampling;
+  settings.depth = way.depth;
+  settings.seed = seed;
+  return settings;
+}
+
+std::vector<Way> Study::ways() const {
+  std::vector<Way> ways{own_};
+  const auto add = [&](auto Way::*member, auto value) {
+    Way way = own_;
+    way.*member = value;
+    ways.push_back(way);
+  };
+  add(&Way::sampler,
+      own_.sampler == SamplerKind::Sobol ? SamplerKind::Independent : SamplerKind::Sobol);
+  const auto lights = choose_lights(scene_, own_.light_sampling);
+  for (const LightSampling other : {LightSampling::On, LightSampling::Off}) {
+    if (choose_lights(scene_, other) != lights) add(&Way::light_sampling, other);
+  }
+  add(&Way::precision, own_.precision == Precision::Double ? Precision::Float : Precision::Double);
+  if (own_.depth > 2) add(&Way::depth, own_.depth / 2);
+  if (own_.depth <= 64) add(&Way::depth, 2 * own_.depth);
+  return ways;
+}
+
+WayCost Study::try_way(const Way& way) {
+  WayCost cost{.way = way};
+  RenderSettings settings = settings_of(way, 8, settings_.seed);
+  const Kernel kernel = choose_kernel(scene_, settings, request_of(way));
+  cost.refusal = kernel.refusal;
+  if (!cost.refusal.empty()) return cost;
+  cost.way.precision = kernel.precision;
+  // So small that it hardly costs anything, so large that all lanes and threads are busy.
+  constexpr double kPixels = 1 << 15;
+  const double scale = std::sqrt(kPixels / (static_cast<double>(settings.width) * settings.height));
+  if (scale < 1) {
+    settings.width = std::max(1, static_cast<int>(settings.width * scale));
+    settings.height = std::max(1, static_cast<int>(settings.height * scale));
+  }
+  const RenderResult result = render(scene_, settings, monitor_, request_of(way));
+  cost.build_seconds = result.build_seconds;
+  cost.seconds_a_sample = result.render_seconds / (static_cast<double>(settings.width) *
+                                                   settings.height * settings.samples);
+  return cost;
+}
+
+void Study::make_plan() {
+  StudyRequest request{.settings = settings_, .budget_seconds = options_.budget_seconds};
+  std::vector<Way> all = ways();
+  // The first render of a process is slower than those after it.
+  try_way(all.front());
+  for (const Way& way : all) {
+    if (monitor_.cancel.load()) return;
+    request.costs.push_back(try_way(way));
+  }
+  request.reference_way = own_;
+  request.reference_way.sampler = SamplerKind::Sobol;
+  // Light that is looked for is not missed.
+  if (!choose_lights(scene_, LightSampling::On).empty()) {
+    request.reference_way.light_sampling = LightSampling::On;
+  }
+  ledger_.plan = plan_study(request);
+}
+
+double Study::seconds_left() const {
+  return options_.budget_seconds - spent_before_ - seconds_since(start_);
+}
+
+void Study::account() {
+  ledger_.spent_seconds = spent_before_ + seconds_since(start_);
+  if (observer_.on_progress) observer_.on_progress(ledger_);
+}
+
+std::optional<RenderResult> Study::rendered(const Way& way, int samples, std::uint64_t seed,
+                                            bool keeps_variance) {
+  RenderSettings settings = settings_of(way, samples, seed);
+  settings.keeps_variance = keeps_variance;
+  monitor_.samples_done = 0;
+  monitor_.rays_done = 0;
+  RenderResult result = render(scene_, settings, monitor_, request_of(way));
+  if (!result.is_complete) return std::nullopt;
+  ledger_.nonfinite_samples += result.nonfinite_samples;
+  return result;
+}
+
+bool Study::is_done(const StudyTask& task) const {
+  const auto is_same = [&](const auto& done) {
+    return done.way == task.way && done.samples == task.samples;
+  };
+  const auto of_round = [&](const auto& probe) { return probe.round == task.round; };
+  switch (task.kind) {
+    case StudyTask::Kind::Reference: return ledger_.reference && reference_;
+    case StudyTask::Kind::Point: return std::ranges::any_of(ledger_.evaluations, is_same);
+    case StudyTask::Kind::Repeat:
+      return std::ranges::count_if(ledger_.renders, is_same) > task.round;
+    case StudyTask::Kind::Depths:
+      return static_cast<std::size_t>(std::ranges::count_if(ledger_.depths, of_round)) ==
+             ledger_.plan->depths.size();
+    case StudyTask::Kind::Precisions: return std::ranges::any_of(ledger_.precisions, of_round);
+  }
+  return false;
+}
+
+bool Study::run_reference(const StudyTask& task) {
+  const std::uint64_t seed = settings_.seed + kReferenceSeed;
+  std::optional<RenderResult> result = rendered(task.way, task.samples, seed, true);
+  if (!result) return false;
+  Reference reference{.way = task.way,
+                      .samples = task.samples,
+                      .seed = seed,
+                      .seconds = seconds_of(*result),
+                      .scarce_emitters = result->scarce_emitters.size()};
+  if (result->error) {
+    reference.error = {result->error->relative_error, result->error->interval};
+  }
+  reference_ = reference_picture(*std::move(result));
+  reference.mean_radiance = mean_radiance(reference_->picture);
+  ledger_.reference = reference;
+  if (observer_.on_reference) observer_.on_reference(*reference_);
+  return true;
+}
+
+bool Study::run_point(const StudyTask& task) {
+  const std::optional<RenderResult> result = rendered(task.way, task.samples, settings_.seed);
+  if (!result) return false;
+  ledger_.renders.push_back({.way = task.way,
+                             .samples = task.samples,
+                             .seconds = seconds_of(*result),
+                             .camera_samples = result->camera_samples,
+                             .rays = result->rays});
+  if (task.kind == StudyTask::Kind::Repeat) return true;
+  const Picture& picture = result->picture;
+  ledger_.evaluations.push_back({.way = task.way,
+                                 .samples = task.samples,
+                                 .error = error_against(picture, *reference_),
+                                 .error_spread = error_spread(picture, *reference_),
+                                 .difference = measure_difference(picture, reference_->picture),
+                                 .flip = flip(picture, reference_->picture).mean,
+                                 .scarce_emitters = result->scarce_emitters.size(),
+                                 .cut_share = cut_share(*result)});
+  if (observer_.on_picture) {
+    observer_.on_picture(task.way, task.samples, picture, *reference_);
+  }
+  return true;
+}
+
+bool Study::run_depths(const StudyTask& task) {
+  std::vector<DepthProbe> probes;
+  for (const int depth : ledger_.plan->depths) {
+    Way way = own_;
+    way.depth = depth;
+    const auto result = rendered(way, task.samples,
+                                 settings_.seed + kProbeSeed + static_cast<unsigned>(task.round));
+    if (!result) return false;
+    probes.push_back({.depth = depth,
+                      .round = task.round,
+                      .mean = mean_radiance(result->picture),
+                      .seconds = seconds_of(*result),
+                      .cut_share = cut_share(*result)});
+  }
+  ledger_.depths.insert(ledger_.depths.end(), probes.begin(), probes.end());
+  return true;
+}
+
+bool Study::run_precisions(const StudyTask& task) {
+  const std::uint64_t seed = settings_.seed + kProbeSeed + static_cast<unsigned>(task.round);
+  const auto& costs = ledger_.plan->costs;
+  const auto other = std::ranges::find_if(
+      costs, [&](const WayCost& cost) { return cost.way.precision != own_.precision; });
+  const auto first = rendered(own_, task.samples, seed);
+  if (!first) return false;
+  const auto second = rendered(other->way, task.samples, seed);
+  if (!second) return false;
+  ledger_.precisions.push_back(
+      {.round = task.round,
+       .mean = mean_radiance(first->picture),
+       .other_mean = mean_radiance(second->picture),
+       .rms_difference = measure_difference(first->picture, second->picture).relative_error,
+       .seconds = seconds_of(*first),
+       .other_seconds = seconds_of(*second)});
+  return true;
+}
+
+bool Study::run_task(const StudyTask& task) {
+  switch (task.kind) {
+    case StudyTask::Kind::Reference: return run_reference(task);
+    case StudyTask::Kind::Point:
+    case StudyTask::Kind::Repeat: return run_point(task);
+    case StudyTask::Kind::Depths: return run_depths(task);
+    case StudyTask::Kind::Precisions: return run_precisions(task);
+  }
+  return false;
+}
+
+void Study::tell(const std::string& what) const {
+  if (!observer_.on_task) return;
+  const double spent = options_.budget_seconds - seconds_left();
+  observer_.on_task(what, std::min(spent / options_.budget_seconds, 1.0));
+}
+
+double Study::expected_seconds(const StudyTask& task) const {
+  const double factor = foretold_ > 0 ? taken_ / foretold_ : 1;
+  return factor * ledger_.plan->seconds_of(task);
+}
+
+bool Study::run_and_account(const StudyTask& task) {
+  tell(describe(task));
+  const auto start = Clock::now();
+  if (!run_task(task)) return false;
+  foretold_ += ledger_.plan->seconds_of(task);
+  taken_ += seconds_since(start);
+  account();
+  return true;
+}
+
+void Study::run(std::optional<ReferencePicture> reference) {
+  reference_ = std::move(reference);
+  if (!ledger_.plan) {
+    tell("short trials of every way");
+    make_plan();
+    if (monitor_.cancel.load()) return;
+    account();
+  }
+  const std::vector<StudyTask> tasks = ledger_.plan->tasks;
+  for (const StudyTask& task : tasks) {
+    const bool is_reference = task.kind == StudyTask::Kind::Reference;
+    if (is_done(task) || (!is_reference && expected_seconds(task) > seconds_left())) continue;
+    if (!run_and_account(task)) return;
+  }
+  run_recommended();
+  run_longer();
+}
+
+void Study::run_longer() {
+  // No further than where the reference is still better.
+  while (!monitor_.cancel.load()) {
+    int most = 0;
+    for (const Evaluation& evaluation : ledger_.evaluations) {
+      if (evaluation.way == own_) most = std::max(most, evaluation.samples);
+    }
+    // From one power of two to the next.
+    int samples = static_cast<int>(kLeastReplicatedSamples);
+    while (samples <= most) samples *= 2;
+    const StudyTask task{.way = own_, .samples = samples};
+    const bool is_known = most > 0 && 2 * samples <= ledger_.plan->reference_samples;
+    if (!is_known || 1.2 * expected_seconds(task) > seconds_left()) return;
+    if (!run_and_account(task)) return;
+  }
+}
+
+void Study::run_recommended() {
+  // A point that came out above the goal asks for another with more samples.
+  constexpr int kTries = 3;
+  const std::size_t count = measurement().recommendations.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (int attempt = 0; attempt < kTries; ++attempt) {
+      const Measurement now = measurement();
+      if (i >= now.recommendations.size() || now.recommendations[i].is_measured) break;
+      const Recommendation& next = now.recommendations[i];
+      const StudyTask task{.way = next.way, .samples = next.samples};
+      if (is_done(task) || expected_seconds(task) > seconds_left()) break;
+      if (!run_and_account(task)) return;
+    }
+  }
+}
+
+Measurement Study::measurement() const { return measurement_of(ledger_, settings_, options_); }
+
+}  // namespace sdlc::render

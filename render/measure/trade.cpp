@@ -1,0 +1,224 @@
+#include "render/measure/trade.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "render/accuracy/student_t.hpp"
+
+namespace sdlc::render {
+namespace {
+
+/// y = level + slope (x − middle), by least squares, of logarithms.
+struct Line {
+  double middle = 0, level = 0, slope = 0;
+  double spread = 0;  ///< Σ (x − middle)²
+  double sigma = 0;   ///< of y about the line
+  double degrees = 0;
+
+  double at(double x) const { return level + slope * (x - middle); }
+  /// Half an interval of 95 % for the slope, and for one more y at x.
+  double slope_half_width() const { return student_t_975(degrees) * sigma / std::sqrt(spread); }
+  double half_width(double x) const {
+    const double n = degrees + 2, d = x - middle;
+    return student_t_975(degrees) * sigma * std::sqrt(1 + 1 / n + d * d / spread);
+  }
+};
+
+/// Nothing for fewer than three points of which the error is above 0.
+std::optional<Line> fit_line(const Series& series, std::span<const Point> points) {
+  std::vector<std::array<double, 2>> logs;
+  for (const std::size_t i : series.points) {
+    if (!(points[i].error.value > 0)) continue;
+    logs.push_back({std::log(points[i].samples), std::log(points[i].error.value)});
+  }
+  if (logs.size() < 3) return std::nullopt;
+  const auto n = static_cast<double>(logs.size());
+  Line line;
+  for (const auto& [x, y] : logs) line.middle += x / n, line.level += y / n;
+  double products = 0;
+  for (const auto& [x, y] : logs) {
+    line.spread += (x - line.middle) * (x - line.middle);
+    products += (x - line.middle) * (y - line.level);
+  }
+  line.slope = products / line.spread;
+  double squares = 0;
+  for (const auto& [x, y] : logs) squares += std::pow(y - line.at(x), 2);
+  line.degrees = n - 2;
+  line.sigma = std::sqrt(squares / line.degrees);
+  return line;
+}
+
+/// The least number of samples from `samples` on of the form 2^k · m, m = 4 … 7: Sobol' points
+/// spread evenly in whole quarters of powers of two, and users like few digits.
+int round_up(double samples) {
+  int step = 1;
+  while (7.0 * step < samples) step *= 2;
+  return static_cast<int>(std::ceil(samples / step)) * step;
+}
+
+/// Straight between the points in logarithms; seconds straight in samples.
+struct Between {
+  const Point& a;
+  const Point& b;
+
+  double share(double samples) const {
+    return std::log(samples / a.samples) / std::log(static_cast<double>(b.samples) / a.samples);
+  }
+  double error(double samples, double at_a, double at_b) const {
+    if (!(at_a > 0)) return 0;
+    return at_a * std::pow(at_b / at_a, share(samples));
+  }
+  /// Where the upper end of the interval comes down to `goal`.
+  double samples_at(double goal) const {
+    const double t =
+        std::log(goal / a.error.interval.to) / std::log(b.error.interval.to / a.error.interval.to);
+    return a.samples * std::pow(static_cast<double>(b.samples) / a.samples, t);
+  }
+};
+
+double seconds_at(double samples, const Point& a, const Point& b) {
+  const double rate = (b.seconds.value - a.seconds.value) / (b.samples - a.samples);
+  if (!(rate > 0)) return b.seconds.value * samples / b.samples;
+  return std::max(a.seconds.value + rate * (samples - a.samples), 0.0);
+}
+
+SamplesForError measured_at(std::size_t index, const Point& point) {
+  return {.samples = point.samples,
+          .is_measured = true,
+          .point = index,
+          .error = point.error,
+          .seconds = point.seconds.value};
+}
+
+std::optional<SamplesForError> beyond_last(double goal, const Series& series,
+                                           std::span<const Point> points) {
+  const std::optional<Line> line = fit_line(series, points);
+  if (!line || !(line->slope < -0.1)) return std::nullopt;
+  const Point& last = points[series.points.back()];
+  // From the last point, with the slope of all.
+  constexpr double kMostTimes = 64;
+  const auto error_at = [&](double samples) {
+    const double x = std::log(samples), growth = x - std::log(last.samples);
+    const double value = last.error.value * std::exp(line->slope * growth);
+    const double factor = std::exp(line->half_width(x));
+    return Measured{value, {value / factor, value * factor}};
+  };
+  for (double samples = round_up(last.samples + 1); samples <= kMostTimes * last.samples;
+       samples = round_up(samples + 1)) {
+    const Measured error = error_at(samples);
+    if (error.value > goal) continue;
+    const Point& first = points[series.points.front()];
+    return SamplesForError{.samples = static_cast<int>(samples),
+                           .point = series.points.back(),
+                           .error = error,
+                           .seconds = seconds_at(samples, first, last)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void mark_standings(std::span<Point> points) {
+  for (Point& point : points) {
+    point.standing = Standing::Front;
+    for (const Point& other : points) {
+      if (!(other.seconds.value < point.seconds.value && other.error.value < point.error.value)) {
+        continue;
+      }
+      const bool is_sure = other.seconds.interval.to < point.seconds.interval.from &&
+                           other.error.interval.to < point.error.interval.from;
+      if (is_sure) {
+        point.standing = Standing::Dominated;
+        break;
+      }
+      point.standing = Standing::NotDistinguished;
+    }
+  }
+}
+
+std::vector<Series> group_by_way(std::span<const Point> points) {
+  std::vector<Series> all;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    auto series = std::ranges::find(all, points[i].way, &Series::way);
+    if (series == all.end()) series = all.insert(all.end(), Series{.way = points[i].way});
+    series->points.push_back(i);
+  }
+  for (Series& series : all) {
+    std::ranges::sort(series.points, {}, [&](std::size_t i) { return points[i].samples; });
+    if (const std::optional<Line> line = fit_line(series, points)) {
+      const double half_width = line->slope_half_width();
+      series.slope = Measured{line->slope, {line->slope - half_width, line->slope + half_width}};
+    }
+  }
+  return all;
+}
+
+std::optional<SamplesForError> samples_for(double goal, const Series& series,
+                                           std::span<const Point> points) {
+  const auto is_there = [&](std::size_t i) { return points[i].error.interval.to <= goal; };
+  const auto found = std::ranges::find_if(series.points, is_there);
+  if (found == series.points.end()) return beyond_last(goal, series, points);
+  const Point& b = points[*found];
+  const bool is_noiseless = !(b.error.interval.to > 0);
+  if (found == series.points.begin() || is_noiseless) return measured_at(*found, b);
+  const Point& a = points[*(found - 1)];
+  const Between between{a, b};
+  const int samples = round_up(between.samples_at(goal));
+  if (samples >= b.samples) return measured_at(*found, b);
+  const auto at = [&](double of_a, double of_b) { return between.error(samples, of_a, of_b); };
+  return SamplesForError{.samples = samples,
+                         .point = *found,
+                         .error = {at(a.error.value, b.error.value),
+                                   {at(a.error.interval.from, b.error.interval.from),
+                                    at(a.error.interval.to, b.error.interval.to)}},
+                         .seconds = seconds_at(samples, a, b)};
+}
+
+std::vector<double> worthwhile_goals(std::span<const Point> points, std::optional<double> wanted) {
+  constexpr std::array kRound{0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001};
+  double largest = 0, least = 1e300;
+  for (const Point& point : points) {
+    if (!(point.error.interval.to > 0)) continue;
+    largest = std::max(largest, point.error.interval.to);
+    least = std::min(least, point.error.interval.to);
+  }
+  std::vector<double> goals;
+  for (const double goal : kRound) {
+    // One beyond the points is of use to those who have more time.
+    constexpr double kBeyond = 2.5;
+    if (goal <= largest && goal * kBeyond >= least) goals.push_back(goal);
+  }
+  if (wanted && !std::ranges::count(goals, *wanted)) goals.push_back(*wanted);
+  std::ranges::sort(goals, std::greater());
+  return goals;
+}
+
+std::optional<Recommendation> recommend(double goal, std::span<const Series> series,
+                                        std::span<const Point> points, const NoiseOfTime& noise,
+                                        double other_seconds) {
+  std::optional<SamplesForError> best;
+  const Series* of_best = nullptr;
+  for (const Series& candidate : series) {
+    if (candidate.way.depth != series.front().way.depth) continue;
+    std::optional<SamplesForError> found = samples_for(goal, candidate, points);
+    if (!found) continue;
+    // Others have to be better than the first by more than times differ by.
+    const double kept = of_best == &series.front() ? std::exp(-2 * noise.sigma()) : 1;
+    if (best && !(found->seconds < kept * best->seconds)) continue;
+    best = found;
+    of_best = &candidate;
+  }
+  if (!best) return std::nullopt;
+  return Recommendation{
+      .goal = goal,
+      .way = of_best->way,
+      .samples = best->samples,
+      .is_measured = best->is_measured,
+      .error = best->error,
+      .seconds = noise.next(best->seconds + other_seconds, points[best->point].timings.size())};
+}
+
+}  // namespace sdlc::render

@@ -1,0 +1,129 @@
+#include "render/measure/plan.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace sdlc::test {
+namespace {
+
+using render::StudyPlan;
+using render::StudyRequest;
+using render::StudyTask;
+using Kind = render::StudyTask::Kind;
+
+constexpr render::Way kOwn{};
+
+/// A megapixel of which ten million samples take a second.
+StudyRequest request(double budget_seconds, double seconds_a_sample = 1e-7) {
+  StudyRequest request{.settings = {.width = 1000, .height = 1000, .samples = 48},
+                       .reference_way = kOwn,
+                       .budget_seconds = budget_seconds};
+  render::Way independent = kOwn;
+  independent.sampler = render::SamplerKind::Independent;
+  render::Way twice = kOwn;
+  twice.precision = render::Precision::Double;
+  for (const render::Way& way : {kOwn, independent, twice}) {
+    request.costs.push_back({.way = way, .seconds_a_sample = seconds_a_sample});
+  }
+  return request;
+}
+
+double seconds_of(const StudyPlan& plan) {
+  double sum = 0;
+  for (const StudyTask& task : plan.tasks) sum += plan.seconds_of(task);
+  return sum;
+}
+
+int most_samples(const StudyPlan& plan) {
+  int most = 0;
+  for (const StudyTask& task : plan.tasks) {
+    if (task.kind == Kind::Point) most = std::max(most, task.samples);
+  }
+  return most;
+}
+
+TEST(StudyPlan, FitsIntoItsBudgetAndUsesIt) {
+  for (const double budget : {200.0, 600.0, 3600.0}) {
+    const StudyPlan plan = plan_study(request(budget));
+    EXPECT_LE(seconds_of(plan), budget);
+    EXPECT_GE(seconds_of(plan), 0.3 * budget);
+    EXPECT_EQ(plan.width, 1000);
+  }
+}
+
+TEST(StudyPlan, TakesMoreSamplesWithMoreTime) {
+  EXPECT_GT(most_samples(plan_study(request(3600))), most_samples(plan_study(request(200))));
+}
+
+TEST(StudyPlan, MakesThePictureSmallerWhereTimeIsShort) {
+  const StudyPlan plan = plan_study(request(10));
+  EXPECT_LT(plan.width, 500);
+  EXPECT_EQ(plan.width, plan.height);
+  EXPECT_LE(seconds_of(plan), 10);
+  EXPECT_EQ(most_samples(plan), 64);
+}
+
+TEST(StudyPlan, BeginsWithAReferenceOfFourTimesTheMostSamples) {
+  const StudyPlan plan = plan_study(request(600));
+  EXPECT_EQ(plan.tasks.front().kind, Kind::Reference);
+  EXPECT_EQ(plan.tasks.front().samples, plan.reference_samples);
+  EXPECT_GE(plan.reference_samples, 4 * most_samples(plan));
+}
+
+TEST(StudyPlan, HasTheScenesOwnSamplesToo) {
+  const StudyPlan plan = plan_study(request(600));
+  const StudyTask own{.way = kOwn, .samples = 48};
+  EXPECT_EQ(std::ranges::count(plan.tasks, own), 1);
+}
+
+TEST(StudyPlan, AsksForNothingTwice) {
+  const StudyPlan plan = plan_study(request(600));
+  for (const StudyTask& task : plan.tasks) {
+    EXPECT_EQ(std::ranges::count(plan.tasks, task), 1) << describe(task);
+  }
+}
+
+TEST(StudyPlan, PlansNothingOfWhatIsRefused) {
+  StudyRequest refused = request(600);
+  refused.costs[2].refusal = "--precision double: no";
+  const StudyPlan plan = plan_study(refused);
+  for (const StudyTask& task : plan.tasks) {
+    EXPECT_NE(task.way.precision, render::Precision::Double);
+    EXPECT_NE(task.kind, Kind::Precisions);
+  }
+}
+
+TEST(StudyPlan, LooksAtDepthsOnBothSidesOfTheScenesOwn) {
+  StudyRequest odd = request(600);
+  odd.settings.depth = 12;
+  EXPECT_EQ(plan_study(odd).depths, (std::vector{2, 4, 8, 12, 16}));
+  odd.settings.depth = 1;
+  EXPECT_EQ(plan_study(odd).depths, (std::vector{1, 2}));
+  odd.settings.depth = 1000;
+  EXPECT_EQ(plan_study(odd).depths, (std::vector{2, 4, 8, 16, 32, 64, 128, 1000}));
+}
+
+// Each of the things would be measured on a machine that just then is slow, were they not spread.
+TEST(StudyPlan, SpreadsRepeatsOverTheWholeTime) {
+  const StudyPlan plan = plan_study(request(600));
+  std::vector<int> rounds;
+  for (const StudyTask& task : plan.tasks) {
+    if (task.kind == Kind::Repeat) rounds.push_back(task.round);
+  }
+  ASSERT_FALSE(rounds.empty());
+  EXPECT_TRUE(std::ranges::is_sorted(rounds));
+  EXPECT_EQ(rounds.back(), 2);
+}
+
+TEST(StudyPlan, HoldsForAPictureOfOnePixel) {
+  StudyRequest tiny = request(1);
+  tiny.settings.width = tiny.settings.height = 1;
+  const StudyPlan plan = plan_study(tiny);
+  EXPECT_EQ(plan.width, 1);
+  EXPECT_LE(seconds_of(plan), 1);
+}
+
+}  // namespace
+}  // namespace sdlc::test

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "render/measure/measurement.hpp"
+
+namespace sdlc::test {
+
+inline render::Measured measured(double value, double share) {
+  return {value, {value * (1 - share), value * (1 + share)}};
+}
+
+/// A point whose intervals are 2 % to each side.
+inline render::Point point(int samples, double seconds, double error, render::Way way = {}) {
+  return {.way = way,
+          .samples = samples,
+          .timings = {seconds},
+          .seconds = measured(seconds, 0.02),
+          .error = measured(error, 0.02)};
+}
+
+inline const render::Way kIndependent{.sampler = render::SamplerKind::Independent};
+
+}  // namespace sdlc::test

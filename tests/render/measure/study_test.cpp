@@ -1,0 +1,178 @@
+#include "render/measure/study.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/statistics/rooms.hpp"
+
+namespace sdlc::test {
+namespace {
+
+using render::Measurement;
+using render::Point;
+using render::StudyLedger;
+using render::StudyObserver;
+
+constexpr render::RenderSettings kSettings{.width = 24, .height = 16, .samples = 12, .depth = 6};
+/// In which all that is planned for so small a picture is done.
+constexpr render::StudyOptions kOptions{.budget_seconds = 600};
+
+/// A ledger with a plan of so few samples that it takes a second, whatever the machine.
+StudyLedger short_ledger() {
+  StudyLedger ledger;
+  render::Way own{.precision = render::Precision::Float, .depth = 6};
+  render::StudyRequest request{
+      .settings = kSettings, .reference_way = own, .budget_seconds = kOptions.budget_seconds};
+  // So slow that 64 samples are the most.
+  const double seconds_a_sample = 0.5;
+  request.costs.push_back({.way = own, .seconds_a_sample = seconds_a_sample / (24 * 16)});
+  render::Way independent = own;
+  independent.sampler = render::SamplerKind::Independent;
+  request.costs.push_back({.way = independent, .seconds_a_sample = seconds_a_sample / (24 * 16)});
+  render::Way exact = own;
+  exact.precision = render::Precision::Double;
+  request.costs.push_back({.way = exact, .seconds_a_sample = seconds_a_sample / (24 * 16)});
+  ledger.plan = plan_study(request);
+  // Nothing that is told apart by a clock.
+  std::erase_if(ledger.plan->tasks, [](const render::StudyTask& task) {
+    return task.kind == render::StudyTask::Kind::Repeat;
+  });
+  return ledger;
+}
+
+class StudyTest : public testing::Test {
+ protected:
+  /// Runs until `most` things were done; all by default.
+  void run(StudyLedger& ledger, int most = 1 << 30) {
+    render::RenderMonitor monitor;
+    int done = 0;
+    StudyObserver observer;
+    observer.on_reference = [&](const render::ReferencePicture& picture) { reference_ = picture; };
+    observer.on_progress = [&](const StudyLedger&) {
+      if (++done >= most) monitor.cancel = true;
+    };
+    render::Study study(scene_, kSettings, {}, kOptions, ledger, observer, monitor);
+    study.run(reference_);
+  }
+
+  static Point point_of(const Measurement& measurement, const render::StudyTask& task) {
+    const auto found = std::ranges::find_if(measurement.points, [&](const Point& point) {
+      return point.way == task.way && point.samples == task.samples;
+    });
+    EXPECT_NE(found, measurement.points.end()) << describe(task);
+    return found != measurement.points.end() ? *found : Point{};
+  }
+
+  Measurement measurement(const StudyLedger& ledger) const {
+    return measurement_of(ledger, kSettings, kOptions);
+  }
+
+  const render::Scene scene_ = small_room();
+  std::optional<render::ReferencePicture> reference_;
+};
+
+TEST_F(StudyTest, MeasuresEveryPointOfItsPlan) {
+  StudyLedger ledger = short_ledger();
+  run(ledger);
+  const Measurement result = measurement(ledger);
+  ASSERT_TRUE(result.reference);
+  EXPECT_TRUE(result.left_out.empty());
+  ASSERT_GE(result.series.size(), 3u);
+  EXPECT_EQ(result.series[0].way, result.own);
+  for (const Point& point : result.points) {
+    EXPECT_GT(point.seconds.value, 0);
+    EXPECT_GT(point.error.value, 0);
+    EXPECT_LE(point.error.interval.from, point.error.value);
+    EXPECT_GE(point.error.interval.to, point.error.value);
+    EXPECT_GT(point.flip, 0);
+  }
+  const auto& own = result.series[0].points;
+  EXPECT_LT(result.points[own.back()].error.value, result.points[own.front()].error.value / 2);
+  ASSERT_FALSE(result.recommendations.empty());
+}
+
+TEST_F(StudyTest, TellsWhatDepthsLose) {
+  StudyLedger ledger = short_ledger();
+  run(ledger);
+  const auto depths = measurement(ledger).depths;
+  ASSERT_EQ(depths.size(), ledger.plan->depths.size());
+  EXPECT_GT(depths.front().loss.interval.from, 0.01)
+      << "with depth 2 what bounces twice is missing";
+  EXPECT_EQ(depths.back().loss.value, 0) << "the greatest is what the others are held against";
+  for (std::size_t i = 1; i < depths.size(); ++i) {
+    EXPECT_LE(depths[i].loss.value, depths[i - 1].loss.value);
+  }
+}
+
+TEST_F(StudyTest, FindsFloatAndDoubleToAgree) {
+  StudyLedger ledger = short_ledger();
+  run(ledger);
+  const auto precision = measurement(ledger).precision;
+  ASSERT_TRUE(precision);
+  EXPECT_EQ(precision->refusal, "");
+  EXPECT_LE(precision->mean_difference.interval.from, 0);
+  EXPECT_GE(precision->mean_difference.interval.to, 0);
+  EXPECT_LT(std::abs(precision->mean_difference.value), 0.01);
+}
+
+TEST_F(StudyTest, GoesOnWhereItWasStoppedAndComesToTheSame) {
+  StudyLedger whole = short_ledger();
+  run(whole);
+
+  StudyLedger parts = short_ledger();
+  for (int stops = 0; stops < 4; ++stops) run(parts, 3);
+  EXPECT_LT(parts.evaluations.size(), whole.evaluations.size());
+  run(parts);
+  // Which points there are beyond the plan is up to the clock.
+  for (const render::StudyTask& task : whole.plan->tasks) {
+    if (task.kind != render::StudyTask::Kind::Point) continue;
+    const Point result = point_of(measurement(parts), task);
+    const Point expected = point_of(measurement(whole), task);
+    EXPECT_EQ(result.error.value, expected.error.value) << describe(task);
+    EXPECT_EQ(result.difference.rmse, expected.difference.rmse) << describe(task);
+    EXPECT_EQ(result.timings.size(), expected.timings.size()) << describe(task);
+  }
+  EXPECT_EQ(parts.depths.size(), whole.depths.size());
+  EXPECT_EQ(parts.precisions.size(), whole.precisions.size());
+}
+
+TEST_F(StudyTest, LosesNothingWhenItIsStopped) {
+  StudyLedger ledger = short_ledger();
+  run(ledger, 4);
+  EXPECT_TRUE(ledger.reference);
+  EXPECT_EQ(ledger.evaluations.size(), 3u);
+  const Measurement result = measurement(ledger);
+  EXPECT_EQ(result.points.size(), 3u);
+  EXPECT_FALSE(result.left_out.empty());
+}
+
+TEST_F(StudyTest, SaysWhatThereWasNoTimeFor) {
+  StudyLedger ledger = short_ledger();
+  ledger.spent_seconds = kOptions.budget_seconds;
+  run(ledger);
+  EXPECT_TRUE(ledger.reference) << "without it nothing is a point";
+  const Measurement result = measurement(ledger);
+  EXPECT_TRUE(result.points.empty());
+  ASSERT_FALSE(result.left_out.empty());
+  for (const auto& left_out : result.left_out) EXPECT_EQ(left_out.reason, "there was no time left");
+}
+
+TEST_F(StudyTest, HoldsNothingAgainstABlackScene) {
+  render::Scene black = beam_scene({0, 0, 5}, {0, 0, 0}, render::LinearRgb{0});
+  add_sphere(black, {0, 0, 0}, 1, diffuse({0.5, 0.5, 0.5}));
+  StudyLedger ledger = short_ledger();
+  render::RenderMonitor monitor;
+  const StudyObserver observer;
+  render::Study study(black, kSettings, {}, kOptions, ledger, observer, monitor);
+  study.run({});
+  const Measurement result = measurement(ledger);
+  for (const Point& point : result.points) EXPECT_EQ(point.error.value, 0);
+  EXPECT_TRUE(result.recommendations.empty());
+}
+
+}  // namespace
+}  // namespace sdlc::test
