@@ -31,6 +31,7 @@ void add_explain_command(CLI::App& app, Dispatcher& dispatcher);
 void add_fmt_command(CLI::App& app, Dispatcher& dispatcher);
 void add_inspect_command(CLI::App& app, Dispatcher& dispatcher);
 void add_lint_command(CLI::App& app, Dispatcher& dispatcher);
+void add_measure_command(CLI::App& app, Dispatcher& dispatcher);
 void add_render_command(CLI::App& app, Dispatcher& dispatcher);
 void add_schema_command(CLI::App& app, Dispatcher& dispatcher);
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <ostream>
+#include <span>
+#include <string>
 
 #include "lang/source/source.hpp"
 
@@ -13,7 +15,8 @@ struct Environment {
   std::ostream& err;  ///< everything else
   bool out_is_terminal = false;
   bool err_is_terminal = false;
-  bool no_color = false;  ///< the user's NO_COLOR
+  bool no_color = false;                        ///< the user's NO_COLOR
+  std::span<const std::string> arguments = {};  ///< of the command line, for those who repeat it
 };
 
 /// The environment of this process.

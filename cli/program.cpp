@@ -86,6 +86,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
       "  sdlc fmt scenes/                        the one layout for all of them\n"
       "  sdlc convert old.json                   a JSON config as a scene, or a scene as a config\n"
       "  sdlc inspect ball.scene                 what the scene lowers to and requires\n"
+      "  sdlc measure ball.scene                 what error it has after what time\n"
       "  sdlc compare new.exr reference.exr      how far a picture is from another\n"
       "  sdlc explain E104                       what a message means\n"
       "  sdlc render --help                      all about one command\n\n"
@@ -102,6 +103,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
   add_lint_command(app, dispatcher);
   add_fmt_command(app, dispatcher);
   add_convert_command(app, dispatcher);
+  add_measure_command(app, dispatcher);
   add_compare_command(app, dispatcher);
   add_explain_command(app, dispatcher);
   add_schema_command(app, dispatcher);
@@ -132,6 +134,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
 }  // namespace
 
 ExitCode run_program(std::span<const std::string> arguments, Environment& env) {
+  env.arguments = arguments;
   try {
     const ExitCode code = parse_and_run(arguments, env);
     if (!env.out.flush()) throw render::IoError("write", "standard output", "the write failed");

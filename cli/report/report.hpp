@@ -17,7 +17,7 @@ struct Provenance {
   std::string version;  ///< of sdlc, with its commit
   std::string command;  ///< with which it was made, as a shell takes it
   /// "processor", "cores", "memory", "system", "instruction set" …, with their values.
-  std::vector<std::pair<std::string, std::string>> machine;
+  std::vector<std::pair<std::string, std::string>> machine{};
 };
 
 /// A picture on the page.
@@ -30,18 +30,18 @@ struct ReportImage {
 /// Pictures that belong side by side: the same place with more and more samples.
 struct ReportRow {
   std::string title;
-  std::vector<ReportImage> images;
+  std::vector<ReportImage> images{};
 };
 
 struct Report {
   const render::Measurement& measurement;
-  Provenance provenance;
-  ReportImage picture;           ///< the reference, small
-  std::vector<ReportRow> crops;  ///< details; the reference is the last of each
-  std::vector<ReportRow> error_maps;
+  Provenance provenance{};
+  ReportImage picture{};           ///< the reference, small
+  std::vector<ReportRow> crops{};  ///< details; the reference is the last of each
+  std::vector<ReportRow> error_maps{};
   double error_map_top = 0;  ///< the error of the brightest colour, relative to the mean
-  std::optional<render::Comparison> against;
-  std::vector<std::string> notes;  ///< what a reader has to know first: warnings, in sentences
+  std::optional<render::Comparison> against{};
+  std::vector<std::string> notes{};  ///< what a reader has to know first: warnings, in sentences
 };
 
 /// The flags of `sdlc render` for a way and samples, as far as they differ from the scene's own.

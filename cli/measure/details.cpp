@@ -1,0 +1,264 @@
+#include "cli/measure/details.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/report/figures.hpp"
+#include "render/compare/color_map.hpp"
+#include "render/image/image.hpp"
+#include "render/scene/choices.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+using render::LinearRgb;
+using render::Picture;
+
+constexpr int kCropWidth = 96, kCropHeight = 72;
+constexpr int kMapWidth = 320, kThumbnailWidth = 480;
+
+/// The root of the mean over the channels of the squared difference, of each pixel.
+std::vector<float> errors_of(const Picture& picture, const Picture& reference) {
+  std::vector<float> errors;
+  errors.reserve(picture.pixels.size());
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    const LinearRgb d = picture.pixels[i] - reference.pixels[i];
+    errors.push_back(static_cast<float>(std::sqrt((d.r * d.r + d.g * d.g + d.b * d.b) / 3)));
+  }
+  return errors;
+}
+
+Picture cropped(const Picture& picture, const Window& window) {
+  Picture crop(window.width, window.height);
+  for (int y = 0; y < window.height; ++y) {
+    for (int x = 0; x < window.width; ++x) crop.at(x, y) = picture.at(window.x + x, window.y + y);
+  }
+  return crop;
+}
+
+/// Which whole pixels of `count` become the pixel `i` of `fewer`.
+std::pair<int, int> pixels_behind(int i, int fewer, int count) {
+  const auto edge = [&](int at) {
+    return static_cast<int>(static_cast<long long>(at) * count / fewer);
+  };
+  return {edge(i), std::max(edge(i + 1), edge(i) + 1)};
+}
+
+/// `value(x, y)` averaged over the pixels behind each of a smaller picture.
+template <typename T, typename Value>
+std::vector<T> shrunk(int width, int height, int from_width, int from_height, Value value) {
+  std::vector<T> values;
+  for (int v = 0; v < height; ++v) {
+    const auto [top, bottom] = pixels_behind(v, height, from_height);
+    for (int u = 0; u < width; ++u) {
+      const auto [left, right] = pixels_behind(u, width, from_width);
+      auto sum = value(left, top) * 0.0;
+      for (int y = top; y < bottom; ++y) {
+        for (int x = left; x < right; ++x) sum = sum + value(x, y);
+      }
+      values.push_back(static_cast<T>(sum / static_cast<double>((bottom - top) * (right - left))));
+    }
+  }
+  return values;
+}
+
+/// A size of at most `most_width` and of the same shape.
+std::pair<int, int> smaller_size(int width, int height, int most_width) {
+  const int smaller = std::min(width, most_width);
+  return {smaller, std::max(1, static_cast<int>(static_cast<long long>(height) * smaller / width))};
+}
+
+Window window_of(const Json& json) {
+  return {.title = json.at("title"),
+          .x = json.at("x"),
+          .y = json.at("y"),
+          .width = json.at("width"),
+          .height = json.at("height")};
+}
+
+}  // namespace
+
+std::string Details::key_of(const render::Way& way, int samples) {
+  return fmt::format("{}-lights-{}-{}-depth-{}-samples-{}", name_of(way.sampler),
+                     name_of(way.light_sampling), name_of(way.precision), way.depth, samples);
+}
+
+void Details::choose_windows(const Picture& picture, const render::ReferencePicture& reference) {
+  const std::vector<float> errors = errors_of(picture, reference.picture);
+  mean_ = render::mean_radiance(reference.picture);
+  // Four times the error of the whole, so that the maps of better pictures are not black.
+  constexpr double kBrightest = 4;
+  top_ = kBrightest * render::error_against(picture, reference).value * mean_;
+  std::tie(map_width_, map_height_) = smaller_size(picture.width, picture.height, kMapWidth);
+  std::tie(thumbnail_width_, thumbnail_height_) =
+      smaller_size(picture.width, picture.height, kThumbnailWidth);
+
+  const int width = std::min(picture.width, kCropWidth);
+  const int height = std::min(picture.height, kCropHeight);
+  std::vector<std::pair<double, Window>> places;
+  for (int y = 0; y + height <= picture.height; y += std::max(height / 2, 1)) {
+    for (int x = 0; x + width <= picture.width; x += std::max(width / 2, 1)) {
+      double sum = 0;
+      for (int v = y; v < y + height; ++v) {
+        const auto row = errors.begin() + static_cast<std::ptrdiff_t>(v) * picture.width + x;
+        // Of roots, so that a few bright pixels do not decide.
+        for (int u = 0; u < width; ++u) sum += std::sqrt(static_cast<double>(row[u]));
+      }
+      places.push_back({sum, {.x = x, .y = y, .width = width, .height = height}});
+    }
+  }
+  std::ranges::stable_sort(places, std::greater(), &std::pair<double, Window>::first);
+  const auto add = [&](const char* title, std::size_t rank) {
+    Window window = places[rank].second;
+    window.title =
+        fmt::format("{} ({} × {} pixels from {}, {})", title, width, height, window.x, window.y);
+    windows_.push_back(window);
+  };
+  add("The noisiest place", 0);
+  if (places.size() > 4) add("A place of medium noise", places.size() / 2);
+}
+
+std::string Details::png(const Picture& picture) const {
+  const auto bytes = render::encode_picture(
+      picture, {.format = render::ImageFormat::Png, .tone = tone_, .metadata = {.software = ""}});
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+PictureDetails Details::details_of(const Picture& picture,
+                                   const render::ReferencePicture* reference) const {
+  PictureDetails details;
+  for (const Window& window : windows_) details.crops.push_back(png(cropped(picture, window)));
+  if (reference == nullptr) return details;
+  const std::vector<float> errors = errors_of(picture, reference->picture);
+  const auto error_at = [&](int x, int y) {
+    return static_cast<double>(
+        errors[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+               static_cast<std::size_t>(x)]);
+  };
+  const auto values =
+      shrunk<float>(map_width_, map_height_, picture.width, picture.height, error_at);
+  const Picture map = render::color_mapped(values, map_width_, map_height_, top_);
+  const auto bytes = render::encode_picture(
+      map, {.format = render::ImageFormat::Png, .metadata = {.software = ""}});
+  details.error_map.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return details;
+}
+
+std::string Details::add(const render::Way& way, int samples, const Picture& picture,
+                         const render::ReferencePicture& reference) {
+  if (windows_.empty()) choose_windows(picture, reference);
+  if (!pictures_.contains(kReferenceKey)) {
+    PictureDetails details = details_of(reference.picture, nullptr);
+    // In the place of its error, the whole of it.
+    Picture small(thumbnail_width_, thumbnail_height_);
+    small.pixels = shrunk<LinearRgb>(small.width, small.height, picture.width, picture.height,
+                                     [&](int x, int y) { return reference.picture.at(x, y); });
+    details.error_map = png(small);
+    pictures_[kReferenceKey] = std::move(details);
+  }
+  std::string key = key_of(way, samples);
+  pictures_[key] = details_of(picture, &reference);
+  return key;
+}
+
+void Details::add_rows(Report& report, const std::string& title,
+                       const std::vector<Shown>& shown) const {
+  for (std::size_t i = 0; i < windows_.size(); ++i) {
+    ReportRow row{.title = fmt::format("{}. {}", title, windows_[i].title), .images = {}};
+    for (const auto& [name, key] : shown) {
+      row.images.push_back({.title = name,
+                            .png = at(key).crops.at(i),
+                            .width = windows_[i].width,
+                            .height = windows_[i].height});
+    }
+    report.crops.push_back(std::move(row));
+  }
+  ReportRow maps{.title = title, .images = {}};
+  for (const auto& [name, key] : shown) {
+    if (key == kReferenceKey) continue;
+    maps.images.push_back(
+        {.title = name, .png = at(key).error_map, .width = map_width_, .height = map_height_});
+  }
+  report.error_maps.push_back(std::move(maps));
+}
+
+void Details::fill(Report& report) const {
+  if (windows_.empty() || !pictures_.contains(kReferenceKey)) return;
+  const render::Measurement& measurement = report.measurement;
+  report.error_map_top = mean_ > 0 ? top_ / mean_ : 0;
+  report.picture = {.title = "The reference",
+                    .png = at(kReferenceKey).error_map,
+                    .width = thumbnail_width_,
+                    .height = thumbnail_height_};
+
+  std::vector<Shown> own;
+  for (const render::Point& point : measurement.points) {
+    const std::string key = key_of(point.way, point.samples);
+    if (point.way != measurement.own || !pictures_.contains(key)) continue;
+    own.push_back(
+        {fmt::format("{} samples, error {}", point.samples, percent(point.error.value)), key});
+  }
+  // Four of them at most, from the first to the last.
+  constexpr std::size_t kMost = 4;
+  std::vector<Shown> shown;
+  for (std::size_t i = 0; i < std::min(own.size(), kMost); ++i) {
+    const std::size_t steps = std::min(own.size(), kMost) - 1;
+    shown.push_back(own[steps == 0 ? 0 : i * (own.size() - 1) / steps]);
+  }
+  if (shown.empty()) return;
+  shown.push_back({"reference", kReferenceKey});
+  add_rows(report, "More and more samples", shown);
+
+  // All ways with as many samples as all have.
+  constexpr int kSamples = 64;
+  std::vector<Shown> ways;
+  for (const render::Point& point : measurement.points) {
+    const std::string key = key_of(point.way, point.samples);
+    if (point.samples != kSamples || !pictures_.contains(key)) continue;
+    ways.push_back({fmt::format("{}, {}, error {}", describe_way(measurement, point.way),
+                                duration(point.seconds.value), percent(point.error.value)),
+                    key});
+  }
+  if (ways.size() < 2) return;
+  ways.push_back({"reference", kReferenceKey});
+  add_rows(report, fmt::format("Every way with {} samples", kSamples), ways);
+}
+
+std::vector<std::string> Details::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, pictures] : pictures_) keys.push_back(key);
+  return keys;
+}
+
+Json Details::frame_json() const {
+  if (windows_.empty()) return nullptr;
+  Json windows = Json::array();
+  for (const auto& [title, x, y, width, height] : windows_) {
+    windows.push_back({{"title", title}, {"x", x}, {"y", y}, {"width", width}, {"height", height}});
+  }
+  return {{"windows", windows},
+          {"top", top_},
+          {"mean", mean_},
+          {"map", {map_width_, map_height_}},
+          {"thumbnail", {thumbnail_width_, thumbnail_height_}}};
+}
+
+void Details::read_frame(const Json& json) {
+  if (json.is_null()) return;
+  for (const Json& window : json.at("windows")) windows_.push_back(window_of(window));
+  top_ = json.at("top");
+  mean_ = json.at("mean");
+  map_width_ = json.at("map").at(0);
+  map_height_ = json.at("map").at(1);
+  thumbnail_width_ = json.at("thumbnail").at(0);
+  thumbnail_height_ = json.at("thumbnail").at(1);
+}
+
+}  // namespace sdlc::cli

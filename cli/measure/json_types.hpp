@@ -1,0 +1,27 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "render/compare/difference.hpp"
+#include "render/measure/measurement.hpp"
+
+/// The small types of a measurement as JSON, both ways. Reading throws nlohmann::json::exception,
+/// or std::invalid_argument for a word that is none.
+namespace sdlc::cli {
+
+using Json = nlohmann::ordered_json;
+
+Json way_json(const render::Way& way);
+render::Way way_of(const Json& json);
+
+Json interval_json(const render::Interval& interval);
+render::Interval interval_of(const Json& json);
+
+/// Adds "NAME" and "NAME_interval".
+void put(Json& json, const std::string& name, const render::Measured& measured);
+render::Measured measured_of(const Json& json, const std::string& name);
+
+Json difference_json(const render::Difference& difference);
+render::Difference difference_of(const Json& json);
+
+}  // namespace sdlc::cli

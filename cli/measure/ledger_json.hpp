@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "render/measure/study.hpp"
+
+namespace sdlc::cli {
+
+/// What a study has done so far, as text that read_ledger reads back to the same numbers.
+std::string to_json(const render::StudyLedger& ledger);
+
+/// Throws std::exception with the reason where the text is no such thing.
+render::StudyLedger read_ledger(std::string_view text);
+
+}  // namespace sdlc::cli

@@ -1,0 +1,83 @@
+#include "cli/measure/measurement_csv.hpp"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "render/scene/choices.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+/// All digits; nothing where it is no finite number.
+std::string number(double value) { return std::isfinite(value) ? fmt::to_string(value) : ""; }
+
+std::string standing_word(render::Standing standing) {
+  constexpr std::array<std::string_view, 3> kWords{"front", "not distinguished", "dominated"};
+  return std::string(kWords[static_cast<std::size_t>(standing)]);
+}
+
+struct Column {
+  const char* name;
+  std::string (*text)(const render::Point& point);
+};
+
+// What no cell holds is a comma, a quote or the end of a line, so that none has to be quoted.
+constexpr std::array kColumns{
+    Column{"samples", [](const render::Point& p) { return fmt::to_string(p.samples); }},
+    Column{"sampler", [](const render::Point& p) { return std::string(name_of(p.way.sampler)); }},
+    Column{"light_sampling",
+           [](const render::Point& p) { return std::string(name_of(p.way.light_sampling)); }},
+    Column{"precision",
+           [](const render::Point& p) { return std::string(name_of(p.way.precision)); }},
+    Column{"depth", [](const render::Point& p) { return fmt::to_string(p.way.depth); }},
+    Column{"seconds", [](const render::Point& p) { return number(p.seconds.value); }},
+    Column{"seconds_from", [](const render::Point& p) { return number(p.seconds.interval.from); }},
+    Column{"seconds_to", [](const render::Point& p) { return number(p.seconds.interval.to); }},
+    Column{"samples_per_second",
+           [](const render::Point& p) { return number(p.samples_per_second); }},
+    Column{"rays_per_second", [](const render::Point& p) { return number(p.rays_per_second); }},
+    Column{"relative_error", [](const render::Point& p) { return number(p.error.value); }},
+    Column{"relative_error_from",
+           [](const render::Point& p) { return number(p.error.interval.from); }},
+    Column{"relative_error_to", [](const render::Point& p) { return number(p.error.interval.to); }},
+    Column{"rmse", [](const render::Point& p) { return number(p.difference.rmse); }},
+    Column{"relative_mse",
+           [](const render::Point& p) { return number(p.difference.relative_mse); }},
+    Column{"relative_mse_trimmed",
+           [](const render::Point& p) { return number(p.difference.trimmed_relative_mse); }},
+    Column{"psnr", [](const render::Point& p) { return number(p.difference.psnr); }},
+    Column{"flip", [](const render::Point& p) { return number(p.flip); }},
+    Column{"max_difference",
+           [](const render::Point& p) { return number(p.difference.largest.value); }},
+    Column{"max_difference_x",
+           [](const render::Point& p) { return fmt::to_string(p.difference.largest.x); }},
+    Column{"max_difference_y",
+           [](const render::Point& p) { return fmt::to_string(p.difference.largest.y); }},
+    Column{"cut_paths", [](const render::Point& p) { return number(p.cut_share); }},
+    Column{"scarce_emitters",
+           [](const render::Point& p) { return fmt::to_string(p.scarce_emitters); }},
+    Column{"standing", [](const render::Point& p) { return standing_word(p.standing); }},
+};
+
+}  // namespace
+
+std::string to_csv(const render::Measurement& measurement) {
+  constexpr const char* kEnd = "\r\n";
+  std::string text;
+  const auto add = [&](std::size_t column, const std::string& cell) {
+    if (column > 0) text += ',';
+    text += cell;
+  };
+  for (std::size_t i = 0; i < kColumns.size(); ++i) add(i, kColumns[i].name);
+  text += kEnd;
+  for (const render::Point& point : measurement.points) {
+    for (std::size_t i = 0; i < kColumns.size(); ++i) add(i, kColumns[i].text(point));
+    text += kEnd;
+  }
+  return text;
+}
+
+}  // namespace sdlc::cli

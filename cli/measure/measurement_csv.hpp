@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "render/measure/measurement.hpp"
+
+namespace sdlc::cli {
+
+/// The points as comma-separated values (RFC 4180), one a line below a line of names.
+std::string to_csv(const render::Measurement& measurement);
+
+}  // namespace sdlc::cli

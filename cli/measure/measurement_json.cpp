@@ -1,0 +1,207 @@
+#include "cli/measure/measurement_json.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/measure/json_types.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+using render::Measurement;
+
+constexpr const char* kFormat = "sdlc-measurement";
+constexpr int kFormatVersion = 1;
+constexpr std::array<const char*, 3> kStandings{"front", "not distinguished", "dominated"};
+constexpr std::array<const char*, 3> kVerdicts{"not distinguished", "better", "worse"};
+
+std::string_view word(render::Verdict verdict) {
+  return kVerdicts[static_cast<std::size_t>(verdict)];
+}
+
+Json point_json(const render::Point& point) {
+  Json json = way_json(point.way);
+  json["samples"] = point.samples;
+  json["timings"] = point.timings;
+  put(json, "seconds", point.seconds);
+  json["samples_per_second"] = point.samples_per_second;
+  json["rays_per_second"] = point.rays_per_second;
+  // By the reference's own noise, unlike that of the difference.
+  Json difference = difference_json(point.difference);
+  difference.erase("relative_error");
+  put(json, "relative_error", point.error);
+  json["relative_error_spread"] = point.error_spread;
+  json.update(difference);
+  json["flip"] = point.flip;
+  json["cut_paths"] = point.cut_share;
+  json["scarce_emitters"] = point.scarce_emitters;
+  json["standing"] = kStandings[static_cast<std::size_t>(point.standing)];
+  return json;
+}
+
+render::Point point_of(const Json& json) {
+  render::Point point{.way = way_of(json),
+                      .samples = json.at("samples"),
+                      .timings = json.at("timings").get<std::vector<double>>(),
+                      .seconds = measured_of(json, "seconds"),
+                      .error = measured_of(json, "relative_error"),
+                      .error_spread = json.at("relative_error_spread")};
+  if (!(point.seconds.value > 0)) throw std::invalid_argument("a point took no time");
+  return point;
+}
+
+Json reference_json(const render::Reference& reference) {
+  Json json = way_json(reference.way);
+  json["samples"] = reference.samples;
+  json["seed"] = reference.seed;
+  json["seconds"] = reference.seconds;
+  put(json, "relative_error", reference.error);
+  json["mean_radiance"] = reference.mean_radiance;
+  json["scarce_emitters"] = reference.scarce_emitters;
+  return json;
+}
+
+Json series_json(const render::Series& series) {
+  Json json = way_json(series.way);
+  json["points"] = series.points;
+  json["slope"] = nullptr;
+  json["slope_interval"] = nullptr;
+  if (series.slope) put(json, "slope", *series.slope);
+  return json;
+}
+
+Json depth_json(const render::DepthLoss& depth) {
+  Json json{{"depth", depth.depth}};
+  put(json, "loss", depth.loss);
+  json["relative_seconds"] = depth.seconds;
+  json["cut_paths"] = depth.cut_share;
+  return json;
+}
+
+Json precision_json(const render::PrecisionDifference& precision) {
+  Json json{{"taken", name_of(precision.taken)},
+            {"other", name_of(precision.other)},
+            {"bound", precision.bound},
+            {"refusal", precision.refusal.empty() ? Json() : Json(precision.refusal)}};
+  put(json, "mean_difference", precision.mean_difference);
+  json["rms_difference"] = precision.rms_difference;
+  json["relative_seconds"] = precision.seconds;
+  return json;
+}
+
+Json recommendations_json(const Measurement& measurement) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < measurement.recommendations.size(); ++i) {
+    const render::Recommendation& recommendation = measurement.recommendations[i];
+    Json json{{"goal", recommendation.goal},
+              {"flags", render_flags(measurement, recommendation.way, recommendation.samples)},
+              {"samples", recommendation.samples}};
+    json.update(way_json(recommendation.way));
+    json["is_measured"] = recommendation.is_measured;
+    put(json, "relative_error", recommendation.error);
+    put(json, "seconds", recommendation.seconds);
+    json["is_main"] = i == measurement.main_recommendation;
+    all.push_back(json);
+  }
+  return all;
+}
+
+Json left_out_json(const render::LeftOut& left_out) {
+  Json json = way_json(left_out.way);
+  json["samples"] = left_out.samples > 0 ? Json(left_out.samples) : Json();
+  json["reason"] = left_out.reason;
+  return json;
+}
+
+Json against_json(const render::Comparison& against) {
+  Json points = Json::array();
+  for (const render::PointChange& point : against.points) {
+    Json json = way_json(point.way);
+    json["samples"] = point.samples;
+    put(json, "relative_error_before", point.error_before);
+    put(json, "relative_error", point.error_after);
+    put(json, "seconds_before", point.seconds_before);
+    put(json, "seconds", point.seconds_after);
+    json["error"] = word(point.error);
+    points.push_back(json);
+  }
+  Json json{{"version", against.earlier}, {"points", points}};
+  json["time_ratio"] = nullptr;
+  json["time_ratio_interval"] = nullptr;
+  if (against.time_ratio) put(json, "time_ratio", *against.time_ratio);
+  json["time"] = word(against.time);
+  json["notes"] = against.notes;
+  return json;
+}
+
+template <typename T, typename Convert>
+Json array_json(const std::vector<T>& items, Convert convert) {
+  Json array = Json::array();
+  for (const T& item : items) array.push_back(convert(item));
+  return array;
+}
+
+}  // namespace
+
+std::string to_json(const Report& report, const std::string& scene_digest) {
+  const Measurement& measurement = report.measurement;
+  Json machine = Json::object();
+  for (const auto& [name, value] : report.provenance.machine) machine[name] = value;
+  Json json{{"format", kFormat},
+            {"format_version", kFormatVersion},
+            {"version", report.provenance.version},
+            {"command", report.provenance.command},
+            {"machine", machine},
+            {"scene", report.provenance.scene},
+            {"scene_digest", scene_digest},
+            {"width", measurement.width},
+            {"height", measurement.height},
+            {"full_width", measurement.full_width},
+            {"full_height", measurement.full_height},
+            {"samples", measurement.own_samples},
+            {"seed", measurement.seed},
+            {"threads", measurement.threads},
+            {"budget_seconds", measurement.budget_seconds},
+            {"spent_seconds", measurement.spent_seconds},
+            {"other_seconds", measurement.other_seconds},
+            {"is_complete", measurement.is_complete},
+            {"own", way_json(measurement.own)},
+            {"reference", measurement.reference ? reference_json(*measurement.reference) : Json()},
+            {"points", array_json(measurement.points, point_json)},
+            {"series", array_json(measurement.series, series_json)},
+            {"depths", array_json(measurement.depths, depth_json)},
+            {"precision", measurement.precision ? precision_json(*measurement.precision) : Json()},
+            {"recommendations", recommendations_json(measurement)},
+            {"left_out", array_json(measurement.left_out, left_out_json)},
+            {"against", report.against ? against_json(*report.against) : Json()},
+            {"notes", report.notes}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+EarlierMeasurement read_measurement(std::string_view text) {
+  const Json json = Json::parse(text);
+  if (!json.is_object() || json.value("format", "") != kFormat) {
+    throw std::invalid_argument("it is no report of `sdlc measure` in JSON");
+  }
+  if (const int version = json.at("format_version"); version != kFormatVersion) {
+    throw std::invalid_argument(fmt::format(
+        "it is of version {} of the format, and this sdlc reads {}", version, kFormatVersion));
+  }
+  EarlierMeasurement earlier{.version = json.at("version"),
+                             .scene_digest = json.at("scene_digest"),
+                             .full_width = json.at("full_width"),
+                             .full_height = json.at("full_height"),
+                             .seed = json.at("seed"),
+                             .threads = json.at("threads")};
+  for (const auto& [name, value] : json.at("machine").items()) {
+    earlier.machine.emplace_back(name, value.get<std::string>());
+  }
+  for (const Json& point : json.at("points")) earlier.points.push_back(point_of(point));
+  return earlier;
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,182 @@
+#include "cli/measure/measurement_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/report/figures.hpp"
+#include "lang/text/utf8.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+using render::Measured;
+using render::Measurement;
+
+/// Spaces that do not break are for pages.
+std::string plain(std::string text) {
+  constexpr std::string_view kNoBreak = "\u00a0";
+  for (std::size_t at = text.find(kNoBreak); at != std::string::npos; at = text.find(kNoBreak)) {
+    text.replace(at, kNoBreak.size(), " ");
+  }
+  return text;
+}
+
+std::string reading(const Measured& measured, FigureText* as) {
+  return plain(read(measured, as).text());
+}
+
+/// Rows of cells, in columns as wide as they need; the first row names them.
+class Table {
+ public:
+  using Row = std::vector<std::string>;
+
+  void add(Row row) { rows_.push_back(std::move(row)); }
+
+  std::string text() const {
+    std::vector<std::size_t> widths;
+    for (const Row& row : rows_) {
+      widths.resize(std::max(widths.size(), row.size()));
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        widths[i] = std::max(widths[i], lang::count_code_points(row[i]));
+      }
+    }
+    std::string text;
+    for (const Row& row : rows_) {
+      std::string line;
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        line += "  " + row[i] + std::string(widths[i] - lang::count_code_points(row[i]), ' ');
+      }
+      line.erase(line.find_last_not_of(' ') + 1);
+      text += line + "\n";
+    }
+    return text;
+  }
+
+ private:
+  std::vector<Row> rows_;
+};
+
+std::string points_text(const Measurement& measurement) {
+  constexpr std::array<const char*, 3> kStandings{"best in its time", "not distinguished from it",
+                                                  ""};
+  Table table;
+  table.add({"samples", "time", "error", "FLIP", "way", ""});
+  for (const render::Series& series : measurement.series) {
+    for (const std::size_t i : series.points) {
+      const render::Point& point = measurement.points[i];
+      table.add({fmt::to_string(point.samples), reading(point.seconds, duration),
+                 reading(point.error, percent), figure(point.flip, 2),
+                 plain(describe_way(measurement, point.way)),
+                 kStandings[static_cast<std::size_t>(point.standing)]});
+    }
+  }
+  return table.text();
+}
+
+std::string slopes_text(const Measurement& measurement) {
+  std::string text;
+  const auto exponent = [](double value) { return figure(value, 2); };
+  for (const render::Series& series : measurement.series) {
+    if (!series.slope) continue;
+    text += fmt::format("  {}: error in proportion to samples to the power of {}\n",
+                        describe_way(measurement, series.way), reading(*series.slope, exponent));
+  }
+  return text;
+}
+
+std::string depths_text(const Measurement& measurement) {
+  if (measurement.depths.empty()) return {};
+  std::string text = fmt::format("\nDepth: light that is lost, against depth {}\n",
+                                 measurement.depths.back().depth);
+  Table table;
+  for (const render::DepthLoss& depth : measurement.depths) {
+    table.add({fmt::format("depth {}", depth.depth), reading(depth.loss, percent),
+               plain(fmt::format("{} the time", times(depth.seconds))),
+               depth.depth == measurement.own.depth ? "the scene's own" : ""});
+  }
+  return text + table.text();
+}
+
+std::string precision_text(const Measurement& measurement) {
+  if (!measurement.precision) return {};
+  const render::PrecisionDifference& precision = *measurement.precision;
+  if (!precision.refusal.empty()) {
+    return fmt::format("\nPrecision: {}; {}\n", name_of(precision.taken), precision.refusal);
+  }
+  return plain(fmt::format("\nPrecision: the mean in {} less that in {} is {}; {} takes {}\n",
+                           name_of(precision.taken), name_of(precision.other),
+                           reading(precision.mean_difference, percent), name_of(precision.other),
+                           times(precision.seconds)));
+}
+
+std::string against_text(const Report& report) {
+  if (!report.against) return {};
+  const render::Comparison& against = *report.against;
+  constexpr std::array<const char*, 3> kVerdicts{"not distinguished", "better", "WORSE"};
+  std::string text = fmt::format("\nAgainst {}\n", against.earlier);
+  Table table;
+  table.add({"samples", "error before", "error now", "", "way"});
+  for (const render::PointChange& point : against.points) {
+    table.add({fmt::to_string(point.samples), reading(point.error_before, percent),
+               reading(point.error_after, percent),
+               kVerdicts[static_cast<std::size_t>(point.error)],
+               plain(describe_way(report.measurement, point.way))});
+  }
+  if (!against.points.empty()) text += table.text();
+  if (against.time_ratio) {
+    text += fmt::format("  times, now to then: {}: {}\n", reading(*against.time_ratio, times),
+                        kVerdicts[static_cast<std::size_t>(against.time)]);
+  }
+  for (const std::string& note : against.notes) text += fmt::format("  {}\n", note);
+  return text;
+}
+
+std::string recommendation_text(const Measurement& measurement,
+                                const render::Recommendation& recommendation) {
+  return plain(fmt::format(
+      "for {}: {}, about {}{}", percent(recommendation.goal),
+      render_flags(measurement, recommendation.way, recommendation.samples),
+      reading(recommendation.seconds, duration),
+      recommendation.is_measured
+          ? fmt::format("; error {}", reading(recommendation.error, percent))
+          : fmt::format("; estimated error {}", reading(recommendation.error, percent))));
+}
+
+}  // namespace
+
+std::string to_text(const Report& report) {
+  const Measurement& measurement = report.measurement;
+  std::string text = fmt::format("{}, {} × {} pixels", report.provenance.scene, measurement.width,
+                                 measurement.height);
+  if (measurement.width != measurement.full_width ||
+      measurement.height != measurement.full_height) {
+    text += fmt::format(" (of {} × {}, for which the time was too short)", measurement.full_width,
+                        measurement.full_height);
+  }
+  text += "\n";
+  if (measurement.reference) {
+    const render::Reference& reference = *measurement.reference;
+    text += fmt::format("reference: {} samples, {}, error {}\n", reference.samples,
+                        plain(describe_way(reference.way)), reading(reference.error, percent));
+  }
+  text += "\n" + points_text(measurement);
+  const std::string slopes = slopes_text(measurement);
+  if (!slopes.empty()) text += "\n" + slopes;
+  text += depths_text(measurement);
+  text += precision_text(measurement);
+  text += against_text(report);
+  for (const std::string& note : report.notes) text += fmt::format("\nnote: {}", note);
+  if (!report.notes.empty()) text += "\n";
+  if (!measurement.recommendations.empty()) text += "\n";
+  for (const render::Recommendation& recommendation : measurement.recommendations) {
+    text += recommendation_text(measurement, recommendation) + "\n";
+  }
+  return text;
+}
+
+}  // namespace sdlc::cli

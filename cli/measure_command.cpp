@@ -1,0 +1,456 @@
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "cli/amounts.hpp"
+#include "cli/clock.hpp"
+#include "cli/dispatcher.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/kernel_options.hpp"
+#include "cli/machine.hpp"
+#include "cli/measure/details.hpp"
+#include "cli/measure/measurement_csv.hpp"
+#include "cli/measure/measurement_json.hpp"
+#include "cli/measure/measurement_text.hpp"
+#include "cli/measure/work_folder.hpp"
+#include "cli/outputs.hpp"
+#include "cli/override_options.hpp"
+#include "cli/report/report.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/shell_quote.hpp"
+#include "cli/usage_error.hpp"
+#include "cli/version.hpp"
+#include "cli/whole_number.hpp"
+#include "cli/words.hpp"
+#include "lang/compile/compile.hpp"
+#include "lang/object/object.hpp"
+#include "lang/text/display_width.hpp"
+#include "render/image/atomic_file.hpp"
+#include "render/image/image.hpp"
+#include "render/image/io_error.hpp"
+#include "render/measure/study.hpp"
+#include "render/scene/choices.hpp"
+#include "render/scene/digest.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 3> kFormats{"human", "json", "csv"};
+
+struct MeasureOptions {
+  SceneOptions scene;
+  std::vector<std::string> outputs;
+  lang::Overrides overrides;
+  render::KernelRequest kernel;
+  double budget_seconds = 60;
+  std::optional<int> frame;
+  std::string format = "human";
+  std::string against;
+  std::string work;
+  bool quiet = false;
+};
+
+/// A file to be written, and what.
+struct ReportFile {
+  fs::path path;
+  std::string extension;  ///< "html", "json" or "csv"
+};
+
+std::vector<ReportFile> plan_files(const MeasureOptions& options) {
+  static constexpr std::array<std::string_view, 3> kExtensions{"html", "json", "csv"};
+  std::vector<ReportFile> files;
+  for (const std::string& name : options.outputs) {
+    std::string extension = fs::path(name).extension().string();
+    if (!extension.empty()) extension.erase(0, 1);
+    if (!std::ranges::count(kExtensions, extension)) {
+      throw UsageError(fmt::format("-o: `{}` names no report; reports are .html, .json and .csv{}",
+                                   lang::printable(name), did_you_mean(extension, kExtensions)));
+    }
+    const bool is_known = std::ranges::any_of(
+        files, [&](const ReportFile& file) { return file.path == fs::path(name); });
+    if (is_known) throw UsageError(fmt::format("two outputs go to `{}`", lang::printable(name)));
+    render::check_writable(name);
+    files.push_back({.path = name, .extension = extension});
+  }
+  return files;
+}
+
+void check_supported(const MeasureOptions& options) {
+  if (options.overrides.seconds) {
+    throw UsageError(
+        "--time is for `render`; --budget is the time that measuring may take, and the report says "
+        "how accurate a picture is after how long");
+  }
+  if (options.overrides.is_adaptive) {
+    throw UsageError("--adaptive is not measured: how many samples a pixel gets differs");
+  }
+}
+
+/// Refuses what would not fit before anything is rendered.
+void check_memory(const render::RenderSettings& settings) {
+  // Three pictures, the reference's spread, FLIP's colours of two, and the report's maps.
+  constexpr std::size_t kBytesAPixel =
+      3 * sizeof(render::LinearRgb) + 2 * sizeof(render::PixelSpread) + 24 * sizeof(float);
+  const auto pixels =
+      static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+  if (pixels * kBytesAPixel > physical_memory_bytes()) throw std::bad_alloc();
+}
+
+/// Tells what is done, one thing after the other, on standard error.
+class StudyProgress {
+ public:
+  StudyProgress(bool is_quiet, Environment& env) : is_quiet_(is_quiet), env_(env) {}
+  ~StudyProgress() {
+    if (has_line_) env_.err << "\r\x1b[K" << std::flush;
+  }
+  StudyProgress(const StudyProgress&) = delete;
+  StudyProgress& operator=(const StudyProgress&) = delete;
+
+  void tell(const std::string& what, double share) {
+    if (is_quiet_) return;
+    const std::string text = fmt::format("{:3.0f} %  {}", 100 * share, what);
+    if (env_.err_is_terminal) {
+      env_.err << '\r' << text << "\x1b[K" << std::flush;
+      has_line_ = true;
+    } else {
+      env_.err << text << std::endl;
+    }
+  }
+
+ private:
+  bool is_quiet_;
+  Environment& env_;
+  bool has_line_ = false;
+};
+
+class MeasureJob {
+ public:
+  MeasureJob(const MeasureOptions& options, Environment& env)
+      : options_(options), env_(env), machine_(describe_machine()) {}
+
+  ExitCode run() {
+    check_supported(options_);
+    files_ = plan_files(options_);
+    read_earlier();
+    std::optional<lang::LoweredScene> lowered = lower();
+    if (!lowered) return ExitCode::Findings;
+    const render::RenderSettings& settings = lowered->settings;
+    render::check_picture_size(settings.width, settings.height, render::ImageFormat::Png,
+                               options_.scene.name());
+    check_memory(settings);
+    scene_digest_ = fmt::format("{:016x}", render::digest_of(lowered->scene));
+    check_earlier(settings);
+    const bool is_whole = study(*lowered);
+    if (ledger_.nonfinite_samples > 0) {
+      env_.err << fmt::format("error: {} samples are not finite and were left out\n",
+                              ledger_.nonfinite_samples);
+    }
+    if (!is_whole) return tell_interrupted(settings);
+    const bool is_worse = write(settings, true);
+    if (ledger_.nonfinite_samples > 0) return ExitCode::Defect;
+    return is_worse ? ExitCode::Findings : ExitCode::Success;
+  }
+
+ private:
+  void read_earlier() {
+    if (options_.against.empty()) return;
+    const std::string text = read_text(options_.against, options_.against, env_);
+    try {
+      earlier_ = read_measurement(text);
+    } catch (const std::exception& error) {
+      throw render::IoError("use", options_.against, error.what());
+    }
+  }
+
+  std::optional<lang::LoweredScene> lower() {
+    const auto start = std::chrono::steady_clock::now();
+    source_.emplace(read_source(options_.scene, env_));
+    compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
+    if (options_.frame && !compiler_->animation() && !sink_.has_errors()) {
+      throw UsageError("--frame: the scene has no `animation`, so that all frames are the same");
+    }
+    lang::Overrides overrides = options_.overrides;
+    overrides.instancing = instancing_for(options_.kernel, overrides);
+    overrides.names_output = true;
+    auto lowered = compiler_->lower(overrides, options_.frame);
+    const double seconds = seconds_since(start);
+    if (lowered) {
+      const render::Kernel kernel = choose_kernel(options_.kernel, overrides, *lowered, *compiler_);
+      request_ = options_.kernel;
+      request_.precision = lowered->precision;
+      request_.may_take_double = !overrides.precision;
+      print_diagnostics(sink_, options_.scene.diagnostics, env_.err, env_.err_is_terminal, env_);
+      check_not_refused(kernel);
+      machine_.emplace_back("instruction set", instruction_set(kernel));
+      machine_.emplace_back("kernel", name_of(kernel.kind));
+      read_seconds_ = seconds;
+    } else {
+      print_diagnostics(sink_, options_.scene.diagnostics, env_.err, env_.err_is_terminal, env_);
+    }
+    compiler_.reset();
+    source_.reset();
+    return lowered;
+  }
+
+  void check_earlier(const render::RenderSettings& settings) const {
+    if (!earlier_) return;
+    const auto fail = [&](const std::string& what) {
+      throw UsageError(
+          fmt::format("--against: `{}` is of another {}, so that nothing can be held "
+                      "against it",
+                      lang::printable(options_.against), what));
+    };
+    if (earlier_->scene_digest != scene_digest_) fail("scene");
+    if (earlier_->full_width != settings.width || earlier_->full_height != settings.height) {
+      fail(fmt::format("size ({} × {})", earlier_->full_width, earlier_->full_height));
+    }
+  }
+
+  /// What has to be the same for a measurement to be gone on with.
+  Json identity(const render::RenderSettings& settings) const {
+    Json json{
+        {"version", full_version()},
+        {"scene", scene_digest_},
+        {"width", settings.width},
+        {"height", settings.height},
+        {"samples", settings.samples},
+        {"depth", settings.depth},
+        {"seed", settings.seed},
+        {"threads", settings.threads},
+        {"sampler", name_of(settings.sampler)},
+        {"light sampling", name_of(settings.light_sampling)},
+        {"precision", request_.precision ? std::string(name_of(*request_.precision)) : "auto"}};
+    for (const auto& [name, value] : machine_) json[name] = value;
+    return json;
+  }
+
+  static std::string full_version() { return fmt::format("{} ({})", kVersion, kCommit); }
+
+  /// False when it was interrupted.
+  bool study(const lang::LoweredScene& lowered) {
+    details_.emplace(lowered.output.tone);
+    std::optional<render::ReferencePicture> reference;
+    if (!options_.work.empty()) {
+      work_.emplace(options_.work, identity(lowered.settings));
+      work_->load(ledger_, reference, *details_);
+    }
+    render::RenderMonitor monitor;
+    const InterruptGuard interrupt(monitor.cancel);
+    StudyProgress progress(options_.quiet, env_);
+    render::StudyObserver observer;
+    observer.on_task = [&](const std::string& what, double share) { progress.tell(what, share); };
+    observer.on_reference = [&](const render::ReferencePicture& picture) {
+      measure_other_seconds(picture.picture, lowered);
+      if (work_) work_->save(picture);
+    };
+    observer.on_picture = [&](const render::Way& way, int samples, const render::Picture& picture,
+                              const render::ReferencePicture& held_against) {
+      const std::string key = details_->add(way, samples, picture, held_against);
+      if (!work_) return;
+      work_->save(key, details_->at(key));
+      work_->save(Details::kReferenceKey, details_->at(Details::kReferenceKey));
+    };
+    observer.on_progress = [&](const render::StudyLedger& ledger) {
+      if (work_) work_->save(ledger, *details_);
+    };
+    render::Study study(lowered.scene, lowered.settings, request_, study_options(lowered.settings),
+                        ledger_, observer, monitor);
+    study.run(std::move(reference));
+    return !monitor.cancel.load();
+  }
+
+  render::StudyOptions study_options(const render::RenderSettings& settings) const {
+    return {.budget_seconds = options_.budget_seconds, .goal = settings.error};
+  }
+
+  /// Reading was timed; writing is done here, to nowhere. The codec is loaded once, whatever the
+  /// size.
+  void measure_other_seconds(const render::Picture& picture, const lang::LoweredScene& lowered) {
+    const auto seconds_to_encode = [&](const render::Picture& any) {
+      const auto start = std::chrono::steady_clock::now();
+      render::encode_picture(any, {.tone = lowered.output.tone});
+      return seconds_since(start);
+    };
+    const double loading = seconds_to_encode(render::Picture(1, 1));
+    const double area = static_cast<double>(lowered.settings.width) * lowered.settings.height /
+                        static_cast<double>(picture.pixels.size());
+    ledger_.other_seconds = read_seconds_ + loading + seconds_to_encode(picture) * area;
+  }
+
+  void compare(Report& report) const {
+    if (!earlier_) return;
+    const auto machine_of = [](std::vector<std::pair<std::string, std::string>> machine,
+                               int threads) {
+      machine.emplace_back("threads", fmt::to_string(threads));
+      return machine;
+    };
+    const bool is_same_machine = machine_of(earlier_->machine, earlier_->threads) ==
+                                 machine_of(machine_, report.measurement.threads);
+    report.against =
+        compare_measurements(report.measurement.points, earlier_->points, is_same_machine);
+    report.against->earlier = earlier_->version;
+    auto& notes = report.against->notes;
+    if (!is_same_machine) {
+      notes.push_back(
+          "it is of another machine, kernel or number of threads: times are not compared");
+    }
+    if (earlier_->seed != report.measurement.seed) notes.push_back("its seed is another");
+    if (report.against->points.empty()) {
+      notes.push_back("it has no point that this one has; a larger --budget gives more of them");
+    } else if (!report.against->time_ratio && is_same_machine) {
+      notes.push_back("fewer than three points are in both: times are not compared");
+    }
+  }
+
+  Report report_of(const render::Measurement& measurement) const {
+    Report report{.measurement = measurement,
+                  .provenance = {.scene = lang::printable(options_.scene.name()),
+                                 .version = full_version(),
+                                 .command = quoted_command(),
+                                 .machine = machine_}};
+    details_->fill(report);
+    add_notes(report);
+    compare(report);
+    return report;
+  }
+
+  std::string quoted_command() const {
+    std::string command = "sdlc";
+    for (const std::string& argument : env_.arguments) command += " " + shell_quoted(argument);
+    return command;
+  }
+
+  static void add_notes(Report& report) {
+    const render::Measurement& measurement = report.measurement;
+    if (!measurement.reference) return;
+    const render::Reference& reference = *measurement.reference;
+    if (reference.scarce_emitters > 0) {
+      report.notes.push_back(fmt::format(
+          "{} emissive sphere{} hardly reached by the reference's own paths: light may be missing "
+          "in it, and every error too small. A longer --budget finds it, if it is not hidden.",
+          reference.scarce_emitters, reference.scarce_emitters == 1 ? " was" : "s were"));
+    }
+    for (const render::Point& point : measurement.points) {
+      if (point.error.interval.from > 0 || point.error.interval.to == 0) continue;
+      report.notes.push_back(
+          "some errors are not told from none: the reference is too rough for them. A longer "
+          "--budget makes a better one.");
+      break;
+    }
+  }
+
+  /// To standard output and to the files; whether anything has become worse.
+  bool write(const render::RenderSettings& settings, bool is_complete) {
+    render::Measurement measurement = measurement_of(ledger_, settings, study_options(settings));
+    measurement.is_complete = is_complete;
+    const Report report = report_of(measurement);
+    const auto text_of = [&](std::string_view format) {
+      if (format == "html") return html_report(report);
+      if (format == "json") return to_json(report, scene_digest_);
+      if (format == "csv") return to_csv(measurement);
+      return to_text(report);
+    };
+    for (const auto& [path, extension] : files_) {
+      const fs::path name = is_complete ? path : partial_name(path);
+      const std::string text = text_of(extension);
+      render::write_file_atomically(name, std::as_bytes(std::span(text)));
+      written_.push_back(lang::printable(name.string()));
+    }
+    if (is_complete || files_.empty()) env_.out << text_of(options_.format);
+    if (!report.against) return false;
+    return report.against->time == render::Verdict::Worse ||
+           std::ranges::count(report.against->points, render::Verdict::Worse,
+                              &render::PointChange::error) > 0;
+  }
+
+  ExitCode tell_interrupted(const render::RenderSettings& settings) {
+    if (!ledger_.evaluations.empty()) write(settings, false);
+    env_.err << "interrupted";
+    if (ledger_.evaluations.empty()) env_.err << " before the first point was measured";
+    for (std::size_t i = 0; i < written_.size(); ++i) {
+      env_.err << (i == 0 ? "; what there is was saved as " : ", ") << written_[i];
+    }
+    env_.err << (work_ ? fmt::format("; the same command goes on from {}\n",
+                                     lang::printable(options_.work))
+                       : "; with --work FOLDER the same command would go on\n");
+    return ExitCode::Interrupted;
+  }
+
+  const MeasureOptions& options_;
+  Environment& env_;
+  std::vector<std::pair<std::string, std::string>> machine_;
+  std::vector<ReportFile> files_;
+  std::vector<std::string> written_;
+  std::optional<EarlierMeasurement> earlier_;
+  lang::DiagnosticSink sink_;
+  std::optional<lang::SourceFile> source_;
+  std::optional<lang::Compiler> compiler_;
+  render::KernelRequest request_;
+  std::string scene_digest_;
+  double read_seconds_ = 0;
+  render::StudyLedger ledger_;
+  std::optional<Details> details_;
+  std::optional<WorkFolder> work_;
+};
+
+}  // namespace
+
+void add_measure_command(CLI::App& app, Dispatcher& dispatcher) {
+  auto options = std::make_shared<MeasureOptions>();
+  CLI::App* command = app.add_subcommand(
+      "measure", "Measure what error a scene's picture has after what time on this machine");
+  add_scene_options(*command, options->scene);
+  command->remove_option(command->get_option("--format"));
+  command->add_option("--format", options->format, "What standard output gets")
+      ->check(one_of(kFormats));
+  command
+      ->add_option("-o,--output", options->outputs,
+                   "A report to write, by its extension: html, json or csv (may be repeated)")
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false);  // FILE may stand behind it
+  command
+      ->add_option_function<std::string>(
+          "--budget",
+          [options](const std::string& text) {
+            options->budget_seconds = parse_duration("--budget", text);
+          },
+          "How long measuring may take, such as `5min`; default: 1min")
+      ->type_name("T");
+  command->add_option("--against", options->against,
+                      "Compare with this earlier report (.json); exits with 1 where it is worse");
+  command->add_option("--work", options->work,
+                      "Keep all that is done in this folder; the same command goes on from there");
+  add_whole_number(
+      *command, "--frame", {.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber)},
+      [options](std::uint64_t frame) { options->frame = static_cast<int>(frame); },
+      "The frame to measure; default: the first of the scene's animation");
+  add_override_options(*command, options->overrides);
+  add_kernel_options(*command, options->kernel);
+  command->add_flag("--quiet", options->quiet, "Nothing on standard error but diagnostics");
+  command->footer(
+      "Examples:\n"
+      "  sdlc measure ball.scene\n"
+      "  sdlc measure ball.scene --budget 5min -o ball.html -o ball.json\n"
+      "  sdlc measure ball.scene --error 1% --format json | jq '.recommendations[].flags'\n"
+      "  sdlc measure ball.scene --budget 1h --work ball.work -o ball.html   # Ctrl-C, and again\n"
+      "  sdlc measure ball.scene -o new.json --against old.json\n\n"
+      "Renders the scene in many ways, and holds every picture against a long reference of its "
+      "own.\n"
+      "--error is what a recommendation is made for. docs/measure.md explains the report.");
+  dispatcher.on(command, [options](Environment& env) { return MeasureJob(*options, env).run(); });
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,281 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace sdlc::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kScene = R"(scene 1
+camera main { from: (0, 1, 5), at: (0, 0.5, 0), fov: 30deg }
+background { bottom: white, top: #80b3ff }
+sphere ground { center: (0, -100, 0), radius: 100, material: diffuse(color: gray) }
+sphere ball { center: (0, 0.5, 0), radius: 0.5, material: specular(color: tan, fuzz: 0.3) }
+render { width: 6, samples: 20, depth: 4 }
+)";
+
+/// So few pixels that all that is ever planned for them takes a second or two.
+class Measure : public testing::Test {
+ protected:
+  void SetUp() override { write_text(folder_ / "ball.scene", kScene); }
+
+  ProgramResult run(const std::string& arguments) const {
+    return run_shell(folder_.path(), "\"$SDLC\" measure ball.scene --budget 20s " + arguments);
+  }
+  json report(const std::string& name) const { return json::parse(content_of(folder_ / name)); }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_F(Measure, TellsTheTradeAsATableAndInFiles) {
+  const ProgramResult result = run("-o a.html -o a.json -o a.csv --quiet");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_THAT(result.out, HasSubstr("ball.scene, 6 × 3 pixels"));
+  EXPECT_THAT(result.out, HasSubstr("reference: "));
+  EXPECT_THAT(result.out, HasSubstr("for 1 %: --samples "));
+
+  const json measured = report("a.json");
+  EXPECT_EQ(measured["format"], "sdlc-measurement");
+  EXPECT_TRUE(measured["is_complete"]);
+  EXPECT_THAT(measured["command"].get<std::string>(), HasSubstr("sdlc measure ball.scene"));
+  EXPECT_EQ(measured["own"]["depth"], 4);
+  EXPECT_LT(measured["reference"]["relative_error"], 0.01);
+  ASSERT_GE(measured["points"].size(), 10u);
+  const auto has_own = std::ranges::any_of(measured["points"], [](const json& point) {
+    return point["samples"] == 20 && point["sampler"] == "sobol";
+  });
+  EXPECT_TRUE(has_own) << "the scene's own samples are among them";
+  EXPECT_EQ(measured["precision"]["refusal"], nullptr);
+  EXPECT_EQ(measured["left_out"], json::array());
+
+  const std::string csv = content_of(folder_ / "a.csv");
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), measured["points"].size() + 1);
+  EXPECT_TRUE(csv.starts_with("samples,sampler,light_sampling,precision,depth,seconds,"));
+
+  const std::string page = content_of(folder_ / "a.html");
+  EXPECT_THAT(page, HasSubstr("data:image/png;base64,"));
+  for (const json& recommendation : measured["recommendations"]) {
+    EXPECT_THAT(page, HasSubstr(recommendation["flags"].get<std::string>()));
+  }
+}
+
+TEST_F(Measure, AnswersInJsonAndCsvOnStandardOutput) {
+  const ProgramResult in_json = run("--format json --quiet");
+  ASSERT_EQ(in_json.exit_code, 0) << in_json.err;
+  EXPECT_EQ(json::parse(in_json.out)["seed"], 0);
+  const ProgramResult in_csv = run("--format csv --quiet --seed 3");
+  EXPECT_TRUE(in_csv.out.starts_with("samples,sampler,"));
+}
+
+TEST_F(Measure, RecommendsForTheErrorThatIsAskedFor) {
+  ASSERT_EQ(run("--error 3% -o a.json --quiet").exit_code, 0);
+  const json measured = report("a.json");
+  bool is_there = false;
+  for (const json& recommendation : measured["recommendations"]) {
+    if (std::abs(recommendation["goal"].get<double>() - 0.03) > 1e-9) continue;
+    is_there = true;
+    EXPECT_TRUE(recommendation["is_main"]);
+    EXPECT_TRUE(recommendation["is_measured"]);
+    EXPECT_LE(recommendation["relative_error_interval"][1], 0.0301);
+  }
+  EXPECT_TRUE(is_there);
+}
+
+TEST_F(Measure, GoesOnWhereItWasInterrupted) {
+  const std::string measure =
+      "\"$SDLC\" measure ball.scene --width 24 --budget 1h --work kept -o a.json --quiet";
+  // Interrupted as soon as three points are there; a budget of an hour is far from used up.
+  const ProgramResult stopped = run_shell(folder_.path(), measure + R"sh( & pid=$!
+         points() { grep -c '"flip"' kept/study.json 2>/dev/null || true; }
+         until [ "$(points)" -ge 3 ] 2>/dev/null || ! kill -0 $pid; do sleep 0.05; done
+         kill -TERM $pid; wait $pid)sh");
+  EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
+  EXPECT_THAT(stopped.err, HasSubstr("what there is was saved as a.partial.json"));
+  EXPECT_THAT(stopped.err, HasSubstr("the same command goes on from kept"));
+  EXPECT_FALSE(fs::exists(folder_ / "a.json"));
+  const json before = report("a.partial.json");
+  EXPECT_FALSE(before["is_complete"]);
+  ASSERT_GE(before["points"].size(), 3u);
+
+  // The plan stays, and there is no time for more of it: what there is is told whole.
+  const ProgramResult rest = run_shell(
+      folder_.path(),
+      "\"$SDLC\" measure ball.scene --width 24 --budget 1ms --work kept -o a.json --quiet");
+  ASSERT_EQ(rest.exit_code, 0) << rest.err;
+  const json after = report("a.json");
+  EXPECT_TRUE(after["is_complete"]);
+  EXPECT_EQ(after["points"].size(), before["points"].size());
+  for (std::size_t i = 0; i < before["points"].size(); ++i) {
+    for (const char* field : {"samples", "timings", "relative_error", "rmse", "flip"}) {
+      EXPECT_EQ(after["points"][i][field], before["points"][i][field]);
+    }
+  }
+  EXPECT_EQ(after["reference"], before["reference"]);
+  EXPECT_FALSE(after["left_out"].empty());
+}
+
+TEST_F(Measure, ComesToTheSameWhenAllOfItIsKept) {
+  ASSERT_EQ(run("--work kept -o a.json -o a.html --quiet").exit_code, 0);
+  ASSERT_EQ(run("--work kept -o b.json -o b.html --quiet").exit_code, 0);
+  json a = report("a.json"), b = report("b.json");
+  for (json* any : {&a, &b}) {
+    (*any).erase("command");
+    (*any).erase("spent_seconds");
+  }
+  EXPECT_EQ(a, b);
+  EXPECT_EQ(std::ranges::count(content_of(folder_ / "a.html"), '<'),
+            std::ranges::count(content_of(folder_ / "b.html"), '<'));
+}
+
+TEST_F(Measure, RefusesAFolderOfAnotherMeasurement) {
+  ASSERT_EQ(run("--work kept --quiet").exit_code, 0);
+  const ProgramResult other_seed = run("--work kept --seed 9");
+  EXPECT_EQ(other_seed.exit_code, 2);
+  EXPECT_THAT(other_seed.err, HasSubstr("another seed (0, now 9)"));
+  write_text(folder_ / "ball.scene",
+             std::string(kScene) +
+                 "sphere { center: (1, 1, 1), radius: 0.1, material: diffuse(color: gray) }\n");
+  const ProgramResult other_scene = run("--work kept");
+  EXPECT_EQ(other_scene.exit_code, 2);
+  EXPECT_THAT(other_scene.err, HasSubstr("another scene"));
+}
+
+TEST_F(Measure, RefusesAFolderThatIsDamaged) {
+  ASSERT_EQ(run("--work kept --quiet").exit_code, 0);
+  const std::string study = content_of(folder_ / "kept" / "study.json");
+  fs::resize_file(folder_ / "kept" / "reference.f32", 8);
+  const ProgramResult short_reference = run("--work kept");
+  EXPECT_EQ(short_reference.exit_code, 2);
+  EXPECT_THAT(short_reference.err, HasSubstr("its reference.f32 is missing or cut short"));
+  write_text(folder_ / "kept" / "study.json", study.substr(0, study.size() / 2));
+  const ProgramResult half = run("--work kept");
+  EXPECT_EQ(half.exit_code, 2);
+  EXPECT_THAT(half.err, HasSubstr("its study.json cannot be read"));
+  EXPECT_THAT(half.err, HasSubstr("remove the folder to begin anew"));
+}
+
+TEST_F(Measure, HoldsItselfAgainstAnEarlierReport) {
+  ASSERT_EQ(run("-o old.json --quiet").exit_code, 0);
+  const ProgramResult same = run("--against old.json -o new.json --quiet");
+  EXPECT_THAT(same.out, HasSubstr("Against "));
+  // Times of a loaded machine may be worse; the same renderer's pictures never are.
+  const json held = report("new.json");
+  ASSERT_FALSE(held["against"]["points"].empty());
+  for (const json& point : held["against"]["points"]) {
+    EXPECT_EQ(point["error"], "not distinguished");
+  }
+
+  json better = report("old.json");
+  for (json& point : better["points"]) {
+    for (const char* field : {"relative_error", "relative_error_spread"}) {
+      point[field] = point[field].get<double>() / 10;
+    }
+    for (json& end : point["relative_error_interval"]) end = end.get<double>() / 10;
+  }
+  better["machine"]["processor"] = "another";
+  write_text(folder_ / "better.json", better.dump());
+  const ProgramResult worse = run("--against better.json --quiet");
+  EXPECT_EQ(worse.exit_code, 1);
+  EXPECT_THAT(worse.out, HasSubstr("WORSE"));
+  EXPECT_THAT(worse.out, HasSubstr("times are not compared"));
+}
+
+TEST_F(Measure, RefusesToBeHeldAgainstSomethingElse) {
+  ASSERT_EQ(run("-o old.json --quiet").exit_code, 0);
+  const ProgramResult size = run("--against old.json --width 7");
+  EXPECT_EQ(size.exit_code, 2);
+  EXPECT_THAT(size.err, HasSubstr("of another size (6 × 3)"));
+  const ProgramResult scene = run("--against old.json --camera nobody");
+  EXPECT_NE(scene.exit_code, 0);
+  write_text(folder_ / "ball.scene",
+             std::string(kScene) +
+                 "sphere { center: (1, 1, 1), radius: 0.1, material: diffuse(color: gray) }\n");
+  EXPECT_THAT(run("--against old.json").err, HasSubstr("of another scene"));
+  write_text(folder_ / "text.json", "{\"points\": []}");
+  EXPECT_THAT(run("--against text.json").err, HasSubstr("no report of `sdlc measure`"));
+  EXPECT_EQ(run("--against text.json").exit_code, 2);
+  write_text(folder_ / "broken.json", "{");
+  EXPECT_EQ(run("--against broken.json").exit_code, 2);
+  EXPECT_THAT(run("--against none.json").err, HasSubstr("none.json"));
+  json old = report("old.json");
+  old["format_version"] = 99;
+  write_text(folder_ / "later.json", old.dump());
+  EXPECT_THAT(run("--against later.json").err, HasSubstr("version 99"));
+  old["format_version"] = 1;
+  old["points"][0].erase("seconds");
+  write_text(folder_ / "hole.json", old.dump());
+  EXPECT_EQ(run("--against hole.json").exit_code, 2);
+}
+
+TEST_F(Measure, SaysWhatItCannotDo) {
+  const auto expect_usage = [&](const std::string& arguments, const std::string& words) {
+    const ProgramResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_THAT(result.err, HasSubstr(words));
+    EXPECT_EQ(result.out, "");
+  };
+  expect_usage("-o a.png", "`a.png` names no report; reports are .html, .json and .csv");
+  expect_usage("-o a.htm", "did you mean `html`?");
+  expect_usage("-o a.json -o a.json", "two outputs go to `a.json`");
+  expect_usage("-o nowhere/a.json", "nowhere");
+  expect_usage("--time 3s", "--budget is the time that measuring may take");
+  expect_usage("--adaptive --error 1%", "--adaptive is not measured");
+  expect_usage("--budget 0s", "--budget");
+  expect_usage("--budget long", "--budget");
+  expect_usage("--format html", "`html` is none of human, json, csv");
+  expect_usage("--frame 3", "no `animation`");
+}
+
+TEST_F(Measure, TellsErrorsOfTheSceneAndMeasuresNothing) {
+  write_text(folder_ / "ball.scene", "scene 1\nsphere { radus: 1 }\n");
+  const ProgramResult result = run("-o a.json");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("did you mean `radius`?"));
+  EXPECT_FALSE(fs::exists(folder_ / "a.json"));
+}
+
+TEST_F(Measure, HasNothingToRecommendForABlackPicture) {
+  write_text(folder_ / "ball.scene", R"(scene 1
+camera main { from: (0, 0, 5), at: (0, 0, 0), fov: 30deg }
+background { bottom: black, top: black }
+sphere { center: (0, 0, 0), radius: 1, material: diffuse(color: gray) }
+render { width: 6, depth: 4 }
+)");
+  const ProgramResult result = run("-o a.html -o a.json --quiet");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, Not(HasSubstr("nan")));
+  EXPECT_EQ(report("a.json")["recommendations"], json::array());
+}
+
+TEST_F(Measure, ReadsStandardInputAndOneFrameOfAFilm) {
+  const ProgramResult result = run_shell(folder_.path(),
+                                         R"("$SDLC" measure - --budget 20s --quiet --frame 3 <<'END'
+scene 1
+animation { frames: 1 .. 4, fps: 24 }
+camera main { from: (0, 1, 5), at: (0, 0.5, 0), fov: 30deg }
+background { bottom: white, top: white }
+sphere { center: (time / 1s, 0, 0), radius: 1, material: diffuse(color: gray) }
+render { width: 4, depth: 4 }
+END
+)");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("<stdin>, 4 × 2 pixels"));
+}
+
+}  // namespace
+}  // namespace sdlc::test
