@@ -219,7 +219,8 @@ class MeasureJob {
   }
 
   /// What has to be the same for a measurement to be gone on with.
-  Json identity(const render::RenderSettings& settings) const {
+  Json identity(const lang::LoweredScene& lowered) const {
+    const render::RenderSettings& settings = lowered.settings;
     Json json{
         {"version", full_version()},
         {"scene", scene_digest_},
@@ -231,6 +232,7 @@ class MeasureJob {
         {"threads", settings.threads},
         {"sampler", name_of(settings.sampler)},
         {"light sampling", name_of(settings.light_sampling)},
+        {"tone", name_of(lowered.output.tone)},
         {"precision", request_.precision ? std::string(name_of(*request_.precision)) : "auto"}};
     for (const auto& [name, value] : machine_) json[name] = value;
     return json;
@@ -243,7 +245,7 @@ class MeasureJob {
     details_.emplace(lowered.output.tone);
     std::optional<render::ReferencePicture> reference;
     if (!options_.work.empty()) {
-      work_.emplace(options_.work, identity(lowered.settings));
+      work_.emplace(options_.work, identity(lowered));
       work_->load(ledger_, reference, *details_);
     }
     render::RenderMonitor monitor;

@@ -22,7 +22,7 @@ using render::LinearRgb;
 using render::Picture;
 
 constexpr int kCropWidth = 96, kCropHeight = 72;
-constexpr int kMapWidth = 320, kThumbnailWidth = 480;
+constexpr int kMapWidth = 240, kThumbnailWidth = 400;
 
 /// The root of the mean over the channels of the squared difference, of each pixel.
 std::vector<float> errors_of(const Picture& picture, const Picture& reference) {
@@ -96,6 +96,7 @@ void Details::choose_windows(const Picture& picture, const render::ReferencePict
   // Four times the error of the whole, so that the maps of better pictures are not black.
   constexpr double kBrightest = 4;
   top_ = kBrightest * render::error_against(picture, reference).value * mean_;
+  if (!(top_ > 0)) top_ = 1;  // without noise all is black
   std::tie(map_width_, map_height_) = smaller_size(picture.width, picture.height, kMapWidth);
   std::tie(thumbnail_width_, thumbnail_height_) =
       smaller_size(picture.width, picture.height, kThumbnailWidth);

@@ -28,8 +28,8 @@ T named(const std::array<T, N>& choices, const std::string& word) {
 
 // JSON has no infinity.
 Json finite_or_null(double number) { return std::isfinite(number) ? Json(number) : Json(); }
-double number_or_infinity(const Json& json) {
-  return json.is_null() ? INFINITY : json.get<double>();
+double number_or(double otherwise, const Json& json) {
+  return json.is_null() ? otherwise : json.get<double>();
 }
 
 }  // namespace
@@ -48,17 +48,16 @@ render::Way way_of(const Json& json) {
           .depth = json.at("depth")};
 }
 
-Json interval_json(const render::Interval& interval) { return {interval.from, interval.to}; }
-
-render::Interval interval_of(const Json& json) { return {json.at(0), json.at(1)}; }
-
 void put(Json& json, const std::string& name, const render::Measured& measured) {
-  json[name] = measured.value;
-  json[name + "_interval"] = interval_json(measured.interval);
+  json[name] = finite_or_null(measured.value);
+  json[name + "_interval"] = {finite_or_null(measured.interval.from),
+                              finite_or_null(measured.interval.to)};
 }
 
 render::Measured measured_of(const Json& json, const std::string& name) {
-  return {json.at(name), interval_of(json.at(name + "_interval"))};
+  const Json& interval = json.at(name + "_interval");
+  return {number_or(NAN, json.at(name)),
+          {number_or(NAN, interval.at(0)), number_or(NAN, interval.at(1))}};
 }
 
 Json difference_json(const render::Difference& difference) {
@@ -80,10 +79,10 @@ render::Difference difference_of(const Json& json) {
   const auto channel = std::ranges::find(kChannels, largest.at("channel").get<std::string>());
   if (channel == kChannels.end()) throw std::invalid_argument("a channel has no such name");
   return {.rmse = json.at("rmse"),
-          .relative_error = number_or_infinity(json.at("relative_error")),
+          .relative_error = number_or(INFINITY, json.at("relative_error")),
           .relative_mse = json.at("relative_mse"),
           .trimmed_relative_mse = json.at("relative_mse_trimmed"),
-          .psnr = number_or_infinity(json.at("psnr")),
+          .psnr = number_or(INFINITY, json.at("psnr")),
           .largest = {.value = largest.at("value"),
                       .x = largest.at("x"),
                       .y = largest.at("y"),

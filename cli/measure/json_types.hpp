@@ -14,10 +14,7 @@ using Json = nlohmann::ordered_json;
 Json way_json(const render::Way& way);
 render::Way way_of(const Json& json);
 
-Json interval_json(const render::Interval& interval);
-render::Interval interval_of(const Json& json);
-
-/// Adds "NAME" and "NAME_interval".
+/// Adds "NAME" and "NAME_interval"; null where they are no numbers, which are read as NaN.
 void put(Json& json, const std::string& name, const render::Measured& measured);
 render::Measured measured_of(const Json& json, const std::string& name);
 

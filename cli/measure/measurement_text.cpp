@@ -136,6 +136,17 @@ std::string against_text(const Report& report) {
   return text;
 }
 
+/// "as it is: --samples 64, …", where that was measured.
+std::string own_text(const Measurement& measurement) {
+  for (const render::Point& point : measurement.points) {
+    if (point.way != measurement.own || point.samples != measurement.own_samples) continue;
+    return plain(fmt::format("as it is: {}, tracing {}; error {}\n",
+                             render_flags(measurement, point.way, point.samples),
+                             reading(point.seconds, duration), reading(point.error, percent)));
+  }
+  return {};
+}
+
 std::string recommendation_text(const Measurement& measurement,
                                 const render::Recommendation& recommendation) {
   return plain(fmt::format(
@@ -172,7 +183,7 @@ std::string to_text(const Report& report) {
   text += against_text(report);
   for (const std::string& note : report.notes) text += fmt::format("\nnote: {}", note);
   if (!report.notes.empty()) text += "\n";
-  if (!measurement.recommendations.empty()) text += "\n";
+  text += "\n" + own_text(measurement);
   for (const render::Recommendation& recommendation : measurement.recommendations) {
     text += recommendation_text(measurement, recommendation) + "\n";
   }

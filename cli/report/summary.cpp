@@ -38,6 +38,17 @@ std::string lead(const render::Measurement& measurement, const render::Recommend
       read(choice.seconds, duration).text(), read(choice.error, percent).text(), how);
 }
 
+/// What the scene asks for now, where that was measured.
+std::string as_it_stands(const render::Measurement& measurement) {
+  const auto point = std::ranges::find_if(measurement.points, [&](const render::Point& any) {
+    return any.way == measurement.own && any.samples == measurement.own_samples;
+  });
+  if (point == measurement.points.end()) return {};
+  return fmt::format("<p>As the scene stands, with {} samples: error {}, traced in {}.</p>\n",
+                     point->samples, read(point->error, percent).text(),
+                     read(point->seconds, duration).text());
+}
+
 std::string recommendation_table(const render::Measurement& measurement) {
   HtmlTable table("What to render with, for each goal", "Goal|Flags|#Error|#Time|Known");
   for (const render::Recommendation& choice : measurement.recommendations) {
@@ -87,6 +98,7 @@ std::string recommendation_section(const Report& report) {
     const std::size_t main =
         std::min(measurement.main_recommendation, measurement.recommendations.size() - 1);
     html += lead(measurement, measurement.recommendations[main]);
+    html += as_it_stands(measurement);
     html += recommendation_table(measurement);
   }
   html += "</div>\n";

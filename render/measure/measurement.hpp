@@ -89,7 +89,7 @@ struct Reference {
   int samples = 0;
   std::uint64_t seed = 0;
   double seconds = 0;
-  Measured error{};
+  Measured error{};  ///< NaN where RenderResult::error is unknown
   double mean_radiance = 0;
   std::uint64_t scarce_emitters = 0;
 };

@@ -52,7 +52,8 @@ class PlanBuilder {
                            .way = plan_.reference_way,
                            .samples = plan_.reference_samples});
     for (int samples = kFirstSamples; samples <= most_; samples *= 2) add_point(own, samples);
-    if (settings_.samples <= most_) add_point(own, settings_.samples);
+    // What the scene asks for now is the first thing to know.
+    if (settings_.samples <= 2 * most_) add_point(own, settings_.samples);
     for (const WayCost& cost : plan_.costs) {
       if (cost.way == own || !cost.refusal.empty()) continue;
       add_others(cost.way, own);

@@ -61,7 +61,7 @@ Study::Study(const Scene& scene, const RenderSettings& settings, KernelRequest r
 KernelRequest Study::request_of(const Way& way) const {
   if (way.precision == own_.precision) return request_;
   KernelRequest request = request_;
-  request.precision = way.precision;
+  request.precision = way.precision == Precision::Mixed ? Precision::Float : way.precision;
   request.may_take_double = false;
   return request;
 }
@@ -186,6 +186,7 @@ bool Study::run_reference(const StudyTask& task) {
                       .seed = seed,
                       .seconds = seconds_of(*result),
                       .scarce_emitters = result->scarce_emitters.size()};
+  reference.error = {NAN, {NAN, NAN}};
   if (result->error) {
     reference.error = {result->error->relative_error, result->error->interval};
   }
