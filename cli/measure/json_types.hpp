@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
 #include "render/compare/difference.hpp"
@@ -10,6 +13,13 @@
 namespace sdlc::cli {
 
 using Json = nlohmann::ordered_json;
+
+template <typename T, typename Convert>
+Json array_json(const std::vector<T>& items, Convert convert) {
+  Json array = Json::array();
+  for (const T& item : items) array.push_back(convert(item));
+  return array;
+}
 
 Json way_json(const render::Way& way);
 render::Way way_of(const Json& json);

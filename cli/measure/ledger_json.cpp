@@ -44,13 +44,6 @@ render::WayCost cost_of(const Json& json) {
           .refusal = json.at("refusal")};
 }
 
-template <typename T, typename Convert>
-Json array_json(const std::vector<T>& items, Convert convert) {
-  Json array = Json::array();
-  for (const T& item : items) array.push_back(convert(item));
-  return array;
-}
-
 template <typename Convert>
 auto array_of(const Json& json, Convert convert) {
   std::vector<decltype(convert(json))> items;

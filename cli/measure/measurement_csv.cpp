@@ -14,11 +14,6 @@ namespace {
 /// All digits; nothing where it is no finite number.
 std::string number(double value) { return std::isfinite(value) ? fmt::to_string(value) : ""; }
 
-std::string standing_word(render::Standing standing) {
-  constexpr std::array<std::string_view, 3> kWords{"front", "not distinguished", "dominated"};
-  return std::string(kWords[static_cast<std::size_t>(standing)]);
-}
-
 struct Column {
   const char* name;
   std::string (*text)(const render::Point& point);
@@ -59,7 +54,7 @@ constexpr std::array kColumns{
     Column{"cut_paths", [](const render::Point& p) { return number(p.cut_share); }},
     Column{"scarce_emitters",
            [](const render::Point& p) { return fmt::to_string(p.scarce_emitters); }},
-    Column{"standing", [](const render::Point& p) { return standing_word(p.standing); }},
+    Column{"standing", [](const render::Point& p) { return std::string(name_of(p.standing)); }},
 };
 
 }  // namespace

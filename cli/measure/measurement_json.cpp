@@ -16,12 +16,6 @@ using render::Measurement;
 
 constexpr const char* kFormat = "sdlc-measurement";
 constexpr int kFormatVersion = 1;
-constexpr std::array<const char*, 3> kStandings{"front", "not distinguished", "dominated"};
-constexpr std::array<const char*, 3> kVerdicts{"not distinguished", "better", "worse"};
-
-std::string_view word(render::Verdict verdict) {
-  return kVerdicts[static_cast<std::size_t>(verdict)];
-}
 
 Json point_json(const render::Point& point) {
   Json json = way_json(point.way);
@@ -39,7 +33,7 @@ Json point_json(const render::Point& point) {
   json["flip"] = point.flip;
   json["cut_paths"] = point.cut_share;
   json["scarce_emitters"] = point.scarce_emitters;
-  json["standing"] = kStandings[static_cast<std::size_t>(point.standing)];
+  json["standing"] = name_of(point.standing);
   return json;
 }
 
@@ -126,23 +120,16 @@ Json against_json(const render::Comparison& against) {
     put(json, "relative_error", point.error_after);
     put(json, "seconds_before", point.seconds_before);
     put(json, "seconds", point.seconds_after);
-    json["error"] = word(point.error);
+    json["error"] = name_of(point.error);
     points.push_back(json);
   }
   Json json{{"version", against.earlier}, {"points", points}};
   json["time_ratio"] = nullptr;
   json["time_ratio_interval"] = nullptr;
   if (against.time_ratio) put(json, "time_ratio", *against.time_ratio);
-  json["time"] = word(against.time);
+  json["time"] = name_of(against.time);
   json["notes"] = against.notes;
   return json;
-}
-
-template <typename T, typename Convert>
-Json array_json(const std::vector<T>& items, Convert convert) {
-  Json array = Json::array();
-  for (const T& item : items) array.push_back(convert(item));
-  return array;
 }
 
 }  // namespace

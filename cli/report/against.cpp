@@ -14,11 +14,6 @@
 namespace sdlc::cli {
 namespace {
 
-std::string_view words_of(render::Verdict verdict) {
-  static constexpr std::array<std::string_view, 3> kWords{"not distinguished", "better", "worse"};
-  return kWords[static_cast<std::size_t>(verdict)];
-}
-
 std::string_view class_of(render::Verdict verdict) {
   static constexpr std::array<std::string_view, 3> kClasses{"same", "better", "worse"};
   return kClasses[static_cast<std::size_t>(verdict)];
@@ -33,7 +28,7 @@ std::string against_section(const Report& report) {
       fmt::format("<p>The earlier measurement was made by {}.</p>\n", escaped(against.earlier));
   html += against.time_ratio
               ? fmt::format("<p>A render takes <strong>{}</strong> as long as then: {}.</p>\n",
-                            read(*against.time_ratio, times).text(), words_of(against.time))
+                            read(*against.time_ratio, times).text(), name_of(against.time))
               : std::string("<p>Times are not compared.</p>\n");
   for (const std::string& note : against.notes) {
     html += callout(note);
@@ -52,7 +47,7 @@ std::string against_section(const Report& report) {
         .cell(error_before.value, error_before.interval)
         .cell(error_after.value, error_after.interval)
         .cell(fmt::format("<span class=\"verdict {}\">{}</span>", class_of(change.error),
-                          words_of(change.error)))
+                          name_of(change.error)))
         .cell(seconds_before.value, seconds_before.interval)
         .cell(seconds_after.value, seconds_after.interval);
   }

@@ -1,6 +1,7 @@
 #include "render/measure/against.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -48,6 +49,11 @@ std::optional<Measured> mean_ratio(const std::vector<PointChange>& points) {
 }
 
 }  // namespace
+
+std::string_view name_of(Verdict verdict) noexcept {
+  constexpr std::array<std::string_view, 3> kNames{"not distinguished", "better", "worse"};
+  return kNames[static_cast<std::size_t>(verdict)];
+}
 
 Comparison compare_measurements(const std::vector<Point>& now, const std::vector<Point>& before,
                                 bool has_comparable_times) {

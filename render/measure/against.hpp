@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/measure/measurement.hpp"
@@ -10,6 +11,9 @@
 namespace sdlc::render {
 
 enum class Verdict : std::uint8_t { NotDistinguished, Better, Worse };
+
+/// "not distinguished", "better", "worse".
+std::string_view name_of(Verdict verdict) noexcept;
 
 /// A point that an earlier measurement of the same scene has too.
 struct PointChange {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/compare/difference.hpp"
@@ -37,6 +38,9 @@ enum class Standing : std::uint8_t {
   NotDistinguished,  ///< some is, but their intervals overlap
   Dominated,         ///< some is, beyond the intervals
 };
+
+/// "front", "not distinguished", "dominated".
+std::string_view name_of(Standing standing) noexcept;
 
 /// One render that was timed and held against the reference.
 struct Point {

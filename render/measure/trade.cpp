@@ -121,6 +121,11 @@ std::optional<SamplesForError> beyond_last(double goal, const Series& series,
 
 }  // namespace
 
+std::string_view name_of(Standing standing) noexcept {
+  constexpr std::array<std::string_view, 3> kNames{"front", "not distinguished", "dominated"};
+  return kNames[static_cast<std::size_t>(standing)];
+}
+
 void mark_standings(std::span<Point> points) {
   for (Point& point : points) {
     point.standing = Standing::Front;
