@@ -337,6 +337,10 @@ class MeasureJob {
   static void add_notes(Report& report) {
     const render::Measurement& measurement = report.measurement;
     if (!measurement.reference) return;
+    if (measurement.points.empty()) {
+      report.notes.push_back(
+          "there was no time for any point beside the reference; a longer --budget has some");
+    }
     const render::Reference& reference = *measurement.reference;
     if (reference.scarce_emitters > 0) {
       report.notes.push_back(fmt::format(

@@ -106,7 +106,8 @@ std::string precision_text(const Measurement& measurement) {
   if (!measurement.precision) return {};
   const render::PrecisionDifference& precision = *measurement.precision;
   if (!precision.refusal.empty()) {
-    return fmt::format("\nPrecision: {}; {}\n", name_of(precision.taken), precision.refusal);
+    return fmt::format("\nPrecision: {} is taken; {} cannot be: {}\n", name_of(precision.taken),
+                       name_of(precision.other), precision.refusal);
   }
   return plain(fmt::format("\nPrecision: the mean in {} less that in {} is {}; {} takes {}\n",
                            name_of(precision.taken), name_of(precision.other),

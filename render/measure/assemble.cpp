@@ -132,6 +132,11 @@ std::vector<LeftOut> left_out_of(const StudyLedger& ledger, const std::vector<Po
   return left_out;
 }
 
+Measured scaled(const Measured& measured, double factor) {
+  return {measured.value * factor,
+          {measured.interval.from * factor, measured.interval.to * factor}};
+}
+
 /// The one that is told first: of 1 %, or the nearest to it that was tried.
 std::size_t main_of(const std::vector<Recommendation>& all, std::optional<double> goal) {
   std::size_t best = 0;
@@ -177,17 +182,20 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
   const double area = static_cast<double>(settings.width) * settings.height /
                       (static_cast<double>(measurement.width) * measurement.height);
   for (const double goal : worthwhile_goals(points, options.goal)) {
-    std::optional<Recommendation> found =
-        recommend(goal, measurement.series, points, noise, ledger.other_seconds / area);
+    std::optional<Recommendation> found = recommend(goal, measurement.series, points, noise);
     if (!found) continue;
-    if (area != 1) {  // a smaller picture was measured
-      found->is_measured = false;
-      for (double* seconds :
-           {&found->seconds.value, &found->seconds.interval.from, &found->seconds.interval.to}) {
-        *seconds *= area;
-      }
-    }
-    measurement.recommendations.push_back(*std::move(found));
+    // Of the scene's own size, where a smaller one was measured.
+    if (area != 1) found->is_measured = false;
+    const double building = ledger.plan->cost_of(found->way).build_seconds;
+    const double tracing = std::max(found->seconds.value - building, 0.0);
+    found->seconds = scaled(
+        found->seconds, (tracing * area + building + ledger.other_seconds) / found->seconds.value);
+    // What does for less error does for more: one line for both.
+    auto& all = measurement.recommendations;
+    const bool is_same = !all.empty() && all.back().way == found->way &&
+                         all.back().samples == found->samples && all.back().goal != options.goal;
+    if (is_same) all.pop_back();
+    all.push_back(*std::move(found));
   }
   measurement.main_recommendation = main_of(measurement.recommendations, options.goal);
   return measurement;

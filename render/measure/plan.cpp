@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -31,11 +32,19 @@ std::vector<int> depths_around(int own) {
   return depths;
 }
 
+/// How much is rendered. Every render builds its hierarchy anew, as one of `sdlc render` does; of a
+/// million spheres that takes longer than a small picture.
+enum class Extent : std::uint8_t {
+  Whole,
+  Lean,   ///< two points of the scene's own way, one of each other
+  Least,  ///< the scene's own way alone
+};
+
 /// The plan whose own ladder ends at `most`, whatever it takes.
 class PlanBuilder {
  public:
-  PlanBuilder(const StudyRequest& request, int width, int height, int most)
-      : settings_(request.settings), most_(most) {
+  PlanBuilder(const StudyRequest& request, Extent extent, int width, int height, int most)
+      : settings_(request.settings), extent_(extent), most_(most) {
     plan_.width = width;
     plan_.height = height;
     plan_.costs = request.costs;
@@ -51,13 +60,17 @@ class PlanBuilder {
     plan_.tasks.push_back({.kind = StudyTask::Kind::Reference,
                            .way = plan_.reference_way,
                            .samples = plan_.reference_samples});
-    for (int samples = kFirstSamples; samples <= most_; samples *= 2) add_point(own, samples);
+    const int step = extent_ == Extent::Whole ? 2 : 4;
+    for (int samples = most_; samples >= kFirstSamples; samples /= step) add_point(own, samples);
+    std::ranges::reverse(plan_.tasks.begin() + 1, plan_.tasks.end());
     // What the scene asks for now is the first thing to know.
     if (settings_.samples <= 2 * most_) add_point(own, settings_.samples);
+    if (extent_ == Extent::Least) return std::move(plan_);
     for (const WayCost& cost : plan_.costs) {
       if (cost.way == own || !cost.refusal.empty()) continue;
       add_others(cost.way, own);
     }
+    if (extent_ == Extent::Lean) return std::move(plan_);
     for (int seed = 0; seed < kProbeSeeds; ++seed) {
       plan_.tasks.push_back(
           {.kind = StudyTask::Kind::Depths, .samples = plan_.probe_samples, .round = seed});
@@ -78,7 +91,8 @@ class PlanBuilder {
 
   void add_others(const Way& way, const Way& own) {
     // What differs in depth alone is off by what that loses, whatever its samples.
-    if (way.depth != own.depth) return add_point(way, std::min(most_, kLeastMostSamples));
+    if (way.depth != own.depth || extent_ == Extent::Lean)
+      return add_point(way, std::min(most_, kLeastMostSamples));
     // Another precision has nearly the same error, and only its time is of interest.
     const bool is_whole = way.precision == own.precision;
     const int last = is_whole ? most_ : most_ / 4;
@@ -107,6 +121,7 @@ class PlanBuilder {
   }
 
   const RenderSettings& settings_;
+  Extent extent_;
   int most_;
   double repeat_below_ = 0;
   StudyPlan plan_;
@@ -116,6 +131,12 @@ double total_seconds(const StudyPlan& plan) {
   double seconds = 0;
   for (const StudyTask& task : plan.tasks) seconds += plan.seconds_of(task);
   return seconds;
+}
+
+/// Of that what pictures of any size take.
+double building_seconds(StudyPlan plan) {
+  plan.width = plan.height = 0;
+  return total_seconds(plan);
 }
 
 }  // namespace
@@ -171,16 +192,23 @@ std::string describe(const StudyTask& task) {
 StudyPlan plan_study(const StudyRequest& request) {
   const double seconds = kPlannedShare * request.budget_seconds;
   const RenderSettings& settings = request.settings;
+  Extent extent = Extent::Whole;
   const auto build = [&](double scale, int most) {
     const auto side = [&](int full) {
       return std::max(1, static_cast<int>(std::lround(full * scale)));
     };
-    return PlanBuilder(request, side(settings.width), side(settings.height), most).build();
+    return PlanBuilder(request, extent, side(settings.width), side(settings.height), most).build();
   };
+  // Half of the time at least is for tracing.
+  while (extent != Extent::Least && building_seconds(build(1, kLeastMostSamples)) > seconds / 2) {
+    extent = extent == Extent::Whole ? Extent::Lean : Extent::Least;
+  }
+  const double building = building_seconds(build(1, kLeastMostSamples));
+  const double for_all = std::max(seconds, 2 * building);
   // Smaller pictures tell less of edges: as large as the budget allows.
   double scale = 1;
   constexpr double kLeastScale = 1.0 / 64;
-  while (total_seconds(build(scale, kLeastMostSamples)) > seconds && scale > kLeastScale) {
+  while (total_seconds(build(scale, kLeastMostSamples)) > for_all && scale > kLeastScale) {
     scale *= 0.9;
   }
   StudyPlan plan = build(scale, kLeastMostSamples);

@@ -120,14 +120,32 @@ WayCost Study::try_way(const Way& way) {
   return cost;
 }
 
+WayCost Study::guess_way(const Way& way, const WayCost& own) const {
+  const Kernel kernel = choose_kernel(scene_, settings_of(way, 8, settings_.seed), request_of(way));
+  WayCost cost = own;
+  cost.way = way;
+  cost.way.precision = kernel.precision;
+  cost.refusal = kernel.refusal;
+  // By what they take in scenes of all kinds, at most.
+  constexpr double kOfLights = 2, kOfDouble = 2;
+  if (way.light_sampling == LightSampling::On) cost.seconds_a_sample *= kOfLights;
+  if (way.precision == Precision::Double && own_.precision != Precision::Double) {
+    cost.seconds_a_sample *= kOfDouble;
+  }
+  return cost;
+}
+
 void Study::make_plan() {
   StudyRequest request{.settings = settings_, .budget_seconds = options_.budget_seconds};
-  std::vector<Way> all = ways();
-  // The first render of a process is slower than those after it.
-  try_way(all.front());
-  for (const Way& way : all) {
+  // The first render of a process is slower than those after it. Where one alone takes a good part
+  // of the time, the others are not tried.
+  WayCost own = try_way(own_);
+  constexpr int kLeastTrials = 40;
+  const bool is_quick =
+      kLeastTrials * (spent_before_ + seconds_since(start_)) < options_.budget_seconds;
+  for (const Way& way : ways()) {
     if (monitor_.cancel.load()) return;
-    request.costs.push_back(try_way(way));
+    request.costs.push_back(is_quick ? try_way(way) : guess_way(way, own));
   }
   request.reference_way = own_;
   request.reference_way.sampler = SamplerKind::Sobol;

@@ -107,6 +107,8 @@ class Study {
   KernelRequest request_of(const Way& way) const;
   std::vector<Way> ways() const;
   WayCost try_way(const Way& way);
+  /// By the trial of another.
+  WayCost guess_way(const Way& way, const WayCost& own) const;
   void make_plan();
   std::optional<RenderResult> rendered(const Way& way, int samples, std::uint64_t seed,
                                        bool keeps_variance = false);

@@ -202,8 +202,7 @@ std::vector<double> worthwhile_goals(std::span<const Point> points, std::optiona
 }
 
 std::optional<Recommendation> recommend(double goal, std::span<const Series> series,
-                                        std::span<const Point> points, const NoiseOfTime& noise,
-                                        double other_seconds) {
+                                        std::span<const Point> points, const NoiseOfTime& noise) {
   std::optional<SamplesForError> best;
   const Series* of_best = nullptr;
   for (const Series& candidate : series) {
@@ -217,13 +216,12 @@ std::optional<Recommendation> recommend(double goal, std::span<const Series> ser
     of_best = &candidate;
   }
   if (!best) return std::nullopt;
-  return Recommendation{
-      .goal = goal,
-      .way = of_best->way,
-      .samples = best->samples,
-      .is_measured = best->is_measured,
-      .error = best->error,
-      .seconds = noise.next(best->seconds + other_seconds, points[best->point].timings.size())};
+  return Recommendation{.goal = goal,
+                        .way = of_best->way,
+                        .samples = best->samples,
+                        .is_measured = best->is_measured,
+                        .error = best->error,
+                        .seconds = noise.next(best->seconds, points[best->point].timings.size())};
 }
 
 }  // namespace sdlc::render

@@ -40,9 +40,9 @@ std::optional<SamplesForError> samples_for(double goal, const Series& series,
 std::vector<double> worthwhile_goals(std::span<const Point> points, std::optional<double> wanted);
 
 /// The quickest way to an error among the series of the scene's own depth; the scene's own way, the
-/// first series, where no other is quicker beyond the noise of times.
+/// first series, where no other is quicker beyond the noise of times. Its seconds are of the next
+/// time it is built and traced.
 std::optional<Recommendation> recommend(double goal, std::span<const Series> series,
-                                        std::span<const Point> points, const NoiseOfTime& noise,
-                                        double other_seconds);
+                                        std::span<const Point> points, const NoiseOfTime& noise);
 
 }  // namespace sdlc::render

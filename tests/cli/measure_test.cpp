@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -71,6 +72,28 @@ TEST_F(Measure, TellsTheTradeAsATableAndInFiles) {
   EXPECT_THAT(page, HasSubstr("data:image/png;base64,"));
   for (const json& recommendation : measured["recommendations"]) {
     EXPECT_THAT(page, HasSubstr(recommendation["flags"].get<std::string>()));
+  }
+}
+
+/// The names of all fields, at any depth, but those of what a machine is told by.
+void collect_names(const json& value, std::set<std::string>& names) {
+  for (const auto& [name, field] : value.items()) {
+    if (value.is_object()) names.insert(name);
+    if (name != "machine" && field.is_structured()) collect_names(field, names);
+  }
+}
+
+TEST_F(Measure, HasNoFieldThatItsPageDoesNotName) {
+  ASSERT_EQ(run("-o old.json --quiet").exit_code, 0);
+  run("--against old.json -o a.json --quiet");
+  std::set<std::string> names;
+  collect_names(report("a.json"), names);
+  ASSERT_GT(names.size(), 50u);
+  const std::string page = content_of(fs::path(SDLC_SOURCE_DIR) / "docs/measure.md");
+  for (std::string name : names) {
+    constexpr std::string_view kInterval = "_interval";
+    if (name.ends_with(kInterval)) name.resize(name.size() - kInterval.size());
+    EXPECT_THAT(page, HasSubstr("`" + name + "`"));
   }
 }
 

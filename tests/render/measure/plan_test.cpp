@@ -117,6 +117,21 @@ TEST(StudyPlan, SpreadsRepeatsOverTheWholeTime) {
   EXPECT_EQ(rounds.back(), 2);
 }
 
+TEST(StudyPlan, RendersFewerThingsWhereBuildingTakesMostOfTheTime) {
+  StudyRequest heavy = request(60);
+  for (render::WayCost& cost : heavy.costs) cost.build_seconds = 1.5;
+  const StudyPlan lean = plan_study(heavy);
+  EXPECT_LE(seconds_of(lean), 60);
+  EXPECT_LT(lean.tasks.size(), 10u);
+  EXPECT_GT(lean.width, 250) << "not at the price of a picture of nothing";
+  const bool has_others =
+      std::ranges::any_of(lean.tasks, [](const StudyTask& task) { return task.way != kOwn; });
+  EXPECT_TRUE(has_others);
+
+  for (render::WayCost& cost : heavy.costs) cost.build_seconds = 100;
+  for (const StudyTask& task : plan_study(heavy).tasks) EXPECT_EQ(task.way, kOwn);
+}
+
 TEST(StudyPlan, HoldsForAPictureOfOnePixel) {
   StudyRequest tiny = request(1);
   tiny.settings.width = tiny.settings.height = 1;

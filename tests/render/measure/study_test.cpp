@@ -161,6 +161,25 @@ TEST_F(StudyTest, SaysWhatThereWasNoTimeFor) {
   for (const auto& left_out : result.left_out) EXPECT_EQ(left_out.reason, "there was no time left");
 }
 
+TEST_F(StudyTest, RecommendsForTheFullSizeWhereASmallerPictureWasMeasured) {
+  StudyLedger ledger = short_ledger();
+  ledger.plan->costs.front().build_seconds = 1000;
+  run(ledger);
+  for (render::TimedRender& render : ledger.renders) render.seconds += 1000;
+  ledger.other_seconds = 50;
+  const Measurement at_size = measurement(ledger);
+  render::RenderSettings larger = kSettings;
+  larger.width *= 10;
+  const Measurement smaller = measurement_of(ledger, larger, kOptions);
+  ASSERT_EQ(smaller.recommendations.size(), at_size.recommendations.size());
+  for (std::size_t i = 0; i < smaller.recommendations.size(); ++i) {
+    EXPECT_FALSE(smaller.recommendations[i].is_measured);
+    // Reading, writing and building stay; milliseconds of tracing become ten times as long.
+    EXPECT_GE(smaller.recommendations[i].seconds.value, 1050);
+    EXPECT_LT(smaller.recommendations[i].seconds.value, 1100);
+  }
+}
+
 TEST_F(StudyTest, HoldsNothingAgainstABlackScene) {
   render::Scene black = beam_scene({0, 0, 5}, {0, 0, 0}, render::LinearRgb{0});
   add_sphere(black, {0, 0, 0}, 1, diffuse({0.5, 0.5, 0.5}));

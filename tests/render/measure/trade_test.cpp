@@ -115,20 +115,20 @@ TEST(Recommendations, TakeTheQuickestWay) {
   points.push_back(point(8, 1.5, 0.04, lights));
   const auto series = group_by_way(points);
   const render::NoiseOfTime noise({});
-  const auto found = recommend(0.055, series, points, noise, 0.5);
+  const auto found = recommend(0.055, series, points, noise);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->way, lights);
   EXPECT_EQ(found->samples, 8);
   EXPECT_TRUE(found->is_measured);
-  EXPECT_DOUBLE_EQ(found->seconds.value, 2) << "with the half second of reading and writing";
-  EXPECT_LT(found->seconds.interval.from, 2);
-  EXPECT_GT(found->seconds.interval.to, 2);
+  EXPECT_DOUBLE_EQ(found->seconds.value, 1.5);
+  EXPECT_LT(found->seconds.interval.from, 1.5);
+  EXPECT_GT(found->seconds.interval.to, 1.5);
 }
 
 TEST(Recommendations, KeepTheScenesOwnWayWhereNoOtherIsClearlyQuicker) {
   std::vector<Point> points{point(8, 1, 0.1), point(32, 4, 0.05)};
   points.push_back(point(32, 3.9, 0.05, kIndependent));
-  const auto found = recommend(0.055, group_by_way(points), points, render::NoiseOfTime({}), 0);
+  const auto found = recommend(0.055, group_by_way(points), points, render::NoiseOfTime({}));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->way, render::Way{});
 }
@@ -136,7 +136,7 @@ TEST(Recommendations, KeepTheScenesOwnWayWhereNoOtherIsClearlyQuicker) {
 TEST(Recommendations, NeverChangeTheDepth) {
   const render::Way shallow{.depth = 4};
   const std::vector<Point> points{point(32, 4, 0.05), point(32, 1, 0.05, shallow)};
-  const auto found = recommend(0.055, group_by_way(points), points, render::NoiseOfTime({}), 0);
+  const auto found = recommend(0.055, group_by_way(points), points, render::NoiseOfTime({}));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->way, render::Way{});
 }
