@@ -18,10 +18,12 @@
 #include "cli/interrupt.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/machine.hpp"
+#include "cli/measure/against_earlier.hpp"
 #include "cli/measure/details.hpp"
 #include "cli/measure/measurement_csv.hpp"
 #include "cli/measure/measurement_json.hpp"
 #include "cli/measure/measurement_text.hpp"
+#include "cli/measure/notes.hpp"
 #include "cli/measure/work_folder.hpp"
 #include "cli/outputs.hpp"
 #include "cli/override_options.hpp"
@@ -158,9 +160,9 @@ class MeasureJob {
                               ledger_.nonfinite_samples);
     }
     if (!is_whole) return tell_interrupted(settings);
-    const bool is_worse = write(settings, true);
+    const bool has_become_worse = write(settings, true);
     if (ledger_.nonfinite_samples > 0) return ExitCode::Defect;
-    return is_worse ? ExitCode::Findings : ExitCode::Success;
+    return has_become_worse ? ExitCode::Findings : ExitCode::Success;
   }
 
  private:
@@ -291,31 +293,6 @@ class MeasureJob {
     ledger_.other_seconds = read_seconds_ + loading + seconds_to_encode(picture) * area;
   }
 
-  void compare(Report& report) const {
-    if (!earlier_) return;
-    const auto machine_of = [](std::vector<std::pair<std::string, std::string>> machine,
-                               int threads) {
-      machine.emplace_back("threads", fmt::to_string(threads));
-      return machine;
-    };
-    const bool is_same_machine = machine_of(earlier_->machine, earlier_->threads) ==
-                                 machine_of(machine_, report.measurement.threads);
-    report.against =
-        compare_measurements(report.measurement.points, earlier_->points, is_same_machine);
-    report.against->earlier = earlier_->version;
-    auto& notes = report.against->notes;
-    if (!is_same_machine) {
-      notes.push_back(
-          "it is of another machine, kernel or number of threads: times are not compared");
-    }
-    if (earlier_->seed != report.measurement.seed) notes.push_back("its seed is another");
-    if (report.against->points.empty()) {
-      notes.push_back("it has no point that this one has; a larger --budget gives more of them");
-    } else if (!report.against->time_ratio && is_same_machine) {
-      notes.push_back("fewer than three points are in both: times are not compared");
-    }
-  }
-
   Report report_of(const render::Measurement& measurement) const {
     Report report{.measurement = measurement,
                   .provenance = {.scene = lang::printable(options_.scene.name()),
@@ -323,8 +300,8 @@ class MeasureJob {
                                  .command = quoted_command(),
                                  .machine = machine_}};
     details_->fill(report);
-    add_notes(report);
-    compare(report);
+    report.notes = notes_of(measurement);
+    if (earlier_) report.against = compare_with_earlier(measurement, machine_, *earlier_);
     return report;
   }
 
@@ -332,29 +309,6 @@ class MeasureJob {
     std::string command = "sdlc";
     for (const std::string& argument : env_.arguments) command += " " + shell_quoted(argument);
     return command;
-  }
-
-  static void add_notes(Report& report) {
-    const render::Measurement& measurement = report.measurement;
-    if (!measurement.reference) return;
-    if (measurement.points.empty()) {
-      report.notes.push_back(
-          "there was no time for any point beside the reference; a longer --budget has some");
-    }
-    const render::Reference& reference = *measurement.reference;
-    if (reference.scarce_emitters > 0) {
-      report.notes.push_back(fmt::format(
-          "{} emissive sphere{} hardly reached by the reference's own paths: light may be missing "
-          "in it, and every error too small. A longer --budget finds it, if it is not hidden.",
-          reference.scarce_emitters, reference.scarce_emitters == 1 ? " was" : "s were"));
-    }
-    for (const render::Point& point : measurement.points) {
-      if (point.error.interval.from > 0 || point.error.interval.to == 0) continue;
-      report.notes.push_back(
-          "some errors are not told from none: the reference is too rough for them. A longer "
-          "--budget makes a better one.");
-      break;
-    }
   }
 
   /// To standard output and to the files; whether anything has become worse.
@@ -375,10 +329,7 @@ class MeasureJob {
       written_.push_back(lang::printable(name.string()));
     }
     if (is_complete || files_.empty()) env_.out << text_of(options_.format);
-    if (!report.against) return false;
-    return report.against->time == render::Verdict::Worse ||
-           std::ranges::count(report.against->points, render::Verdict::Worse,
-                              &render::PointChange::error) > 0;
+    return report.against && is_worse(*report.against);
   }
 
   ExitCode tell_interrupted(const render::RenderSettings& settings) {

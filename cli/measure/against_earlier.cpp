@@ -1,0 +1,35 @@
+#include "cli/measure/against_earlier.hpp"
+
+#include <algorithm>
+
+namespace sdlc::cli {
+
+render::Comparison compare_with_earlier(
+    const render::Measurement& measurement,
+    const std::vector<std::pair<std::string, std::string>>& machine,
+    const EarlierMeasurement& earlier) {
+  const bool is_same_machine = earlier.machine == machine && earlier.threads == measurement.threads;
+  render::Comparison comparison =
+      compare_measurements(measurement.points, earlier.points, is_same_machine);
+  comparison.earlier = earlier.version;
+  std::vector<std::string>& notes = comparison.notes;
+  if (!is_same_machine) {
+    notes.emplace_back(
+        "it is of another machine, kernel or number of threads: times are not compared");
+  }
+  if (earlier.seed != measurement.seed) notes.emplace_back("its seed is another");
+  if (comparison.points.empty()) {
+    notes.emplace_back("it has no point that this one has; a larger --budget gives more of them");
+  } else if (!comparison.time_ratio && is_same_machine) {
+    notes.emplace_back("fewer than three points are in both: times are not compared");
+  }
+  return comparison;
+}
+
+bool is_worse(const render::Comparison& comparison) {
+  return comparison.time == render::Verdict::Worse ||
+         std::ranges::count(comparison.points, render::Verdict::Worse,
+                            &render::PointChange::error) > 0;
+}
+
+}  // namespace sdlc::cli
