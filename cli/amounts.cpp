@@ -104,6 +104,20 @@ double parse_amount(const std::string& flag, const std::string& text, std::strin
                         read(mended) ? fmt::format(" (did you mean `{}`?)", mended) : ""));
 }
 
+std::optional<double> read_finite(const std::string& text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  const bool is_number = error == std::errc() && stop == end && std::isfinite(number);
+  return is_number ? std::optional(number) : std::nullopt;
+}
+
+[[noreturn]] void refuse_number(const std::string& flag, const std::string& text,
+                                std::string_view wanted) {
+  throw CLI::ValidationError(flag,
+                             fmt::format("takes {}, not `{}`", wanted, lang::printable(text)));
+}
+
 }  // namespace
 
 double parse_share(const std::string& flag, const std::string& text) {
@@ -118,14 +132,20 @@ double parse_duration(const std::string& flag, const std::string& text) {
 }
 
 double parse_number(const std::string& flag, const std::string& text, double least) {
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error == std::errc() && stop == end && std::isfinite(number) && number >= least) {
-    return number;
-  }
-  throw CLI::ValidationError(flag, fmt::format("takes a number from {} on, such as `{}`, not `{}`",
-                                               least, least + 0.5, lang::printable(text)));
+  const auto number = read_finite(text);
+  if (number && *number >= least) return *number;
+  refuse_number(flag, text, fmt::format("a number from {} on, such as `{}`", least, least + 0.5));
+}
+
+double parse_signed_number(const std::string& flag, const std::string& text) {
+  if (const auto number = read_finite(text)) return *number;
+  refuse_number(flag, text, "a number, such as `-0.5`");
+}
+
+double parse_positive_number(const std::string& flag, const std::string& text) {
+  const auto number = read_finite(text);
+  if (number && *number > 0) return *number;
+  refuse_number(flag, text, "a number above 0, such as `0.5`");
 }
 
 }  // namespace sdlc::cli

@@ -16,4 +16,10 @@ double parse_duration(const std::string& flag, const std::string& text);
 /// names the flag.
 double parse_number(const std::string& flag, const std::string& text, double least);
 
+/// The same of any finite number.
+double parse_signed_number(const std::string& flag, const std::string& text);
+
+/// The same of a finite number above 0.
+double parse_positive_number(const std::string& flag, const std::string& text);
+
 }  // namespace sdlc::cli

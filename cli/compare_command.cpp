@@ -40,33 +40,37 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 3> kFormats{"human", "concise", "json"};
 constexpr std::array<std::string_view, 2> kMaps{"difference", "flip"};
 
+double parse_limit(const std::string& flag, const std::string& text) {
+  return parse_number(flag, text, 0);
+}
+
 /// A gate that the command line can set.
 struct GateKind {
   const char* flag;
   const char* quantity;
   const char* help;
-  bool is_share;
+  double (*parse)(const std::string& flag, const std::string& text);
   bool is_least;
   double (*value)(const CompareReport&);
 };
 
 constexpr std::array kGates{
-    GateKind{"max-rmse", "the RMSE", "Highest RMSE", false, false,
+    GateKind{"max-rmse", "the RMSE", "Highest RMSE", parse_limit, false,
              [](const CompareReport& report) { return report.difference.rmse; }},
     GateKind{"max-relative-error", "the relative error",
-             "Highest RMSE as a share of the mean of B: 3% or 0.03", true, false,
+             "Highest RMSE as a share of the mean of B: 3% or 0.03", parse_share, false,
              [](const CompareReport& report) { return report.difference.relative_error; }},
-    GateKind{"max-relative-mse", "the relative MSE", "Highest relative MSE, untrimmed", false,
+    GateKind{"max-relative-mse", "the relative MSE", "Highest relative MSE, untrimmed", parse_limit,
              false, [](const CompareReport& report) { return report.difference.relative_mse; }},
-    GateKind{"max-flip", "FLIP", "Highest mean of FLIP, which is from 0 to 1", false, false,
+    GateKind{"max-flip", "FLIP", "Highest mean of FLIP, which is from 0 to 1", parse_limit, false,
              [](const CompareReport& report) { return report.flip.mean; }},
     GateKind{"max-difference", "the largest difference",
-             "Highest difference of a value, in either direction; 0: equal", false, false,
+             "Highest difference of a value, in either direction; 0: equal", parse_limit, false,
              [](const CompareReport& report) { return std::abs(report.difference.largest.value); }},
-    GateKind{"min-psnr", "the PSNR", "Lowest PSNR, in decibels", false, true,
+    GateKind{"min-psnr", "the PSNR", "Lowest PSNR, in decibels", parse_signed_number, true,
              [](const CompareReport& report) { return report.difference.psnr; }},
     GateKind{"max-z", "z",
-             "Highest z of the z-test, of means and of noise; over 4 is hardly chance", false,
+             "Highest z of the z-test, of means and of noise; over 4 is hardly chance", parse_limit,
              false, [](const CompareReport& report) { return report.z_test->largest(); }},
 };
 constexpr std::size_t kMaxZ = kGates.size() - 1;
@@ -221,31 +225,19 @@ class CompareJob {
   render::ImageFormat format_ = render::ImageFormat::Png;
 };
 
-void add_number(CLI::App& command, const std::string& flag, double least, const char* type,
-                const std::string& help, std::function<void(double)> set) {
-  command
-      .add_option_function<std::string>(
-          flag,
-          [flag, least, set = std::move(set)](const std::string& text) {
-            set(parse_number(flag, text, least));
-          },
-          help)
-      ->type_name(type);
+void add_number(CLI::App& command, const std::string& flag, const char* type,
+                const std::string& help, std::function<void(const std::string&)> set) {
+  command.add_option_function<std::string>(flag, std::move(set), help)->type_name(type);
 }
 
 void add_gates(CLI::App& command, CompareOptions& options) {
   for (std::size_t i = 0; i < kGates.size(); ++i) {
-    const std::string flag = std::string("--") + kGates[i].flag;
-    std::optional<double>& limit = options.limits[i];
-    if (kGates[i].is_share) {
-      command
-          .add_option_function<std::string>(
-              flag, [flag, &limit](const std::string& text) { limit = parse_share(flag, text); },
-              kGates[i].help)
-          ->type_name("SHARE");
-    } else {
-      add_number(command, flag, 0, "X", kGates[i].help, [&limit](double v) { limit = v; });
-    }
+    const GateKind& gate = kGates[i];
+    const std::string flag = std::string("--") + gate.flag;
+    add_number(command, flag, gate.parse == parse_share ? "SHARE" : "X", gate.help,
+               [flag, parse = gate.parse, &limit = options.limits[i]](const std::string& text) {
+                 limit = parse(flag, text);
+               });
   }
 }
 
@@ -265,12 +257,15 @@ void add_compare_command(CLI::App& app, Dispatcher& dispatcher) {
                       "Write the difference: as colours, or signed, A - B, to an .exr");
   command->add_option("--what", options->what, "What -o shows: the difference, or the FLIP map")
       ->check(one_of(kMaps));
-  add_number(*command, "--top", 0, "X",
+  add_number(*command, "--top", "X",
              "Value of the brightest colour of -o; default: the largest, 1 for FLIP",
-             [options = options.get()](double v) { options->top = v; });
-  add_number(*command, "--pixels-per-degree", kLeastPixelsPerDegree, "X",
+             [options = options.get()](const std::string& text) {
+               options->top = parse_positive_number("--top", text);
+             });
+  add_number(*command, "--pixels-per-degree", "X",
              "Of the viewer's sight, for FLIP: 1 to 1000; default 67.0206",
-             [options = options.get()](double v) {
+             [options = options.get()](const std::string& text) {
+               const double v = parse_number("--pixels-per-degree", text, kLeastPixelsPerDegree);
                if (v > kMostPixelsPerDegree) {
                  throw CLI::ValidationError("--pixels-per-degree", "takes a number up to 1000");
                }

@@ -128,5 +128,19 @@ TEST(Number, RefusesWhatIsNoneAndSaysWhatItTakes) {
   }
 }
 
+TEST(Number, MayBeOfAnySignOrAboveZero) {
+  EXPECT_EQ(parse_signed_number("--flag", "-3.5"), -3.5);
+  EXPECT_EQ(parse_positive_number("--flag", "1e-9"), 1e-9);
+  for (const char* text : {"", "x", "inf", "-1e999"}) {
+    EXPECT_THAT(complaint(parse_signed_number, text), StartsWith("--flag: takes a number, such as"))
+        << text;
+  }
+  for (const char* text : {"", "0", "-1", "nan"}) {
+    EXPECT_THAT(complaint(parse_positive_number, text),
+                StartsWith("--flag: takes a number above 0, such as"))
+        << text;
+  }
+}
+
 }  // namespace
 }  // namespace sdlc::cli

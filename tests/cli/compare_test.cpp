@@ -233,6 +233,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "error: the largest difference is 0.1, more than the 0 of --max-difference\n"},
         GateCase{"Psnr", "--min-psnr 19.9", "--min-psnr 20.1",
                  "error: the PSNR is 20, less than the 20.1 of --min-psnr\n"},
+        GateCase{"PsnrBelowZero", "--min-psnr -3", "--min-psnr 20.1", "of --min-psnr\n"},
         GateCase{"Z", "--max-z 40", "--max-z 10", "of --max-z\n"}),
     [](const auto& gate) { return gate.param.name; });
 
@@ -369,6 +370,10 @@ TEST_F(CompareCommand, RefusesOutputsThatCannotBe) {
   EXPECT_THAT(refusal("-o none/d.png"), HasSubstr("none/d.png"));
   EXPECT_THAT(refusal("-o -"), HasSubstr("name a file"));
   EXPECT_THAT(refusal("-o d.exr --top 1"), HasSubstr("--top is for the colours of a .png"));
+  for (const char* top : {"0", "-1", "nan"}) {
+    EXPECT_THAT(refusal(std::string("-o d.png --top ") + top),
+                HasSubstr("--top: takes a number above 0, such as `0.5`, not `"));
+  }
   EXPECT_THAT(refusal("--top 1"), HasSubstr("--top is of the picture that -o writes"));
   EXPECT_THAT(refusal("--what flip"), HasSubstr("--what is of the picture that -o writes"));
   EXPECT_THAT(refusal("-o d.png --what flipp"), HasSubstr("(did you mean `flip`?)"));
