@@ -1,9 +1,11 @@
 #include "render/scene/digest.hpp"
 
 #include <bit>
+#include <cstdint>
 #include <vector>
 
 #include "render/math/color.hpp"
+#include "render/math/fnv.hpp"
 #include "render/math/vec3.hpp"
 
 namespace sdlc::render {
@@ -12,9 +14,7 @@ namespace {
 class Digest {
  public:
   void add(std::uint64_t word) {
-    for (int i = 0; i < 8; ++i) {
-      hash_ = (hash_ ^ (word >> 8 * i & 0xFF)) * 0x100000001B3u;
-    }
+    for (int i = 0; i < 8; ++i) hash_.add_byte(static_cast<std::uint8_t>(word >> 8 * i));
   }
   void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
   void add(Vec3 v) { add(v.x), add(v.y), add(v.z); }
@@ -26,10 +26,10 @@ class Digest {
       add(std::uint64_t{sphere.material});
     }
   }
-  std::uint64_t value() const { return hash_; }
+  std::uint64_t value() const { return hash_.value(); }
 
  private:
-  std::uint64_t hash_ = 0xCBF29CE484222325u;
+  Fnv1a hash_;
 };
 
 }  // namespace
