@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -75,12 +77,24 @@ std::pair<int, int> smaller_size(int width, int height, int most_width) {
   return {smaller, std::max(1, static_cast<int>(static_cast<long long>(height) * smaller / width))};
 }
 
-Window window_of(const Json& json) {
-  return {.title = json.at("title"),
-          .x = json.at("x"),
-          .y = json.at("y"),
-          .width = json.at("width"),
-          .height = json.at("height")};
+/// Of pictures of this size.
+Window window_of(const Json& json, int width, int height) {
+  Window window{.title = field<std::string>(json, "title"),
+                .x = whole_field(json, "x", 0, width - 1),
+                .y = whole_field(json, "y", 0, height - 1)};
+  window.width = whole_field(json, "width", 1, width - window.x);
+  window.height = whole_field(json, "height", 1, height - window.y);
+  return window;
+}
+
+/// Of something smaller than pictures of this size.
+std::pair<int, int> size_of(const Json& json, const std::string& name, int width, int height) {
+  const Json& size = any_field(json, name);
+  if (!size.is_array() || size.size() != 2) {
+    throw std::invalid_argument(fmt::format("its `{}` is no list of two", name));
+  }
+  return {static_cast<int>(whole_of(size[0], name, 1, width)),
+          static_cast<int>(whole_of(size[1], name, 1, height))};
 }
 
 }  // namespace
@@ -251,15 +265,15 @@ Json Details::frame_json() const {
           {"thumbnail", {thumbnail_width_, thumbnail_height_}}};
 }
 
-void Details::read_frame(const Json& json) {
+void Details::read_frame(const Json& json, int width, int height) {
   if (json.is_null()) return;
-  for (const Json& window : json.at("windows")) windows_.push_back(window_of(window));
-  top_ = json.at("top");
-  mean_ = json.at("mean");
-  map_width_ = json.at("map").at(0);
-  map_height_ = json.at("map").at(1);
-  thumbnail_width_ = json.at("thumbnail").at(0);
-  thumbnail_height_ = json.at("thumbnail").at(1);
+  windows_ = list_field(json, "windows",
+                        [&](const Json& window) { return window_of(window, width, height); });
+  if (windows_.empty()) throw std::invalid_argument("its `windows` are none");
+  top_ = positive_field(json, "top");
+  mean_ = field<double>(json, "mean");
+  std::tie(map_width_, map_height_) = size_of(json, "map", width, height);
+  std::tie(thumbnail_width_, thumbnail_height_) = size_of(json, "thumbnail", width, height);
 }
 
 }  // namespace sdlc::cli

@@ -45,8 +45,8 @@ class Details {
 
   /// The windows and what goes with them, but no pictures; null before the first.
   Json frame_json() const;
-  /// Takes it over; throws as json_types.hpp says.
-  void read_frame(const Json& json);
+  /// Takes it over for pictures of this size; throws as json_types.hpp says.
+  void read_frame(const Json& json, int width, int height);
   /// Takes over what was kept under one of keys().
   void restore(const std::string& key, PictureDetails details) {
     pictures_[key] = std::move(details);

@@ -1,11 +1,12 @@
 #include "cli/measure/json_types.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,21 +19,89 @@ constexpr std::array kPrecisions{render::Precision::Float, render::Precision::Mi
                                  render::Precision::Double};
 constexpr std::array<std::string_view, 3> kChannels{"red", "green", "blue"};
 
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+  throw std::invalid_argument(fmt::format("its `{}` is {}", name, what));
+}
+
 template <typename T, std::size_t N>
-T named(const std::array<T, N>& choices, const std::string& word) {
+T named(const std::array<T, N>& choices, const Json& json, const std::string& name) {
+  const std::string word = field<std::string>(json, name);
   for (const T choice : choices) {
     if (name_of(choice) == word) return choice;
   }
-  throw std::invalid_argument(fmt::format("`{}` is no word of a measurement", word));
+  refuse(name, fmt::format("`{}`, which there is not", word));
 }
 
 // JSON has no infinity.
 Json finite_or_null(double number) { return std::isfinite(number) ? Json(number) : Json(); }
-double number_or(double otherwise, const Json& json) {
-  return json.is_null() ? otherwise : json.get<double>();
+double number_or(double otherwise, const Json& json, const std::string& name) {
+  return json.is_null() ? otherwise : number_of(json, name);
 }
 
 }  // namespace
+
+Json parse_json(std::string_view text) {
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw std::invalid_argument(fmt::format("it is no JSON from its byte {} on", error.byte));
+  } catch (const Json::exception&) {
+    throw std::invalid_argument("it has a number that is too large");
+  }
+}
+
+const Json& any_field(const Json& json, const std::string& name) {
+  if (!json.is_object()) {
+    throw std::invalid_argument(fmt::format("there is no object that has `{}`", name));
+  }
+  const auto found = json.find(name);
+  if (found == json.end()) refuse(name, "missing");
+  return *found;
+}
+
+double number_of(const Json& json, const std::string& name) {
+  if (!json.is_number()) refuse(name, "no number");
+  const double number = json.get<double>();
+  if (!std::isfinite(number)) refuse(name, "no finite number");
+  return number;
+}
+
+std::int64_t whole_of(const Json& json, const std::string& name, std::int64_t least,
+                      std::int64_t most) {
+  // Numbers with a point or an exponent are none, and those beyond 64 bits are read as such.
+  const bool is_in_range = json.is_number_unsigned()
+                               ? std::cmp_less_equal(json.get<std::uint64_t>(), most) &&
+                                     std::cmp_greater_equal(json.get<std::uint64_t>(), least)
+                               : json.is_number_integer() && json.get<std::int64_t>() >= least &&
+                                     json.get<std::int64_t>() <= most;
+  if (!is_in_range) refuse(name, fmt::format("no whole number from {} to {}", least, most));
+  return json.get<std::int64_t>();
+}
+
+std::uint64_t natural_of(const Json& json, const std::string& name) {
+  if (!json.is_number_unsigned()) refuse(name, "no whole number from 0 on");
+  return json.get<std::uint64_t>();
+}
+
+std::string string_of(const Json& json, const std::string& name) {
+  if (!json.is_string()) refuse(name, "no text");
+  return json.get<std::string>();
+}
+
+bool bool_of(const Json& json, const std::string& name) {
+  if (!json.is_boolean()) refuse(name, "neither true nor false");
+  return json.get<bool>();
+}
+
+int whole_field(const Json& json, const std::string& name, int least, int most) {
+  return static_cast<int>(whole_of(any_field(json, name), name, least, most));
+}
+
+double positive_field(const Json& json, const std::string& name) {
+  const double number = field<double>(json, name);
+  if (!(number > 0)) refuse(name, "not above 0");
+  return number;
+}
 
 Json way_json(const render::Way& way) {
   return {{"sampler", name_of(way.sampler)},
@@ -42,10 +111,10 @@ Json way_json(const render::Way& way) {
 }
 
 render::Way way_of(const Json& json) {
-  return {.sampler = named(render::kSamplerKinds, json.at("sampler")),
-          .light_sampling = named(render::kLightSamplings, json.at("light_sampling")),
-          .precision = named(kPrecisions, json.at("precision")),
-          .depth = json.at("depth")};
+  return {.sampler = named(render::kSamplerKinds, json, "sampler"),
+          .light_sampling = named(render::kLightSamplings, json, "light_sampling"),
+          .precision = named(kPrecisions, json, "precision"),
+          .depth = whole_field(json, "depth", 1)};
 }
 
 void put(Json& json, const std::string& name, const render::Measured& measured) {
@@ -55,9 +124,11 @@ void put(Json& json, const std::string& name, const render::Measured& measured) 
 }
 
 render::Measured measured_of(const Json& json, const std::string& name) {
-  const Json& interval = json.at(name + "_interval");
-  return {number_or(NAN, json.at(name)),
-          {number_or(NAN, interval.at(0)), number_or(NAN, interval.at(1))}};
+  const std::string both = name + "_interval";
+  const Json& interval = any_field(json, both);
+  if (!interval.is_array() || interval.size() != 2) refuse(both, "no list of two");
+  return {number_or(NAN, any_field(json, name), name),
+          {number_or(NAN, interval[0], both), number_or(NAN, interval[1], both)}};
 }
 
 Json difference_json(const render::Difference& difference) {
@@ -75,17 +146,21 @@ Json difference_json(const render::Difference& difference) {
 }
 
 render::Difference difference_of(const Json& json) {
-  const Json& largest = json.at("max_difference");
-  const auto channel = std::ranges::find(kChannels, largest.at("channel").get<std::string>());
-  if (channel == kChannels.end()) throw std::invalid_argument("a channel has no such name");
-  return {.rmse = json.at("rmse"),
-          .relative_error = number_or(INFINITY, json.at("relative_error")),
-          .relative_mse = json.at("relative_mse"),
-          .trimmed_relative_mse = json.at("relative_mse_trimmed"),
-          .psnr = number_or(INFINITY, json.at("psnr")),
-          .largest = {.value = largest.at("value"),
-                      .x = largest.at("x"),
-                      .y = largest.at("y"),
+  const Json& largest = any_field(json, "max_difference");
+  const std::string name = field<std::string>(largest, "channel");
+  const auto channel = std::ranges::find(kChannels, name);
+  if (channel == kChannels.end()) refuse("channel", fmt::format("`{}`, which there is not", name));
+  const auto number_or_infinity = [&](const char* field) {
+    return number_or(INFINITY, any_field(json, field), field);
+  };
+  return {.rmse = field<double>(json, "rmse"),
+          .relative_error = number_or_infinity("relative_error"),
+          .relative_mse = field<double>(json, "relative_mse"),
+          .trimmed_relative_mse = field<double>(json, "relative_mse_trimmed"),
+          .psnr = number_or_infinity("psnr"),
+          .largest = {.value = field<double>(largest, "value"),
+                      .x = whole_field(largest, "x", 0),
+                      .y = whole_field(largest, "y", 0),
                       .channel = static_cast<int>(channel - kChannels.begin())}};
 }
 

@@ -1,15 +1,23 @@
 #pragma once
 
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "render/compare/difference.hpp"
 #include "render/measure/measurement.hpp"
 
-/// The small types of a measurement as JSON, both ways. Reading throws nlohmann::json::exception,
-/// or std::invalid_argument for a word that is none.
+/// The small types of a measurement as JSON, both ways. Files are edited and cut short: what reads
+/// throws std::invalid_argument, which says in words which field is wrong.
 namespace sdlc::cli {
 
 using Json = nlohmann::ordered_json;
@@ -20,6 +28,64 @@ Json array_json(const std::vector<T>& items, Convert convert) {
   for (const T& item : items) array.push_back(convert(item));
   return array;
 }
+
+/// The text as JSON.
+Json parse_json(std::string_view text);
+
+/// The field of this name, whatever it holds.
+const Json& any_field(const Json& json, const std::string& name);
+
+/// What `json` holds, which is called `name` in messages: a number is finite, a whole one from
+/// `least` to `most`. Getting it from nlohmann::json would convert, which is undefined for numbers
+/// that do not fit.
+double number_of(const Json& json, const std::string& name);
+std::int64_t whole_of(const Json& json, const std::string& name, std::int64_t least,
+                      std::int64_t most);
+std::uint64_t natural_of(const Json& json, const std::string& name);
+std::string string_of(const Json& json, const std::string& name);
+bool bool_of(const Json& json, const std::string& name);
+
+/// The field of this name and type.
+template <typename T>
+T field(const Json& json, const std::string& name) {
+  const Json& value = any_field(json, name);
+  if constexpr (std::same_as<T, bool>) {
+    return bool_of(value, name);
+  } else if constexpr (std::same_as<T, double>) {
+    return number_of(value, name);
+  } else if constexpr (std::same_as<T, std::uint64_t>) {
+    return natural_of(value, name);
+  } else {
+    static_assert(std::same_as<T, std::string>);
+    return string_of(value, name);
+  }
+}
+
+/// A whole number of at least `least`.
+int whole_field(const Json& json, const std::string& name, int least,
+                int most = std::numeric_limits<int>::max());
+/// A number above 0.
+double positive_field(const Json& json, const std::string& name);
+
+/// The field of this name, a list, each of its items converted.
+template <typename Convert>
+auto list_field(const Json& json, const std::string& name, Convert convert) {
+  const Json& list = any_field(json, name);
+  if (!list.is_array()) throw std::invalid_argument(fmt::format("its `{}` is no list", name));
+  std::vector<decltype(convert(list))> items;
+  for (const Json& item : list) {
+    try {
+      items.push_back(convert(item));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(
+          fmt::format("`{}`, number {}: {}", name, items.size() + 1, error.what()));
+    }
+  }
+  return items;
+}
+
+/// The most samples that any render of a measurement has, the reference included.
+inline constexpr int kMostMeasuredSamples = 1 << 27;
 
 Json way_json(const render::Way& way);
 render::Way way_of(const Json& json);

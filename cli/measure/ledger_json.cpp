@@ -1,10 +1,19 @@
 #include "cli/measure/ledger_json.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "cli/measure/json_types.hpp"
+#include "render/image/picture.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -21,13 +30,18 @@ Json task_json(const StudyTask& task) {
           {"round", task.round}};
 }
 
+int samples_of(const Json& json, const std::string& name) {
+  return whole_field(json, name, 1, kMostMeasuredSamples);
+}
+
 StudyTask task_of(const Json& json) {
-  const auto kind = std::ranges::find(kKinds, json.at("kind").get<std::string>());
-  if (kind == kKinds.end()) throw std::invalid_argument("a task is of no known kind");
-  return {.kind = static_cast<StudyTask::Kind>(kind - kKinds.begin()),
-          .way = way_of(json.at("way")),
-          .samples = json.at("samples"),
-          .round = json.at("round")};
+  const auto kind = std::ranges::find(kKinds, field<std::string>(json, "kind"));
+  if (kind == kKinds.end()) throw std::invalid_argument("it is of no known kind");
+  const auto what = static_cast<StudyTask::Kind>(kind - kKinds.begin());
+  return {.kind = what,
+          .way = way_of(any_field(json, "way")),
+          .samples = samples_of(json, "samples"),
+          .round = whole_field(json, "round", 0)};
 }
 
 Json cost_json(const render::WayCost& cost) {
@@ -38,17 +52,10 @@ Json cost_json(const render::WayCost& cost) {
 }
 
 render::WayCost cost_of(const Json& json) {
-  return {.way = way_of(json.at("way")),
-          .build_seconds = json.at("build_seconds"),
-          .seconds_a_sample = json.at("seconds_a_sample"),
-          .refusal = json.at("refusal")};
-}
-
-template <typename Convert>
-auto array_of(const Json& json, Convert convert) {
-  std::vector<decltype(convert(json))> items;
-  for (const Json& item : json) items.push_back(convert(item));
-  return items;
+  return {.way = way_of(any_field(json, "way")),
+          .build_seconds = field<double>(json, "build_seconds"),
+          .seconds_a_sample = field<double>(json, "seconds_a_sample"),
+          .refusal = field<std::string>(json, "refusal")};
 }
 
 Json plan_json(const render::StudyPlan& plan) {
@@ -63,16 +70,17 @@ Json plan_json(const render::StudyPlan& plan) {
 }
 
 render::StudyPlan plan_of(const Json& json) {
-  render::StudyPlan plan{.width = json.at("width"),
-                         .height = json.at("height"),
-                         .costs = array_of(json.at("costs"), cost_of),
-                         .reference_way = way_of(json.at("reference_way")),
-                         .reference_samples = json.at("reference_samples"),
-                         .depths = json.at("depths").get<std::vector<int>>(),
-                         .probe_samples = json.at("probe_samples"),
-                         .tasks = array_of(json.at("tasks"), task_of)};
-  if (plan.costs.empty() || plan.depths.empty()) throw std::invalid_argument("the plan is empty");
-  return plan;
+  const auto depth = [](const Json& number) {
+    return static_cast<int>(whole_of(number, "depths", 1, std::numeric_limits<int>::max()));
+  };
+  return {.width = whole_field(json, "width", 1),
+          .height = whole_field(json, "height", 1),
+          .costs = list_field(json, "costs", cost_of),
+          .reference_way = way_of(any_field(json, "reference_way")),
+          .reference_samples = samples_of(json, "reference_samples"),
+          .depths = list_field(json, "depths", depth),
+          .probe_samples = samples_of(json, "probe_samples"),
+          .tasks = list_field(json, "tasks", task_of)};
 }
 
 Json reference_json(const render::Reference& reference) {
@@ -87,13 +95,13 @@ Json reference_json(const render::Reference& reference) {
 }
 
 render::Reference reference_of(const Json& json) {
-  return {.way = way_of(json.at("way")),
-          .samples = json.at("samples"),
-          .seed = json.at("seed"),
-          .seconds = json.at("seconds"),
+  return {.way = way_of(any_field(json, "way")),
+          .samples = samples_of(json, "samples"),
+          .seed = field<std::uint64_t>(json, "seed"),
+          .seconds = positive_field(json, "seconds"),
           .error = measured_of(json, "error"),
-          .mean_radiance = json.at("mean_radiance"),
-          .scarce_emitters = json.at("scarce_emitters")};
+          .mean_radiance = field<double>(json, "mean_radiance"),
+          .scarce_emitters = field<std::uint64_t>(json, "scarce_emitters")};
 }
 
 Json render_json(const render::TimedRender& render) {
@@ -105,11 +113,11 @@ Json render_json(const render::TimedRender& render) {
 }
 
 render::TimedRender render_of(const Json& json) {
-  return {.way = way_of(json.at("way")),
-          .samples = json.at("samples"),
-          .seconds = json.at("seconds"),
-          .camera_samples = json.at("camera_samples"),
-          .rays = json.at("rays")};
+  return {.way = way_of(any_field(json, "way")),
+          .samples = samples_of(json, "samples"),
+          .seconds = positive_field(json, "seconds"),
+          .camera_samples = field<std::uint64_t>(json, "camera_samples"),
+          .rays = field<std::uint64_t>(json, "rays")};
 }
 
 Json evaluation_json(const render::Evaluation& evaluation) {
@@ -124,14 +132,14 @@ Json evaluation_json(const render::Evaluation& evaluation) {
 }
 
 render::Evaluation evaluation_of(const Json& json) {
-  return {.way = way_of(json.at("way")),
-          .samples = json.at("samples"),
+  return {.way = way_of(any_field(json, "way")),
+          .samples = samples_of(json, "samples"),
           .error = measured_of(json, "error"),
-          .error_spread = json.at("error_spread"),
-          .difference = difference_of(json.at("difference")),
-          .flip = json.at("flip"),
-          .scarce_emitters = json.at("scarce_emitters"),
-          .cut_share = json.at("cut_share")};
+          .error_spread = field<double>(json, "error_spread"),
+          .difference = difference_of(any_field(json, "difference")),
+          .flip = field<double>(json, "flip"),
+          .scarce_emitters = field<std::uint64_t>(json, "scarce_emitters"),
+          .cut_share = field<double>(json, "cut_share")};
 }
 
 Json depth_json(const render::DepthProbe& probe) {
@@ -143,11 +151,11 @@ Json depth_json(const render::DepthProbe& probe) {
 }
 
 render::DepthProbe depth_of(const Json& json) {
-  return {.depth = json.at("depth"),
-          .round = json.at("round"),
-          .mean = json.at("mean"),
-          .seconds = json.at("seconds"),
-          .cut_share = json.at("cut_share")};
+  return {.depth = whole_field(json, "depth", 1),
+          .round = whole_field(json, "round", 0),
+          .mean = field<double>(json, "mean"),
+          .seconds = positive_field(json, "seconds"),
+          .cut_share = field<double>(json, "cut_share")};
 }
 
 Json precision_json(const render::PrecisionProbe& probe) {
@@ -157,12 +165,80 @@ Json precision_json(const render::PrecisionProbe& probe) {
 }
 
 render::PrecisionProbe precision_of(const Json& json) {
-  return {.round = json.at("round"),
-          .mean = json.at("mean"),
-          .other_mean = json.at("other_mean"),
-          .rms_difference = json.at("rms_difference"),
-          .seconds = json.at("seconds"),
-          .other_seconds = json.at("other_seconds")};
+  return {.round = whole_field(json, "round", 0),
+          .mean = field<double>(json, "mean"),
+          .other_mean = field<double>(json, "other_mean"),
+          .rms_difference = field<double>(json, "rms_difference"),
+          .seconds = positive_field(json, "seconds"),
+          .other_seconds = positive_field(json, "other_seconds")};
+}
+
+[[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument(what); }
+
+/// A plan that the study can follow.
+void check(const render::StudyPlan& plan) {
+  using Kind = StudyTask::Kind;
+  if (std::int64_t{plan.width} * plan.height > render::kMaxPicturePixels) {
+    refuse(fmt::format("its picture has more than {} pixels", render::kMaxPicturePixels));
+  }
+  if (plan.costs.empty()) refuse("its `costs` are none");
+  const render::Way& own = plan.costs.front().way;
+  if (!plan.costs.front().refusal.empty()) refuse("the scene's own way is refused in it");
+  for (const render::WayCost& cost : plan.costs) {
+    if (cost.build_seconds < 0 || cost.seconds_a_sample < 0)
+      refuse("one of its `costs` is below 0");
+  }
+  if (!std::ranges::is_sorted(plan.depths, std::less_equal())) refuse("its `depths` do not ascend");
+  if (!std::ranges::count(plan.depths, own.depth)) refuse("its `depths` lack that of the scene");
+  const bool has_reference_first =
+      !plan.tasks.empty() && plan.tasks.front().kind == Kind::Reference &&
+      std::ranges::count(plan.tasks, Kind::Reference, &StudyTask::kind) == 1;
+  if (!has_reference_first) refuse("its first task is not the reference");
+  const bool compares_precisions =
+      std::ranges::count(plan.tasks, Kind::Precisions, &StudyTask::kind);
+  const bool has_other = std::ranges::any_of(
+      plan.costs, [&](const auto& cost) { return cost.way.precision != own.precision; });
+  if (compares_precisions && !has_other) refuse("its `costs` lack the other precision");
+}
+
+/// Depths of one seed are held against each other: where one is, all are.
+void check_depths(const render::StudyPlan& plan, const std::vector<render::DepthProbe>& probes) {
+  std::map<int, std::vector<int>> rounds;
+  for (const render::DepthProbe& probe : probes) rounds[probe.round].push_back(probe.depth);
+  for (auto& [round, depths] : rounds) {
+    std::ranges::sort(depths);
+    if (depths != plan.depths) {
+      refuse(fmt::format("its `depths` of round {} are not those of the plan", round));
+    }
+  }
+}
+
+/// A ledger that was damaged or edited must not go unnoticed, let alone be read beyond its ends.
+void check(const render::StudyLedger& ledger) {
+  if (!ledger.plan) {
+    const bool is_empty = !ledger.reference && ledger.renders.empty() &&
+                          ledger.evaluations.empty() && ledger.depths.empty() &&
+                          ledger.precisions.empty();
+    if (!is_empty) refuse("it has results but no `plan`");
+    return;
+  }
+  check(*ledger.plan);
+  check_depths(*ledger.plan, ledger.depths);
+  if (!ledger.evaluations.empty() && !ledger.reference) {
+    refuse("it has `evaluations` but no `reference`");
+  }
+  for (const render::Evaluation& evaluation : ledger.evaluations) {
+    const auto is_of_same = [&](const auto& done) {
+      return done.way == evaluation.way && done.samples == evaluation.samples;
+    };
+    if (std::ranges::count_if(ledger.evaluations, is_of_same) > 1) {
+      refuse("one of its `evaluations` is there twice");
+    }
+    if (std::ranges::none_of(ledger.renders, is_of_same)) {
+      refuse("one of its `evaluations` was never timed");
+    }
+    if (!(evaluation.error.value >= 0)) refuse("one of its `evaluations` has no error");
+  }
 }
 
 }  // namespace
@@ -182,17 +258,20 @@ std::string to_json(const render::StudyLedger& ledger) {
 }
 
 render::StudyLedger read_ledger(std::string_view text) {
-  const Json json = Json::parse(text);
-  render::StudyLedger ledger{.renders = array_of(json.at("renders"), render_of),
-                             .evaluations = array_of(json.at("evaluations"), evaluation_of),
-                             .depths = array_of(json.at("depths"), depth_of),
-                             .precisions = array_of(json.at("precisions"), precision_of),
-                             .precision_bound = json.at("precision_bound"),
-                             .other_seconds = json.at("other_seconds"),
-                             .spent_seconds = json.at("spent_seconds"),
-                             .nonfinite_samples = json.at("nonfinite_samples")};
-  if (!json.at("plan").is_null()) ledger.plan = plan_of(json.at("plan"));
-  if (!json.at("reference").is_null()) ledger.reference = reference_of(json.at("reference"));
+  const Json json = parse_json(text);
+  render::StudyLedger ledger{.renders = list_field(json, "renders", render_of),
+                             .evaluations = list_field(json, "evaluations", evaluation_of),
+                             .depths = list_field(json, "depths", depth_of),
+                             .precisions = list_field(json, "precisions", precision_of),
+                             .precision_bound = field<std::string>(json, "precision_bound"),
+                             .other_seconds = field<double>(json, "other_seconds"),
+                             .spent_seconds = field<double>(json, "spent_seconds"),
+                             .nonfinite_samples = field<std::uint64_t>(json, "nonfinite_samples")};
+  if (ledger.other_seconds < 0 || ledger.spent_seconds < 0) refuse("a time in it is below 0");
+  const Json &plan = any_field(json, "plan"), &reference = any_field(json, "reference");
+  if (!plan.is_null()) ledger.plan = plan_of(plan);
+  if (!reference.is_null()) ledger.reference = reference_of(reference);
+  check(ledger);
   return ledger;
 }
 

@@ -38,13 +38,18 @@ Json point_json(const render::Point& point) {
 }
 
 render::Point point_of(const Json& json) {
-  render::Point point{.way = way_of(json),
-                      .samples = json.at("samples"),
-                      .timings = json.at("timings").get<std::vector<double>>(),
-                      .seconds = measured_of(json, "seconds"),
-                      .error = measured_of(json, "relative_error"),
-                      .error_spread = json.at("relative_error_spread")};
-  if (!(point.seconds.value > 0)) throw std::invalid_argument("a point took no time");
+  render::Point point{
+      .way = way_of(json),
+      .samples = whole_field(json, "samples", 1, kMostMeasuredSamples),
+      .timings = list_field(json, "timings",
+                            [](const Json& seconds) { return number_of(seconds, "timings"); }),
+      .seconds = measured_of(json, "seconds"),
+      .error = measured_of(json, "relative_error"),
+      .error_spread = field<double>(json, "relative_error_spread")};
+  const bool is_timed =
+      point.seconds.value > 0 && std::ranges::all_of(point.timings, [](double s) { return s > 0; });
+  if (!is_timed) throw std::invalid_argument("it took no time");
+  if (!(point.error.value >= 0)) throw std::invalid_argument("its `relative_error` is no error");
   return point;
 }
 
@@ -170,24 +175,29 @@ std::string to_json(const Report& report, const std::string& scene_digest) {
 }
 
 EarlierMeasurement read_measurement(std::string_view text) {
-  const Json json = Json::parse(text);
-  if (!json.is_object() || json.value("format", "") != kFormat) {
+  const Json json = parse_json(text);
+  if (!json.is_object() || !json.contains("format") || json.at("format") != kFormat) {
     throw std::invalid_argument("it is no report of `sdlc measure` in JSON");
   }
-  if (const int version = json.at("format_version"); version != kFormatVersion) {
+  if (const int version = whole_field(json, "format_version", 1); version != kFormatVersion) {
     throw std::invalid_argument(fmt::format(
         "it is of version {} of the format, and this sdlc reads {}", version, kFormatVersion));
   }
-  EarlierMeasurement earlier{.version = json.at("version"),
-                             .scene_digest = json.at("scene_digest"),
-                             .full_width = json.at("full_width"),
-                             .full_height = json.at("full_height"),
-                             .seed = json.at("seed"),
-                             .threads = json.at("threads")};
-  for (const auto& [name, value] : json.at("machine").items()) {
-    earlier.machine.emplace_back(name, value.get<std::string>());
+  EarlierMeasurement earlier{.version = field<std::string>(json, "version"),
+                             .scene_digest = field<std::string>(json, "scene_digest"),
+                             .width = whole_field(json, "width", 1),
+                             .height = whole_field(json, "height", 1),
+                             .full_width = whole_field(json, "full_width", 1),
+                             .full_height = whole_field(json, "full_height", 1),
+                             .seed = field<std::uint64_t>(json, "seed"),
+                             .threads = whole_field(json, "threads", 1),
+                             .is_complete = field<bool>(json, "is_complete")};
+  const Json& machine = any_field(json, "machine");
+  if (!machine.is_object()) throw std::invalid_argument("its `machine` is no object");
+  for (const auto& [name, value] : machine.items()) {
+    earlier.machine.emplace_back(name, string_of(value, name));
   }
-  for (const Json& point : json.at("points")) earlier.points.push_back(point_of(point));
+  earlier.points = list_field(json, "points", point_of);
   return earlier;
 }
 

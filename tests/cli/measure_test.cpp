@@ -184,7 +184,7 @@ TEST_F(Measure, RefusesAFolderThatIsDamaged) {
   fs::resize_file(folder_ / "kept" / "reference.f32", 8);
   const ProgramResult short_reference = run("--work kept");
   EXPECT_EQ(short_reference.exit_code, 2);
-  EXPECT_THAT(short_reference.err, HasSubstr("its reference.f32 is missing or cut short"));
+  EXPECT_THAT(short_reference.err, HasSubstr("its reference.f32 is damaged"));
   write_text(folder_ / "kept" / "study.json", study.substr(0, study.size() / 2));
   const ProgramResult half = run("--work kept");
   EXPECT_EQ(half.exit_code, 2);

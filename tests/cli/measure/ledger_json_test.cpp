@@ -1,8 +1,12 @@
 #include "cli/measure/ledger_json.hpp"
 
+#include <cmath>
+#include <cstddef>
 #include <exception>
+#include <stdexcept>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace sdlc::test {
@@ -16,6 +20,8 @@ StudyLedger full_ledger() {
                         .light_sampling = render::LightSampling::Off,
                         .precision = render::Precision::Mixed,
                         .depth = 7};
+  render::Way other = way;
+  other.precision = render::Precision::Double;
   StudyLedger ledger{.precision_bound = "a \"bound\"",
                      .other_seconds = 0.1,
                      .spent_seconds = 1.0 / 3,
@@ -23,12 +29,14 @@ StudyLedger full_ledger() {
   ledger.plan = render::StudyPlan{
       .width = 4,
       .height = 3,
-      .costs = {{.way = way, .build_seconds = 0.25, .seconds_a_sample = 1e-7, .refusal = "no"}},
+      .costs = {{.way = way, .build_seconds = 0.25, .seconds_a_sample = 1e-7},
+                {.way = other, .refusal = "no"}},
       .reference_way = way,
       .reference_samples = 512,
       .depths = {2, 7},
       .probe_samples = 8,
-      .tasks = {{.kind = render::StudyTask::Kind::Repeat, .way = way, .samples = 16, .round = 2}}};
+      .tasks = {{.kind = render::StudyTask::Kind::Reference, .way = way, .samples = 512},
+                {.kind = render::StudyTask::Kind::Repeat, .way = way, .samples = 16, .round = 2}}};
   ledger.reference = render::Reference{.way = way,
                                        .samples = 512,
                                        .seed = 1'000'003,
@@ -52,6 +60,7 @@ StudyLedger full_ledger() {
                                 .scarce_emitters = 2,
                                 .cut_share = 0.125});
   ledger.depths.push_back({.depth = 2, .round = 1, .mean = 0.6, .seconds = 0.2, .cut_share = 0.5});
+  ledger.depths.push_back({.depth = 7, .round = 1, .mean = 0.7, .seconds = 0.4, .cut_share = 0.25});
   ledger.precisions.push_back({.round = 1,
                                .mean = 0.7,
                                .other_mean = 0.70001,
@@ -91,6 +100,87 @@ TEST(LedgerJson, RefusesWhatIsNone) {
   EXPECT_THROW(cli::read_ledger(with("\"repeat\"", "\"retreat\"")), std::exception);
   EXPECT_THROW(cli::read_ledger(with("\"flip\"", "\"flop\"")), std::exception);
   EXPECT_THROW(cli::read_ledger(with("\"blue\"", "\"mauve\"")), std::exception);
+}
+
+TEST(LedgerJson, RefusesWhatDoesNotGoTogether) {
+  using Kind = render::StudyTask::Kind;
+  const auto complaint = [](auto change) -> std::string {
+    StudyLedger ledger = full_ledger();
+    change(ledger);
+    try {
+      cli::read_ledger(cli::to_json(ledger));
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  using Ledger = StudyLedger&;
+  EXPECT_EQ(complaint([](Ledger) {}), "nothing");
+  EXPECT_EQ(complaint([](Ledger l) { l.plan.reset(); }), "it has results but no `plan`");
+  EXPECT_EQ(complaint([](Ledger l) { l.reference.reset(); }),
+            "it has `evaluations` but no `reference`");
+  EXPECT_EQ(complaint([](Ledger l) { l.renders.clear(); }),
+            "one of its `evaluations` was never timed");
+  EXPECT_EQ(complaint([](Ledger l) { l.evaluations.push_back(l.evaluations[0]); }),
+            "one of its `evaluations` is there twice");
+  EXPECT_EQ(complaint([](Ledger l) { l.evaluations[0].error.value = NAN; }),
+            "one of its `evaluations` has no error");
+  EXPECT_EQ(complaint([](Ledger l) { l.plan->width = l.plan->height = 1 << 20; }),
+            "its picture has more than 268435456 pixels");
+  EXPECT_EQ(complaint([](Ledger l) { l.plan->costs.clear(); }), "its `costs` are none");
+  EXPECT_EQ(complaint([](Ledger l) { l.plan->costs[0].refusal = "no"; }),
+            "the scene's own way is refused in it");
+  EXPECT_EQ(complaint([](Ledger l) { l.plan->costs[0].build_seconds = -1; }),
+            "one of its `costs` is below 0");
+  EXPECT_EQ(complaint([](Ledger l) {
+              l.plan->depths = {2, 8};
+            }),
+            "its `depths` lack that of the scene");
+  EXPECT_EQ(complaint([](Ledger l) { l.plan->depths = {7, 2}; }), "its `depths` do not ascend");
+  EXPECT_EQ(complaint([](Ledger l) { l.plan->depths = {7, 7}; }), "its `depths` do not ascend");
+  EXPECT_EQ(complaint([](Ledger l) { l.plan->tasks.clear(); }),
+            "its first task is not the reference");
+  EXPECT_EQ(complaint([](Ledger l) { l.plan->tasks.erase(l.plan->tasks.begin()); }),
+            "its first task is not the reference");
+  EXPECT_EQ(complaint([](Ledger l) { l.depths.pop_back(); }),
+            "its `depths` of round 1 are not those of the plan");
+  EXPECT_EQ(complaint([](Ledger l) {
+              l.plan->costs.pop_back();
+              l.plan->tasks.push_back({.kind = Kind::Precisions, .samples = 8});
+            }),
+            "its `costs` lack the other precision");
+  EXPECT_EQ(complaint([](Ledger l) { l.spent_seconds = -1; }), "a time in it is below 0");
+}
+
+TEST(LedgerJson, RefusesNumbersThatDoNotFit) {
+  const std::string text = cli::to_json(full_ledger());
+  const auto complaint = [&](const std::string& from, const std::string& to) -> std::string {
+    std::string changed = text;
+    const std::size_t at = changed.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    changed.replace(at, from.size(), to);
+    try {
+      cli::read_ledger(changed);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  const auto samples = "its `samples` is no whole number from 1 to 134217728";
+  for (const char* number : {"0", "-1", "1e300", "16.5", "134217729", "99999999999999999999"}) {
+    EXPECT_THAT(complaint("\"samples\": 512", std::string("\"samples\": ") + number),
+                testing::HasSubstr(samples));
+  }
+  EXPECT_THAT(complaint("\"width\": 4", "\"width\": -16"), testing::HasSubstr("its `width`"));
+  EXPECT_THAT(complaint("\"depth\": 7", "\"depth\": 0"), testing::HasSubstr("its `depth`"));
+  EXPECT_THAT(complaint("\"seconds\": 2.5", "\"seconds\": 0"),
+              testing::HasSubstr("its `seconds` is not above 0"));
+  EXPECT_THAT(complaint("\"seed\": 1000003", "\"seed\": -1"),
+              testing::HasSubstr("its `seed` is no whole number from 0 on"));
+  EXPECT_THAT(complaint("\"flip\": 0.04", "\"flip\": null"),
+              testing::HasSubstr("its `flip` is no number"));
+  EXPECT_THAT(complaint("\"flip\": 0.04", "\"flip\": 1e999"),
+              testing::HasSubstr("it has a number that is too large"));
 }
 
 }  // namespace

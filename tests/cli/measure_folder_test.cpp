@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "tests/support/program.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace sdlc::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kScene = R"(scene 1
+camera main { from: (0, 1, 5), at: (0, 0.5, 0), fov: 30deg }
+background { bottom: white, top: #80b3ff }
+sphere ball { center: (0, 0.5, 0), radius: 0.5, material: specular(color: tan, fuzz: 0.3) }
+render { width: 6, samples: 8, depth: 4 }
+)";
+
+class MeasureFolder : public testing::Test {
+ protected:
+  void SetUp() override { write_text(folder_ / "ball.scene", kScene); }
+
+  ProgramResult run(const std::string& arguments = "") const {
+    return run_shell(folder_.path(),
+                     "\"$SDLC\" measure ball.scene --budget 20s --quiet --work kept " + arguments);
+  }
+  fs::path kept(const std::string& name) const { return folder_ / "kept" / name; }
+  /// Runs it with `study` in the place of what was kept.
+  void expect_refused(const json& study, const std::string& words) const {
+    write_text(kept("study.json"), study.dump());
+    const ProgramResult result = run();
+    EXPECT_EQ(result.exit_code, 2) << words;
+    EXPECT_THAT(result.err, HasSubstr("its study.json cannot be read ("));
+    EXPECT_THAT(result.err, HasSubstr(words));
+    EXPECT_THAT(result.err, HasSubstr("; remove the folder to begin anew"));
+    EXPECT_EQ(result.out, "");
+  }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_F(MeasureFolder, IsRefusedWhereAFileInItIsDamaged) {
+  ASSERT_EQ(run().exit_code, 0);
+  const auto expect_told = [&](const std::string& name) {
+    const std::string whole = content_of(kept(name));
+    std::string damaged = whole;
+    damaged[damaged.size() / 2] ^= 1;
+    write_text(kept(name), damaged);
+    const ProgramResult result = run();
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, HasSubstr("its " + name + " is damaged; remove the folder"));
+    fs::remove(kept(name));
+    EXPECT_THAT(run().err, HasSubstr("its " + name + " is missing"));
+    write_text(kept(name), whole);
+  };
+  expect_told("reference.f32");
+  expect_told("reference.map.png");
+  expect_told("reference.crop-1.png");
+  EXPECT_EQ(run().exit_code, 0);
+}
+
+TEST_F(MeasureFolder, IsOfOneProcessAtATime) {
+  ASSERT_EQ(run().exit_code, 0);
+  const int lock = ::open(kept("lock").c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_GE(lock, 0);
+  ASSERT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0) << "a run that has ended holds it no longer";
+  const std::string before = content_of(kept("study.json"));
+  const ProgramResult result = run();
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("`kept`: another sdlc is measuring in it"));
+  EXPECT_EQ(content_of(kept("study.json")), before);
+  ::close(lock);
+  EXPECT_EQ(run().exit_code, 0);
+}
+
+TEST_F(MeasureFolder, IsRefusedWhereItHoldsFilesOfSomethingElse) {
+  fs::create_directory(folder_ / "kept");
+  write_text(kept("reference.f32"), "mine");
+  const ProgramResult result = run();
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("it holds other files; name a new or an empty folder"));
+  EXPECT_THAT(names_in(folder_ / "kept"), ElementsAre("reference.f32"))
+      << "not even a lock is added";
+  fs::remove(kept("reference.f32"));
+  write_text(kept("lock"), "");
+  EXPECT_EQ(run().exit_code, 0) << "a lock alone is of a run that ended at once";
+}
+
+TEST_F(MeasureFolder, TakesNoNoticeOfFilesThatItsStudyDoesNotName) {
+  ASSERT_EQ(run().exit_code, 0);
+  json study = json::parse(content_of(kept("study.json")));
+  // As it was written before the reference was rendered.
+  json& ledger = study["ledger"];
+  ledger["reference"] = nullptr;
+  for (const char* name : {"renders", "evaluations", "depths", "precisions"}) {
+    ledger[name] = json::array();
+  }
+  study["details"] = nullptr;
+  study["pictures"] = json::array();
+  study["digests"] = json::object();
+  write_text(kept("study.json"), study.dump());
+  write_text(kept("reference.f32"), "of a run that was killed");
+  const ProgramResult again = run();
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_NE(content_of(kept("reference.f32")), "of a run that was killed");
+  EXPECT_EQ(run().exit_code, 0);
+}
+
+TEST_F(MeasureFolder, IsRefusedWhereItsStudyDoesNotGoTogether) {
+  ASSERT_EQ(run().exit_code, 0);
+  const json study = json::parse(content_of(kept("study.json")));
+  const auto expect_told = [&](const char* pointer, const json& value, const std::string& words) {
+    json changed = study;
+    changed[json::json_pointer(pointer)] = value;
+    expect_refused(changed, words);
+  };
+  expect_told("/ledger/renders", json::array(), "one of its `evaluations` was never timed");
+  expect_told("/ledger/plan/width", -16, "its `width` is no whole number from 1 to");
+  expect_told("/ledger/plan/tasks/1/samples", 0, "`tasks`, number 2: its `samples` is no whole");
+  expect_told("/ledger/plan/tasks/1/samples", 1e300, "its `samples` is no whole number");
+  expect_told("/ledger/plan", nullptr, "it has results but no `plan`");
+  expect_told("/details/windows", json::array(), "its `windows` are none");
+  expect_told("/details", nullptr, "it has `pictures` but no `windows`");
+  expect_told("/details/windows/0/x", 6, "its `x` is no whole number from 0 to 5");
+  expect_told("/details/windows/0/width", 7, "its `width` is no whole number from 1 to 6");
+  expect_told("/details/map", json::array({0, 1}), "its `map` is no whole number from 1 to 6");
+  expect_told("/details/thumbnail", json::array({6}), "its `thumbnail` is no list of two");
+  expect_told("/details/top", 0, "its `top` is not above 0");
+  expect_told("/pictures/0", 7, "its `pictures` is no text");
+  json unnamed = study;
+  unnamed["digests"].erase("reference.f32");
+  write_text(kept("study.json"), unnamed.dump());
+  EXPECT_THAT(run().err, HasSubstr("its study.json has no digest of reference.f32"));
+  write_text(kept("study.json"), study.dump());
+  EXPECT_EQ(run().exit_code, 0);
+}
+
+}  // namespace
+}  // namespace sdlc::test
