@@ -70,21 +70,42 @@ struct ReportFile {
   std::string extension;  ///< "html", "json" or "csv"
 };
 
+/// Refuses reports that would take the place of this file, which is read.
+void check_kept(const std::vector<ReportFile>& files, const fs::path& read, std::string_view what) {
+  for (const ReportFile& file : files) {
+    // Where a report of an interrupted measurement goes is refused too: that may always happen.
+    for (const fs::path& name : {file.path, partial_name(file.path)}) {
+      if (!is_same_file(name, read)) continue;
+      throw UsageError(fmt::format("-o: `{}` is {}, and would be overwritten{}",
+                                   lang::printable(name.string()), what,
+                                   name == file.path ? "" : " by what an interruption leaves"));
+    }
+  }
+}
+
 std::vector<ReportFile> plan_files(const MeasureOptions& options) {
   static constexpr std::array<std::string_view, 3> kExtensions{"html", "json", "csv"};
   std::vector<ReportFile> files;
   for (const std::string& name : options.outputs) {
+    if (name == kStandardStream) {
+      throw UsageError("-o -: standard output gets what --format says; name a file");
+    }
     std::string extension = fs::path(name).extension().string();
     if (!extension.empty()) extension.erase(0, 1);
     if (!std::ranges::count(kExtensions, extension)) {
       throw UsageError(fmt::format("-o: `{}` names no report; reports are .html, .json and .csv{}",
                                    lang::printable(name), did_you_mean(extension, kExtensions)));
     }
-    const bool is_known = std::ranges::any_of(
-        files, [&](const ReportFile& file) { return file.path == fs::path(name); });
-    if (is_known) throw UsageError(fmt::format("two outputs go to `{}`", lang::printable(name)));
     render::check_writable(name);
     files.push_back({.path = name, .extension = extension});
+  }
+  check_distinct(options.outputs);
+  if (options.scene.file != kStandardStream) {
+    check_kept(files, options.scene.file, "the scene that is measured");
+  }
+  if (!options.against.empty()) check_kept(files, options.against, "the report of --against");
+  if (!options.work.empty()) {
+    check_kept(files, fs::path(options.work) / WorkFolder::kStudyName, "kept by --work");
   }
   return files;
 }
@@ -188,6 +209,9 @@ class MeasureJob {
     overrides.names_output = true;
     auto lowered = compiler_->lower(overrides, options_.frame);
     const double seconds = seconds_since(start);
+    for (const fs::path& part : compiler_->dependencies()) {
+      check_kept(files_, part, "a part of the scene");
+    }
     if (lowered) {
       const render::Kernel kernel = choose_kernel(options_.kernel, overrides, *lowered, *compiler_);
       request_ = options_.kernel;

@@ -1,6 +1,7 @@
 #include "cli/outputs.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string_view>
 #include <system_error>
 
@@ -41,22 +42,6 @@ std::vector<Output> name_outputs(const OutputRequest& request) {
            .may_make_folders = !request.of_scene.empty()}};
 }
 
-void check_distinct(const std::vector<Output>& outputs, const std::string& stats) {
-  std::vector<std::string> names;
-  for (const Output& output : outputs) {
-    names.push_back(output.is_stdout ? kStandardStream
-                                     : fs::absolute(output.path).lexically_normal().string());
-  }
-  if (!stats.empty()) {
-    names.push_back(stats == kStandardStream ? stats
-                                             : fs::absolute(stats).lexically_normal().string());
-  }
-  std::sort(names.begin(), names.end());
-  const auto same = std::adjacent_find(names.begin(), names.end());
-  if (same != names.end())
-    throw UsageError(fmt::format("two outputs go to `{}`", lang::printable(*same)));
-}
-
 void check_absent(const fs::path& path) {
   std::error_code error;
   // A link that leads nowhere is there too.
@@ -87,9 +72,33 @@ std::optional<std::string> default_picture(const std::string& of_scene, const st
   return numbered(fs::path(input).stem().string() + mark + ".png", frame);
 }
 
+bool is_same_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
+}
+
+void check_distinct(const std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool is_known = std::any_of(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i),
+                                      [&](const std::string& other) {
+                                        if (names[i] == kStandardStream || other == kStandardStream)
+                                          return names[i] == other;
+                                        return is_same_file(names[i], other);
+                                      });
+    if (is_known)
+      throw UsageError(fmt::format("two outputs go to `{}`", lang::printable(names[i])));
+  }
+}
+
 std::vector<Output> plan_outputs(const OutputRequest& request) {
   const std::vector<Output> outputs = name_outputs(request);
-  check_distinct(outputs, request.stats);
+  std::vector<std::string> names;
+  for (const Output& output : outputs) {
+    names.push_back(output.is_stdout ? kStandardStream : output.path.string());
+  }
+  if (!request.stats.empty()) names.push_back(request.stats);
+  check_distinct(names);
   for (const Output& output : outputs) {
     render::check_picture_size(request.width, request.height, output.format, output.path);
     if (output.is_stdout) continue;

@@ -40,6 +40,12 @@ render::ImageFormat picture_format(const std::filesystem::path& path, const std:
 std::optional<std::string> default_picture(const std::string& of_scene, const std::string& input,
                                            std::optional<int> frame);
 
+/// Whether both names are of one file, there or yet to be made: another spelling, or a link.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// Throws UsageError where two of the names are of one file, or standard output is named twice.
+void check_distinct(const std::vector<std::string>& names);
+
 /// Decides which files are written, and refuses what is known to fail before anything is rendered.
 /// It changes nothing. Throws UsageError and render::IoError.
 std::vector<Output> plan_outputs(const OutputRequest& request);
