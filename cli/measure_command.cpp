@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/amounts.hpp"
 #include "cli/clock.hpp"
@@ -62,7 +63,41 @@ struct MeasureOptions {
   std::string against;
   std::string work;
   bool quiet = false;
+  render::GivenFlags given;
 };
+
+/// What of the command line a render of the same picture has to be told too.
+render::GivenFlags given_flags(const CLI::App& command) {
+  // What is about measuring, and what a recommendation says itself.
+  static constexpr std::array<std::string_view, 12> kOwn{
+      "FILE",      "--help", "--format", "--color",   "--output", "--budget",
+      "--against", "--work", "--quiet",  "--samples", "--error",  "--stdin-filename"};
+  static constexpr std::array<std::pair<std::string_view, bool render::GivenFlags::*>, 4> kOfWay{{
+      {"--sampler", &render::GivenFlags::sampler},
+      {"--light-sampling", &render::GivenFlags::light_sampling},
+      {"--precision", &render::GivenFlags::precision},
+      {"--depth", &render::GivenFlags::depth},
+  }};
+  render::GivenFlags given;
+  const auto is_given = [](const CLI::Option* option) { return option->count() > 0; };
+  for (const CLI::Option* option : command.get_options(is_given)) {
+    const std::string name =
+        option->get_lnames().empty() ? "FILE" : "--" + option->get_lnames().front();
+    if (std::ranges::count(kOwn, name)) continue;
+    const auto of_way = std::ranges::find(kOfWay, name, [](const auto& row) { return row.first; });
+    if (of_way != kOfWay.end()) {
+      given.*(of_way->second) = true;
+      continue;
+    }
+    const bool has_value = option->get_items_expected_max() > 0;
+    for (const std::string& value : option->results()) {
+      if (!given.others.empty()) given.others += ' ';
+      given.others += name == "--frame" ? "--frames" : name;
+      if (has_value) given.others += ' ' + shell_quoted(value);
+    }
+  }
+  return given;
+}
 
 /// A file to be written, and what.
 struct ReportFile {
@@ -181,9 +216,8 @@ class MeasureJob {
                               ledger_.nonfinite_samples);
     }
     if (!is_whole) return tell_interrupted(settings);
-    const bool has_become_worse = write(settings, true);
-    if (ledger_.nonfinite_samples > 0) return ExitCode::Defect;
-    return has_become_worse ? ExitCode::Findings : ExitCode::Success;
+    const ExitCode code = write(settings, true);
+    return ledger_.nonfinite_samples > 0 ? ExitCode::Defect : code;
   }
 
  private:
@@ -300,7 +334,10 @@ class MeasureJob {
   }
 
   render::StudyOptions study_options(const render::RenderSettings& settings) const {
-    return {.budget_seconds = options_.budget_seconds, .goal = settings.error};
+    render::StudyOptions options{.budget_seconds = options_.budget_seconds, .goal = settings.error};
+    // What it is held against has errors of its own size only.
+    if (earlier_) options.size = {earlier_->width, earlier_->height};
+    return options;
   }
 
   /// Reading was timed; writing is done here, to nowhere. The codec is loaded once, whatever the
@@ -312,9 +349,12 @@ class MeasureJob {
       return seconds_since(start);
     };
     const double loading = seconds_to_encode(render::Picture(1, 1));
+    std::array<double, 3> encoding;
+    for (double& seconds : encoding) seconds = seconds_to_encode(picture);
+    std::ranges::sort(encoding);
     const double area = static_cast<double>(lowered.settings.width) * lowered.settings.height /
                         static_cast<double>(picture.pixels.size());
-    ledger_.other_seconds = read_seconds_ + loading + seconds_to_encode(picture) * area;
+    ledger_.other_seconds = read_seconds_ + loading + encoding[1] * area;
   }
 
   Report report_of(const render::Measurement& measurement) const {
@@ -335,10 +375,11 @@ class MeasureJob {
     return command;
   }
 
-  /// To standard output and to the files; whether anything has become worse.
-  bool write(const render::RenderSettings& settings, bool is_complete) {
+  /// To standard output and to the files; how the command ends by what it is held against.
+  ExitCode write(const render::RenderSettings& settings, bool is_complete) {
     render::Measurement measurement = measurement_of(ledger_, settings, study_options(settings));
     measurement.is_complete = is_complete;
+    measurement.given = options_.given;
     const Report report = report_of(measurement);
     const auto text_of = [&](std::string_view format) {
       if (format == "html") return html_report(report);
@@ -353,7 +394,14 @@ class MeasureJob {
       written_.push_back(lang::printable(name.string()));
     }
     if (is_complete || files_.empty()) env_.out << text_of(options_.format);
-    return report.against && is_worse(*report.against);
+    if (!report.against) return ExitCode::Success;
+    if (report.against->points.empty()) {
+      env_.err << fmt::format("error: nothing was held against `{}`: {}\n",
+                              lang::printable(options_.against),
+                              fmt::join(report.against->notes, "; "));
+      return ExitCode::Usage;
+    }
+    return is_worse(*report.against) ? ExitCode::Findings : ExitCode::Success;
   }
 
   ExitCode tell_interrupted(const render::RenderSettings& settings) {
@@ -431,7 +479,10 @@ void add_measure_command(CLI::App& app, Dispatcher& dispatcher) {
       "Renders the scene in many ways, and holds every picture against a long reference of its "
       "own.\n"
       "--error is what a recommendation is made for. docs/measure.md explains the report.");
-  dispatcher.on(command, [options](Environment& env) { return MeasureJob(*options, env).run(); });
+  dispatcher.on(command, [options, command](Environment& env) {
+    options->given = given_flags(*command);
+    return MeasureJob(*options, env).run();
+  });
 }
 
 }  // namespace sdlc::cli

@@ -17,6 +17,7 @@ render::Comparison compare_with_earlier(
     notes.emplace_back(
         "it is of another machine, kernel or number of threads: times are not compared");
   }
+  if (!earlier.is_complete) notes.emplace_back("it was interrupted, and holds only some points");
   if (earlier.seed != measurement.seed) notes.emplace_back("its seed is another");
   if (comparison.points.empty()) {
     notes.emplace_back("it has no point that this one has; a larger --budget gives more of them");

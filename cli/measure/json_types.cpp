@@ -127,8 +127,8 @@ render::Measured measured_of(const Json& json, const std::string& name) {
   const std::string both = name + "_interval";
   const Json& interval = any_field(json, both);
   if (!interval.is_array() || interval.size() != 2) refuse(both, "no list of two");
-  return {number_or(NAN, any_field(json, name), name),
-          {number_or(NAN, interval[0], both), number_or(NAN, interval[1], both)}};
+  return {number_or(INFINITY, any_field(json, name), name),
+          {number_or(INFINITY, interval[0], both), number_or(INFINITY, interval[1], both)}};
 }
 
 Json difference_json(const render::Difference& difference) {

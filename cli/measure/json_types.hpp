@@ -90,7 +90,8 @@ inline constexpr int kMostMeasuredSamples = 1 << 27;
 Json way_json(const render::Way& way);
 render::Way way_of(const Json& json);
 
-/// Adds "NAME" and "NAME_interval"; null where they are no numbers, which are read as NaN.
+/// Adds "NAME" and "NAME_interval"; null where they are no finite numbers, which is read as
+/// infinite.
 void put(Json& json, const std::string& name, const render::Measured& measured);
 render::Measured measured_of(const Json& json, const std::string& name);
 

@@ -92,17 +92,22 @@ Json precision_json(const render::PrecisionDifference& precision) {
   return json;
 }
 
+Json recommendation_json(const Measurement& measurement,
+                         const render::Recommendation& recommendation) {
+  Json json{{"goal", recommendation.goal > 0 ? Json(recommendation.goal) : Json()},
+            {"flags", render_flags(measurement, recommendation.way, recommendation.samples)},
+            {"samples", recommendation.samples}};
+  json.update(way_json(recommendation.way));
+  json["is_measured"] = recommendation.is_measured;
+  put(json, "relative_error", recommendation.error);
+  put(json, "seconds", recommendation.seconds);
+  return json;
+}
+
 Json recommendations_json(const Measurement& measurement) {
   Json all = Json::array();
   for (std::size_t i = 0; i < measurement.recommendations.size(); ++i) {
-    const render::Recommendation& recommendation = measurement.recommendations[i];
-    Json json{{"goal", recommendation.goal},
-              {"flags", render_flags(measurement, recommendation.way, recommendation.samples)},
-              {"samples", recommendation.samples}};
-    json.update(way_json(recommendation.way));
-    json["is_measured"] = recommendation.is_measured;
-    put(json, "relative_error", recommendation.error);
-    put(json, "seconds", recommendation.seconds);
+    Json json = recommendation_json(measurement, measurement.recommendations[i]);
     json["is_main"] = i == measurement.main_recommendation;
     all.push_back(json);
   }
@@ -143,34 +148,38 @@ std::string to_json(const Report& report, const std::string& scene_digest) {
   const Measurement& measurement = report.measurement;
   Json machine = Json::object();
   for (const auto& [name, value] : report.provenance.machine) machine[name] = value;
-  Json json{{"format", kFormat},
-            {"format_version", kFormatVersion},
-            {"version", report.provenance.version},
-            {"command", report.provenance.command},
-            {"machine", machine},
-            {"scene", report.provenance.scene},
-            {"scene_digest", scene_digest},
-            {"width", measurement.width},
-            {"height", measurement.height},
-            {"full_width", measurement.full_width},
-            {"full_height", measurement.full_height},
-            {"samples", measurement.own_samples},
-            {"seed", measurement.seed},
-            {"threads", measurement.threads},
-            {"budget_seconds", measurement.budget_seconds},
-            {"spent_seconds", measurement.spent_seconds},
-            {"other_seconds", measurement.other_seconds},
-            {"is_complete", measurement.is_complete},
-            {"own", way_json(measurement.own)},
-            {"reference", measurement.reference ? reference_json(*measurement.reference) : Json()},
-            {"points", array_json(measurement.points, point_json)},
-            {"series", array_json(measurement.series, series_json)},
-            {"depths", array_json(measurement.depths, depth_json)},
-            {"precision", measurement.precision ? precision_json(*measurement.precision) : Json()},
-            {"recommendations", recommendations_json(measurement)},
-            {"left_out", array_json(measurement.left_out, left_out_json)},
-            {"against", report.against ? against_json(*report.against) : Json()},
-            {"notes", report.notes}};
+  Json json{
+      {"format", kFormat},
+      {"format_version", kFormatVersion},
+      {"version", report.provenance.version},
+      {"command", report.provenance.command},
+      {"machine", machine},
+      {"scene", report.provenance.scene},
+      {"scene_digest", scene_digest},
+      {"width", measurement.width},
+      {"height", measurement.height},
+      {"full_width", measurement.full_width},
+      {"full_height", measurement.full_height},
+      {"samples", measurement.own_samples},
+      {"seed", measurement.seed},
+      {"threads", measurement.threads},
+      {"budget_seconds", measurement.budget_seconds},
+      {"spent_seconds", measurement.spent_seconds},
+      {"other_seconds", measurement.other_seconds},
+      {"nonfinite_samples", measurement.nonfinite_samples},
+      {"is_complete", measurement.is_complete},
+      {"own", way_json(measurement.own)},
+      {"reference", measurement.reference ? reference_json(*measurement.reference) : Json()},
+      {"points", array_json(measurement.points, point_json)},
+      {"series", array_json(measurement.series, series_json)},
+      {"depths", array_json(measurement.depths, depth_json)},
+      {"precision", measurement.precision ? precision_json(*measurement.precision) : Json()},
+      {"as_it_is",
+       measurement.as_it_is ? recommendation_json(measurement, *measurement.as_it_is) : Json()},
+      {"recommendations", recommendations_json(measurement)},
+      {"left_out", array_json(measurement.left_out, left_out_json)},
+      {"against", report.against ? against_json(*report.against) : Json()},
+      {"notes", report.notes}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

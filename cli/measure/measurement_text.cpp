@@ -137,26 +137,42 @@ std::string against_text(const Report& report) {
   return text;
 }
 
-/// "as it is: --samples 64, …", where that was measured.
-std::string own_text(const Measurement& measurement) {
-  for (const render::Point& point : measurement.points) {
-    if (point.way != measurement.own || point.samples != measurement.own_samples) continue;
-    return plain(fmt::format("as it is: {}, tracing {}; error {}\n",
-                             render_flags(measurement, point.way, point.samples),
-                             reading(point.seconds, duration), reading(point.error, percent)));
+std::string left_out_text(const Measurement& measurement) {
+  if (measurement.left_out.empty()) return {};
+  std::string text = "\nLeft out\n";
+  for (const render::LeftOut& left_out : measurement.left_out) {
+    const std::string samples =
+        left_out.samples > 0 ? fmt::format("{} samples, ", left_out.samples) : std::string();
+    text += fmt::format("  {}{}: {}\n", samples, describe_way(left_out.way), left_out.reason);
   }
-  return {};
+  return text;
 }
 
-std::string recommendation_text(const Measurement& measurement,
+std::string recommendation_text(const Measurement& measurement, const std::string& what,
                                 const render::Recommendation& recommendation) {
-  return plain(fmt::format(
-      "for {}: {}, about {}{}", percent(recommendation.goal),
-      render_flags(measurement, recommendation.way, recommendation.samples),
-      reading(recommendation.seconds, duration),
-      recommendation.is_measured
-          ? fmt::format("; error {}", reading(recommendation.error, percent))
-          : fmt::format("; estimated error {}", reading(recommendation.error, percent))));
+  return plain(fmt::format("{}: {}, about {}; {} {}\n", what,
+                           render_flags(measurement, recommendation.way, recommendation.samples),
+                           reading(recommendation.seconds, duration),
+                           recommendation.is_measured ? "error" : "estimated error",
+                           reading(recommendation.error, percent)));
+}
+
+/// The last thing that is told: what to render with.
+std::string recommendations_text(const Measurement& measurement) {
+  std::string text;
+  if (measurement.as_it_is) {
+    text += recommendation_text(measurement, "as it is", *measurement.as_it_is);
+  }
+  for (const render::Recommendation& recommendation : measurement.recommendations) {
+    const std::string what = recommendation.goal > 0
+                                 ? fmt::format("for {}", percent(recommendation.goal))
+                                 : std::string("without noise");
+    text += recommendation_text(measurement, what, recommendation);
+  }
+  if (measurement.recommendations.empty()) {
+    text += "nothing can be recommended: too little was measured\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -181,13 +197,11 @@ std::string to_text(const Report& report) {
   if (!slopes.empty()) text += "\n" + slopes;
   text += depths_text(measurement);
   text += precision_text(measurement);
+  text += left_out_text(measurement);
   text += against_text(report);
   for (const std::string& note : report.notes) text += fmt::format("\nnote: {}", note);
   if (!report.notes.empty()) text += "\n";
-  text += "\n" + own_text(measurement);
-  for (const render::Recommendation& recommendation : measurement.recommendations) {
-    text += recommendation_text(measurement, recommendation) + "\n";
-  }
+  text += "\n" + recommendations_text(measurement);
   return text;
 }
 

@@ -4,10 +4,16 @@
 
 #include <fmt/format.h>
 
+#include "cli/report/figures.hpp"
+
 namespace sdlc::cli {
 
 std::vector<std::string> notes_of(const render::Measurement& measurement) {
   std::vector<std::string> notes;
+  if (measurement.nonfinite_samples > 0) {
+    notes.push_back(fmt::format("{} samples were not finite and were left out: a defect of sdlc.",
+                                measurement.nonfinite_samples));
+  }
   if (!measurement.reference) return notes;
   if (measurement.points.empty()) {
     notes.emplace_back(
@@ -26,6 +32,15 @@ std::vector<std::string> notes_of(const render::Measurement& measurement) {
     notes.emplace_back(
         "Some errors are not told from none: the reference is too rough for them. A longer "
         "--budget makes a better one.");
+  }
+  const bool has_goal = std::ranges::any_of(
+      measurement.recommendations,
+      [&](const render::Recommendation& any) { return any.goal == measurement.goal; });
+  if (measurement.goal && !has_goal) {
+    notes.push_back(fmt::format(
+        "No number of samples is known for the error of {} that was asked for: it is too far "
+        "from all that was measured. A longer --budget gets nearer.",
+        percent(*measurement.goal)));
   }
   return notes;
 }

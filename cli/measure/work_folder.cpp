@@ -44,7 +44,7 @@ void write_file(const fs::path& path, std::string_view bytes) {
   render::write_file_atomically(path, std::as_bytes(std::span(bytes)));
 }
 
-/// Values that a reference has a pixel: red, green, blue, squared error, covariance.
+/// Values that a reference has a pixel: red, green, blue, and the two of its noise.
 constexpr std::size_t kValues = 5;
 
 std::string reference_bytes(const render::ReferencePicture& reference) {
@@ -53,7 +53,7 @@ std::string reference_bytes(const render::ReferencePicture& reference) {
   for (std::size_t i = 0; i < reference.picture.pixels.size(); ++i) {
     const render::LinearRgb& pixel = reference.picture.pixels[i];
     for (const double v : {pixel.r, pixel.g, pixel.b}) values.push_back(static_cast<float>(v));
-    values.push_back(reference.squared_error[i]);
+    values.push_back(reference.noise[i]);
     values.push_back(reference.covariance[i]);
   }
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
@@ -70,7 +70,7 @@ std::optional<render::ReferencePicture> reference_of(const std::string& bytes, i
   for (std::size_t i = 0; i < pixels; ++i) {
     const float* const pixel = values.data() + i * kValues;
     reference.picture.pixels[i] = {pixel[0], pixel[1], pixel[2]};
-    reference.squared_error.push_back(pixel[3]);
+    reference.noise.push_back(pixel[3]);
     reference.covariance.push_back(pixel[4]);
   }
   return reference;

@@ -49,8 +49,9 @@ std::string method_section(const Report& report) {
   facts.add("Threads", fmt::to_string(measurement.threads));
   facts.add("Time spent", fmt::format("{} of a budget of {}", duration(measurement.spent_seconds),
                                       duration(measurement.budget_seconds)));
-  facts.add("Reading and writing", fmt::format("{} beside the time of each render here",
-                                               duration(measurement.other_seconds)));
+  facts.add("Reading and writing",
+            fmt::format("{} of a picture of full size; part of the times to render with",
+                        duration(measurement.other_seconds)));
   facts.add("Version", escaped(report.provenance.version));
   facts.add("Command", fmt::format("<code>{}</code>", escaped(report.provenance.command)));
   std::string html =

@@ -68,7 +68,7 @@ std::string left_out_table(const render::Measurement& measurement) {
   HtmlTable table("What was left out", "#Samples|Way|Why");
   for (const render::LeftOut& left : measurement.left_out) {
     table.row()
-        .cell(format_whole(static_cast<std::uint64_t>(left.samples)))
+        .cell(left.samples > 0 ? format_whole(static_cast<std::uint64_t>(left.samples)) : "all")
         .cell(escaped(describe_way(left.way)))
         .cell(escaped(left.reason));
   }

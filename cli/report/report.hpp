@@ -44,7 +44,8 @@ struct Report {
   std::vector<std::string> notes{};  ///< what a reader has to know first: warnings, in sentences
 };
 
-/// The flags of `sdlc render` for a way and samples, as far as they differ from the scene's own.
+/// The flags of `sdlc render` for a way and samples: those that differ from the scene's own, and
+/// those that were given, without which it would be another picture.
 std::string render_flags(const render::Measurement& measurement, const render::Way& way,
                          int samples);
 

@@ -32,21 +32,21 @@ std::string lead(const render::Measurement& measurement, const render::Recommend
           ? "This very render was measured."
           : "It was not rendered here: its figures follow from the renders of that way.";
   return fmt::format(
-      "<p class=\"lead\">For an error of {}: {}, about {}; error {}.</p>\n"
+      "<p class=\"lead\">{}: {}, about {}; error {}.</p>\n"
       "<p>Add the flags to <code>sdlc render</code>. {}</p>\n",
-      percent(choice.goal), flags_element(measurement, choice),
-      read(choice.seconds, duration).text(), read(choice.error, percent).text(), how);
+      choice.goal > 0 ? fmt::format("For an error of {}", percent(choice.goal))
+                      : std::string("The picture has no noise"),
+      flags_element(measurement, choice), read(choice.seconds, duration).text(),
+      read(choice.error, percent).text(), how);
 }
 
 /// What the scene asks for now, where that was measured.
-std::string as_it_stands(const render::Measurement& measurement) {
-  const auto point = std::ranges::find_if(measurement.points, [&](const render::Point& any) {
-    return any.way == measurement.own && any.samples == measurement.own_samples;
-  });
-  if (point == measurement.points.end()) return {};
-  return fmt::format("<p>As the scene stands, with {} samples: error {}, traced in {}.</p>\n",
-                     point->samples, read(point->error, percent).text(),
-                     read(point->seconds, duration).text());
+std::string as_it_is(const render::Measurement& measurement) {
+  if (!measurement.as_it_is) return {};
+  const render::Recommendation& render = *measurement.as_it_is;
+  return fmt::format("<p>As the scene is, with {} samples: about {}; error {}.</p>\n",
+                     render.samples, read(render.seconds, duration).text(),
+                     read(render.error, percent).text());
 }
 
 std::string recommendation_table(const render::Measurement& measurement) {
@@ -98,7 +98,7 @@ std::string recommendation_section(const Report& report) {
     const std::size_t main =
         std::min(measurement.main_recommendation, measurement.recommendations.size() - 1);
     html += lead(measurement, measurement.recommendations[main]);
-    html += as_it_stands(measurement);
+    html += as_it_is(measurement);
     html += recommendation_table(measurement);
   }
   html += "</div>\n";

@@ -28,15 +28,19 @@ std::string_view precision_word(render::Precision precision) {
 std::string render_flags(const render::Measurement& measurement, const render::Way& way,
                          int samples) {
   const render::Way& own = measurement.own;
+  const render::GivenFlags& given = measurement.given;
   std::string flags = fmt::format("--samples {}", samples);
-  if (way.sampler != own.sampler) flags += fmt::format(" --sampler {}", name_of(way.sampler));
-  if (way.light_sampling != own.light_sampling) {
+  if (given.sampler || way.sampler != own.sampler) {
+    flags += fmt::format(" --sampler {}", name_of(way.sampler));
+  }
+  if (given.light_sampling || way.light_sampling != own.light_sampling) {
     flags += fmt::format(" --light-sampling {}", name_of(way.light_sampling));
   }
-  if (precision_word(way.precision) != precision_word(own.precision)) {
+  if (given.precision || precision_word(way.precision) != precision_word(own.precision)) {
     flags += fmt::format(" --precision {}", precision_word(way.precision));
   }
-  if (way.depth != own.depth) flags += fmt::format(" --depth {}", way.depth);
+  if (given.depth || way.depth != own.depth) flags += fmt::format(" --depth {}", way.depth);
+  if (!given.others.empty()) flags += " " + given.others;
   return flags;
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "render/accuracy/student_t.hpp"
+#include "render/measure/noise_of_time.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -24,6 +25,7 @@ Verdict judge_error(const Point& now, const Point& before, std::size_t tests) {
   const double difference = now.error.value - before.error.value;
   const double variance = squared_deviation(now.error, now.error_spread) +
                           squared_deviation(before.error, before.error_spread);
+  if (!std::isfinite(difference)) return Verdict::NotDistinguished;
   if (difference == 0 || !(variance > 0)) {
     return difference > 0   ? Verdict::Worse
            : difference < 0 ? Verdict::Better
@@ -34,18 +36,34 @@ Verdict judge_error(const Point& now, const Point& before, std::size_t tests) {
   return difference > 0 ? Verdict::Worse : Verdict::Better;
 }
 
-std::optional<Measured> mean_ratio(const std::vector<PointChange>& points) {
+/// Shorter ones are those of starting threads.
+constexpr double kLeastSeconds = 0.005;
+
+/// `sigma`: the noise of one time, of both measurements together. All times of a measurement share
+/// what its machine was like meanwhile, so that it counts in full, however many points there are.
+std::optional<Measured> mean_ratio(const std::vector<PointChange>& points, double sigma) {
+  std::vector<double> ratios;
+  for (const PointChange& point : points) {
+    if (point.seconds_before.value < kLeastSeconds) continue;
+    ratios.push_back(std::log(point.seconds_after.value / point.seconds_before.value));
+  }
   constexpr std::size_t kLeastPoints = 3;
-  if (points.size() < kLeastPoints) return std::nullopt;
-  const auto n = static_cast<double>(points.size());
+  if (ratios.size() < kLeastPoints) return std::nullopt;
+  const auto n = static_cast<double>(ratios.size());
   double mean = 0, squares = 0;
-  const auto log_ratio = [](const PointChange& point) {
-    return std::log(point.seconds_after.value / point.seconds_before.value);
-  };
-  for (const PointChange& point : points) mean += log_ratio(point) / n;
-  for (const PointChange& point : points) squares += std::pow(log_ratio(point) - mean, 2);
-  const double half_width = student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
+  for (const double ratio : ratios) mean += ratio / n;
+  for (const double ratio : ratios) squares += std::pow(ratio - mean, 2);
+  const double of_points = student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
+  const double half_width = std::hypot(of_points, kNormalQuantile * sigma);
   return Measured{std::exp(mean), {std::exp(mean - half_width), std::exp(mean + half_width)}};
+}
+
+double noise_of(const std::vector<Point>& points) {
+  std::vector<std::vector<double>> timings;
+  for (const Point& point : points) {
+    if (point.seconds.value >= kLeastSeconds) timings.push_back(point.timings);
+  }
+  return NoiseOfTime(timings).sigma();
 }
 
 }  // namespace
@@ -77,7 +95,10 @@ Comparison compare_measurements(const std::vector<Point>& now, const std::vector
     comparison.points[i].error =
         judge_error(*pairs[2 * i], *pairs[2 * i + 1], comparison.points.size());
   }
-  if (has_comparable_times) comparison.time_ratio = mean_ratio(comparison.points);
+  if (has_comparable_times) {
+    comparison.time_ratio =
+        mean_ratio(comparison.points, std::hypot(noise_of(now), noise_of(before)));
+  }
   if (comparison.time_ratio) {
     const Interval& ratio = comparison.time_ratio->interval;
     if (ratio.from > 1 + kDrift) comparison.time = Verdict::Worse;

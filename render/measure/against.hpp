@@ -38,9 +38,11 @@ struct Comparison {
 
 /// Holds the points that both have against each other. An error has changed where the difference is
 /// beyond what the intervals and the spread from seed to seed make likely, at 5 % for all points
-/// together (Bonferroni). Times where, over three points or more, the interval of their mean ratio
-/// lies beyond 1 and the 5 % by which one and the same machine drifts from day to day;
-/// `has_comparable_times`: they are of the same machine and number of threads.
+/// together (Bonferroni). Times where, over three points or more of 5 ms or longer, the interval of
+/// their mean ratio lies beyond 1 and the 5 % by which one and the same machine drifts from day to
+/// day. That interval is at least as long as that of one time of each measurement, however many
+/// points there are: they share what the machine was like. `has_comparable_times`: they are of the
+/// same machine and number of threads.
 Comparison compare_measurements(const std::vector<Point>& now, const std::vector<Point>& before,
                                 bool has_comparable_times);
 

@@ -91,11 +91,9 @@ std::vector<DepthLoss> losses_of(const StudyLedger& ledger, int own) {
 }
 
 std::optional<PrecisionDifference> precision_of(const StudyLedger& ledger) {
-  const std::vector<WayCost>& costs = ledger.plan->costs;
-  const Way& own = costs.front().way;
-  const auto other = std::ranges::find_if(
-      costs, [&](const WayCost& cost) { return cost.way.precision != own.precision; });
-  if (other == costs.end()) return std::nullopt;
+  const Way& own = ledger.plan->costs.front().way;
+  const WayCost* const other = ledger.plan->other_precision();
+  if (other == nullptr) return std::nullopt;
   PrecisionDifference difference{.taken = own.precision,
                                  .other = other->way.precision,
                                  .refusal = other->refusal,
@@ -116,36 +114,113 @@ std::optional<PrecisionDifference> precision_of(const StudyLedger& ledger) {
   return difference;
 }
 
-/// What of the plan there was no time for, or what cannot be rendered.
-std::vector<LeftOut> left_out_of(const StudyLedger& ledger, const std::vector<Point>& points) {
+/// What of the plan there was no time for, what was not planned, and what cannot be rendered.
+std::vector<LeftOut> left_out_of(const StudyLedger& ledger, const std::vector<Point>& points,
+                                 int own_samples) {
   std::vector<LeftOut> left_out;
   for (const WayCost& cost : ledger.plan->costs) {
     if (!cost.refusal.empty()) left_out.push_back({cost.way, 0, cost.refusal});
   }
-  for (const StudyTask& task : ledger.plan->tasks) {
-    if (task.kind != StudyTask::Kind::Point) continue;
+  const auto add = [&](const StudyTask& task) {
     const bool is_there = std::ranges::any_of(points, [&](const Point& point) {
       return point.way == task.way && point.samples == task.samples;
     });
     if (!is_there) left_out.push_back({task.way, task.samples, "there was no time left"});
+  };
+  for (const StudyTask& task : ledger.plan->tasks) {
+    if (task.kind == StudyTask::Kind::Point) add(task);
   }
+  const StudyTask as_it_is{.way = ledger.plan->costs.front().way, .samples = own_samples};
+  if (!std::ranges::count(ledger.plan->tasks, as_it_is)) add(as_it_is);
   return left_out;
 }
 
-Measured scaled(const Measured& measured, double factor) {
-  return {measured.value * factor,
-          {measured.interval.from * factor, measured.interval.to * factor}};
+/// The one that is told first: that of the error that was asked for, else of 1 % or the nearest to
+/// it, of what was rendered if anything was.
+std::size_t main_of(const std::vector<Recommendation>& all, std::optional<double> goal) {
+  constexpr double kUsual = 0.01;
+  const double wanted = goal.value_or(kUsual);
+  const auto distance = [&](const Recommendation& recommendation) {
+    return std::pair(!goal && !recommendation.is_measured,
+                     std::abs(std::log(recommendation.goal / wanted)));
+  };
+  const auto best = std::ranges::min_element(all, {}, distance);
+  return static_cast<std::size_t>(best - all.begin());
 }
 
-/// The one that is told first: of 1 %, or the nearest to it that was tried.
-std::size_t main_of(const std::vector<Recommendation>& all, std::optional<double> goal) {
-  std::size_t best = 0;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (goal && all[i].goal == *goal) return i;
-    constexpr double kUsual = 0.01;
-    if (all[i].is_measured && (all[i].goal >= kUsual || !all[best].is_measured)) best = i;
+/// Figures of a render at the scene's own size, with reading and writing, of those that it has as
+/// it was measured: only tracing depends on the size.
+class FullSize {
+ public:
+  FullSize(const StudyLedger& ledger, const RenderSettings& settings)
+      : ledger_(ledger),
+        area_(static_cast<double>(settings.width) * settings.height /
+              (static_cast<double>(ledger.plan->width) * ledger.plan->height)) {}
+
+  bool is_measured() const { return area_ == 1; }
+
+  Measured seconds(const Way& way, const Measured& measured) const {
+    const double building = ledger_.plan->cost_of(way).build_seconds;
+    const double tracing = std::max(measured.value - building, 0.0) * area_ + building;
+    // How long it takes to load what writes pictures is known to a half only.
+    constexpr double kOfOther = 1.5;
+    const double other = ledger_.other_seconds;
+    return {tracing + other,
+            {tracing * measured.interval.from / measured.value + other / kOfOther,
+             tracing * measured.interval.to / measured.value + other * kOfOther}};
   }
-  return best;
+
+ private:
+  const StudyLedger& ledger_;
+  double area_;
+};
+
+std::optional<Recommendation> as_it_is(const Measurement& measurement, const NoiseOfTime& noise,
+                                       const FullSize& full_size) {
+  for (const Point& point : measurement.points) {
+    if (point.way != measurement.own || point.samples != measurement.own_samples) continue;
+    return Recommendation{.way = point.way,
+                          .samples = point.samples,
+                          .is_measured = full_size.is_measured(),
+                          .error = point.error,
+                          .seconds = full_size.seconds(
+                              point.way, noise.next(point.seconds.value, point.timings.size()))};
+  }
+  return std::nullopt;
+}
+
+/// Of a picture without noise any number of samples does: the fewest.
+std::optional<Recommendation> without_noise(const Measurement& measurement,
+                                            const NoiseOfTime& noise) {
+  for (const Point& point : measurement.points) {
+    if (point.way != measurement.own || point.error.interval.to != 0) continue;
+    return Recommendation{.way = point.way,
+                          .samples = point.samples,
+                          .is_measured = true,
+                          .error = point.error,
+                          .seconds = noise.next(point.seconds.value, point.timings.size())};
+  }
+  return std::nullopt;
+}
+
+std::vector<Recommendation> recommendations_of(const Measurement& measurement,
+                                               const NoiseOfTime& noise) {
+  std::vector<Recommendation> all;
+  const std::vector<Point>& points = measurement.points;
+  for (const double goal : worthwhile_goals(points, measurement.goal)) {
+    std::optional<Recommendation> found = recommend(goal, measurement.series, points, noise);
+    if (!found) continue;
+    // What does for less error does for more: one line for both.
+    const bool is_same = !all.empty() && all.back().way == found->way &&
+                         all.back().samples == found->samples &&
+                         all.back().goal != measurement.goal;
+    if (is_same) all.pop_back();
+    all.push_back(*std::move(found));
+  }
+  if (all.empty()) {
+    if (const auto found = without_noise(measurement, noise)) all.push_back(*found);
+  }
+  return all;
 }
 
 }  // namespace
@@ -160,7 +235,9 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
                           .budget_seconds = options.budget_seconds,
                           .spent_seconds = ledger.spent_seconds,
                           .other_seconds = ledger.other_seconds,
-                          .reference = ledger.reference};
+                          .reference = ledger.reference,
+                          .goal = options.goal,
+                          .nonfinite_samples = ledger.nonfinite_samples};
   if (!ledger.plan) return measurement;
   measurement.own = ledger.plan->costs.front().way;
   measurement.width = ledger.plan->width;
@@ -177,27 +254,16 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
   measurement.series = group_by_way(points);
   measurement.depths = losses_of(ledger, measurement.own.depth);
   measurement.precision = precision_of(ledger);
-  measurement.left_out = left_out_of(ledger, points);
+  measurement.left_out = left_out_of(ledger, points, settings.samples);
 
-  const double area = static_cast<double>(settings.width) * settings.height /
-                      (static_cast<double>(measurement.width) * measurement.height);
-  for (const double goal : worthwhile_goals(points, options.goal)) {
-    std::optional<Recommendation> found = recommend(goal, measurement.series, points, noise);
-    if (!found) continue;
-    // Of the scene's own size, where a smaller one was measured.
-    if (area != 1) found->is_measured = false;
-    const double building = ledger.plan->cost_of(found->way).build_seconds;
-    const double tracing = std::max(found->seconds.value - building, 0.0);
-    found->seconds = scaled(
-        found->seconds, (tracing * area + building + ledger.other_seconds) / found->seconds.value);
-    // What does for less error does for more: one line for both.
-    auto& all = measurement.recommendations;
-    const bool is_same = !all.empty() && all.back().way == found->way &&
-                         all.back().samples == found->samples && all.back().goal != options.goal;
-    if (is_same) all.pop_back();
-    all.push_back(*std::move(found));
-  }
+  const FullSize full_size(ledger, settings);
+  measurement.as_it_is = as_it_is(measurement, noise, full_size);
+  measurement.recommendations = recommendations_of(measurement, noise);
   measurement.main_recommendation = main_of(measurement.recommendations, options.goal);
+  for (Recommendation& recommendation : measurement.recommendations) {
+    recommendation.seconds = full_size.seconds(recommendation.way, recommendation.seconds);
+    recommendation.is_measured = recommendation.is_measured && full_size.is_measured();
+  }
   return measurement;
 }
 

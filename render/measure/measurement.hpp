@@ -34,9 +34,9 @@ struct Measured {
 
 /// How a point stands among all others, in time and error together.
 enum class Standing : std::uint8_t {
-  Front,             ///< no other is both faster and nearer
-  NotDistinguished,  ///< some is, but their intervals overlap
-  Dominated,         ///< some is, beyond the intervals
+  Front,             ///< nearer than all that is as quick
+  NotDistinguished,  ///< some other may be better: their intervals overlap
+  Dominated,         ///< some other is, beyond the intervals
 };
 
 /// "front", "not distinguished", "dominated".
@@ -93,7 +93,7 @@ struct Reference {
   int samples = 0;
   std::uint64_t seed = 0;
   double seconds = 0;
-  Measured error{};  ///< NaN where RenderResult::error is unknown
+  Measured error{};  ///< infinite where RenderResult::error is unknown
   double mean_radiance = 0;
   std::uint64_t scarce_emitters = 0;
 };
@@ -110,8 +110,14 @@ struct Recommendation {
 
 struct LeftOut {
   Way way{};
-  int samples = 0;
+  int samples = 0;  ///< 0: of any number
   std::string reason{};
+};
+
+/// The flags of the command line that the picture depends on, and that a recommendation repeats.
+struct GivenFlags {
+  bool sampler = false, light_sampling = false, precision = false, depth = false;
+  std::string others{};  ///< as they are typed: "--width 320 --seed 7"
 };
 
 struct Measurement {
@@ -131,9 +137,14 @@ struct Measurement {
   std::vector<Series> series{};
   std::vector<DepthLoss> depths{};  ///< ascending
   std::optional<PrecisionDifference> precision{};
+  std::optional<double> goal{};  ///< an error that was asked for
+  /// The scene as it is, `goal` being 0, if its samples were measured.
+  std::optional<Recommendation> as_it_is{};
   std::vector<Recommendation> recommendations{};  ///< from the largest error to the least
   std::size_t main_recommendation = 0;
   std::vector<LeftOut> left_out{};
+  std::uint64_t nonfinite_samples = 0;  ///< of all renders; a defect if not 0
+  GivenFlags given{};
   bool is_complete = false;  ///< nothing of the plan is missing but what time left out
 };
 

@@ -1,6 +1,7 @@
 #include "render/measure/plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -64,7 +65,7 @@ class PlanBuilder {
     for (int samples = most_; samples >= kFirstSamples; samples /= step) add_point(own, samples);
     std::ranges::reverse(plan_.tasks.begin() + 1, plan_.tasks.end());
     // What the scene asks for now is the first thing to know.
-    if (settings_.samples <= 2 * most_) add_point(own, settings_.samples);
+    if (settings_.samples <= 4 * most_) add_point(own, settings_.samples);
     if (extent_ == Extent::Least) return std::move(plan_);
     for (const WayCost& cost : plan_.costs) {
       if (cost.way == own || !cost.refusal.empty()) continue;
@@ -74,7 +75,7 @@ class PlanBuilder {
     for (int seed = 0; seed < kProbeSeeds; ++seed) {
       plan_.tasks.push_back(
           {.kind = StudyTask::Kind::Depths, .samples = plan_.probe_samples, .round = seed});
-      if (has_other_precision(own)) {
+      if (has_other_precision()) {
         plan_.tasks.push_back(
             {.kind = StudyTask::Kind::Precisions, .samples = plan_.probe_samples, .round = seed});
       }
@@ -101,10 +102,9 @@ class PlanBuilder {
     if (is_whole && samples != 4 * last) add_point(way, last);
   }
 
-  bool has_other_precision(const Way& own) const {
-    return std::ranges::any_of(plan_.costs, [&](const WayCost& cost) {
-      return cost.way.precision != own.precision && cost.refusal.empty();
-    });
+  bool has_other_precision() const {
+    const WayCost* const other = plan_.other_precision();
+    return other != nullptr && other->refusal.empty();
   }
 
   /// In rounds over all points that are quick, so that repeats are spread over the whole time.
@@ -149,6 +149,16 @@ const WayCost& StudyPlan::cost_of(const Way& way) const {
     return cost.way.light_sampling == way.light_sampling && cost.way.precision == way.precision;
   });
   return near != costs.end() ? *near : costs.front();
+}
+
+const WayCost* StudyPlan::other_precision() const {
+  const Way& own = costs.front().way;
+  const auto found = std::ranges::find_if(costs, [&](const WayCost& cost) {
+    Way way = cost.way;
+    way.precision = own.precision;
+    return way == own && cost.way != own;
+  });
+  return found == costs.end() ? nullptr : &*found;
 }
 
 double StudyPlan::seconds_of(const StudyTask& task) const {
@@ -197,7 +207,9 @@ StudyPlan plan_study(const StudyRequest& request) {
     const auto side = [&](int full) {
       return std::max(1, static_cast<int>(std::lround(full * scale)));
     };
-    return PlanBuilder(request, extent, side(settings.width), side(settings.height), most).build();
+    const auto [width, height] =
+        request.size.value_or(std::array{side(settings.width), side(settings.height)});
+    return PlanBuilder(request, extent, width, height, most).build();
   };
   // Half of the time at least is for tracing.
   while (extent != Extent::Least && building_seconds(build(1, kLeastMostSamples)) > seconds / 2) {
@@ -208,7 +220,8 @@ StudyPlan plan_study(const StudyRequest& request) {
   // Smaller pictures tell less of edges: as large as the budget allows.
   double scale = 1;
   constexpr double kLeastScale = 1.0 / 64;
-  while (total_seconds(build(scale, kLeastMostSamples)) > for_all && scale > kLeastScale) {
+  while (!request.size && total_seconds(build(scale, kLeastMostSamples)) > for_all &&
+         scale > kLeastScale) {
     scale *= 0.9;
   }
   StudyPlan plan = build(scale, kLeastMostSamples);

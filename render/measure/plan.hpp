@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -49,6 +50,8 @@ struct StudyPlan {
   std::vector<StudyTask> tasks{};
 
   const WayCost& cost_of(const Way& way) const;
+  /// The scene's own way but for its precision; null where that was not tried.
+  const WayCost* other_precision() const;
   double seconds_of(const StudyTask& task) const;
 };
 
@@ -61,6 +64,8 @@ struct StudyRequest {
   std::vector<WayCost> costs{};  ///< the scene's own way first
   Way reference_way{};
   double budget_seconds = 0;
+  /// The size to measure at, where it has to be that of another measurement.
+  std::optional<std::array<int, 2>> size{};
 };
 
 /// The most samples for which everything fits into the budget: a ladder of doublings of the scene's

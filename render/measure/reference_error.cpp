@@ -16,13 +16,23 @@ double squared_distance(const LinearRgb& a, const LinearRgb& b) {
   return d.r * d.r + d.g * d.g + d.b * d.b;
 }
 
+/// What the replicates of the reference say of one of its pixels.
+struct PixelNoise {
+  double squared_error, covariance;
+};
+
+PixelNoise noise_of(const ReferencePicture& reference, std::size_t pixel) {
+  const double noise = reference.noise[pixel], covariance = reference.covariance[pixel];
+  return {noise * noise, covariance * covariance};
+}
+
 /// tr Σ² / (tr Σ)² of the noise, from 1/3 where the channels have noise of their own to 1 where
 /// they share it.
 double shared_noise(const ReferencePicture& reference) {
   double trace_of_square = 0, square_of_trace = 0;
   for (std::size_t i = 0; i < reference.covariance.size(); ++i) {
-    const double covariance = reference.covariance[i];
-    const double trace = kReplicates * static_cast<double>(reference.squared_error[i]);
+    const auto [squared_error, covariance] = noise_of(reference, i);
+    const double trace = kReplicates * squared_error;
     trace_of_square += covariance * covariance;
     square_of_trace += trace * trace;
   }
@@ -30,6 +40,11 @@ double shared_noise(const ReferencePicture& reference) {
   square_of_trace -= 2.0 / (kReplicates - 1) * trace_of_square;
   if (!(square_of_trace > trace_of_square)) return 1;
   return std::max(trace_of_square / square_of_trace, 1.0 / 3);
+}
+
+bool is_all_black(const Picture& picture) {
+  return std::ranges::all_of(picture.pixels,
+                             [](const LinearRgb& pixel) { return is_black(pixel); });
 }
 
 }  // namespace
@@ -40,8 +55,8 @@ ReferencePicture reference_picture(RenderResult&& result) {
     pixel = {to_float(pixel.r), to_float(pixel.g), to_float(pixel.b)};
   }
   for (const PixelSpread& spread : result.spreads) {
-    reference.squared_error.push_back(to_float(spread.squared_error));
-    reference.covariance.push_back(to_float(spread.covariance));
+    reference.noise.push_back(to_float(std::sqrt(spread.squared_error)));
+    reference.covariance.push_back(to_float(std::sqrt(spread.covariance)));
   }
   return reference;
 }
@@ -54,13 +69,15 @@ double mean_radiance(const Picture& picture) {
 
 Measured error_against(const Picture& picture, const ReferencePicture& reference) {
   const double mean = mean_radiance(reference.picture);
-  if (mean == 0) return {};
+  if (mean == 0) {
+    if (is_all_black(picture)) return {};
+    return {INFINITY, {INFINITY, INFINITY}};
+  }
   const double shared = shared_noise(reference);
   double sum = 0;
   PooledVariance variance;
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-    const double noise = reference.squared_error[i];
-    const double covariance = reference.covariance[i];
+    const auto [noise, covariance] = noise_of(reference, i);
     const double square = squared_distance(picture.pixels[i], reference.picture.pixels[i]) - noise;
     sum += square;
     variance.add(covariance * covariance / 6 + 4 * shared * std::max(square, 0.0) * noise);
@@ -74,10 +91,11 @@ Measured error_against(const Picture& picture, const ReferencePicture& reference
 }
 
 double error_spread(const Picture& picture, const ReferencePicture& reference) {
+  if (mean_radiance(reference.picture) == 0) return 0;
   double sum = 0, squares = 0;
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     const double square = squared_distance(picture.pixels[i], reference.picture.pixels[i]) -
-                          reference.squared_error[i];
+                          noise_of(reference, i).squared_error;
     sum += square;
     squares += square * square;
   }

@@ -9,11 +9,12 @@
 namespace sdlc::render {
 
 /// A picture that others are held against, and what is known of its own noise. All numbers are
-/// 32-bit floats in value, so that one that was written to a file and read back is the same.
+/// 32-bit floats in value, so that one that was written to a file and read back is the same; of
+/// squares there are the roots, which floats hold at every scale that the picture has.
 struct ReferencePicture {
   Picture picture{};
-  std::vector<float> squared_error{};  ///< of each pixel: PixelSpread::squared_error
-  std::vector<float> covariance{};     ///< of each pixel: PixelSpread::covariance
+  std::vector<float> noise{};       ///< of each pixel: root of PixelSpread::squared_error
+  std::vector<float> covariance{};  ///< of each pixel: root of PixelSpread::covariance
 };
 
 /// Of a render that kept its variance. Takes what it needs.
@@ -29,7 +30,8 @@ double mean_radiance(const Picture& picture);
 /// the covariance Σ/4 of r, which is |a − t|² v times the part of the noise that goes along a − t:
 /// taken to be that of two pictures of the same noise, tr Σ² / (tr Σ)², over the whole picture.
 /// Unlike the spread of a picture's own samples this knows of what depth and precision do to it,
-/// and of rare light, as far as the reference does. 0 of a black reference.
+/// and of rare light, as far as the reference does. Infinite where the
+/// reference is black and the picture is not.
 Measured error_against(const Picture& picture, const ReferencePicture& reference);
 
 /// The standard deviation of that error among pictures of other seeds: the sum over pixels of the

@@ -59,7 +59,8 @@ Study::Study(const Scene& scene, const RenderSettings& settings, KernelRequest r
 }
 
 KernelRequest Study::request_of(const Way& way) const {
-  if (way.precision == own_.precision) return request_;
+  if (way == own_) return request_;
+  // Left to itself, a deeper path might be traced in another precision.
   KernelRequest request = request_;
   request.precision = way.precision == Precision::Mixed ? Precision::Float : way.precision;
   request.may_take_double = false;
@@ -136,15 +137,16 @@ WayCost Study::guess_way(const Way& way, const WayCost& own) const {
 }
 
 void Study::make_plan() {
-  StudyRequest request{.settings = settings_, .budget_seconds = options_.budget_seconds};
+  StudyRequest request{
+      .settings = settings_, .budget_seconds = options_.budget_seconds, .size = options_.size};
   // The first render of a process is slower than those after it. Where one alone takes a good part
   // of the time, the others are not tried.
   WayCost own = try_way(own_);
-  constexpr int kLeastTrials = 40;
-  const bool is_quick =
-      kLeastTrials * (spent_before_ + seconds_since(start_)) < options_.budget_seconds;
+  constexpr double kShareOfTrials = 0.1;
   for (const Way& way : ways()) {
     if (monitor_.cancel.load()) return;
+    const double spent = options_.budget_seconds - seconds_left();
+    const bool is_quick = spent < kShareOfTrials * options_.budget_seconds;
     request.costs.push_back(is_quick ? try_way(way) : guess_way(way, own));
   }
   request.reference_way = own_;
@@ -154,6 +156,12 @@ void Study::make_plan() {
     request.reference_way.light_sampling = LightSampling::On;
   }
   ledger_.plan = plan_study(request);
+  std::erase_if(ledger_.plan->depths, [&](int depth) {
+    Way way = own_;
+    way.depth = depth;
+    return !choose_kernel(scene_, settings_of(way, 8, settings_.seed), request_of(way))
+                .refusal.empty();
+  });
 }
 
 double Study::seconds_left() const {
@@ -204,7 +212,7 @@ bool Study::run_reference(const StudyTask& task) {
                       .seed = seed,
                       .seconds = seconds_of(*result),
                       .scarce_emitters = result->scarce_emitters.size()};
-  reference.error = {NAN, {NAN, NAN}};
+  reference.error = {INFINITY, {INFINITY, INFINITY}};
   if (result->error) {
     reference.error = {result->error->relative_error, result->error->interval};
   }
@@ -259,9 +267,7 @@ bool Study::run_depths(const StudyTask& task) {
 
 bool Study::run_precisions(const StudyTask& task) {
   const std::uint64_t seed = settings_.seed + kProbeSeed + static_cast<unsigned>(task.round);
-  const auto& costs = ledger_.plan->costs;
-  const auto other = std::ranges::find_if(
-      costs, [&](const WayCost& cost) { return cost.way.precision != own_.precision; });
+  const WayCost* const other = ledger_.plan->other_precision();
   const auto first = rendered(own_, task.samples, seed);
   if (!first) return false;
   const auto second = rendered(other->way, task.samples, seed);

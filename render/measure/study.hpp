@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -69,7 +70,7 @@ struct StudyLedger {
 
 /// What others learn while a study goes on.
 struct StudyObserver {
-  /// Before each thing that is done: what, in words, and the share of the planned time before it.
+  /// Before each thing that is done: what, in words, and the share of the budget that is spent.
   std::function<void(const std::string& what, double share)> on_task;
   /// A reference was rendered.
   std::function<void(const ReferencePicture& reference)> on_reference;
@@ -84,6 +85,7 @@ struct StudyObserver {
 struct StudyOptions {
   double budget_seconds = 60;
   std::optional<double> goal{};  ///< an error that is recommended for, whatever others are
+  std::optional<std::array<int, 2>> size{};  ///< StudyRequest::size
 };
 
 /// Renders a scene in many ways, each as `render` would, and measures them.

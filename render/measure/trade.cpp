@@ -31,7 +31,7 @@ struct Line {
 std::optional<Line> fit_line(const Series& series, std::span<const Point> points) {
   std::vector<std::array<double, 2>> logs;
   for (const std::size_t i : series.points) {
-    if (!(points[i].error.value > 0)) continue;
+    if (!(points[i].error.value > 0) || !std::isfinite(points[i].error.value)) continue;
     logs.push_back({std::log(points[i].samples), std::log(points[i].error.value)});
   }
   if (logs.size() < 3) return std::nullopt;
@@ -68,7 +68,8 @@ struct Between {
     return std::log(samples / a.samples) / std::log(static_cast<double>(b.samples) / a.samples);
   }
   double error(double samples, double at_a, double at_b) const {
-    if (!(at_a > 0)) return 0;
+    // Lower ends, and errors below what the reference tells, may be 0.
+    if (!(at_a > 0) || !(at_b > 0)) return at_a + (at_b - at_a) * share(samples);
     return at_a * std::pow(at_b / at_a, share(samples));
   }
   /// Where the upper end of the interval comes down to `goal`.
@@ -109,7 +110,7 @@ std::optional<SamplesForError> beyond_last(double goal, const Series& series,
   for (double samples = round_up(last.samples + 1); samples <= kMostTimes * last.samples;
        samples = round_up(samples + 1)) {
     const Measured error = error_at(samples);
-    if (error.value > goal) continue;
+    if (error.interval.to > goal) continue;
     const Point& first = points[series.points.front()];
     return SamplesForError{.samples = static_cast<int>(samples),
                            .point = series.points.back(),
@@ -126,20 +127,30 @@ std::string_view name_of(Standing standing) noexcept {
   return kNames[static_cast<std::size_t>(standing)];
 }
 
+namespace {
+
+/// How `point` stands if there were only it and `other`.
+Standing standing_beside(const Point& other, const Point& point) {
+  const double quicker = point.seconds.value - other.seconds.value;
+  const double nearer = point.error.value - other.error.value;
+  const bool is_clearly_quicker = other.seconds.interval.to < point.seconds.interval.from;
+  const bool is_clearly_nearer = other.error.interval.to < point.error.interval.from;
+  // Of equal errors, such as those of one picture made in two ways, none is uncertain.
+  if (is_clearly_quicker && (is_clearly_nearer || nearer == 0)) return Standing::Dominated;
+  const bool is_ahead = quicker >= 0 && nearer >= 0 && (quicker > 0 || nearer > 0);
+  const bool may_be_ahead =
+      is_clearly_quicker && other.error.interval.from < point.error.interval.to;
+  return is_ahead || may_be_ahead ? Standing::NotDistinguished : Standing::Front;
+}
+
+}  // namespace
+
 void mark_standings(std::span<Point> points) {
   for (Point& point : points) {
     point.standing = Standing::Front;
     for (const Point& other : points) {
-      if (!(other.seconds.value < point.seconds.value && other.error.value < point.error.value)) {
-        continue;
-      }
-      const bool is_sure = other.seconds.interval.to < point.seconds.interval.from &&
-                           other.error.interval.to < point.error.interval.from;
-      if (is_sure) {
-        point.standing = Standing::Dominated;
-        break;
-      }
-      point.standing = Standing::NotDistinguished;
+      if (&other != &point)
+        point.standing = std::max(point.standing, standing_beside(other, point));
     }
   }
 }
@@ -186,7 +197,7 @@ std::vector<double> worthwhile_goals(std::span<const Point> points, std::optiona
   constexpr std::array kRound{0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001};
   double largest = 0, least = 1e300;
   for (const Point& point : points) {
-    if (!(point.error.interval.to > 0)) continue;
+    if (!(point.error.interval.to > 0) || !std::isfinite(point.error.interval.to)) continue;
     largest = std::max(largest, point.error.interval.to);
     least = std::min(least, point.error.interval.to);
   }

@@ -10,8 +10,10 @@
 /// What follows from points: slopes, the Pareto front, and what to render with.
 namespace sdlc::render {
 
-/// Marks how each point stands: on the front where no other has both less time and less error;
-/// behind it for sure where some other has, and their intervals do not overlap in either.
+/// Marks how each point stands. Dominated: some other is clearly quicker, its interval ending where
+/// this one's has not begun, and clearly nearer or as near to the bit. Not distinguished: some
+/// other is quicker and nearer, but not clearly so in both, or clearly quicker with an error that
+/// overlaps.
 void mark_standings(std::span<Point> points);
 
 /// The points of each way, in the order in which the ways first appear, with the slope of the line

@@ -120,7 +120,7 @@ TEST_F(MeasureInput, OfAnEarlierReportIsToldByTheFieldThatIsWrong) {
   expect_told("/points/0/timings/0", -1, "`points`, number 1: it took no time");
   expect_told("/points/0/seconds_interval", 1,
               "`points`, number 1: its `seconds_interval` is no list of two");
-  expect_told("/points/0/relative_error", nullptr,
+  expect_told("/points/0/relative_error", -1,
               "`points`, number 1: its `relative_error` is no error");
   expect_told("/points/0/sampler", "magic",
               "`points`, number 1: its `sampler` is `magic`, which there is not");

@@ -119,6 +119,32 @@ TEST_F(Measure, RecommendsForTheErrorThatIsAskedFor) {
   EXPECT_TRUE(is_there);
 }
 
+TEST_F(Measure, SaysWhereTheErrorThatIsAskedForIsTooFar) {
+  const ProgramResult result = run("--error 0.00001% -o a.json --quiet");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr("No number of samples is known for the error of 10"));
+  EXPECT_EQ(report("a.json")["notes"].size(), 2u) << "and that the reference is too rough";
+}
+
+TEST_F(Measure, RecommendsFlagsThatMakeThePictureThatWasMeasured) {
+  ASSERT_EQ(run("--sampler independent --depth 3 --seed 7 --width 8 --error 5% -o a.json --quiet")
+                .exit_code,
+            0);
+  const json measured = report("a.json");
+  for (const json& recommendation : measured["recommendations"]) {
+    const auto flags = recommendation["flags"].get<std::string>();
+    const ProgramResult rendered = run_shell(
+        folder_.path(), "\"$SDLC\" render ball.scene --quiet -o a.exr --stats - " + flags);
+    ASSERT_EQ(rendered.exit_code, 0) << flags << rendered.err;
+    const json stats = json::parse(rendered.out);
+    EXPECT_EQ(stats["width"], 8);
+    EXPECT_EQ(stats["seed"], 7);
+    for (const char* field : {"depth", "samples", "sampler", "light_sampling", "precision"}) {
+      EXPECT_EQ(stats[field], recommendation[field]) << flags;
+    }
+  }
+}
+
 TEST_F(Measure, GoesOnWhereItWasInterrupted) {
   const std::string measure =
       "\"$SDLC\" measure ball.scene --width 24 --budget 1h --work kept -o a.json --quiet";
@@ -272,7 +298,7 @@ TEST_F(Measure, TellsErrorsOfTheSceneAndMeasuresNothing) {
   EXPECT_FALSE(fs::exists(folder_ / "a.json"));
 }
 
-TEST_F(Measure, HasNothingToRecommendForABlackPicture) {
+TEST_F(Measure, RecommendsTheFewestSamplesForAPictureWithoutNoise) {
   write_text(folder_ / "ball.scene", R"(scene 1
 camera main { from: (0, 0, 5), at: (0, 0, 0), fov: 30deg }
 background { bottom: black, top: black }
@@ -282,7 +308,10 @@ render { width: 6, depth: 4 }
   const ProgramResult result = run("-o a.html -o a.json --quiet");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, Not(HasSubstr("nan")));
-  EXPECT_EQ(report("a.json")["recommendations"], json::array());
+  EXPECT_THAT(result.out, HasSubstr("without noise: --samples 8, "));
+  const json measured = report("a.json");
+  ASSERT_EQ(measured["recommendations"].size(), 1u);
+  EXPECT_EQ(measured["recommendations"][0]["goal"], nullptr);
 }
 
 TEST_F(Measure, ReadsStandardInputAndOneFrameOfAFilm) {

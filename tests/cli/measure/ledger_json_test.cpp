@@ -123,7 +123,7 @@ TEST(LedgerJson, RefusesWhatDoesNotGoTogether) {
             "one of its `evaluations` was never timed");
   EXPECT_EQ(complaint([](Ledger l) { l.evaluations.push_back(l.evaluations[0]); }),
             "one of its `evaluations` is there twice");
-  EXPECT_EQ(complaint([](Ledger l) { l.evaluations[0].error.value = NAN; }),
+  EXPECT_EQ(complaint([](Ledger l) { l.evaluations[0].error.value = -1; }),
             "one of its `evaluations` has no error");
   EXPECT_EQ(complaint([](Ledger l) { l.plan->width = l.plan->height = 1 << 20; }),
             "its picture has more than 268435456 pixels");

@@ -1,5 +1,6 @@
 #include "render/measure/against.hpp"
 
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -13,9 +14,15 @@ using render::Comparison;
 using render::Point;
 using render::Verdict;
 
+/// Their times were repeated, and differed by 1 %.
 std::vector<Point> some_points(double time = 1, double error = 1) {
-  return {point(8, 1 * time, 0.1 * error), point(16, 2 * time, 0.07 * error),
-          point(32, 4 * time, 0.05 * error), point(32, 5 * time, 0.06 * error, kIndependent)};
+  std::vector<Point> points{point(8, 1 * time, 0.1 * error), point(16, 2 * time, 0.07 * error),
+                            point(32, 4 * time, 0.05 * error),
+                            point(32, 5 * time, 0.06 * error, kIndependent)};
+  for (Point& any : points) {
+    any.timings = {0.99 * any.seconds.value, any.seconds.value, 1.01 * any.seconds.value};
+  }
+  return points;
 }
 
 TEST(Against, TheSameMeasurementIsNeitherBetterNorWorse) {
@@ -48,6 +55,24 @@ TEST(Against, TimesThatAreLongerAllTogetherAreWorse) {
   EXPECT_EQ(compare_measurements(some_points(1.03), some_points(), true).time,
             Verdict::NotDistinguished)
       << "machines drift by as much";
+}
+
+TEST(Against, TimesThatDifferByTheNoiseOfOneTimeAreNot) {
+  std::vector<Point> now = some_points(1.2);
+  for (Point& any : now) any.timings = {0.9 * any.seconds.value, 1.1 * any.seconds.value};
+  EXPECT_EQ(compare_measurements(now, some_points(), true).time, Verdict::NotDistinguished)
+      << "all points share what the machine was like";
+}
+
+TEST(Against, TimesOfAFewMillisecondsAreNotCompared) {
+  EXPECT_FALSE(compare_measurements(some_points(0.001), some_points(0.001), true).time_ratio);
+}
+
+TEST(Against, AnErrorThatIsNoNumberIsNeither) {
+  std::vector<Point> now = some_points();
+  now[0].error.value = NAN;
+  EXPECT_EQ(compare_measurements(now, some_points(), true).points[0].error,
+            Verdict::NotDistinguished);
 }
 
 TEST(Against, TimesThatAreLongerHereAndShorterThereAreNot) {

@@ -180,7 +180,7 @@ TEST_F(StudyTest, RecommendsForTheFullSizeWhereASmallerPictureWasMeasured) {
   }
 }
 
-TEST_F(StudyTest, HoldsNothingAgainstABlackScene) {
+TEST_F(StudyTest, RecommendsTheFewestSamplesForABlackScene) {
   render::Scene black = beam_scene({0, 0, 5}, {0, 0, 0}, render::LinearRgb{0});
   add_sphere(black, {0, 0, 0}, 1, diffuse({0.5, 0.5, 0.5}));
   StudyLedger ledger = short_ledger();
@@ -190,7 +190,9 @@ TEST_F(StudyTest, HoldsNothingAgainstABlackScene) {
   study.run({});
   const Measurement result = measurement(ledger);
   for (const Point& point : result.points) EXPECT_EQ(point.error.value, 0);
-  EXPECT_TRUE(result.recommendations.empty());
+  ASSERT_EQ(result.recommendations.size(), 1u);
+  EXPECT_EQ(result.recommendations[0].samples, 8);
+  EXPECT_EQ(result.recommendations[0].goal, 0);
 }
 
 }  // namespace

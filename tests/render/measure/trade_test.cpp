@@ -39,6 +39,19 @@ TEST(Standings, WhatIsSlowerAndWorseWithinThemIsNotDistinguished) {
   EXPECT_EQ(points[2].standing, Standing::NotDistinguished) << "their errors overlap";
 }
 
+TEST(Standings, TheSamePictureMadeMoreSlowlyIsDominated) {
+  std::vector<Point> points{point(16, 2, 0.05), point(16, 3, 0.05, kIndependent)};
+  mark_standings(points);
+  EXPECT_EQ(points[0].standing, Standing::Front);
+  EXPECT_EQ(points[1].standing, Standing::Dominated);
+}
+
+TEST(Standings, WhatIsClearlySlowerAndHardlyNearerIsNotDistinguished) {
+  std::vector<Point> points{point(16, 2, 0.05), point(16, 3, 0.0499, kIndependent)};
+  mark_standings(points);
+  EXPECT_EQ(points[1].standing, Standing::NotDistinguished);
+}
+
 TEST(SeriesOfAWay, HaveTheSlopeOfTheirLine) {
   std::vector<Point> points = sobol_points();
   points.push_back(point(16, 1, 0.3, kIndependent));
@@ -86,6 +99,7 @@ TEST(SamplesForAnError, AreBeyondThePointsByTheSlopeAndNotForEver) {
   ASSERT_TRUE(found);
   EXPECT_FALSE(found->is_measured);
   EXPECT_NEAR(found->samples, 512 * std::pow(4, 4 / 3.0), 512);
+  EXPECT_LE(found->error.interval.to, last / 4);
   EXPECT_FALSE(samples_for(last / 1000, series, points));
 }
 
