@@ -12,6 +12,7 @@
 #include "cli/outputs.hpp"
 #include "cli/usage_error.hpp"
 #include "lang/text/display_width.hpp"
+#include "render/compare/difference.hpp"
 #include "render/image/io_error.hpp"
 #include "render/image/picture.hpp"
 #include "render/math/color.hpp"
@@ -27,7 +28,6 @@ using render::PictureFile;
 template <typename IsWanted>
 void check_values(const std::string& name, const render::Picture& picture, std::string_view what,
                   std::string_view fault, IsWanted is_wanted) {
-  static constexpr std::array<std::string_view, 3> kChannels{"red", "green", "blue"};
   std::size_t count = 0;
   std::string first;
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -36,8 +36,8 @@ void check_values(const std::string& name, const render::Picture& picture, std::
     for (std::size_t channel = 0; channel < 3; ++channel) {
       if (is_wanted(values[channel]) || count++ > 0) continue;
       const auto width = static_cast<std::size_t>(picture.width);
-      first = fmt::format("{} in {} of the pixel ({}, {})", values[channel], kChannels[channel],
-                          i % width, i / width);
+      first = fmt::format("{} in {} of the pixel ({}, {})", values[channel],
+                          render::kChannelNames[channel], i % width, i / width);
     }
   }
   if (count == 0) return;

@@ -57,9 +57,8 @@ Json gates_json(const std::vector<Gate>& gates) {
 }  // namespace
 
 std::string_view CompareReport::channel_name() const noexcept {
-  static constexpr std::array<std::string_view, 3> kNames{"red", "green", "blue"};
   if (pair.picture.is_grey) return "grey";
-  return kNames[static_cast<std::size_t>(difference.largest.channel)];
+  return render::kChannelNames[static_cast<std::size_t>(difference.largest.channel)];
 }
 
 std::string to_text(const CompareReport& report) {

@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::array kPrecisions{render::Precision::Float, render::Precision::Mixed,
                                  render::Precision::Double};
-constexpr std::array<std::string_view, 3> kChannels{"red", "green", "blue"};
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
   throw std::invalid_argument(fmt::format("its `{}` is {}", name, what));
@@ -142,14 +141,15 @@ Json difference_json(const render::Difference& difference) {
            {{"value", value},
             {"x", x},
             {"y", y},
-            {"channel", kChannels[static_cast<std::size_t>(channel)]}}}};
+            {"channel", render::kChannelNames[static_cast<std::size_t>(channel)]}}}};
 }
 
 render::Difference difference_of(const Json& json) {
   const Json& largest = any_field(json, "max_difference");
   const std::string name = field<std::string>(largest, "channel");
-  const auto channel = std::ranges::find(kChannels, name);
-  if (channel == kChannels.end()) refuse("channel", fmt::format("`{}`, which there is not", name));
+  const auto channel = std::ranges::find(render::kChannelNames, name);
+  if (channel == render::kChannelNames.end())
+    refuse("channel", fmt::format("`{}`, which there is not", name));
   const auto number_or_infinity = [&](const char* field) {
     return number_or(INFINITY, any_field(json, field), field);
   };
@@ -161,7 +161,7 @@ render::Difference difference_of(const Json& json) {
           .largest = {.value = field<double>(largest, "value"),
                       .x = whole_field(largest, "x", 0),
                       .y = whole_field(largest, "y", 0),
-                      .channel = static_cast<int>(channel - kChannels.begin())}};
+                      .channel = static_cast<int>(channel - render::kChannelNames.begin())}};
 }
 
 }  // namespace sdlc::cli

@@ -21,9 +21,9 @@ std::string rate(double a_second) {
 }
 
 std::string place_of(const render::LargestDifference& largest) {
-  static constexpr std::array<std::string_view, 3> kChannels{"red", "green", "blue"};
-  return fmt::format("{} at ({}, {})", kChannels[static_cast<std::size_t>(largest.channel)],
-                     largest.x, largest.y);
+  return fmt::format("{} at ({}, {})",
+                     render::kChannelNames[static_cast<std::size_t>(largest.channel)], largest.x,
+                     largest.y);
 }
 
 std::string plain(double number) { return figure(number); }

@@ -1,14 +1,20 @@
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "render/image/picture.hpp"
 
 namespace sdlc::render {
+
+/// By the index of the channel.
+inline constexpr std::array<std::string_view, 3> kChannelNames{"red", "green", "blue"};
 
 /// The largest difference of two pictures, in one channel of one pixel.
 struct LargestDifference {
   double value = 0;  ///< picture less reference
   int x = 0, y = 0;  ///< of the pixel, from the top left; of several the first, row by row
-  int channel = 0;   ///< 0, 1, 2: red, green, blue
+  int channel = 0;   ///< of kChannelNames
 };
 
 /// How far a picture is from a reference of the same size, in the values that they hold: linear

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <vector>
 
 #include "render/accuracy/student_t.hpp"
