@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -28,6 +29,26 @@ std::string scarce_light(const render::RenderSettings& settings,
       "the picture and in its error; {}",
       emitters.size(), is_one ? " was" : "s were", render::EmitterTally::kEnough,
       is_one ? "" : "one of them ", fewest->paths, is_one ? "its" : "their", way_out);
+}
+
+std::string_view words_of(render::LightPath kind) {
+  switch (kind) {
+    case render::LightPath::Visible: return "directly from the camera";
+    case render::LightPath::Reflected: return "from the camera by way of mirrors or glass";
+    case render::LightPath::Direct: return "from a diffuse surface";
+    default: return "from a diffuse surface by way of mirrors or glass (a caustic)";
+  }
+}
+
+/// Why the error is unknown although the replicates agree.
+std::string rare_light(const std::vector<render::RarePath>& rare) {
+  // Of those of one emitter caustics come last, and are the likeliest to be missing.
+  const auto weight = [](const render::RarePath& path) { return path.squared_radiance; };
+  const auto worst = std::ranges::max_element(rare.rbegin(), rare.rend(), {}, weight);
+  return fmt::format(
+      "the error is unknown: only {} path{} reached a light {}, too few to know how much of its "
+      "light is missing in the picture; more samples may find it",
+      worst->paths, worst->paths == 1 ? "" : "s", words_of(worst->kind));
 }
 
 }  // namespace
@@ -67,6 +88,7 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
     warnings.push_back(fmt::format("the error did not come down to {} % with {}: {}",
                                    percent(*settings.error), limit, reached));
   }
+  if (!result.rare_paths.empty()) warnings.push_back(rare_light(result.rare_paths));
   // A picture of fewer samples is a draft that claims nothing of its error.
   const bool claims_error = result.least_samples >= render::kLeastReplicatedSamples;
   if (claims_error && !result.scarce_emitters.empty()) {

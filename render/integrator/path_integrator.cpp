@@ -11,6 +11,18 @@
 
 namespace sdlc::render {
 
+namespace {
+
+double mean_square(LinearRgb c) noexcept { return (c.r * c.r + c.g * c.g + c.b * c.b) / 3; }
+
+/// A path ends with `arriving`, of which a plain one would bring all.
+LinearRgb end_with(LinearRgb arriving, double weight, PlainPaths* plain) noexcept {
+  if (plain != nullptr) plain->squares += mean_square(arriving) * weight;
+  return arriving * weight;
+}
+
+}  // namespace
+
 PathIntegrator::PathIntegrator(Scene scene, int max_depth,
                                std::optional<std::span<const SpherePair>> near_pairs,
                                std::span<const std::uint32_t> lights, EmitterTally* emitters)
@@ -43,11 +55,12 @@ void PathIntegrator::find_camera_surfaces() {
 }
 
 LinearRgb PathIntegrator::sample(double s, double t, const PathSampler& sampler, PathCounts& counts,
-                                 const std::atomic<bool>* cancel) const noexcept {
+                                 const std::atomic<bool>* cancel,
+                                 PlainPaths* plain) const noexcept {
   Ray ray{.origin = {}, .direction = pinhole_.direction(s, t)};
-  if (!has_motion_) return li<false>(ray, sampler, counts, cancel);
+  if (!has_motion_) return li<false>(ray, sampler, counts, cancel, plain);
   ray.u = sampler.pair(kTime).first;
-  return li<true>(ray, sampler, counts, cancel);
+  return li<true>(ray, sampler, counts, cancel, plain);
 }
 
 /// The first hit of a camera ray when the camera stands on several surfaces at once: each of them
@@ -72,42 +85,51 @@ LinearRgb PathIntegrator::background(Vec3 direction) const noexcept {
   return background_.bottom * (1 - t) + background_.top * t;
 }
 
-/// What arrives, times cos/π over the densities of both techniques, from one light that is chosen
-/// for the place on a diffuse surface where `ray` begins; its direction does not matter.
+/// What arrives, times `beta` and cos/π over the densities of both techniques, from one light that
+/// is chosen for the place on a diffuse surface where `ray` begins; its direction does not matter.
 template <bool kMoving>
 LinearRgb PathIntegrator::direct_light(const Ray& ray, const Departure& departure, Vec3 facing,
-                                       const PathSampler& sampler, int vertex,
-                                       PathCounts& counts) const noexcept {
+                                       const PathSampler& sampler, int vertex, LinearRgb beta,
+                                       PathCounts& counts, PlainPaths* plain) const noexcept {
   const VertexSampler random(sampler, vertex);
+  if (plain != nullptr) ++plain->choices;
   const auto connection = lights_.connect({.x = ray.origin, .normal = facing, .u = ray.u},
                                           random(kChoice), random(kLight));
   if (!connection) return LinearRgb{};
   ++counts.rays;
+  if (plain != nullptr) ++plain->shadow_rays;
   const Ray towards{.origin = ray.origin, .direction = connection->direction, .u = ray.u};
   const BvhHit hit = bvh_.intersect<kMoving>(towards, departure);
   // Where the light's own surface is met, or just missed, rounding decides: both count as seen.
   const bool is_hidden = hit.sphere != kNoSphere && hit.t < connection->distance &&
                          bvh_.index_in_scene(hit.sphere) != connection->sphere;
   if (is_hidden) return LinearRgb{};
-  if (emitters_ != nullptr && emitters_->is_counting()) emitters_->count(connection->sphere);
-  return connection->radiance;
+  count_reached(connection->sphere, LightPath::Direct);
+  const LinearRgb brought = beta * connection->radiance;
+  if (plain != nullptr) {
+    ++plain->connections;
+    if (connection->weight > 0) plain->squares += mean_square(brought) / connection->weight;
+  }
+  return brought;
 }
 
 template <bool kMoving>
 LinearRgb PathIntegrator::li(Ray ray, const PathSampler& sampler, PathCounts& counts,
-                             const std::atomic<bool>* cancel) const noexcept {
+                             const std::atomic<bool>* cancel, PlainPaths* plain) const noexcept {
   constexpr int kRaysBetweenLooks = 4096;  // a walk may be a thousand million rays long
   LinearRgb beta{1};                       // throughput of the walk so far
   LinearRgb gathered;                      // what connections to lights have brought
   Departure departure;
   Vec3 facing;
   bool left_diffuse = false;  // the surface before, and lights were looked for there
+  PathHistory history;
   for (int depth = 0; depth < max_depth_; ++depth) {
     if (depth % kRaysBetweenLooks == kRaysBetweenLooks - 1 && cancel != nullptr &&
         cancel->load(std::memory_order_relaxed)) {
       return LinearRgb{};
     }
     ++counts.rays;
+    PlainPaths* const of_path = depth > 0 ? plain : nullptr;
     BvhHit hit;
     if (depth == 0 && !camera_surfaces_.empty()) {
       departure = camera_surfaces_.front();
@@ -116,18 +138,23 @@ LinearRgb PathIntegrator::li(Ray ray, const PathSampler& sampler, PathCounts& co
     } else {
       hit = bvh_.intersect<kMoving>(ray, departure);
     }
-    if (hit.sphere == kNoSphere) return gathered + beta * background(ray.direction);
+    if (hit.sphere == kNoSphere) {
+      return gathered + end_with(beta * background(ray.direction), 1, of_path);
+    }
 
     const Material& material = materials_[material_of_slot_[hit.sphere]];
-    if (material.type == MaterialType::Unlit) return gathered + beta * material.color;
+    if (material.type == MaterialType::Unlit) {
+      count_reached(bvh_.index_in_scene(hit.sphere), light_path(history));
+      return gathered + end_with(beta * material.color, 1, of_path);
+    }
     if (material.type == MaterialType::Emissive) {
-      count_reached(hit.sphere);
+      count_reached(bvh_.index_in_scene(hit.sphere), light_path(history));
       const LinearRgb arriving = beta * (material.color * material.parameter);
-      if (!left_diffuse) return gathered + arriving;
+      if (!left_diffuse) return gathered + end_with(arriving, 1, of_path);
       const double cosine = std::fabs(dot(ray.direction, facing));
-      return gathered + arriving * lights_.weight_of_hit(
-                                       bvh_.index_in_scene(hit.sphere),
-                                       {.x = ray.origin, .normal = facing, .u = ray.u}, cosine);
+      const double weight = lights_.weight_of_hit(
+          bvh_.index_in_scene(hit.sphere), {.x = ray.origin, .normal = facing, .u = ray.u}, cosine);
+      return gathered + end_with(arriving, weight, of_path);
     }
 
     const Vec3 center = bvh_.center<kMoving>(hit.sphere, ray.u);
@@ -153,9 +180,14 @@ LinearRgb PathIntegrator::li(Ray ray, const PathSampler& sampler, PathCounts& co
     ray.origin = center + outward * bvh_.sphere(hit.sphere).radius;
     ray.direction = direction;
     departure = {.sphere = hit.sphere, .normal = outward};
-    left_diffuse = material.type == MaterialType::Diffuse && !lights_.empty();
+    const bool is_diffuse = material.type == MaterialType::Diffuse;
+    history = {.has_scattered = true,
+               .has_met_diffuse = history.has_met_diffuse || is_diffuse,
+               .leaves_diffuse = is_diffuse};
+    left_diffuse = is_diffuse && !lights_.empty();
     if (left_diffuse && depth + 1 < max_depth_) {
-      gathered += beta * direct_light<kMoving>(ray, departure, facing, sampler, depth, counts);
+      gathered +=
+          direct_light<kMoving>(ray, departure, facing, sampler, depth, beta, counts, plain);
     }
   }
   ++counts.truncated_paths;

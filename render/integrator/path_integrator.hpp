@@ -30,6 +30,19 @@ struct PathCounts {
   }
 };
 
+/// What paths that look for lights say of the same paths without that; added up over paths.
+struct PlainPaths {
+  /// An unbiased estimate of the square of what the plain path brings, the mean over channels; of
+  /// paths that end where the camera ray does nothing, as Sobol' points make short work of them. A
+  /// connection stands for the scattered rays that would have hit its light: with L the radiance,
+  /// both count as L² times their weight in the balance heuristic, so light that scattering
+  /// hardly ever finds counts in full.
+  double squares = 0;
+  std::uint64_t shadow_rays = 0;
+  std::uint64_t connections = 0;  ///< shadow rays that found their light
+  std::uint64_t choices = 0;      ///< surfaces at which a light was looked for
+};
+
 /// Estimates radiance by random walks from the camera: no recursion, no state between paths. It
 /// owns what a scene becomes for tracing (rebased to the camera, in a hierarchy) and is read by all
 /// threads.
@@ -46,7 +59,8 @@ class PathIntegrator {
   /// One path through the place (s, t) of the picture, (0, 0) its lower left corner: linear RGB.
   /// Once `cancel` is set a long path ends soon, with a value that means nothing.
   LinearRgb sample(double s, double t, const PathSampler& sampler, PathCounts& counts,
-                   const std::atomic<bool>* cancel = nullptr) const noexcept;
+                   const std::atomic<bool>* cancel = nullptr,
+                   PlainPaths* plain = nullptr) const noexcept;
 
   bool has_motion() const noexcept { return has_motion_; }
   const Bvh& bvh() const noexcept { return bvh_; }
@@ -54,18 +68,17 @@ class PathIntegrator {
  private:
   template <bool kMoving>
   LinearRgb li(Ray ray, const PathSampler& sampler, PathCounts& counts,
-               const std::atomic<bool>* cancel) const noexcept;
+               const std::atomic<bool>* cancel, PlainPaths* plain) const noexcept;
   template <bool kMoving>
   LinearRgb direct_light(const Ray& ray, const Departure& departure, Vec3 facing,
-                         const PathSampler& sampler, int vertex, PathCounts& counts) const noexcept;
+                         const PathSampler& sampler, int vertex, LinearRgb beta, PathCounts& counts,
+                         PlainPaths* plain) const noexcept;
   template <bool kMoving>
   BvhHit first_hit_from_surfaces(const Ray& ray) const noexcept;
   LinearRgb background(Vec3 direction) const noexcept;
   void find_camera_surfaces();
-  void count_reached(std::uint32_t slot) const noexcept {
-    if (emitters_ != nullptr && emitters_->is_counting()) {
-      emitters_->count(bvh_.index_in_scene(slot));
-    }
+  void count_reached(std::uint32_t sphere, LightPath kind) const noexcept {
+    if (emitters_ != nullptr && emitters_->is_counting()) emitters_->count(sphere, kind);
   }
 
   Pinhole pinhole_;

@@ -1,26 +1,182 @@
 #include "render/light/emitter_tally.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/camera/pinhole.hpp"
 #include "render/light/choose_lights.hpp"
+#include "render/math/vec3.hpp"
+#include "render/scene/rebase.hpp"
 
 namespace sdlc::render {
+namespace {
 
-EmitterTally::EmitterTally(const Scene& scene) {
+/// What a surface emits, black if it scatters.
+LinearRgb radiance_of(const Material& material) noexcept {
+  if (material.type == MaterialType::Unlit) return material.color;
+  if (material.type == MaterialType::Emissive) return material.color * material.parameter;
+  return LinearRgb{};
+}
+
+double root_mean_square(LinearRgb c) noexcept {
+  // Radiance may be beyond all numbers whose squares are numbers.
+  const double largest = std::fmin(std::fmax(c.r, std::fmax(c.g, c.b)), 1e150);
+  if (!(largest > 0)) return 0;
+  const LinearRgb unit = c * (1 / largest);
+  return largest * std::sqrt((unit.r * unit.r + unit.g * unit.g + unit.b * unit.b) / 3);
+}
+
+/// The kinds of path that the surfaces of a scene and its limit on depth allow.
+struct Surfaces {
+  bool diffuse = false;
+  bool specular = false;  // mirrors and glass
+
+  explicit Surfaces(const Scene& scene) {
+    const auto look_at = [&](const Sphere& sphere) {
+      const Material& material = scene.materials[sphere.material];
+      if (sphere.radius <= 0 || is_black(material.color)) return;
+      diffuse |= material.type == MaterialType::Diffuse;
+      specular |=
+          material.type == MaterialType::Specular || material.type == MaterialType::Transmissive;
+    };
+    std::ranges::for_each(scene.spheres, look_at);
+    for (const Prototype& prototype : scene.prototypes) {
+      std::ranges::for_each(prototype.spheres, look_at);
+    }
+  }
+};
+
+/// The pyramid of directions that are in the picture.
+class ViewPyramid {
+ public:
+  explicit ViewPyramid(const Camera& camera) {
+    const Pinhole pinhole(camera);
+    const Vec3 forward = pinhole.place(0.5, 0.5);
+    const Vec3 right = pinhole.across() / 2, up = pinhole.upwards() / 2;
+    // Normals of its sides, outward, and of the plane through the camera.
+    const auto side = [&](Vec3 edge) { return unit(edge - forward * length_squared(edge)); };
+    normals_ = {side(right), side(-right), side(up), side(-up), -forward};
+  }
+
+  /// Whether a sphere may be in the picture; `center` is relative to the camera.
+  bool may_show(Vec3 center, double radius) const noexcept {
+    constexpr double kRounding = 1e-6;
+    const double reach = radius + kRounding * moderate_length(center);
+    return std::ranges::all_of(normals_, [&](Vec3 n) { return dot(center, n) <= reach; });
+  }
+
+ private:
+  std::array<Vec3, 5> normals_;
+};
+
+/// The upper limit of 95 % for the mean of a Poisson distribution of which n were seen, by Wilson
+/// and Hilferty's approximation of the χ² distribution (1931).
+double poisson_limit(double n) noexcept {
+  constexpr double kNormalQuantile = 1.645;
+  const double k = n + 1;
+  const double root = 1 - 1 / (9 * k) + kNormalQuantile / (3 * std::sqrt(k));
+  return k * root * root * root;
+}
+
+}  // namespace
+
+EmitterTally::EmitterTally(const Scene& scene, std::span<const std::uint32_t> lights,
+                           int max_depth) {
+  count_emitters(scene);
+  classify(scene, lights, max_depth);
+}
+
+void EmitterTally::count_emitters(const Scene& scene) {
   const std::vector<std::uint32_t> emitters = choose_lights(scene, LightSampling::On);
   if (emitters.empty()) return;
-  paths_ = std::vector<std::atomic<std::uint8_t>>(scene.spheres.size());
-  for (auto& paths : paths_) paths.store(kEnough, std::memory_order_relaxed);
+  paths_ = std::vector<Count>(scene.spheres.size());
+  for (Count& paths : paths_) paths.store(kEnough, std::memory_order_relaxed);
   for (const std::uint32_t i : emitters) paths_[i].store(0, std::memory_order_relaxed);
   scarce_ = emitters.size();
 }
 
+void EmitterTally::classify(const Scene& scene, std::span<const std::uint32_t> lights,
+                            int max_depth) {
+  const Surfaces surfaces(scene);
+  // Without them every path is a camera ray, and unlit spheres are plain pixels.
+  if (!surfaces.diffuse && !surfaces.specular && paths_.empty()) return;
+
+  double brightest = 0;
+  for (const Material& material : scene.materials) {
+    brightest = std::fmax(brightest, root_mean_square(radiance_of(material)));
+  }
+  if (!(brightest > 0)) return;
+
+  constexpr int kOctaves = 64;  // below the brightest; the last holds all that is darker
+  std::array<std::uint8_t, 2 * kOctaves> class_of_octave;
+  class_of_octave.fill(kNoClass);
+  const ViewPyramid view(scene.camera);
+  const Rebase rebase(scene);
+  classes_of_spheres_.assign(scene.spheres.size(), kNoClass);
+  for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
+    const double radiance =
+        root_mean_square(radiance_of(scene.materials[scene.spheres[i].material]));
+    if (!(radiance > 0) || scene.spheres[i].radius <= 0) continue;
+    const bool is_sampled = std::ranges::binary_search(lights, i);
+    const double below = std::fmin(std::log2(brightest / radiance), kOctaves - 1);
+    std::uint8_t& id = class_of_octave[2 * static_cast<std::size_t>(below) + (is_sampled ? 1 : 0)];
+    if (id == kNoClass) {
+      id = static_cast<std::uint8_t>(classes_.size());
+      classes_.push_back({.sphere = i});
+    }
+    classes_of_spheres_[i] = id;
+    Class& c = classes_[id];
+    c.squared_radiance = std::fmax(c.squared_radiance, radiance * radiance);
+    const Sphere sphere = rebase.sphere(scene.spheres[i]);
+    const Vec3 shift = scene.shifts.empty() ? Vec3{} : rebase.shift(scene.shifts[i]);
+    // Around the sphere and all of its way.
+    c.kinds[index_of(LightPath::Visible)] |=
+        view.may_show(sphere.center + shift / 2, sphere.radius + moderate_length(shift) / 2);
+    c.kinds[index_of(LightPath::Reflected)] = surfaces.specular && max_depth >= 2;
+    // Connections bring little each, and the noise of what they bring is seen.
+    c.kinds[index_of(LightPath::Direct)] = surfaces.diffuse && !is_sampled && max_depth >= 2;
+    c.kinds[index_of(LightPath::Caustic)] = surfaces.diffuse && surfaces.specular && max_depth >= 3;
+  }
+  found_ = std::vector<std::array<Count, kLightPaths>>(classes_.size());
+  for (const Class& c : classes_) {
+    open_ += static_cast<std::size_t>(std::ranges::count(c.kinds, true));
+  }
+}
+
 std::vector<ReachedEmitter> EmitterTally::scarce() const {
   std::vector<ReachedEmitter> emitters;
-  if (!is_counting()) return emitters;
   for (std::uint32_t i = 0; i < paths_.size(); ++i) {
     const std::uint8_t paths = paths_[i].load(std::memory_order_relaxed);
     if (paths < kEnough) emitters.push_back({.sphere = i, .paths = paths});
   }
   return emitters;
+}
+
+std::vector<RarePath> EmitterTally::rare() const {
+  std::vector<RarePath> rare;
+  for (std::size_t i = 0; i < classes_.size(); ++i) {
+    for (std::size_t kind = 0; kind < kLightPaths; ++kind) {
+      const std::uint8_t paths = found_[i][kind].load(std::memory_order_relaxed);
+      if (!classes_[i].kinds[kind] || paths >= kEnough) continue;
+      rare.push_back({.kind = static_cast<LightPath>(kind),
+                      .paths = paths,
+                      .sphere = classes_[i].sphere,
+                      .squared_radiance = classes_[i].squared_radiance});
+    }
+  }
+  return rare;
+}
+
+double unseen_error(std::span<const RarePath> rare, double mean_radiance, std::size_t pixels,
+                    std::uint64_t samples) noexcept {
+  const auto n = static_cast<double>(samples);
+  double squares = 0;
+  for (const RarePath& path : rare) {
+    squares +=
+        path.squared_radiance * poisson_limit(path.paths) / (static_cast<double>(pixels) * n * n);
+  }
+  return squares > 0 ? std::sqrt(squares) / mean_radiance : 0;
 }
 
 }  // namespace sdlc::render

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/scene/scene.hpp"
@@ -17,38 +19,114 @@ struct ReachedEmitter {
   friend bool operator==(const ReachedEmitter&, const ReachedEmitter&) = default;
 };
 
-/// Counts the paths that reach each emissive sphere that shines and can be hit, up to as many as
-/// say that its light is no accident: those that end on it, and connections that bring its light.
-/// Spheres of prototypes are not counted. Any thread may count; totals do not depend on their
-/// order.
+/// How a path reaches a sphere that shines. In Heckbert's notation, with E the eye, L the light, D
+/// a diffuse and S any other scattering:
+enum class LightPath : std::uint8_t {
+  Visible,    ///< EL
+  Reflected,  ///< E S+ L
+  Direct,     ///< E … D L, by scattering or by a connection
+  Caustic,    ///< E … D S+ L: no connection finds it
+};
+inline constexpr std::size_t kLightPaths = 4;
+
+/// What a path met before it reached a sphere that shines.
+struct PathHistory {
+  bool has_scattered = false;
+  bool has_met_diffuse = false;
+  bool leaves_diffuse = false;  ///< its last scattering was diffuse
+};
+constexpr LightPath light_path(PathHistory history) noexcept {
+  if (!history.has_scattered) return LightPath::Visible;
+  if (!history.has_met_diffuse) return LightPath::Reflected;
+  return history.leaves_diffuse ? LightPath::Direct : LightPath::Caustic;
+}
+
+/// A kind of path that the scene makes possible and that was found fewer than
+/// EmitterTally::kEnough times.
+struct RarePath {
+  LightPath kind;
+  std::uint32_t paths;      ///< that were found
+  std::uint32_t sphere;     ///< one that shines and that they lead to: the first of its class
+  double squared_radiance;  ///< of the brightest, the mean over channels
+};
+
+/// Counts the paths that reach spheres that shine, up to as many as say that their light is no
+/// accident. Spheres of prototypes are not counted. Any thread may count; totals do not depend on
+/// their order.
+///
+/// Emissive spheres are counted one by one, whatever the kind of path. Kinds of path are counted by
+/// class: emissive and unlit spheres whose radiance is the same to a factor of 2, and of which all
+/// or none are sampled lights.
 class EmitterTally {
  public:
   static constexpr std::uint8_t kEnough = 30;
 
-  explicit EmitterTally(const Scene& scene);
+  /// `lights`: spheres of choose_lights(), for which Direct paths are found by connections.
+  EmitterTally(const Scene& scene, std::span<const std::uint32_t> lights, int max_depth);
 
-  /// Whether some emitter has not been reached by kEnough paths. Once it has not, count() need not
-  /// be called any more.
-  bool is_counting() const noexcept { return scarce_.load(std::memory_order_relaxed) > 0; }
+  /// Whether some count still matters. Once it does not, count() need not be called any more.
+  bool is_counting() const noexcept {
+    return scarce_.load(std::memory_order_relaxed) > 0 || open_.load(std::memory_order_relaxed) > 0;
+  }
 
-  /// A path has reached a sphere, which may be no emitter. Precondition: is_counting() was true.
-  void count(std::uint32_t sphere) noexcept {
-    std::atomic<std::uint8_t>& paths = paths_[sphere];
-    std::uint8_t before = paths.load(std::memory_order_relaxed);
-    while (before < kEnough) {
-      const auto after = static_cast<std::uint8_t>(before + 1);
-      if (!paths.compare_exchange_weak(before, after, std::memory_order_relaxed)) continue;
-      if (after == kEnough) scarce_.fetch_sub(1, std::memory_order_relaxed);
-      return;
+  /// A path has reached a sphere, which may be none that shines. Precondition: is_counting() was
+  /// true.
+  void count(std::uint32_t sphere, LightPath kind) noexcept {
+    if (!paths_.empty()) add(paths_[sphere], scarce_);
+    if (classes_of_spheres_[sphere] != kNoClass) {
+      const Class& c = classes_[classes_of_spheres_[sphere]];
+      if (c.kinds[index_of(kind)]) add(found_[classes_of_spheres_[sphere]][index_of(kind)], open_);
     }
   }
 
-  /// Those that fewer than kEnough paths reached, in the order of the scene.
+  /// Emissive spheres that fewer than kEnough paths reached, in the order of the scene.
   std::vector<ReachedEmitter> scarce() const;
+  std::vector<RarePath> rare() const;
 
  private:
-  std::vector<std::atomic<std::uint8_t>> paths_;  // kEnough: or no emitter; empty: there are none
+  static constexpr std::uint8_t kNoClass = 0xFF;
+  using Count = std::atomic<std::uint8_t>;
+
+  struct Class {
+    std::uint32_t sphere = 0;  // the first of the class
+    double squared_radiance = 0;
+    std::array<bool, kLightPaths> kinds{};  // those to count
+  };
+
+  static constexpr std::size_t index_of(LightPath kind) noexcept {
+    return static_cast<std::size_t>(kind);
+  }
+  /// Counts up to kEnough, and one less of `left` when it gets there.
+  static void add(Count& count, std::atomic<std::size_t>& left) noexcept {
+    std::uint8_t before = count.load(std::memory_order_relaxed);
+    while (before < kEnough) {
+      const auto after = static_cast<std::uint8_t>(before + 1);
+      if (!count.compare_exchange_weak(before, after, std::memory_order_relaxed)) continue;
+      if (after == kEnough) left.fetch_sub(1, std::memory_order_relaxed);
+      return;
+    }
+  }
+  void count_emitters(const Scene& scene);
+  void classify(const Scene& scene, std::span<const std::uint32_t> lights, int max_depth);
+
+  std::vector<Count> paths_;  // kEnough: or no emitter; empty: there are none
   std::atomic<std::size_t> scarce_{0};
+
+  std::vector<Class> classes_;
+  std::vector<std::uint8_t> classes_of_spheres_;  // empty: nothing shines
+  std::vector<std::array<Count, kLightPaths>> found_;
+  std::atomic<std::size_t> open_{0};  // kinds of classes of which fewer than kEnough were found
 };
+
+/// An upper limit of 95 % for what rare paths may add to the relative error of a picture, in units
+/// of it, although none of their noise was seen.
+///
+/// A path that scattering finds brings at most the radiance L of what it reaches. Of N = pixels ·
+/// samples paths, n were found, so with 95 % confidence fewer than λ(n) were to be expected (the
+/// limit of the Poisson distribution; λ(0) = 3), and the mean over pixels of the variance of a
+/// pixel is at most L² λ / (N samples). Contributions of kinds add up; the root is divided by the
+/// picture's mean radiance. Infinity of a black picture with rare paths.
+double unseen_error(std::span<const RarePath> rare, double mean_radiance, std::size_t pixels,
+                    std::uint64_t samples) noexcept;
 
 }  // namespace sdlc::render

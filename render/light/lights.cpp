@@ -72,11 +72,12 @@ auto Lights::connect(const Place& at, UniformPair choice, UniformPair direction)
   const LightDirection way = sample_cone(cone, light.radius, direction);
   const double cosine = dot(way.direction, at.normal);
   if (!(cosine > 0)) return std::nullopt;
-  return Connection{
-      .direction = way.direction,
-      .distance = way.distance,
-      .radiance = light.radiance * scattering_weight(chosen.probability, cone, cosine),
-      .sphere = light.sphere};
+  const double weight = scattering_weight(chosen.probability, cone, cosine);
+  return Connection{.direction = way.direction,
+                    .distance = way.distance,
+                    .radiance = light.radiance * weight,
+                    .weight = weight,
+                    .sphere = light.sphere};
 }
 
 double Lights::weight_of_hit(std::uint32_t sphere, const Place& at, double cosine) const noexcept {

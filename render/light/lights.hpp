@@ -49,6 +49,7 @@ class Lights {
     Vec3 direction;
     double distance = 0;   ///< what it meets before that hides the light
     LinearRgb radiance;    ///< what it brings, times the attenuation of the surface
+    double weight = 0;     ///< the part of the light's radiance that this is
     std::uint32_t sphere;  ///< the light
   };
   /// Nothing where no light may be seen.

@@ -12,6 +12,13 @@
 
 namespace sdlc::render {
 
+bool has_unseen_error(const RenderResult& result, const EmitterTally& emitters) {
+  if (!result.error || !emitters.is_counting()) return false;
+  const double unseen = unseen_error(emitters.rare(), result.error->mean,
+                                     result.picture.pixels.size(), result.least_samples);
+  return unseen > result.error->interval.to / 2;
+}
+
 GoalRender::GoalRender(PictureTracer& tracer, const RenderSettings& settings,
                        const EmitterTally& emitters, Clock::time_point start,
                        RenderMonitor& monitor, RenderResult& result)
@@ -30,10 +37,6 @@ GoalRender::GoalRender(PictureTracer& tracer, const RenderSettings& settings,
 bool GoalRender::is_late() const {
   // The first pass is finished whatever it takes: a picture with holes is none.
   return deadline_ && !is_first_pass_ && Clock::now() >= *deadline_;
-}
-
-bool GoalRender::is_blind() const {
-  return result_.error && result_.error->relative_error == 0 && emitters_.is_counting();
 }
 
 bool GoalRender::pass(std::uint64_t most, const Target& target) {
@@ -102,17 +105,17 @@ void GoalRender::run_uniform() {
     if (settings_.error) {
       estimate();
       if (!result_.error) return;
-      if (is_blind()) {
-        // Not for ever: it may stand where no path gets.
-        constexpr std::uint64_t kMostBlindSamples = 1024;
-        const std::uint64_t next = std::min({2 * *samples, kMostBlindSamples, most});
-        if (next <= *samples) return;
-        samples = next;
-        continue;
-      }
       const double to_go = *settings_.error / result_.error->interval.to;
       tell_share(to_go * to_go);
-      samples = goal.next_samples(*samples, *result_.error);
+      const std::uint64_t now = *samples;
+      samples = goal.next_samples(now, *result_.error);
+      if (goal.is_reached() && has_unseen_error(result_, emitters_)) {
+        // Not for ever: a kind of path may be one that is hidden everywhere.
+        constexpr std::uint64_t kMaxBlindSamples = 1024;
+        const std::uint64_t next = std::min({2 * now, std::max(now, kMaxBlindSamples), most});
+        if (next <= now) return;
+        samples = next;
+      }
     } else if (*samples >= most) {
       return;
     } else {

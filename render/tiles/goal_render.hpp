@@ -14,6 +14,10 @@
 
 namespace sdlc::render {
 
+/// Whether kinds of path that were found too rarely may add more than half of the upper end of its
+/// interval to the error of a picture, an eighth in all. False where the error is not known anyway.
+bool has_unseen_error(const RenderResult& result, const EmitterTally& emitters);
+
 /// A render with a goal: passes over the whole picture until one of them is reached.
 class GoalRender {
  public:
@@ -33,8 +37,6 @@ class GoalRender {
   void run_uniform();
   void run_adaptive();
   bool is_late() const;
-  /// Whether no noise was seen, and an emitter hardly: what it lights may be missing altogether.
-  bool is_blind() const;
   void tell_share(double share);
   /// Takes over the picture and what is known of its error.
   void estimate();

@@ -71,7 +71,7 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   });
   const auto build_start = std::chrono::steady_clock::now();
   result.kernel = std::move(kernel);
-  EmitterTally emitters(scene);
+  EmitterTally emitters(scene, result.kernel.lights, settings.depth);
   const std::unique_ptr<const Tracer> tracer = arena.execute(
       [&] { return make_tracer(result.kernel, std::move(scene), settings, emitters); });
   result.kernel.bounds.near_pairs.reset();  // of a lattice that touches, more than its spheres
@@ -90,9 +90,12 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   });
   result.render_seconds = seconds_since(render_start);
   result.is_complete = !monitor.cancel.load();
-  const bool is_blind = result.error && result.error->relative_error == 0 && emitters.is_counting();
-  if (!result.is_complete || is_blind) result.error.reset();
-  if (is_blind) result.has_reached_error = false;
+  if (!result.is_complete) result.error.reset();
+  if (has_unseen_error(result, emitters)) {
+    result.rare_paths = emitters.rare();
+    result.error.reset();
+    result.has_reached_error = false;
+  }
   result.camera_samples = monitor.samples_done.load();
   result.rays = monitor.rays_done.load();
   result.truncated_paths = pictures.truncated_paths();

@@ -40,8 +40,8 @@ struct RenderResult {
   std::uint64_t least_samples = 0;      ///< of any pixel
   std::uint64_t most_samples = 0;
   bool has_reached_error = false;  ///< RenderSettings::error
-  /// From 8 samples a pixel on, of a whole picture; not where no noise was seen, and an emitter
-  /// hardly, whose light would then be missing in both.
+  /// From 8 samples per pixel on, of a whole picture; nothing where kinds of path that were found
+  /// too rarely may add more than half of the interval's upper end (unseen_error()).
   std::optional<ErrorEstimate> error{};
   Picture variance;                  ///< of each pixel's mean, if it was asked for and is known
   std::vector<PixelSpread> spreads;  ///< the same, channels together, of each pixel
@@ -49,6 +49,8 @@ struct RenderResult {
   std::uint32_t sampled_lights = 0;  ///< emitters that diffuse surfaces look for by themselves
   /// Those that fewer than EmitterTally::kEnough paths reached: what they light may be missing.
   std::vector<ReachedEmitter> scarce_emitters;
+  /// Kinds of path that were found too rarely for the error to be known; empty where it is.
+  std::vector<RarePath> rare_paths;
   std::size_t bvh_bytes = 0;  ///< 0 without a hierarchy
   double build_seconds = 0;   ///< rebasing and hierarchy, and choosing the kernel
   double render_seconds = 0;  ///< tracing alone

@@ -73,7 +73,10 @@ class WidePaths {
     return read_material;
   }
   HWY_INLINE void add_to_sums(Mask mask, Triple<V> value);
-  void count_reached(Mask mask, Bits index, EmitterTally& emitters) const;
+  template <typename KindOf>
+  void count_reached(Mask mask, Bits index, const KindOf& kind_of, EmitterTally& emitters) const;
+  /// Counts the paths that end on the spheres of `mask`, and notes what the others met.
+  void follow_paths(Mask ends, Bits index, Mask fresh, Bits surface, EmitterTally& emitters);
 
   const WideScene<T>& scene_;
   const WideView<T>& view_;
@@ -89,6 +92,9 @@ class WidePaths {
   alignas(64) std::array<Word, kLanes> samples_left_{};  // 0: the lane has nothing to do
   alignas(64) std::array<std::array<double, kLanes>, 3> sum_{};
   std::array<std::size_t, kLanes> block_{};
+  // What a path has met so far, for EmitterTally; kept only while that counts.
+  enum : Word { kHasScattered = 1, kHasMetDiffuse = 2, kLeavesDiffuse = 4 };
+  alignas(64) std::array<Word, kLanes> history_{};
 };
 
 template <typename T, typename F>
@@ -144,18 +150,40 @@ void WidePaths<T, F>::add_to_sums(Mask mask, Triple<V> value) {
 
 /// The spheres of `mask`, but for those of instances.
 template <typename T, typename F>
-void WidePaths<T, F>::count_reached(Mask mask, Bits index, EmitterTally& emitters) const {
+template <typename KindOf>
+void WidePaths<T, F>::count_reached(Mask mask, Bits index, const KindOf& kind_of,
+                                    EmitterTally& emitters) const {
   const D d;
   const DU du;
   alignas(64) std::array<Word, kLanes> indices;
   hn::Store(index, du, indices.data());
   for (std::uint32_t lanes = bits_of(d, mask); lanes != 0; lanes &= lanes - 1) {
-    const Word sphere = indices[static_cast<std::size_t>(std::countr_zero(lanes))];
+    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+    const Word sphere = indices[lane];
     if constexpr (F::kInstances) {
       if (sphere >> 32 != 0) continue;
     }
-    emitters.count(scene_.index_in_scene[sphere]);
+    emitters.count(scene_.index_in_scene[sphere], kind_of(lane));
   }
+}
+
+template <typename T, typename F>
+void WidePaths<T, F>::follow_paths(Mask ends, Bits index, Mask fresh, Bits surface,
+                                   EmitterTally& emitters) {
+  const DU du;
+  const auto kind_of = [&](std::size_t lane) {
+    return light_path({.has_scattered = (history_[lane] & kHasScattered) != 0,
+                       .has_met_diffuse = (history_[lane] & kHasMetDiffuse) != 0,
+                       .leaves_diffuse = (history_[lane] & kLeavesDiffuse) != 0});
+  };
+  count_reached(ends, index, kind_of, emitters);
+  const Bits history = hn::Load(du, history_.data());
+  const Bits from_diffuse = word(kHasScattered | kHasMetDiffuse | kLeavesDiffuse);
+  const Bits from_other = hn::Or(hn::And(history, word(kHasMetDiffuse)), word(kHasScattered));
+  const auto is_diffuse =
+      hn::Eq(hn::And(surface, word(kEndsPath | kMirrors | kRefracts)), hn::Zero(du));
+  const Bits next = hn::IfThenElse(is_diffuse, from_diffuse, from_other);
+  hn::Store(hn::IfThenElse(hn::RebindMask(du, fresh), hn::Zero(du), next), du, history_.data());
 }
 
 template <typename T, typename F>
@@ -299,13 +327,13 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     depth_left = hn::Sub(depth_left, word(1));
     const Mask shines =
         hn::And(alive, hn::Or(hn::Not(hit), Scattering<T>::has(surface, kEndsPath)));
-    if (HWY_UNLIKELY(emitters != nullptr)) {
-      count_reached(hn::And(shines, hit), nearest.index, *emitters);
-    }
     const Mask exhausted = hn::And(alive, hn::RebindMask(d, hn::Eq(depth_left, hn::Zero(du))));
     const Mask ended = hn::Or(shines, hn::And(alive, absorbed));
     counts.truncated_paths += hn::CountTrue(d, hn::AndNot(ended, exhausted));
     fresh = hn::Or(ended, exhausted);
+    if (HWY_UNLIKELY(emitters != nullptr)) {
+      follow_paths(hn::And(shines, hit), nearest.index, fresh, surface, *emitters);
+    }
     Mask brings = shines;  // lanes whose path ends and brings something
     Triple<V> brought = beta;
     if constexpr (F::kLights) {
@@ -329,7 +357,10 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
           const Mask is_hidden = hn::And(hn::Lt(met.t, connection.distance),
                                          hn::RebindMask(d, hn::Ne(met.index, connection.slot)));
           const Mask is_seen = hn::AndNot(is_hidden, connection.exists);
-          if (HWY_UNLIKELY(emitters != nullptr)) count_reached(is_seen, connection.slot, *emitters);
+          if (HWY_UNLIKELY(emitters != nullptr)) {
+            const auto direct = [](std::size_t) { return LightPath::Direct; };
+            count_reached(is_seen, connection.slot, direct, *emitters);
+          }
           const auto add = [&](V sum, V factor, V radiance) HWY_ATTR {
             return hn::Add(sum, hn::IfThenElseZero(is_seen, hn::Mul(factor, radiance)));
           };

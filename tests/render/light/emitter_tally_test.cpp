@@ -1,5 +1,7 @@
 #include "render/light/emitter_tally.hpp"
 
+#include <cmath>
+#include <cstdint>
 #include <thread>
 #include <vector>
 
@@ -13,6 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using enum LightPath;
 
 /// Spheres 1 and 3 shine.
 Scene two_emitters() {
@@ -25,12 +28,24 @@ Scene two_emitters() {
   return scene;
 }
 
-void count(EmitterTally& tally, std::uint32_t sphere, int times) {
-  for (int i = 0; i < times; ++i) tally.count(sphere);
+constexpr int kDepth = 4;
+
+void count(EmitterTally& tally, std::uint32_t sphere, int times,
+           LightPath kind = LightPath::Direct) {
+  for (int i = 0; i < times; ++i) tally.count(sphere, kind);
+}
+
+/// The kinds of path that are rare, of the class of one sphere.
+std::vector<LightPath> rare_kinds(const EmitterTally& tally, std::uint32_t sphere) {
+  std::vector<LightPath> kinds;
+  for (const RarePath& path : tally.rare()) {
+    if (path.sphere == sphere) kinds.push_back(path.kind);
+  }
+  return kinds;
 }
 
 TEST(EmitterTally, TellsWhichEmittersFewPathsReached) {
-  EmitterTally tally(two_emitters());
+  EmitterTally tally(two_emitters(), {}, kDepth);
   EXPECT_THAT(tally.scarce(), ElementsAre(ReachedEmitter{1, 0}, ReachedEmitter{3, 0}));
   count(tally, 0, 50);
   count(tally, 1, 29);
@@ -38,17 +53,82 @@ TEST(EmitterTally, TellsWhichEmittersFewPathsReached) {
   EXPECT_TRUE(tally.is_counting());
   EXPECT_THAT(tally.scarce(), ElementsAre(ReachedEmitter{1, 29}));
   count(tally, 1, 1);
-  EXPECT_FALSE(tally.is_counting());
   EXPECT_THAT(tally.scarce(), IsEmpty());
 }
 
 TEST(EmitterTally, HasNothingToCountWithoutEmitters) {
-  EXPECT_FALSE(EmitterTally(test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{})).is_counting());
+  const Scene scene = test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{});
+  EXPECT_FALSE(EmitterTally(scene, {}, kDepth).is_counting());
+}
+
+/// Seen along −z through a narrow beam: a diffuse ball, and lights before and behind the camera.
+Scene lights_around(const Material& ball) {
+  Scene scene = test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{});
+  test::add_sphere(scene, {0, 0, 0}, 1, test::diffuse(LinearRgb{1}));
+  test::add_sphere(scene, {0, 3, 0}, 1, ball);
+  test::add_sphere(scene, {0, 0, 9}, 1, test::emissive(LinearRgb{1}, 2));
+  test::add_sphere(scene, {0, 0, -9}, 1, test::emissive(LinearRgb{1}, 64));
+  test::add_sphere(scene, {0, 9, 9}, 1, test::unlit(LinearRgb{1.5}));
+  return scene;
+}
+
+TEST(EmitterTally, CountsTheKindsOfPathThatTheSceneMakesPossible) {
+  const Scene matt = lights_around(test::diffuse(LinearRgb{1}));
+  EXPECT_THAT(rare_kinds(EmitterTally(matt, {}, kDepth), 2), ElementsAre(Direct));
+  EXPECT_THAT(rare_kinds(EmitterTally(matt, {}, kDepth), 3), ElementsAre(Visible, Direct));
+  EXPECT_THAT(rare_kinds(EmitterTally(matt, {}, 1), 3), ElementsAre(Visible));
+  // Unlit ones shine too; this one is of the class of sphere 2.
+  EXPECT_EQ(EmitterTally(matt, {}, kDepth).rare().size(), 3u);
+
+  const Scene glass = lights_around(test::transmissive(LinearRgb{1}, 1.5));
+  EXPECT_THAT(rare_kinds(EmitterTally(glass, {}, kDepth), 3),
+              ElementsAre(Visible, Reflected, Direct, Caustic));
+  EXPECT_THAT(rare_kinds(EmitterTally(glass, {}, 2), 3), ElementsAre(Visible, Reflected, Direct));
+  // Connections find what they can of sampled lights.
+  const std::vector<std::uint32_t> lights{2, 3};
+  EXPECT_THAT(rare_kinds(EmitterTally(glass, lights, kDepth), 3),
+              ElementsAre(Visible, Reflected, Caustic));
+  EXPECT_THAT(rare_kinds(EmitterTally(glass, lights, kDepth), 4),
+              ElementsAre(Reflected, Direct, Caustic));
+}
+
+// A lamp that connections have reached a thousand times may light a caustic that nothing found.
+TEST(EmitterTally, CountsKindsOfPathApart) {
+  const std::vector<std::uint32_t> lights{2, 3};
+  const Scene scene = lights_around(test::transmissive(LinearRgb{1}, 1.5));
+  EmitterTally tally(scene, lights, kDepth);
+  count(tally, 3, 1000, Direct);
+  count(tally, 3, 1000, Visible);
+  count(tally, 3, 30, Reflected);
+  count(tally, 3, 29, Caustic);
+  EXPECT_THAT(rare_kinds(tally, 3), ElementsAre(Caustic));
+  EXPECT_THAT(tally.scarce(), ElementsAre(ReachedEmitter{2, 0}));
+  count(tally, 3, 1, Caustic);
+  EXPECT_THAT(rare_kinds(tally, 3), IsEmpty());
+}
+
+TEST(LightPath, IsNamedAfterWhatThePathMet) {
+  EXPECT_EQ(light_path({}), Visible);
+  EXPECT_EQ(light_path({.has_scattered = true}), Reflected);
+  EXPECT_EQ(light_path({true, true, true}), Direct);
+  EXPECT_EQ(light_path({true, true, false}), Caustic);
+}
+
+// Limits of 95 % of the Poisson distribution, from its tables: 2.996, 4.744 and 16.96 for 0, 1, 10.
+TEST(UnseenError, IsThatOfAsManyPathsAsMayHaveBeenMissed) {
+  const auto error = [](std::uint32_t paths) {
+    const std::vector<RarePath> rare{{Caustic, paths, 0, 9.0}};
+    return unseen_error(rare, 0.5, 100, 8);
+  };
+  EXPECT_NEAR(error(0), std::sqrt(9.0 * 2.996 / (100 * 64)) / 0.5, 1e-3);
+  EXPECT_NEAR(error(1), std::sqrt(9.0 * 4.744 / (100 * 64)) / 0.5, 1e-3);
+  EXPECT_NEAR(error(10), std::sqrt(9.0 * 16.96 / (100 * 64)) / 0.5, 1e-3);
+  EXPECT_EQ(unseen_error({}, 0, 100, 8), 0);
 }
 
 TEST(EmitterTally, LosesNothingThatSeveralThreadsCount) {
   for (int round = 0; round < 50; ++round) {
-    EmitterTally tally(two_emitters());
+    EmitterTally tally(two_emitters(), {}, kDepth);
     std::vector<std::thread> threads;
     for (int i = 0; i < 4; ++i) {
       threads.emplace_back([&] {

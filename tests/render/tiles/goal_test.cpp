@@ -96,6 +96,61 @@ TEST(GoalForTheError, IsNotReachedWhereALampWasHardlyMet) {
   EXPECT_GT(lit.error->mean, 0);
 }
 
+/// A ground, one small lamp that connections find, and a ball that makes a caustic of its light.
+Scene caustic(const Material& ball, double lamp_radius) {
+  Scene scene = test::beam_scene({0, 1.5, 6}, {0, 0.5, 0}, LinearRgb{0});
+  scene.camera.plane_height = 0.54;
+  scene.camera.aspect = 16.0 / 9;
+  test::add_sphere(scene, {0, -1000, 0}, 1000, test::diffuse(LinearRgb{0.5}));
+  test::add_sphere(scene, {0, 0.8, 0}, 0.5, ball);
+  test::add_sphere(scene, {-1.4, 2.2, 0.4}, lamp_radius, test::emissive(LinearRgb{1}, 20000));
+  return scene;
+}
+
+// What connections bring says nothing of light by way of glass, which they do not find.
+TEST(GoalForTheError, IsNotReachedWhereNoPathFoundACaustic) {
+  const Scene scenes[] = {caustic(test::transmissive(LinearRgb{1}, 1.5), 0.01),
+                          caustic(test::transmissive(LinearRgb{0.8}, 1.3), 0.005),
+                          caustic(test::specular(LinearRgb{1}, 0.02), 0.03),
+                          caustic(test::specular(LinearRgb{0.9}, 0), 0.01)};
+  for (const Scene& scene : scenes) {
+    RenderSettings settings{.width = 96, .height = 54, .samples = 256};
+    settings.error = 0.02;
+    const RenderResult result = rendered(scene, settings);
+    EXPECT_EQ(result.sampled_lights, 1u);
+    EXPECT_FALSE(result.has_reached_error);
+    EXPECT_EQ(result.most_samples, 256u);
+    EXPECT_NE(result.error.has_value(), !result.rare_paths.empty());
+    // The same picture without a goal is no better known.
+    settings.error.reset();
+    settings.samples = 64;
+    EXPECT_FALSE(rendered(scene, settings).error);
+  }
+}
+
+TEST(GoalForTheError, IsReachedWhereTheCausticWasFound) {
+  // The lamp is so large that thousands of paths find it.
+  Scene scene = caustic(test::transmissive(LinearRgb{1}, 1.5), 0.4);
+  scene.materials.back().parameter = 12;
+  RenderSettings settings{.width = 48, .height = 27, .samples = 1 << 14};
+  settings.error = 0.05;
+  const RenderResult result = rendered(scene, settings);
+  EXPECT_TRUE(result.has_reached_error);
+  EXPECT_TRUE(result.rare_paths.empty());
+}
+
+// The camera sees the lamp, hundreds of times; what it lights, without connections, hardly a path.
+TEST(GoalForTheError, IsNotReachedByALampThatIsOnlySeen) {
+  Scene scene = caustic(test::diffuse(LinearRgb{0.5}), 0.02);
+  scene.spheres.back().center = {0, 1.2, 2};
+  RenderSettings settings{.width = 96, .height = 54, .samples = 64};
+  settings.error = 1000;
+  settings.light_sampling = LightSampling::Off;
+  const RenderResult result = rendered(scene, settings);
+  EXPECT_TRUE(result.scarce_emitters.empty());
+  EXPECT_FALSE(result.error);
+}
+
 TEST(GoalForTime, GivesEveryPixelASampleHoweverShortItIs) {
   RenderSettings settings = kSmall;
   settings.seconds = 1e-9;
