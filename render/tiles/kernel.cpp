@@ -7,6 +7,7 @@
 #include <tbb/global_control.h>
 
 #include "render/bvh/bvh.hpp"
+#include "render/integrator/light_pilot.hpp"
 #include "render/light/choose_lights.hpp"
 #include "render/scene/camera_surface.hpp"
 #include "render/scene/precision.hpp"
@@ -159,6 +160,29 @@ Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
   return wide_kernel_for(scene, settings, request);
 }
 
+/// For which emitters diffuse surfaces look. Geometry has the last word where the pilot saw hardly
+/// any light: what lights a corner of the picture may be what matters in it.
+std::vector<std::uint32_t> lights_for(const Scene& scene, const RenderSettings& settings) {
+  std::vector<std::uint32_t> chosen = choose_lights(scene, settings.light_sampling);
+  constexpr std::size_t kMaxPilotSpheres = 1 << 17;  // building a hierarchy twice takes time
+  if (settings.light_sampling != LightSampling::Auto || !scene.instances.empty() ||
+      scene.spheres.size() > kMaxPilotSpheres) {
+    return chosen;
+  }
+  std::vector<std::uint32_t> all = choose_lights(scene, LightSampling::On);
+  if (all.empty()) return all;
+  constexpr std::uint64_t kEnoughConnections = 30;
+  const LightPilot of_all = run_light_pilot(scene, settings, all);
+  if (of_all.connections < kEnoughConnections) return chosen;
+  LightPilot of_chosen;
+  if (!chosen.empty() && chosen.size() < all.size()) {
+    of_chosen = run_light_pilot(scene, settings, chosen);
+  }
+  const auto cost = [](const LightPilot& pilot) { return pilot.variance * pilot.work; };
+  if (std::min(cost(of_all), cost(of_chosen)) >= 1) return {};
+  return cost(of_chosen) < cost(of_all) ? chosen : all;
+}
+
 }  // namespace
 
 std::string_view name_of(KernelKind kind) noexcept {
@@ -172,7 +196,7 @@ std::string_view name_of(KernelKind kind) noexcept {
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request) {
   Kernel kernel = kernel_for(scene, settings, request);
-  if (kernel.refusal.empty()) kernel.lights = choose_lights(scene, settings.light_sampling);
+  if (kernel.refusal.empty()) kernel.lights = lights_for(scene, settings);
   return kernel;
 }
 

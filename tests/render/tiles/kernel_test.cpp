@@ -195,5 +195,36 @@ TEST_F(KernelChoice, JudgesInstancesWhereTheyAre) {
   EXPECT_LT(across.share, 1e-1);
 }
 
+/// A ground under a dim sky and a light that takes a twentieth of the hemisphere: its noise is
+/// below the square of all that arrives, and yet all the noise there is.
+Scene sun_over_a_plain() {
+  Scene scene = test::beam_scene({0, 2, 6}, {0, 0, 0}, LinearRgb{0.5});
+  test::add_sphere(scene, {0, -100, 0}, 100, test::diffuse({0.5, 0.6, 0.3}));
+  test::add_sphere(scene, {-20, 30, 10}, 12, test::emissive(LinearRgb{1}, 3));
+  return scene;
+}
+
+TEST(LightsOfAKernel, AreSampledWhereTheirNoiseIsNearlyAll) {
+  EXPECT_THAT(choose_kernel(sun_over_a_plain(), kSettings).lights, ElementsAre(1));
+}
+
+// All that is diffuse is coated: no connection gets through, which proves nothing.
+TEST(LightsOfAKernel, AreThoseOfGeometryWhereThePilotFoundNone) {
+  Scene scene = test::beam_scene({0, 0, 6}, {0, 0, 0}, LinearRgb{0.1});
+  test::add_sphere(scene, {0, 0, 0}, 1, test::diffuse({0.5, 0.6, 0.3}));
+  test::add_sphere(scene, {0, 0, 0}, 1.05, test::transmissive(LinearRgb{1}, 1.5));
+  test::add_sphere(scene, {0, 4, 3}, 0.5, test::emissive(LinearRgb{1}, 30));
+  EXPECT_THAT(choose_kernel(scene, kSettings).lights, ElementsAre(2));
+}
+
+TEST(LightsOfAKernel, DoNotDependOnUnitsOfLight) {
+  for (const double factor : {0x1p-900, 1.0, 0x1p900}) {
+    Scene scene = sun_over_a_plain();
+    scene.background.bottom = scene.background.top = LinearRgb{0.5 * factor};
+    scene.materials[1].parameter *= factor;
+    EXPECT_THAT(choose_kernel(scene, kSettings).lights, ElementsAre(1)) << factor;
+  }
+}
+
 }  // namespace
 }  // namespace sdlc::render

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "render/scene/scene.hpp"
+
+namespace sdlc::render {
+
+/// What connections to lights are worth, by a few hundred paths: each relative to plain paths.
+struct LightPilot {
+  double variance = 1;            ///< of a path
+  double work = 1;                ///< time of a path, by a model of rays and choices
+  std::uint64_t connections = 0;  ///< that found their light; few of them prove nothing
+
+  /// Whether the same error takes less time. Variances are those of independent samples; Sobol'
+  /// points, which make more of smooth light than of lights hit or missed, only widen the gap.
+  bool pays() const noexcept { return variance * work < 1; }
+};
+
+/// Traces paths with connections to `lights`, always the same ones. It is not blind to light that
+/// scattering hardly ever finds: what plain paths would do is computed from connections too
+/// (PlainPaths). The scene is one without instances; it is copied and put into a hierarchy.
+LightPilot run_light_pilot(Scene scene, const RenderSettings& settings,
+                           std::span<const std::uint32_t> lights);
+
+}  // namespace sdlc::render
