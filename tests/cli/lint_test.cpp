@@ -263,6 +263,7 @@ TEST_F(LintCommand, ShowsWhatWouldBeMended) {
 }
 
 TEST_F(LintCommand, ShowsAPatchThatMends) {
+  if (!has_program("patch")) GTEST_SKIP() << "no patch here";
   EXPECT_EQ(run("wrong.scene --diff >it.patch").exit_code, 1);
   EXPECT_EQ(run_shell(folder_.path(), "patch -p0 <it.patch").exit_code, 0);
   EXPECT_THAT(read("wrong.scene"), HasSubstr("let tall = 2\n"));

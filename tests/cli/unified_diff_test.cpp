@@ -59,7 +59,7 @@ TEST(UnifiedDiff, NamesAFileSoThatPatchFindsIt) {
   EXPECT_TRUE(unified_diff("a b", "x", "y").starts_with("--- a b\t\n+++ a b\t\n"));
   EXPECT_TRUE(unified_diff("a\"\n", "x", "y").starts_with("--- \"a\\\"\\012\"\n"));
   const TemporaryFolder folder;
-  if (run_shell(folder.path(), "command -v patch").exit_code != 0) GTEST_SKIP() << "no patch here";
+  if (!has_program("patch")) GTEST_SKIP() << "no patch here";
   for (const char* name : {"a b.scene", " a.scene", "a\tb.scene", "a\"b\\.scene", "é b.scene",
                            "a'b (1).scene", "a\nb.scene"}) {
     write_text(folder / name, "x\n");
@@ -73,7 +73,7 @@ TEST(UnifiedDiff, NamesAFileSoThatPatchFindsIt) {
 
 TEST(UnifiedDiff, IsWhatPatchReads) {
   const TemporaryFolder folder;
-  if (run_shell(folder.path(), "command -v patch").exit_code != 0) GTEST_SKIP() << "no patch here";
+  if (!has_program("patch")) GTEST_SKIP() << "no patch here";
   std::uint64_t state = 1;
   for (int i = 0; i < 60; ++i) {
     const std::string before = random_text(state, i % 3 != 0);

@@ -30,4 +30,10 @@ inline ProgramResult run_shell(const std::filesystem::path& folder, const std::s
           .err = content_of(logs / "err")};
 }
 
+/// Whether the shell finds a program. A test that needs more than coreutils asks, and is skipped
+/// with a message; `./dev test` installs what tests ask for.
+inline bool has_program(const std::string& name) {
+  return run_shell(TemporaryFolder().path(), "command -v " + name).exit_code == 0;
+}
+
 }  // namespace sdlc::test
