@@ -158,7 +158,7 @@ std::vector<RarePath> EmitterTally::rare() const {
   for (std::size_t i = 0; i < classes_.size(); ++i) {
     for (std::size_t kind = 0; kind < kLightPaths; ++kind) {
       const std::uint8_t paths = found_[i][kind].load(std::memory_order_relaxed);
-      if (!classes_[i].kinds[kind] || paths >= kEnough) continue;
+      if (!classes_[i].kinds[kind] || paths >= kWitnesses) continue;
       rare.push_back({.kind = static_cast<LightPath>(kind),
                       .paths = paths,
                       .sphere = classes_[i].sphere,
@@ -170,11 +170,10 @@ std::vector<RarePath> EmitterTally::rare() const {
 
 double unseen_error(std::span<const RarePath> rare, double mean_radiance, std::size_t pixels,
                     std::uint64_t samples) noexcept {
-  const auto n = static_cast<double>(samples);
   double squares = 0;
   for (const RarePath& path : rare) {
-    squares +=
-        path.squared_radiance * poisson_limit(path.paths) / (static_cast<double>(pixels) * n * n);
+    const double expected = poisson_limit(path.paths) / static_cast<double>(samples);
+    squares += path.squared_radiance * expected * expected / static_cast<double>(pixels);
   }
   return squares > 0 ? std::sqrt(squares) / mean_radiance : 0;
 }

@@ -42,7 +42,7 @@ constexpr LightPath light_path(PathHistory history) noexcept {
 }
 
 /// A kind of path that the scene makes possible and that was found fewer than
-/// EmitterTally::kEnough times.
+/// EmitterTally::kWitnesses times.
 struct RarePath {
   LightPath kind;
   std::uint32_t paths;      ///< that were found
@@ -50,16 +50,19 @@ struct RarePath {
   double squared_radiance;  ///< of the brightest, the mean over channels
 };
 
-/// Counts the paths that reach spheres that shine, up to as many as say that their light is no
-/// accident. Spheres of prototypes are not counted. Any thread may count; totals do not depend on
-/// their order.
+/// Counts the paths that reach spheres that shine, up to as many as matter. Spheres of prototypes
+/// are not counted. Any thread may count; totals do not depend on their order.
 ///
 /// Emissive spheres are counted one by one, whatever the kind of path. Kinds of path are counted by
 /// class: emissive and unlit spheres whose radiance is the same to a factor of 2, and of which all
 /// or none are sampled lights.
 class EmitterTally {
  public:
+  /// So many paths say that an emitter's light is no accident.
   static constexpr std::uint8_t kEnough = 30;
+  /// From two paths of a kind on replicates differ, by so much that the interval of the error holds
+  /// the rest: with n paths of the same weight its upper end is 1 + 3.2/√n times their squares.
+  static constexpr std::uint8_t kWitnesses = 2;
 
   /// `lights`: spheres of choose_lights(), for which Direct paths are found by connections.
   EmitterTally(const Scene& scene, std::span<const std::uint32_t> lights, int max_depth);
@@ -72,11 +75,10 @@ class EmitterTally {
   /// A path has reached a sphere, which may be none that shines. Precondition: is_counting() was
   /// true.
   void count(std::uint32_t sphere, LightPath kind) noexcept {
-    if (!paths_.empty()) add(paths_[sphere], scarce_);
-    if (classes_of_spheres_[sphere] != kNoClass) {
-      const Class& c = classes_[classes_of_spheres_[sphere]];
-      if (c.kinds[index_of(kind)]) add(found_[classes_of_spheres_[sphere]][index_of(kind)], open_);
-    }
+    if (!paths_.empty()) add(paths_[sphere], kEnough, scarce_);
+    const std::uint8_t of = classes_of_spheres_[sphere];
+    if (of == kNoClass || !classes_[of].kinds[index_of(kind)]) return;
+    add(found_[of][index_of(kind)], kWitnesses, open_);
   }
 
   /// Emissive spheres that fewer than kEnough paths reached, in the order of the scene.
@@ -96,13 +98,13 @@ class EmitterTally {
   static constexpr std::size_t index_of(LightPath kind) noexcept {
     return static_cast<std::size_t>(kind);
   }
-  /// Counts up to kEnough, and one less of `left` when it gets there.
-  static void add(Count& count, std::atomic<std::size_t>& left) noexcept {
+  /// Counts up to `enough`, and one less of `left` when it gets there.
+  static void add(Count& count, std::uint8_t enough, std::atomic<std::size_t>& left) noexcept {
     std::uint8_t before = count.load(std::memory_order_relaxed);
-    while (before < kEnough) {
+    while (before < enough) {
       const auto after = static_cast<std::uint8_t>(before + 1);
       if (!count.compare_exchange_weak(before, after, std::memory_order_relaxed)) continue;
-      if (after == kEnough) left.fetch_sub(1, std::memory_order_relaxed);
+      if (after == enough) left.fetch_sub(1, std::memory_order_relaxed);
       return;
     }
   }
@@ -115,17 +117,18 @@ class EmitterTally {
   std::vector<Class> classes_;
   std::vector<std::uint8_t> classes_of_spheres_;  // empty: nothing shines
   std::vector<std::array<Count, kLightPaths>> found_;
-  std::atomic<std::size_t> open_{0};  // kinds of classes of which fewer than kEnough were found
+  std::atomic<std::size_t> open_{0};  // kinds of classes of which fewer than kWitnesses were found
 };
 
 /// An upper limit of 95 % for what rare paths may add to the relative error of a picture, in units
 /// of it, although none of their noise was seen.
 ///
-/// A path that scattering finds brings at most the radiance L of what it reaches. Of N = pixels ·
-/// samples paths, n were found, so with 95 % confidence fewer than λ(n) were to be expected (the
-/// limit of the Poisson distribution; λ(0) = 3), and the mean over pixels of the variance of a
-/// pixel is at most L² λ / (N samples). Contributions of kinds add up; the root is divided by the
-/// picture's mean radiance. Infinity of a black picture with rare paths.
+/// A path that scattering finds brings at most the radiance L of what it reaches. Where n were
+/// found, with 95 % confidence fewer than λ(n) were to be expected (the limit of the Poisson
+/// distribution; λ(0) = 3). At worst all of them belong to one pixel, which then lacks L λ /
+/// samples; spread over more they make less error. The square of that is divided by the number of
+/// pixels, those of kinds add up, and the root is divided by the picture's mean radiance. Infinity
+/// of a black picture with rare paths.
 double unseen_error(std::span<const RarePath> rare, double mean_radiance, std::size_t pixels,
                     std::uint64_t samples) noexcept;
 

@@ -173,8 +173,11 @@ TEST(RarePaths, MakeIntervalsLongerNotWrong) {
   settings.light_sampling = LightSampling::On;
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     settings.seed = seed;
-    calibration.add(rendered(scene, settings), 0, truth);
+    const RenderResult result = rendered(scene, settings);
+    // Of a kind of path that was found once or never nothing is known: one picture in six.
+    if (result.error) calibration.add(result, 0, truth);
   }
+  EXPECT_GT(calibration.pictures, 750);
   EXPECT_GE(calibration.share(calibration.errors_inside), 0.93);
   EXPECT_GE(calibration.share(calibration.means_inside), 0.93);
 }

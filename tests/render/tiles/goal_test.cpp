@@ -141,8 +141,8 @@ TEST(GoalForTheError, IsReachedWhereTheCausticWasFound) {
 
 // The camera sees the lamp, hundreds of times; what it lights, without connections, hardly a path.
 TEST(GoalForTheError, IsNotReachedByALampThatIsOnlySeen) {
-  Scene scene = caustic(test::diffuse(LinearRgb{0.5}), 0.02);
-  scene.spheres.back().center = {0, 1.2, 2};
+  Scene scene = caustic(test::diffuse(LinearRgb{0.5}), 0.003);
+  scene.spheres.back().center = {0, 1.42, 5.5};
   RenderSettings settings{.width = 96, .height = 54, .samples = 64};
   settings.error = 1000;
   settings.light_sampling = LightSampling::Off;
