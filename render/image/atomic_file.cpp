@@ -1,27 +1,53 @@
 #include "render/image/atomic_file.hpp"
 
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <climits>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include "render/image/io_error.hpp"
+#include "render/math/fnv.hpp"
 
 namespace sdlc::render {
+
+/// At a fixed address: a signal handler may not wait for a lock, or look into a string that
+/// another thread is about to free.
+struct UnfinishedPath {
+  std::atomic<bool> is_taken{false};
+  std::atomic<bool> is_there{false};
+  std::array<char, PATH_MAX> name{};
+};
+
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr int kMaxLinks = 40;            // as the kernel counts them
 constexpr int kMaxTemporaryNames = 100;  // each collides with a chance of 2^-32
+
+std::array<UnfinishedPath, 32> unfinished_paths;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler reads it");
 
 [[noreturn]] void throw_write_error(const fs::path& path, int error) {
   throw IoError("write", path, std::generic_category().message(error));
@@ -53,17 +79,22 @@ class FileDescriptor {
 /// A temporary file that is removed with its scope, unless it has taken its final name.
 class TemporaryName {
  public:
-  explicit TemporaryName(fs::path path) : path_(std::move(path)) {}
-  TemporaryName(const TemporaryName&) = delete;
-  TemporaryName& operator=(const TemporaryName&) = delete;
+  explicit TemporaryName(fs::path path) : path_(std::move(path)), by_signals_(path_) {}
+  TemporaryName(TemporaryName&& other) noexcept
+      : path_(std::exchange(other.path_, {})), by_signals_(std::move(other.by_signals_)) {}
+  TemporaryName& operator=(TemporaryName&&) = delete;
   ~TemporaryName() {
     if (!path_.empty()) ::unlink(path_.c_str());
   }
   const fs::path& path() const noexcept { return path_; }
-  void release() noexcept { path_.clear(); }
+  void release() noexcept {
+    by_signals_.release();
+    path_.clear();
+  }
 
  private:
   fs::path path_;
+  RemovedBySignals by_signals_;
 };
 
 std::optional<struct stat> status_of(const fs::path& path) noexcept {
@@ -109,28 +140,126 @@ void write_directly(const fs::path& path, std::span<const std::byte> bytes) {
   if (const int error = file.close()) throw_write_error(path, error);
 }
 
+/// What the names of this machine's temporary files begin with. Several machines may share the
+/// folder, and a process number means nothing on another one.
+const std::string& temporary_prefix() {
+  static const std::string prefix = [] {
+    std::array<char, HOST_NAME_MAX + 1> host{};
+    ::gethostname(host.data(), host.size() - 1);
+    Fnv1a hash;
+    hash.add(host.data());
+    return fmt::format(".sdlc-{:016x}-", hash.value());
+  }();
+  return prefix;
+}
+
+/// The process in the name of a temporary file of this machine; 0 where it is not of that form.
+pid_t process_of(std::string_view name) {
+  constexpr std::string_view kEnding = ".tmp";
+  const std::string& prefix = temporary_prefix();
+  if (!name.starts_with(prefix) || !name.ends_with(kEnding)) return 0;
+  name.remove_prefix(prefix.size());
+  name.remove_suffix(std::min(kEnding.size(), name.size()));
+  const char* const end = name.data() + name.size();
+  pid_t process = 0;
+  std::uint32_t number = 0;
+  const auto [dash, error] = std::from_chars(name.data(), end, process);
+  if (error != std::errc() || process <= 0 || dash == end || *dash != '-') return 0;
+  const auto [stop, no_number] = std::from_chars(dash + 1, end, number, 16);
+  return no_number == std::errc() && stop == end ? process : 0;
+}
+
+bool is_dead(pid_t process) noexcept { return ::kill(process, 0) != 0 && errno == ESRCH; }
+
+/// Removes what processes left behind that were killed while they wrote to the folder. A file goes
+/// only if it is the user's own, its process is not there, and nobody holds its lock: a process in
+/// another container may have the same machine name and a number that is not seen here.
+void remove_abandoned_files(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> known;  // once per process is enough
+  {
+    const std::lock_guard lock(mutex);
+    if (!known.insert(fs::absolute(folder).lexically_normal()).second) return;
+  }
+  const std::unique_ptr<DIR, int (*)(DIR*)> stream(::opendir(folder.c_str()), ::closedir);
+  if (!stream) return;
+  const int place = ::dirfd(stream.get());
+  while (const dirent* entry = ::readdir(stream.get())) {
+    const pid_t process = process_of(entry->d_name);
+    if (process == 0 || !is_dead(process)) continue;
+    // To be written: over NFS only such a file can be locked.
+    const FileDescriptor file(
+        ::openat(place, entry->d_name, O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat status {};
+    if (!file.is_open() || ::fstat(file.get(), &status) != 0) continue;
+    if (!S_ISREG(status.st_mode) || status.st_uid != ::geteuid()) continue;
+    if (::flock(file.get(), LOCK_EX | LOCK_NB) == 0) ::unlinkat(place, entry->d_name, 0);
+  }
+}
+
 /// A new file in `folder` under a name nobody has. The name does not contain the target's, which
 /// may already be as long as the file system allows.
 std::pair<FileDescriptor, TemporaryName> create_temporary(const fs::path& folder,
                                                           const fs::path& shown) {
+  remove_abandoned_files(folder);
   std::random_device random;
   for (int attempt = 0; attempt < kMaxTemporaryNames; ++attempt) {
-    fs::path path = folder / fmt::format(".sdlc-{}-{:08x}.tmp", ::getpid(), random());
-    const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    // Registered before it is there: a signal in between would leave it behind.
+    TemporaryName name(folder /
+                       fmt::format("{}{}-{:08x}.tmp", temporary_prefix(), ::getpid(), random()));
+    const int fd = ::open(name.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const int error = errno;
     if (fd >= 0) {
+      ::flock(fd, LOCK_EX | LOCK_NB);  // best effort: some file systems have none
       return {std::piecewise_construct, std::forward_as_tuple(fd),
-              std::forward_as_tuple(std::move(path))};
+              std::forward_as_tuple(std::move(name))};
     }
-    if (errno != EEXIST) throw_write_error(shown, errno);
+    name.release();  // it is another's, or not there
+    if (error != EEXIST) throw_write_error(shown, error);
   }
   throw_write_error(shown, EEXIST);
 }
 
-/// Gives `fd` the permissions and, where that is allowed, the owner of the file it will replace.
-int copy_ownership(int fd, const struct stat& old) noexcept {
+/// The names of a file's extended attributes, access control lists among them.
+std::vector<std::string> attributes_of(const fs::path& path) {
+  std::string names(XATTR_LIST_MAX, '\0');
+  const ssize_t size = ::listxattr(path.c_str(), names.data(), names.size());
+  std::vector<std::string> each;
+  for (std::size_t at = 0; size > 0 && at < static_cast<std::size_t>(size);) {
+    each.emplace_back(names.c_str() + at);
+    at += each.back().size() + 1;
+  }
+  return each;
+}
+
+/// Gives `fd` the extended attributes of the file it will replace. Those that only the system may
+/// set, and those that describe the old bytes, are left to the system.
+int copy_attributes(int fd, const fs::path& path) {
+  constexpr const char* kAccess = "system.posix_acl_access";
+  const auto is_of_system = [](const std::string& name) {
+    return name.starts_with("security.") && name != "security.selinux";
+  };
+  ::fremovexattr(fd, kAccess);  // that of the folder's default
+  std::string value(XATTR_SIZE_MAX, '\0');
+  for (const std::string& name : attributes_of(path)) {
+    if (is_of_system(name)) continue;
+    const ssize_t size = ::getxattr(path.c_str(), name.c_str(), value.data(), value.size());
+    if (size < 0) continue;  // gone by now, or not for us to see
+    if (::fsetxattr(fd, name.c_str(), value.data(), static_cast<std::size_t>(size), 0) == 0) {
+      continue;
+    }
+    if (errno != EPERM && errno != EACCES && errno != ENOTSUP) return errno;
+  }
+  return 0;
+}
+
+/// Gives `fd` the attributes, the permissions and, where that is allowed, the owner of the file it
+/// will replace.
+int copy_ownership(int fd, const fs::path& path, const struct stat& old) {
   // Only root may give files away; for anyone else the new file is their own, which is what they
   // want.
   if (::fchown(fd, old.st_uid, old.st_gid) != 0 && errno != EPERM && errno != EINVAL) return errno;
+  if (const int error = copy_attributes(fd, path)) return error;
   // After fchown, which clears the set-user-ID bits.
   return ::fchmod(fd, old.st_mode & 07777) == 0 ? 0 : errno;
 }
@@ -170,6 +299,40 @@ void check_folder(const fs::path& folder, const fs::path& shown) {
 
 }  // namespace
 
+RemovedBySignals::RemovedBySignals(const fs::path& path) noexcept {
+  if (path.native().size() >= PATH_MAX) return;
+  for (UnfinishedPath& each : unfinished_paths) {
+    if (each.is_taken.exchange(true)) continue;
+    std::strcpy(each.name.data(), path.c_str());
+    each.is_there = true;
+    path_ = &each;
+    return;
+  }
+}
+
+void RemovedBySignals::release() noexcept {
+  if (path_ == nullptr) return;
+  path_->is_there = false;
+  path_->is_taken = false;
+  path_ = nullptr;
+}
+
+void remove_unfinished_files() noexcept {
+  // The last made first: a file before the folder that was made for it.
+  for (auto each = unfinished_paths.rbegin(); each != unfinished_paths.rend(); ++each) {
+    if (!each->is_there) continue;
+    ::unlink(each->name.data());
+    ::rmdir(each->name.data());
+  }
+}
+
+fs::path written_path(const fs::path& path) {
+  const fs::path target = follow_links(path);
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(folder_of(target)), error);
+  return (error ? fs::absolute(folder_of(target)).lexically_normal() : folder) / target.filename();
+}
+
 void check_writable(const fs::path& path) {
   if (path.empty()) throw IoError("write", path, "the name is empty");
   const std::optional<struct stat> old = status_of(path);
@@ -196,7 +359,7 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> byte
   const fs::path folder = folder_of(target);
   auto [file, temporary] = create_temporary(folder, path);
   if (old) {
-    if (const int error = copy_ownership(file.get(), *old)) throw_write_error(path, error);
+    if (const int error = copy_ownership(file.get(), path, *old)) throw_write_error(path, error);
   }
   if (const int error = write_all(file.get(), bytes)) throw_write_error(path, error);
   // Before the rename: otherwise a power cut could leave the name on a file without its bytes.
@@ -230,6 +393,7 @@ ParentFolders::ParentFolders(const fs::path& path) : ParentFolders() {
     const bool is_new = fs::create_directory(*folder, error);
     if (error) throw IoError("make the folder", *folder, error.message());
     if (is_new) made_.push_back(*folder);
+    if (is_new) by_signals_.emplace_back(*folder);
   }
   check_folder(folder_of(path), path);
 }

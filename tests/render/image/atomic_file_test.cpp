@@ -4,18 +4,23 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sched.h>
+#include <sys/file.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include "render/image/io_error.hpp"
@@ -249,6 +254,124 @@ TEST(AtomicFile, KeepsTheOwnerWhenRootReplacesAFile) {
   struct stat status {};
   ASSERT_EQ(::stat((folder / "a.png").c_str(), &status), 0);
   EXPECT_EQ(status.st_uid, kNobody);
+}
+
+std::optional<std::string> attribute_of(const fs::path& path, const char* name) {
+  std::string value(256, '\0');
+  const ssize_t size = ::getxattr(path.c_str(), name, value.data(), value.size());
+  if (size < 0) return std::nullopt;
+  value.resize(static_cast<std::size_t>(size));
+  return value;
+}
+
+TEST(AtomicFile, KeepsTheExtendedAttributesOfTheFileItReplaces) {
+  const TemporaryFolder folder;
+  write_text(folder / "a.scene", "old");
+  const std::string value = "mine", empty;
+  for (const auto& [name, bytes] :
+       {std::pair("user.note", value), std::pair("user.empty", empty)}) {
+    if (::setxattr((folder / "a.scene").c_str(), name, bytes.data(), bytes.size(), 0) != 0) {
+      GTEST_SKIP() << "this file system has no extended attributes";
+    }
+  }
+  write(folder / "a.scene", "new");
+  EXPECT_EQ(attribute_of(folder / "a.scene", "user.note"), "mine");
+  EXPECT_EQ(attribute_of(folder / "a.scene", "user.empty"), "");
+}
+
+TEST(AtomicFile, KeepsTheAccessControlListOfTheFileItReplaces) {
+  // Owner rw, user 65534 r, group r, mask r, others none; as the kernel keeps it.
+  const std::string list(
+      "\2\0\0\0"
+      "\1\0\6\0\xff\xff\xff\xff"
+      "\2\0\4\0\xfe\xff\0\0"
+      "\4\0\4\0\xff\xff\xff\xff"
+      "\x10\0\4\0\xff\xff\xff\xff"
+      "\x20\0\0\0\xff\xff\xff\xff",
+      44);
+  constexpr const char* kAccess = "system.posix_acl_access";
+  const TemporaryFolder folder;
+  write_text(folder / "a.scene", "old");
+  if (::setxattr((folder / "a.scene").c_str(), kAccess, list.data(), list.size(), 0) != 0) {
+    GTEST_SKIP() << "this file system has no access control lists";
+  }
+  write(folder / "a.scene", "new");
+  EXPECT_EQ(attribute_of(folder / "a.scene", kAccess), list);
+  // A file without one does not get the folder's default.
+  write_text(folder / "b.scene", "old");
+  ::setxattr(folder.path().c_str(), "system.posix_acl_default", list.data(), list.size(), 0);
+  write(folder / "b.scene", "new");
+  EXPECT_EQ(attribute_of(folder / "b.scene", kAccess), std::nullopt);
+}
+
+/// What a process leaves in `folder` that is killed while it writes there. Nothing else is.
+std::string abandoned_in(const fs::path& folder) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, [](int) { ::kill(::getpid(), SIGKILL); });
+    const rlimit limit{4, 4};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    write(folder / "killed.png", "more than that");
+    std::_Exit(1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  const auto names = names_in(folder);
+  EXPECT_EQ(names.size(), 1U);
+  return names.empty() ? "" : names.front();
+}
+
+TEST(AtomicFile, RemovesWhatADeadProcessLeft) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(abandoned_in(folder.path()), testing::MatchesRegex("\\.sdlc-.*\\.tmp"));
+  write(folder / "a.png", "new");
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("a.png"));
+}
+
+TEST(AtomicFile, LeavesWhatMayBeInUse) {
+  const TemporaryFolder folder;
+  const std::string name = abandoned_in(folder.path());
+  const std::string dead = name.substr(0, name.rfind('-'));  // .sdlc-MACHINE-PROCESS
+  const std::string machine = dead.substr(0, dead.rfind('-'));
+  fs::remove(folder / name);
+  const std::vector<std::string> kept{
+      machine + "-" + std::to_string(::getpid()) + "-0000000a.tmp",               // is alive
+      ".sdlc-0123456789abcdef" + dead.substr(dead.rfind('-')) + "-0000000b.tmp",  // elsewhere
+      dead + "-0000000c.tmp.mine",
+      dead + "-.tmp",
+      dead + "-xyz.tmp",
+      machine + "-0-0000000d.tmp",
+      machine + "--1-0000000e.tmp",
+      "x" + dead + "-0000000f.tmp"};
+  for (const std::string& each : kept) write_text(folder / each, "");
+  fs::create_directory(folder / (dead + "-00000001.tmp"));
+  ASSERT_EQ(::mkfifo((folder / (dead + "-00000002.tmp")).c_str(), 0600), 0);
+  write_text(folder / "precious", "mine");
+  fs::create_symlink("precious", folder / (dead + "-00000003.tmp"));
+  write_text(folder / (dead + "-00000004.tmp"), "");
+  const int held = ::open((folder / (dead + "-00000004.tmp")).c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(::flock(held, LOCK_EX), 0);  // in another container, say
+  const auto before = names_in(folder.path());
+  write(folder / "a.png", "new");
+  auto after = names_in(folder.path());
+  std::erase(after, "a.png");
+  EXPECT_EQ(after, before);
+  EXPECT_EQ(content_of(folder / "precious"), "mine");
+  ::close(held);
+}
+
+TEST(WrittenPath, IsTheSameForAllNamesOfAFile) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "sub");
+  fs::create_directory_symlink("sub", folder / "link");
+  fs::create_symlink("sub/a.png", folder / "a.png");
+  fs::create_symlink("../a.png", folder / "sub/b.png");
+  const fs::path expected = written_path(folder / "sub/a.png");
+  for (const char* name : {"link/a.png", "a.png", "sub/b.png", "link/../a.png", "./sub//a.png"}) {
+    EXPECT_EQ(written_path(folder / name), expected) << name;
+  }
+  EXPECT_NE(written_path(folder / "sub/c.png"), expected);
 }
 
 TEST(CheckWritable, IsSatisfiedByAFolderThatCanBeWritten) {
