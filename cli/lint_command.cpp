@@ -90,7 +90,8 @@ class LintJob {
   LintJob(const LintOptions& options, Environment& env)
       : options_(options),
         env_(env),
-        names_(find_scene_files(options.arguments, env)),
+        names_(find_scene_files(options.arguments, env, SceneFiles::ScenesAndConfigs,
+                                options.reading.is_sandboxed)),
         configs_(options.config, env),
         // The mended text of standard input goes where the findings would.
         out_(writes_text_to_stdout() ? env.err : env.out),
@@ -99,7 +100,7 @@ class LintJob {
                             env)) {}
 
   ExitCode run() {
-    for (const std::string& name : names_) configs_.of(shown_name(name));
+    for (const std::string& name : names_) configs_.of(shown_name(name), shown_name(name));
     refuse_wrong_configs();
     for (const std::string& name : names_) lint(name);
     if (!options_.shows_diff) writer_->finish(counts_);
@@ -129,10 +130,11 @@ class LintJob {
     throw UsageError(fmt::format("{}", fmt::join(configs_.errors(), "\nerror: ")));
   }
 
-  /// Flags decide before configs.
-  bool wants(const lang::DiagnosticInfo& info, const std::string& place) {
+  /// Flags decide before configs. `scene` is what reads the file `place`.
+  bool wants(const lang::DiagnosticInfo& info, const std::string& place, const std::string& scene) {
     if (const auto answer = options_.filter.answer(info.code)) return *answer;
-    return configs_.of(place).wants(info.code, std::filesystem::absolute(place).lexically_normal());
+    return configs_.of(place, scene)
+        .wants(info.code, std::filesystem::absolute(place).lexically_normal());
   }
 
   std::unique_ptr<Linted> linted(const std::string& name, std::string text) {
@@ -140,7 +142,7 @@ class LintJob {
     auto is_wanted = [this, place = shown_name(name),
                       decided = Decided()](const lang::DiagnosticInfo& info) mutable {
       const auto [answer, is_new] = decided.emplace(info.code, false);
-      if (is_new) answer->second = wants(info, place);
+      if (is_new) answer->second = wants(info, place, place);
       return answer->second;
     };
     return std::make_unique<Linted>(shown_name(name), std::move(text), options_, env_,
@@ -202,17 +204,17 @@ class LintJob {
       const lang::SourceFile* file = diagnostic->where.file;
       const bool is_own = file == nullptr || file == &linted.file();
       const std::string its_place = is_own ? place : file->name();
-      const bool is_wanted = is_own || wants(*diagnostic->info, its_place);
+      const bool is_wanted = is_own || wants(*diagnostic->info, its_place, place);
       const bool is_error = diagnostic->info->severity == lang::Severity::Error;
       if (is_wanted && told_.insert(identity(*diagnostic)).second) {
         writer_->write(*diagnostic);
         count_fixes(*diagnostic);
-        if (!is_error) count_warnings(its_place, 1);
+        if (!is_error) count_warnings(its_place, place, 1);
       } else {
         --(is_error ? counts.errors : counts.warnings);
       }
     }
-    count_warnings(place, linted.sink().counts().warnings - kept_warnings(linted.sink()));
+    count_warnings(place, place, linted.sink().counts().warnings - kept_warnings(linted.sink()));
     counts_ += counts;
   }
 
@@ -223,8 +225,8 @@ class LintJob {
         }));
   }
 
-  void count_warnings(const std::string& place, std::size_t count) {
-    const LintConfig& config = configs_.of(place);
+  void count_warnings(const std::string& place, const std::string& scene, std::size_t count) {
+    const LintConfig& config = configs_.of(place, scene);
     WarningCount& warnings = warnings_[&config];
     warnings.found += count;
     warnings.allowed = config.most_warnings.value_or(0);
@@ -328,7 +330,10 @@ void add_lint_command(CLI::App& app, Dispatcher& dispatcher) {
       "`sdlc explain CODE`\n"
       "tells all about a finding. Exit status: 0 nothing found, 1 findings, 2 a file cannot be "
       "read or written.");
-  dispatcher.on(command, [options](Environment& env) { return LintJob(*options, env).run(); });
+  dispatcher.on(command, [options](Environment& env) {
+    options->config.is_sandboxed = options->reading.is_sandboxed;
+    return LintJob(*options, env).run();
+  });
 }
 
 }  // namespace sdlc::cli

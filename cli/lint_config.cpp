@@ -13,6 +13,7 @@
 #include <toml++/toml.h>
 
 #include "cli/words.hpp"
+#include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/io_error.hpp"
 
@@ -219,7 +220,9 @@ LintConfig parse_lint_config(std::string_view text, const std::string& name, con
 }
 
 LintConfigs::LintConfigs(const LintConfigOptions& options, const Environment& env)
-    : env_(env), searches_(options.file.empty() && !options.is_unused) {
+    : env_(env),
+      searches_(options.file.empty() && !options.is_unused),
+      is_sandboxed_(options.is_sandboxed) {
   if (options.file.empty()) return;
   const fs::path path = fs::absolute(options.file).lexically_normal();
   if (auto config = read(path)) {
@@ -229,25 +232,35 @@ LintConfigs::LintConfigs(const LintConfigOptions& options, const Environment& en
   }
 }
 
-const LintConfig& LintConfigs::of(const std::string& file) {
-  return searches_ ? in_folder(folder_of(file)) : common_;
+const LintConfig& LintConfigs::of(const std::string& file, const std::string& scene) {
+  if (!searches_) return common_;
+  return in_folder(folder_of(file), is_sandboxed_ ? folder_of(scene) : fs::path());
 }
 
-const LintConfig& LintConfigs::in_folder(const fs::path& folder) {
-  if (const auto known = nearest_.find(folder); known != nearest_.end()) return *known->second;
-  const LintConfig* found = &common_;
-  std::error_code ignored;
-  if (auto own = read(folder / kLintConfigName)) {
-    found = &own_.emplace(folder, std::move(*own)).first->second;
-  } else if (!fs::exists(folder / ".git", ignored) && folder.has_relative_path()) {
-    found = &in_folder(folder.parent_path());
+const LintConfig& LintConfigs::in_folder(const fs::path& folder, const fs::path& last) {
+  if (const auto known = nearest_.find({folder, last}); known != nearest_.end()) {
+    return *known->second;
   }
-  nearest_.emplace(folder, found);
+  const LintConfig* found = &common_;
+  const bool is_last = folder == last || !folder.has_relative_path();
+  std::error_code ignored;
+  if (const auto read_before = own_.find(folder); read_before != own_.end()) {
+    found = &read_before->second;
+  } else if (auto own = read(folder / kLintConfigName)) {
+    found = &own_.emplace(folder, std::move(*own)).first->second;
+  } else if (!is_last && !fs::exists(folder / ".git", ignored)) {
+    found = &in_folder(folder.parent_path(), last);
+  }
+  nearest_.emplace(std::pair(folder, last), found);
   return *found;
 }
 
 std::optional<LintConfig> LintConfigs::read(const fs::path& path) {
   std::error_code error;
+  if (searches_ && is_sandboxed_ && !lang::Sandbox(env_.files, path).resolve(path)) {
+    throw render::IoError("read", shown_name(path),
+                          "it leads out of its folder, which --sandbox refuses");
+  }
   const std::optional<std::string> text = env_.files.read(path, error);
   if (!text) {
     if (error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/code_filter.hpp"
@@ -45,6 +46,8 @@ LintConfig parse_lint_config(std::string_view text, const std::string& name,
 struct LintConfigOptions {
   std::string file;        ///< --config: this one for all files
   bool is_unused = false;  ///< --no-config
+  /// --sandbox: only those in the folder of the scene and below.
+  bool is_sandboxed = false;
 };
 
 /// Finds the config of each file: the nearest `.sdlc.toml` from its folder upwards, as far as the
@@ -54,22 +57,27 @@ class LintConfigs {
   /// Throws render::IoError where the file of --config cannot be read.
   LintConfigs(const LintConfigOptions& options, const Environment& env);
 
-  /// That of a file, as the user named it; one that says nothing where there is none. The reference
-  /// stays valid. Throws render::IoError for a config that cannot be read.
-  const LintConfig& of(const std::string& file);
+  /// That of a file, as the user named it; one that says nothing where there is none. `scene`: the
+  /// file itself, or the scene that reads it. The reference stays valid. Throws render::IoError for
+  /// a config that cannot be read.
+  const LintConfig& of(const std::string& file, const std::string& scene);
 
   /// What is wrong with those that were found so far.
   const std::vector<std::string>& errors() const noexcept { return errors_; }
 
  private:
-  const LintConfig& in_folder(const std::filesystem::path& folder);
+  /// `last`: the folder above which it does not look; empty: none.
+  const LintConfig& in_folder(const std::filesystem::path& folder,
+                              const std::filesystem::path& last);
   std::optional<LintConfig> read(const std::filesystem::path& path);
 
   const Environment& env_;
   bool searches_ = true;
+  bool is_sandboxed_ = false;
   LintConfig common_;                                // of --config, or one that says nothing
   std::map<std::filesystem::path, LintConfig> own_;  // by their folders
-  std::map<std::filesystem::path, const LintConfig*> nearest_;  // of each folder that was asked for
+  /// Of each folder that was asked for, and the last one.
+  std::map<std::pair<std::filesystem::path, std::filesystem::path>, const LintConfig*> nearest_;
   std::vector<std::string> errors_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "cli/usage_error.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"
 
 namespace sdlc::cli {
@@ -35,11 +36,17 @@ bool is_wanted(const fs::path& path, const Environment& env, SceneFiles wanted) 
 }
 
 std::vector<std::string> scenes_in(const fs::path& folder, const Environment& env,
-                                   SceneFiles wanted) {
+                                   SceneFiles wanted, bool is_sandboxed) {
   std::vector<std::string> names;
+  // Asked before anything else: the others follow a link.
+  const auto leads_out = [&](const fs::directory_entry& entry) {
+    return is_sandboxed && entry.is_symlink() &&
+           !lang::Sandbox(env.files, entry.path()).resolve(entry.path());
+  };
   for (fs::recursive_directory_iterator entry(folder), end; entry != end; ++entry) {
     const fs::path& path = entry->path();
     const bool is_hidden = path.filename().string().starts_with('.');
+    if (leads_out(*entry)) continue;
     if (entry->is_directory()) {
       if (is_hidden) entry.disable_recursion_pending();
     } else if (!is_hidden && entry->is_regular_file() && is_wanted(path, env, wanted)) {
@@ -53,7 +60,8 @@ std::vector<std::string> scenes_in(const fs::path& folder, const Environment& en
 }  // namespace
 
 std::vector<std::string> find_scene_files(const std::vector<std::string>& arguments,
-                                          const Environment& env, SceneFiles wanted) {
+                                          const Environment& env, SceneFiles wanted,
+                                          bool is_sandboxed) {
   std::vector<std::string> names;
   for (const std::string& argument : arguments) {
     std::error_code error;
@@ -61,7 +69,7 @@ std::vector<std::string> find_scene_files(const std::vector<std::string>& argume
       names.push_back(argument);
       continue;
     }
-    const std::vector<std::string> found = scenes_in(argument, env, wanted);
+    const std::vector<std::string> found = scenes_in(argument, env, wanted, is_sandboxed);
     if (found.empty()) {
       throw UsageError(fmt::format("there are no scenes in `{}`", lang::printable(argument)));
     }

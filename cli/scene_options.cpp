@@ -51,7 +51,9 @@ void set_limit(const std::string& text, lang::Limits& limits) {
 }  // namespace
 
 void add_reading_options(CLI::App& command, ReadingOptions& options) {
-  command.add_flag("--sandbox", options.is_sandboxed, "Read no file outside the scene's folder");
+  command.add_flag(
+      "--sandbox", options.is_sandboxed,
+      "Read no file outside the scene's folder, and write none there that the scene names");
   std::string limits;
   for (const lang::LimitInfo& limit : lang::kLimits) {
     limits += fmt::format("{}{} ({}: {})", limits.empty() ? "" : ", ", limit.name,

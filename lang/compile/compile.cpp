@@ -153,6 +153,7 @@ LoweredScene Compiler::build(const Overrides& overrides, std::optional<int> fram
   read(builder, sink_);
   const auto read = Clock::now();
   LoweredScene lowered = builder.finish(overrides);
+  check_output(lowered);
   dropped_ = builder.dropped();
   instance_runs_ = builder.instance_runs();
   // What went wrong may be why two are equal.
@@ -188,6 +189,14 @@ void Compiler::check(const std::function<void(const LoweredScene&)>& look) {
 
 LoweredScene Compiler::check_view(std::optional<int> frame, std::optional<std::string> camera) {
   return build({.camera = std::move(camera)}, frame, Purpose::Check);
+}
+
+void Compiler::check_output(const LoweredScene& lowered) {
+  const std::string& output = lowered.output.output;
+  if (!options_.is_sandboxed || options_.files == nullptr || output.empty()) return;
+  if (overrides_.names_output || Sandbox(*options_.files, file_.name()).resolve(output)) return;
+  sink_.report(diag::outside_sandbox, lowered.places.output, output)
+      .help("`-o` names another place for the picture");
 }
 
 void Compiler::report_dropped() {

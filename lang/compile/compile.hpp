@@ -93,6 +93,8 @@ class Compiler {
   LoweredScene build(const Overrides& overrides, std::optional<int> frame, Purpose purpose);
   /// Origins by the order in which spheres were added, those of instances not counted; ascending.
   std::vector<Origin> trace_added(std::span<const std::uint32_t> spheres);
+  /// A sandbox holds for the file that the scene is written to as well.
+  void check_output(const LoweredScene& lowered);
   void report_dropped();
   /// That the scene reaches beyond double.
   void report_scale(const LoweredScene& lowered, Purpose purpose);

@@ -88,6 +88,10 @@ Conversion::Conversion(const SourceFile& file, const ProgramOptions& options, Di
 
 Conversion::~Conversion() = default;
 
+std::vector<std::filesystem::path> Conversion::dependencies() const {
+  return program_ ? program_->dependencies() : std::vector<std::filesystem::path>{};
+}
+
 std::optional<std::string> Conversion::run(const ConvertOptions& options) {
   return program_ ? to_config(options) : to_scene();
 }

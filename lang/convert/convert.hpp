@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/lower/scene_builder.hpp"
@@ -30,6 +32,9 @@ class Conversion {
   /// The text in the other format, which lowers to the same picture; nothing where an error has
   /// been reported. Throws std::logic_error where it would be another picture: a defect.
   std::optional<std::string> run(const ConvertOptions& options);
+
+  /// The files that the text needs, as far as they have been read.
+  std::vector<std::filesystem::path> dependencies() const;
 
   /// How many of the warnings are of keys that every config has: nobody can write one without.
   std::size_t forced_warnings() const noexcept { return forced_warnings_; }

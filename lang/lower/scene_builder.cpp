@@ -344,6 +344,7 @@ void SceneBuilder::find_places(LoweredScene& lowered) const {
   lowered.places.depth = place(kDepth);
   lowered.places.precision = place(kPrecision);
   lowered.places.error = place(kError);
+  lowered.places.output = place(kOutput);
 }
 
 void SceneBuilder::lower_background(render::Scene& scene) {

@@ -62,7 +62,7 @@ struct CheckedCamera {
 
 /// Where the text says something; no file: it does not.
 struct WrittenPlaces {
-  Location background, width, height, samples, depth, precision, error;
+  Location background, width, height, samples, depth, precision, error, output;
 };
 
 /// A sphere that groups turn while the shutter is open, whose centre nevertheless goes straight.

@@ -25,10 +25,9 @@ constexpr std::string_view kVersion = "1";
 Program::Program(const SourceFile& root, const ProgramOptions& options, DiagnosticSink& sink)
     : options_(options) {
   fs::path path = root.name();
-  root_folder_ = path.parent_path();
   if (options_.files != nullptr) {
-    root_folder_ = options_.files->identity(root_folder_.empty() ? "." : root_folder_);
-    loaded_.emplace(options_.files->identity(path).string(), kRoot);
+    if (options_.is_sandboxed) sandbox_.emplace(*options_.files, path);
+    loaded_.emplace(identity(path), kRoot);
   }
   add_module(root, std::move(path), kNothing, sink);
   for (const SetOption& option : options_.sets) add_setting(option, sink);
@@ -87,10 +86,10 @@ std::uint32_t Program::add_module(const SourceFile& file, fs::path path, std::ui
   return index;
 }
 
-bool Program::is_allowed(const fs::path& path) const {
-  if (!options_.is_sandboxed) return true;
-  const fs::path inside = options_.files->identity(path).lexically_relative(root_folder_);
-  return !inside.empty() && *inside.begin() != "..";
+std::string Program::identity(const fs::path& path) const {
+  if (options_.files == nullptr) return path.string();
+  if (!sandbox_) return options_.files->identity(path).string();
+  return sandbox_->resolve(path).value_or(fs::absolute(path).lexically_normal()).string();
 }
 
 std::optional<std::string> Program::read(const fs::path& path, ast::Node name,
@@ -99,7 +98,7 @@ std::optional<std::string> Program::read(const fs::path& path, ast::Node name,
     sink.report(diag::unreadable_file, name.location(), path.string(), "there are no other files");
     return std::nullopt;
   }
-  if (!is_allowed(path)) {
+  if (sandbox_ && !sandbox_->resolve(path)) {
     sink.report(diag::outside_sandbox, name.location(), path.string());
     return std::nullopt;
   }
@@ -124,10 +123,8 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
   const auto* written = get_if<std::string>(&value);
   if (written == nullptr) return kNothing;
   const fs::path path = (modules_[from]->path.parent_path() / *written).lexically_normal();
-  const std::string identity =
-      options_.files != nullptr ? options_.files->identity(path).string() : path.string();
-
-  if (const auto known = loaded_.find(identity); known != loaded_.end()) {
+  const std::string key = identity(path);
+  if (const auto known = loaded_.find(key); known != loaded_.end()) {
     const std::uint32_t module = known->second;
     std::vector<std::string> circle;
     for (std::uint32_t i = from; i != kNothing; i = modules_[i]->parent) {
@@ -151,26 +148,26 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
     return kNothing;
   }
 
-  loaded_.emplace(identity, kNothing);
+  loaded_.emplace(key, kNothing);
   std::optional<std::string> text = read(path, name, sink);
   if (!text) return kNothing;
   dependencies_.push_back(path);
   const SourceFile& file = sources_.emplace_back(path.string(), std::move(*text));
   if (file.format() == SourceFormat::Json) {
-    loaded_[identity] = kConfigs + static_cast<std::uint32_t>(configs_.size());
+    loaded_[key] = kConfigs + static_cast<std::uint32_t>(configs_.size());
     configs_.push_back(&file);
-    if (is_include) return loaded_[identity];
+    if (is_include) return loaded_[key];
     sink.report(diag::import_of_config, name.location())
         .help("`include` places the spheres of a JSON config");
     return kNothing;
   }
-  loaded_[identity] = module_count();
+  loaded_[key] = module_count();
   const std::uint32_t added = add_module(file, path, from, sink);
   // Of a file that was not read no name is unknown.
   const auto version = ast::Node(modules_[added]->tree, 0).first(SyntaxKind::Version);
   const bool is_other = version && version->text() != kVersion;
-  if (is_other || file.text().size() > options_.limits.file) loaded_[identity] = kNothing;
-  return loaded_[identity];
+  if (is_other || file.text().size() > options_.limits.file) loaded_[key] = kNothing;
+  return loaded_[key];
 }
 
 }  // namespace sdlc::lang

@@ -16,6 +16,7 @@
 #include "lang/program/lost_names.hpp"
 #include "lang/program/misspellings.hpp"
 #include "lang/source/limits.hpp"
+#include "lang/source/sandbox.hpp"
 #include "lang/source/source.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "lang/value/types.hpp"
@@ -125,12 +126,13 @@ class Program {
   std::uint32_t add_module(const SourceFile& file, std::filesystem::path path, std::uint32_t parent,
                            DiagnosticSink& sink);
   void add_setting(const SetOption& option, DiagnosticSink& sink);
-  bool is_allowed(const std::filesystem::path& path) const;
+  /// What is the same for every way to write the path of one file.
+  std::string identity(const std::filesystem::path& path) const;
   std::optional<std::string> read(const std::filesystem::path& path, ast::Node name,
                                   DiagnosticSink& sink) const;
 
   ProgramOptions options_;
-  std::filesystem::path root_folder_;
+  std::optional<Sandbox> sandbox_;
   std::vector<std::unique_ptr<Module>> modules_;
   std::vector<const SourceFile*> configs_;
   std::deque<SourceFile> sources_;                         ///< of all files but the root

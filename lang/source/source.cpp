@@ -127,6 +127,13 @@ bool DiskFileSystem::is_special(const std::filesystem::path& path) const {
   return std::filesystem::exists(status) && std::filesystem::is_other(status);
 }
 
+std::optional<std::filesystem::path> DiskFileSystem::link_target(
+    const std::filesystem::path& path) const {
+  std::error_code error;
+  std::filesystem::path target = std::filesystem::read_symlink(path, error);
+  return error ? std::nullopt : std::optional(std::move(target));
+}
+
 std::filesystem::path DiskFileSystem::identity(const std::filesystem::path& path) const {
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::weakly_canonical(path, error);

@@ -82,6 +82,11 @@ class FileSystem {
                                           std::error_code& error) const = 0;
   /// Whether it is there and neither a file nor a folder, such as a pipe: reading it may not end.
   virtual bool is_special(const std::filesystem::path& /*path*/) const { return false; }
+  /// Where a symbolic link points to, as it says itself; nothing for all else.
+  virtual std::optional<std::filesystem::path> link_target(
+      const std::filesystem::path& /*path*/) const {
+    return std::nullopt;
+  }
   /// A name that is the same for every way to write the path of one file.
   virtual std::filesystem::path identity(const std::filesystem::path& path) const {
     return path.lexically_normal();
@@ -94,6 +99,8 @@ class DiskFileSystem final : public FileSystem {
   std::optional<std::string> read(const std::filesystem::path& path,
                                   std::error_code& error) const override;
   bool is_special(const std::filesystem::path& path) const override;
+  std::optional<std::filesystem::path> link_target(
+      const std::filesystem::path& path) const override;
   /// Absolute, symbolic links followed.
   std::filesystem::path identity(const std::filesystem::path& path) const override;
 };

@@ -1,0 +1,84 @@
+#include "lang/source/sandbox.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <string>
+
+namespace sdlc::lang {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMaxLinks = 40;  // as the kernel counts them
+
+using Names = std::deque<std::string>;
+
+/// The names in a path, without the root, `.` and what an ending `/` leaves.
+Names names_in(const fs::path& path) {
+  Names names;
+  for (const fs::path& name : path.relative_path()) {
+    if (!name.empty() && name != ".") names.push_back(name.string());
+  }
+  return names;
+}
+
+fs::path folder_of(const fs::path& scene) {
+  return scene.has_parent_path() ? scene.parent_path() : fs::path(".");
+}
+
+Names absolute_names(const fs::path& path) {
+  return names_in(fs::absolute(path).lexically_normal());
+}
+
+bool starts_with(const Names& names, const Names& beginning) {
+  return names.size() >= beginning.size() &&
+         std::equal(beginning.begin(), beginning.end(), names.begin());
+}
+
+fs::path path_of(const Names& names) {
+  fs::path path = "/";
+  for (const std::string& name : names) path /= name;
+  return path;
+}
+
+}  // namespace
+
+Sandbox::Sandbox(const FileSystem& files, const fs::path& scene)
+    : files_(files),
+      root_(absolute_names(files.identity(folder_of(scene)))),
+      written_(absolute_names(folder_of(scene))) {}
+
+std::optional<fs::path> Sandbox::resolve(const fs::path& path) const {
+  // Not normalized: where `link` leads elsewhere, `link/..` is not the folder of the link.
+  Names rest = names_in(fs::absolute(path));
+  const Names& beginning = starts_with(rest, written_) ? written_ : root_;
+  if (!starts_with(rest, beginning)) return std::nullopt;
+  rest.erase(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(beginning.size()));
+
+  // A part of the root, or below it. It holds no links: `..` is the folder before.
+  Names resolved = root_;
+  for (int links = 0; !rest.empty();) {
+    const std::string name = rest.front();
+    rest.pop_front();
+    if (name == "..") {
+      if (!resolved.empty()) resolved.pop_back();
+      continue;
+    }
+    resolved.push_back(name);
+    if (resolved.size() <= root_.size()) {
+      if (!starts_with(root_, resolved)) return std::nullopt;
+      continue;
+    }
+    const std::optional<fs::path> target = files_.link_target(path_of(resolved));
+    if (!target) continue;
+    if (++links > kMaxLinks) return std::nullopt;
+    resolved.pop_back();
+    if (target->is_absolute()) resolved.clear();
+    const Names further = names_in(*target);
+    rest.insert(rest.begin(), further.begin(), further.end());
+  }
+  if (!starts_with(resolved, root_)) return std::nullopt;
+  return path_of(resolved);
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,135 @@
+#include "lang/source/sandbox.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/program/program.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Each;
+using testing::StartsWith;
+
+/// Absolute paths only. Remembers what it is asked about.
+class RecordingFiles final : public FileSystem {
+ public:
+  explicit RecordingFiles(std::map<std::string, std::string> links) : links_(std::move(links)) {}
+
+  std::optional<std::string> read(const fs::path& path, std::error_code& error) const override {
+    ask(path);
+    error = std::make_error_code(std::errc::no_such_file_or_directory);
+    return std::nullopt;
+  }
+  bool is_special(const fs::path& path) const override {
+    ask(path);
+    return false;
+  }
+  std::optional<fs::path> link_target(const fs::path& path) const override {
+    ask(path);
+    const auto found = links_.find(path.string());
+    return found == links_.end() ? std::nullopt : std::optional<fs::path>(found->second);
+  }
+  fs::path identity(const fs::path& path) const override {
+    ask(path);
+    return path.lexically_normal();
+  }
+  const std::vector<std::string>& asked() const { return asked_; }
+  void forget() { asked_.clear(); }
+
+ private:
+  void ask(const fs::path& path) const { asked_.push_back(path.string()); }
+
+  std::map<std::string, std::string> links_;
+  mutable std::vector<std::string> asked_;
+};
+
+/// /home/box/main.scene, with links in its folder.
+class SandboxTest : public testing::Test {
+ protected:
+  std::string resolved(const std::string& path) const {
+    const auto result = Sandbox(files_, "/home/box/main.scene").resolve(path);
+    return result ? result->string() : "refused";
+  }
+
+  RecordingFiles files_{{{"/home/box/out", "/etc"},
+                         {"/home/box/up", ".."},
+                         {"/home/box/here", "."},
+                         {"/home/box/deep", "a/b/c"},
+                         {"/home/box/loop", "loop"},
+                         {"/home/box/back", "../box/a"},
+                         {"/home/box/aside", "../other/../box/a"},
+                         {"/home/box/full", "/home/box/a"},
+                         {"/home/box/trick", "here/../passwd"},
+                         {"/home/box/fair", "deep/../x"},
+                         {"/home/box/chain", "full/../up/secret"}}};
+};
+
+TEST_F(SandboxTest, KeepsToTheFolder) {
+  EXPECT_EQ(resolved("/home/box/a.scene"), "/home/box/a.scene");
+  EXPECT_EQ(resolved("/home/box/a/./b//c.png"), "/home/box/a/b/c.png");
+  EXPECT_EQ(resolved("/home/box/a/../b.png"), "/home/box/b.png");
+  for (const char* path : {"/home/box/../a.png", "/home/boxes/a.png", "/home/a.png", "/",
+                           "/home/box/a/../../b", "relative.png", "/home/box/../../etc/passwd"}) {
+    EXPECT_EQ(resolved(path), "refused") << path;
+  }
+}
+
+TEST_F(SandboxTest, FollowsLinksThatStayInside) {
+  EXPECT_EQ(resolved("/home/box/deep/x"), "/home/box/a/b/c/x");
+  EXPECT_EQ(resolved("/home/box/here/here/x"), "/home/box/x");
+  EXPECT_EQ(resolved("/home/box/back/x"), "/home/box/a/x");
+  EXPECT_EQ(resolved("/home/box/full/x"), "/home/box/a/x");
+  EXPECT_EQ(resolved("/home/box/fair"), "/home/box/a/b/x") << "`..` is the folder before c";
+}
+
+TEST_F(SandboxTest, RefusesLinksThatLeadOut) {
+  for (const char* path : {"out", "out/passwd", "up", "up/x", "up/box/a", "trick", "chain", "loop",
+                           "aside", "deep/../../../../../x", "here/up/x"}) {
+    // Going up and down again by the folder's own name ends inside.
+    const bool is_round_trip = std::string(path) == "up/box/a";
+    EXPECT_EQ(resolved(std::string("/home/box/") + path) == "refused", !is_round_trip) << path;
+  }
+}
+
+TEST_F(SandboxTest, DoesNotTakeADotDotAfterALinkForTheLinksFolder) {
+  EXPECT_EQ(resolved("/home/box/here/../x"), "refused");
+  EXPECT_EQ(resolved("/home/box/out/../x"), "refused");
+}
+
+TEST_F(SandboxTest, AsksForNothingOutside) {
+  const Sandbox sandbox(files_, "/home/box/main.scene");
+  files_.forget();  // the folder itself was named by the user
+  for (const char* path : {"/etc/passwd", "/home/box/../x", "/home/box/out/passwd",
+                           "/home/box/up/x", "/home/box/chain", "/home/box/trick", "x"}) {
+    EXPECT_FALSE(sandbox.resolve(path)) << path;
+  }
+  EXPECT_THAT(files_.asked(), Each(StartsWith("/home/box/")));
+}
+
+TEST_F(SandboxTest, HoldsForImportsAndIncludes) {
+  const SourceFile root("/home/box/main.scene",
+                        "scene 1\n"
+                        "import \"../a.scene\" as a\n"
+                        "import \"/etc/passwd\" as b\n"
+                        "import \"out/passwd\" as c\n"
+                        "import \"up/d.scene\" as d\n"
+                        "import \"e.scene\" as e\n");
+  files_.forget();
+  DiagnosticSink sink;
+  const ProgramOptions options{.files = &files_, .limits = {}, .is_sandboxed = true, .sets = {}};
+  const Program program(root, options, sink);
+  std::vector<std::string> codes;
+  for (const Diagnostic* diagnostic : sink.sorted()) codes.emplace_back(diagnostic->info->code);
+  EXPECT_THAT(codes, testing::ElementsAre("E312", "E312", "E312", "E312", "E309"));
+  EXPECT_THAT(files_.asked(), Each(StartsWith("/home/box")));
+}
+
+}  // namespace
+}  // namespace sdlc::lang
