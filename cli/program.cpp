@@ -19,6 +19,7 @@
 #include "cli/words.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/io_error.hpp"
+#include "render/tiles/threads.hpp"
 #include "render/wide/isa.hpp"
 
 namespace sdlc::cli {
@@ -128,6 +129,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
     env.err << app.help();
     return ExitCode::Usage;
   }
+  const render::ThreadLimit threads;
   return dispatcher.chosen()(env);
 }
 
@@ -152,6 +154,7 @@ ExitCode run_program(std::span<const std::string> arguments, Environment& env) {
     env.err << "error: not enough memory for this scene and picture\n";
     return ExitCode::Usage;
   } catch (const std::exception& error) {
+    if (render::is_thread_shortage(error)) throw;
     env.err << fmt::format("error: a defect in sdlc: {}\n", error.what());
     return ExitCode::Defect;
   }

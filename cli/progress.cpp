@@ -1,6 +1,7 @@
 #include "cli/progress.hpp"
 
 #include <cmath>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -21,7 +22,12 @@ ProgressReporter::ProgressReporter(ProgressStyle style, const render::RenderMoni
       total_(static_cast<double>(total_samples(settings))),
       err_(err),
       next_seconds_(style == ProgressStyle::Json ? 1 : 10) {
-  if (style_ != ProgressStyle::None) thread_ = std::thread([this] { run(); });
+  if (style_ == ProgressStyle::None) return;
+  try {
+    thread_ = std::thread([this] { run(); });
+  } catch (const std::system_error&) {
+    // The picture matters more than how far it is.
+  }
 }
 
 ProgressReporter::~ProgressReporter() {

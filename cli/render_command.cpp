@@ -40,6 +40,7 @@
 #include "render/image/io_error.hpp"
 #include "render/scene/instances.hpp"
 #include "render/tiles/render.hpp"
+#include "render/tiles/threads.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -192,6 +193,9 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
   }
   for (const std::string& warning : accuracy_warnings(settings, result)) {
     env.err << "warning: " << warning << "\n";
+  }
+  if (const int wanted = render::wanted_threads(settings.threads); result.threads < wanted) {
+    env.err << fmt::format("warning: {} of {} threads could be started\n", result.threads, wanted);
   }
   const bool is_quiet = options.quiet || options.progress == "none";
   if (!is_quiet) {

@@ -14,6 +14,7 @@
 #include "render/math/vec3.hpp"
 #include "render/sampler/sampler.hpp"
 #include "render/scene/instances.hpp"
+#include "render/tiles/threads.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -68,9 +69,7 @@ Layer empty_layer(std::string name, std::size_t pixels) {
 
 std::vector<Layer> first_hit_layers(Scene scene, const RenderSettings& settings, const Aovs& aovs,
                                     const std::atomic<bool>& cancel) {
-  constexpr int kMostThreads = 1024;
-  const int threads = settings.threads > 0 ? std::min(settings.threads, kMostThreads)
-                                           : tbb::this_task_arena::max_concurrency();
+  const int threads = thread_count(settings.threads);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);

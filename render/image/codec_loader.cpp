@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "render/image/io_error.hpp"
+#include "render/image/thread_probe.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -52,6 +53,16 @@ fs::path find_module() {
   return module;
 }
 
+/// Throws IoError where the module cannot be loaded in good order.
+void check_threads(const fs::path& module) {
+  const int startable = startable_threads(kCodecThreads);
+  if (startable == kCodecThreads) return;
+  throw IoError("load", module,
+                fmt::format("its libraries start threads, and the system lets {} more start where "
+                            "{} are needed (`ulimit -u`, or a limit of the container)",
+                            startable, kCodecThreads));
+}
+
 /// Loads the module for the rest of the process: OpenImageIO keeps threads and plugins that do not
 /// survive an unloading.
 ImageCodec* load_codec(const fs::path& module) {
@@ -78,7 +89,9 @@ class Loader {
       const std::lock_guard lock(mutex_);
       is_wanted_ = true;
       if (!loading_.valid()) {
-        loading_ = std::async(std::launch::deferred, load_codec, find_module()).share();
+        const fs::path module = find_module();
+        check_threads(module);
+        loading_ = std::async(std::launch::deferred, load_codec, module).share();
       }
       loading = loading_;
     }
@@ -91,13 +104,20 @@ class Loader {
   void start() {
     const std::lock_guard lock(mutex_);
     if (loading_.valid()) return;
-    loading_ = std::async(std::launch::async, [this, module = find_module()] {
-                 constexpr std::chrono::seconds kPatience(2);
-                 std::unique_lock waiting(mutex_);
-                 wanted_.wait_for(waiting, kPatience, [this] { return is_wanted_; });
-                 waiting.unlock();
-                 return load_codec(module);
-               }).share();
+    const fs::path module = find_module();
+    check_threads(module);
+    const auto wait_and_load = [this, module] {
+      constexpr std::chrono::seconds kPatience(2);
+      std::unique_lock waiting(mutex_);
+      wanted_.wait_for(waiting, kPatience, [this] { return is_wanted_; });
+      waiting.unlock();
+      return load_codec(module);
+    };
+    try {
+      loading_ = std::async(std::launch::async, wait_and_load).share();
+    } catch (const std::system_error&) {
+      // There is no further thread: it is loaded when it is wanted.
+    }
   }
 
  private:
