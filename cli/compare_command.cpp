@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "cli/compare_pair.hpp"
 #include "cli/compare_report.hpp"
 #include "cli/dispatcher.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
@@ -34,8 +34,6 @@
 
 namespace sdlc::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> kFormats{"human", "concise", "json"};
 constexpr std::array<std::string_view, 2> kMaps{"difference", "flip"};
@@ -110,13 +108,22 @@ class CompareJob {
     }
     measure(report);
     set_gates(report);
-    if (!options_.output.empty()) write_output(report);
+    std::atomic<bool> interrupted{false};
+    if (!options_.output.empty()) {
+      const InterruptGuard guard(interrupted);
+      write_output(report);
+    }
     if (options_.format == "json") {
       env_.out << to_json(report);
     } else if (!options_.quiet) {
       env_.out << (options_.format == "concise" ? to_concise_text(report) : to_text(report));
     }
-    return tell_broken_gates(report) ? ExitCode::Findings : ExitCode::Success;
+    const bool is_broken = tell_broken_gates(report);
+    if (interrupted.load()) {
+      env_.err << fmt::format("interrupted; {} was finished\n", lang::printable(options_.output));
+      return ExitCode::Interrupted;
+    }
+    return is_broken ? ExitCode::Findings : ExitCode::Success;
   }
 
  private:
@@ -142,11 +149,8 @@ class CompareJob {
     if (options_.top && is_linear_output()) {
       throw UsageError("--top is for the colours of a .png and the like; .exr holds the values");
     }
-    for (const std::string& input : {options_.picture, options_.reference}) {
-      std::error_code ignored;
-      if (fs::equivalent(input, options_.output, ignored)) {
-        throw render::IoError("write", options_.output, "it is one of the pictures to compare");
-      }
+    if (InputSet({options_.picture, options_.reference}).contains(options_.output)) {
+      throw render::IoError("write", options_.output, "it is one of the pictures to compare");
     }
     render::check_writable(options_.output);
   }

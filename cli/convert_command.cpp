@@ -25,6 +25,7 @@
 #include "lang/convert/convert.hpp"
 #include "lang/diagnostics/render.hpp"
 #include "lang/object/object.hpp"
+#include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/io_error.hpp"
@@ -59,13 +60,15 @@ struct Input {
   std::optional<fs::path> folder;  ///< that it was found in, if only its folder was named
 };
 
-std::vector<Input> find_inputs(const std::vector<std::string>& arguments, const Environment& env) {
+std::vector<Input> find_inputs(const std::vector<std::string>& arguments, const Environment& env,
+                               bool is_sandboxed) {
   std::vector<Input> inputs;
   std::set<std::string> names;
   for (const std::string& argument : arguments) {
     std::error_code ignored;
     const bool is_folder = fs::is_directory(argument, ignored);
-    for (const std::string& name : find_scene_files({argument}, env)) {
+    for (const std::string& name :
+         find_scene_files({argument}, env, SceneFiles::ScenesAndConfigs, is_sandboxed)) {
       if (!names.insert(name).second) continue;
       std::optional<fs::path> folder;
       if (is_folder) folder = fs::path(argument).lexically_normal();
@@ -80,7 +83,7 @@ class ConvertJob {
   ConvertJob(const ConvertCommandOptions& options, Environment& env)
       : options_(options),
         env_(env),
-        inputs_(find_inputs(options.inputs, env)),
+        inputs_(find_inputs(options.inputs, env, options.reading.is_sandboxed)),
         writer_(make_writer(options.diagnostics, env.err, env.err_is_terminal, env)) {
     std::error_code ignored;
     const bool is_one_file = inputs_.size() == 1 && !inputs_.front().folder;
@@ -89,6 +92,12 @@ class ConvertJob {
                       fs::is_directory(options.output, ignored));
     if (options.output == kStandardStream && inputs_.size() > 1) {
       throw UsageError("-o -: several texts would run into each other; name a folder");
+    }
+    for (const Input& input : inputs_) {
+      // One that is of the wanted format already is passed over, and may be replaced.
+      const bool is_done =
+          input.folder && fs::path(input.name).extension() == fmt::format(".{}", options.to);
+      if (!is_done) read_.add(input.name);
     }
   }
 
@@ -131,6 +140,9 @@ class ConvertJob {
     const std::optional<std::string> text = convert(file);
     if (!text) {
       ++refused_;
+    } else if (read_.contains(target ? target->string() : kStandardStream)) {
+      fail(fmt::format("`{}` is a file that is read, and would be overwritten",
+                       target ? target->string() : "standard output"));
     } else if (target) {
       const render::ParentFolders folders(*target);
       render::write_file_atomically(*target, std::as_bytes(std::span(*text)));
@@ -151,6 +163,7 @@ class ConvertJob {
     program.sets = options_.sets;
     lang::Conversion conversion(file, program, sink);
     std::optional<std::string> text = conversion.run(options_.conversion);
+    for (const fs::path& part : conversion.dependencies()) read_.add(part.string());
     for (const lang::Diagnostic* diagnostic : sink.sorted()) writer_->write(*diagnostic);
     counts_ += sink.counts();
     const std::size_t avoidable = sink.counts().warnings - conversion.forced_warnings();
@@ -184,7 +197,16 @@ class ConvertJob {
       fail(fmt::format("`{}` has the extension of the format that is converted from", shown));
       return false;
     }
-    if (!targets_.insert(fs::absolute(target).lexically_normal().string()).second) {
+    // Beside a scene of somebody else there may be links of theirs.
+    if (options_.reading.is_sandboxed && options_.output.empty() &&
+        !lang::Sandbox(env_.files, target).resolve(target)) {
+      fail(
+          fmt::format("`{}` leads out of the scene's folder, which --sandbox refuses; -o names "
+                      "another place",
+                      shown));
+      return false;
+    }
+    if (!targets_.insert(render::written_path(target).string()).second) {
       fail(fmt::format("`{}` would be written twice", shown));
       return false;
     }
@@ -203,6 +225,7 @@ class ConvertJob {
   std::unique_ptr<lang::DiagnosticWriter> writer_;
   lang::DiagnosticCounts counts_;
   std::set<std::string> targets_;
+  InputSet read_;
   std::size_t converted_ = 0;
   std::size_t refused_ = 0;   // errors in the text, or nothing that the other format could hold
   std::size_t unusable_ = 0;  // files

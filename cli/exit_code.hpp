@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 namespace sdlc::cli {
 
 /// What the program's exit status says; scripts depend on it.
@@ -10,5 +13,14 @@ enum class ExitCode : int {
   Defect = 3,    ///< a fault of sdlc itself
   Interrupted = 130,
 };
+
+/// The graver of two, where a command does several things.
+constexpr ExitCode graver(ExitCode a, ExitCode b) {
+  constexpr std::array kAscending{ExitCode::Success, ExitCode::Findings, ExitCode::Interrupted,
+                                  ExitCode::Usage, ExitCode::Defect};
+  return std::max(a, b, [&](ExitCode x, ExitCode y) {
+    return std::ranges::find(kAscending, x) < std::ranges::find(kAscending, y);
+  });
+}
 
 }  // namespace sdlc::cli

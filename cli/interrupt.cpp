@@ -1,42 +1,57 @@
 #include "cli/interrupt.hpp"
 
 #include <csignal>
+#include <thread>
+
+#include "render/image/atomic_file.hpp"
 
 namespace sdlc::cli {
 namespace {
 
-std::atomic<std::atomic<bool>*> interrupted_flag{nullptr};
-static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free, "a signal handler touches it");
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler touches it");
+std::atomic<InterruptGuard*> innermost{nullptr};
+std::atomic<int> handlers{0};  // that run, on whatever threads
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler writes it");
+static_assert(std::atomic<InterruptGuard*>::is_always_lock_free, "a signal handler reads it");
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler writes it");
 
-void on_signal(int signal) {
-  if (std::atomic<bool>* flag = interrupted_flag.load()) flag->store(true);
-  std::signal(signal, SIG_DFL);  // the next one ends the process
-}
+}  // namespace
 
-void install(void (*handler)(int)) {
+struct SignalHandler {
+  static void on_signal(int signal) {
+    handlers.fetch_add(1);
+    bool is_first = false;
+    for (InterruptGuard* guard = innermost.load(); guard != nullptr; guard = guard->outer_) {
+      is_first = !guard->flag_.exchange(true);  // decided by the outermost
+    }
+    handlers.fetch_sub(1);
+    if (is_first) return;
+    render::remove_unfinished_files();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);  // delivered when this returns
+  }
+};
+
+void handle_signals() {
   struct sigaction action {};
-  action.sa_handler = handler;
+  action.sa_handler = SignalHandler::on_signal;
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before {};
-    // Who started us with a signal ignored (nohup, a shell's background job) means it.
     if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
     sigaction(signal, &action, nullptr);
   }
 }
 
-}  // namespace
-
-InterruptGuard::InterruptGuard(std::atomic<bool>& flag) {
-  interrupted_flag.store(&flag);
-  install(on_signal);
+InterruptGuard::InterruptGuard(std::atomic<bool>& flag) : flag_(flag), outer_(innermost.load()) {
+  innermost.store(this);
+  // A signal just before has set the outer flag alone.
+  if (outer_ != nullptr && outer_->flag_.load()) flag_.store(true);
 }
 
 InterruptGuard::~InterruptGuard() {
-  install(SIG_DFL);
-  interrupted_flag.store(nullptr);
+  innermost.store(outer_);
+  while (handlers.load() > 0) std::this_thread::yield();  // one may hold this guard
 }
 
 }  // namespace sdlc::cli

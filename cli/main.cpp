@@ -5,12 +5,28 @@
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/program.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/tiles/threads.hpp"
 
 namespace {
+
+/// Has the standard streams take their numbers where the process was started without them: a file
+/// would be opened under the number, and get what is meant for the stream. Opened the wrong way
+/// round, so that using one is still an error.
+void open_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) >= 0) continue;
+    const int mode = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+    // The lowest free number is that of the stream. A system without /dev has a root.
+    if (::open("/dev/null", mode) < 0) ::open("/", O_RDONLY | O_DIRECTORY);
+  }
+}
 
 /// Of exceptions in threads of libraries too, which nobody can catch.
 [[noreturn]] void on_terminate() noexcept {
@@ -36,10 +52,12 @@ namespace {
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_closed_streams();
   // A closed pipe or a limit on file sizes is an error of the write that meets it, not the end of
   // the process.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  sdlc::cli::handle_signals();
   std::set_terminate(on_terminate);
   // Else OpenImageIO starts one for each core, only to end them again. Here there are no others yet
   // that may look into the environment.

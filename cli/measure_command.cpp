@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "cli/amounts.hpp"
 #include "cli/clock.hpp"
 #include "cli/dispatcher.hpp"
+#include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/machine.hpp"
@@ -107,10 +109,13 @@ struct ReportFile {
 
 /// Refuses reports that would take the place of this file, which is read.
 void check_kept(const std::vector<ReportFile>& files, const fs::path& read, std::string_view what) {
+  const InputSet inputs({read.string()});
   for (const ReportFile& file : files) {
     // Where a report of an interrupted measurement goes is refused too: that may always happen.
     for (const fs::path& name : {file.path, partial_name(file.path)}) {
-      if (!is_same_file(name, read)) continue;
+      // It need not be there yet.
+      const bool is_same = render::written_path(name) == render::written_path(read);
+      if (!is_same && !inputs.contains(name.string())) continue;
       throw UsageError(fmt::format("-o: `{}` is {}, and would be overwritten{}",
                                    lang::printable(name.string()), what,
                                    name == file.path ? "" : " by what an interruption leaves"));
@@ -134,10 +139,9 @@ std::vector<ReportFile> plan_files(const MeasureOptions& options) {
     render::check_writable(name);
     files.push_back({.path = name, .extension = extension});
   }
-  check_distinct(options.outputs);
-  if (options.scene.file != kStandardStream) {
-    check_kept(files, options.scene.file, "the scene that is measured");
-  }
+  OutputSet distinct;
+  for (const std::string& name : options.outputs) distinct.add(name);
+  check_kept(files, options.scene.file, "the scene that is measured");
   if (!options.against.empty()) check_kept(files, options.against, "the report of --against");
   if (!options.work.empty()) {
     check_kept(files, fs::path(options.work) / WorkFolder::kStudyName, "kept by --work");
@@ -210,13 +214,20 @@ class MeasureJob {
     check_memory(settings);
     scene_digest_ = fmt::format("{:016x}", render::digest_of(lowered->scene));
     check_earlier(settings);
+    // Until here there is nothing to save, and a signal ends the process.
+    std::atomic<bool> interrupted{false};
+    const InterruptGuard guard(interrupted);
     const bool is_whole = study(*lowered);
     if (ledger_.nonfinite_samples > 0) {
       env_.err << fmt::format("error: {} samples are not finite and were left out\n",
                               ledger_.nonfinite_samples);
     }
     if (!is_whole) return tell_interrupted(settings);
-    const ExitCode code = write(settings, true);
+    ExitCode code = write(settings, true);
+    if (interrupted.load()) {
+      env_.err << "interrupted; the measurement was finished\n";
+      code = graver(ExitCode::Interrupted, code);
+    }
     return ledger_.nonfinite_samples > 0 ? ExitCode::Defect : code;
   }
 
@@ -377,6 +388,7 @@ class MeasureJob {
 
   /// To standard output and to the files; how the command ends by what it is held against.
   ExitCode write(const render::RenderSettings& settings, bool is_complete) {
+    ExitCode code = ExitCode::Success;
     render::Measurement measurement = measurement_of(ledger_, settings, study_options(settings));
     measurement.is_complete = is_complete;
     measurement.given = options_.given;
@@ -390,22 +402,28 @@ class MeasureJob {
     for (const auto& [path, extension] : files_) {
       const fs::path name = is_complete ? path : partial_name(path);
       const std::string text = text_of(extension);
-      render::write_file_atomically(name, std::as_bytes(std::span(text)));
-      written_.push_back(lang::printable(name.string()));
+      try {
+        render::write_file_atomically(name, std::as_bytes(std::span(text)));
+        written_.push_back(lang::printable(name.string()));
+      } catch (const render::IoError& error) {  // the others may be written
+        env_.err << fmt::format("error: {}\n", lang::printable(error.what()));
+        code = ExitCode::Usage;
+      }
     }
     if (is_complete || files_.empty()) env_.out << text_of(options_.format);
-    if (!report.against) return ExitCode::Success;
+    if (!report.against) return code;
     if (report.against->points.empty()) {
       env_.err << fmt::format("error: nothing was held against `{}`: {}\n",
                               lang::printable(options_.against),
                               fmt::join(report.against->notes, "; "));
       return ExitCode::Usage;
     }
-    return is_worse(*report.against) ? ExitCode::Findings : ExitCode::Success;
+    return graver(code, is_worse(*report.against) ? ExitCode::Findings : ExitCode::Success);
   }
 
   ExitCode tell_interrupted(const render::RenderSettings& settings) {
-    if (!ledger_.evaluations.empty()) write(settings, false);
+    ExitCode code = ExitCode::Interrupted;
+    if (!ledger_.evaluations.empty()) code = graver(code, write(settings, false));
     env_.err << "interrupted";
     if (ledger_.evaluations.empty()) env_.err << " before the first point was measured";
     for (std::size_t i = 0; i < written_.size(); ++i) {
@@ -414,7 +432,7 @@ class MeasureJob {
     env_.err << (work_ ? fmt::format("; the same command goes on from {}\n",
                                      lang::printable(options_.work))
                        : "; with --work FOLDER the same command would go on\n");
-    return ExitCode::Interrupted;
+    return code;
   }
 
   const MeasureOptions& options_;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/stat.h>
 
 #include "cli/frames.hpp"
 #include "cli/usage_error.hpp"
@@ -24,18 +25,28 @@ std::string numbered(const std::string& name, std::optional<int> frame) {
   return frame ? name_of_frame(name, *frame) : name;
 }
 
-std::vector<Output> name_outputs(const OutputRequest& request) {
+/// The file behind a name that is a regular one; those alone are replaced when they are written.
+std::optional<std::pair<dev_t, ino_t>> regular_file(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  return std::pair(status.st_dev, status.st_ino);
+}
+
+fs::path output_file(const std::string& name) {
+  return name == kStandardStream ? "/dev/stdout" : name;
+}
+
+std::vector<Output> name_outputs(const OutputRequest& request, std::optional<int> frame) {
   std::vector<Output> outputs;
   for (const std::string& name : request.pictures) {
     if (name == kStandardStream) {
       outputs.push_back({.path = "standard output", .is_stdout = true});
     } else {
-      outputs.push_back(
-          {.path = numbered(name, request.frame), .format = picture_format(name, "write")});
+      outputs.push_back({.path = numbered(name, frame), .format = picture_format(name, "write")});
     }
   }
   if (!outputs.empty()) return outputs;
-  const auto name = default_picture(request.of_scene, request.input, request.frame);
+  const auto name = default_picture(request.of_scene, request.input, frame);
   if (!name) throw UsageError("a scene from `-` needs -o OUT or --stdin-filename NAME");
   return {{.path = *name,
            .format = picture_format(*name, "write"),
@@ -72,33 +83,76 @@ std::optional<std::string> default_picture(const std::string& of_scene, const st
   return numbered(fs::path(input).stem().string() + mark + ".png", frame);
 }
 
-bool is_same_file(const fs::path& a, const fs::path& b) {
-  std::error_code error;
-  if (fs::equivalent(a, b, error)) return true;
-  return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
+void OutputSet::add(const std::string& name) {
+  const fs::path file = output_file(name);
+  const fs::path target = render::written_path(file);
+  if (target == "/dev/null") return;  // has room for all
+  // A folder may have several names too.
+  struct stat folder {};
+  const bool is_there = ::stat(target.parent_path().c_str(), &folder) == 0;
+  const std::string place =
+      is_there ? fmt::format("{}:{}/{}", folder.st_dev, folder.st_ino, target.filename().string())
+               : target.string();
+  const auto known = regular_file(file);
+  const bool is_new = places_.insert(place).second;
+  if (is_new && (!known || files_.insert(*known).second)) return;
+  throw UsageError(fmt::format("two outputs go to `{}`", lang::printable(name)));
 }
 
-void check_distinct(const std::vector<std::string>& names) {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const bool is_known = std::any_of(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i),
-                                      [&](const std::string& other) {
-                                        if (names[i] == kStandardStream || other == kStandardStream)
-                                          return names[i] == other;
-                                        return is_same_file(names[i], other);
-                                      });
-    if (is_known)
-      throw UsageError(fmt::format("two outputs go to `{}`", lang::printable(names[i])));
+void InputSet::add(const std::string& name) {
+  const auto file = regular_file(name == kStandardStream ? "/dev/stdin" : name);
+  if (file) files_.insert(*file);
+}
+
+bool InputSet::contains(const std::string& name) const {
+  if (files_.empty()) return false;
+  const auto file = regular_file(output_file(name));
+  return file && files_.contains(*file);
+}
+
+void InputSet::check_not_in(const std::string& name) const {
+  if (!contains(name)) return;
+  throw UsageError(
+      fmt::format("`{}` is a file that is read, and would be overwritten", lang::printable(name)));
+}
+
+namespace {
+
+/// Of all frames, before the first one is rendered.
+void check_names(const OutputRequest& request) {
+  const InputSet inputs(request.inputs);
+  OutputSet all;
+  if (!request.stats.empty()) {
+    all.add(request.stats);
+    inputs.check_not_in(request.stats);
+  }
+  const std::vector<std::optional<int>> one{request.frame};
+  for (const auto& frame : request.all_frames.empty() ? one : request.all_frames) {
+    for (const Output& output : name_outputs(request, frame)) {
+      if (output.is_stdout) {
+        inputs.check_not_in(kStandardStream);
+        all.add(kStandardStream);
+        continue;
+      }
+      for (const fs::path& name : {output.path, partial_name(output.path)}) {
+        inputs.check_not_in(name.string());
+        if (request.sandbox == nullptr || !request.pictures.empty()) continue;
+        if (request.sandbox->resolve(name)) continue;
+        throw UsageError(
+            fmt::format("`{}` leads out of the scene's folder, which --sandbox refuses; -o names "
+                        "another place",
+                        lang::printable(name.string())));
+      }
+      all.add(output.path.string());
+    }
   }
 }
+
+}  // namespace
 
 std::vector<Output> plan_outputs(const OutputRequest& request) {
-  const std::vector<Output> outputs = name_outputs(request);
-  std::vector<std::string> names;
-  for (const Output& output : outputs) {
-    names.push_back(output.is_stdout ? kStandardStream : output.path.string());
-  }
-  if (!request.stats.empty()) names.push_back(request.stats);
-  check_distinct(names);
+  check_names(request);
+  const std::vector<Output> outputs = name_outputs(request, request.frame);
   for (const Output& output : outputs) {
     render::check_picture_size(request.width, request.height, output.format, output.path);
     if (output.is_stdout) continue;

@@ -2,9 +2,14 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <sys/types.h>
+
+#include "lang/source/sandbox.hpp"
 #include "render/image/image.hpp"
 
 namespace sdlc::cli {
@@ -29,6 +34,11 @@ struct OutputRequest {
   bool keeps_existing = false;        ///< --no-clobber
   int width = 0, height = 0;          ///< of the picture
   std::optional<int> frame = {};      ///< its number takes the place of #### in names
+  /// All that will be rendered, where this is the first of several.
+  std::vector<std::optional<int>> all_frames = {};
+  std::vector<std::string> inputs = {};  ///< files that are read, and not to be replaced
+  /// Where the picture has to be unless the command line names it.
+  const lang::Sandbox* sandbox = nullptr;
 };
 
 /// The format that the extension names. Throws IoError, which begins "cannot ACTION", with the
@@ -40,11 +50,35 @@ render::ImageFormat picture_format(const std::filesystem::path& path, const std:
 std::optional<std::string> default_picture(const std::string& of_scene, const std::string& input,
                                            std::optional<int> frame);
 
-/// Whether both names are of one file, there or yet to be made: another spelling, or a link.
-bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+/// Files that are written, each once, whatever it is called: other spellings, links, hard links.
+class OutputSet {
+ public:
+  /// Throws UsageError where the file is in it already. `name`: perhaps standard output.
+  void add(const std::string& name);
 
-/// Throws UsageError where two of the names are of one file, or standard output is named twice.
-void check_distinct(const std::vector<std::string>& names);
+ private:
+  std::set<std::string> places_;  // the folder and the name in it, links followed
+  std::set<std::pair<dev_t, ino_t>> files_;
+};
+
+/// Files that are read.
+class InputSet {
+ public:
+  InputSet() = default;
+  explicit InputSet(const std::vector<std::string>& names) {
+    for (const std::string& name : names) add(name);
+  }
+
+  /// `name`: perhaps standard input. What is no regular file cannot be replaced, and is ignored.
+  void add(const std::string& name);
+  /// Whether `name`, perhaps standard output, is one of them, or a link to one.
+  bool contains(const std::string& name) const;
+  /// Throws UsageError if so.
+  void check_not_in(const std::string& name) const;
+
+ private:
+  std::set<std::pair<dev_t, ino_t>> files_;
+};
 
 /// Decides which files are written, and refuses what is known to fail before anything is rendered.
 /// It changes nothing. Throws UsageError and render::IoError.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "cli/aov_option.hpp"
 #include "cli/clock.hpp"
 #include "cli/dispatcher.hpp"
+#include "cli/exit_code.hpp"
 #include "cli/frames.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/kernel_options.hpp"
@@ -32,6 +34,7 @@
 #include "cli/words.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/lower/scene_builder.hpp"
+#include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/aov/aov.hpp"
 #include "render/film/film.hpp"
@@ -96,28 +99,47 @@ void write_to_stdout(const render::Picture& picture, const render::WriteOptions&
   if (!env.out.flush()) throw render::IoError("write", "standard output", "the write failed");
 }
 
-/// Writes every picture; returns the names as told to the user.
-std::vector<std::string> write_pictures(const std::vector<Output>& outputs,
-                                        const RenderOptions& options,
-                                        const lang::LoweredScene& lowered,
-                                        const render::RenderResult& result,
-                                        std::span<const render::Layer> layers, Environment& env) {
-  std::vector<std::string> names;
+/// What was written, and what came of the rest.
+struct Written {
+  std::vector<std::string> names;  ///< as they are printed
+  ExitCode code = ExitCode::Success;
+};
+
+/// Runs `write`; what the world refuses it is reported, and does not keep others from being
+/// written.
+template <typename Write>
+void try_to_write(ExitCode& code, Environment& env, Write write) {
+  try {
+    write();
+  } catch (const render::IoError& error) {
+    env.err << fmt::format("error: {}\n", lang::printable(error.what()));
+    env.out.clear();  // it has been reported
+    code = ExitCode::Usage;
+  }
+}
+
+/// Writes every picture.
+Written write_pictures(const std::vector<Output>& outputs, const RenderOptions& options,
+                       const lang::LoweredScene& lowered, const render::RenderResult& result,
+                       std::span<const render::Layer> layers, Environment& env) {
+  Written written;
   for (const Output& output : outputs) {
     render::WriteOptions write = write_options(output, options, lowered, result);
     write.layers = layers;
     fs::path path = output.path;
-    if (output.is_stdout) {
-      write_to_stdout(result.picture, write, env);
-    } else {
-      if (!result.is_complete) path = partial_name(path);
-      std::optional<render::ParentFolders> folders;
-      if (output.may_make_folders) folders.emplace(path);
-      render::write_picture(path, result.picture, write);
-    }
-    names.push_back(lang::printable(path.string()));
+    try_to_write(written.code, env, [&] {
+      if (output.is_stdout) {
+        write_to_stdout(result.picture, write, env);
+      } else {
+        if (!result.is_complete) path = partial_name(path);
+        std::optional<render::ParentFolders> folders;
+        if (output.may_make_folders) folders.emplace(path);
+        render::write_picture(path, result.picture, write);
+      }
+      written.names.push_back(lang::printable(path.string()));
+    });
   }
-  return names;
+  return written;
 }
 
 ProgressStyle progress_style(const RenderOptions& options, const Environment& env) {
@@ -175,8 +197,7 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
 
 /// The closing line, and how the command ends.
 ExitCode conclude(const RenderOptions& options, const render::RenderSettings& settings,
-                  const render::RenderResult& result, const std::vector<std::string>& written,
-                  Environment& env) {
+                  const render::RenderResult& result, const Written& written, Environment& env) {
   if (result.nonfinite_samples > 0) {
     env.err << fmt::format("error: {} samples are not finite and were left out\n",
                            result.nonfinite_samples);
@@ -186,10 +207,12 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
         settings.has_goal()
             ? ""
             : fmt::format(" of {}", format_count(static_cast<double>(total_samples(settings))));
-    env.err << fmt::format("interrupted after {}{} samples; what there is was saved as {}\n",
-                           format_count(static_cast<double>(result.camera_samples)), of,
-                           fmt::join(written, ", "));
-    return ExitCode::Interrupted;
+    const std::string saved = written.names.empty() ? "nothing was saved"
+                                                    : fmt::format("what there is was saved as {}",
+                                                                  fmt::join(written.names, ", "));
+    env.err << fmt::format("interrupted after {}{} samples; {}\n",
+                           format_count(static_cast<double>(result.camera_samples)), of, saved);
+    return graver(ExitCode::Interrupted, written.code);
   }
   for (const std::string& warning : accuracy_warnings(settings, result)) {
     env.err << "warning: " << warning << "\n";
@@ -198,14 +221,15 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
     env.err << fmt::format("warning: {} of {} threads could be started\n", result.threads, wanted);
   }
   const bool is_quiet = options.quiet || options.progress == "none";
-  if (!is_quiet) {
+  if (!is_quiet && !written.names.empty()) {
     env.err << fmt::format(
-        "{}: {} x {} pixels, {}, {} ({} samples/s){}\n", fmt::join(written, ", "), settings.width,
-        settings.height, describe_samples(result), format_seconds(result.render_seconds),
+        "{}: {} x {} pixels, {}, {} ({} samples/s){}\n", fmt::join(written.names, ", "),
+        settings.width, settings.height, describe_samples(result),
+        format_seconds(result.render_seconds),
         format_count(static_cast<double>(result.camera_samples) / result.render_seconds),
         describe_error(result));
   }
-  return result.nonfinite_samples > 0 ? ExitCode::Defect : ExitCode::Success;
+  return graver(result.nonfinite_samples > 0 ? ExitCode::Defect : ExitCode::Success, written.code);
 }
 
 /// The pictures of one scene: one, or one for each frame.
@@ -218,15 +242,25 @@ class RenderJob {
     read_seconds_ = seconds_since(start_);
     compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
     choose_frames();
+    ExitCode code = ExitCode::Success;
     for (std::size_t i = 0; i < frames_.size(); ++i) {
-      const bool is_last = i + 1 == frames_.size();
-      const ExitCode code = render_frame(frames_[i], is_last);
-      if (code != ExitCode::Success) return code;
+      if (code != ExitCode::Success || interrupted_.load()) break;
+      code = render_frame(frames_[i], i + 1 == frames_.size());
     }
-    return ExitCode::Success;
+    return interrupted_.load() && finished_ > 0 ? tell_interrupted(code) : code;
   }
 
  private:
+  /// Of an interruption that found a picture finished.
+  ExitCode tell_interrupted(ExitCode code) {
+    if (code == ExitCode::Interrupted) return code;  // within a picture, which has been reported
+    env_.err << fmt::format("interrupted; {}\n", frames_.size() == 1
+                                                     ? "the picture was finished"
+                                                     : fmt::format("{} of {} frames were finished",
+                                                                   finished_, frames_.size()));
+    return graver(ExitCode::Interrupted, code);
+  }
+
   void choose_frames() {
     const std::optional<lang::Animation> animation = compiler_->animation();
     if (!animation && options_.frames && !sink_.has_errors()) {
@@ -292,7 +326,23 @@ class RenderJob {
                           .width = lowered.settings.width,
                           .height = lowered.settings.height};
     request.frame = frame;
+    request.inputs = inputs_;
+    if (frame == frames_.front()) {
+      request.all_frames = frames_;
+    } else {
+      request.stats.clear();  // those of earlier frames are there by now
+    }
+    if (sandbox_) request.sandbox = &*sandbox_;
     return request;
+  }
+
+  /// Before text and tree are gone.
+  void find_inputs(const lang::LoweredScene& lowered) {
+    inputs_ = {options_.scene.file};
+    for (const fs::path& part : compiler_->dependencies()) inputs_.push_back(part.string());
+    if (!options_.scene.reading.is_sandboxed) return;
+    // The default's folder is ours, its file may be a link of the scene's.
+    sandbox_.emplace(env_.files, lowered.output.output.empty() ? "" : options_.scene.name());
   }
 
   ExitCode render_frame(std::optional<int> frame, bool is_last) {
@@ -301,6 +351,8 @@ class RenderJob {
     std::optional<LoweredFrame> lowered_frame = lower(frame, statistics);
     if (!lowered_frame) return ExitCode::Findings;
     auto& [lowered, kernel, choice_seconds] = *lowered_frame;
+    if (interrupted_.load()) return ExitCode::Success;  // between two frames
+    find_inputs(lowered);
     if (is_last) {  // text and tree make room for the tracing
       compiler_.reset();
       source_.reset();
@@ -308,10 +360,7 @@ class RenderJob {
 
     lowered.settings.keeps_variance = options_.aovs.variance;
     const render::RenderSettings settings = lowered.settings;
-    OutputRequest request = output_request(lowered, frame);
-    // The statistics of earlier frames are there by now.
-    if (frame != frames_.front()) request.stats.clear();
-    const std::vector<Output> outputs = plan_outputs(request);
+    const std::vector<Output> outputs = plan_outputs(output_request(lowered, frame));
     check_aovs(options_.aovs, outputs, lowered.scene, settings);
     check_memory(settings, options_.aovs);
     check_not_refused(kernel);
@@ -319,20 +368,27 @@ class RenderJob {
     if (settings.seconds) {
       lowered.settings.seconds = seconds_to_trace(settings, outputs.size(), seconds_since(start));
     }
+    // Until here there is nothing to save, and a signal ends the process.
+    if (!guard_) guard_.emplace(interrupted_);
     std::vector<render::Layer> layers;
     render::RenderResult result =
         trace(lowered, std::move(kernel), options_, statistics, layers, env_);
     result.build_seconds += choice_seconds;
-    if (!result.is_complete) env_.err << "interrupted; saving what there is" << std::endl;
+    if (!result.is_complete) {
+      if (result.camera_samples == 0) return conclude(options_, settings, result, {}, env_);
+      env_.err << "interrupted; saving what there is" << std::endl;
+    }
     add_picture_layers(options_.aovs, settings, result, layers, env_.err);
     const auto write_start = std::chrono::steady_clock::now();
-    const std::vector<std::string> written =
-        write_pictures(outputs, options_, lowered, result, layers, env_);
+    Written written = write_pictures(outputs, options_, lowered, result, layers, env_);
     statistics.write_seconds = seconds_since(write_start);
     if (!options_.stats.empty()) {
       stats_ += to_json(statistics, result) + "\n";
-      if (options_.stats != kStandardStream || is_last) write_stats(options_.stats, stats_, env_);
+      if (options_.stats != kStandardStream || is_last) {
+        try_to_write(written.code, env_, [&] { write_stats(options_.stats, stats_, env_); });
+      }
     }
+    if (result.is_complete && written.code == ExitCode::Success) ++finished_;
     return conclude(options_, settings, result, written, env_);
   }
 
@@ -345,6 +401,11 @@ class RenderJob {
   std::vector<std::optional<int>> frames_;  // nothing: a scene without an animation
   double read_seconds_ = 0;
   std::string stats_;  // of the frames so far, one a line
+  std::vector<std::string> inputs_;
+  std::optional<lang::Sandbox> sandbox_;
+  std::size_t finished_ = 0;  // frames
+  std::atomic<bool> interrupted_{false};
+  std::optional<InterruptGuard> guard_;
 };
 
 ExitCode run_render(const RenderOptions& options, Environment& env) {
@@ -403,7 +464,8 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
       "linear\n"
       "radiance. --width or --height alone keeps the aspect, both together set a new one. Ctrl-C "
       "saves what\n"
-      "there is as NAME.partial.EXT; a second one ends at once.");
+      "there is as NAME.partial.EXT, or lets a finished picture be written; a second one ends at "
+      "once.");
   dispatcher.on(command, [options](Environment& env) { return run_render(*options, env); });
 }
 
