@@ -153,7 +153,7 @@ LoweredScene Compiler::build(const Overrides& overrides, std::optional<int> fram
   read(builder, sink_);
   const auto read = Clock::now();
   LoweredScene lowered = builder.finish(overrides);
-  check_output(lowered);
+  check_output(lowered, purpose);
   dropped_ = builder.dropped();
   instance_runs_ = builder.instance_runs();
   // What went wrong may be why two are equal.
@@ -191,10 +191,14 @@ LoweredScene Compiler::check_view(std::optional<int> frame, std::optional<std::s
   return build({.camera = std::move(camera)}, frame, Purpose::Check);
 }
 
-void Compiler::check_output(const LoweredScene& lowered) {
+void Compiler::check_output(const LoweredScene& lowered, Purpose purpose) {
   const std::string& output = lowered.output.output;
   if (!options_.is_sandboxed || options_.files == nullptr || output.empty()) return;
-  if (overrides_.names_output || Sandbox(*options_.files, file_.name()).resolve(output)) return;
+  if (overrides_.names_output) return;
+  // A text that is only checked may be rendered from anywhere, from its own folder at best.
+  std::filesystem::path path = output;
+  if (purpose == Purpose::Check) path = std::filesystem::path(file_.name()).parent_path() / output;
+  if (Sandbox(*options_.files, file_.name()).resolve(path)) return;
   sink_.report(diag::outside_sandbox, lowered.places.output, output)
       .help("`-o` names another place for the picture");
 }

@@ -94,7 +94,7 @@ class Compiler {
   /// Origins by the order in which spheres were added, those of instances not counted; ascending.
   std::vector<Origin> trace_added(std::span<const std::uint32_t> spheres);
   /// A sandbox holds for the file that the scene is written to as well.
-  void check_output(const LoweredScene& lowered);
+  void check_output(const LoweredScene& lowered, Purpose purpose);
   void report_dropped();
   /// That the scene reaches beyond double.
   void report_scale(const LoweredScene& lowered, Purpose purpose);

@@ -87,6 +87,20 @@ TEST_F(SandboxedOutput, IsPointedOutWhereItIsWritten) {
   }
 }
 
+TEST_F(SandboxedOutput, IsOfTheWorkingFolderUnlessTheSceneIsOnlyChecked) {
+  write_scene("a.png");
+  const auto above = [&](const std::string& command) {
+    return run_shell(folder_.path(), "\"$SDLC\" " + command + " --sandbox outer/box/ball.scene");
+  };
+  EXPECT_EQ(above("render").exit_code, 1) << "a.png would be beside outer";
+  EXPECT_FALSE(fs::exists(folder_ / "a.png"));
+  EXPECT_EQ(above("lint").exit_code, 0);
+  write_scene("../a.png");
+  EXPECT_EQ(above("lint").exit_code, 1);
+  write_scene("outer/box/a.png");
+  EXPECT_EQ(above("render").exit_code, 0);
+}
+
 TEST_F(SandboxedOutput, IsWrittenInsideAndWithinNewFolders) {
   for (const std::string output : {"a.png", "new/deep/a.png", "../box/b.png"}) {
     write_scene(output);
