@@ -173,6 +173,7 @@ std::string to_json(const Report& report, const std::string& scene_digest) {
       {"points", array_json(measurement.points, point_json)},
       {"series", array_json(measurement.series, series_json)},
       {"depths", array_json(measurement.depths, depth_json)},
+      {"depths_have_converged", measurement.depths_have_converged},
       {"precision", measurement.precision ? precision_json(*measurement.precision) : Json()},
       {"as_it_is",
        measurement.as_it_is ? recommendation_json(measurement, *measurement.as_it_is) : Json()},

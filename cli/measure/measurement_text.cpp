@@ -91,8 +91,9 @@ std::string slopes_text(const Measurement& measurement) {
 
 std::string depths_text(const Measurement& measurement) {
   if (measurement.depths.empty()) return {};
-  std::string text = fmt::format("\nDepth: light that is lost, against depth {}\n",
-                                 measurement.depths.back().depth);
+  std::string text = fmt::format("\nDepth: light that is lost, against depth {}{}\n",
+                                 measurement.depths.back().depth,
+                                 measurement.depths_have_converged ? "" : "; a lower bound");
   Table table;
   for (const render::DepthLoss& depth : measurement.depths) {
     table.add({fmt::format("depth {}", depth.depth), reading(depth.loss, percent),

@@ -33,6 +33,12 @@ std::vector<std::string> notes_of(const render::Measurement& measurement) {
         "Some errors are not told from none: the reference is too rough for them. A longer "
         "--budget makes a better one.");
   }
+  if (!measurement.depths.empty() && !measurement.depths_have_converged) {
+    notes.push_back(fmt::format(
+        "The light lost by depth is a lower bound: paths deeper than {} may carry more, and were "
+        "not measured. A longer --budget goes deeper.",
+        measurement.depths.back().depth));
+  }
   const bool has_goal = std::ranges::any_of(
       measurement.recommendations,
       [&](const render::Recommendation& any) { return any.goal == measurement.goal; });

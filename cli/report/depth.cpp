@@ -31,7 +31,9 @@ Chart chart_over_depth(const render::Measurement& measurement, Chart chart, Y&& 
 
 std::string depth_table(const render::Measurement& measurement) {
   HtmlTable table("What each depth loses and costs",
-                  "#Depth|#Light lost|#Paths cut|#Time, relative");
+                  measurement.depths_have_converged
+                      ? "#Depth|#Light lost|#Paths cut|#Time, relative"
+                      : "#Depth|#Light lost, at least|#Paths cut|#Time, relative");
   for (const render::DepthLoss& depth : measurement.depths) {
     const Reading loss = read(depth.loss, percent);
     table.row()
@@ -49,17 +51,18 @@ std::string depth_table(const render::Measurement& measurement) {
 std::string depth_section(const Report& report) {
   const render::Measurement& measurement = report.measurement;
   if (measurement.depths.empty()) return "";
-  const Chart loss =
-      chart_over_depth(measurement,
-                       {.id = "depth-loss",
-                        .title = "Light lost by depth",
-                        .description = "The share of the mean radiance that each depth cuts off.",
-                        .x = {},
-                        .y = {"light lost", percent_tick},
-                        .series = {},
-                        .front = {},
-                        .level = {}},
-                       [](const render::DepthLoss& depth) { return depth.loss; });
+  const Chart loss = chart_over_depth(
+      measurement,
+      {.id = "depth-loss",
+       .title = measurement.depths_have_converged ? "Light lost by depth"
+                                                  : "Light lost by depth: a lower bound",
+       .description = "The share of the mean radiance that each depth cuts off.",
+       .x = {},
+       .y = {"light lost", percent_tick},
+       .series = {},
+       .front = {},
+       .level = {}},
+      [](const render::DepthLoss& depth) { return depth.loss; });
   const Chart cost = chart_over_depth(
       measurement,
       {.id = "depth-cost",

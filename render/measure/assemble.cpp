@@ -252,6 +252,7 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
   mark_standings(points);
   measurement.series = group_by_way(points);
   measurement.depths = losses_of(ledger, measurement.own.depth);
+  measurement.depths_have_converged = depths_have_converged(ledger.depths);
   measurement.precision = precision_of(ledger);
   measurement.left_out = left_out_of(ledger, points, settings.samples);
 

@@ -64,11 +64,12 @@ struct Series {
   Way way{};
   std::vector<std::size_t> points{};  ///< by index, ascending in samples
   /// The error falls as samples to the power of this, by the line through all points; -1/2 for
-  /// independent samples. Nothing of fewer than three points.
+  /// independent samples. Nothing of fewer than two points.
   std::optional<Measured> slope{};
 };
 
-/// The light that a depth cuts off: the same paths with that depth and with the greatest here.
+/// The light that a depth cuts off: the same paths with that depth and with the greatest here. A
+/// lower bound where Measurement::depths_have_converged is false.
 struct DepthLoss {
   int depth = 0;
   Measured loss{};       ///< share of the mean radiance
@@ -135,7 +136,8 @@ struct Measurement {
   std::optional<Reference> reference{};
   std::vector<Point> points{};
   std::vector<Series> series{};
-  std::vector<DepthLoss> depths{};  ///< ascending
+  std::vector<DepthLoss> depths{};     ///< ascending
+  bool depths_have_converged = false;  ///< deeper paths than the last of them carry no light
   std::optional<PrecisionDifference> precision{};
   std::optional<double> goal{};  ///< an error that was asked for
   /// The scene as it is, `goal` being 0, if its samples were measured.

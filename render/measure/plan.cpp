@@ -20,7 +20,7 @@ constexpr int kLeastMostSamples = 64, kMostMostSamples = 1 << 16;
 /// pixel.
 constexpr double kComparingSeconds = 1.5e-6;
 /// Of the budget, the rest being for what trials foretell badly, and for the recommendation.
-constexpr double kPlannedShare = 0.8;
+constexpr double kPlannedShare = 0.85;
 
 /// 2, 4, 8, … to twice the scene's own, and that.
 std::vector<int> depths_around(int own) {
@@ -219,10 +219,15 @@ StudyPlan plan_study(const StudyRequest& request) {
   const double for_all = std::max(seconds, 2 * building);
   // Smaller pictures tell less of edges: as large as the budget allows.
   double scale = 1;
-  constexpr double kLeastScale = 1.0 / 64;
-  while (!request.size && total_seconds(build(scale, kLeastMostSamples)) > for_all &&
-         scale > kLeastScale) {
-    scale *= 0.9;
+  if (!request.size && total_seconds(build(1, kLeastMostSamples)) > for_all) {
+    constexpr int kSteps = 20;
+    double too_large = 1;
+    scale = 1.0 / 64;
+    for (int step = 0; step < kSteps; ++step) {
+      const double middle = (scale + too_large) / 2;
+      const bool fits = total_seconds(build(middle, kLeastMostSamples)) <= for_all;
+      (fits ? scale : too_large) = middle;
+    }
   }
   StudyPlan plan = build(scale, kLeastMostSamples);
   for (int most = 2 * kLeastMostSamples; scale == 1 && most <= kMostMostSamples; most *= 2) {

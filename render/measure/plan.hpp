@@ -45,7 +45,7 @@ struct StudyPlan {
   std::vector<WayCost> costs{};  ///< the scene's own way first
   Way reference_way{};
   int reference_samples = 0;
-  std::vector<int> depths{};  ///< ascending; with at least the scene's own
+  std::vector<int> depths{};  ///< ascending, with the scene's own; the first probes may add some
   int probe_samples = 0;      ///< of the pictures of Depths and Precisions
   std::vector<StudyTask> tasks{};
 

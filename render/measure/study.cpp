@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -156,12 +158,30 @@ void Study::make_plan() {
     request.reference_way.light_sampling = LightSampling::On;
   }
   ledger_.plan = plan_study(request);
+  // What a few pixels took says little of more. One render of the size that is planned corrects it.
+  const StudyTask task{.kind = StudyTask::Kind::Repeat,
+                       .way = own_,
+                       .samples = static_cast<int>(kLeastReplicatedSamples)};
+  const double expected = ledger_.plan->seconds_of(task);
+  constexpr double kShareOfCorrection = 0.05;
+  if (ledger_.plan->width < settings_.width &&
+      expected < kShareOfCorrection * options_.budget_seconds) {
+    const auto result = rendered(own_, task.samples, settings_.seed);
+    if (!result) return;
+    const double factor = result->render_seconds / (expected - own.build_seconds);
+    for (WayCost& cost : request.costs) cost.seconds_a_sample *= factor;
+    ledger_.plan = plan_study(request);
+  }
   std::erase_if(ledger_.plan->depths, [&](int depth) {
     Way way = own_;
     way.depth = depth;
-    return !choose_kernel(scene_, settings_of(way, 8, settings_.seed), request_of(way))
-                .refusal.empty();
+    return !is_possible(way);
   });
+}
+
+bool Study::is_possible(const Way& way) const {
+  return choose_kernel(scene_, settings_of(way, 8, settings_.seed), request_of(way))
+      .refusal.empty();
 }
 
 double Study::seconds_left() const {
@@ -247,20 +267,52 @@ bool Study::run_point(const StudyTask& task) {
   return true;
 }
 
+bool depths_have_converged(std::span<const DepthProbe> probes) {
+  constexpr double kNegligibleLight = 1e-4, kNegligibleCuts = 0.01;
+  constexpr int kQuietDoublings = 3;
+  std::map<int, double> means;  // sums of the rounds
+  for (const DepthProbe& probe : probes) means[probe.depth] += probe.mean;
+  if (means.empty()) return false;
+  const auto [deepest, light] = *means.rbegin();
+  double cut = 0;
+  for (const DepthProbe& probe : probes) {
+    if (probe.depth == deepest) cut = std::max(cut, probe.cut_share);
+  }
+  int quiet = 0;  // so often the depth was doubled, and hardly any light was added
+  for (auto deep = std::prev(means.end()); deep->first > 1; ++quiet) {
+    const auto behind_half = means.upper_bound(deep->first / 2);
+    if (behind_half == means.begin()) break;
+    const auto half = std::prev(behind_half);
+    if (deep->second - half->second > kNegligibleLight * light) break;
+    deep = half;
+  }
+  return cut == 0 || (quiet > 0 && cut <= kNegligibleCuts) ||
+         (quiet >= kQuietDoublings && light > 0);
+}
+
 bool Study::run_depths(const StudyTask& task) {
+  constexpr int kMaxProbedDepth = 1 << 14;
+  std::vector<int> depths = ledger_.plan->depths;
   std::vector<DepthProbe> probes;
-  for (const int depth : ledger_.plan->depths) {
+  for (std::size_t i = 0; i < depths.size(); ++i) {
     Way way = own_;
-    way.depth = depth;
+    way.depth = depths[i];
     const auto result = rendered(way, task.samples,
                                  settings_.seed + kProbeSeed + static_cast<unsigned>(task.round));
     if (!result) return false;
-    probes.push_back({.depth = depth,
+    probes.push_back({.depth = way.depth,
                       .round = task.round,
                       .mean = mean_radiance(result->picture),
                       .seconds = seconds_of(*result),
                       .cut_share = cut_share(*result)});
+    // The first round goes on until no more light is found; the others have the same depths.
+    if (task.round > 0 || i + 1 < depths.size() || depths_have_converged(probes)) continue;
+    way.depth *= 2;
+    const double seconds = kProbeSeeds * 2 * probes.back().seconds;  // at most, of all rounds
+    if (way.depth > kMaxProbedDepth || seconds > seconds_left() || !is_possible(way)) continue;
+    depths.push_back(way.depth);
   }
+  ledger_.plan->depths = std::move(depths);
   ledger_.depths.insert(ledger_.depths.end(), probes.begin(), probes.end());
   return true;
 }

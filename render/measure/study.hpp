@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,10 @@ struct DepthProbe {
   double seconds = 0;
   double cut_share = 0;
 };
+
+/// Whether deeper paths carry no light that counts: the last doubling of the depth added none, and
+/// hardly any path is cut; or three doublings added none, as in a dark closed room.
+bool depths_have_converged(std::span<const DepthProbe> probes);
 
 /// The same paths in both precisions.
 struct PrecisionProbe {
@@ -112,6 +117,7 @@ class Study {
   /// By the trial of another.
   WayCost guess_way(const Way& way, const WayCost& own) const;
   void make_plan();
+  bool is_possible(const Way& way) const;
   std::optional<RenderResult> rendered(const Way& way, int samples, std::uint64_t seed,
                                        bool keeps_variance = false);
   bool is_done(const StudyTask& task) const;

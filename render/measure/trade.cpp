@@ -16,25 +16,32 @@ struct Line {
   double middle = 0, level = 0, slope = 0;
   double spread = 0;  ///< Σ (x − middle)²
   double sigma = 0;   ///< of y about the line
-  double degrees = 0;
+  double points = 0;
+  double degrees = 0;  ///< of freedom of sigma
 
   double at(double x) const { return level + slope * (x - middle); }
   /// Half an interval of 95 % for the slope, and for one more y at x.
   double slope_half_width() const { return student_t_975(degrees) * sigma / std::sqrt(spread); }
   double half_width(double x) const {
-    const double n = degrees + 2, d = x - middle;
-    return student_t_975(degrees) * sigma * std::sqrt(1 + 1 / n + d * d / spread);
+    const double d = x - middle;
+    return student_t_975(degrees) * sigma * std::sqrt(1 + 1 / points + d * d / spread);
   }
 };
 
-/// Nothing for fewer than three points of which the error is above 0.
+/// Nothing for fewer than two points of which the error is above 0. Two have no scatter about their
+/// line: theirs is that of their own intervals, and of Sobol' points, which fall in steps.
 std::optional<Line> fit_line(const Series& series, std::span<const Point> points) {
+  constexpr double kSigmaOfSteps = 0.1;
   std::vector<std::array<double, 2>> logs;
+  double sigma_of_two = kSigmaOfSteps;
   for (const std::size_t i : series.points) {
-    if (!(points[i].error.value > 0) || !std::isfinite(points[i].error.value)) continue;
-    logs.push_back({std::log(points[i].samples), std::log(points[i].error.value)});
+    const Measured& error = points[i].error;
+    if (!(error.value > 0) || !std::isfinite(error.value)) continue;
+    logs.push_back({std::log(points[i].samples), std::log(error.value)});
+    sigma_of_two =
+        std::max(sigma_of_two, std::log(error.interval.to / error.value) / student_t_975(INFINITY));
   }
-  if (logs.size() < 3) return std::nullopt;
+  if (logs.size() < 2) return std::nullopt;
   const auto n = static_cast<double>(logs.size());
   Line line;
   for (const auto& [x, y] : logs) line.middle += x / n, line.level += y / n;
@@ -46,8 +53,9 @@ std::optional<Line> fit_line(const Series& series, std::span<const Point> points
   line.slope = products / line.spread;
   double squares = 0;
   for (const auto& [x, y] : logs) squares += std::pow(y - line.at(x), 2);
-  line.degrees = n - 2;
-  line.sigma = std::sqrt(squares / line.degrees);
+  line.points = n;
+  line.degrees = n > 2 ? n - 2 : INFINITY;
+  line.sigma = n > 2 ? std::sqrt(squares / line.degrees) : sigma_of_two;
   return line;
 }
 

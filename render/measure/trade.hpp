@@ -18,7 +18,7 @@ void mark_standings(std::span<Point> points);
 
 /// The points of each way, in the order in which the ways first appear, with the slope of the line
 /// through the logarithms, by least squares. Its interval is that of the points' scatter about the
-/// line, which is not noise alone: Sobol' points fall in steps.
+/// line, which is not noise alone: Sobol' points fall in steps; of two points, what is usual.
 std::vector<Series> group_by_way(std::span<const Point> points);
 
 /// With how many samples a series has an error.

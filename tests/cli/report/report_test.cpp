@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "cli/measure/notes.hpp"
 #include "cli/report/figures.hpp"
 #include "tests/cli/report/sample_measurement.hpp"
 
@@ -22,7 +23,9 @@ using render::Measurement;
 using test::bare_report;
 using test::sample_measurement;
 using test::sample_report;
+using testing::Contains;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -301,6 +304,18 @@ TEST(HtmlReport, PicturesAreInIt) {
   EXPECT_EQ(all_matches(page, "(data:image/png;base64,iVBORw0KGgo)").size(), 1u + 2 * 6 + 3);
   EXPECT_THAT(page, HasSubstr("width=\"48\" height=\"32\" alt=\"4 samples, error 60 %\""));
   EXPECT_THAT(page, HasSubstr("<span>50\u00a0%</span>"));
+}
+
+TEST(HtmlReport, SaysWhereMoreLightIsLostThanWasMeasured) {
+  Measurement measurement = sample_measurement();
+  EXPECT_THAT(html_report(sample_report(measurement)), Not(HasSubstr("a lower bound")));
+  EXPECT_THAT(notes_of(measurement), IsEmpty());
+  measurement.depths_have_converged = false;
+  const Report report = sample_report(measurement);
+  EXPECT_THAT(html_report(report), HasSubstr("Light lost by depth: a lower bound"));
+  EXPECT_THAT(html_report(report), HasSubstr("Light lost, at least"));
+  EXPECT_THAT(notes_of(measurement),
+              Contains(HasSubstr("is a lower bound: paths deeper than 64 may carry more")));
 }
 
 TEST(HtmlReport, IsTheSameEachTime) {

@@ -65,6 +65,15 @@ TEST(StudyPlan, MakesThePictureSmallerWhereTimeIsShort) {
   EXPECT_EQ(most_samples(plan), 64);
 }
 
+TEST(StudyPlan, UsesItsBudgetWhereThePictureIsSmaller) {
+  for (double budget = 2; budget < 40; budget *= 1.15) {
+    const StudyPlan plan = plan_study(request(budget));
+    ASSERT_LT(plan.width, 1000);
+    EXPECT_LE(seconds_of(plan), 0.85 * budget) << budget;
+    EXPECT_GE(seconds_of(plan), 0.83 * budget) << budget;
+  }
+}
+
 TEST(StudyPlan, BeginsWithAReferenceOfFourTimesTheMostSamples) {
   const StudyPlan plan = plan_study(request(600));
   EXPECT_EQ(plan.tasks.front().kind, Kind::Reference);

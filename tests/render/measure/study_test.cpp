@@ -108,6 +108,51 @@ TEST_F(StudyTest, TellsWhatDepthsLose) {
   }
 }
 
+/// Of a round, with its radiance at each depth.
+std::vector<render::DepthProbe> probes(std::vector<std::pair<int, double>> means, double cut) {
+  std::vector<render::DepthProbe> all;
+  for (const auto& [depth, mean] : means) {
+    all.push_back({.depth = depth, .mean = mean, .cut_share = cut});
+  }
+  return all;
+}
+
+TEST(DepthProbes, HaveConvergedWhereTwiceTheDepthAddsNothing) {
+  EXPECT_FALSE(render::depths_have_converged({}));
+  EXPECT_FALSE(render::depths_have_converged(probes({{2, 0.5}, {4, 0.8}, {8, 0.9}}, 0.001)));
+  EXPECT_TRUE(render::depths_have_converged(probes({{2, 0.5}, {4, 0.9}, {8, 0.9}}, 0.001)));
+  EXPECT_TRUE(render::depths_have_converged(probes({{2, 0.5}, {4, 0.9}}, 0))) << "no path is cut";
+  EXPECT_FALSE(render::depths_have_converged(probes({{4, 0.8}, {7, 0.9}, {8, 0.9}}, 0.001)))
+      << "8 is not twice 7";
+  EXPECT_FALSE(render::depths_have_converged(probes({{2, 0.5}, {4, 0.9}, {8, 0.9}, {16, 0.9}}, 1)));
+  EXPECT_TRUE(render::depths_have_converged(
+      probes({{2, 0.5}, {4, 0.9}, {8, 0.9}, {16, 0.9}, {32, 0.9}}, 1)))
+      << "paths go on between dark walls";
+  EXPECT_FALSE(render::depths_have_converged(probes({{2, 0}, {4, 0}, {8, 0}}, 1)))
+      << "behind thick glass nothing is seen before the last of its surfaces";
+}
+
+TEST_F(StudyTest, GoesDeeperUntilNoLightIsLost) {
+  // A closed room: light goes from wall to wall until the lamp or the walls have taken it.
+  render::Scene room = beam_scene({0, 0, 0.5}, {0, 0, -1}, render::LinearRgb{0});
+  add_sphere(room, {0, 0, 0}, 3, diffuse({0.8, 0.8, 0.8}));
+  add_sphere(room, {0, 2, 0}, 0.3, emissive({1, 1, 1}, 5));
+  StudyLedger ledger = short_ledger();
+  render::RenderMonitor monitor;
+  const StudyObserver observer;
+  render::Study study(room, kSettings, {}, kOptions, ledger, observer, monitor);
+  study.run({});
+  const Measurement result = study.measurement();
+  ASSERT_FALSE(result.depths.empty());
+  EXPECT_TRUE(result.depths_have_converged);
+  EXPECT_GT(result.depths.back().depth, 4 * kSettings.depth);
+  EXPECT_LT(result.depths[result.depths.size() - 2].loss.value, 1e-3);
+  // Of ever more walls each gives .8 of the light of the one before, or a little less.
+  const auto own = std::ranges::find(result.depths, kSettings.depth, &render::DepthLoss::depth);
+  EXPECT_GT(own->loss.value, 0.15);
+  EXPECT_EQ(result.depths.size(), ledger.plan->depths.size());
+}
+
 TEST_F(StudyTest, FindsFloatAndDoubleToAgree) {
   StudyLedger ledger = short_ledger();
   run(ledger);
@@ -163,7 +208,7 @@ TEST_F(StudyTest, SaysWhatThereWasNoTimeFor) {
 
 TEST_F(StudyTest, RecommendsForTheFullSizeWhereASmallerPictureWasMeasured) {
   StudyLedger ledger = short_ledger();
-  ledger.plan->costs.front().build_seconds = 1000;
+  for (render::WayCost& cost : ledger.plan->costs) cost.build_seconds = 1000;
   run(ledger);
   for (render::TimedRender& render : ledger.renders) render.seconds += 1000;
   ledger.other_seconds = 50;

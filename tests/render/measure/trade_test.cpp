@@ -103,6 +103,28 @@ TEST(SamplesForAnError, AreBeyondThePointsByTheSlopeAndNotForEver) {
   EXPECT_FALSE(samples_for(last / 1000, series, points));
 }
 
+TEST(SeriesOfAWay, HaveAnUncertainSlopeOfTwoPoints) {
+  const std::vector<Point> points{point(16, 1, 0.1), point(64, 4, 0.05)};
+  const Series series = group_by_way(points).front();
+  ASSERT_TRUE(series.slope);
+  EXPECT_NEAR(series.slope->value, -0.5, 1e-12);
+  EXPECT_LT(series.slope->interval.from, -0.6) << "not exact, though no point is off the line";
+  EXPECT_GT(series.slope->interval.to, -0.4);
+}
+
+TEST(Recommendations, KnowAWayOfTwoPointsBeyondThem) {
+  std::vector<Point> points{point(8, 1, 0.4), point(32, 4, 0.2), point(128, 16, 0.1)};
+  const render::Way lights{.light_sampling = render::LightSampling::On};
+  points.push_back(point(16, 3, 0.02, lights));
+  points.push_back(point(64, 12, 0.01, lights));
+  const auto found = recommend(0.008, group_by_way(points), points, render::NoiseOfTime({}));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->way, lights);
+  EXPECT_FALSE(found->is_measured);
+  EXPECT_GT(found->samples, 100) << "64 (.01 / .008)² = 100, and more to be sure";
+  EXPECT_LT(found->samples, 400);
+}
+
 TEST(SamplesForAnError, DoNotComeOfASeriesThatStandsStill) {
   std::vector<Point> points{point(8, 1, 0.1), point(32, 2, 0.1), point(128, 3, 0.1)};
   EXPECT_FALSE(samples_for(0.01, group_by_way(points).front(), points));
