@@ -125,6 +125,13 @@ double parse_share(const std::string& flag, const std::string& text) {
                       read_share, mend_share);
 }
 
+double parse_ratio(const std::string& flag, const std::string& text) {
+  const bool is_percentage = text.ends_with('%');
+  const auto number = read_finite(is_percentage ? text.substr(0, text.size() - 1) : text);
+  if (number && *number >= 0) return is_percentage ? *number / 100 : *number;
+  refuse_number(flag, text, "a ratio from 0 on, such as `3%`, `0.03` or `250%`");
+}
+
 double parse_duration(const std::string& flag, const std::string& text) {
   return parse_amount(flag, text,
                       "a time above 0 with its unit, such as `10s`, `500ms`, `2min` or `1h`",

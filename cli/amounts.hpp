@@ -8,6 +8,10 @@ namespace sdlc::cli {
 /// Throws CLI::ValidationError, which names the flag.
 double parse_share(const std::string& flag, const std::string& text);
 
+/// The ratio that the text is: a finite number from 0 on, or with a `%` behind it that many
+/// hundredths. Throws CLI::ValidationError, which names the flag.
+double parse_ratio(const std::string& flag, const std::string& text);
+
 /// The seconds that the text is: a number with its unit, `ms`, `s`, `min` or `h`; above 0 and
 /// finite. Throws CLI::ValidationError, which names the flag.
 double parse_duration(const std::string& flag, const std::string& text);

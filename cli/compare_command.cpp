@@ -56,7 +56,7 @@ constexpr std::array kGates{
     GateKind{"max-rmse", "the RMSE", "Highest RMSE", parse_limit, false,
              [](const CompareReport& report) { return report.difference.rmse; }},
     GateKind{"max-relative-error", "the relative error",
-             "Highest RMSE as a share of the mean of B: 3% or 0.03", parse_share, false,
+             "Highest RMSE relative to the mean of B: 3%, 0.03, 250%", parse_ratio, false,
              [](const CompareReport& report) { return report.difference.relative_error; }},
     GateKind{"max-relative-mse", "the relative MSE", "Highest relative MSE, untrimmed", parse_limit,
              false, [](const CompareReport& report) { return report.difference.relative_mse; }},
@@ -238,7 +238,7 @@ void add_gates(CLI::App& command, CompareOptions& options) {
   for (std::size_t i = 0; i < kGates.size(); ++i) {
     const GateKind& gate = kGates[i];
     const std::string flag = std::string("--") + gate.flag;
-    add_number(command, flag, gate.parse == parse_share ? "SHARE" : "X", gate.help,
+    add_number(command, flag, gate.parse == parse_ratio ? "RATIO" : "X", gate.help,
                [flag, parse = gate.parse, &limit = options.limits[i]](const std::string& text) {
                  limit = parse(flag, text);
                });

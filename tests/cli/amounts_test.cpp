@@ -51,6 +51,17 @@ void expect_refused(Parse parse, const Bad (&all)[N]) {
   }
 }
 
+TEST(Amounts, ARatioMayBeAboveOne) {
+  for (const auto& [text, value] : {Good{"250%", 2.5}, Good{"2.5", 2.5}, Good{"3%", 0.03},
+                                    Good{"0.03", 0.03}, Good{"100%", 1}, Good{"0", 0}}) {
+    EXPECT_EQ(parse_ratio("--flag", text), value) << text;
+  }
+  for (const char* text : {"", "%", "x", "-1", "-1%", "nan", "inf", "1e999", "3 %", "3%%", "0x1"}) {
+    EXPECT_THAT(complaint(parse_ratio, text), StartsWith("--flag: takes a ratio from 0 on"))
+        << text;
+  }
+}
+
 TEST(Amounts, AShareIsANumberOrAPercentage) {
   for (const auto& [text, value] :
        {Good{"3%", 0.03}, Good{"0.03", 0.03}, Good{"0.5%", 0.005}, Good{".5%", 0.005},

@@ -226,6 +226,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "error: the RMSE is 0.1, more than the 0.09 of --max-rmse\n"},
         GateCase{"RelativeError", "--max-relative-error 21%", "--max-relative-error 0.19",
                  "error: the relative error is 0.2, more than the 0.19 of --max-relative-error\n"},
+        GateCase{"RelativeErrorAboveOne", "--max-relative-error 250%", "--max-relative-error 0.19",
+                 "of --max-relative-error\n"},
         GateCase{"RelativeMse", "--max-relative-mse 0.04", "--max-relative-mse 0.03",
                  "of --max-relative-mse\n"},
         GateCase{"Flip", "--max-flip 1", "--max-flip 0.01", "of --max-flip\n"},
