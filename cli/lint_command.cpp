@@ -58,10 +58,11 @@ std::string plural(std::size_t count, std::string_view noun) {
 /// One file and what is wrong with it.
 class Linted {
  public:
-  /// `wants` may be called as long as this lives.
+  /// `wants` may be called as long as this lives. `max_kept`: of each severity.
   Linted(std::string name, std::string text, const LintOptions& options, const Environment& env,
-         std::function<bool(const lang::DiagnosticInfo&)> wants)
+         std::function<bool(const lang::DiagnosticInfo&)> wants, std::size_t max_kept)
       : file_(std::move(name), std::move(text)) {
+    sink_.set_max_per_severity(max_kept);
     sink_.set_filter(std::move(wants));
     compiler_.emplace(file_, program_options(options.reading, env), sink_);
     lang::lint(*compiler_, file_, sink_);
@@ -137,7 +138,8 @@ class LintJob {
         .wants(info.code, std::filesystem::absolute(place).lexically_normal());
   }
 
-  std::unique_ptr<Linted> linted(const std::string& name, std::string text) {
+  std::unique_ptr<Linted> linted(const std::string& name, std::string text,
+                                 std::size_t max_kept = lang::DiagnosticSink::kMaxPerSeverity) {
     // A scene may report a million times; each code is decided once.
     auto is_wanted = [this, place = shown_name(name),
                       decided = Decided()](const lang::DiagnosticInfo& info) mutable {
@@ -146,7 +148,7 @@ class LintJob {
       return answer->second;
     };
     return std::make_unique<Linted>(shown_name(name), std::move(text), options_, env_,
-                                    std::move(is_wanted));
+                                    std::move(is_wanted), max_kept);
   }
 
   void lint(const std::string& name) {
@@ -163,18 +165,20 @@ class LintJob {
     }
   }
 
-  /// Applies fixes until nothing is left to apply: what one uncovers may have a fix too, and of
-  /// many findings a round sees some. Fixes that undo each other come to an end where for some
-  /// rounds there are no fewer findings than before.
+  /// Applies fixes until nothing is left to apply: what one uncovers may have a fix too. Fixes that
+  /// undo each other, or a few of very many, come to an end where some rounds hardly help.
   std::unique_ptr<Linted> mend(const std::string& name, std::string text) {
     constexpr int kRoundsInVain = 10;
+    // Every round reads the whole text, so each applies as many fixes as memory allows.
+    constexpr std::size_t kMaxPerRound = 100'000;
     const std::string original = text;
-    auto result = linted(name, text);
+    auto result = linted(name, text, kMaxPerRound);
     std::size_t mended = 0, fewest = std::numeric_limits<std::size_t>::max();
     for (int in_vain = 0; in_vain < kRoundsInVain; ++in_vain) {
       const lang::DiagnosticCounts counts = result->sink().counts();
-      if (counts.errors + counts.warnings < fewest) {
-        fewest = counts.errors + counts.warnings;
+      const std::size_t findings = counts.errors + counts.warnings;
+      if (findings < fewest - fewest / 10) {
+        fewest = findings;
         in_vain = 0;
       }
       auto [fixed, applied] =
@@ -182,7 +186,13 @@ class LintJob {
       if (applied == 0) break;
       mended += applied;
       text = std::move(fixed);
-      result = linted(name, text);
+      result.reset();
+      result = linted(name, text, kMaxPerRound);
+    }
+    const lang::DiagnosticCounts left = result->sink().counts();
+    if (std::max(left.errors, left.warnings) > lang::DiagnosticSink::kMaxPerSeverity) {
+      result.reset();
+      result = linted(name, text);  // with as many as are shown
     }
     if (options_.shows_diff) {
       env_.out << unified_diff(shown_name(name), original, text);

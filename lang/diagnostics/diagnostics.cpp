@@ -71,7 +71,7 @@ DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where
     if (is_error) ++unwanted_errors_;
     return discard();
   }
-  if (++(is_error ? counts_.errors : counts_.warnings) > kMaxPerSeverity) {
+  if (++(is_error ? counts_.errors : counts_.warnings) > max_per_severity_) {
     ++counts_.omitted;
     return discard();
   }

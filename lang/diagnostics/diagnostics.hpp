@@ -132,6 +132,9 @@ class DiagnosticSink {
  public:
   static constexpr std::size_t kMaxPerSeverity = 50;
 
+  /// Keeps more, for a reader that is a program.
+  void set_max_per_severity(std::size_t count) noexcept { max_per_severity_ = count; }
+
   template <typename... Args>
   DiagnosticBuilder report(const DiagnosticKind<Args...>& kind, Location where,
                            const std::type_identity_t<Args>&... args) {
@@ -187,6 +190,7 @@ class DiagnosticSink {
   std::function<bool(const DiagnosticInfo&)> is_wanted_;             // empty: all are
   std::function<bool(const DiagnosticInfo&, Location)> is_allowed_;  // empty: none is
   bool is_muted_ = false;
+  std::size_t max_per_severity_ = kMaxPerSeverity;
   DiagnosticCounts counts_;
   std::size_t unwanted_errors_ = 0;
 };

@@ -1,6 +1,9 @@
 #include "lang/diagnostics/fixes.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <map>
 #include <vector>
 
 namespace sdlc::lang {
@@ -12,7 +15,14 @@ bool may_be_applied(const Diagnostic& diagnostic, const SourceFile& file, bool a
   });
 }
 
-bool touch(Span a, Span b) { return a.begin <= b.end && b.begin <= a.end; }
+/// Fixes by where they begin. Those of different diagnostics do not touch.
+using TakenFixes = std::multimap<std::uint32_t, const Fix*>;
+
+/// Only the last one that begins at or before the end of `span` can touch it.
+bool touches_any(const TakenFixes& taken, Span span) {
+  const auto next = taken.upper_bound(span.end);
+  return next != taken.begin() && std::prev(next)->second->where.span.end >= span.begin;
+}
 
 }  // namespace
 
@@ -26,21 +36,18 @@ FixedText apply_fixes(const SourceFile& file, std::span<const Diagnostic* const>
   std::ranges::stable_sort(wanted, {}, begin);
 
   FixedText fixed;
-  std::vector<const Fix*> taken;
+  TakenFixes taken;
   for (const Diagnostic* diagnostic : wanted) {
-    const bool is_free = std::ranges::none_of(diagnostic->fixes, [&](const Fix& fix) {
-      return std::ranges::any_of(
-          taken, [&](const Fix* other) { return touch(fix.where.span, other->where.span); });
-    });
+    const bool is_free = std::ranges::none_of(
+        diagnostic->fixes, [&](const Fix& fix) { return touches_any(taken, fix.where.span); });
     if (!is_free) continue;
-    for (const Fix& fix : diagnostic->fixes) taken.push_back(&fix);
+    for (const Fix& fix : diagnostic->fixes) taken.emplace(fix.where.span.begin, &fix);
     ++fixed.applied;
   }
-  std::ranges::sort(taken, {}, [](const Fix* fix) { return fix->where.span.begin; });
 
   std::uint32_t end = 0;
-  for (const Fix* fix : taken) {
-    fixed.text += file.text({end, fix->where.span.begin});
+  for (const auto& [from, fix] : taken) {
+    fixed.text += file.text({end, from});
     fixed.text += fix->replacement;
     end = fix->where.span.end;
   }

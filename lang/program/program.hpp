@@ -70,6 +70,7 @@ struct Module {
   std::vector<std::uint32_t> order;  ///< of the globals: each behind those it uses
   /// Made when an unknown name asks for them.
   std::unique_ptr<const Misspellings> misspellings;
+  std::uint64_t compared_names = 0;  ///< in all searches for the nearest name
   std::unique_ptr<const LostNames> lost_names;
 };
 

@@ -295,7 +295,7 @@ std::uint32_t Resolver::unknown_name(ast::Node node, std::string_view name) {
     return broken(node);
   }
   auto report = sink_.report(diag::unknown_name, where, name);
-  if (!report.is_kept()) return broken(node);
+  if (!report.is_kept() || !may_suggest(module_.globals.size())) return broken(node);
   if (names_object(name)) {
     report.help(
         fmt::format("`{}` names an object; what several share gets its name by `let`", name));
@@ -354,6 +354,10 @@ std::uint32_t Resolver::call(ast::Call call) {
 std::uint32_t Resolver::unknown_function(ast::Call call) {
   const std::string_view callee = call.callee();
   if (is_excused(index_, callee, call.node.span().begin)) {
+    return operands_of(call.node, Op::Broken);
+  }
+  if (!may_suggest(module_.functions.size())) {
+    sink_.report(diag::unknown_function, call.callee_location(), callee);
     return operands_of(call.node, Op::Broken);
   }
   std::vector<std::string_view> known;

@@ -67,6 +67,7 @@ std::uint32_t Resolver::unknown_kind(ast::Object node, std::uint32_t scope, bool
   }
   if (is_excused(scope, written, node.node.span().begin)) return kNothing;
   auto report = sink_.report(diag::unknown_kind, node.kind_location(), node.kind());
+  if (!may_suggest(names.size())) return object_of_no_kind(node);
   const auto habit = scope == index_ ? kind_habit(written) : std::nullopt;
   const auto nearest = meant_name(habit, written, names);
   if (habit) report.help_if(habit->help);

@@ -48,6 +48,12 @@ std::optional<std::string_view> meant_name(const std::optional<Habit>& habit, st
   return is_known ? std::optional(habit->meant) : std::nullopt;
 }
 
+bool Resolver::may_suggest(std::size_t names) {
+  constexpr std::uint64_t kMaxCompared = 10'000'000;
+  module_.compared_names += names;
+  return module_.compared_names <= kMaxCompared;
+}
+
 std::optional<std::string> Resolver::nearest_import(std::span<const std::string_view> names) const {
   std::vector<std::string_view> known;
   for (const auto& [name, module] : module_.imports) known.push_back(name);

@@ -60,6 +60,9 @@ class Resolver {
                     std::optional<std::string_view> meant);
   /// Shows the declaration in another file that was probably meant.
   static void label_declared(DiagnosticBuilder& report, ast::Node statement);
+  /// Whether the nearest of so many names may still be looked for: a text with thousands of
+  /// mistakes among thousands of names was not written by hand.
+  bool may_suggest(std::size_t names);
   /// The path with the import that was probably meant in place of its first name.
   std::optional<std::string> nearest_import(std::span<const std::string_view> names) const;
 

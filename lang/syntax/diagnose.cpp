@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -371,19 +372,21 @@ class Diagnosis {
                     [&](const Kind& kind) { return kind.name == name; })) {
       return true;
     }
-    for (std::size_t at = text_.find(name); at != std::string_view::npos;
-         at = text_.find(name, at + 1)) {
-      const std::string_view before = trimmed(text_.substr(0, at));
-      const bool is_declared =
-          before.size() < at && before.ends_with("def") &&
-          is_first_of_line(text_, static_cast<std::uint32_t>(before.size() - 3));
-      const bool is_whole = !is_idchar(char_at(text_, at + name.size()));
-      if (is_declared && is_whole) return true;
-    }
-    return false;
+    if (!builder_.def_names) builder_.def_names = find_def_names();
+    return builder_.def_names->contains(name);
   }
-  static std::string_view trimmed(std::string_view text) {
-    return text.substr(0, text.find_last_not_of(" \t") + 1);
+
+  std::unordered_set<std::string_view> find_def_names() const {
+    constexpr std::string_view kDef = "def";
+    std::unordered_set<std::string_view> names;
+    for (std::size_t at = text_.find(kDef); at != std::string_view::npos;
+         at = text_.find(kDef, at + 1)) {
+      const auto end = static_cast<std::uint32_t>(at + kDef.size());
+      const std::uint32_t name = skip_blanks(text_, end);
+      if (name == end || !is_first_of_line(text_, static_cast<std::uint32_t>(at))) continue;
+      names.insert(text({name, end_of_identifier(text_, name)}));
+    }
+    return names;
   }
 
   /// Whether each of the arguments has a label.

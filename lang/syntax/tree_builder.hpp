@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
@@ -97,6 +99,9 @@ class TreeBuilder {
 
   NodeBuffer<SyntaxNode> take_nodes() { return std::move(nodes_); }
   std::vector<Comment> take_comments() { return std::move(comments_); }
+
+  /// What the defs of the text declare, once a mistake has asked for it.
+  std::optional<std::unordered_set<std::string_view>> def_names;
 
   // What surrounds the place being read.
   std::uint32_t depth = 0;          ///< of nesting

@@ -207,6 +207,16 @@ TEST_F(LintCommand, MendsAllOfManyFindings) {
   EXPECT_THAT(result.err, HasSubstr("mended 1200 findings in 1 file\n"));
 }
 
+TEST_F(LintCommand, MendsBehindMoreFindingsThanAreShown) {
+  std::string text = kClean;
+  for (int i = 0; i < 60; ++i) text += "let a" + std::to_string(i) + " = 1 / 0\n";
+  write("many.scene", text + "let last = 2;\n");
+  const ProgramResult result = run("many.scene --fix --format concise");
+  EXPECT_THAT(result.err, HasSubstr("mended 1 finding in 1 file\n"));
+  EXPECT_THAT(read("many.scene"), testing::EndsWith("let last = 2\n"));
+  EXPECT_EQ(std::ranges::count(result.out, '\n'), 50) << "of those that are left";
+}
+
 TEST_F(LintCommand, AllowsTheSameBeforeAndBehindFmt) {
   write("allowed.scene", R"(scene 1
 camera main { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }

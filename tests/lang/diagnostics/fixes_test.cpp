@@ -55,6 +55,14 @@ TEST_F(ApplyFixes, AppliesAllFixesOfADiagnosticOrNone) {
   EXPECT_EQ(apply(true).text, "1 two 3");
 }
 
+TEST_F(ApplyFixes, SeesALaterFixBetweenThoseOfAnEarlierDiagnostic) {
+  report(0, 3).fix(at(0, 3), "1").fix(at(8, 13), "3");
+  report(4, 7).fix(at(4, 7), "2");
+  report(8, 9).fix(at(9, 10), "X");
+  EXPECT_EQ(apply().text, "1 2 3");
+  EXPECT_EQ(apply().applied, 2u);
+}
+
 TEST_F(ApplyFixes, LeavesOtherFilesAlone) {
   const SourceFile other("b.scene", "x");
   sink_.report(diag::zero_radius, {&other, {0, 1}}).fix({&other, {0, 1}}, "y");
