@@ -66,13 +66,10 @@ void check_absent(const fs::path& path) {
 render::ImageFormat picture_format(const fs::path& path, const std::string& action) {
   if (const auto format = render::image_format_of(path)) return *format;
   const std::string extension = path.extension().string();
-  const auto known = render::image_extensions();
-  const std::string cause = extension.empty() ? "the name has no extension"
-                                              : fmt::format("unknown extension `{}`", extension);
   const std::string_view written = std::string_view(extension).substr(extension.empty() ? 0 : 1);
-  throw render::IoError(action, path,
-                        fmt::format("{}; known are {}{}", cause, fmt::join(known, " "),
-                                    did_you_mean(written, known)));
+  throw render::IoError(
+      action, path,
+      render::refusal_of_name(path) + did_you_mean(written, render::image_extensions()));
 }
 
 std::optional<std::string> default_picture(const std::string& of_scene, const std::string& input,

@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <thread>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "lang/lower/camera.hpp"
 #include "lang/lower/placement.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/text/display_width.hpp"
 #include "lang/text/nearest_name.hpp"
+#include "render/image/image_format.hpp"
 #include "render/image/picture.hpp"
 #include "render/scene/choices.hpp"
 #include "render/scene/coincident.hpp"
@@ -228,6 +232,7 @@ LoweredScene SceneBuilder::finish(const Overrides& overrides) {
   }
   lower_settings(overrides, lowered);
   lower_size(camera, overrides, lowered);
+  if (!overrides.names_output) check_output(lowered);
   drop_coincident(lowered);
   lowered.dropped_spheres = dropped_.size();
   return lowered;
@@ -252,18 +257,22 @@ const Object* SceneBuilder::choose_camera(const Overrides& overrides) {
     const auto found = std::find(names.begin(), names.end(), wanted);
     if (found != names.end()) return &cameras_[static_cast<std::size_t>(found - names.begin())];
     const auto nearest = nearest_name(wanted, names);
+    std::erase(names, "");
+    const std::string help =
+        names.empty() ? "" : fmt::format("cameras of the scene: {}", fmt::join(names, ", "));
     if (!overrides.camera) {
-      auto report = sink_->report(diag::unknown_camera, where, wanted).suggest(nearest);
+      auto report =
+          sink_->report(diag::unknown_camera, where, wanted).suggest(nearest).help_if(help);
       if (nearest) {
-        const auto named = std::find(names.begin(), names.end(), *nearest);
-        report.label(cameras_[static_cast<std::size_t>(named - names.begin())].where,
-                     fmt::format("`{}` is declared here", *nearest));
+        const auto named = std::ranges::find(cameras_, *nearest, &Object::name);
+        report.label(named->where, fmt::format("`{}` is declared here", *nearest));
       }
       return nullptr;
     }
     // The name stands on the command line, where no text of a file is to blame.
     auto report = sink_->report(diag::unknown_camera, {}, wanted);
     if (nearest) report.help(fmt::format("did you mean `{}`?", *nearest));
+    report.help_if(help);
     return nullptr;
   }
   if (cameras_.size() == 1) return &cameras_.front();
@@ -442,11 +451,6 @@ void SceneBuilder::lower_settings(const Overrides& overrides, LoweredScene& lowe
   set(settings.seed, object.get<double>(kSeed));
   set(settings.seed, overrides.seed);
   set(lowered.output.output, object.get<std::string>(kOutput));
-  const std::string& output = lowered.output.output;
-  const bool is_used = !output.empty() && !overrides.names_output;
-  if (is_animated_ && is_used && output.find("####") == std::string::npos) {
-    sink_->report(diag::no_frame_number, object.location(kOutput), output);
-  }
   if (const auto tone = object.get<Word>(kTone)) lowered.output.tone = lower_tone(tone->text);
   if (overrides.tone) lowered.output.tone = lower_tone(*overrides.tone);
   if (const auto precision = object.get<Word>(kPrecision)) {
@@ -461,6 +465,34 @@ void SceneBuilder::lower_settings(const Overrides& overrides, LoweredScene& lowe
   settings.light_sampling =
       lower_choice(word(overrides.light_sampling, kLightSampling), render::kLightSamplings);
   lower_goals(overrides, lowered);
+}
+
+void SceneBuilder::check_output(const LoweredScene& lowered) {
+  const std::string& name = lowered.output.output;
+  Location where = render_->location(render_property::kOutput);
+  if (!render_->get<std::string>(render_property::kOutput)) return;
+  const auto format = render::image_format_of(name);
+  std::string refusal = render::refusal_of_name(name);
+  if (refusal.empty()) {
+    refusal = render::refusal_of_size(lowered.settings.width, lowered.settings.height, *format);
+  }
+  if (!refusal.empty()) {
+    std::string extension = std::filesystem::path(name).extension().string();
+    if (!extension.empty()) extension.erase(0, 1);
+    const auto nearest =
+        format ? std::nullopt : nearest_name(extension, render::image_extensions());
+    // In a literal only the extension is wrong.
+    const bool is_literal = nearest && where.file->text(where.span).ends_with(extension + '"');
+    if (is_literal) {
+      --where.span.end;
+      where.span.begin = where.span.end - static_cast<std::uint32_t>(extension.size());
+    }
+    auto report = sink_->report(diag::bad_output, where, abbreviated(name), refusal);
+    if (is_literal) report.suggest(nearest);
+    if (nearest && !is_literal) report.help(fmt::format("did you mean `.{}`?", *nearest));
+  } else if (is_animated_ && name.find("####") == std::string::npos) {
+    sink_->report(diag::no_frame_number, where, name);
+  }
 }
 
 void SceneBuilder::lower_goals(const Overrides& overrides, LoweredScene& lowered) {

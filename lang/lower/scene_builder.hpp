@@ -188,6 +188,8 @@ class SceneBuilder final : public ObjectSink {
   void lower_motion(render::Interval shutter, render::Scene& scene);
   void lower_settings(const Overrides& overrides, LoweredScene& lowered);
   /// Error and time to reach, and the samples that may be taken for them.
+  /// The name of the scene's own picture.
+  void check_output(const LoweredScene& lowered);
   void lower_goals(const Overrides& overrides, LoweredScene& lowered);
   void diagnose_few_samples(const LoweredScene& lowered, bool is_by_flag);
   /// Width, height and the aspect of the view plane, which the camera's aspect and both formats'

@@ -50,12 +50,10 @@ std::vector<EncodeChannel> channels_of(std::span<const Layer> layers, const Pict
 }  // namespace
 
 void check_picture_size(int width, int height, ImageFormat format, const fs::path& shown) {
-  const ImageFormatInfo& info = describe(format);
   const auto fail = [&](const std::string& cause) { throw IoError("write", shown, cause); };
   if (width <= 0 || height <= 0) fail("the picture is empty");
-  if (std::max(width, height) > info.max_side) {
-    fail(fmt::format("{} × {} pixels are too many for {}, which ends at {} a side", width, height,
-                     info.name, info.max_side));
+  if (const std::string refusal = refusal_of_size(width, height, format); !refusal.empty()) {
+    fail(refusal);
   }
   if (std::int64_t{width} * height > kMaxPicturePixels) {
     fail(fmt::format("more than {} pixels", kMaxPicturePixels));

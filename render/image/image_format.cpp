@@ -5,6 +5,9 @@
 #include <limits>
 #include <string>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace sdlc::render {
 namespace {
 
@@ -49,6 +52,27 @@ std::optional<ImageFormat> image_format_of(const std::filesystem::path& path) {
     if (std::ranges::find(info.extensions, extension) != info.extensions.end()) return info.format;
   }
   return std::nullopt;
+}
+
+std::string refusal_of_name(const std::filesystem::path& path) {
+  constexpr std::size_t kMaxName = 255;  // bytes, of every file system in common use
+  if (path.empty()) return "the name is empty";
+  const std::string name = path.filename().string();
+  if (name.empty() || name == "." || name == "..") return "it names a folder";
+  if (path.string().find('\0') != std::string::npos) return "a name cannot contain U+0000";
+  if (name.size() > kMaxName) return fmt::format("the name is longer than {} bytes", kMaxName);
+  if (image_format_of(path)) return {};
+  const std::string extension = path.extension().string();
+  const std::string cause = extension.size() < 2 ? "the name has no extension"
+                                                 : fmt::format("unknown extension `{}`", extension);
+  return fmt::format("{}; known are {}", cause, fmt::join(image_extensions(), " "));
+}
+
+std::string refusal_of_size(int width, int height, ImageFormat format) {
+  const ImageFormatInfo& info = describe(format);
+  if (std::max(width, height) <= info.max_side) return {};
+  return fmt::format("{} × {} pixels are too many for {}, which ends at {} a side", width, height,
+                     info.name, info.max_side);
 }
 
 std::vector<std::string_view> image_extensions() {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,6 +30,13 @@ const ImageFormatInfo& describe(ImageFormat format) noexcept;
 
 /// The format that the extension of `path` names, in either case; nothing if it names none.
 std::optional<ImageFormat> image_format_of(const std::filesystem::path& path);
+
+/// Why no picture can be written under this name, whatever the disk holds, such as "unknown
+/// extension `.bmp`; known are png exr"; empty if one can.
+std::string refusal_of_name(const std::filesystem::path& path);
+
+/// The same for the size of a picture in this format.
+std::string refusal_of_size(int width, int height, ImageFormat format);
 
 /// Every known extension, lower case without the dot: for messages and suggestions.
 std::vector<std::string_view> image_extensions();

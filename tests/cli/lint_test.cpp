@@ -217,6 +217,38 @@ TEST_F(LintCommand, MendsBehindMoreFindingsThanAreShown) {
   EXPECT_EQ(std::ranges::count(result.out, '\n'), 50) << "of those that are left";
 }
 
+TEST_F(LintCommand, TellsOfAPictureThatCannotBeWritten) {
+  const auto lint = [&](const std::string& output) {
+    write("out.scene", kClean + ("render { output: " + output + " }\n"));
+    return run("out.scene --format concise").out;
+  };
+  EXPECT_EQ(lint("\"a.jpgg\""),
+            "out.scene:4:21: error[E239]: no picture can be written to `a.jpgg`: unknown extension "
+            "`.jpgg`; known are png exr hdr tiff tif jpg jpeg webp ppm gif; did you mean jpg?\n");
+  EXPECT_THAT(lint("\"a.bmp\""), HasSubstr(":18: error[E239]"));
+  EXPECT_THAT(lint("\"a\""), HasSubstr("the name has no extension; known are png"));
+  EXPECT_THAT(lint("\"\""), HasSubstr("the name is empty"));
+  EXPECT_THAT(lint("\"pictures/\""), HasSubstr("it names a folder"));
+  EXPECT_THAT(lint("\"..\""), HasSubstr("it names a folder"));
+  EXPECT_THAT(lint("\"a\\u0000.png\""), HasSubstr("a name cannot contain U+0000"));
+  EXPECT_THAT(lint("\"" + std::string(252, 'a') + ".png\""), HasSubstr("longer than 255 bytes"));
+  EXPECT_THAT(lint("\"a.webp\", width: 20000, height: 10"), HasSubstr("too many for WebP"));
+  for (const char* good : {"\"a.JPG\"", "\"new/folder/a.b.exr\"", "\"-.png\"", "\" .gif.png\""}) {
+    EXPECT_EQ(lint(good), "");
+  }
+  lint("\"a.pgn\"");
+  run("out.scene --unsafe-fixes");
+  EXPECT_THAT(read("out.scene"), HasSubstr("output: \"a.png\""));
+  write("wrong-name.scene", kClean + std::string("render { output: \"a.bmp\" }\n"));
+  EXPECT_THAT(run_shell(folder_.path(), "\"$SDLC\" inspect wrong-name.scene").err,
+              HasSubstr("error[E239]"));
+  EXPECT_EQ(
+      run_shell(folder_.path(), "\"$SDLC\" render wrong-name.scene -o a.png --width 4 --quiet")
+          .exit_code,
+      0)
+      << "its own name is not used";
+}
+
 TEST_F(LintCommand, AllowsTheSameBeforeAndBehindFmt) {
   write("allowed.scene", R"(scene 1
 camera main { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }
