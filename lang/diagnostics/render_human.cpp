@@ -7,34 +7,72 @@
 #include "lang/diagnostics/formats.hpp"
 #include "lang/diagnostics/render.hpp"
 #include "lang/text/display_width.hpp"
+#include "lang/text/utf8.hpp"
 
 namespace sdlc::lang {
 namespace {
 
-/// The first line of the text in backticks, fit for a line of its own.
-std::string in_backticks(std::string_view text) {
+/// The first line of the text in backticks, fit for a line of its own; spaces alone and a character
+/// that may look like another one by their names.
+std::string named(std::string_view text) {
+  if (text.find_first_not_of(' ') == std::string_view::npos) {
+    return text.size() == 1 ? "a space" : fmt::format("{} spaces", text.size());
+  }
+  if (text.front() == '\n') return "a line end";
+  const DecodedChar first = decode_utf8(text);
+  const bool is_foreign = first.is_valid && first.code_point > 0x7E && first.size == text.size();
+  if (is_foreign) return describe_character(first.code_point);
   const std::string_view line = text.substr(0, text.find('\n'));
   const std::string_view rest = line.size() < text.size() ? "…" : "";
   return fmt::format("`{}{}`", printable(abbreviated(line)), rest);
 }
 
 std::string_view without_blanks_behind(std::string_view text) {
-  return text.substr(0, text.find_last_not_of(" \n") + 1);
+  const std::size_t end = text.find_last_not_of(" \n");
+  return end == std::string_view::npos ? text : text.substr(0, end + 1);
+}
+
+/// The fix without what it leaves as it is at both ends.
+Fix narrowed(Fix fix) {
+  const auto is_inside_character = [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+  };
+  Span& span = fix.where.span;
+  std::string_view old = fix.where.file->text(span), wanted = fix.replacement;
+  while (!old.empty() && !wanted.empty() && old.back() == wanted.back()) {
+    old.remove_suffix(1), wanted.remove_suffix(1), --span.end;
+  }
+  std::size_t same = 0;
+  while (same < std::min(old.size(), wanted.size()) && old[same] == wanted[same]) ++same;
+  const auto splits_character = [&](std::string_view text) {
+    return same < text.size() && is_inside_character(text[same]);
+  };
+  while (same > 0 && (splits_character(old) || splits_character(wanted))) --same;
+  span.begin += static_cast<std::uint32_t>(same);
+  fix.replacement = wanted.substr(same);
+  return fix;
 }
 
 /// What the fix does, in words.
 std::string describe_fix(const Diagnostic& diagnostic, const Fix& fix) {
   const Span span = fix.where.span;
-  const std::string old = in_backticks(fix.where.file->text(span));
-  if (fix.replacement.empty()) return "remove " + old;
-  if (fix.replacement == " ") return "write a space instead";
-  const std::string replacement = in_backticks(without_blanks_behind(fix.replacement));
-  if (span.size() > 0) return fmt::format("write {} instead of {}", replacement, old);
+  const std::string_view text = fix.where.file->text(span);
+  if (fix.replacement.empty()) return "remove " + named(text);
+  const std::string replacement = named(without_blanks_behind(fix.replacement));
+  if (span.size() > 0) {
+    if (replacement == "a space") return "write a space instead";
+    // Where both look alike, only what changes is shown.
+    const Fix change = narrowed(fix);
+    if (replacement == named(text) && change.where.span != span) {
+      return describe_fix(diagnostic, change);
+    }
+    return fmt::format("write {} instead of {}", replacement, named(text));
+  }
 
   const Span wrong = diagnostic.where.span;
   if (span.begin == wrong.begin) return "add " + replacement;
   if (span.begin == wrong.end) {
-    return fmt::format("add {} behind {}", replacement, in_backticks(fix.where.file->text(wrong)));
+    return fmt::format("add {} behind {}", replacement, named(fix.where.file->text(wrong)));
   }
   const Position position = fix.where.file->position(span.begin);
   return fmt::format("add {} at {}:{}", replacement, position.line, position.column);
@@ -43,7 +81,7 @@ std::string describe_fix(const Diagnostic& diagnostic, const Fix& fix) {
 std::vector<std::string> help_lines(const Diagnostic& diagnostic) {
   std::vector<std::string> lines;
   if (!diagnostic.suggestion.empty()) {
-    lines.push_back(fmt::format("did you mean {}?", in_backticks(diagnostic.suggestion)));
+    lines.push_back(fmt::format("did you mean {}?", named(diagnostic.suggestion)));
   }
   for (const Fix& fix : diagnostic.fixes) {
     const bool is_suggestion = fix.replacement == diagnostic.suggestion &&

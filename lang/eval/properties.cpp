@@ -25,7 +25,7 @@ Value Evaluator::property_value(const Code& code, const Property& property,
   if (!is_none && !has_type(property.type, value)) {
     auto report = sink_.report(diag::wrong_type, written.location(), property.name,
                                describe(property.type), describe(computed));
-    add_type_hint(report, property.type, computed, written);
+    add_type_hint(report, property, computed, written);
     return {};
   }
   return check_property(property, value, written.location(), sink_) ? std::move(value) : Value{};

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "lang/value/colors.hpp"
 
@@ -87,8 +88,9 @@ void hint_interval(DiagnosticBuilder& report, Type wanted) {
 
 }  // namespace
 
-void add_type_hint(DiagnosticBuilder& report, Type wanted, const Computed& given,
+void add_type_hint(DiagnosticBuilder& report, const Property& property, const Computed& given,
                    ast::Node written) {
+  const Type wanted = property.type;
   const auto* text = get_if<std::string>(&given);
   switch (wanted) {
     case Type::Angle: return hint_angle(report, given, written);
@@ -100,8 +102,14 @@ void add_type_hint(DiagnosticBuilder& report, Type wanted, const Computed& given
     case Type::Interval: return hint_interval(report, wanted);
     case Type::Motion: report.help("a motion is `line(to: (1, 0, 0), over: 0s .. 1s)`"); return;
     case Type::Word:
-      if (text != nullptr)
-        report.help("a word stands without quotes").fix(written.location(), *text);
+      if (text != nullptr) report.help("a word stands without quotes");
+      if (text != nullptr &&
+          (property.words.empty() || std::ranges::count(property.words, *text) > 0)) {
+        report.fix(written.location(), *text);
+      }
+      if (!property.words.empty()) {
+        report.help(fmt::format("it takes {}", fmt::join(property.words, ", ")));
+      }
       return;
     default: return;
   }

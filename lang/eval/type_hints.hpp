@@ -9,7 +9,7 @@ namespace sdlc::lang {
 
 /// Adds to a report of a value of the wrong type what to write instead. `written` is where the
 /// value stands.
-void add_type_hint(DiagnosticBuilder& report, Type wanted, const Computed& given,
+void add_type_hint(DiagnosticBuilder& report, const Property& property, const Computed& given,
                    ast::Node written);
 
 }  // namespace sdlc::lang

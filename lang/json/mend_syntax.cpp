@@ -469,15 +469,6 @@ class Mender {
 
 }  // namespace
 
-std::string describe_character(char32_t c) {
-  std::string text = fmt::format("U+{:04X}", static_cast<std::uint32_t>(c));
-  if (c < 0x20 || c == 0x7F) return text;
-  std::string shown;
-  append_utf8(c, shown);
-  return is_unsafe_on_terminal(c) || display_width(c) == 0 ? text
-                                                           : fmt::format("`{}` ({})", shown, text);
-}
-
 std::optional<std::string> mend_syntax(const SourceFile& file, DiagnosticSink& sink) {
   return Mender(file, sink).run();
 }

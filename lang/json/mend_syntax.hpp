@@ -8,13 +8,13 @@
 
 namespace sdlc::lang {
 
-/// How a message shows a character that is not allowed.
-std::string describe_character(char32_t c);
-
 /// What stands in a mended text for a thing that has been reported; see grammar/json.hpp.
 inline constexpr char kMendedValue = '\x1A';
 inline constexpr char kMendedMember = '\x1C';
 inline constexpr char kMendedName = '\x1D';
+constexpr bool is_mark(char c) noexcept {
+  return c == kMendedValue || c == kMendedMember || c == kMendedName;
+}
 
 /// The file's text with what no reader of JSON gets past replaced by these characters and blanks:
 /// expressions, strings that are never closed, characters that have no place. Every other byte

@@ -387,6 +387,8 @@ class Parser {
 
   void diagnose_unexpected(std::string_view expected, std::uint32_t offset) {
     if (offset == text_.size()) return diagnose_unexpected_end(expected);
+    // What was put in the place of a mistake has been reported.
+    if (is_mark(text_[offset]) && !is_of_file({offset, offset + 1})) return;
     const DecodedChar c = decode_utf8(text_.substr(offset));
     if (!c.is_valid) return diagnose_encoding(offset);
 

@@ -20,7 +20,7 @@ void check_sum(LintContext& context, ast::Node sum) {
       const Location where = sum.tree().location({begin - 1, begin});
       Finding& finding = context.add(diag::lopsided_minus, LintPlace::of(where));
       finding.help.push_back("for two elements write a comma in front of it");
-      finding.fixes.push_back({where, "- ", true});
+      finding.fixes.push_back({sum.tree().location({begin, begin}), " ", true});
     }
     end = operand.span().end;
   }

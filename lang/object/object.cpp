@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "lang/text/nearest_name.hpp"
 
 namespace sdlc::lang {
@@ -60,7 +63,8 @@ bool check_word(const Property& property, const Word& word, Location where, Diag
   const auto words = property.words;
   if (words.empty() || std::find(words.begin(), words.end(), word.text) != words.end()) return true;
   sink.report(diag::unknown_word, where, word.text, property.name)
-      .suggest(nearest_name(word.text, words));
+      .suggest(nearest_name(word.text, words))
+      .help(fmt::format("it takes {}", fmt::join(words, ", ")));
   return false;
 }
 

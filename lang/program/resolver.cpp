@@ -72,7 +72,7 @@ bool Resolver::is_excused(std::uint32_t module, std::string_view name, std::uint
   sink_
       .report(diag::misspelt_declaration, misspelling->declared, misspelling->name,
               misspelling->meant)
-      .suggest(misspelling->meant)
+      .unsafe_fix(misspelling->declared, std::string(misspelling->meant))
       .label(misspelling->used, fmt::format("`{}` is used here", misspelling->meant));
   return true;
 }
@@ -263,7 +263,8 @@ const TypeInfo* Resolver::resolve_type(ast::Node node) {
   std::vector<std::string_view> names;
   for (const TypeInfo& known : all_types()) names.push_back(known.name);
   sink_.report(diag::unknown_type, node.location(), node.text())
-      .suggest(meant_name(type_habit(node.text()), node.text(), names));
+      .suggest(meant_name(type_habit(node.text()), node.text(), names))
+      .help(fmt::format("types are {}", fmt::join(names, ", ")));
   return nullptr;
 }
 

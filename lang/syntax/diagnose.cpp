@@ -310,6 +310,14 @@ class Diagnosis {
       return {next + 1};
     }
     if (c == '(') return {call_statement(next)};
+    if (c == '.' && next == name.end) {  // `file.ring(n: 3)`
+      const std::uint32_t end = end_of_path(name.end);
+      const std::uint32_t open = skip_blanks(text_, end);
+      if (char_at(text_, open) == '(') {
+        found_.end = end;
+        return {call_statement(open)};
+      }
+    }
     if (is_digit(last_char()) && (c == ',' || c == '}')) {
       builder_.poison_last_statement();
       builder_.sink()
@@ -338,14 +346,33 @@ class Diagnosis {
     return here(end);
   }
 
-  /// A name with a parenthesis behind it.
+  /// Past the names behind the first one of a path.
+  std::uint32_t end_of_path(std::uint32_t at) const {
+    while (char_at(text_, at) == '.' && is_letter(char_at(text_, at + 1))) {
+      at = end_of_identifier(text_, at + 1);
+    }
+    return at;
+  }
+
+  /// Whether `name(…)` is a property without its colon: a space is between them, or the language
+  /// has the property.
+  bool lacks_colon(Span name, std::uint32_t open) const {
+    if (open > name.end) return text(name).find('.') == std::string_view::npos;
+    return std::ranges::any_of(all_kinds(), [&](const Kind& kind) {
+      return std::ranges::find(kind.properties, text(name), &Property::name) !=
+             kind.properties.end();
+    });
+  }
+
+  /// A name, or a path, with a parenthesis behind it.
   std::uint32_t call_statement(std::uint32_t open) {
     const Span name = found_;
     const bool is_known = is_kind(word());
     const std::uint32_t end = end_of_bracket(text_, open);
     const bool is_labeled = end > open && has_labels({open + 1, end - 1});
     const bool holds_objects = builder_.in_group || !builder_.in_object;
-    if (builder_.in_object && !is_labeled && !(holds_objects && is_known)) {
+    if (builder_.in_object && !is_labeled && !(holds_objects && is_known) &&
+        lacks_colon(name, open)) {
       found_ = {open, open + 1};
       is_on_next_line_ = false;
       report_expected(fmt::format("`:` after `{}`", text(name)))
@@ -354,12 +381,13 @@ class Diagnosis {
       return name.end;
     }
     auto report = builder_.sink().report(diag::call_as_statement, where(name), word());
-    if (!holds_objects || !is_known) {
+    const bool may_be_kind = is_known || word().find('.') != std::string_view::npos;
+    if (!is_known || !holds_objects) {
       report.help("a call is a value, and a value stands behind `name:` or `let name =`");
-      return name.end;
     }
+    if (!may_be_kind || !holds_objects) return name.end;
     report.help(fmt::format("an object is `{} {{ … }}`", word()));
-    if (is_labeled) {
+    if (is_labeled && is_known) {
       report.fix(where({name.end, end}), fmt::format(" {{ {} }}", text({open + 1, end - 1})));
     }
     return name.end;

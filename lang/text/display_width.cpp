@@ -4,6 +4,8 @@
 #include <array>
 #include <span>
 
+#include <fmt/format.h>
+
 namespace sdlc::lang {
 namespace {
 
@@ -161,6 +163,15 @@ std::string abbreviated(std::string_view text) {
     end += decode_utf8(text.substr(end)).size;
   }
   return std::string(text.substr(0, end)) + (end < text.size() ? "…" : "");
+}
+
+std::string describe_character(char32_t c) {
+  std::string text = fmt::format("U+{:04X}", static_cast<std::uint32_t>(c));
+  if (c < 0x20 || c == 0x7F) return text;
+  std::string shown;
+  append_utf8(c, shown);
+  return is_unsafe_on_terminal(c) || display_width(c) == 0 ? text
+                                                           : fmt::format("`{}` ({})", shown, text);
 }
 
 void append_printable(DecodedChar c, std::string& out) {

@@ -23,6 +23,9 @@ void append_printable(DecodedChar c, std::string& out);
 /// The whole text so; line ends count as unsafe.
 std::string printable(std::string_view text);
 
+/// "`×` (U+00D7)"; of a character that cannot be seen, "U+00A0".
+std::string describe_character(char32_t code_point);
+
 /// The text, or its beginning and `…` where it is too long to stand inside a sentence.
 std::string abbreviated(std::string_view text);
 

@@ -77,7 +77,7 @@ std::optional<std::string_view> nearest_name(std::string_view name,
   std::optional<std::string_view> best;
   std::size_t best_distance = 0;
   for (const std::string_view candidate : candidates) {
-    if (candidate.size() > kLongestName) continue;
+    if (candidate.size() > kLongestName || candidate == name) continue;
     const auto [shorter, longer] = std::minmax({name.size(), candidate.size()});
     const std::size_t allowed = most_edits(longer, candidates.size());
     const bool is_part =

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/diagnostics/render.hpp"
 #include "lang/text/display_width.hpp"
 #include "lang/text/utf8.hpp"
 #include "tests/support/folder_lock.hpp"
@@ -149,6 +150,49 @@ class Remarker {
 
 bool is_diagnostic(const Remark& remark) {
   return remark.kind.size() == 4 && remark.kind != "help";
+}
+
+/// What no diagnostic may do, whatever it is about: suggest or fix nothing, or keep its choices
+/// to itself.
+std::string nonsense_in(const lang::DiagnosticSink& sink) {
+  std::string found;
+  const auto text_of = [](const lang::Location& where) {
+    return where.file == nullptr ? std::string_view() : where.file->text(where.span);
+  };
+  for (const lang::Diagnostic& diagnostic : sink.diagnostics()) {
+    const auto complain = [&](std::string_view what) {
+      found += fmt::format("{} ({}): {}\n", diagnostic.info->code, diagnostic.message, what);
+    };
+    const std::string& suggestion = diagnostic.suggestion;
+    const std::string named = fmt::format("`{}`", suggestion);
+    if (!suggestion.empty() && suggestion == text_of(diagnostic.where)) complain("suggests itself");
+    // "expected `for`, found `foreach`" says what was expected.
+    const bool is_expected = diagnostic.info->code == lang::diag::expected.code;
+    if (!suggestion.empty() && !is_expected &&
+        diagnostic.message.find(named) != std::string::npos) {
+      complain("suggests what its message names");
+    }
+    for (const lang::Fix& fix : diagnostic.fixes) {
+      if (fix.replacement == text_of(fix.where)) complain("a fix changes nothing");
+    }
+    const bool is_choice = diagnostic.info->code == lang::diag::unknown_word.code ||
+                           diagnostic.info->code == lang::diag::unknown_type.code;
+    const bool has_choices = std::ranges::any_of(
+        diagnostic.help, [](const std::string& help) { return help.find(", ") != help.npos; });
+    if (is_choice && !has_choices) complain("does not list the choices");
+  }
+  const std::string shown =
+      lang::render_diagnostics(sink, {.format = lang::MessageFormat::Human, .facts = {}});
+  for (const std::string& line : split_lines(shown)) {
+    constexpr std::string_view kWrite = "help: write ", kInstead = " instead of ";
+    const std::size_t write = line.find(kWrite), instead = line.find(kInstead);
+    if (write == std::string::npos || instead == std::string::npos) continue;
+    const std::size_t begin = write + kWrite.size();
+    if (line.substr(begin, instead - begin) == line.substr(instead + kInstead.size())) {
+      found += line + "\n";
+    }
+  }
+  return found;
 }
 
 void update(const FileCase& file_case, const std::vector<Remark>& remarks) {
@@ -339,6 +383,7 @@ void run_program_case(const FileCase& file_case, std::string_view file_name,
   lang::DiagnosticSink sink;
   const std::shared_ptr<const void> texts = reader(file, files, sink);
   const std::vector<Remark> remarks = remarks_of(sink, file_case, file_name);
+  EXPECT_EQ(nonsense_in(sink), "") << file_case.file.string() << ", case " << file_case.name;
   if (std::getenv("SDLC_UPDATE") != nullptr) return update(file_case, remarks);
 
   const std::string problems = compare(file_case, remarks);

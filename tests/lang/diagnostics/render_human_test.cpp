@@ -176,6 +176,29 @@ TEST(RenderHuman, NeedsNoFile) {
             "warning[W402]: a sphere of radius 0 is never seen\n\n1 warning\n");
 }
 
+TEST(RenderHuman, ShowsWhatAFixChangesWhereBothLookAlike) {
+  struct Case {
+    const char* text;
+    const char* replacement;
+    const char* help;
+  };
+  const std::string end(70, 'z');
+  const std::string longer = end + "y";
+  for (const auto& [text, replacement, help] :
+       {Case{"-", "- ", "add a space at 1:2"}, Case{"a b", "a  b", "instead of `a b`"},
+        Case{"\u2212", "-", "write `-` instead of `\u2212` (U+2212)"},
+        Case{"\u00a0", " ", "write a space instead"}, Case{"  ", "", "remove 2 spaces"},
+        Case{"a\nb", "a\nc", "write `c` instead of `b`"},
+        Case{end.c_str(), longer.c_str(), "add `y` at 1:71"}}) {
+    const SourceFile file("a.scene", std::string(text) + "\n");
+    DiagnosticSink sink;
+    const Location all{&file, {0, static_cast<std::uint32_t>(std::string_view(text).size())}};
+    sink.report(diag::bad_utf8, {&file, {0, 0}}).fix(all, replacement);
+    EXPECT_NE(render_diagnostics(sink, {}).find(help), std::string::npos)
+        << render_diagnostics(sink, {});
+  }
+}
+
 TEST(RenderHuman, ColoursOnlyWhenAsked) {
   const SourceFile file("a\x1b.json", "\x1b[2J\n");
   DiagnosticSink sink;
