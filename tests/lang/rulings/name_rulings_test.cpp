@@ -315,9 +315,9 @@ TEST(Rulings, Ruling16_ASettingIsAnExpressionOfTheParamsTypeOverBuiltIns) {
 TEST(Rulings, Ruling16_AStringParamTakesTheTextAsItIs) {
   const Sources sources{.root = kCamera +
                                 "param name = \"a\" param other: string = \"b\"\n"
-                                "render { output: name + other }",
+                                "render { output: name + other + \".png\" }",
                         .sets = {{"name", "\"x\\ny\" + 1"}, {"other", ""}}};
-  EXPECT_EQ(scene_of(sources).output.output, "\"x\\ny\" + 1");
+  EXPECT_EQ(scene_of(sources).output.output, "\"x\\ny\" + 1.png");
 }
 
 // The lint of unused names is still to come.
