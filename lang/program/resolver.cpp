@@ -49,7 +49,7 @@ std::optional<std::string_view> meant_name(const std::optional<Habit>& habit, st
 }
 
 bool Resolver::may_suggest(std::size_t names) {
-  constexpr std::uint64_t kMaxCompared = 10'000'000;
+  constexpr std::uint64_t kMaxCompared = 2'000'000;
   module_.compared_names += names;
   return module_.compared_names <= kMaxCompared;
 }
