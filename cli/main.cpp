@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/program.hpp"
+#include "cli/stack.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/tiles/threads.hpp"
 
@@ -63,7 +65,13 @@ int main(int argc, char** argv) {
   // that may look into the environment.
   ::setenv("OPENIMAGEIO_THREADS", "1", 0);
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const sdlc::lang::DiskFileSystem files;
-  sdlc::cli::Environment env = sdlc::cli::process_environment(files);
-  return static_cast<int>(sdlc::cli::run_program(arguments, env));
+  int status = 0;
+  const bool has_stack = sdlc::cli::run_on_large_stack([&] {
+    const sdlc::lang::DiskFileSystem files;
+    sdlc::cli::Environment env = sdlc::cli::process_environment(files);
+    status = static_cast<int>(sdlc::cli::run_program(arguments, env));
+  });
+  if (has_stack) return status;
+  std::cerr << "error: the stack is too small, and no thread can be started: raise `ulimit -s`\n";
+  return static_cast<int>(sdlc::cli::ExitCode::Usage);
 }
