@@ -32,7 +32,9 @@ struct Options {
 
 lang::LoweredScene compile(const lang::SourceFile& file, int spheres) {
   lang::DiagnosticSink sink;
-  std::optional<lang::LoweredScene> scene = lang::compile(file, {}, sink);
+  lang::ProgramOptions program;
+  program.limits.file = program.limits.config = file.text().size();
+  std::optional<lang::LoweredScene> scene = lang::Compiler(file, program, sink).lower({});
   if (!scene) throw std::runtime_error(sink.diagnostics().front().message);
   if (scene->scene.spheres.size() != static_cast<std::size_t>(spheres)) {
     throw std::runtime_error(fmt::format("{}: spheres are missing", file.name()));

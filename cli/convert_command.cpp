@@ -129,7 +129,8 @@ class ConvertJob {
   void convert(const Input& input) {
     const std::string shown =
         input.name == kStandardStream ? stdin_name(options_.reading) : input.name;
-    const lang::SourceFile file(shown, read_text(input.name, shown, env_));
+    const lang::SourceFile file(
+        shown, read_text(input.name, shown, env_, options_.reading.limits.any_file()));
     if (name_of(file.format()) == options_.to) {
       if (!input.folder) fail(fmt::format("`{}` is one already: --to {}", shown, options_.to));
       return;

@@ -18,6 +18,7 @@
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
 #include "lang/format/format.hpp"
+#include "lang/program/program.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/io_error.hpp"
@@ -28,6 +29,7 @@ namespace {
 struct FmtOptions {
   std::vector<std::string> arguments;
   std::string stdin_filename;
+  lang::Limits limits;
   DiagnosticsOptions diagnostics;
   std::optional<lang::LineRange> lines;
   bool checks = false;      // --check
@@ -92,12 +94,14 @@ class FmtJob {
       const std::string shown =
           !is_stdin ? name
                     : (options_.stdin_filename.empty() ? "<stdin>" : options_.stdin_filename);
-      const std::string text = read_text(name, shown, env_);
+      if (!only_tells()) refuse_special(name, env_);
+      const std::string text = read_text(name, shown, env_, options_.limits.file);
       refuse_json(name, shown, text);
       lang::DiagnosticSink sink;
       sink.set_filter(
           [](const lang::DiagnosticInfo& info) { return info.severity == lang::Severity::Error; });
       const lang::SourceFile file(shown, text);
+      if (!lang::check_file_size(file, options_.limits, sink)) return leave_alone(shown, sink);
       if (const auto formatted = lang::format_file(file, sink, options_.lines)) {
         settle(name, shown, text, *formatted);
       } else {
@@ -189,6 +193,7 @@ void add_fmt_command(CLI::App& app, Dispatcher& dispatcher) {
       ->type_name("FIRST:LAST");
   command->add_option("--stdin-filename", options->stdin_filename,
                       "What a scene from standard input is called in messages");
+  add_limit_option(*command, options->limits);
   add_diagnostics_options(*command, options->diagnostics);
   command->add_flag("--quiet", options->quiet, "Nothing on standard error but errors");
   command->footer(

@@ -153,7 +153,9 @@ class LintJob {
 
   void lint(const std::string& name) {
     try {
-      std::string text = read_text(name, shown_name(name), env_);
+      if (applies_fixes() && !options_.shows_diff) refuse_special(name, env_);
+      std::string text =
+          read_text(name, shown_name(name), env_, options_.reading.limits.any_file());
       if (!options_.shows_diff) writer_->enter(shown_name(name));
       const auto result =
           applies_fixes() ? mend(name, std::move(text)) : linted(name, std::move(text));

@@ -9,6 +9,7 @@
 
 #include "cli/usage_error.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/source/limits.hpp"
 #include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"
 
@@ -20,8 +21,9 @@ namespace fs = std::filesystem;
 /// Whether two keys of the format stand in the text: a config with mistakes in it is one too, and
 /// other JSON is left alone.
 bool looks_like_config(const fs::path& path, const Environment& env) {
+  constexpr std::uint64_t kMostConfig = lang::Limits().config;
   std::error_code error;
-  const std::optional<std::string> text = env.files.read(path, error);
+  const std::optional<std::string> text = env.files.read(path, kMostConfig, error);
   if (!text) return true;  // whoever reads it says why it cannot be read
   const auto is_there = [&](const lang::JsonKey& key) {
     return text->find(fmt::format("\"{}\"", key.key)) != std::string::npos;

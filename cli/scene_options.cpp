@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -27,6 +29,21 @@ std::pair<std::string, std::string> split_pair(const std::string& flag, const st
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+/// `4096`, `64MiB`
+std::optional<std::uint64_t> read_limit(std::string_view text) {
+  std::uint64_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return std::nullopt;
+  const std::string_view unit = text.substr(static_cast<std::size_t>(stop - text.data()));
+  int shift = 0;
+  for (const std::string_view known : {"", "KiB", "MiB", "GiB"}) {
+    const bool fits = number <= std::numeric_limits<std::uint64_t>::max() >> shift;
+    if (unit == known) return fits ? std::optional(number << shift) : std::nullopt;
+    shift += 10;
+  }
+  return std::nullopt;
+}
+
 void set_limit(const std::string& text, lang::Limits& limits) {
   const auto [name, value] = split_pair("--limit", text);
   const auto found = std::find_if(lang::kLimits.begin(), lang::kLimits.end(),
@@ -38,38 +55,41 @@ void set_limit(const std::string& text, lang::Limits& limits) {
         "--limit",
         fmt::format("there is no limit `{}`{}", lang::printable(name), did_you_mean(name, names)));
   }
-  std::uint64_t number = 0;
-  const char* end = value.data() + value.size();
-  const auto [stop, error] = std::from_chars(value.data(), end, number);
-  if (error != std::errc() || stop != end) {
+  const std::optional<std::uint64_t> number = read_limit(value);
+  if (!number) {
     throw CLI::ValidationError(
-        "--limit", fmt::format("{} takes a whole number, not `{}`", name, lang::printable(value)));
+        "--limit", fmt::format("{} takes a whole number, perhaps with KiB, MiB or GiB, not `{}`",
+                               name, lang::printable(value)));
   }
-  limits.*(found->limit) = number;
+  limits.*(found->limit) = *number;
 }
 
 }  // namespace
+
+void add_limit_option(CLI::App& command, lang::Limits& limits) {
+  std::string all;
+  for (const lang::LimitInfo& limit : lang::kLimits) {
+    all += fmt::format("{}{} ({}: {})", all.empty() ? "" : ", ", limit.name, limits.*(limit.limit),
+                       limit.doc);
+  }
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--limit",
+          [&limits](const std::vector<std::string>& pairs) {
+            for (const std::string& pair : pairs) set_limit(pair, limits);
+          },
+          "Change what a scene may use up: " + all)
+      ->type_name("NAME=N")
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false);  // FILE may stand behind it
+}
 
 void add_reading_options(CLI::App& command, ReadingOptions& options) {
   command.add_flag(
       "--sandbox", options.is_sandboxed,
       "Read no file outside the scene's folder, and write none there that the scene names");
-  std::string limits;
-  for (const lang::LimitInfo& limit : lang::kLimits) {
-    limits += fmt::format("{}{} ({}: {})", limits.empty() ? "" : ", ", limit.name,
-                          options.limits.*(limit.limit), limit.doc);
-  }
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--limit",
-          [&options](const std::vector<std::string>& pairs) {
-            for (const std::string& pair : pairs) set_limit(pair, options.limits);
-          },
-          "Change what a scene may use up: " + limits)
-      ->type_name("NAME=N")
-      ->take_all()
-      ->expected(1)
-      ->allow_extra_args(false);  // FILE may stand behind it
+  add_limit_option(command, options.limits);
   command.add_option("--stdin-filename", options.stdin_filename,
                      "What a scene from standard input is called in messages");
 }
@@ -78,11 +98,17 @@ std::string stdin_name(const ReadingOptions& options) {
   return options.stdin_filename.empty() ? "<stdin>" : options.stdin_filename;
 }
 
-std::string read_text(const std::string& path, const std::string& name, const Environment& env) {
+std::string read_text(const std::string& path, const std::string& name, const Environment& env,
+                      std::uint64_t most) {
   std::error_code error;
-  std::optional<std::string> text = env.files.read(path, error);
+  std::optional<std::string> text = env.files.read(path, most, error);
   if (!text) throw render::IoError("read", name, error.message());
   return std::move(*text);
+}
+
+void refuse_special(const std::string& path, const Environment& env) {
+  if (path == kStandardStream || !env.files.is_special(path)) return;
+  throw render::IoError("replace", path, "it is no regular file");
 }
 
 lang::ProgramOptions program_options(const ReadingOptions& options, const Environment& env) {
@@ -125,7 +151,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
 }
 
 lang::SourceFile read_source(const SceneOptions& options, const Environment& env) {
-  return lang::SourceFile(options.name(), read_text(options.file, options.name(), env));
+  return lang::SourceFile(options.name(), read_text(options.file, options.name(), env,
+                                                    options.reading.limits.any_file()));
 }
 
 lang::ProgramOptions program_options(const SceneOptions& options, const Environment& env) {

@@ -20,13 +20,18 @@ struct ReadingOptions {
   bool is_sandboxed = false;
 };
 
+/// --limit NAME=N
+void add_limit_option(CLI::App& command, lang::Limits& limits);
+
 void add_reading_options(CLI::App& command, ReadingOptions& options);
 
 /// What a scene from standard input is called in messages.
 std::string stdin_name(const ReadingOptions& options);
 
-/// The text of `path`, which messages call `name`. Throws render::IoError.
-std::string read_text(const std::string& path, const std::string& name, const Environment& env);
+/// The text of `path`, which messages call `name`; of one of more than `most` bytes the first
+/// `most` + 1. Throws render::IoError.
+std::string read_text(const std::string& path, const std::string& name, const Environment& env,
+                      std::uint64_t most = lang::Limits().any_file());
 
 lang::ProgramOptions program_options(const ReadingOptions& options, const Environment& env);
 
@@ -47,6 +52,9 @@ struct SceneOptions {
 void add_set_option(CLI::App& command, std::vector<lang::SetOption>& sets);
 
 void add_scene_options(CLI::App& command, SceneOptions& options);
+
+/// Throws render::IoError where the file is a pipe, a device or the like, which cannot be replaced.
+void refuse_special(const std::string& path, const Environment& env);
 
 /// The scene's text. Throws render::IoError.
 lang::SourceFile read_source(const SceneOptions& options, const Environment& env);

@@ -40,6 +40,8 @@ class Tracer final : public ObjectSink {
 
   void add(const Object& object) override {
     builder_.add(object);
+    constexpr std::size_t kMostHeld = 4096;
+    if (builder_.held_spheres() >= kMostHeld) builder_.forget_spheres();
     if (next_ == wanted_.size() || count() <= wanted_[next_]) return;
     origins_.push_back({.where = object.where,
                         .material = material_of(object),
@@ -63,6 +65,8 @@ class Tracer final : public ObjectSink {
     materials_.pop_back();
     builder_.leave();
   }
+
+  bool is_full() const override { return builder_.is_full() || next_ == wanted_.size(); }
 
   // Of what repeats only that is looked into which holds a wanted sphere.
   bool wants_contents() const override { return true; }
@@ -139,9 +143,16 @@ std::optional<Animation> Compiler::animation() {
   return animation_;
 }
 
-void Compiler::read(ObjectSink& objects, DiagnosticSink& sink) {
-  if (!program_) return read_config(file_, objects, sink);
-  Evaluation(*program_, {.frame = frame_, .camera = overrides_.camera}, sink).run(objects);
+std::uint64_t Compiler::read(ObjectSink& objects, DiagnosticSink& sink,
+                             std::optional<std::uint64_t> steps) {
+  if (!program_) {
+    if (check_file_size(file_, options_.limits, sink)) read_config(file_, objects, sink);
+    return 0;
+  }
+  Evaluation evaluation(*program_, {.frame = frame_, .camera = overrides_.camera, .steps = steps},
+                        sink);
+  evaluation.run(objects);
+  return evaluation.steps();
 }
 
 LoweredScene Compiler::build(const Overrides& overrides, std::optional<int> frame,
@@ -287,9 +298,12 @@ std::vector<Origin> Compiler::trace_added(std::span<const std::uint32_t> spheres
   }
   DiagnosticSink ignored;  // all has been said
   Tracer tracer(file_, options_.limits, wanted, ignored);
-  read(tracer, ignored);
+  // All traces together may take as long as two evaluations.
+  const std::uint64_t most = 2 * std::min(options_.limits.steps, std::uint64_t{1} << 62);
+  trace_steps_ += read(tracer, ignored, most - std::min(most, trace_steps_));
   std::vector<Origin> origins = tracer.take();
-  origins.resize(spheres.size());  // no place is known of spheres that were an instance's
+  // No place is known of spheres that were an instance's, nor of those that were not found in time.
+  origins.resize(spheres.size());
   return origins;
 }
 

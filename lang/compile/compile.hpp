@@ -88,8 +88,10 @@ class Compiler {
   const CompileTimes& times() const noexcept { return times_; }
 
  private:
-  /// Everything that the text says, in the order of `objects`.
-  void read(ObjectSink& objects, DiagnosticSink& sink);
+  /// Everything that the text says, in the order of `objects`, by at most so many steps; returns
+  /// how many it took.
+  std::uint64_t read(ObjectSink& objects, DiagnosticSink& sink,
+                     std::optional<std::uint64_t> steps = {});
   LoweredScene build(const Overrides& overrides, std::optional<int> frame, Purpose purpose);
   /// Origins by the order in which spheres were added, those of instances not counted; ascending.
   std::vector<Origin> trace_added(std::span<const std::uint32_t> spheres);
@@ -116,6 +118,7 @@ class Compiler {
   std::optional<int> frame_;
   std::vector<DroppedSphere> dropped_;
   std::vector<GroupRepeats::Run> instance_runs_;
+  std::uint64_t trace_steps_ = 0;
   CompileTimes times_;
 };
 

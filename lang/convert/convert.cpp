@@ -101,7 +101,7 @@ std::optional<std::string> Conversion::to_scene() {
   {
     const WarningsOff off(sink_);
     SceneBuilder builder(file_, options_.limits, sink_, Purpose::Picture, Instancing::Never);
-    read_config(file_, builder, sink_);
+    if (check_file_size(file_, options_.limits, sink_)) read_config(file_, builder, sink_);
     lowered = builder.finish({});
   }
   if (sink_.has_errors()) return std::nullopt;

@@ -14,6 +14,7 @@ namespace sdlc::lang {
 namespace {
 
 constexpr std::string_view kFrameMark = "####";
+constexpr std::size_t kCopies = 3;  // that are made of the text in the end
 
 std::string vector_text(render::Vec3 v) {
   return fmt::format("[{}, {}, {}]", config_number(v.x), config_number(v.y), config_number(v.z));
@@ -230,6 +231,7 @@ void ConfigWriter::add_sphere(const Object& object) {
       fmt::format("{}\n    {{ \"origin\": {}, \"radius\": {}, \"material\": {}{} }}",
                   spheres_.empty() ? "" : ",", place.substr(0, end), config_number(*radius * scale),
                   material_text(*material, material_where), place.substr(end));
+  bytes_.set(kCopies * spheres_.capacity());
 }
 
 std::optional<std::string> ConfigWriter::camera_text(const JsonKey& key,

@@ -10,6 +10,7 @@
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/lower/placement.hpp"
 #include "lang/lower/scene_builder.hpp"
+#include "lang/object/counted_bytes.hpp"
 #include "lang/object/object.hpp"
 #include "lang/source/source.hpp"
 
@@ -37,6 +38,7 @@ class ConfigWriter final : public ObjectSink {
   void add(const Object& object) override;
   void enter(const Object& group) override;
   void leave() override;
+  bool is_full() const override { return next_.is_full(); }
 
   /// The config of all that was added, as it was lowered.
   std::string finish(const LoweredScene& lowered, std::optional<int> frame);
@@ -77,6 +79,7 @@ class ConfigWriter final : public ObjectSink {
   std::optional<Object> background_, render_;
   std::vector<Group> groups_;
   std::string spheres_;  ///< each on a line
+  CountedBytes bytes_;
   std::optional<int> frame_;
   bool has_moving_spheres_ = false;
   bool has_rounded_colors_ = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <iterator>
 
 namespace sdlc::lang {
@@ -63,10 +64,11 @@ DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where
   if (is_muted_) return discard();
   const bool is_error = info.severity == Severity::Error;
   if (!is_error && is_allowed_ && is_allowed_(info, where)) return discard();
-  std::string identity =
-      fmt::format("{} {} {} {} {}", info.code, static_cast<const void*>(where.file),
-                  where.span.begin, where.span.end, message);
-  if (!told_.insert(std::move(identity)).second) return discard();
+  const std::string place =
+      fmt::format("{} {} {} {} ", info.code, static_cast<const void*>(where.file), where.span.begin,
+                  where.span.end);
+  const std::hash<std::string_view> hash;
+  if (!told_.insert(hash(place) * 31 + hash(message)).second) return discard();
   if (is_wanted_ && !is_wanted_(info)) {
     if (is_error) ++unwanted_errors_;
     return discard();

@@ -183,9 +183,9 @@ class DiagnosticSink {
   DiagnosticBuilder add(const DiagnosticInfo& info, Location where, std::string message);
   DiagnosticBuilder discard();
 
-  std::deque<Diagnostic> diagnostics_;  // a deque: builders keep a pointer to the last one
-  Diagnostic discarded_;                // what builders of omitted diagnostics write to
-  std::unordered_set<std::string> told_;
+  std::deque<Diagnostic> diagnostics_;    // a deque: builders keep a pointer to the last one
+  Diagnostic discarded_;                  // what builders of omitted diagnostics write to
+  std::unordered_set<std::size_t> told_;  // by hashes: a message may be long, and they are many
   const ChainSource* chain_ = nullptr;
   std::function<bool(const DiagnosticInfo&)> is_wanted_;             // empty: all are
   std::function<bool(const DiagnosticInfo&, Location)> is_allowed_;  // empty: none is

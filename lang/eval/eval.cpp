@@ -13,6 +13,8 @@ const std::optional<Animation>& Evaluation::animation() const { return evaluator
 
 void Evaluation::run(ObjectSink& objects) { evaluator_->run(objects); }
 
+std::uint64_t Evaluation::steps() const noexcept { return evaluator_->steps(); }
+
 void evaluate(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink) {
   Program program(file, {}, sink);
   Evaluation(program, {}, sink).run(objects);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,8 +20,9 @@ struct Animation {
 };
 
 struct EvaluationOptions {
-  std::optional<int> frame = {};           ///< default: the first of the animation
-  std::optional<std::string> camera = {};  ///< chosen in place of what the file chooses
+  std::optional<int> frame = {};            ///< default: the first of the animation
+  std::optional<std::string> camera = {};   ///< chosen in place of what the file chooses
+  std::optional<std::uint64_t> steps = {};  ///< at most, in place of the program's limit
 };
 
 /// One evaluation of a program: at one frame, with one shutter. Every object goes to an ObjectSink,
@@ -34,6 +36,8 @@ class Evaluation {
 
   const std::optional<Animation>& animation() const;
   void run(ObjectSink& objects);
+  /// Steps that were taken, but for those that spheres allow for.
+  std::uint64_t steps() const noexcept;
 
  private:
   std::unique_ptr<class Evaluator> evaluator_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +15,8 @@
 // chosen camera; what they are made of must be known before anything else is evaluated.
 namespace sdlc::lang {
 namespace {
+
+constexpr std::uint64_t kMostSteps = std::uint64_t{1} << 62;
 
 /// The expression that code of one object gives a property; kNothing where it is not written.
 std::uint32_t expression_of(const Code& code, const Statement& statement, std::size_t property) {
@@ -43,7 +46,10 @@ bool is_declaration(SyntaxKind kind) noexcept {
 }  // namespace
 
 Evaluator::Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink)
-    : program_(program), options_(options), sink_(sink) {
+    : program_(program),
+      options_(options),
+      sink_(sink),
+      most_steps_(std::min(options.steps.value_or(program.limits().steps), kMostSteps)) {
   sink_.set_chain(this);
   find_settings();
   evaluate_all_globals(Globals::TimeFree);
@@ -55,7 +61,9 @@ Evaluator::Evaluator(Program& program, const EvaluationOptions& options, Diagnos
   // What the shutter is made of is wanted at the frame's own time. That is a time at which nothing
   // else may be asked for, so that nothing is wrong with what has no value then.
   sink_.set_muted(true);
+  const auto before = std::tuple(steps_, most_steps_, has_given_up_);
   evaluate_all_globals(Globals::TimeDependent);
+  std::tie(steps_, most_steps_, has_given_up_) = before;  // of a limit everybody is to be told
   sink_.set_muted(false);
   find_shutter();
   evaluate_all_globals(Globals::TimeDependent);
@@ -240,6 +248,7 @@ void Evaluator::evaluate_globals(std::uint32_t module, Globals which) {
   for (const std::uint32_t index : file.order) {
     const Global& global = file.globals[index];
     if (global.uses_time != (which == Globals::TimeDependent)) continue;
+    if (!take_steps(file.code, global.node, work::kStatement)) return;
     globals_[module][index] = evaluate_global(module, index);
   }
 }
@@ -334,7 +343,7 @@ void Evaluator::run_file(std::uint32_t module) {
     code.clear();
     const std::uint32_t index = resolver.resolve_statement(statement, code, frame_size);
     if (index == kNothing || is_left_out) continue;
-    locals_.resize(frame_ + frame_size);
+    if (!open_frame(code, statement.index(), frame_size)) return;
     run(code, index);
     locals_.resize(frame_);
   }

@@ -7,12 +7,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/eval/eval.hpp"
 #include "lang/eval/instance_memo.hpp"
+#include "lang/object/counted_bytes.hpp"
 #include "lang/object/object.hpp"
 #include "lang/program/program.hpp"
 #include "lang/schema/schema.hpp"
@@ -30,6 +32,8 @@ class Evaluator final : public ChainSource {
 
   const std::optional<Animation>& animation() const { return animation_; }
   void run(ObjectSink& objects);
+  /// Steps that no sphere has allowed for.
+  std::uint64_t steps() const noexcept;
 
   std::vector<ChainLink> chain() const override;
 
@@ -82,6 +86,8 @@ class Evaluator final : public ChainSource {
   void run_assert(const Code& code, const Statement& statement);
   void run_group(const Code& code, const Statement& statement);
   void run_instance(const Code& code, const Statement& statement);
+  /// The steps of placing object_, a group that has been read.
+  void take_rotation();
   /// What tells the contents of an instance, whose arguments stand in the frame from `base` on,
   /// from those of other instances of its def; nothing: it is not to be remembered.
   std::optional<std::string> identify_contents(InstanceMemo::Def def, std::size_t base,
@@ -129,8 +135,17 @@ class Evaluator final : public ChainSource {
                       NodeIndex declaration, Computed value, Location where);
   /// Errors and warnings that have been told so far.
   std::size_t report_count() const { return sink_.error_count() + sink_.counts().warnings; }
-  /// Counts loop turns, calls and the like; false, once reported, when there are too many.
-  bool take_steps(const Code& code, NodeIndex node, std::uint64_t count = 1);
+  /// Counts steps; false, once reported, when there are too many, or the values take too much
+  /// memory. Then nothing more is evaluated.
+  bool take_steps(const Code& code, NodeIndex node, std::uint64_t count);
+  /// From now on nothing is evaluated; false where that has been said before.
+  bool give_up();
+  /// Whether values may take so many bytes more; if not, that is reported.
+  bool may_take_memory(const Code& code, NodeIndex node, std::uint64_t bytes);
+  /// Makes room for a frame behind the present one: where it begins, or nothing, once reported.
+  std::optional<std::size_t> open_frame(const Code& code, NodeIndex node, std::size_t slots);
+  /// What spheres or instances allow for.
+  void allow_steps(std::uint64_t spheres);
   /// Whether one more call or instance may stand inside those that there are; if not, that has been
   /// reported.
   bool may_call(const Code& code, NodeIndex node);
@@ -180,7 +195,12 @@ class Evaluator final : public ChainSource {
   int deepest_calls_ = 0;  // calls_ at most, in what is being evaluated
   bool has_called_too_deep_ = false;
   std::vector<std::uint32_t> files_inside_;  // that are being run through includes
-  std::uint64_t steps_ = 0;
+  std::unordered_set<std::uint32_t> included_;
+
+  std::uint64_t steps_ = 0, allowed_steps_ = 0;
+  std::uint64_t most_steps_;  // with what is allowed for spheres
+  bool has_given_up_ = false;
+  CountedBytes locals_bytes_;
 };
 
 /// A step that lasts as long as it lives.

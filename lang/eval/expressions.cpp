@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,6 +17,15 @@
 
 namespace sdlc::lang {
 namespace {
+
+constexpr std::uint64_t kPowerSteps = 100, kStringSteps = 4;
+
+/// Of looking at all of a value.
+std::uint64_t steps_to_read(const Computed& value) noexcept {
+  if (const auto* list = get_if<ListValue>(&value)) return list->weight();
+  if (const auto* text = get_if<std::string>(&value)) return text->size() / work::kBytes;
+  return 0;
+}
 
 /// What stands for "no number" where a Scalar is asked for: no value has this unit.
 constexpr Scalar kNoNumber{0, static_cast<Unit>(0xFF)};
@@ -82,17 +90,60 @@ void Evaluator::end_call() {
 }
 
 bool Evaluator::take_steps(const Code& code, NodeIndex node, std::uint64_t count) {
-  const std::uint64_t most = program_.limits().steps;
-  if (count <= most - std::min(most, steps_)) {
+  if (steps_ <= most_steps_ && count <= most_steps_ - steps_) [[likely]] {
     steps_ += count;
-    return true;
+    return may_take_memory(code, node, 0);
   }
-  // It is told once: whatever comes now takes too many steps too.
-  constexpr auto kAll = std::numeric_limits<std::uint64_t>::max();
-  if (std::exchange(steps_, kAll) == kAll) return false;
-  sink_.report(diag::too_many_steps, ast::Node(*code.tree, node).location(), most)
-      .help("`--limit steps=N` allows more");
+  if (give_up()) {
+    sink_
+        .report(diag::too_many_steps, ast::Node(*code.tree, node).location(),
+                program_.limits().steps)
+        .help("`--limit steps=N` allows more");
+  }
   return false;
+}
+
+bool Evaluator::give_up() {
+  most_steps_ = 0;
+  ++steps_;
+  return !std::exchange(has_given_up_, true);
+}
+
+std::uint64_t Evaluator::steps() const noexcept {
+  return steps_ - std::min(steps_, allowed_steps_);
+}
+
+void Evaluator::allow_steps(std::uint64_t spheres) {
+  if (objects_->is_full()) give_up();
+  if (has_given_up_) return;
+  const std::uint64_t steps = spheres * (program_.limits().steps / work::kSpheres);
+  allowed_steps_ += steps;
+  most_steps_ += steps;
+}
+
+bool Evaluator::may_take_memory(const Code& code, NodeIndex node, std::uint64_t bytes) {
+  const std::uint64_t most = program_.limits().memory, taken = CountedBytes::sum();
+  if (taken <= most && bytes <= most - taken) [[likely]]
+    return true;
+  if (give_up()) {
+    sink_.report(diag::too_much_memory, ast::Node(*code.tree, node).location(), most)
+        .help("`--limit memory=N` allows more");
+  }
+  return false;
+}
+
+std::optional<std::size_t> Evaluator::open_frame(const Code& code, NodeIndex node,
+                                                 std::size_t slots) {
+  const std::size_t base = locals_.size(), size = base + slots;
+  if (size > locals_.capacity()) {
+    const std::size_t capacity = std::max(size, 2 * locals_.capacity());
+    if (!may_take_memory(code, node, capacity * sizeof(Varying))) return std::nullopt;
+    locals_.reserve(capacity);
+    locals_bytes_.set(locals_.capacity() * sizeof(Varying));
+  }
+  steps_ += slots * work::kSlot;
+  locals_.resize(size);
+  return base;
 }
 
 Scalar Evaluator::evaluate_number(const Code& code, std::uint32_t index, Computed& other) {
@@ -135,6 +186,7 @@ Computed Evaluator::evaluate(const Code& code, std::uint32_t index) {
     default: break;
   }
   if (!may_nest(code, e.node)) return Failed{};
+  ++steps_;
   ++depth_;
   Computed value = evaluate_operation(code, e);
   --depth_;
@@ -166,8 +218,7 @@ Computed Evaluator::evaluate_operation(const Code& code, const Expression& e) {
     case Op::Comparison: {
       const auto operands = code.operands_of(e);
       const Computed left = evaluate(code, operands[0]);
-      const auto* list = get_if<ListValue>(&left);
-      if (list != nullptr && !take_steps(code, e.node, list->weight())) return Failed{};
+      if (!take_steps(code, e.node, steps_to_read(left))) return Failed{};
       return evaluate_comparison(left, code.expressions[operands[1]].before,
                                  evaluate(code, operands[1]),
                                  ast::Node(*code.tree, e.node).location(), sink_);
@@ -206,20 +257,28 @@ Computed Evaluator::combine(const Code& code, const Computed& left, std::uint32_
     return lang::evaluate_operation(left, op, right,
                                     {node(code, left_index), node(code, right_index)}, sink_);
   }
-  const bool is_good = check_string_size(text->size() + more->size(), program_.limits(),
-                                         place(code, right_index), sink_);
+  const std::uint64_t bytes = text->size() + more->size();
+  const bool is_good =
+      check_string_size(bytes, program_.limits(), place(code, right_index), sink_) &&
+      take_steps(code, node(code, right_index).index(), kStringSteps + bytes / work::kBytes) &&
+      may_take_memory(code, node(code, right_index).index(), bytes);
   return is_good ? Computed(*text + *more) : Failed{};
 }
 
 Computed Evaluator::evaluate_power(const Code& code, const Expression& e) {
   const auto operands = code.operands_of(e);
   const Computed base = evaluate(code, operands[0]);
-  return lang::evaluate_power(base, evaluate(code, operands[1]),
-                              {node(code, operands[0]), node(code, operands[1])}, sink_);
+  const Computed exponent = evaluate(code, operands[1]);
+  const auto* power = get_if<Scalar>(&exponent);
+  const bool is_product = power != nullptr && (power->value == 2 || power->value == 3);
+  if (!is_product) steps_ += kPowerSteps;
+  return lang::evaluate_power(base, exponent, {node(code, operands[0]), node(code, operands[1])},
+                              sink_);
 }
 
 Scalar Evaluator::evaluate_chain(const Code& code, const Expression& e, Computed& other) {
   const std::uint32_t* operands = code.operands.data() + e.first;
+  steps_ += e.count;
   Scalar left = evaluate_number(code, operands[0], other);
   for (std::uint32_t i = 1; i < e.count; ++i) {
     Computed right_other;
@@ -320,6 +379,9 @@ Computed Evaluator::evaluate_interval(const Code& code, const Expression& e) {
 // Lists and members
 
 Computed Evaluator::evaluate_list(const Code& code, const Expression& e) {
+  const std::uint64_t bytes = std::uint64_t{e.count} * sizeof(Computed);
+  if (!take_steps(code, e.node, work::kList + e.count) || !may_take_memory(code, e.node, bytes))
+    return Failed{};
   std::vector<Computed> values;
   values.reserve(e.count);
   bool is_broken = false;
@@ -411,10 +473,13 @@ Computed Evaluator::evaluate_builtin(const Code& code, const Expression& e) {
       continue;
     }
     is_broken = is_broken || has_failed(arguments[i]);
-    const auto* list = get_if<ListValue>(&arguments[i]);
-    if (list != nullptr && !take_steps(code, e.node, list->size())) return Failed{};
+    const bool is_read = builtin.steps > 0;
+    if (is_read && !take_steps(code, e.node, steps_to_read(arguments[i]))) return Failed{};
   }
-  if (is_broken) return Failed{};
+  if (is_broken || !take_steps(code, e.node, builtin.steps + count)) {
+    return Failed{};
+  }
+  if (builtin.more_steps != nullptr) steps_ += builtin.more_steps(arguments);
   return builtin.evaluate({.name = builtin.name,
                            .arguments = arguments,
                            .node = ast::Node(*code.tree, e.node),
@@ -437,6 +502,7 @@ Computed Evaluator::evaluate_constructor(const Code& code, const Expression& e) 
     }
   }
   if (is_broken) return Failed{};
+  steps_ += constructor.steps(arguments);
   return constructor.construct(constructor, arguments);
 }
 
@@ -456,11 +522,12 @@ Computed Evaluator::evaluate_function(const Code& code, const Expression& e) {
   const Module& module = program_.module(operands[0]);
   const Definition& function = module.functions[operands[1]];
   const auto arguments = operands.subspan(2);
-  if (!take_steps(code, e.node)) return Failed{};
+  if (!take_steps(code, e.node, work::kCall + arguments.size())) return Failed{};
   if (!may_call(code, e.node)) return Failed{};
 
-  const std::size_t base = locals_.size();
-  locals_.resize(base + function.frame_size);
+  const auto opened = open_frame(code, e.node, function.frame_size);
+  if (!opened) return Failed{};
+  const std::size_t base = *opened;
   bool is_broken = function.body == kNothing;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i] == kNothing) continue;

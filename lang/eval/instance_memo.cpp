@@ -9,6 +9,7 @@ namespace {
 
 // A lookup costs about as much as evaluating one sphere, and is told as little as that.
 constexpr std::uint64_t kMostHeavy = 64;  // elements of a list
+constexpr std::size_t kMostText = 1024;   // bytes of a string
 
 // A def of which so many instances were new, and not one in kLeastFound an old one, is hardly
 // called with equal arguments at all.
@@ -73,6 +74,7 @@ bool append_identity(const Computed& value, std::string& identity) {
   } else if (holds_alternative<None>(value)) {
     begin('n');
   } else if (const auto* text = get_if<std::string>(&value)) {
+    if (text->size() > kMostText) return false;
     begin('"');
     append(std::string_view(*text), identity);
   } else if (const auto* word = get_if<Word>(&value)) {

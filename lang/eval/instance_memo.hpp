@@ -13,7 +13,7 @@
 namespace sdlc::lang {
 
 /// Appends what tells `value` from every value that is not the very same, bit for bit. False where
-/// looking at all of it would take too long, as of long lists.
+/// looking at all of it would take too long, as of long lists and strings.
 bool append_identity(const Computed& value, std::string& identity);
 
 /// Remembers what each instance of a def held, so that one with equal arguments need not be

@@ -80,6 +80,7 @@ void Evaluator::read_object(const Code& code, const Statement& statement, const 
 
   for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
     const std::uint32_t property = pairs[i], expression = pairs[i + 1];
+    steps_ += work::kProperty;
     if (property == kNothing) {
       evaluate(code, expression);
       continue;

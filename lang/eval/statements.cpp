@@ -13,6 +13,9 @@
 namespace sdlc::lang {
 namespace {
 
+/// Of finding out whether an instance is like another one.
+constexpr std::uint64_t kLookupSteps = 70;
+
 /// The whole numbers of the interval `a .. b` as a list: `range(a, b + 1)`.
 std::string as_range(ast::Node interval, const Bounds& bounds) {
   const std::string_view from = interval.child(0)->text(), to = interval.child(1)->text();
@@ -21,10 +24,26 @@ std::string as_range(ast::Node interval, const Bounds& bounds) {
                      is_literal ? to_text(bounds.to + 1) : fmt::format("{} + 1", to));
 }
 
+/// Hands the objects of a config on, which are spheres, and counts them.
+class CountingSink final : public ObjectSink {
+ public:
+  explicit CountingSink(ObjectSink& objects) : objects_(objects) {}
+  void add(const Object& object) override {
+    ++count_;
+    objects_.add(object);
+  }
+  std::uint64_t count() const noexcept { return count_; }
+
+ private:
+  ObjectSink& objects_;
+  std::uint64_t count_ = 0;
+};
+
 }  // namespace
 
 void Evaluator::run(const Code& code, std::uint32_t index) {
   const Statement& statement = code.statements[index];
+  if (!take_steps(code, statement.node, work::kStatement)) return;
   if (!may_nest(code, statement.node)) return;
   ++depth_;
   switch (statement.action) {
@@ -92,7 +111,7 @@ void Evaluator::run_for(const Code& code, const Statement& statement) {
     variable.reads_time = lists.reads_time;
     variable.varies = closing != nullptr;
     if (closing != nullptr) variable.values[1] = (*closing)[i];
-    if (!take_steps(code, code.expressions[expression].node)) return;
+    if (!take_steps(code, code.expressions[expression].node, work::kTurn)) return;
     run_block(code, operands.subspan(3, operands[2]));
   }
 }
@@ -126,6 +145,7 @@ void Evaluator::run_assert(const Code& code, const Statement& statement) {
   if (!holds || *holds) return;
   const Computed text = evaluate(code, operands[1]);
   if (const auto* words = get_if<std::string>(&text)) {
+    if (!take_steps(code, statement.node, words->size())) return;
     sink_.report(diag::failed_assertion, place(code, operands[0]), *words);
   } else if (!has_failed(text)) {
     sink_.report(diag::wrong_argument, place(code, operands[1]), "assert", "a string",
@@ -141,6 +161,7 @@ void Evaluator::run_object(const Code& code, const Statement& statement) {
     sink_.report(diag::two_motions, object_.location(sphere_property::kMotion));
   }
   objects_->add(object_);
+  if (statement.kind == ObjectKind::Sphere) allow_steps(1);
 }
 
 void Evaluator::run_group(const Code& code, const Statement& statement) {
@@ -149,6 +170,7 @@ void Evaluator::run_group(const Code& code, const Statement& statement) {
   // have used their slots.
   run_block(code, operands.subspan(1, operands[0]));
   operands = operands.subspan(1 + operands[0]);
+  steps_ += work::kGroup;
   read_object(code, statement, kind_info(ObjectKind::Group), operands.subspan(1, 2 * operands[0]));
   operands = operands.subspan(1 + 2 * operands[0]);
   const ast::Object written{ast::Node(*code.tree, statement.node)};
@@ -157,9 +179,14 @@ void Evaluator::run_group(const Code& code, const Statement& statement) {
                             .code = &code,
                             .node = statement.node,
                             .name = name ? name->text() : std::string_view()});
+  take_rotation();
   objects_->enter(object_);
   run_block(code, operands.subspan(1));
   objects_->leave();
+}
+
+void Evaluator::take_rotation() {
+  if (object_.slots[group_property::kRotate].is_written) steps_ += work::kRotation;
 }
 
 void Evaluator::run_instance(const Code& code, const Statement& statement) {
@@ -168,11 +195,12 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
   const Definition& def = module.defs[operands[1]];
   const auto pairs = operands.subspan(3, 2 * operands[2]);
   const auto arguments = operands.subspan(3 + pairs.size());
-  if (!take_steps(code, statement.node, kInstanceSteps)) return;
+  if (!take_steps(code, statement.node, work::kInstance)) return;
   if (!may_call(code, statement.node)) return;
 
-  const std::size_t base = locals_.size();
-  locals_.resize(base + def.frame_size);
+  const auto opened = open_frame(code, statement.node, def.frame_size);
+  if (!opened) return;
+  const std::size_t base = *opened;
   bool is_broken = false;
   const auto take = [&](std::size_t i, const Code& from, std::uint32_t expression) {
     const Parameter& parameter = def.parameters[i];
@@ -188,15 +216,20 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
     if (arguments[i] != kNothing) take(i, code, arguments[i]);
   }
   read_object(code, statement, kind_info(ObjectKind::Group), pairs);
+  take_rotation();
   const InstanceMemo::Def key{.module = operands[0], .index = operands[1]};
   const auto identity = is_broken ? std::nullopt : identify_contents(key, base, arguments);
   InstanceMemo::Contents contents;
-  if (identity) contents = memo_.look_up(key, *identity);
+  if (identity) {
+    steps_ += kLookupSteps + identity->size() / work::kBytes;
+    contents = memo_.look_up(key, *identity);
+  }
   // What is higher than may be is evaluated, and then reported.
   const bool is_known =
       contents.number != 0 && !contents.is_new && calls_ + contents.height <= kMaxCalls;
   if (is_known && objects_->repeat(object_, contents.number)) {
     deepest_calls_ = std::max(deepest_calls_, calls_ + contents.height);
+    allow_steps(1);
   } else if (!is_broken) {
     const std::size_t reports = report_count();
     const Nested step(
@@ -265,12 +298,15 @@ void Evaluator::run_include(const Code& code, const Statement& statement) {
   const std::uint32_t included = code.operands_of(statement)[0];
   const SourceFile& file =
       included >= kConfigs ? program_.config(included) : *program_.module(included).file;
-  const std::uint64_t steps = kIncludeSteps + file.text().size() / kIncludedBytesPerStep;
-  if (!take_steps(code, statement.node, steps)) return;
+  const bool is_new = included_.insert(included).second;
+  const std::uint64_t bytes = is_new ? 0 : file.text().size();
+  if (!take_steps(code, statement.node, work::kInclude + bytes * work::kIncludedByte)) return;
   const Nested step(*this,
                     {.kind = Step::Include, .code = &code, .node = statement.node, .name = {}});
   if (included >= kConfigs) {
-    read_spheres(file, *objects_, sink_);
+    CountingSink counted(*objects_);
+    read_spheres(file, counted, sink_);
+    allow_steps(counted.count());
     return;
   }
   if (is_in_circle(code, statement, included)) return;

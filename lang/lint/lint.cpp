@@ -128,7 +128,7 @@ class Linter {
     if (!views) return drop_held();
     if (views->empty()) return;
 
-    constexpr std::uint64_t kMostSteps = 10'000'000;  // of all views together: some seconds
+    constexpr std::uint64_t kMostSteps = 200'000'000;  // of all views together: two seconds
     ProgramOptions options = compiler_.options();
     options.limits.steps = std::min(options.limits.steps, kMostSteps / views->size());
     DiagnosticSink ignored;

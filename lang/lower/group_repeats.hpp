@@ -79,6 +79,12 @@ class GroupRepeats {
   std::uint64_t object_count() const noexcept {
     return prototype_spheres_ + kSpheresPerInstance * instances_.size();
   }
+  /// What all of it takes, records aside.
+  std::size_t bytes() const noexcept {
+    return prototype_spheres_ * sizeof(render::Sphere) +
+           instances_.size() * sizeof(render::Instance) + places_.size() * kBytesOfPlace +
+           runs_.size() * sizeof(Run);
+  }
   /// By Run::before.
   const std::vector<Run>& runs() const noexcept { return runs_; }
   /// Hands them over; what was recorded is forgotten.
@@ -114,6 +120,7 @@ class GroupRepeats {
   };
   /// A group in its place, told from others by 128 bits.
   using Identity = std::array<std::uint64_t, 2>;
+  static constexpr std::size_t kBytesOfPlace = 48;  // in a table
   struct IdentityHash {
     std::size_t operator()(const Identity& identity) const noexcept { return identity[0]; }
   };

@@ -16,6 +16,10 @@ class MaterialTable {
   /// The index of the material, which is added if it is new.
   std::uint32_t index_of(const render::Material& material);
 
+  std::size_t bytes() const noexcept {
+    return materials_.size() * sizeof(render::Material) + slots_.size() * sizeof(Slot);
+  }
+
   /// Hands the materials over, in the order in which they were first seen.
   std::vector<render::Material> take() { return std::move(materials_); }
 

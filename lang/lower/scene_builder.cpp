@@ -24,6 +24,9 @@
 namespace sdlc::lang {
 namespace {
 
+// With what finding coincident spheres takes.
+constexpr std::size_t kBytesOfSphere = 64, kBytesOfCamera = 2 * sizeof(Object);
+
 render::Material lower_material(const MaterialValue& value) {
   static constexpr std::array kTypes{render::MaterialType::Diffuse, render::MaterialType::Specular,
                                      render::MaterialType::Transmissive,
@@ -59,7 +62,9 @@ T lower_choice(std::string_view word, const std::array<T, N>& choices) {
 
 void SceneBuilder::add(const Object& object) {
   switch (object.kind->id) {
-    case ObjectKind::Camera: cameras_.push_back(object); break;
+    case ObjectKind::Camera:
+      if (may_take_more_memory(object.where)) cameras_.push_back(object);
+      break;
     case ObjectKind::Background:
       if (!background_) background_ = object;  // a second one has been reported
       break;
@@ -120,17 +125,49 @@ void SceneBuilder::leave() {
 
 bool SceneBuilder::repeat(const Object& object, std::uint32_t contents) {
   const Group group = read_group(object);
-  const auto outcome = repeats_.repeat(
-      contents, group.placing, in_world(group).placing,
-      {.spheres = world_, .materials = materials_, .most_objects = limits_.objects});
+  const auto outcome =
+      repeats_.repeat(contents, group.placing, in_world(group).placing,
+                      {.spheres = world_, .materials = materials_, .most_objects = most_objects()});
+  bytes_.set(bytes());
   if (outcome == GroupRepeats::Outcome::Duplicate) {
     sink_->report(diag::duplicate_sphere, object.where, "group is the same as an earlier one");
   }
   return outcome != GroupRepeats::Outcome::Unknown;
 }
 
+std::size_t SceneBuilder::bytes() const noexcept {
+  return world_.spheres.size() * kBytesOfSphere + world_.shifts.size() * sizeof(render::Vec3) +
+         moving_.size() * sizeof(MovingSphere) + bent_paths_.size() * sizeof(BentPath) +
+         cameras_.size() * kBytesOfCamera + materials_.bytes() + repeats_.bytes();
+}
+
+bool SceneBuilder::may_take_more_memory(Location where) {
+  bytes_.set(bytes());
+  if (CountedBytes::sum() <= limits_.memory) return true;
+  if (std::exchange(is_full_, true)) return false;
+  sink_->report(diag::too_much_memory, where, limits_.memory)
+      .help("`--limit memory=N` allows more");
+  return false;
+}
+
+std::uint64_t SceneBuilder::most_objects() const noexcept {
+  const std::uint64_t free = limits_.memory - std::min(limits_.memory, CountedBytes::sum());
+  return std::min(limits_.objects,
+                  world_.spheres.size() + repeats_.object_count() + free / kBytesOfSphere);
+}
+
+void SceneBuilder::forget_spheres() {
+  forgotten_ += world_.spheres.size();
+  world_ = {};
+  moving_.clear();
+  bent_paths_.clear();
+}
+
 bool SceneBuilder::may_hold_another(Location where) {
-  if (world_.spheres.size() + repeats_.object_count() < limits_.objects) return true;
+  constexpr std::size_t kAtOnce = 256;  // spheres, for which the rest may grow uncounted
+  const bool is_due = is_full_ || world_.spheres.size() % kAtOnce == 0;
+  if (is_due && !may_take_more_memory(where)) return false;
+  if (sphere_count() + repeats_.object_count() < limits_.objects) return true;
   if (std::exchange(is_full_, true)) return false;  // it is told once
   sink_->report(diag::too_many_objects, where, limits_.objects)
       .help("`--limit objects=N` allows more");

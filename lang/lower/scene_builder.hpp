@@ -12,6 +12,7 @@
 #include "lang/lower/group_contents.hpp"
 #include "lang/lower/group_repeats.hpp"
 #include "lang/lower/material_table.hpp"
+#include "lang/object/counted_bytes.hpp"
 #include "lang/object/object.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/source/source.hpp"
@@ -125,6 +126,7 @@ class SceneBuilder final : public ObjectSink {
   void add(const Object& object) override;
   void enter(const Object& group) override;
   void leave() override;
+  bool is_full() const override { return is_full_; }
   /// A check looks at every sphere where it stands.
   bool wants_contents() const override { return purpose_ == Purpose::Picture; }
   void begin_contents(std::uint32_t contents) override {
@@ -139,7 +141,10 @@ class SceneBuilder final : public ObjectSink {
   LoweredScene finish(const Overrides& overrides);
 
   /// Of spheres that are added so far, those of instances not counted.
-  std::size_t sphere_count() const noexcept { return world_.spheres.size(); }
+  std::size_t sphere_count() const noexcept { return forgotten_ + world_.spheres.size(); }
+  std::size_t held_spheres() const noexcept { return world_.spheres.size(); }
+  /// Forgets all spheres but how many they are: for those who only count.
+  void forget_spheres();
 
   /// Where spheres of instances stand among the others in the order in which all were added.
   const std::vector<GroupRepeats::Run>& instance_runs() const noexcept { return repeats_.runs(); }
@@ -177,6 +182,11 @@ class SceneBuilder final : public ObjectSink {
   Group in_world(const Group& group) const;
   void add_sphere(const Object& object);
   bool may_hold_another(Location where);
+  bool may_take_more_memory(Location where);
+  /// Of all that was added.
+  std::size_t bytes() const noexcept;
+  /// Spheres that there may be now.
+  std::uint64_t most_objects() const noexcept;
   const Object* choose_camera(const Overrides& overrides);
   void check_for_picture(const Overrides& overrides);
   void lower_camera(const Object& camera, LoweredScene& lowered);
@@ -220,6 +230,8 @@ class SceneBuilder final : public ObjectSink {
   std::vector<BentPath> bent_paths_;  ///< by the order in which spheres were added
   bool had_spheres_ = false;          ///< also those that were wrong
   bool is_full_ = false;              ///< there were more than may be
+  std::size_t forgotten_ = 0;         ///< spheres
+  CountedBytes bytes_;
   MaterialTable materials_;
 };
 

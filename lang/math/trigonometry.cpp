@@ -101,6 +101,7 @@ double sin_degrees(double x) noexcept {
 }
 
 double cos_degrees(double x) noexcept {
+  if (x == 0) return 1;  // of most groups
   const ReducedAngle angle = reduced(x);
   const SinCos value = sin_cos(angle.degrees);
   const double magnitude = angle.quarters % 2 == 0 ? value.cos.hi : value.sin.hi;

@@ -129,6 +129,9 @@ class ObjectSink {
   /// lacks has been reported.
   virtual void add(const Object& object) = 0;
 
+  /// Whether nothing more is of use, as what is wrong with it has been reported.
+  virtual bool is_full() const { return false; }
+
   /// What is added until leave() stands inside this group.
   virtual void enter(const Object& /*group*/) {}
   virtual void leave() {}

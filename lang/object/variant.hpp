@@ -5,10 +5,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <string>
 #include <type_traits>
 #include <utility>
 
+#include "lang/object/counted_bytes.hpp"
+
 namespace sdlc::lang {
+
+/// Bytes of the value beside its own size, where it does not count them itself.
+template <typename T>
+std::size_t heap_bytes(const T& /*value*/) noexcept {
+  return 0;
+}
+inline std::size_t heap_bytes(const std::string& text) noexcept { return text.capacity(); }
 
 /// One of several types, like std::variant, for values that are copied all the time: a copy is some
 /// words and one comparison (std::variant makes a call through a table of every copy, move and end
@@ -110,8 +120,10 @@ class Variant {
     template <typename U>
     explicit BoxOf(U&& value_)
         : Box{.destroy = [](Box* box) noexcept { delete static_cast<BoxOf*>(box); }},
-          value(std::forward<U>(value_)) {}
+          value(std::forward<U>(value_)),
+          bytes(sizeof *this + heap_bytes(value)) {}
     T value;
+    CountedBytes bytes;
   };
 
   struct alignas(std::max({alignof(Ts)...})) Storage {

@@ -70,6 +70,7 @@ class Census {
     const ast::Node file(tree_, 0);
     for (const ast::Node statement : file.children()) declare_top(statement);
     for (const ast::Node statement : file.children()) visit(statement);
+    if (has_too_many_) unknown.clear();
   }
 
   std::vector<Declaration> declarations;
@@ -118,7 +119,10 @@ class Census {
   // Uses
 
   void use(Space space, std::string_view name, std::uint32_t begin) {
+    constexpr std::size_t kMostLocals = 1000;
     if (space == Space::Value) {
+      has_too_many_ = has_too_many_ || locals_.size() > kMostLocals;
+      if (has_too_many_) return;
       for (auto local = locals_.rbegin(); local != locals_.rend(); ++local) {
         if (declarations[*local].name == name) return count(*local);
       }
@@ -140,7 +144,10 @@ class Census {
   }
 
   void use_label(std::uint32_t owner, std::string_view label, std::uint32_t begin) {
+    constexpr std::size_t kMostParameters = 1000;
     const std::vector<std::uint32_t>& parameters = parameters_[owner];
+    has_too_many_ = has_too_many_ || parameters.size() > kMostParameters;
+    if (has_too_many_) return;
     for (const std::uint32_t parameter : parameters) {
       if (declarations[parameter].name == label) return count(parameter);
     }
@@ -279,8 +286,9 @@ class Census {
       parameters_;                                       ///< of functions, kinds
   std::unordered_map<NodeIndex, std::uint32_t> owners_;  ///< of statements
   std::vector<std::uint32_t> locals_;
-  Span declaring_;          ///< the name of the value that is being visited
-  bool is_inside_ = false;  ///< of a block, where a let is local
+  bool has_too_many_ = false;  ///< names in one frame: no one wrote it by hand
+  Span declaring_;             ///< the name of the value that is being visited
+  bool is_inside_ = false;     ///< of a block, where a let is local
 };
 
 /// How often each word stands in a text; `golden_angle` is two words.

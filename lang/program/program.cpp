@@ -22,6 +22,15 @@ constexpr std::string_view kVersion = "1";
 
 }  // namespace
 
+bool check_file_size(const SourceFile& file, const Limits& limits, DiagnosticSink& sink) {
+  const bool is_config = file.format() == SourceFormat::Json;
+  const std::uint64_t most = is_config ? limits.config : limits.file;
+  if (file.text().size() <= most) return true;
+  sink.report(diag::file_too_large, {&file, {0, 0}}, most)
+      .help(fmt::format("`--limit {}=N` allows more", is_config ? "config" : "file"));
+  return false;
+}
+
 Program::Program(const SourceFile& root, const ProgramOptions& options, DiagnosticSink& sink)
     : options_(options) {
   fs::path path = root.name();
@@ -74,10 +83,7 @@ const Code& Program::resolve_setting(const ParamSetting& setting, std::uint32_t&
 std::uint32_t Program::add_module(const SourceFile& file, fs::path path, std::uint32_t parent,
                                   DiagnosticSink& sink) {
   const auto index = static_cast<std::uint32_t>(modules_.size());
-  if (file.text().size() > options_.limits.file) {
-    sink.report(diag::file_too_large, {&file, {0, 0}}, options_.limits.file);
-  }
-  const bool is_readable = file.text().size() <= options_.limits.file;
+  const bool is_readable = check_file_size(file, options_.limits, sink);
   static const SourceFile kEmpty("", "scene 1");
   modules_.push_back(std::make_unique<Module>(file, parse(is_readable ? file : kEmpty, sink)));
   modules_[index]->path = std::move(path);
@@ -109,7 +115,8 @@ std::optional<std::string> Program::read(const fs::path& path, ast::Node name,
   std::error_code error;
   // A file of this name, not standard input.
   const fs::path read_path = path == "-" ? fs::path("./-") : path;
-  std::optional<std::string> text = options_.files->read(read_path, error);
+  std::optional<std::string> text =
+      options_.files->read(read_path, options_.limits.any_file(), error);
   if (!text) {
     sink.report(diag::unreadable_file, name.location(), path.string(), error.message())
         .help("the path is relative to the folder of this file");
@@ -154,6 +161,7 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
   dependencies_.push_back(path);
   const SourceFile& file = sources_.emplace_back(path.string(), std::move(*text));
   if (file.format() == SourceFormat::Json) {
+    if (!check_file_size(file, options_.limits, sink)) return kNothing;
     loaded_[key] = kConfigs + static_cast<std::uint32_t>(configs_.size());
     configs_.push_back(&file);
     if (is_include) return loaded_[key];

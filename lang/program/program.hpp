@@ -88,6 +88,9 @@ struct ProgramOptions {
   std::vector<SetOption> sets = {};
 };
 
+/// Whether the file is no longer than files may be; if it is, that is reported.
+bool check_file_size(const SourceFile& file, const Limits& limits, DiagnosticSink& sink);
+
 /// A SetOption of the root's param `global`; `file` has its value as text.
 struct ParamSetting {
   std::uint32_t global;

@@ -75,10 +75,8 @@ std::uint32_t Resolver::let_statement(ast::Node node) {
   const std::uint32_t result = value ? expression(*value) : broken(node);
   declaring_ = {};
   const auto name = node.first(SyntaxKind::Name);
-  const bool is_again =
-      name &&
-      std::any_of(locals_.begin() + static_cast<std::ptrdiff_t>(block_begin_), locals_.end(),
-                  [&](const Local& local) { return local.name == name->text(); });
+  const Local* const known = name ? find_local(name->text()) : nullptr;
+  const bool is_again = known != nullptr && known->slot >= block_begin_;
   if (is_again) sink_.report(diag::duplicate, name->location(), "value", name->text());
   const std::size_t mark = pending_.size();
   pending_.insert(pending_.end(), {declare(ast::declared_name(node)), result});

@@ -23,7 +23,11 @@ Resolver::Resolver(Program& program, std::uint32_t module, DiagnosticSink& sink)
       code_(&module_.code) {}
 
 const Resolver::Local* Resolver::find_local(std::string_view name) const {
-  for (std::size_t i = locals_.size(); i > 0; --i) {
+  if (locals_.size() > kFewLocals) {
+    const auto found = by_name_.find(name);
+    if (found != by_name_.end()) return &locals_[found->second];
+  }
+  for (std::size_t i = std::min(locals_.size(), kFewLocals); i > 0; --i) {
     if (locals_[i - 1].name == name) return &locals_[i - 1];
   }
   return nullptr;
@@ -31,9 +35,25 @@ const Resolver::Local* Resolver::find_local(std::string_view name) const {
 
 std::uint32_t Resolver::declare(std::string_view name) {
   const auto slot = static_cast<std::uint32_t>(locals_.size());
-  locals_.push_back({name, slot});
+  locals_.push_back({.name = name, .slot = slot});
+  if (slot >= kFewLocals) {
+    const auto [known, is_new] = by_name_.try_emplace(name, slot);
+    if (!is_new) locals_.back().hidden = std::exchange(known->second, slot);
+  }
   frame_size_ = std::max(frame_size_, slot + 1);
   return slot;
+}
+
+void Resolver::forget_locals(std::size_t from) {
+  for (; locals_.size() > from; locals_.pop_back()) {
+    if (locals_.size() <= kFewLocals) continue;
+    const Local& last = locals_.back();
+    if (last.hidden == kNothing) {
+      by_name_.erase(last.name);
+    } else {
+      by_name_[last.name] = last.hidden;
+    }
+  }
 }
 
 std::optional<std::uint32_t> Resolver::find_import(std::string_view name) const {

@@ -43,12 +43,14 @@ class Resolver {
   struct Local {
     std::string_view name;
     std::uint32_t slot;
+    std::uint32_t hidden = kNothing;  ///< of those in by_name_, the one of this name further out
   };
   class Scope;
   class Guess;
 
   const Local* find_local(std::string_view name) const;
   std::uint32_t declare(std::string_view name);
+  void forget_locals(std::size_t from);
   /// The module behind an import's name; kNothing where it could not be read.
   std::optional<std::uint32_t> find_import(std::string_view name) const;
   /// Whether the name that is used at this byte is unknown only because its declaration in the
@@ -171,6 +173,9 @@ class Resolver {
   Code* code_;
   std::vector<std::uint32_t> pending_;  // operands of what is being resolved
   std::vector<Local> locals_;
+  /// Those behind the first kFewLocals, which are looked through.
+  std::unordered_map<std::string_view, std::uint32_t> by_name_;
+  static constexpr std::size_t kFewLocals = 32;
   std::size_t block_begin_ = 0;  // of the innermost block's own, in locals_
   std::uint32_t frame_size_ = 0;
   bool is_guess_ = false;       // the kind of the object, or the function, is misspelt
@@ -201,7 +206,7 @@ class Resolver::Scope {
         size_(resolver.locals_.size()),
         block_begin_(std::exchange(resolver.block_begin_, size_)) {}
   ~Scope() {
-    resolver_.locals_.resize(size_);
+    resolver_.forget_locals(size_);
     resolver_.block_begin_ = block_begin_;
   }
   Scope(const Scope&) = delete;

@@ -85,7 +85,7 @@ std::error_code last_error() { return {errno, std::generic_category()}; }
 }  // namespace
 
 std::optional<std::string> DiskFileSystem::read(const std::filesystem::path& path,
-                                                std::error_code& error) const {
+                                                std::uint64_t most, std::error_code& error) const {
   error.clear();
   const Descriptor file(path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) {
@@ -98,12 +98,16 @@ std::optional<std::string> DiskFileSystem::read(const std::filesystem::path& pat
     return std::nullopt;
   }
 
+  // Places in a text have 32 bits.
+  constexpr std::uint64_t kMostText = std::numeric_limits<std::uint32_t>::max();
+  const std::uint64_t end = std::min(most, kMostText) + 1;
   // A regular file says how long it is; a pipe does not. One byte more than that finds the end.
-  std::string text(S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) + 1 : 1 << 16,
-                   '\0');
+  const std::uint64_t expected =
+      S_ISREG(info.st_mode) ? static_cast<std::uint64_t>(info.st_size) + 1 : 1 << 16;
+  std::string text(std::min(expected, end), '\0');
   std::size_t used = 0;
-  while (true) {
-    if (used == text.size()) text.resize(text.size() * 2);
+  while (used < end) {
+    if (used == text.size()) text.resize(std::min<std::uint64_t>(text.size() * 2, end));
     const ssize_t got = ::read(file.get(), text.data() + used, text.size() - used);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) {
@@ -112,10 +116,10 @@ std::optional<std::string> DiskFileSystem::read(const std::filesystem::path& pat
     }
     if (got == 0) break;
     used += static_cast<std::size_t>(got);
-    if (used > std::numeric_limits<std::uint32_t>::max()) {
-      error = std::make_error_code(std::errc::file_too_large);
-      return std::nullopt;
-    }
+  }
+  if (used > kMostText) {
+    error = std::make_error_code(std::errc::file_too_large);
+    return std::nullopt;
   }
   text.resize(used);
   return text;

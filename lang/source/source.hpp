@@ -77,8 +77,9 @@ class FileSystem {
  public:
   virtual ~FileSystem() = default;
 
-  /// The bytes of the file, or nothing with `error` set.
-  virtual std::optional<std::string> read(const std::filesystem::path& path,
+  /// The bytes of the file, or nothing with `error` set. Of a file of more than `most` bytes no
+  /// more than the first `most` + 1 are read: whoever asked sees that it is too long.
+  virtual std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t most,
                                           std::error_code& error) const = 0;
   /// Whether it is there and neither a file nor a folder, such as a pipe: reading it may not end.
   virtual bool is_special(const std::filesystem::path& /*path*/) const { return false; }
@@ -96,7 +97,7 @@ class FileSystem {
 /// The files of this machine.
 class DiskFileSystem final : public FileSystem {
  public:
-  std::optional<std::string> read(const std::filesystem::path& path,
+  std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t most,
                                   std::error_code& error) const override;
   bool is_special(const std::filesystem::path& path) const override;
   std::optional<std::filesystem::path> link_target(

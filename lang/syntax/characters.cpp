@@ -108,12 +108,9 @@ class CharacterCheck {
     } else if (is_control(c.value) || is_bidi_control(c.value)) {
       const char* what =
           is_bidi_control(c.value) ? "a control of text direction" : "a control character";
-      report(span, fmt::format("U+{:04X}, {},", static_cast<std::uint32_t>(c.value), what), "");
+      return report(at, c, what, "");
     } else if (is_foreign_blank(c.value) && !is_opaque(at)) {
-      report(
-          span,
-          fmt::format("U+{:04X}, a blank that is no space,", static_cast<std::uint32_t>(c.value)),
-          " ");
+      return report(at, c, "a blank that is no space", " ");
     }
     return span.end;
   }
@@ -126,9 +123,19 @@ class CharacterCheck {
     return end;
   }
 
-  void report(Span span, const std::string& what, std::string fix) {
-    sink_.report(diag::bad_character, {&file_, span}, what).fix({&file_, span}, std::move(fix));
-    mend(span, ' ');
+  /// Of a run of one character, as one; returns where it ends.
+  std::uint32_t report(std::uint32_t at, CodePoint c, std::string_view what,
+                       std::string_view replacement) {
+    const std::string_view character = text_.substr(at, c.size);
+    std::string fix;
+    Span run{at, at};
+    for (; text_.substr(run.end).starts_with(character); run.end += c.size) fix += replacement;
+    sink_
+        .report(diag::bad_character, {&file_, run},
+                fmt::format("U+{:04X}, {},", static_cast<std::uint32_t>(c.value), what))
+        .fix({&file_, run}, std::move(fix));
+    mend(run, ' ');
+    return run.end;
   }
 
   void mend(Span span, char replacement) {

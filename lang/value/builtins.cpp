@@ -191,6 +191,18 @@ Computed evaluate_clamp(const BuiltinCall& call) {
   return is_less(x, low) ? low : is_less(high, x) ? high : x;
 }
 
+/// The remainder of numbers far apart is found bit by bit.
+std::uint64_t steps_of_mod(std::span<const Computed> arguments) {
+  constexpr int kBits = 4;  // in a step
+  const auto exponent = [](const Computed& value) {
+    if (const auto* number = get_if<Scalar>(&value)) return std::ilogb(number->value);
+    const auto* angle = get_if<Angle>(&value);
+    return angle != nullptr ? std::ilogb(angle->degrees) : 0;
+  };
+  const double apart = static_cast<double>(exponent(arguments[0])) - exponent(arguments[1]);
+  return apart > 0 ? static_cast<std::uint64_t>(std::fmin(apart, 3000)) / kBits : 0;
+}
+
 Computed evaluate_mod(const BuiltinCall& call) {
   const Comparable values(call);
   if (!values.check()) return Failed{};
@@ -373,38 +385,40 @@ constexpr auto kBuiltins = std::to_array<Builtin>({
      "The least whole number that is not below `x`."},
     {"round", "round(x)", 1, 1, keeping_unit<round_half_away>, "numbers",
      "The nearest whole number; of two, the one farther from 0."},
-    {"exp", "exp(x)", 1, 1, evaluate_exp, "numbers", "e to the power of `x`."},
-    {"log", "log(x)", 1, 1, evaluate_log, "numbers", "The natural logarithm of a positive number."},
-    {"sin", "sin(angle)", 1, 1, of_angle<sin_degrees>, "angles", "Sine."},
-    {"cos", "cos(angle)", 1, 1, of_angle<cos_degrees>, "angles", "Cosine."},
+    {"exp", "exp(x)", 1, 1, evaluate_exp, "numbers", "e to the power of `x`.", 60},
+    {"log", "log(x)", 1, 1, evaluate_log, "numbers", "The natural logarithm of a positive number.",
+     60},
+    {"sin", "sin(angle)", 1, 1, of_angle<sin_degrees>, "angles", "Sine.", 65},
+    {"cos", "cos(angle)", 1, 1, of_angle<cos_degrees>, "angles", "Cosine.", 65},
     {"tan", "tan(angle)", 1, 1, evaluate_tan, "angles",
-     "Tangent; there is none at odd multiples of 90deg."},
+     "Tangent; there is none at odd multiples of 90deg.", 70},
     {"asin", "asin(x)", 1, 1, arc<asin_degrees>, "angles",
-     "The angle from -90deg to 90deg whose sine is `x`."},
+     "The angle from -90deg to 90deg whose sine is `x`.", 45},
     {"acos", "acos(x)", 1, 1, arc<acos_degrees>, "angles",
-     "The angle from 0deg to 180deg whose cosine is `x`."},
+     "The angle from 0deg to 180deg whose cosine is `x`.", 45},
     {"atan2", "atan2(y, x)", 2, 2, evaluate_atan2, "angles",
-     "The angle from the x axis to the point (x, y), from -180deg to 180deg."},
+     "The angle from the x axis to the point (x, y), from -180deg to 180deg.", 45},
     {"mod", "mod(a, b)", 2, 2, evaluate_mod, "numbers",
      "What is left of `a` after whole multiples of `b`, exactly, with the sign of `b`; of angles"
-     " too."},
+     " too.",
+     5, steps_of_mod},
     {"sum", "sum(list)", 1, 1, evaluate_sum, "lists",
      "The sum of what is in a list: numbers, points, angles or colours."},
-    {"len", "len(list)", 1, 1, evaluate_len, "lists", "How many elements a list has."},
+    {"len", "len(list)", 1, 1, evaluate_len, "lists", "How many elements a list has.", 0},
     {"str", "str(x)", 1, 1, evaluate_str, "lists",
-     "The shortest text that reads back as the same value; a string as it is."},
+     "The shortest text that reads back as the same value; a string as it is.", 35},
     {"dot", "dot(a, b)", 2, 2, evaluate_dot, "vectors", "Inner product."},
     {"cross", "cross(a, b)", 2, 2, evaluate_cross, "vectors", "Vector product, right-handed."},
     {"length", "length(v)", 1, 1, evaluate_length, "vectors",
-     "Length, with the unit of the vector."},
+     "Length, with the unit of the vector.", 5},
     {"normalize", "normalize(v)", 1, 1, evaluate_normalize, "vectors",
-     "The vector of length 1 in the direction of `v`, which is not (0, 0, 0)."},
+     "The vector of length 1 in the direction of `v`, which is not (0, 0, 0).", 5},
     {"mix", "mix(a, b, t)", 3, 3, evaluate_mix, "numbers",
      "`a * (1 - t) + b * t` of numbers, angles, vectors or colours."},
     {"random", "random(a, …)", 1, kAnyNumber, evaluate_random, "randomness",
-     "Uniform from 0 up to, and without, 1: the same arguments give the same number."},
+     "Uniform from 0 up to, and without, 1: the same arguments give the same number.", 3},
     {"noise", "noise(p)", 1, 1, evaluate_noise, "randomness",
-     "Smooth noise between -1 and 1 at a point of space."},
+     "Smooth noise between -1 and 1 at a point of space.", 14},
     {"range", "range(n), range(a, b), range(a, b, step)", 1, 3, evaluate_range, "lists",
      "The whole numbers from 0 or `a` up to, and without, `n` or `b`."},
 });

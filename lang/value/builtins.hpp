@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -31,6 +32,10 @@ struct Builtin {
   Computed (*evaluate)(const BuiltinCall& call);
   std::string_view topic;  ///< under which the reference lists it: "numbers"
   std::string_view doc;
+  /// Steps beside those of reading its arguments (see limits.hpp); 0: it does not look at them.
+  std::uint64_t steps = 3;
+  /// Those that depend on the arguments.
+  std::uint64_t (*more_steps)(std::span<const Computed> arguments) = nullptr;
 
   std::size_t index() const noexcept;  ///< in all_builtins()
 };

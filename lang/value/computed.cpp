@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "lang/source/limits.hpp"
+
 namespace sdlc::lang {
 namespace {
 
@@ -39,13 +41,18 @@ struct Describe {
 
 /// The elements of a list, and the only owner of lists inside it.
 struct ListNode {
-  explicit ListNode(std::vector<Computed> values_) : values(std::move(values_)) {
+  explicit ListNode(std::vector<Computed> values_)
+      : values(std::move(values_)), bytes(sizeof *this + values.capacity() * sizeof(Computed)) {
     weight = values.size();
     for (const Computed& value : values) {
-      const auto* list = get_if<ListValue>(&value);
-      if (list == nullptr) break;  // the elements are of one type
       constexpr auto kMost = std::numeric_limits<std::uint64_t>::max();
-      weight += std::min(list->weight(), kMost - weight);
+      if (const auto* list = get_if<ListValue>(&value)) {
+        weight += std::min(list->weight(), kMost - weight);
+      } else if (const auto* text = get_if<std::string>(&value)) {
+        weight += std::min<std::uint64_t>(text->size() / work::kBytes, kMost - weight);
+      } else {
+        break;  // the elements are of one type
+      }
     }
   }
   ListNode(const ListNode&) = delete;
@@ -53,6 +60,7 @@ struct ListNode {
   ~ListNode() { ListValue::release(std::move(values)); }
 
   std::vector<Computed> values;
+  CountedBytes bytes;
   std::uint64_t weight = 0;
 };
 

@@ -53,8 +53,8 @@ class ListValue {
   ListValue(double first, double step, std::size_t count);
 
   std::size_t size() const noexcept { return count_; }
-  /// Elements of it and of the lists inside it, each as often as it stands there; 2^64 - 1 where
-  /// there are more. What looking at all of them costs.
+  /// Elements of it and of the lists inside it, each as often as it stands there, with the steps
+  /// that their strings take; 2^64 - 1 where there are more. What looking at all of them costs.
   std::uint64_t weight() const noexcept;
   /// Precondition: i < size().
   Computed operator[](std::size_t i) const;

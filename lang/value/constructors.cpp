@@ -79,6 +79,8 @@ Computed make_rgb(const Constructor& /*self*/, const ConstructorArguments& in) {
                            decode_srgb(number(in, 2))};
 }
 
+std::uint64_t steps_of_hsl(const ConstructorArguments& /*in*/) { return 350; }
+
 Computed make_linear(const Constructor& /*self*/, const ConstructorArguments& in) {
   return render::LinearRgb{number(in, 0), number(in, 1), number(in, 2)};
 }
@@ -124,7 +126,8 @@ std::span<const Constructor> all_constructors() noexcept {
          make_linear},
         {"linear255", kComponents, "By its linear components; 255 is white, as in JSON configs.",
          make_linear255},
-        {"hsl", kHsl, "By hue, saturation and lightness, as CSS defines them.", make_hsl},
+        {"hsl", kHsl, "By hue, saturation and lightness, as CSS defines them.", make_hsl,
+         steps_of_hsl},
         {"kelvin", kKelvin,
          "The colour of a glowing black body, its largest component 1 (cubic of Kim et al.).",
          make_kelvin},

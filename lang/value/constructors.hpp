@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -25,6 +26,10 @@ struct Constructor {
   std::span<const Property> parameters;
   std::string_view doc;
   Computed (*construct)(const Constructor& constructor, const ConstructorArguments& arguments);
+  /// Steps that it takes: see limits.hpp.
+  std::uint64_t (*steps)(const ConstructorArguments& arguments) = [](const auto&) {
+    return std::uint64_t{4};
+  };
 
   std::size_t index() const noexcept;  ///< in all_constructors()
 };

@@ -21,7 +21,7 @@ using testing::StartsWith;
 
 class NoFiles final : public lang::FileSystem {
  public:
-  std::optional<std::string> read(const std::filesystem::path& /*path*/,
+  std::optional<std::string> read(const std::filesystem::path& /*path*/, std::uint64_t /*most*/,
                                   std::error_code& error) const override {
     error = std::make_error_code(std::errc::no_such_file_or_directory);
     return std::nullopt;

@@ -60,7 +60,7 @@ TEST_F(SceneFlags, SetGivesAParamAnotherValue) {
 }
 
 TEST_F(SceneFlags, TheFileMayStandBehindFlagsThatMayBeRepeated) {
-  for (const char* flag : {"--set count=1", "--limit steps=9", "-o a.ppm", "-o a.ppm -o b.ppm"}) {
+  for (const char* flag : {"--set count=1", "--limit steps=999", "-o a.ppm", "-o a.ppm -o b.ppm"}) {
     const ProgramResult result = render(std::string(flag) + " scene/row.scene --samples 1");
     EXPECT_EQ(result.exit_code, 0) << flag << "\n" << result.err;
   }
@@ -117,13 +117,14 @@ TEST_F(SceneFlags, ALimitStopsTheSceneWithAnErrorOfItsOwn) {
     return result.err;
   };
   EXPECT_THAT(error_with("steps=2"), HasSubstr("E304"));
+  EXPECT_THAT(error_with("memory=1000"), HasSubstr("E315"));
   EXPECT_THAT(error_with("objects=2"), HasSubstr("E305"));
   EXPECT_THAT(error_with("string=9"), HasSubstr("E306"));
   EXPECT_THAT(error_with("include-depth=0"), HasSubstr("E307"));
   EXPECT_THAT(error_with("file=20"), HasSubstr("E308"));
-  EXPECT_THAT(error_with("steps=100 --limit steps=2"), HasSubstr("E304")) << "the last one";
-  EXPECT_EQ(sphere_count("scene/all.scene --limit steps=100 --limit objects=3 --limit string=10 "
-                         "--limit include-depth=1 --limit file=1000"),
+  EXPECT_THAT(error_with("steps=1000 --limit steps=2"), HasSubstr("E304")) << "the last one";
+  EXPECT_EQ(sphere_count("scene/all.scene --limit steps=1000 --limit objects=3 --limit string=10 "
+                         "--limit memory=10000 --limit include-depth=1 --limit file=1000"),
             3);
 }
 
@@ -143,8 +144,9 @@ TEST_F(SceneFlags, LimitsAreNamesAndWholeNumbers) {
 
 TEST_F(SceneFlags, TheHelpNamesTheLimitsWithTheirDefaults) {
   const std::string help = run_shell(folder_.path(), "\"$SDLC\" render --help").out;
-  for (const char* limit : {"steps (100000000", "objects (100000000", "string (1048576",
-                            "include-depth (32", "file (268435456"}) {
+  for (const char* limit :
+       {"steps (100000000", "objects (100000000", "string (1048576", "include-depth (32",
+        "file (33554432", "config (268435456", "memory (1073741824"}) {
     // The help may break a line anywhere.
     std::string joined;
     for (const char c : help) {

@@ -125,7 +125,8 @@ class PageFiles final : public lang::FileSystem {
   PageFiles(const Example& example, std::string name, std::string text)
       : example_(example), name_(std::move(name)), text_(std::move(text)) {}
 
-  std::optional<std::string> read(const fs::path& path, std::error_code& error) const override {
+  std::optional<std::string> read(const fs::path& path, std::uint64_t /*most*/,
+                                  std::error_code& error) const override {
     if (path.string() == name_) return text_;
     const CodeBlock* found = nullptr;
     for (const CodeBlock& block : example_.page->blocks) {

@@ -34,8 +34,12 @@ void check_places(const lang::Diagnostic& diagnostic) {
   for (const lang::ChainLink& link : diagnostic.chain) check_place(link.where);
 }
 
-constexpr lang::Limits kSmallLimits{
-    .steps = 20'000, .objects = 2'000, .string = 10'000, .include_depth = 4, .file = 1 << 20};
+constexpr lang::Limits kSmallLimits{.steps = 200'000,
+                                    .memory = std::uint64_t{64} << 20,
+                                    .objects = 2'000,
+                                    .string = 10'000,
+                                    .include_depth = 4,
+                                    .file = 1 << 20};
 
 /// What is formatted says the same, and is formatted. `format_file` throws where it does not.
 void check_formatting(const lang::SourceFile& file) {

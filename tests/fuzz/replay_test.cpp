@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lang/source/limits.hpp"
 #include "lang/source/source.hpp"
 #include "tests/fuzz/input.hpp"
 
@@ -34,7 +35,7 @@ class FuzzInput : public testing::TestWithParam<fs::path> {};
 
 TEST_P(FuzzInput, IsCompiledSoundly) {
   std::error_code error;
-  const auto text = lang::DiskFileSystem().read(GetParam(), error);
+  const auto text = lang::DiskFileSystem().read(GetParam(), lang::Limits().any_file(), error);
   ASSERT_TRUE(text) << error.message();
   run_fuzz_input(*text, lang::source_format_of(GetParam(), *text));
 }

@@ -231,7 +231,8 @@ void PrintTo(const FileCase& file_case, std::ostream* out) {
   *out << file_case.file.filename().string() << ": " << file_case.name;
 }
 
-std::optional<std::string> CaseFiles::read(const fs::path& path, std::error_code& error) const {
+std::optional<std::string> CaseFiles::read(const fs::path& path, std::uint64_t /*most*/,
+                                           std::error_code& error) const {
   for (const CaseText& text : file_case_.texts) {
     if (!text.name.empty() && !text.is_flag() && text.name == path.generic_string()) {
       return text.text();

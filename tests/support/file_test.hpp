@@ -74,7 +74,7 @@ class CaseFiles final : public lang::FileSystem {
  public:
   explicit CaseFiles(const FileCase& file_case) : file_case_(file_case) {}
 
-  std::optional<std::string> read(const std::filesystem::path& path,
+  std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t /*most*/,
                                   std::error_code& error) const override;
 
  private:

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "lang/compile/compile.hpp"
+#include "lang/source/limits.hpp"
 #include "lang/source/source.hpp"
 #include "render/scene/digest.hpp"
 
@@ -31,7 +32,7 @@ std::string digests_of_examples() {
   const DiskFileSystem files;
   for (const fs::path& path : paths) {
     std::error_code error;
-    const SourceFile file(path.string(), *files.read(path, error));
+    const SourceFile file(path.string(), *files.read(path, Limits().any_file(), error));
     DiagnosticSink sink;
     Compiler compiler(file, {.files = &files, .limits = {}, .sets = {}}, sink);
     const auto lowered = compiler.lower({});

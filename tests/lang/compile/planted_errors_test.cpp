@@ -16,6 +16,7 @@
 
 #include "lang/compile/compile.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/source/limits.hpp"
 #include "lang/source/source.hpp"
 
 // Files as people write them, with several mistakes planted into each. EXPECTED tells what a
@@ -123,7 +124,7 @@ class PlantedErrors : public testing::TestWithParam<std::string> {};
 TEST_P(PlantedErrors, AreToldOnceEach) {
   const fs::path path = folder() / GetParam();
   std::error_code error;
-  const auto text = lang::DiskFileSystem().read(path, error);
+  const auto text = lang::DiskFileSystem().read(path, lang::Limits().any_file(), error);
   ASSERT_TRUE(text) << error.message();
   const lang::SourceFile file(path.string(), *text);
   const auto found = planted().find(GetParam());

@@ -11,6 +11,7 @@
 
 #include "lang/compile/compile.hpp"
 #include "lang/convert/convert.hpp"
+#include "lang/source/limits.hpp"
 #include "lang/value/colors.hpp"
 #include "render/scene/digest.hpp"
 #include "tests/support/compilation/compilation.hpp"
@@ -238,7 +239,8 @@ TEST(ToConfig, ConvertsTheExamplesOrSaysWhatKeepsThem) {
        std::filesystem::directory_iterator(std::filesystem::path(SDLC_SOURCE_DIR) / "examples")) {
     if (entry.path().extension() != ".scene") continue;
     std::error_code error;
-    const SourceFile file(entry.path().string(), *files.read(entry.path(), error));
+    const SourceFile file(entry.path().string(),
+                          *files.read(entry.path(), Limits().any_file(), error));
     DiagnosticSink sink;
     Conversion conversion(file, {.files = &files, .limits = {}, .sets = {}}, sink);
     converted += conversion.run({.frame = 1, .tone = "sqrt"}).has_value();

@@ -51,7 +51,7 @@ const std::map<std::string, std::string> kFiles{
 Sources damaged(const std::string& text) {
   return {.root = text,
           .files = kFiles,
-          .limits = {.steps = 2000, .objects = 1000, .string = 1000, .include_depth = 4}};
+          .limits = {.steps = 20'000, .objects = 1000, .string = 1000, .include_depth = 4}};
 }
 
 bool is_sound(const std::string& text) {

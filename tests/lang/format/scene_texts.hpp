@@ -10,6 +10,7 @@
 
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/format/format.hpp"
+#include "lang/source/limits.hpp"
 #include "lang/source/source.hpp"
 #include "tests/lang/syntax/tree_checks.hpp"
 
@@ -28,7 +29,7 @@ inline std::vector<SceneText> scenes_in(const std::vector<std::string>& folders)
     for (const auto& entry : std::filesystem::directory_iterator(path)) {
       std::error_code error;
       if (entry.path().extension() != ".scene") continue;
-      if (auto text = lang::DiskFileSystem().read(entry.path(), error)) {
+      if (auto text = lang::DiskFileSystem().read(entry.path(), lang::Limits().any_file(), error)) {
         texts.push_back({entry.path().string(), std::move(*text)});
       }
     }

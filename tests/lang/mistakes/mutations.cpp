@@ -11,6 +11,7 @@
 #include "lang/compile/compile.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/program/program.hpp"
+#include "lang/source/limits.hpp"
 #include "lang/syntax/scan.hpp"
 
 namespace sdlc::test {
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 
 std::string read_text(const fs::path& path) {
   std::error_code error;
-  auto text = lang::DiskFileSystem().read(path, error);
+  auto text = lang::DiskFileSystem().read(path, lang::Limits().any_file(), error);
   if (!text) throw std::runtime_error("cannot read " + path.string());
   return std::move(*text);
 }
@@ -58,7 +59,8 @@ class MutantFiles final : public lang::FileSystem {
                                     [&](const SoundText& text) { return text.name == name; });
     return found == texts_.end() ? nullptr : &found->text;
   }
-  std::optional<std::string> read(const fs::path& path, std::error_code& error) const override {
+  std::optional<std::string> read(const fs::path& path, std::uint64_t /*most*/,
+                                  std::error_code& error) const override {
     if (const std::string* text = find(path.generic_string())) return *text;
     error = std::make_error_code(std::errc::no_such_file_or_directory);
     return std::nullopt;
@@ -213,7 +215,7 @@ bool Mutator::misspell(Mutant& mutant, lang::Span word) {
 
 std::vector<MutantError> errors_of(const Mutant& mutant, const SoundTexts& texts) {
   // A slip may make a scene a large one.
-  constexpr lang::Limits kLimits{.steps = 2'000'000, .objects = 100'000};
+  constexpr lang::Limits kLimits{.steps = 20'000'000, .objects = 100'000};
   const MutantFiles files(texts, mutant);
   const lang::SourceFile root(mutant.of->root, *files.find(mutant.of->root));
   lang::DiagnosticSink sink;

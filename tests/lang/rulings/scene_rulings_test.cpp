@@ -341,8 +341,10 @@ std::vector<std::string> codes_under(const lang::Limits& limits, const std::stri
 
 TEST(Rulings, Ruling34_EachLimitHasAnErrorOfItsOwn) {
   const std::string loop = "for i in range(10) { " + ball_at("(3 * i, 0, 0)") + " }";
-  EXPECT_THAT(codes_under({.steps = 10}, loop), IsEmpty());
-  EXPECT_THAT(codes_under({.steps = 9}, loop), ElementsAre("E304"));
+  EXPECT_THAT(codes_under({.steps = 1000}, loop), IsEmpty());
+  EXPECT_THAT(codes_under({.steps = 100}, loop), ElementsAre("E304"));
+  EXPECT_THAT(codes_under({.memory = 10'000}, loop), IsEmpty());
+  EXPECT_THAT(codes_under({.memory = 1000}, loop), ElementsAre("E315"));
   EXPECT_THAT(codes_under({.objects = 10}, loop), IsEmpty());
   EXPECT_THAT(codes_under({.objects = 9}, loop), ElementsAre("E305"));
   EXPECT_THAT(codes_under({.string = 6}, "let a = \"abc\" + \"def\""), IsEmpty());
@@ -357,11 +359,12 @@ TEST(Rulings, Ruling34_EachLimitHasAnErrorOfItsOwn) {
 }
 
 TEST(Rulings, Ruling34_CallsIncludesAndTurnsAreSteps) {
-  EXPECT_THAT(codes_under({.steps = 2}, "fn f(x) = x let a = f(1) + f(2)"), IsEmpty());
-  EXPECT_THAT(codes_under({.steps = 1}, "fn f(x) = x let a = f(1) + f(2)"), ElementsAre("E304"));
-  EXPECT_THAT(codes_under({.steps = 15}, "def d() { } d { } d { }"), ElementsAre("E304"));
+  EXPECT_THAT(codes_under({.steps = 40}, "fn f(x) = x let a = f(1) + f(2)"), IsEmpty());
+  EXPECT_THAT(codes_under({.steps = 20}, "fn f(x) = x let a = f(1) + f(2)"), ElementsAre("E304"));
+  EXPECT_THAT(codes_under({.steps = 300}, "def d() { } d { } d { }"), IsEmpty());
+  EXPECT_THAT(codes_under({.steps = 150}, "def d() { } d { } d { }"), ElementsAre("E304"));
   EXPECT_THAT(
-      codes_under({.steps = 99}, "include \"a.scene\" include \"a.scene\"", {{"a.scene", ""}}),
+      codes_under({.steps = 999}, "include \"a.scene\" include \"a.scene\"", {{"a.scene", ""}}),
       ElementsAre("E304"));
   // A limit is one error, however often it is met.
   EXPECT_THAT(codes_under({.steps = 5},
@@ -411,7 +414,7 @@ TEST(Rulings, Ruling34_ComparingListsTakesSteps) {
     }
   }
   text += "let a60 = [1] let b60 = [1]\nlet same = a0 == b0\n";
-  EXPECT_THAT(codes_under({.steps = 1000}, text), ElementsAre("E304"));
+  EXPECT_THAT(codes_under({.steps = 10'000}, text), ElementsAre("E304"));
 }
 
 TEST(Rulings, Ruling34_TheSandboxKeepsToTheScenesFolder) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lang/source/limits.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "tests/lang/syntax/tree_checks.hpp"
 
@@ -46,7 +47,8 @@ std::vector<std::string> sound_files() {
        std::filesystem::directory_iterator(std::string(SDLC_SOURCE_DIR) + "/examples")) {
     if (entry.path().extension() != ".scene") continue;
     std::error_code error;
-    if (auto text = DiskFileSystem().read(entry.path(), error)) files.push_back(std::move(*text));
+    if (auto text = DiskFileSystem().read(entry.path(), Limits().any_file(), error))
+      files.push_back(std::move(*text));
   }
   return files;
 }

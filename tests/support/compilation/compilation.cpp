@@ -76,7 +76,7 @@ class RecordedObjects final : public lang::ObjectSink {
 }  // namespace
 
 std::optional<std::string> MemoryFiles::read(const std::filesystem::path& path,
-                                             std::error_code& error) const {
+                                             std::uint64_t /*most*/, std::error_code& error) const {
   const auto found = texts_.find(path.generic_string());
   if (found != texts_.end()) return found->second;
   error = std::make_error_code(std::errc::no_such_file_or_directory);

@@ -22,7 +22,7 @@ class MemoryFiles final : public lang::FileSystem {
  public:
   explicit MemoryFiles(std::map<std::string, std::string> texts) : texts_(std::move(texts)) {}
 
-  std::optional<std::string> read(const std::filesystem::path& path,
+  std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t /*most*/,
                                   std::error_code& error) const override;
 
  private:

@@ -118,11 +118,11 @@ TEST(FileTest, GivesTheOtherTextsAsFiles) {
   const auto cases = parse_cases(kSeveral, "a.txt");
   const CaseFiles files(cases[0]);
   std::error_code error;
-  EXPECT_EQ(files.read("lib/other.scene", error), "three\n");
+  EXPECT_EQ(files.read("lib/other.scene", UINT64_MAX, error), "three\n");
   EXPECT_FALSE(error);
   for (const char* name : {"", "other.scene", "--set count"}) {
     error.clear();
-    EXPECT_EQ(files.read(name, error), std::nullopt) << name;
+    EXPECT_EQ(files.read(name, UINT64_MAX, error), std::nullopt) << name;
     EXPECT_EQ(error, std::errc::no_such_file_or_directory) << name;
   }
 }
