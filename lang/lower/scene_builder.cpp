@@ -24,7 +24,8 @@
 namespace sdlc::lang {
 namespace {
 
-// With what finding coincident spheres takes.
+// With what finding coincident spheres takes, and the tree in which a check looks for neighbours.
+constexpr std::size_t kBytesOfCheckedSphere = 96;
 constexpr std::size_t kBytesOfSphere = 64, kBytesOfCamera = 2 * sizeof(Object);
 
 render::Material lower_material(const MaterialValue& value) {
@@ -136,9 +137,11 @@ bool SceneBuilder::repeat(const Object& object, std::uint32_t contents) {
 }
 
 std::size_t SceneBuilder::bytes() const noexcept {
-  return world_.spheres.size() * kBytesOfSphere + world_.shifts.size() * sizeof(render::Vec3) +
-         moving_.size() * sizeof(MovingSphere) + bent_paths_.size() * sizeof(BentPath) +
-         cameras_.size() * kBytesOfCamera + materials_.bytes() + repeats_.bytes();
+  const bool is_checked = purpose_ == Purpose::Check;
+  return world_.spheres.size() * (is_checked ? kBytesOfCheckedSphere : kBytesOfSphere) +
+         world_.shifts.size() * sizeof(render::Vec3) + moving_.size() * sizeof(MovingSphere) +
+         bent_paths_.size() * sizeof(BentPath) + cameras_.size() * kBytesOfCamera +
+         materials_.bytes() + repeats_.bytes();
 }
 
 bool SceneBuilder::may_take_more_memory(Location where) {

@@ -269,6 +269,7 @@ std::uint32_t Resolver::unknown_import(ast::Node node, std::span<const std::stri
   }
   if (is_excused(module_index, names[1], node.span().begin)) return broken(node);
   auto report = sink_.report(diag::unknown_name, node.location(), node.text());
+  if (!report.is_kept()) return broken(node);
   if (const auto nearest = nearest_name(names[1], known)) {
     const Global& global = module.globals[module.global_names.at(*nearest)];
     report.suggest(fmt::format("{}.{}", names[0], *nearest));
@@ -403,7 +404,8 @@ std::uint32_t Resolver::unknown_imported_function(ast::Call call,
   for (const Definition& function : program_.module(*import).functions) {
     known.push_back(function.name);
   }
-  if (const auto nearest = nearest_name(name, known)) {
+  const auto nearest = report.is_kept() ? nearest_name(name, known) : std::nullopt;
+  if (nearest) {
     const Module& module = program_.module(*import);
     const Definition& function = module.functions[module.function_names.at(*nearest)];
     report.suggest(fmt::format("{}.{}", names[0], *nearest));

@@ -69,7 +69,7 @@ std::uint32_t Resolver::unknown_kind(ast::Object node, std::uint32_t scope, bool
   auto report = sink_.report(diag::unknown_kind, node.kind_location(), node.kind());
   if (!may_suggest(names.size())) return object_of_no_kind(node);
   const auto habit = scope == index_ ? kind_habit(written) : std::nullopt;
-  const auto nearest = meant_name(habit, written, names);
+  const auto nearest = report.is_kept() ? meant_name(habit, written, names) : std::nullopt;
   if (habit) report.help_if(habit->help);
   if (scope == index_) {
     report.suggest(nearest);
