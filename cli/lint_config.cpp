@@ -257,15 +257,15 @@ const LintConfig& LintConfigs::in_folder(const fs::path& folder, const fs::path&
 
 std::optional<LintConfig> LintConfigs::read(const fs::path& path) {
   constexpr std::uint64_t kMost = std::uint64_t{1} << 20;
+  if (searches_ && is_sandboxed_ && !lang::Sandbox(env_.files, path).resolve(path)) {
+    throw render::IoError("read", shown_name(path),
+                          "it leads out of its folder, which --sandbox refuses");
+  }
   const bool is_searched = path.filename() == kLintConfigName;
   if (is_searched && env_.files.is_special(path)) {
     throw render::IoError("read", shown_name(path), "it is no regular file");
   }
   std::error_code error;
-  if (searches_ && is_sandboxed_ && !lang::Sandbox(env_.files, path).resolve(path)) {
-    throw render::IoError("read", shown_name(path),
-                          "it leads out of its folder, which --sandbox refuses");
-  }
   const std::optional<std::string> text = env_.files.read(path, kMost, error);
   if (text && text->size() > kMost) {
     throw render::IoError("read", shown_name(path),
