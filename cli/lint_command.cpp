@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -28,8 +27,8 @@
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
 #include "lang/compile/compile.hpp"
-#include "lang/diagnostics/fixes.hpp"
 #include "lang/diagnostics/render.hpp"
+#include "lang/lint/fix_text.hpp"
 #include "lang/lint/lint.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"
@@ -51,12 +50,15 @@ struct LintOptions {
   bool quiet = false;
 };
 
+std::string plural(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
 std::string plural(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+  return plural(count, noun, std::string(noun) + "s");
 }
 
 /// One file and what is wrong with it.
-class Linted {
+class Linted final : public lang::CheckedText {
  public:
   /// `wants` may be called as long as this lives. `max_kept`: of each severity.
   Linted(std::string name, std::string text, const LintOptions& options, const Environment& env,
@@ -68,8 +70,8 @@ class Linted {
     lang::lint(*compiler_, file_, sink_);
   }
 
-  const lang::SourceFile& file() const { return file_; }
-  const lang::DiagnosticSink& sink() const { return sink_; }
+  const lang::SourceFile& file() const override { return file_; }
+  const lang::DiagnosticSink& sink() const override { return sink_; }
 
  private:
   lang::SourceFile file_;
@@ -157,8 +159,8 @@ class LintJob {
       std::string text =
           read_text(name, shown_name(name), env_, options_.reading.limits.any_file());
       if (!options_.shows_diff) writer_->enter(shown_name(name));
-      const auto result =
-          applies_fixes() ? mend(name, std::move(text)) : linted(name, std::move(text));
+      const std::unique_ptr<lang::CheckedText> result =
+          applies_fixes() ? fix(name, std::move(text)) : linted(name, std::move(text));
       if (!options_.shows_diff) tell(*result, shown_name(name));
     } catch (const render::IoError& error) {
       ++unreadable_;
@@ -167,50 +169,43 @@ class LintJob {
     }
   }
 
-  /// Applies fixes until nothing is left to apply: what one uncovers may have a fix too. Fixes that
-  /// undo each other, or a few of very many, come to an end where some rounds hardly help.
-  std::unique_ptr<Linted> mend(const std::string& name, std::string text) {
-    constexpr int kRoundsInVain = 10;
-    // Every round reads the whole text, so each applies as many fixes as memory allows.
+  /// Every round reads the whole text, so each sees as many findings as memory allows.
+  std::unique_ptr<lang::CheckedText> fix(const std::string& name, std::string text) {
     constexpr std::size_t kMaxPerRound = 100'000;
     const std::string original = text;
-    auto result = linted(name, text, kMaxPerRound);
-    std::size_t mended = 0, fewest = std::numeric_limits<std::size_t>::max();
-    for (int in_vain = 0; in_vain < kRoundsInVain; ++in_vain) {
-      const lang::DiagnosticCounts counts = result->sink().counts();
-      const std::size_t findings = counts.errors + counts.warnings;
-      if (findings < fewest - fewest / 10) {
-        fewest = findings;
-        in_vain = 0;
-      }
-      auto [fixed, applied] =
-          lang::apply_fixes(result->file(), result->sink().sorted(), options_.fixes_unsafe);
-      if (applied == 0) break;
-      mended += applied;
-      text = std::move(fixed);
-      result.reset();
-      result = linted(name, text, kMaxPerRound);
-    }
-    const lang::DiagnosticCounts left = result->sink().counts();
-    if (std::max(left.errors, left.warnings) > lang::DiagnosticSink::kMaxPerSeverity) {
-      result.reset();
-      result = linted(name, text);  // with as many as are shown
-    }
+    lang::FixResult result = lang::fix_text(
+        linted(name, std::move(text), kMaxPerRound), options_.fixes_unsafe,
+        [&](std::string fixed) { return linted(name, std::move(fixed), kMaxPerRound); });
+    const std::string fixed(result.checked->file().text());
     if (options_.shows_diff) {
-      env_.out << unified_diff(shown_name(name), original, text);
+      env_.out << unified_diff(shown_name(name), original, fixed);
     } else if (name == kStandardStream) {
-      env_.out << text << std::flush;
-    } else if (text != original) {
-      render::write_file_atomically(name, std::as_bytes(std::span(text)));
+      env_.out << fixed << std::flush;
+    } else if (fixed != original) {
+      render::write_file_atomically(name, std::as_bytes(std::span(fixed)));
     }
-    mended_ += mended;
-    if (mended > 0) ++mended_files_;
-    return result;
+    if (!options_.quiet) print_guesses(shown_name(name), result.guesses);
+    mended_ += result.applied;
+    refused_ += result.refused;
+    if (result.applied > 0) ++mended_files_;
+    const lang::DiagnosticCounts left = result.checked->sink().counts();
+    if (std::max(left.errors, left.warnings) > lang::DiagnosticSink::kMaxPerSeverity) {
+      result.checked.reset();
+      return linted(name, fixed);  // with as many as are shown
+    }
+    return std::move(result.checked);
+  }
+
+  void print_guesses(const std::string& place, const std::vector<lang::Guess>& guesses) {
+    for (const lang::Guess& guess : guesses) {
+      env_.err << fmt::format("guess: {}:{}:{}: {}: {}\n", lang::printable(place), guess.where.line,
+                              guess.where.column, guess.info->code, lang::printable(guess.change));
+    }
   }
 
   /// Each once, though several of the files may read the one that it is about; and none that the
   /// config of an imported file does not want there.
-  void tell(const Linted& linted, const std::string& place) {
+  void tell(const lang::CheckedText& linted, const std::string& place) {
     lang::DiagnosticCounts counts = linted.sink().counts();
     for (const lang::Diagnostic* diagnostic : linted.sink().sorted()) {
       const lang::SourceFile* file = diagnostic->where.file;
@@ -269,6 +264,11 @@ class LintJob {
       env_.err << fmt::format("{} {} in {}\n", options_.shows_diff ? "would mend" : "mended",
                               plural(mended_, "finding"), plural(mended_files_, "file"));
     }
+    if (refused_ > 0) {
+      env_.err << fmt::format(
+          "{} not applied: more errors would be left, or a string or comment would change\n",
+          plural(refused_, "fix", "fixes"));
+    }
     if (options_.shows_diff || options_.diagnostics.format != "human") return;
     if (counts_ == lang::DiagnosticCounts{} && unreadable_ == 0) {
       env_.err << fmt::format("{} checked, nothing found\n", plural(names_.size(), "file"));
@@ -293,6 +293,7 @@ class LintJob {
   std::map<const LintConfig*, WarningCount> warnings_;
   std::size_t unreadable_ = 0;
   std::size_t mended_ = 0, mended_files_ = 0;
+  std::size_t refused_ = 0;                        // fixes
   std::size_t safe_fixes_ = 0, unsafe_fixes_ = 0;  // of what is still there
 };
 

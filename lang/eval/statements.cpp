@@ -80,7 +80,7 @@ void Evaluator::run_for(const Code& code, const Statement& statement) {
     if (const auto* bounds = get_if<Bounds>(&lists.values[0])) {
       report.help("`a .. b` is not a list; `range(a, b)` is, and excludes b");
       const ast::Node written = node(code, expression);
-      if (written.is(SyntaxKind::Interval)) report.fix(where, as_range(written, *bounds));
+      if (written.is(SyntaxKind::Interval)) report.unsafe_fix(where, as_range(written, *bounds));
     }
     if (holds_alternative<Scalar>(lists.values[0])) {
       report.help("`range(n)` is the list of the n numbers from 0 on");

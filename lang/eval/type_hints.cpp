@@ -48,6 +48,12 @@ bool is_color(std::string_view text) {
   return find_named_color(text).has_value();
 }
 
+bool is_word(std::string_view text) {
+  const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  return !text.empty() && std::ranges::all_of(text, is_letter) &&
+         std::isdigit(static_cast<unsigned char>(text[0])) == 0;
+}
+
 void hint_color(DiagnosticBuilder& report, const Computed& given, ast::Node written) {
   if (const auto* text = get_if<std::string>(&given)) {
     const bool is_written = written.is(SyntaxKind::String) && is_color(*text);
@@ -102,10 +108,11 @@ void add_type_hint(DiagnosticBuilder& report, const Property& property, const Co
     case Type::Interval: return hint_interval(report, wanted);
     case Type::Motion: report.help("a motion is `line(to: (1, 0, 0), over: 0s .. 1s)`"); return;
     case Type::Word:
-      if (text != nullptr) report.help("a word stands without quotes");
-      if (text != nullptr &&
-          (property.words.empty() || std::ranges::count(property.words, *text) > 0)) {
-        report.fix(written.location(), *text);
+      if (text != nullptr && written.is(SyntaxKind::String) && is_word(*text)) {
+        report.help("a word stands without quotes");
+        if (property.words.empty() || std::ranges::count(property.words, *text) > 0) {
+          report.fix(written.location(), *text);
+        }
       }
       if (!property.words.empty()) {
         report.help(fmt::format("it takes {}", fmt::join(property.words, ", ")));

@@ -50,8 +50,10 @@ std::optional<MendedNumber> mend_base(std::string_view sign, std::string_view te
     const char* end = lower.data() + lower.size();
     const auto result = std::from_chars(lower.data() + prefix.size(), end, value, base);
     const bool is_read = result.ec == std::errc() && result.ptr == end;
+    const std::size_t digits = lower.size() - prefix.size();
     return MendedNumber{"JSON has decimal numbers only",
-                        is_read ? std::optional(fmt::format("{}{}", sign, value)) : std::nullopt};
+                        is_read ? std::optional(fmt::format("{}{}", sign, value)) : std::nullopt,
+                        base != 16 || (digits != 3 && digits != 6)};  // else perhaps a colour
   }
   return std::nullopt;
 }
@@ -78,10 +80,12 @@ MendedNumber mend_number(std::string_view text) {
   whole.remove_prefix(std::min(whole.find_first_not_of('0'), whole.size()));
   const std::string mended = fmt::format("{}{}{}{}{}", sign, whole.empty() ? "0" : whole,
                                          fraction.empty() ? "" : ".", fraction, *tail);
-  if (has_plus) return {"a leading `+` is not allowed", mended};
-  if (is_grouped) return {"digits cannot be grouped", mended};
-  if (has_leading_zeros) return {"leading zeros are not allowed", mended};
-  if (has_point && fraction.empty()) return {"a digit is missing behind the point", mended};
+  const bool is_certain = !has_leading_zeros && !(has_point && fraction.empty());
+  if (has_plus) return {"a leading `+` is not allowed", mended, is_certain};
+  if (is_grouped) return {"digits cannot be grouped", mended, is_certain};
+  // A point may be missing in `05`, and digits in `0.`.
+  if (has_leading_zeros) return {"leading zeros are not allowed", mended, false};
+  if (has_point && fraction.empty()) return {"a digit is missing behind the point", mended, false};
   return {"a digit is missing before the point", mended};
 }
 

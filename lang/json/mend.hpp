@@ -10,6 +10,7 @@ namespace sdlc::lang {
 struct MendedNumber {
   std::string_view reason;          ///< why the text is no number of JSON
   std::optional<std::string> text;  ///< the number that was meant, as JSON writes it
+  bool is_certain = true;
 };
 
 /// Precondition: `text` is not a number of JSON.

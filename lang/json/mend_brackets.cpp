@@ -181,7 +181,7 @@ class Report {
         .report(diag::expected, at(close),
                 fmt::format("`{}`, found `{}`", bracket, text(tokens_[close])))
         .label(at(open), "opened here")
-        .fix(at(close), std::string(1, bracket));
+        .unsafe_fix(at(close), std::string(1, bracket));
   }
 
  private:

@@ -160,7 +160,7 @@ class Mender {
     }
     sink_.report(diag::expected, place, fmt::format("`{}`, found `)`", closing))
         .label(where(opened.at, opened.at + 1), "opened here")
-        .fix(place, std::string(1, closing));
+        .unsafe_fix(place, std::string(1, closing));
     put(at_, at_ + 1, closing);
     open_.pop_back();
     ++at_;
@@ -199,7 +199,7 @@ class Mender {
     const bool is_slipped = key.size() > 2 && written.size() >= key.size() && written != key;
     if (!is_slipped || !scan_.is_label_end(end)) return false;
     sink_.report(diag::expected, where(begin, end), fmt::format("`{}`, found `{}`", key, written))
-        .fix(where(begin, end), key);
+        .unsafe_fix(where(begin, end), key);
     key.resize(written.size(), ' ');
     mended().replace(begin, key.size(), key);
     read_separator(begin, end);
@@ -222,7 +222,7 @@ class Mender {
       while (is_one_of(text_[last - 1], " \t")) --last;
       const auto words = text_.substr(begin, last - begin);
       sink_.report(diag::not_in_json, where(begin, last), "a key without quotes is")
-          .fix(where(begin, last), fmt::format("\"{}\"", words));
+          .unsafe_fix(where(begin, last), fmt::format("\"{}\"", words));
       put(begin, last, kMendedName);
       return read_separator(begin, last);
     }
@@ -277,7 +277,7 @@ class Mender {
       const auto word = text_.substr(begin + 1, word_end - begin - 1);
       const Location place = where(begin, word_end + 1);
       sink_.report(diag::not_in_json, place, "single quotes are")
-          .fix(place, fmt::format("\"{}\"", word));
+          .unsafe_fix(place, fmt::format("\"{}\"", word));
       put(begin, begin + 1, '"');
       return read_separator(begin, word_end + 1);
     }
@@ -366,7 +366,7 @@ class Mender {
     if (extent.is_unclosed) return unclosed(begin, extent.end);
     if (extent.lacks_quote) {
       sink_.report(diag::expected, where(begin, extent.end), "`\"` in front of a text")
-          .fix(where(begin, begin), "\"");
+          .unsafe_fix(where(begin, begin), "\"");
       return;
     }
     if (extent.things == 0) return unexpected("a value", begin);
@@ -437,8 +437,10 @@ class Mender {
     if (c == ';') {
       const bool is_last = is_one_of(scan_.at(scan_.skip_lines(at_ + 1)), "]}");
       const Location place = where(at_, at_ + 1);
-      sink_.report(diag::expected, place, in_object() ? "`,` or `}`" : "`,` or `]`")
-          .fix(place, is_last ? "" : ",");
+      auto report = sink_.report(diag::expected, place, in_object() ? "`,` or `}`" : "`,` or `]`");
+      // Between numbers it may separate rows.
+      in_object() ? report.fix(place, is_last ? "" : ",")
+                  : report.unsafe_fix(place, is_last ? "" : ",");
       put(at_, at_ + 1, is_last ? ' ' : ',');
       ++at_;
       if (!is_last) state_ = State::Item;

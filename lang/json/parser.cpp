@@ -1,5 +1,6 @@
 #include "lang/json/parser.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include "lang/json/mend_brackets.hpp"
 #include "lang/json/mend_syntax.hpp"
 #include "lang/source/limits.hpp"
+#include "lang/text/ascii.hpp"
 #include "lang/text/display_width.hpp"
 #include "lang/text/utf8.hpp"
 
@@ -166,7 +168,11 @@ class Parser {
       add(JsonNodeType::Error, span);
       return;
     }
-    report.fix(at(span), *mended.text);
+    if (!mended.is_certain) {
+      report.unsafe_fix(at(span), *mended.text);
+    } else {
+      report.fix(at(span), *mended.text);
+    }
     add_number(span, *mended.text);
   }
 
@@ -174,25 +180,34 @@ class Parser {
     const std::string_view word = text_.substr(span.begin, span.size());
     if (names_non_finite(word)) return add_non_finite(span);
     const auto literal = mend_literal(word);
-    if (!literal) return mend_bare_string(span, "text without quotes is");
-    sink_->report(diag::not_in_json, at(span), fmt::format("`{}` is", word))
-        .fix(at(span), std::string(*literal));
+    if (!literal) return mend_bare_string(span, "text without quotes is", false);
+    auto report = sink_->report(diag::not_in_json, at(span), fmt::format("`{}` is", word));
+    const std::string lower = lower_case(word);
+    // `on` may be a word for a key that takes words.
+    const bool is_certain = lower == *literal || lower == "none";
+    is_certain ? report.fix(at(span), std::string(*literal))
+               : report.unsafe_fix(at(span), std::string(*literal));
     if (*literal == "null") return add_null(span);
     add_bool(span, *literal == "true");
   }
 
-  void mend_bare_string(Span span, std::string_view what) {
+  void mend_bare_string(Span span, std::string_view what, bool is_name) {
     const std::string_view word = text_.substr(span.begin, span.size());
-    sink_->report(diag::not_in_json, at(span), what).fix(at(span), fmt::format("\"{}\"", word));
+    auto report = sink_->report(diag::not_in_json, at(span), what);
+    // A value without quotes may be the name of a constant.
+    const bool is_certain =
+        is_name && std::ranges::all_of(word, [](char c) { return is_ascii_letter(c) || c == '_'; });
+    const std::string quoted = fmt::format("\"{}\"", word);
+    is_certain ? report.fix(at(span), quoted) : report.unsafe_fix(at(span), quoted);
     begin_string({span.begin, span.begin});
     add_string(span);
   }
 
   void mend_bare_name(Span span) {
-    if (text_[span.end - 1] != '"') return mend_bare_string(span, "a key without quotes is");
+    if (text_[span.end - 1] != '"') return mend_bare_string(span, "a key without quotes is", true);
     // Its other quote is there.
     sink_->report(diag::expected, at(span), "`\"` in front of a key")
-        .fix(at({span.begin, span.begin}), "\"");
+        .unsafe_fix(at({span.begin, span.begin}), "\"");
     --span.end;
     begin_string({span.begin, span.begin});
     add_string(span);
@@ -201,7 +216,13 @@ class Parser {
   void mend_quotes(Span span, std::string_view what) {
     const std::uint32_t quote = opening_quote_.size();
     const auto content = text_.substr(span.begin + quote, span.size() - 2 * quote);
-    sink_->report(diag::not_in_json, at(span), what).fix(at(span), quote_for_json(content));
+    auto report = sink_->report(diag::not_in_json, at(span), what);
+    // Quotes and backslashes in it may show that it is not one text.
+    const bool is_plain = content.find_first_of("\"\\'\t") == std::string_view::npos &&
+                          content.find("//") == std::string_view::npos &&
+                          content.find("/*") == std::string_view::npos;
+    is_plain ? report.fix(at(span), quote_for_json(content))
+             : report.unsafe_fix(at(span), quote_for_json(content));
     has_escapes_ = content.find('\\') != std::string_view::npos;
     add_string(span);
   }
@@ -225,7 +246,10 @@ class Parser {
     // A name that lacks its second quote ends at the first quote of the next string, and its text
     // follows.
     if (follows_quote(offset)) stop_at_unclosed_string();
-    add_missing(":", offset);
+    const char next = offset < text_.size() ? text_[offset] : '\0';
+    const char last = last_of_file(offset);
+    const bool begins_value = next == '[' || next == '{' || next == '-' || is_ascii_digit(next);
+    add_missing(":", offset, begins_value && last == '"');
   }
 
   void mend_missing_value_separator(std::uint32_t offset) {
@@ -234,7 +258,13 @@ class Parser {
           .help("a quote inside a string is written `\\\"`");
       throw Stopped{};
     }
-    add_missing(",", offset);
+    // Between `}` and `{`, or at the end of a line, nothing else can be missing; `1 2` may have
+    // been one number.
+    const char last = last_of_file(offset);
+    const Span gap{gap_before(offset).span.begin, in_file({offset, offset}).begin};
+    const bool is_certain =
+        last == ']' || last == '}' || file_->text(gap).find('\n') != std::string_view::npos;
+    add_missing(",", offset, is_certain);
   }
 
   void mend_equals_sign(Span span) {
@@ -258,7 +288,7 @@ class Parser {
     const auto escape = text_.substr(span.begin, span.size());
     sink_->report(diag::bad_string, at(span), fmt::format("unknown escape `{}`", escape))
         .help("a backslash itself is written `\\\\`")
-        .fix(at({span.begin, span.begin + 1}), "\\\\");
+        .unsafe_fix(at({span.begin, span.begin + 1}), "\\\\");
   }
 
   void mend_short_escape(Span span) {
@@ -280,7 +310,7 @@ class Parser {
     sink_
         ->report(diag::bad_string, at(span),
                  is_tab ? "a raw tab" : fmt::format("a raw U+{:04X}", c))
-        .fix(at(span), is_tab ? "\\t" : fmt::format("\\u{:04x}", c));
+        .unsafe_fix(at(span), is_tab ? "\\t" : fmt::format("\\u{:04x}", c));
   }
 
   void mend_invalid_utf8(Span span) {
@@ -346,16 +376,24 @@ class Parser {
 
   bool follows_quote(std::uint32_t offset) const { return offset > 0 && text_[offset - 1] == '"'; }
 
-  void add_missing(std::string_view separator, std::uint32_t offset) {
+  void add_missing(std::string_view separator, std::uint32_t offset, bool is_certain) {
     const Location gap = gap_before(offset);
-    sink_->report(diag::expected, gap, fmt::format("`{}`", separator))
-        .fix(gap, std::string(separator));
+    auto report = sink_->report(diag::expected, gap, fmt::format("`{}`", separator));
+    is_certain ? report.fix(gap, std::string(separator))
+               : report.unsafe_fix(gap, std::string(separator));
   }
 
-  /// The empty place behind the last thing before the offset, where something is missing.
+  /// The empty place after the last thing before the offset, where something is missing. The file
+  /// decides what a thing is: what was blanked out in `text_` is still there.
   Location gap_before(std::uint32_t offset) const {
-    while (offset > 0 && is_blank(text_[offset - 1])) --offset;
-    return at({offset, offset});
+    std::uint32_t place = in_file({offset, offset}).begin;
+    while (place > 0 && is_blank(file_->text()[place - 1])) --place;
+    return {file_, {place, place}};
+  }
+  /// The character before the gap.
+  char last_of_file(std::uint32_t offset) const {
+    const std::uint32_t place = gap_before(offset).span.begin;
+    return place == 0 ? '\0' : file_->text()[place - 1];
   }
 
   bool is_streamed_name() const { return file_->text(tape_[0].content()) == streamed_; }

@@ -27,6 +27,11 @@ constexpr double kPi = 3.141592653589793;
 
 std::string_view name_of(const Property& parameter) { return parameter.name; }
 std::string_view name_of(const Parameter& parameter) { return parameter.name; }
+bool may_be_color(const Property& argument) { return argument.type == Type::Color; }
+bool may_be_color(const Parameter& parameter) {
+  return parameter.type == nullptr || parameter.type->name == "color";
+}
+
 const Property* property_of(const Property& parameter) { return &parameter; }
 const Property* property_of(const Parameter& /*parameter*/) { return nullptr; }
 bool is_required(const Property& parameter) { return parameter.presence == Presence::Required; }
@@ -314,7 +319,12 @@ std::uint32_t Resolver::unknown_name(ast::Node node, std::string_view name) {
   for (const NamedColor& color : named_colors()) known.push_back(color.name);
   known.insert(known.end(), {"pi", "time", "true", "false"});
   const auto habit = name_habit(name);
-  const auto nearest = meant_name(habit, name, known);
+  auto nearest = meant_name(habit, name, known);
+  const auto is_declared = [&] {
+    return find_local(*nearest) != nullptr || module_.global_names.contains(*nearest);
+  };
+  const bool is_color = nearest && find_named_color(*nearest) && !is_declared();
+  if (is_color && node.span() == no_color_) nearest = std::nullopt;
   report.suggest(nearest);
   if (habit) report.help_if(habit->help);
   label_unused(report, node.span().begin, nearest);
@@ -521,6 +531,7 @@ std::uint32_t Resolver::call_of(Op op, std::span<const std::uint32_t> callee,
           .label(earlier.location(), "first given here");
     }
     const Property* property = is_placed ? property_of(parameters[index]) : nullptr;
+    if (value && is_placed && !may_be_color(parameters[index])) no_color_ = value->span();
     const std::uint32_t operand = value ? expression(*value, property) : broken(argument);
     if (is_placed) {
       pending_[first + index] = operand;

@@ -146,8 +146,8 @@ void Resolver::Slots::reset(std::string_view kind_) {
   others.clear();
 }
 
-void Resolver::Slots::add(std::string_view name, const Property* property) {
-  names.push_back({name, property});
+void Resolver::Slots::add(std::string_view name, const Property* property, const TypeInfo* type) {
+  names.push_back({name, property, type});
   given.emplace_back();
 }
 
@@ -207,6 +207,10 @@ void Resolver::read_property(ast::Labeled node) {
                 describe(Type::Vec3))
         .help("a group is scaled by one number, alike in all directions");
   }
+  const TypeInfo* type = index == none ? nullptr : slots_.names[index].type;
+  const bool takes_no_color = (property != nullptr && property->type != Type::Color) ||
+                              (type != nullptr && type->name != "color");
+  if (value && takes_no_color) no_color_ = value->span();
   const std::uint32_t result =
       value && !is_stretched ? expression(*value, property) : broken(node.node);
   if (index == none) {
@@ -312,7 +316,7 @@ std::uint32_t Resolver::instance_of(std::uint32_t module, std::uint32_t def, ast
   const std::vector<Parameter>& parameters = owner.defs[def].parameters;
   slots_.reset(node.kind());
   slots_.is_broken = owner.defs[def].is_broken;
-  for (const Parameter& parameter : parameters) slots_.add(parameter.name, nullptr);
+  for (const Parameter& parameter : parameters) slots_.add(parameter.name, nullptr, parameter.type);
   for (const Property& property : kind_info(ObjectKind::Group).properties) {
     // A parameter named `material` takes the place of the group's.
     const bool is_taken = slots_.index_of(property.name) < parameters.size();

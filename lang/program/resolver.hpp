@@ -146,6 +146,7 @@ class Resolver {
     struct Name {
       std::string_view name;
       const Property* property;
+      const TypeInfo* type;  ///< of a parameter, where it is declared with one
     };
     struct Given {
       std::uint32_t value = kNothing;  ///< expression
@@ -161,7 +162,7 @@ class Resolver {
     bool is_broken = false;             ///< there may be other names, which could not be read
 
     void reset(std::string_view kind);
-    void add(std::string_view name, const Property* property);
+    void add(std::string_view name, const Property* property, const TypeInfo* type = nullptr);
     /// names.size() where there is none.
     std::size_t index_of(std::string_view name) const;
   };
@@ -180,6 +181,7 @@ class Resolver {
   std::uint32_t frame_size_ = 0;
   bool is_guess_ = false;       // the kind of the object, or the function, is misspelt
   std::string_view declaring_;  // what no unknown name in its own value was meant to be
+  Span no_color_;               // the value that was read last where no colour can be
   Uses uses_;                   // of the declaration being resolved
   Slots slots_;
 };

@@ -130,10 +130,16 @@ class CharacterCheck {
     std::string fix;
     Span run{at, at};
     for (; text_.substr(run.end).starts_with(character); run.end += c.size) fix += replacement;
-    sink_
-        .report(diag::bad_character, {&file_, run},
-                fmt::format("U+{:04X}, {},", static_cast<std::uint32_t>(c.value), what))
-        .fix({&file_, run}, std::move(fix));
+    auto report =
+        sink_.report(diag::bad_character, {&file_, run},
+                     fmt::format("U+{:04X}, {},", static_cast<std::uint32_t>(c.value), what));
+    const bool is_in_word =
+        at > 0 && is_idchar(text_[at - 1]) && is_idchar(char_at(text_, run.end));
+    if (is_in_word || is_opaque(at)) {
+      report.unsafe_fix({&file_, run}, std::move(fix));
+    } else {
+      report.fix({&file_, run}, std::move(fix));
+    }
     mend(run, ' ');
     return run.end;
   }

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "lang/schema/schema.hpp"
+#include "lang/schema/type_names.hpp"
+#include "lang/syntax/certainty.hpp"
 #include "lang/syntax/foreign_signs.hpp"
 #include "lang/syntax/foreign_words.hpp"
 #include "lang/syntax/recovery.hpp"
@@ -28,14 +30,29 @@ bool begins_foreign_comment(std::string_view text, std::uint32_t at) {
   return (is_hash || text.substr(at).starts_with("--")) && is_first_of_line(text, at);
 }
 
+/// What other languages define a value with, after a `#`.
+constexpr auto kDefinitions = std::to_array<std::string_view>({"define", "declare", "local"});
+
+std::string_view word_at(std::string_view text, std::uint32_t at) {
+  return text.substr(at, end_of_identifier(text, at) - at);
+}
+
 /// Reports it, and returns its end.
 std::uint32_t foreign_comment(TreeBuilder& builder, std::uint32_t at) {
   const std::string_view text = builder.text(), mark = text.substr(at, text[at] == '#' ? 1 : 2);
   const Location where = builder.location({at, at + static_cast<std::uint32_t>(mark.size())});
-  builder.sink()
-      .report(diag::foreign, where, mark)
-      .help("comments begin with `//`")
-      .fix(where, "//");
+  auto report = builder.sink().report(diag::foreign, where, mark);
+  if (is_one_of(word_at(text, at + 1), kDefinitions)) {
+    report.help("a value gets its name by `let name = value`");
+    return static_cast<std::uint32_t>(std::min(text.find('\n', at), text.size()));
+  }
+  report.help("comments begin with `//`");
+  // `#define` and `--i` are something else.
+  const char next = char_at(text, where.span.end);
+  const bool is_shebang = next == '!' && at == 0;
+  if (is_shebang || std::string_view(" \t\r\n\0", 5).find(next) != std::string_view::npos) {
+    report.fix(where, "//");
+  }
   return static_cast<std::uint32_t>(std::min(text.find('\n', at), text.size()));
 }
 
@@ -64,7 +81,8 @@ class Diagnosis {
       report.help("a point has three values");
     } else if (!behind_comma && is_next_value) {
       if (!is_on_next_line_) builder_.poison_last_name();
-      report.help("commas stand between values").fix(where({end, end}), ",");
+      report.help("commas stand between values");
+      if (end < at_) report.unsafe_fix(where({end, end}), ",");
     }
   }
 
@@ -114,11 +132,11 @@ class Diagnosis {
     const char c = char_at(text_, at_);
     switch (wanted) {
       case Wanted::Is:
-        if (c == ':') report.fix(where(found_), "=");
+        if (c == ':') fix_colon(report);
         break;
       case Wanted::FunctionIs:
         if (c == '{') report.help_if(kFunction);
-        if (c == ':') report.fix(where(found_), "=");
+        if (c == ':') fix_colon(report);
         break;
       case Wanted::Type:
         if (is_value(c)) {
@@ -149,6 +167,12 @@ class Diagnosis {
         break;
       default: break;
     }
+  }
+
+  /// `let a: 1`; what has a type there lacks its value.
+  void fix_colon(DiagnosticBuilder& report) {
+    const Span next = token_at(text_, skip_blanks(text_, found_.end));
+    if (!is_type_name(text(next))) report.fix(where(found_), "=");
   }
 
   /// Behind the string, comment, bracket or character at `at`.
@@ -229,11 +253,26 @@ class Diagnosis {
     const Span span{begin, begin + static_cast<std::uint32_t>(sign.text.size())};
     auto report = builder_.sink().report(diag::foreign, where(span), sign.text);
     report.help_if(sign.help);
-    if (!sign.replacement.empty() || sign.deletes) {
-      report.fix(where(span), std::string(sign.replacement));
-    }
     found_.end = span.end;
+    if (sign.replacement == "\"") {
+      const Span closing = closing_quote(text_, span);
+      if (closing.size() == 0) return true;
+      report.fix(where(span), "\"").fix(where(closing), "\"");
+      found_.end = closing.end;
+    } else if (sign.deletes) {
+      add_fix(report, ends_statement(text_, span.begin), span, "");
+    } else if (!sign.replacement.empty() && sign.text != "°") {
+      const bool is_certain = is_certain_sign(text_, span);
+      if (is_certain || sign.text != "!") {
+        add_fix(report, is_certain, span, std::string(sign.replacement));
+      }
+    }
     return true;
+  }
+
+  void add_fix(DiagnosticBuilder& report, bool is_safe, Span span, std::string text) {
+    is_safe ? report.fix(where(span), std::move(text))
+            : report.unsafe_fix(where(span), std::move(text));
   }
 
   /// `=` where a value could go on.
@@ -254,8 +293,9 @@ class Diagnosis {
     const Span span{at_, is_closed ? static_cast<std::uint32_t>(close + 1) : at_ + 1};
     auto report = builder_.sink().report(diag::foreign, where(span), text(span));
     report.help("strings stand in double quotes");
-    if (is_closed) {
-      report.fix(where(span), fmt::format("\"{}\"", text({span.begin + 1, span.end - 1})));
+    const Span content{span.begin + 1, span.end - 1};
+    if (is_closed && is_plain_string(text(content))) {
+      report.fix(where(span), fmt::format("\"{}\"", text(content)));
     }
     return true;
   }
@@ -302,7 +342,8 @@ class Diagnosis {
     if (c == '=' && char_at(text_, next + 1) != '=') {
       auto report = builder_.sink().report(diag::foreign, where({next, next + 1}), "=");
       if (builder_.in_object) {
-        report.help("a property is `name: value`").fix(where({name.end, next + 1}), ":");
+        report.help("a property is `name: value`");
+        add_fix(report, is_property_name(text(name)), {name.end, next + 1}, ":");
       } else {
         report.help("a value gets its name by `let name = value`")
             .unsafe_fix(where({name.begin, name.begin}), "let ");
@@ -329,8 +370,42 @@ class Diagnosis {
     is_on_next_line_ = text_.substr(name.end, next - name.end).find('\n') != std::string_view::npos;
     builder_.end_token(name.end);
     auto report = report_expected(fmt::format("`:` or `{{` after `{}`", text(name)));
-    if (is_value(c) && builder_.in_object) report.fix(where({name.end, name.end}), ":");
+    if (builder_.in_object && lacks_colon(text(name), next)) {
+      report.fix(where({name.end, name.end}), ":");
+    }
     return {name.end};
+  }
+
+  /// Whether the name is that of a property and `at`, in its line, begins its value: one that is
+  /// complete, not the first of several words.
+  bool lacks_colon(std::string_view name, std::uint32_t at) const {
+    if (is_on_next_line_ || !is_property_name(name)) return false;
+    const char c = text_[at];
+    const bool opens = c == '(' || c == '[';
+    const std::uint32_t end = opens         ? end_of_bracket(text_, at)
+                              : c == '#'    ? end_of_identifier_rest(at + 1)
+                              : is_digit(c) ? end_of_number(at)
+                                            : token_at(text_, at).end;
+    const bool is_whole = opens || c == '"' || c == '#' || is_digit(c) || is_letter(c);
+    if (!is_whole || end == at) return false;
+    const std::uint32_t next = skip_blanks(text_, end);
+    const char behind = char_at(text_, next);
+    if (is_letter(c) && behind == '(' && next == end) return true;
+    const bool goes_on = std::string_view("*/^+").find(behind) != std::string_view::npos ||
+                         text_.substr(next).starts_with("..");
+    if (is_digit(c) && behind != '\0' && goes_on) return true;
+    return behind == ',' || behind == '}' || behind == '\n' || behind == '\0' || behind == '/';
+  }
+  std::uint32_t end_of_identifier_rest(std::uint32_t at) const {
+    while (is_idchar(char_at(text_, at))) ++at;
+    return at;
+  }
+  std::uint32_t end_of_number(std::uint32_t at) const {
+    while (is_idchar(char_at(text_, at)) || char_at(text_, at) == '.' ||
+           char_at(text_, at) == '%') {
+      ++at;
+    }
+    return at;
   }
 
   /// `scene 1` that is not the first statement.
@@ -375,9 +450,9 @@ class Diagnosis {
         lacks_colon(name, open)) {
       found_ = {open, open + 1};
       is_on_next_line_ = false;
-      report_expected(fmt::format("`:` after `{}`", text(name)))
-          .help("a property is `name: value`")
-          .fix(where({name.end, name.end}), ":");
+      auto report = report_expected(fmt::format("`:` after `{}`", text(name)));
+      report.help("a property is `name: value`");
+      add_fix(report, is_property_name(text(name)), {name.end, name.end}, ":");
       return name.end;
     }
     auto report = builder_.sink().report(diag::call_as_statement, where(name), word());
@@ -449,6 +524,29 @@ Resumption diagnose_statement(TreeBuilder& builder, std::uint32_t at) {
   return Diagnosis(builder, at).statement();
 }
 
+namespace {
+
+/// Whether the text gives something else this name, which is a unit too. Only those of one letter
+/// are likely to be names.
+bool declares(std::string_view text, std::string_view unit) {
+  for (const std::string_view head : {"let ", "for ", "param ", "(", ", "}) {
+    const std::string declared = fmt::format("{}{}", head, unit);
+    for (std::size_t at = text.find(declared); at != std::string_view::npos;
+         at = text.find(declared, at + 1)) {
+      if (!is_idchar(char_at(text, at + declared.size()))) return true;
+    }
+  }
+  return false;
+}
+bool may_be_name(TreeBuilder& builder, std::string_view unit) {
+  if (unit != "m" && unit != "s") return false;
+  std::optional<bool>& answer = builder.declares_unit[unit == "s"];
+  if (!answer) answer = declares(builder.text(), unit);
+  return *answer;
+}
+
+}  // namespace
+
 std::uint32_t diagnose_separate_unit(TreeBuilder& builder, Span number) {
   const std::string_view text = builder.text();
   if (!is_digit(text[number.end - 1]) && text[number.end - 1] != '.') return number.end;
@@ -469,7 +567,16 @@ std::uint32_t diagnose_separate_unit(TreeBuilder& builder, Span number) {
   if (is_degree) {
     builder.sink().report(diag::foreign, builder.location(unit), kDegree).fix(where, fixed);
   } else {
-    builder.sink().report(diag::separate_unit, where, written).fix(where, fixed);
+    auto report = builder.sink().report(diag::separate_unit, where, written);
+    // `2 s 3` lacks more than that, and `s` may be a name.
+    const bool is_end = std::string_view(",)]}\n\r*/^<>=!&|;").find(c) != std::string_view::npos ||
+                        c == '+' || c == '-' || next >= text.size() || is_letter(c);
+    const bool is_sum = (c == '+' || c == '-') && written == "%";
+    const bool is_word = is_letter(c) && !is_one_of(word_at(text, next), kJoints) &&
+                         !looks_like_statement(text, next);
+    is_end && !is_sum && !is_word && !may_be_name(builder, written)
+        ? report.fix(where, fixed)
+        : report.unsafe_fix(where, fixed);
   }
   return unit.end;
 }
@@ -561,7 +668,8 @@ std::uint32_t diagnose_header(TreeBuilder& builder, std::uint32_t at) {
   const std::uint32_t number = skip_blanks(text, next + 1);
   if ((mark == ':' || mark == '=') && is_digit(char_at(text, number))) {
     const Span all{found.begin, token_at(text, number).end};
-    missing(all).fix(builder.location(all), "scene 1");
+    auto report = missing(all);
+    if (text.substr(number, all.end - number) == "1") report.fix(builder.location(all), "scene 1");
     return skip_space(text, all.end);
   }
   missing(found).fix(builder.location(found), "scene 1");

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "lang/schema/schema.hpp"
+#include "lang/schema/type_names.hpp"
+#include "lang/syntax/certainty.hpp"
 #include "lang/syntax/foreign_words.hpp"
 #include "lang/syntax/scan.hpp"
 #include "lang/syntax/token_editor.hpp"
@@ -52,8 +54,9 @@ class PhraseReader : private TokenEditor {
       case Role::None: break;
     }
     return indented_block() || vector() || ratio() || bare_point() || braced_point() ||
-           quoted_name() || quoted_label() || dashed_name() || new_value() || typed_value() ||
-           assigned_object() || function_by_let() || function_block() || other_letters();
+           hash_definition() || quoted_name() || quoted_label() || dashed_name() || new_value() ||
+           typed_value() || assigned_object() || function_by_let() || function_block() ||
+           other_letters();
   }
 
   // Blocks told by their indentation
@@ -161,7 +164,7 @@ class PhraseReader : private TokenEditor {
     ForeignPhrase& phrase =
         tell(ForeignPhrase::Foreign, span_of(in_[at_]), ":", "a ratio is a quotient");
     phrase.edits.push_back({phrase.span, "/"});
-    phrase.is_safe = true;
+    phrase.is_safe = label_name(at_ - 2) == "aspect";
     return meant_as("/");
   }
 
@@ -201,7 +204,8 @@ class PhraseReader : private TokenEditor {
     ForeignPhrase& phrase = tell(ForeignPhrase::Expected, span,
                                  fmt::format("a point in parentheses, found `{}`", text(span)), "");
     phrase.edits.push_back({span, point + ")"});
-    phrase.is_safe = true;
+    phrase.is_safe = is_point_property(label_name(at_)) &&
+                     std::ranges::all_of(ends, [&](std::size_t end) { return is_number(end); });
 
     keep();
     add(in_[at_ + 1], in_[at_ + 1].begin, LayoutKind::Open, "(");
@@ -232,7 +236,7 @@ class PhraseReader : private TokenEditor {
     ForeignPhrase& phrase = tell(ForeignPhrase::Expected, span,
                                  fmt::format("a point in parentheses, found `{}`", text(span)), "");
     phrase.edits.push_back({span, fmt::format("({})", text({in_[at_].end, in_[close].begin}))});
-    phrase.is_safe = true;
+    phrase.is_safe = is_point_property(label_name(at_ - 1));
     roles_[close] = Role::Closing;
     return bracket(LayoutKind::Open, '(', "(");
   }
@@ -253,7 +257,24 @@ class PhraseReader : private TokenEditor {
     return true;
   }
 
+  /// `#declare size = …`
+  bool hash_definition() {
+    const bool is_definition = is(at_, LayoutKind::Value) && first(at_) == '#' &&
+                               (written(at_) == "#declare" || written(at_) == "#local");
+    if (!is_definition) return false;
+    ForeignPhrase& phrase = tell(ForeignPhrase::Expected, span_of(in_[at_]),
+                                 fmt::format("`let`, found `{}`", written(at_)), "");
+    phrase.edits.push_back({phrase.span, "let"});
+    phrase.is_safe = true;
+    return meant_as("let");
+  }
+
   // Names
+
+  /// Without its colon.
+  std::string_view label_name(std::size_t i) const {
+    return written(i).substr(0, written(i).find_first_of(" \t:"));
+  }
 
   static bool is_identifier(std::string_view name) {
     return !name.empty() && end_of_identifier(name, 0) == name.size() &&
@@ -349,7 +370,10 @@ class PhraseReader : private TokenEditor {
     ForeignPhrase& phrase = tell(ForeignPhrase::Expected, {in_[at_].end - 1, in_[at_].end},
                                  "`=`, found `:`", "a value has the type of what it is made of");
     phrase.edits.push_back({span_of(type), ""});
-    phrase.is_safe = true;
+    const std::string_view type_name = written(at_ + 1);
+    const ForeignWord* foreign = find_foreign_word(type_name);
+    phrase.is_safe =
+        is_type_name(type_name) || (foreign != nullptr && foreign->kind == ForeignWord::Value);
     emit(name, false);
     emit(type, true);
     ++at_;

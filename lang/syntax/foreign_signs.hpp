@@ -15,6 +15,8 @@ struct ForeignSign {
 };
 
 inline constexpr auto kForeignSigns = std::to_array<ForeignSign>({
+    {"<!--", "", "comments are `// …` and `/* … */`"},
+    {"-->", "", "comments are `// …` and `/* … */`"},
     {"&&", "and", ""},
     {"||", "or", ""},
     {"!==", "!=", ""},

@@ -33,7 +33,7 @@ class Scanner {
         ++at_;
       } else if (c == ' ' || c == '\t' || c == '\r') {
         ++at_;
-      } else if ((c == '#' && !begins_color()) || begins_dashes()) {
+      } else if ((c == '#' && !begins_color() && !begins_definition()) || begins_dashes()) {
         at_ = static_cast<std::uint32_t>(std::min(text_.find('\n', at_), text_.size()));
       } else if (behind > at_) {
         line_ += static_cast<std::uint32_t>(
@@ -50,6 +50,16 @@ class Scanner {
   bool begins_color() const {
     const std::uint32_t size = end_of_word(at_ + 1) - at_ - 1;
     return is_first_ ? size == 3 || size == 6 : size > 0;
+  }
+
+  /// `#declare name =`, which is no comment.
+  bool begins_definition() const {
+    if (!is_first_) return false;
+    const std::uint32_t end = end_of_word(at_ + 1), name = skip_blanks(text_, end);
+    const std::string_view word = text_.substr(at_, end - at_);
+    const std::uint32_t sign = skip_blanks(text_, end_of_identifier(text_, name));
+    return (word == "#declare" || word == "#local") && name > end && sign > name &&
+           char_at(text_, sign) == '=' && char_at(text_, sign + 1) != '=';
   }
 
   /// Whether this line is a comment of another language.

@@ -37,6 +37,7 @@ constexpr auto kForeignUnits = std::to_array<ForeignUnit>({
 struct NumberFault {
   std::string reason;
   std::string replacement;  ///< empty: none is known
+  bool is_certain = true;
 };
 
 std::optional<std::string_view> nearest_unit(std::string_view suffix) {
@@ -75,6 +76,13 @@ std::string tidied(std::string_view number) {
   return tidy;
 }
 
+/// `0xff8000`, which is a colour or a number.
+bool may_be_color(std::string_view number) {
+  return (number.starts_with("0x") || number.starts_with("0X")) &&
+         (number.size() == 8 || number.size() == 5) &&
+         number.find_first_not_of("0123456789abcdefABCDEF", 2) == std::string_view::npos;
+}
+
 NumberFault number_fault(std::string_view text) {
   const char base = char_at(text, 1);
   if (text[0] == '0' && (base == 'x' || base == 'X' || base == 'b' || base == 'o')) {
@@ -85,13 +93,14 @@ NumberFault number_fault(std::string_view text) {
                                               : base == 'o' ? 8
                                                             : 16);
     const bool is_read = error == std::errc() && ptr == end;
-    return {"numbers are decimal", is_read ? std::to_string(value) : ""};
+    return {"numbers are decimal", is_read && !may_be_color(text) ? std::to_string(value) : ""};
   }
 
   const std::size_t digits = end_of_digits(text);
   const std::string_view number = text.substr(0, digits), suffix = text.substr(digits);
   if (number.find('_') != std::string_view::npos && tidied(number) != number) {
-    return {"a `_` stands between two digits", tidied(number) + std::string(suffix)};
+    const bool is_whole = tidied(number).size() < number.size();
+    return {"a `_` stands between two digits", tidied(number) + std::string(suffix), is_whole};
   }
   if (suffix.starts_with('.')) return {"it has two points", ""};
   const std::size_t e = number.find_first_of("eE");
@@ -99,11 +108,11 @@ NumberFault number_fault(std::string_view text) {
     return {fmt::format("digits are missing behind the `{}`", number.substr(e)), ""};
   }
   if (tidied(number) != number) {
-    return {"a digit is missing behind the point", tidied(number) + std::string(suffix)};
+    return {"a digit is missing behind the point", tidied(number) + std::string(suffix), false};
   }
   const auto unit = nearest_unit(suffix);
-  return {fmt::format("there is no unit `{}`", suffix),
-          unit ? std::string(number) + std::string(*unit) : ""};
+  return {.reason = fmt::format("there is no unit `{}`", suffix),
+          .replacement = unit ? std::string(number) + std::string(*unit) : ""};
 }
 
 }  // namespace
@@ -125,7 +134,11 @@ std::uint32_t diagnose_number(TreeBuilder& builder, std::uint32_t begin) {
   const Location where = builder.location({begin, end});
   auto report = builder.sink().report(diag::bad_number, where, number, fault.reason);
   if (!fault.replacement.empty()) {
-    report.fix(where, fault.replacement);
+    fault.is_certain ? report.fix(where, fault.replacement)
+                     : report.unsafe_fix(where, fault.replacement);
+  } else if (may_be_color(number)) {
+    const std::string color = fmt::format("#{}", number.substr(2));
+    report.help("a colour is `#ff8000`").unsafe_fix(where, color);
   } else if (fault.reason.starts_with("there is no unit")) {
     report.help(fmt::format("units are {}", fmt::join(kUnits, ", ")));
   }
@@ -142,7 +155,8 @@ std::uint32_t diagnose_string(TreeBuilder& builder, std::uint32_t begin) {
 
   std::uint32_t at = begin + 1;
   while (at < text.size() && text[at] != '"' && text[at] != '\n') {
-    if (text[at] == '\t') wrong(at, at + 1, "a tab").fix(builder.location({at, at + 1}), "\\t");
+    if (text[at] == '\t')
+      wrong(at, at + 1, "a tab").unsafe_fix(builder.location({at, at + 1}), "\\t");
     if (text[at] != '\\') {
       ++at;
       continue;
@@ -168,7 +182,8 @@ std::uint32_t diagnose_string(TreeBuilder& builder, std::uint32_t begin) {
       if (escape == 'u') {
         report.help("four hexadecimal digits follow `\\u`");
       } else {
-        report.help("write `\\\\` for a backslash").fix(builder.location({at, at + 1}), "\\\\");
+        report.help("write `\\\\` for a backslash")
+            .unsafe_fix(builder.location({at, at + 1}), "\\\\");
       }
     }
     at = end;

@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "lang/schema/type_names.hpp"
 #include "lang/source/limits.hpp"
+#include "lang/syntax/certainty.hpp"
 #include "lang/syntax/foreign_signs.hpp"
+#include "lang/syntax/foreign_words.hpp"
 #include "lang/syntax/layout.hpp"
 #include "lang/syntax/missing_marks.hpp"
 #include "lang/syntax/scan.hpp"
+#include "lang/syntax/vocabulary.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -50,11 +55,7 @@ class Report {
                         : sink_.report(diag::missing_version, place);
       report.help_if(phrase.help);
       for (const auto& [span, replacement] : phrase.edits) {
-        if (phrase.is_safe) {
-          report.fix(where(span), replacement);
-        } else {
-          report.unsafe_fix(where(span), replacement);
-        }
+        add_fix(report, phrase.is_safe, where(span), replacement);
       }
     }
   }
@@ -120,20 +121,25 @@ class Report {
     if (token.meant == "==") {
       report.help("write `==` to compare").unsafe_fix(where(span), "==");
     } else {
-      const std::uint32_t begin = (&token - 1)->end;
+      const LayoutToken& name = *(&token - 1);
       const std::string_view what = token.is_call ? "an argument" : "a property";
-      report.help(fmt::format("{} is `name: value`", what)).fix(where({begin, token.end}), ":");
+      report.help(fmt::format("{} is `name: value`", what));
+      const bool is_known = is_property_name(text_.substr(name.begin, name.end - name.begin));
+      add_fix(report, is_known, where({name.end, token.end}), ":");
     }
   }
 
   void sign(std::string_view written, std::string_view meant, Span span) {
     const ForeignSign& sign = *find_foreign_sign(written);
     auto report = sink_.report(diag::foreign, where(span), written);
-    if (sign.deletes) {
-      if (meant == ",") report.help("commas stand between values").fix(where(span), ",");
-      if (meant != ",") report.help_if(sign.help).fix(where(span), "");
+    if (meant == "," && sign.deletes) {
+      report.help("commas stand between values").unsafe_fix(where(span), ",");
     } else {
-      report.help_if(sign.help).fix(where(span), std::string(sign.replacement));
+      const bool is_certain =
+          sign.deletes ? ends_statement(text_, span.begin) : is_certain_sign(text_, span);
+      report.help_if(sign.help);
+      if (is_certain || written != "!")
+        add_fix(report, is_certain, where(span), std::string(sign.replacement));
     }
   }
 
@@ -148,17 +154,61 @@ class Report {
                                                                       : "`)`";
     auto report = expected(fault.token, words);
     const Location gap = where(gap_before(fault.token));
+    const std::string_view first = text_of(fault.token - 1);
     if (is_type) {
-      report.help("a parameter is `name: type`").fix(gap, ":");
+      report.help("a parameter is `name: type`");
+      add_fix(report, !is_type_name(first), gap, ":");
+      return;
+    }
+    if (opener.is_head && (is_type_name(first) || find_foreign_word(first) != nullptr)) {
+      report.help("a parameter is `name: type`");
       return;
     }
     if (fault.bracket == ':') {
-      report.help("an argument is `name: value`").unsafe_fix(gap, ":");
+      report.help("an argument is `name: value`");
+      if (is_property_name(first)) report.unsafe_fix(gap, ":");
       return;
     }
-    report.label(where(span_of(fault.partner)), "opened here")
-        .help("commas stand between values")
-        .fix(gap, ",");
+    report.label(where(span_of(fault.partner)), "opened here").help("commas stand between values");
+    add_fix(report, is_certain_comma(fault), gap, ",");
+  }
+
+  /// Whether only a comma can be missing: before the next label of a call, or between numbers of
+  /// which there are three.
+  bool is_certain_comma(const BracketFault& fault) const {
+    const LayoutToken &opener = tokens_[fault.partner], &token = tokens_[fault.token];
+    if (opener.is_call) return token.kind == LayoutKind::Label && ends_value(fault.token - 1);
+    if (opener.bracket != '(') return false;
+    std::uint32_t numbers = 0;
+    for (std::uint32_t i = fault.partner + 1; i < tokens_.size(); ++i) {
+      if (tokens_[i].kind == LayoutKind::Close) return numbers == 3;
+      if (tokens_[i].kind == LayoutKind::Comma || text_of(i) == "-") continue;
+      if (!is_number(i) || ++numbers > 3) return false;
+    }
+    return false;
+  }
+
+  /// Whether no value goes on after the token, and none is a mere name.
+  bool ends_value(std::uint32_t index) const {
+    const LayoutToken& token = tokens_[index];
+    if (token.kind == LayoutKind::Close) return true;
+    if (token.kind != LayoutKind::Value) return false;
+    const bool is_literal =
+        is_number(index) || text_[token.begin] == '"' || text_[token.begin] == '#';
+    return is_literal || tokens_[index - 1].kind == LayoutKind::Label;
+  }
+
+  bool is_number(std::uint32_t index) const {
+    const std::string_view text = text_of(index);
+    return tokens_[index].kind == LayoutKind::Value && !text.empty() &&
+           (is_digit(text[0]) || text[0] == '.');
+  }
+  std::string_view text_of(std::uint32_t index) const {
+    return text_.substr(tokens_[index].begin, tokens_[index].end - tokens_[index].begin);
+  }
+
+  static void add_fix(DiagnosticBuilder& report, bool is_safe, Location place, std::string text) {
+    is_safe ? report.fix(place, std::move(text)) : report.unsafe_fix(place, std::move(text));
   }
 
   void missing_third(const BracketFault& fault) {
@@ -183,11 +233,24 @@ class Report {
     const Location place = where(span_of(fault.token));
     const bool opens = fault.bracket == '(' || fault.bracket == '[' || fault.bracket == '{';
     const std::string_view bracket(&fault.bracket, 1);
-    if (opens) {
-      sink_.report(diag::unclosed, place, bracket).unsafe_fix(place, "");
-    } else {
-      sink_.report(diag::unmatched, place, bracket).unsafe_fix(place, "");
-    }
+    auto report = opens ? sink_.report(diag::unclosed, place, bracket)
+                        : sink_.report(diag::unmatched, place, bracket);
+    // Without it a formula may be another one than with its partner.
+    if (!is_beside_operator(fault.token)) report.unsafe_fix(place, "");
+  }
+
+  /// Whether an operator of its line is outside of this parenthesis.
+  bool is_beside_operator(std::uint32_t index) const {
+    if (tokens_[index].bracket == '{' || tokens_[index].bracket == '}') return false;
+    const auto ends = [&](std::uint32_t i) {
+      return tokens_[i].kind == LayoutKind::Comma || tokens_[i].kind == LayoutKind::Label ||
+             text_of(i) == "=";
+    };
+    std::uint32_t begin = index, end = index + 1;
+    while (begin > 0 && !tokens_[begin].is_first && !ends(begin - 1)) --begin;
+    while (end < tokens_.size() && !tokens_[end].is_first && !ends(end)) ++end;
+    return inside(begin, index).has_operator || inside(index + 1, end).has_operator ||
+           (index > begin && is_operator(index - 1)) || (index + 1 < end && is_operator(index + 1));
   }
 
   /// A bracket is missing in front of the token: at the end of the line before it, if it is the
@@ -219,10 +282,58 @@ class Report {
     const std::uint32_t at = gap_before(fault.token).end;
     if (fault.bracket == '{') {
       report.unsafe_fix(where({at, at}), " {");
-    } else {
+    } else if (fault.partner != BracketFault::kNone && may_begin_at(fault.token, fault.partner)) {
       const std::uint32_t begin = tokens_[fault.token].begin;
       report.unsafe_fix(where({begin, begin}), std::string(1, fault.bracket));
+    } else {
+      report.help("open it where the part that it encloses begins");
     }
+  }
+
+  /// Whether parentheses from the token to `close` can begin nowhere else: they hold one operand,
+  /// or the values of a point or list that begins here.
+  bool may_begin_at(std::uint32_t token, std::uint32_t close) const {
+    const bool is_after_operator = token > 0 && is_operator(token - 1);
+    const auto [has_comma, has_operator] = inside(token, close);
+    return has_comma ? !is_after_operator : !has_operator && !is_after_operator;
+  }
+
+  /// Whether the parenthesis or bracket opened at `open` can only be closed before `end`: the last
+  /// value in it is no formula, of which any part may be the last.
+  bool may_end_at(std::uint32_t open, std::uint32_t end) const {
+    std::uint32_t first = open + 1;
+    int depth = 0;
+    for (std::uint32_t i = open + 1; i < end; ++i) {
+      if (tokens_[i].kind == LayoutKind::Open) ++depth;
+      if (tokens_[i].kind == LayoutKind::Close) --depth;
+      const bool separates =
+          tokens_[i].kind == LayoutKind::Comma || tokens_[i].kind == LayoutKind::Label;
+      if (depth == 0 && separates) first = i + 1;
+    }
+    return !inside(first, end).has_operator;
+  }
+
+  struct Inside {
+    bool has_comma = false, has_operator = false;
+  };
+  /// What is between the tokens, inner brackets left out. The sign of a value is no operator.
+  Inside inside(std::uint32_t begin, std::uint32_t end) const {
+    Inside inside;
+    int depth = 0;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      if (tokens_[i].kind == LayoutKind::Open) ++depth;
+      if (tokens_[i].kind == LayoutKind::Close) --depth;
+      if (depth != 0) continue;
+      inside.has_comma = inside.has_comma || tokens_[i].kind == LayoutKind::Comma;
+      const bool is_sign =
+          i == begin || tokens_[i - 1].kind == LayoutKind::Comma || is_operator(i - 1);
+      inside.has_operator = inside.has_operator || (is_operator(i) && !is_sign);
+    }
+    return inside;
+  }
+  bool is_operator(std::uint32_t index) const {
+    return (tokens_[index].kind == LayoutKind::Operator && text_of(index) != "=") ||
+           is_one_of(text_of(index), kJoints);
   }
 
   /// Those missing at one place are one mistake, of parentheses or of blocks; how many they are.
@@ -252,7 +363,12 @@ class Report {
       label_opener(report, faults[i]);
       brackets += faults[i].bracket;
     }
-    report.unsafe_fix(where(gap_before(fault.token)), brackets);
+    if (is_block || fault.partner == BracketFault::kNone ||
+        may_end_at(fault.partner, fault.token)) {
+      report.unsafe_fix(where(gap_before(fault.token)), brackets);
+    } else {
+      report.help("close it where the part that it encloses ends");
+    }
     return end - first;
   }
 
@@ -274,8 +390,15 @@ class Report {
     const Span place = end_of_text(fault);
     auto report = sink_.report(diag::expected, where(place),
                                fmt::format("`{}`, found the end of the file", fault.bracket));
-    for (std::size_t i = first; i < faults.size(); ++i) label_opener(report, faults[i]);
-    report.unsafe_fix(where(place), closing);
+    bool is_one_place = true;
+    for (std::size_t i = first; i < faults.size(); ++i) {
+      label_opener(report, faults[i]);
+      const bool is_formula = faults[i].bracket != '}' &&
+                              faults[i].partner != BracketFault::kNone &&
+                              !may_end_at(faults[i].partner, faults[i].token);
+      is_one_place = is_one_place && !is_formula;
+    }
+    if (is_one_place) report.unsafe_fix(where(place), closing);
   }
 
   /// Where the bracket would stand: in the line behind the last token, if its block has lines of

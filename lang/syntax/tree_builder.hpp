@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -116,6 +117,8 @@ class TreeBuilder {
   bool has_version = false;         ///< the file began with its version
   bool has_misplaced = false;       ///< a statement stands where its object should have ended
   Operator op = Operator::None;     ///< the last one read
+  /// Whether the text has names `m` and `s`; empty as long as nobody asked.
+  std::array<std::optional<bool>, 2> declares_unit;
 
   static constexpr NodeIndex kNone = 0xFFFFFFFF;
 

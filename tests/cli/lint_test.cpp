@@ -189,6 +189,35 @@ TEST_F(LintCommand, MendsByGuessesOnlyWhenAskedTo) {
             "wrong.scene:2:14: error[E215]: division by zero\n");
 }
 
+TEST_F(LintCommand, PrintsEachGuessThatItApplies) {
+  EXPECT_EQ(run("wrong.scene --unsafe-fixes --format concise").err,
+            "guess: wrong.scene:5:34: E104: `radus` to `radius`\nmended 2 findings in 1 file\n");
+  write("wrong.scene", kWrong);
+  EXPECT_THAT(run("wrong.scene --unsafe-fixes --diff").err, HasSubstr("guess: wrong.scene:5:34"));
+  EXPECT_EQ(run("wrong.scene --unsafe-fixes --quiet").err, "");
+}
+
+TEST_F(LintCommand, AppliesNoFixThatLeavesMoreErrors) {
+  // `gold` is a colour: a guess that leaves another error in its place.
+  const std::string lamp = std::string(kClean) +
+                           "def lamp(bulb = unlit(red)) {\n"
+                           "  sphere { center: (0, 2, 0), radius: 1, material: bulb }\n"
+                           "}\n"
+                           "lamp { bulb: cold }\n";
+  write("lamp.scene", lamp);
+  const ProgramResult result = run("lamp.scene --unsafe-fixes");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("1 fix not applied: "));
+  EXPECT_EQ(read("lamp.scene"), lamp);
+}
+
+TEST_F(LintCommand, AppliesNoFixInsideAString) {
+  const std::string config = R"({"spheres": [{"origin"x [0, 0, 0]}]})";
+  write("broken.json", config);
+  for (int i = 0; i < 2; ++i) run("broken.json --fix");
+  EXPECT_EQ(read("broken.json"), config);
+}
+
 TEST_F(LintCommand, MendsWhatAFixUncovers) {
   write("hidden.scene", std::string(kClean) + "let a = 2 m && 'x'\n");
   run("hidden.scene --fix");

@@ -1,0 +1,252 @@
+#include "lang/lint/fix_text.hpp"
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lang/diagnostics/fixes.hpp"
+#include "lang/syntax/scan.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+using Selection = std::vector<const Diagnostic*>;
+
+/// The strings and comments of a text, by place.
+class OpaqueSpans {
+ public:
+  explicit OpaqueSpans(std::string_view text) : text_(text) {
+    for (std::uint32_t at = 0; at < text.size();) {
+      const std::uint32_t end = end_of_opaque(text, at);
+      if (end > at) spans_.push_back({at, end});
+      at = std::max(end, at + 1);
+    }
+  }
+
+  bool are_kept_by(const Fix& fix) const {
+    const Span changed = fix.where.span;
+    const auto ends_before = [](const Span& span, std::uint32_t at) { return span.end < at; };
+    auto span = std::lower_bound(spans_.begin(), spans_.end(), changed.begin, ends_before);
+    for (; span != spans_.end() && span->begin <= changed.end; ++span) {
+      if (!is_kept_by(fix, *span)) return false;
+    }
+    return true;
+  }
+
+ private:
+  bool is_kept_by(const Fix& fix, Span span) const {
+    const Span changed = fix.where.span;
+    if (changed.end <= span.begin) return true;
+    // What is inserted after an open end becomes a part of it.
+    if (changed.begin >= span.end) return changed.begin > span.end || is_closed(span);
+    const bool is_whole = changed.begin <= span.begin && changed.end >= span.end;
+    return is_whole && is_closed(span) && fix.replacement.find(content(span)) != std::string::npos;
+  }
+
+  bool is_string(Span span) const { return text_[span.begin] == '"'; }
+  bool is_line_comment(Span span) const { return text_[span.begin + 1] == '/'; }
+  bool is_closed(Span span) const {
+    const std::string_view text = text_.substr(span.begin, span.size());
+    if (is_string(span)) return text.size() > 1 && text.ends_with('"');
+    return !is_line_comment(span) && text.ends_with("*/");
+  }
+  std::string_view content(Span span) const {
+    const std::uint32_t quote = is_string(span) ? 1 : 0;
+    return text_.substr(span.begin + quote, span.size() - 2 * quote);
+  }
+
+  std::string_view text_;
+  std::vector<Span> spans_;
+};
+
+bool is_safe(const Diagnostic& diagnostic) {
+  return std::ranges::all_of(diagnostic.fixes, &Fix::is_safe);
+}
+bool is_error(const Diagnostic* diagnostic) {
+  return diagnostic->info->severity == Severity::Error;
+}
+
+/// "`radus` to `radius`", of all fixes of the diagnostic.
+std::string describe_change(const SourceFile& file, const Diagnostic& diagnostic) {
+  std::string text;
+  for (const Fix& fix : diagnostic.fixes) {
+    if (!text.empty()) text += ", ";
+    const std::string_view old = file.text(fix.where.span);
+    text += old.empty()               ? fmt::format("insert `{}`", fix.replacement)
+            : fix.replacement.empty() ? fmt::format("remove `{}`", old)
+                                      : fmt::format("`{}` to `{}`", old, fix.replacement);
+  }
+  return text;
+}
+
+/// The fixes of one text, tried out together and, where that fails, in halves.
+class Round {
+ public:
+  /// `splits` is how often a selection may be split, and counts down.
+  Round(const CheckedText& base, const CheckText& check, bool is_unsafe, int& splits)
+      : base_(base),
+        check_(check),
+        is_unsafe_(is_unsafe),
+        splits_(splits),
+        errors_(base.sink().error_count()) {}
+
+  void run() {
+    const SourceFile& file = base_.file();
+    Selection selection = base_.sink().sorted();
+    std::erase_if(selection, [&](const Diagnostic* diagnostic) {
+      return diagnostic->fixes.empty() || is_safe(*diagnostic) == is_unsafe_;
+    });
+    if (!is_unsafe_ && !selection.empty()) {
+      const OpaqueSpans opaque(file.text());
+      refused_ += std::erase_if(selection, [&](const Diagnostic* diagnostic) {
+        return std::ranges::any_of(diagnostic->fixes, [&](const Fix& fix) {
+          return fix.where.file == &file && !opaque.are_kept_by(fix);
+        });
+      });
+    }
+    selection = select_fixes(file, selection, is_unsafe_);
+    if (!selection.empty()) consider(selection);
+  }
+
+  std::unique_ptr<CheckedText> take_result() { return std::move(result_); }
+  const Selection& accepted() const { return accepted_; }
+  std::size_t refused() const { return refused_; }
+
+ private:
+  void consider(std::span<const Diagnostic* const> part) {
+    Selection all = accepted_;
+    all.insert(all.end(), part.begin(), part.end());
+    std::unique_ptr<CheckedText> checked = check_(fixed_text(base_.file(), all));
+    if (is_good(part, checked->sink().error_count())) {
+      errors_ = checked->sink().error_count();
+      accepted_ = std::move(all);
+      result_ = std::move(checked);
+    } else if (part.size() == 1 || splits_ == 0) {
+      refused_ += part.size();
+    } else {
+      --splits_;
+      consider(part.first(part.size() / 2));
+      consider(part.subspan(part.size() / 2));
+    }
+  }
+
+  /// Whether each of the fixes did its work. That of one error may bring to light another one
+  /// behind it, which is no fault of a safe fix, but none of a good guess either.
+  bool is_good(std::span<const Diagnostic* const> part, std::size_t errors) const {
+    const auto fixed = static_cast<std::size_t>(std::ranges::count_if(part, is_error));
+    if (errors + fixed <= errors_) return true;
+    const bool is_last_try = part.size() == 1 || splits_ == 0;
+    return is_last_try && !is_unsafe_ && errors <= errors_;
+  }
+
+  const CheckedText& base_;
+  const CheckText& check_;
+  bool is_unsafe_;
+  int& splits_;
+  std::size_t errors_;
+  Selection accepted_;
+  std::unique_ptr<CheckedText> result_;
+  std::size_t refused_ = 0;
+};
+
+class Fixer {
+ public:
+  Fixer(std::unique_ptr<CheckedText> checked, bool applies_unsafe, const CheckText& check)
+      : applies_unsafe_(applies_unsafe), check_(check) {
+    now_.checked = std::move(checked);
+  }
+
+  FixResult run() {
+    // Fixes that undo each other, or make room for more of their kind, come to an end after some
+    // rounds without progress; what they did is undone.
+    constexpr int kMaxRoundsInVain = 10;
+    int in_vain = 0;
+    note_best();
+    while (true) {
+      if (is_progress()) {
+        in_vain = 0;
+        note_best();
+      } else if (++in_vain > kMaxRoundsInVain) {
+        return best();
+      }
+      if (rounds()) continue;
+      if (splits_ == kMaxSplits) return std::move(now_);
+      // Of a text in which nearly every fix brings another error to light, many were judged
+      // together; what is left is looked at one by one.
+      splits_ = kMaxSplits;
+      if (!rounds()) return std::move(now_);
+    }
+  }
+
+ private:
+  /// Errors and warnings: fewer of the first count more.
+  using Score = std::pair<std::size_t, std::size_t>;
+
+  Score score() const {
+    return {now_.checked->sink().error_count(), now_.checked->sink().counts().warnings};
+  }
+  bool is_progress() const { return score() < best_score_; }
+
+  void note_best() {
+    best_score_ = score();
+    best_text_ = now_.checked->file().text();
+    best_applied_ = now_.applied;
+    best_guesses_ = now_.guesses.size();
+  }
+  FixResult best() {
+    now_.checked = check_(best_text_);
+    now_.refused += now_.applied - best_applied_;
+    now_.applied = best_applied_;
+    now_.guesses.resize(best_guesses_);
+    return std::move(now_);
+  }
+
+  bool rounds() {
+    now_.refused = 0;
+    return round(false) || (applies_unsafe_ && round(true));
+  }
+
+  /// Whether any fix was applied.
+  bool round(bool is_unsafe) {
+    Round round(*now_.checked, check_, is_unsafe, splits_);
+    round.run();
+    now_.refused += round.refused();
+    if (round.accepted().empty()) return false;
+    const SourceFile& file = now_.checked->file();
+    for (const Diagnostic* diagnostic : round.accepted()) {
+      if (is_safe(*diagnostic)) continue;
+      now_.guesses.push_back({.where = file.position(diagnostic->fixes[0].where.span.begin),
+                              .info = diagnostic->info,
+                              .change = describe_change(file, *diagnostic)});
+    }
+    now_.applied += round.accepted().size();
+    now_.checked = round.take_result();
+    return true;
+  }
+
+  static constexpr int kMaxSplits = 100;
+
+  bool applies_unsafe_;
+  const CheckText& check_;
+  int splits_ = kMaxSplits;
+  FixResult now_;
+  Score best_score_;
+  std::string best_text_;
+  std::size_t best_applied_ = 0, best_guesses_ = 0;
+};
+
+}  // namespace
+
+FixResult fix_text(std::unique_ptr<CheckedText> checked, bool applies_unsafe,
+                   const CheckText& check) {
+  return Fixer(std::move(checked), applies_unsafe, check).run();
+}
+
+bool keeps_strings_and_comments(std::string_view text, const Fix& fix) {
+  return OpaqueSpans(text).are_kept_by(fix);
+}
+
+}  // namespace sdlc::lang

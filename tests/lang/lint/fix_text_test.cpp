@@ -1,0 +1,300 @@
+#include "lang/lint/fix_text.hpp"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lang/compile/compile.hpp"
+#include "lang/lint/lint.hpp"
+
+// What fixes make of a text: safe ones what was certainly meant, unsafe ones what was probably
+// meant, and neither more errors.
+namespace sdlc::lang {
+namespace {
+
+class Checked final : public CheckedText {
+ public:
+  Checked(std::string name, std::string text)
+      : file_(std::move(name), std::move(text)), compiler_(file_, {}, sink_) {
+    lint(compiler_, file_, sink_);
+  }
+  const SourceFile& file() const override { return file_; }
+  const DiagnosticSink& sink() const override { return sink_; }
+
+ private:
+  SourceFile file_;
+  DiagnosticSink sink_;
+  Compiler compiler_;
+};
+
+FixResult fix(const std::string& name, std::string text, bool applies_unsafe) {
+  const CheckText check = [&](std::string fixed) {
+    return std::make_unique<Checked>(name, std::move(fixed));
+  };
+  return fix_text(check(std::move(text)), applies_unsafe, check);
+}
+
+constexpr std::string_view kVersion = "scene 1\n";
+
+/// A scene without its first line, after its safe fixes.
+std::string safely(const std::string& scene) {
+  const FixResult result = fix("a.scene", std::string(kVersion) + scene, false);
+  return std::string(result.checked->file().text().substr(kVersion.size()));
+}
+std::string by_guesses(const std::string& scene) {
+  const FixResult result = fix("a.scene", std::string(kVersion) + scene, true);
+  return std::string(result.checked->file().text().substr(kVersion.size()));
+}
+std::string config_safely(const std::string& config) {
+  return std::string(fix("a.json", config, false).checked->file().text());
+}
+
+/// No safe fix changes any of these.
+void expect_left_alone(std::initializer_list<std::string> scenes) {
+  for (const std::string& scene : scenes) EXPECT_EQ(safely(scene), scene);
+}
+void expect_configs_left_alone(std::initializer_list<std::string> configs) {
+  for (const std::string& config : configs) EXPECT_EQ(config_safely(config), config);
+}
+
+TEST(SafeFixes, LeaveStringsOfConfigsAlone) {
+  expect_configs_left_alone({
+      R"({"spheres": [{"origin"x [0, 0, 0]}]})",
+      "{\"spheres\": [{\"ori\ngin\": [0, 0, 0]}]}",
+      "{\"saving\": {\"path\": \"a\tb\"}}",
+      R"({"saving": {"path": "C:\dir\new"}})",
+      R"({"camera": {"look"_from": [0, 0, 0]}})",
+      R"({"camera": {'look "x" from': [0, 0, 0]}})",
+  });
+}
+
+TEST(SafeFixes, LeaveStringsAndCommentsOfScenesAlone) {
+  expect_left_alone({
+      "let a = \"C:\\dir\"\n",
+      "let a = \"one\ttwo\"\n",
+      "let a = \"one\xE2\x80\xAEtwo\"\n",
+      "// a comment\x01 with a control\nlet a = 1\n",
+      "let a = 'it // isn't'\n",
+  });
+}
+
+TEST(SafeFixes, AddNoColonByGuess) {
+  expect_left_alone({
+      "def planet(size: number) { sphere { center: (0, 0, 0), radius: size, material: unlit(red) } "
+      "}\n"
+      "planet { earth size: 0.2 }\n",
+      "render { light-sampling: on }\n",
+      "group { translate: 1.4 x d }\n",
+      "group { rotate x 5 }\n",
+      "sphere { position (0, 0, 0) }\n",
+      "group { ring(3) }\n",
+  });
+}
+
+TEST(SafeFixes, AddNoCommaByGuess) {
+  expect_left_alone({
+      "def planet(float size) { sphere { center: (0, 0, 0), radius: size, material: unlit(red) } "
+      "}\n",
+      "let a = randomb\"hue\"\n",
+      "let a = max(1 2)\n",
+      "let a = [1 2]\n",
+      "let d = 2\nlet a = (1.4 d, 3)\n",
+      "let a = (0 1 2 3)\n",
+  });
+}
+
+TEST(SafeFixes, AddColonsAndCommasThatAreCertain) {
+  EXPECT_EQ(safely("camera main { from: (0 1, 5), at: (0 0 0), fov: 40deg }\n"),
+            "camera main { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }\n");
+  EXPECT_EQ(safely("let a = diffuse(color: red checker: 2)\n"),
+            "let a = diffuse(color: red, checker: 2)\n");
+  EXPECT_EQ(safely("sphere { center: (0, 0, 0), radius 1, material: unlit(red) }\n"),
+            "sphere { center: (0, 0, 0), radius: 1, material: unlit(red) }\n");
+  EXPECT_EQ(safely("def dot(size number) { sphere { center: (0, 0, 0), radius: size } }\n"),
+            "def dot(size: number) { sphere { center: (0, 0, 0), radius: size } }\n");
+}
+
+TEST(SafeFixes, AddSeparatorsToConfigsWhereNothingElseCanBeMissing) {
+  EXPECT_EQ(config_safely(R"({"spheres": [{"radius": 1} {"radius": 2}]})"),
+            R"({"spheres": [{"radius": 1}, {"radius": 2}]})");
+  EXPECT_EQ(config_safely("{\"camera\": {\"look_at\" [0, 0, 0]\n\"vfov\": 40}}"),
+            "{\"camera\": {\"look_at\": [0, 0, 0],\n\"vfov\": 40}}");
+  expect_configs_left_alone({R"({"camera": {"look_at": [0 1, 0]}})",
+                             R"({"camera": {"look_at" "vfov": 40}})",
+                             R"({"camera": {"look_at": [0, 1, 0)}})"});
+}
+
+TEST(SafeFixes, KeepDefinitionsOfOtherLanguages) {
+  EXPECT_EQ(safely("#declare R = 3;\n#local S = R;\n"), "let R = 3\nlet S = R\n");
+  expect_left_alone({"#define R 3\n", "#include \"shapes.inc\"\n", "#version 3.7;\n"});
+  EXPECT_EQ(safely("# a comment\n#\n"), "// a comment\n//\n");
+}
+
+TEST(SafeFixes, TakeTypographicQuotesInPairs) {
+  EXPECT_EQ(safely("let a = “one”\nlet b = „two“\nlet c = ‘three’\n"),
+            "let a = \"one\"\nlet b = \"two\"\nlet c = \"three\"\n");
+  EXPECT_EQ(safely("let c = diffuse(color: “#e8e8e8”)\n"), "let c = diffuse(color: #e8e8e8)\n");
+  expect_left_alone({"let a = “one\n", "let a = one”\n", "let a = “a \"b\" c”\n"});
+}
+
+TEST(SafeFixes, TakeNoColorForANumber) {
+  expect_left_alone(
+      {"sphere { center: (0, 0, 0), radius: 1, material: unlit(0xff0000) }\n", "let a = 0xfff\n"});
+  EXPECT_EQ(safely("let a = 0x10\n"), "let a = 16\n");
+  EXPECT_EQ(by_guesses("sphere { center: (0, 0, 0), radius: 1, material: unlit(0xff0000) }\n"),
+            "sphere { center: (0, 0, 0), radius: 1, material: unlit(#ff0000) }\n");
+  expect_configs_left_alone({R"({"camera": {"vfov": 0xff0000}})"});
+}
+
+TEST(SafeFixes, TakeSignsOnlyWithTheirOperands) {
+  expect_left_alone({"<!-- x -->\n", "let a = 2 <!-- x -->\n", "let a = 3!\n", "let a = 2 ** 3\n",
+                     "let a = 800×600\n", "let a =< 3\n", "let a = 1 <> 2\n", "let a; = 3\n"});
+  expect_left_alone({"let a = not!true\n", "let a = 1 ! 2\n"});
+  EXPECT_EQ(safely("let a = 1 < 2 && !(2 ≤ 3)\n"), "let a = 1 < 2 and not (2 <= 3)\n");
+}
+
+TEST(SafeFixes, LeaveNumbersWithAMissingPartAlone) {
+  expect_left_alone({"let a = 0.\n", "let a = (1, 2., 3)\n"});
+  expect_configs_left_alone({R"({"camera": {"vfov": 05}})", R"({"camera": {"vfov": 0.}})"});
+}
+
+TEST(SafeFixes, LeaveWordsOfConfigsAloneThatMayBeNames) {
+  expect_configs_left_alone(
+      {R"({"camera": {"vfov": angle}})", R"({"rendering": {"in_parallel": on}})"});
+  EXPECT_EQ(config_safely(R"({camera: {'vfov': 40}, "rendering": {"in_parallel": True}})"),
+            R"({"camera": {"vfov": 40}, "rendering": {"in_parallel": true}})");
+}
+
+TEST(SafeFixes, TakeNoVariableForAUnit) {
+  expect_left_alone({"let s = 3\nlet a = 2 s\n", "let a = 2 m d\n"});
+  EXPECT_EQ(safely("let a = 2 m\n"), "let a = 2m\n");
+}
+
+TEST(SafeFixes, TakeNoWordFromAVariable) {
+  expect_left_alone({"let k = \"sobol\"\nrender { sampler: (k) }\n"});
+}
+
+TEST(UnsafeFixes, CloseNoFormula) {
+  const std::string scene =
+      "let i = 2\nlet detail = 4\nlet cell = 1\nlet a = (i - detail / 2 * cell\n";
+  EXPECT_EQ(by_guesses(scene), scene);
+  const std::string open = "let i = 2\nlet a = i - 1 / 2) * 3\n";
+  EXPECT_EQ(by_guesses(open), open);
+  EXPECT_EQ(by_guesses("let a = (1, 2, -3\nlet b = 1\n"), "let a = (1, 2, -3)\nlet b = 1\n");
+}
+
+TEST(UnsafeFixes, PutNoColorWhereAMaterialBelongs) {
+  const std::string scene =
+      "def lamp(bulb: material) { sphere { center: (0, 0, 0), radius: 1, material: bulb } }\n"
+      "lamp { bulb: cold }\nsphere { center: (5, 0, 0), radius: 1, material: cold }\n";
+  EXPECT_EQ(by_guesses(scene), scene);
+  const std::string by_default =
+      "def lamp(bulb = unlit(red)) { sphere { center: (0, 0, 0), radius: 1, material: bulb } }\n"
+      "lamp { bulb: cold }\n";
+  EXPECT_EQ(by_guesses(by_default), by_default);
+  EXPECT_EQ(by_guesses(
+                "let warm = unlit(red)\nsphere { center: (5, 0, 0), radius: 1, material: wram }\n"),
+            "let warm = unlit(red)\nsphere { center: (5, 0, 0), radius: 1, material: warm }\n");
+}
+
+TEST(UnsafeFixes, AreReported) {
+  const FixResult result = fix(
+      "a.scene", "scene 1\nsphere { center: (5, 0, 0), radus: 1, material: unlit(red); }\n", true);
+  ASSERT_EQ(result.guesses.size(), 1u);
+  EXPECT_EQ(result.guesses[0].change, "`radus` to `radius`");
+  EXPECT_EQ(result.guesses[0].where, (Position{2, 29}));
+  EXPECT_EQ(result.guesses[0].info->code, "E104");
+}
+
+// The mechanism, with a check of its own: a text has an error for every `x` and two for every `y`.
+
+class Marked final : public CheckedText {
+ public:
+  explicit Marked(std::string text) : file_("a.scene", std::move(text)) {
+    const std::string_view all = file_.text();
+    for (std::uint32_t at = 0; at < all.size(); ++at) {
+      const Location where{&file_, {at, at + 1}};
+      switch (all[at]) {
+        case 'x': sink_.report(diag::bad_utf8, where).fix(where, "."); break;
+        case 'h': sink_.report(diag::bad_utf8, where).fix(where, "yy"); break;
+        case 'g': sink_.report(diag::bad_utf8, where).unsafe_fix(where, "z"); break;
+        case 'z': sink_.report(diag::bad_utf8, where); break;
+        case 'y': sink_.report(diag::bad_utf8, where); break;
+        case 'a': sink_.report(diag::bad_utf8, where).fix(where, "b"); break;
+        case 'b': sink_.report(diag::bad_utf8, where).fix(where, "a"); break;
+        default: break;
+      }
+    }
+  }
+  const SourceFile& file() const override { return file_; }
+  const DiagnosticSink& sink() const override { return sink_; }
+
+ private:
+  SourceFile file_;
+  DiagnosticSink sink_;
+};
+
+FixResult fix_marks(std::string text, bool applies_unsafe = false) {
+  const CheckText check = [](std::string fixed) {
+    return std::make_unique<Marked>(std::move(fixed));
+  };
+  return fix_text(check(std::move(text)), applies_unsafe, check);
+}
+std::string text_of(const FixResult& result) { return std::string(result.checked->file().text()); }
+
+TEST(FixText, LeavesOutTheFixesThatDoHarm) {
+  const FixResult result = fix_marks("x x x h x x h x");
+  EXPECT_EQ(text_of(result), ". . . h . . h .");
+  EXPECT_EQ(result.applied, 6u);
+  EXPECT_EQ(result.refused, 2u);
+}
+
+TEST(FixText, FindsTheGoodOnesAmongMoreThanAreKept) {
+  std::string text(120, 'x');
+  for (std::size_t i = 1; i < text.size(); i += 2) text[i] = ' ';
+  EXPECT_EQ(text_of(fix_marks(text + " h " + text)).find('x'), std::string::npos);
+}
+
+TEST(FixText, GuessesOnlyWhereFewerErrorsAreLeft) {
+  const FixResult result = fix_marks("g x g", true);
+  EXPECT_EQ(text_of(result), "g . g");
+  EXPECT_EQ(result.refused, 2u);
+  EXPECT_TRUE(result.guesses.empty());
+}
+
+TEST(FixText, EndsWhereFixesUndoEachOther) {
+  for (const std::string text : {"a b", "b", "a x"}) {
+    const std::string once = text_of(fix_marks(text));
+    EXPECT_EQ(text_of(fix_marks(once)), once) << text;
+  }
+  EXPECT_THAT(text_of(fix_marks("a x")), testing::EndsWith("."));
+}
+
+TEST(FixText, LeavesStringsAndCommentsAlone) {
+  const FixResult result = fix_marks("x \"x\" /* x */ x // x");
+  EXPECT_EQ(text_of(result), ". \"x\" /* x */ . // x");
+  EXPECT_EQ(result.refused, 3u);
+}
+
+TEST(KeepsStringsAndComments, MayReplaceThemWholeByWhatContainsThem) {
+  const auto keeps = [](std::string_view text, Span span, std::string replacement) {
+    return keeps_strings_and_comments(text, {{nullptr, span}, std::move(replacement), true});
+  };
+  EXPECT_TRUE(keeps("a \"red\" b", {2, 7}, "red"));
+  EXPECT_FALSE(keeps("a \"red\" b", {2, 7}, "blue"));
+  EXPECT_TRUE(keeps("a \"red\" b", {7, 7}, ","));
+  EXPECT_TRUE(keeps("a \"red\" b", {2, 2}, ","));
+  EXPECT_FALSE(keeps("a \"red\" b", {3, 3}, ","));
+  EXPECT_FALSE(keeps("a \"red\" b", {1, 4}, ""));
+  EXPECT_FALSE(keeps("a \"red", {6, 6}, ","));
+  EXPECT_FALSE(keeps("a // b", {6, 6}, ","));
+  EXPECT_TRUE(keeps("a /* b */", {9, 9}, ","));
+  EXPECT_FALSE(keeps("a /* b */ c", {0, 11}, ""));
+}
+
+}  // namespace
+}  // namespace sdlc::lang
