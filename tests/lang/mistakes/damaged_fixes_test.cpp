@@ -44,7 +44,8 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
 class Files final : public lang::FileSystem {
  public:
   explicit Files(const SoundTexts& texts) : texts_(texts) {}
-  std::optional<std::string> read(const fs::path& path, std::error_code& error) const override {
+  std::optional<std::string> read(const fs::path& path, std::uint64_t /*most*/,
+                                  std::error_code& error) const override {
     const std::string name = path.generic_string();
     for (const SoundText& text : texts_) {
       if (text.name == name) return text.text;
@@ -69,7 +70,7 @@ class Checked final : public lang::CheckedText {
   const lang::DiagnosticSink& sink() const override { return sink_; }
 
  private:
-  static constexpr lang::Limits kLimits{.steps = 5'000, .objects = 200};
+  static constexpr lang::Limits kLimits{.steps = 1'000'000, .objects = 200};
 
   lang::SourceFile file_;
   lang::DiagnosticSink sink_;
@@ -404,7 +405,7 @@ SoundTexts planted_texts() {
     const fs::path extension = entry.path().extension();
     if (extension != ".scene" && extension != ".json") continue;
     std::error_code error;
-    const auto text = lang::DiskFileSystem().read(entry.path(), error);
+    const auto text = lang::DiskFileSystem().read(entry.path(), std::uint64_t{1} << 20, error);
     const std::string name = entry.path().filename().string();
     texts.push_back({.name = name, .root = name, .text = text.value_or("")});
   }

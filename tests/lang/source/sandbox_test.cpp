@@ -1,5 +1,6 @@
 #include "lang/source/sandbox.hpp"
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,7 +23,8 @@ class RecordingFiles final : public FileSystem {
  public:
   explicit RecordingFiles(std::map<std::string, std::string> links) : links_(std::move(links)) {}
 
-  std::optional<std::string> read(const fs::path& path, std::error_code& error) const override {
+  std::optional<std::string> read(const fs::path& path, std::uint64_t /*most*/,
+                                  std::error_code& error) const override {
     ask(path);
     error = std::make_error_code(std::errc::no_such_file_or_directory);
     return std::nullopt;
