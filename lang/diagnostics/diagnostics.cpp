@@ -64,6 +64,13 @@ DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where
   if (is_muted_) return discard();
   const bool is_error = info.severity == Severity::Error;
   if (!is_error && is_allowed_ && is_allowed_(info, where)) return discard();
+  // Of a million findings nobody misses which were made twice.
+  constexpr std::size_t kMaxDistinct = 1'000'000;
+  if (told_.size() >= kMaxDistinct) {
+    ++(is_error ? counts_.errors : counts_.warnings);
+    ++counts_.omitted;
+    return discard();
+  }
   const std::string place =
       fmt::format("{} {} {} {} ", info.code, static_cast<const void*>(where.file), where.span.begin,
                   where.span.end);

@@ -39,6 +39,9 @@ ConfigReader::ConfigReader(const SourceFile& file, ObjectSink& objects, Diagnost
 void ConfigReader::begin(Span bracket) { bracket_ = bracket; }
 
 void ConfigReader::take_element(const Tape& tape, std::uint32_t element) {
+  // A text that is no list of spheres at all may have 10^8 elements.
+  constexpr std::size_t kMaxErrors = 1'000'000;
+  if (sink_->error_count() > kMaxErrors) return;
   const JsonObject& table = json_sphere();
   const JsonNode& node = tape[element];
   if (node.type != JsonNodeType::Object) {

@@ -62,6 +62,18 @@ class OpaqueSpans {
   std::vector<Span> spans_;
 };
 
+/// Whether the fix changes a part of a sign such as `:=` or `=>` and leaves the rest.
+bool splits_sign(std::string_view text, const Fix& fix) {
+  constexpr std::string_view kSigns = "=:<>!&|*%^~?";
+  const auto is_sign = [&](std::size_t at) {
+    return at < text.size() && kSigns.find(text[at]) != std::string_view::npos;
+  };
+  auto [begin, end] = fix.where.span;
+  while (begin < end && text[begin] == ' ') ++begin;  // of a name, and of what follows it
+  if (begin == end || !is_sign(begin) || !is_sign(end - 1)) return false;
+  return is_sign(end) || (begin > 0 && is_sign(begin - 1));
+}
+
 bool is_safe(const Diagnostic& diagnostic) {
   return std::ranges::all_of(diagnostic.fixes, &Fix::is_safe);
 }
@@ -103,7 +115,8 @@ class Round {
       const OpaqueSpans opaque(file.text());
       refused_ += std::erase_if(selection, [&](const Diagnostic* diagnostic) {
         return std::ranges::any_of(diagnostic->fixes, [&](const Fix& fix) {
-          return fix.where.file == &file && !opaque.are_kept_by(fix);
+          return fix.where.file == &file &&
+                 (!opaque.are_kept_by(fix) || splits_sign(file.text(), fix));
         });
       });
     }

@@ -55,6 +55,21 @@ bool is_digit_around(std::string_view text, Span sign) noexcept {
          is_digit(char_at(text, skip_blanks(text, sign.end)));
 }
 
+/// Whether `let NAME` or `param NAME` ends before `at`: a value is given there, not compared.
+bool is_declared_before(std::string_view text, std::uint32_t at) noexcept {
+  const auto skip_back = [&](auto is_skipped) {
+    while (at > 0 && is_skipped(text[at - 1])) --at;
+  };
+  const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
+  skip_back(is_space);
+  skip_back(is_idchar);
+  skip_back(is_space);
+  const std::uint32_t end = at;
+  skip_back(is_idchar);
+  const std::string_view word = text.substr(at, end - at);
+  return word == "let" || word == "param";
+}
+
 }  // namespace
 
 bool is_property_name(std::string_view name) noexcept {
@@ -76,7 +91,9 @@ bool is_certain_sign(std::string_view text, Span sign) noexcept {
   const std::string_view written = text.substr(sign.begin, sign.size());
   const bool has_left = is_after_value(text, sign.begin);
   const bool has_right = is_before_value(text, sign.end);
-  if (is_one_of(written, kBinary)) return has_left && has_right;
+  if (is_one_of(written, kBinary)) {
+    return has_left && has_right && !(written == "===" && is_declared_before(text, sign.begin));
+  }
   if (written == "×" || written == "·") {  // 800×600 is no product
     return has_left && has_right && !is_digit_around(text, sign);
   }

@@ -169,10 +169,12 @@ class Diagnosis {
     }
   }
 
-  /// `let a: 1`; what has a type there lacks its value.
+  /// `let a: 1` and `let a := 1`; what has a type there lacks its value.
   void fix_colon(DiagnosticBuilder& report) {
-    const Span next = token_at(text_, skip_blanks(text_, found_.end));
-    if (!is_type_name(text(next))) report.fix(where(found_), "=");
+    const bool is_assignment = char_at(text_, found_.end) == '=';
+    const Span sign{found_.begin, found_.end + (is_assignment ? 1 : 0)};
+    const Span next = token_at(text_, skip_blanks(text_, sign.end));
+    if (!is_type_name(text(next))) report.fix(where(sign), "=");
   }
 
   /// Behind the string, comment, bracket or character at `at`.
@@ -339,7 +341,7 @@ class Diagnosis {
       report_expected("a statement").help_if(foreign->help);
       return {name.end};
     }
-    if (c == '=' && char_at(text_, next + 1) != '=') {
+    if (c == '=' && char_at(text_, next + 1) != '=' && char_at(text_, next + 1) != '>') {
       auto report = builder_.sink().report(diag::foreign, where({next, next + 1}), "=");
       if (builder_.in_object) {
         report.help("a property is `name: value`");

@@ -61,6 +61,17 @@ void expect_configs_left_alone(std::initializer_list<std::string> configs) {
   for (const std::string& config : configs) EXPECT_EQ(config_safely(config), config);
 }
 
+// `:=` was half replaced, which left `==`, and `=>` became `:>`.
+TEST(SafeFixes, TakeASignAsAWhole) {
+  EXPECT_EQ(safely("let a := 3\n"), "let a = 3\n");
+  EXPECT_EQ(safely("fn f(x) := x\n"), "fn f(x) = x\n");
+  expect_left_alone({"sphere { center => (0, 0, 0) }\n", "sphere { center =>(0, 0, 0) }\n",
+                     "background { color := white }\n", "param b := 2\n",
+                     "camera main { from=>(0, 0, 5) }\n", "let a ::= 3\n", "let a =: 3\n",
+                     "let a === 3\n", "sphere { radius =:= 1 }\n"});
+  expect_configs_left_alone({R"({"camera" => {}})", R"({"camera" := {}})"});
+}
+
 TEST(SafeFixes, LeaveStringsOfConfigsAlone) {
   expect_configs_left_alone({
       R"({"spheres": [{"origin"x [0, 0, 0]}]})",
