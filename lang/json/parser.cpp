@@ -399,6 +399,12 @@ class Parser {
   bool is_streamed_name() const { return file_->text(tape_[0].content()) == streamed_; }
 
   JsonNode& add(JsonNodeType type, Span span) {
+    // A part other than the spheres, which are streamed, has a few dozen.
+    constexpr std::size_t kMaxNodes = std::size_t{1} << 24;
+    if (tape_.size() == kMaxNodes) {
+      sink_->report(diag::too_much_memory, at(span), kMaxNodes * sizeof(JsonNode));
+      throw Stopped{};
+    }
     const auto next = static_cast<std::uint32_t>(tape_.size() + 1);
     return tape_.emplace_back(JsonNode{.span = in_file(span), .next = next, .type = type});
   }
