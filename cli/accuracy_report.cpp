@@ -42,13 +42,17 @@ std::string_view words_of(render::LightPath kind) {
 
 /// Why the error is unknown although the replicates agree.
 std::string rare_light(const std::vector<render::RarePath>& rare) {
-  // Of those of one emitter caustics come last, and are the likeliest to be missing.
-  const auto weight = [](const render::RarePath& path) { return path.squared_radiance; };
+  // On ties the reverse order prefers caustics, the likeliest to be missing.
+  const auto weight = [](const render::RarePath& path) {
+    return path.paths < render::EmitterTally::kWitnesses ? 3 * path.radiance : path.radiance;
+  };
   const auto worst = std::ranges::max_element(rare.rbegin(), rare.rend(), {}, weight);
   return fmt::format(
-      "the error is unknown: only {} path{} reached a light {}, too few to know how much of its "
-      "light is missing in the picture; more samples may find it",
-      worst->paths, worst->paths == 1 ? "" : "s", words_of(worst->kind));
+      "the error is unknown: {} path{} reached a light {}, too few to know how much of its light "
+      "is "
+      "missing in the picture; more samples may find it",
+      worst->paths == 0 ? "no" : fmt::format("only {}", worst->paths), worst->paths > 1 ? "s" : "",
+      words_of(worst->kind));
 }
 
 }  // namespace
@@ -82,9 +86,10 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
     const std::string reached =
         result.error ? fmt::format("it is up to {:.5g} %", 100 * result.error->interval.to)
                      : std::string("what it is cannot be told");
-    const char* limit = result.most_samples >= static_cast<std::uint64_t>(settings.samples)
-                            ? "the samples that are allowed"
-                            : "the time that is allowed";
+    const char* limit =
+        settings.seconds && result.most_samples < static_cast<std::uint64_t>(settings.samples)
+            ? "the time that is allowed"
+            : "the samples that are allowed";
     warnings.push_back(fmt::format("the error did not come down to {} % with {}: {}",
                                    percent(*settings.error), limit, reached));
   }

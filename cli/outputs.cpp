@@ -31,6 +31,23 @@ std::optional<std::pair<dev_t, ino_t>> regular_file(const fs::path& path) {
   return std::pair(status.st_dev, status.st_ino);
 }
 
+/// The folder of a file that is written, whatever it is called, and the name in it; `target`: with
+/// links followed.
+std::string place_of(const fs::path& target) {
+  struct stat folder {};
+  const bool is_there = ::stat(target.parent_path().c_str(), &folder) == 0;
+  return is_there
+             ? fmt::format("{}:{}/{}", folder.st_dev, folder.st_ino, target.filename().string())
+             : target.string();
+}
+
+/// Has room for the output of all.
+bool is_null_device(const fs::path& target) { return target == "/dev/null"; }
+
+[[noreturn]] void throw_two_outputs(const std::string& name) {
+  throw UsageError(fmt::format("two outputs go to `{}`", lang::printable(name)));
+}
+
 fs::path output_file(const std::string& name) {
   return name == kStandardStream ? "/dev/stdout" : name;
 }
@@ -82,17 +99,20 @@ std::optional<std::string> default_picture(const std::string& of_scene, const st
 void OutputSet::add(const std::string& name) {
   const fs::path file = output_file(name);
   const fs::path target = render::written_path(file);
-  if (target == "/dev/null") return;  // has room for all
-  // A folder may have several names too.
-  struct stat folder {};
-  const bool is_there = ::stat(target.parent_path().c_str(), &folder) == 0;
-  const std::string place =
-      is_there ? fmt::format("{}:{}/{}", folder.st_dev, folder.st_ino, target.filename().string())
-               : target.string();
+  if (is_null_device(target)) return;
   const auto known = regular_file(file);
-  const bool is_new = places_.insert(place).second;
-  if (is_new && (!known || files_.insert(*known).second)) return;
-  throw UsageError(fmt::format("two outputs go to `{}`", lang::printable(name)));
+  const bool is_new = places_.insert(place_of(target)).second;
+  if (!is_new || (known && !files_.insert(*known).second)) throw_two_outputs(name);
+}
+
+void OutputSet::check_not_in(const std::string& name) const {
+  const fs::path file = output_file(name);
+  const fs::path target = render::written_path(file);
+  if (is_null_device(target)) return;
+  const auto known = regular_file(file);
+  if (places_.contains(place_of(target)) || (known && files_.contains(*known))) {
+    throw_two_outputs(name);
+  }
 }
 
 void InputSet::add(const std::string& name) {
@@ -114,6 +134,27 @@ void InputSet::check_not_in(const std::string& name) const {
 
 namespace {
 
+/// By the text of the name and of links inside. Asks the file system about nothing outside.
+void check_sandbox(const OutputRequest& request, const fs::path& name) {
+  if (request.sandbox == nullptr || !request.pictures.empty()) return;
+  if (request.sandbox->resolve(name)) return;
+  throw UsageError(
+      fmt::format("`{}` leads out of the scene's folder, which --sandbox refuses; -o names "
+                  "another place",
+                  lang::printable(name.string())));
+}
+
+/// What a frame writes when it is interrupted. `all`: everything that is written otherwise.
+void check_partial_names(const std::vector<Output>& outputs, const OutputSet& all) {
+  OutputSet partial;  // of one frame: no more than one is interrupted
+  for (const Output& output : outputs) {
+    if (output.is_stdout) continue;
+    const std::string name = partial_name(output.path).string();
+    all.check_not_in(name);
+    partial.add(name);
+  }
+}
+
 /// Of all frames, before the first one is rendered.
 void check_names(const OutputRequest& request) {
   const InputSet inputs(request.inputs);
@@ -123,7 +164,8 @@ void check_names(const OutputRequest& request) {
     inputs.check_not_in(request.stats);
   }
   const std::vector<std::optional<int>> one{request.frame};
-  for (const auto& frame : request.all_frames.empty() ? one : request.all_frames) {
+  const auto& frames = request.all_frames.empty() ? one : request.all_frames;
+  for (const auto& frame : frames) {
     for (const Output& output : name_outputs(request, frame)) {
       if (output.is_stdout) {
         inputs.check_not_in(kStandardStream);
@@ -131,17 +173,13 @@ void check_names(const OutputRequest& request) {
         continue;
       }
       for (const fs::path& name : {output.path, partial_name(output.path)}) {
+        check_sandbox(request, name);  // first: the next line follows links
         inputs.check_not_in(name.string());
-        if (request.sandbox == nullptr || !request.pictures.empty()) continue;
-        if (request.sandbox->resolve(name)) continue;
-        throw UsageError(
-            fmt::format("`{}` leads out of the scene's folder, which --sandbox refuses; -o names "
-                        "another place",
-                        lang::printable(name.string())));
       }
       all.add(output.path.string());
     }
   }
+  for (const auto& frame : frames) check_partial_names(name_outputs(request, frame), all);
 }
 
 }  // namespace

@@ -55,6 +55,8 @@ class OutputSet {
  public:
   /// Throws UsageError where the file is in it already. `name`: perhaps standard output.
   void add(const std::string& name);
+  /// Throws UsageError where the file is in it; does not add it.
+  void check_not_in(const std::string& name) const;
 
  private:
   std::set<std::string> places_;  // the folder and the name in it, links followed

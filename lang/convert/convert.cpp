@@ -129,7 +129,8 @@ bool Conversion::may_be_read(const SourceFile& scene, const LoweredScene& lowere
 }
 
 std::optional<std::string> Conversion::to_config(const ConvertOptions& options) {
-  const Overrides overrides{.tone = options.tone, .camera = options.camera};
+  const Overrides overrides{
+      .tone = options.tone, .camera = options.camera, .names_output = true};
   SceneBuilder builder(file_, options_.limits, sink_, Purpose::Picture, Instancing::Never);
   ConfigWriter writer(builder, options.camera,
                       scaled_numbers(program_->module(Program::kRoot).tree), sink_);

@@ -64,18 +64,15 @@ DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where
   if (is_muted_) return discard();
   const bool is_error = info.severity == Severity::Error;
   if (!is_error && is_allowed_ && is_allowed_(info, where)) return discard();
-  // Of a million findings nobody misses which were made twice.
-  constexpr std::size_t kMaxDistinct = 1'000'000;
-  if (told_.size() >= kMaxDistinct) {
-    ++(is_error ? counts_.errors : counts_.warnings);
-    ++counts_.omitted;
-    return discard();
-  }
   const std::string place =
       fmt::format("{} {} {} {} ", info.code, static_cast<const void*>(where.file), where.span.begin,
                   where.span.end);
   const std::hash<std::string_view> hash;
-  if (!told_.insert(hash(place) * 31 + hash(message)).second) return discard();
+  // Past this many, duplicates are no longer detected.
+  constexpr std::size_t kMaxDistinct = 1'000'000;
+  if (told_.size() < kMaxDistinct && !told_.insert(hash(place) * 31 + hash(message)).second) {
+    return discard();
+  }
   if (is_wanted_ && !is_wanted_(info)) {
     if (is_error) ++unwanted_errors_;
     return discard();

@@ -116,7 +116,9 @@ std::uint64_t Evaluator::steps() const noexcept {
 void Evaluator::allow_steps(std::uint64_t spheres) {
   if (objects_->is_full()) give_up();
   if (has_given_up_) return;
-  const std::uint64_t steps = spheres * (program_.limits().steps / work::kSpheres);
+  constexpr std::uint64_t kMaxPerSphere = std::uint64_t{1} << 32;  // so that no sum overflows
+  const std::uint64_t steps =
+      spheres * std::min(program_.limits().steps / work::kSpheres, kMaxPerSphere);
   allowed_steps_ += steps;
   most_steps_ += steps;
 }

@@ -24,12 +24,20 @@ std::string as_range(ast::Node interval, const Bounds& bounds) {
                      is_literal ? to_text(bounds.to + 1) : fmt::format("{} + 1", to));
 }
 
-/// Hands the objects of a config on, which are spheres, and counts them.
+/// Whether it is a sphere of which something can be seen: others take no memory, so a loop of them
+/// would never end if they allowed for steps.
+bool is_visible_sphere(const Object& object) {
+  if (object.kind->id != ObjectKind::Sphere) return false;
+  const auto* radius = get_if<double>(&object.slots[sphere_property::kRadius].value);
+  return radius != nullptr && *radius > 0;
+}
+
+/// Hands the objects of a config on, which are spheres, and counts the visible ones.
 class CountingSink final : public ObjectSink {
  public:
   explicit CountingSink(ObjectSink& objects) : objects_(objects) {}
   void add(const Object& object) override {
-    ++count_;
+    if (is_visible_sphere(object)) ++count_;
     objects_.add(object);
   }
   std::uint64_t count() const noexcept { return count_; }
@@ -161,7 +169,7 @@ void Evaluator::run_object(const Code& code, const Statement& statement) {
     sink_.report(diag::two_motions, object_.location(sphere_property::kMotion));
   }
   objects_->add(object_);
-  if (statement.kind == ObjectKind::Sphere) allow_steps(1);
+  if (is_visible_sphere(object_)) allow_steps(1);
 }
 
 void Evaluator::run_group(const Code& code, const Statement& statement) {
@@ -227,9 +235,11 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
   // What is higher than may be is evaluated, and then reported.
   const bool is_known =
       contents.number != 0 && !contents.is_new && calls_ + contents.height <= kMaxCalls;
+  const std::uint64_t bytes = CountedBytes::sum();
   if (is_known && objects_->repeat(object_, contents.number)) {
     deepest_calls_ = std::max(deepest_calls_, calls_ + contents.height);
-    allow_steps(1);
+    // What is empty, or the same as an earlier one, takes no memory: a loop of it would never end.
+    if (CountedBytes::sum() > bytes) allow_steps(1);
   } else if (!is_broken) {
     const std::size_t reports = report_count();
     const Nested step(

@@ -40,7 +40,7 @@ void ConfigReader::begin(Span bracket) { bracket_ = bracket; }
 
 void ConfigReader::take_element(const Tape& tape, std::uint32_t element) {
   // A text that is no list of spheres at all may have 10^8 elements.
-  constexpr std::size_t kMaxErrors = 1'000'000;
+  constexpr std::size_t kMaxErrors = 4'000'000;
   if (sink_->error_count() > kMaxErrors) return;
   const JsonObject& table = json_sphere();
   const JsonNode& node = tape[element];

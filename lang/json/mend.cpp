@@ -58,6 +58,16 @@ std::optional<MendedNumber> mend_base(std::string_view sign, std::string_view te
   return std::nullopt;
 }
 
+/// Whether the `_` of a number without a sign separate groups of three digits of its whole part.
+bool is_grouped_in_threes(std::string_view text) {
+  const std::string_view first = take_digits(text);
+  if (first.empty() || first.size() > 3) return false;
+  while (take(text, "_")) {
+    if (take_digits(text).size() != 3) return false;
+  }
+  return text.find('_') == std::string_view::npos;
+}
+
 }  // namespace
 
 MendedNumber mend_number(std::string_view text) {
@@ -67,6 +77,7 @@ MendedNumber mend_number(std::string_view text) {
   std::string_view rest = text.substr(has_plus || !sign.empty() ? 1 : 0);
   if (const auto mended = mend_base(sign, rest)) return *mended;
 
+  const bool has_threes = is_grouped_in_threes(rest);
   std::string ungrouped(rest);
   const bool is_grouped = std::erase(ungrouped, '_') > 0;
   rest = ungrouped;
@@ -80,7 +91,9 @@ MendedNumber mend_number(std::string_view text) {
   whole.remove_prefix(std::min(whole.find_first_not_of('0'), whole.size()));
   const std::string mended = fmt::format("{}{}{}{}{}", sign, whole.empty() ? "0" : whole,
                                          fraction.empty() ? "" : ".", fraction, *tail);
-  const bool is_certain = !has_leading_zeros && !(has_point && fraction.empty());
+  // `1_5` may be 1.5.
+  const bool is_certain =
+      !has_leading_zeros && !(has_point && fraction.empty()) && (!is_grouped || has_threes);
   if (has_plus) return {"a leading `+` is not allowed", mended, is_certain};
   if (is_grouped) return {"digits cannot be grouped", mended, is_certain};
   // A point may be missing in `05`, and digits in `0.`.

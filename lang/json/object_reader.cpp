@@ -109,7 +109,7 @@ Members find_members(const SourceFile& file, const Tape& tape, std::uint32_t obj
   std::size_t guess = 0;
   const std::uint32_t end = tape[object].next;
   // Where the text broke off, the last name may be without a value.
-  constexpr std::size_t kMaxErrors = 1'000'000;
+  constexpr std::size_t kMaxErrors = 4'000'000;
   for (std::uint32_t i = object + 1; i + 1 < end; i = tape[i + 1].next) {
     if (sink.error_count() > kMaxErrors) break;
     if (tape[i].type == JsonNodeType::Error) continue;  // no name, as has been reported

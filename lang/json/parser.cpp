@@ -168,7 +168,8 @@ class Parser {
       add(JsonNodeType::Error, span);
       return;
     }
-    if (!mended.is_certain) {
+    // Behind another value it may be the rest of a number.
+    if (!mended.is_certain || !follows_separator(span)) {
       report.unsafe_fix(at(span), *mended.text);
     } else {
       report.fix(at(span), *mended.text);
@@ -221,8 +222,9 @@ class Parser {
     const bool is_plain = content.find_first_of("\"\\'\t") == std::string_view::npos &&
                           content.find("//") == std::string_view::npos &&
                           content.find("/*") == std::string_view::npos;
-    is_plain ? report.fix(at(span), quote_for_json(content))
-             : report.unsafe_fix(at(span), quote_for_json(content));
+    const bool is_certain = is_plain && stands_alone(span);
+    is_certain ? report.fix(at(span), quote_for_json(content))
+               : report.unsafe_fix(at(span), quote_for_json(content));
     has_escapes_ = content.find('\\') != std::string_view::npos;
     add_string(span);
   }
@@ -258,13 +260,13 @@ class Parser {
           .help("a quote inside a string is written `\\\"`");
       throw Stopped{};
     }
-    // Between `}` and `{`, or at the end of a line, nothing else can be missing; `1 2` may have
-    // been one number.
+    // Between `}` and `{`, or between lines, nothing else can be missing if a new item begins;
+    // `1 2` may have been one number.
     const char last = last_of_file(offset);
     const Span gap{gap_before(offset).span.begin, in_file({offset, offset}).begin};
-    const bool is_certain =
+    const bool is_apart =
         last == ']' || last == '}' || file_->text(gap).find('\n') != std::string_view::npos;
-    add_missing(",", offset, is_certain);
+    add_missing(",", offset, is_apart && begins_item(offset));
   }
 
   void mend_equals_sign(Span span) {
@@ -376,6 +378,47 @@ class Parser {
 
   bool follows_quote(std::uint32_t offset) const { return offset > 0 && text_[offset - 1] == '"'; }
 
+  /// Whether what begins at the offset is an item of its own: a key in an object; a string, an
+  /// array or an object in an array. A number or a word may belong to what stands in front of it.
+  bool begins_item(std::uint32_t offset) const {
+    if (depth_ == 0 || offset >= text_.size()) return false;
+    const bool in_object = text_[open_[depth_ - 1].bracket.begin] == '{';
+    const char c = text_[offset];
+    if (c == '"') return is_key(offset) == in_object;
+    return !in_object && (c == '{' || c == '[');
+  }
+  /// Whether a colon follows the string that begins at the offset.
+  bool is_key(std::uint32_t offset) const {
+    std::size_t end = std::size_t{offset} + 1;
+    while (end < text_.size() && text_[end] != '"' && text_[end] != '\n') {
+      if (text_[end] == '\\') ++end;
+      ++end;
+    }
+    if (end >= text_.size() || text_[end] != '"') return false;
+    const std::size_t next = text_.find_first_not_of(" \t\r\n", end + 1);
+    return next != std::string_view::npos && text_[next] == ':';
+  }
+
+  /// The last character of the file before the span that is none of `blanks`; NUL if there is none.
+  char last_before(Span span, std::string_view blanks) const {
+    const std::string_view before = file_->text().substr(0, in_file(span).begin);
+    const std::size_t last = before.find_last_not_of(blanks);
+    return last == std::string_view::npos ? '\0' : before[last];
+  }
+  bool follows_separator(Span span) const {
+    return std::string_view(",:=[(").find(last_before(span, " \t\r\n")) != std::string_view::npos;
+  }
+  /// Whether a text in quotes is not part of a longer one, as `'it'` is in `'it''s'`.
+  bool stands_alone(Span span) const {
+    const std::string_view text = file_->text();
+    const std::size_t next = text.find_first_not_of(" \t", in_file(span).end);
+    const bool is_ended = next == std::string_view::npos ||
+                          std::string_view(":,]}\r\n").find(text[next]) != std::string_view::npos;
+    const bool is_begun =
+        std::string_view(",:=[{]}\n").find(last_before(span, " \t")) != std::string_view::npos;
+    return is_ended && is_begun;
+  }
+
   void add_missing(std::string_view separator, std::uint32_t offset, bool is_certain) {
     const Location gap = gap_before(offset);
     auto report = sink_->report(diag::expected, gap, fmt::format("`{}`", separator));
@@ -402,7 +445,8 @@ class Parser {
     // A part other than the spheres, which are streamed, has a few dozen.
     constexpr std::size_t kMaxNodes = std::size_t{1} << 24;
     if (tape_.size() == kMaxNodes) {
-      sink_->report(diag::too_much_memory, at(span), kMaxNodes * sizeof(JsonNode));
+      sink_->report(diag::too_much_memory, at(span), kMaxNodes * sizeof(JsonNode))
+          .help("only `spheres` may have so many values");
       throw Stopped{};
     }
     const auto next = static_cast<std::uint32_t>(tape_.size() + 1);

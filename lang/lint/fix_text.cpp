@@ -1,6 +1,7 @@
 #include "lang/lint/fix_text.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -71,7 +72,61 @@ bool splits_sign(std::string_view text, const Fix& fix) {
   auto [begin, end] = fix.where.span;
   while (begin < end && text[begin] == ' ') ++begin;  // of a name, and of what follows it
   if (begin == end || !is_sign(begin) || !is_sign(end - 1)) return false;
-  return is_sign(end) || (begin > 0 && is_sign(begin - 1));
+  if (is_sign(end) || (begin > 0 && is_sign(begin - 1))) return true;
+  // `= =` is one slip, `&& !` two signs.
+  const auto is_equals = [&](std::size_t at) {
+    return at < text.size() && (text[at] == '=' || text[at] == ':');
+  };
+  if (!is_equals(begin)) return false;
+  while (begin > 0 && text[begin - 1] == ' ') --begin;
+  while (end < text.size() && text[end] == ' ') ++end;
+  return is_equals(end) || (begin > 0 && is_equals(begin - 1));
+}
+
+/// Whether the fix makes one word of a part of the text and what it writes beside it. A unit stands
+/// directly after its number.
+bool glues_words(std::string_view text, const Fix& fix) {
+  const auto [begin, end] = fix.where.span;
+  const std::string& written = fix.replacement;
+  if (written.empty()) return false;
+  const auto is_word = [](char c) { return is_idchar(c) || static_cast<unsigned char>(c) >= 0x80; };
+  const bool begins_with_word = begin < end && is_idchar(text[begin]);
+  const bool ends_with_word = begin < end && is_idchar(text[end - 1]);
+  const bool is_unit = written == "deg" && begin > 0 && is_digit(text[begin - 1]);
+  const bool before = begin > 0 && is_word(text[begin - 1]) && is_idchar(written.front());
+  const bool after = end < text.size() && is_word(text[end]) && is_idchar(written.back());
+  return (before && !begins_with_word && !is_unit) || (after && !ends_with_word);
+}
+
+constexpr std::string_view kQuotes[] = {"'", "“", "”", "„", "‘", "’"};
+
+/// Whether the fix is inside quotes that are none of the language, or writes a quote where they do
+/// not make plain pairs: what is a string there is not certain.
+bool is_among_quotes(std::string_view text, const Fix& fix) {
+  const std::size_t at_fix = fix.where.span.begin;
+  const std::size_t begin = at_fix == 0 ? 0 : text.rfind('\n', at_fix - 1) + 1;
+  const std::size_t end = std::min(text.find('\n', begin), text.size());
+  const auto starts_at_fix = [&](std::string_view quote) {
+    return text.substr(at_fix).starts_with(quote);
+  };
+  const bool is_quote = std::ranges::any_of(kQuotes, starts_at_fix);  // a closing one is inside
+  std::size_t before = 0, all = 0;
+  bool touches_word = false;
+  for (std::size_t at = begin; at < end; ++at) {
+    for (const std::string_view quote : kQuotes) {
+      if (!text.substr(at).starts_with(quote)) continue;
+      ++all;
+      if (at < at_fix) ++before;
+      const bool opens = all % 2 == 1;
+      if (opens ? at == begin : at + quote.size() == end) continue;
+      const char beside = opens ? text[at - 1] : text[at + quote.size()];
+      touches_word |=
+          is_idchar(beside) || beside == '\'' || static_cast<unsigned char>(beside) >= 0x80;
+    }
+  }
+  const bool writes_quote = fix.replacement.find('"') != std::string::npos;
+  return (!is_quote && before % 2 == 1) ||
+         (writes_quote && all > 0 && (all % 2 == 1 || touches_word));
 }
 
 bool is_safe(const Diagnostic& diagnostic) {
@@ -94,15 +149,32 @@ std::string describe_change(const SourceFile& file, const Diagnostic& diagnostic
   return text;
 }
 
+/// How often a selection may still be split. Checking a scene may take a second, so time counts
+/// too: what is left then is judged as a whole.
+class Budget {
+ public:
+  bool is_spent() const { return splits_ == 0 || Clock::now() > end_; }
+  bool is_new() const { return splits_ == kMaxSplits; }
+  void spend() { --splits_; }
+  void renew() { splits_ = kMaxSplits; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr int kMaxSplits = 100;
+  static constexpr std::chrono::seconds kMaxTime{4};
+
+  int splits_ = kMaxSplits;
+  Clock::time_point end_ = Clock::now() + kMaxTime;
+};
+
 /// The fixes of one text, tried out together and, where that fails, in halves.
 class Round {
  public:
-  /// `splits` is how often a selection may be split, and counts down.
-  Round(const CheckedText& base, const CheckText& check, bool is_unsafe, int& splits)
+  Round(const CheckedText& base, const CheckText& check, bool is_unsafe, Budget& budget)
       : base_(base),
         check_(check),
         is_unsafe_(is_unsafe),
-        splits_(splits),
+        budget_(budget),
         errors_(base.sink().error_count()) {}
 
   void run() {
@@ -116,7 +188,8 @@ class Round {
       refused_ += std::erase_if(selection, [&](const Diagnostic* diagnostic) {
         return std::ranges::any_of(diagnostic->fixes, [&](const Fix& fix) {
           return fix.where.file == &file &&
-                 (!opaque.are_kept_by(fix) || splits_sign(file.text(), fix));
+                 (!opaque.are_kept_by(fix) || splits_sign(file.text(), fix) ||
+                  glues_words(file.text(), fix) || is_among_quotes(file.text(), fix));
         });
       });
     }
@@ -137,28 +210,28 @@ class Round {
       errors_ = checked->sink().error_count();
       accepted_ = std::move(all);
       result_ = std::move(checked);
-    } else if (part.size() == 1 || splits_ == 0) {
+    } else if (part.size() == 1 || budget_.is_spent()) {
       refused_ += part.size();
     } else {
-      --splits_;
+      budget_.spend();
       consider(part.first(part.size() / 2));
       consider(part.subspan(part.size() / 2));
     }
   }
 
-  /// Whether each of the fixes did its work. That of one error may bring to light another one
-  /// behind it, which is no fault of a safe fix, but none of a good guess either.
+  /// Whether each of the fixes did its work. Fixing one error may uncover a later one: accepted for
+  /// a safe fix, not for a guess.
   bool is_good(std::span<const Diagnostic* const> part, std::size_t errors) const {
     const auto fixed = static_cast<std::size_t>(std::ranges::count_if(part, is_error));
     if (errors + fixed <= errors_) return true;
-    const bool is_last_try = part.size() == 1 || splits_ == 0;
+    const bool is_last_try = part.size() == 1 || budget_.is_spent();
     return is_last_try && !is_unsafe_ && errors <= errors_;
   }
 
   const CheckedText& base_;
   const CheckText& check_;
   bool is_unsafe_;
-  int& splits_;
+  Budget& budget_;
   std::size_t errors_;
   Selection accepted_;
   std::unique_ptr<CheckedText> result_;
@@ -186,10 +259,9 @@ class Fixer {
         return best();
       }
       if (rounds()) continue;
-      if (splits_ == kMaxSplits) return std::move(now_);
-      // Of a text in which nearly every fix brings another error to light, many were judged
-      // together; what is left is looked at one by one.
-      splits_ = kMaxSplits;
+      if (budget_.is_new()) return std::move(now_);
+      // When splits ran out, fixes were judged in groups: retry the rest with a new budget.
+      budget_.renew();
       if (!rounds()) return std::move(now_);
     }
   }
@@ -224,7 +296,7 @@ class Fixer {
 
   /// Whether any fix was applied.
   bool round(bool is_unsafe) {
-    Round round(*now_.checked, check_, is_unsafe, splits_);
+    Round round(*now_.checked, check_, is_unsafe, budget_);
     round.run();
     now_.refused += round.refused();
     if (round.accepted().empty()) return false;
@@ -240,11 +312,9 @@ class Fixer {
     return true;
   }
 
-  static constexpr int kMaxSplits = 100;
-
   bool applies_unsafe_;
   const CheckText& check_;
-  int splits_ = kMaxSplits;
+  Budget budget_;
   FixResult now_;
   Score best_score_;
   std::string best_text_;

@@ -275,6 +275,7 @@ LoweredScene SceneBuilder::finish(const Overrides& overrides) {
   if (!overrides.names_output) check_output(lowered);
   drop_coincident(lowered);
   lowered.dropped_spheres = dropped_.size();
+  bytes_.set(0);  // the scene is the caller's now
   return lowered;
 }
 

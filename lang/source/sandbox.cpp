@@ -46,14 +46,28 @@ fs::path path_of(const Names& names) {
 Sandbox::Sandbox(const FileSystem& files, const fs::path& scene)
     : files_(files),
       root_(absolute_names(files.identity(folder_of(scene)))),
-      written_(absolute_names(folder_of(scene))) {}
+      beginnings_{names_in(fs::absolute(folder_of(scene)))} {
+  // The names of imports are normalized, before or after they are made absolute. Where the user's
+  // path has a `..` behind a link, that is the path of another folder.
+  const fs::path folder = folder_of(scene);
+  for (const fs::path& normal :
+       {fs::absolute(folder.lexically_normal()), fs::absolute(folder).lexically_normal()}) {
+    const Names names = names_in(normal);
+    const bool is_known =
+        std::find(beginnings_.begin(), beginnings_.end(), names) != beginnings_.end();
+    if (is_known || absolute_names(files.identity(path_of(names))) != root_) continue;
+    beginnings_.push_back(names);
+  }
+  beginnings_.push_back(root_);
+}
 
 std::optional<fs::path> Sandbox::resolve(const fs::path& path) const {
   // Not normalized: where `link` leads elsewhere, `link/..` is not the folder of the link.
   Names rest = names_in(fs::absolute(path));
-  const Names& beginning = starts_with(rest, written_) ? written_ : root_;
-  if (!starts_with(rest, beginning)) return std::nullopt;
-  rest.erase(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(beginning.size()));
+  const auto beginning = std::find_if(beginnings_.begin(), beginnings_.end(),
+                                      [&](const Names& names) { return starts_with(rest, names); });
+  if (beginning == beginnings_.end()) return std::nullopt;
+  rest.erase(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(beginning->size()));
 
   // A part of the root, or below it. It holds no links: `..` is the folder before.
   Names resolved = root_;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lang/source/source.hpp"
 
@@ -22,8 +23,9 @@ class Sandbox {
 
  private:
   const FileSystem& files_;
-  std::deque<std::string> root_;     ///< the names in its absolute path, links followed
-  std::deque<std::string> written_;  ///< the same as the user wrote it
+  std::deque<std::string> root_;  ///< the names in its absolute path, links followed
+  /// All absolute paths of it that are known: what begins with one of them is below the root.
+  std::vector<std::deque<std::string>> beginnings_;
 };
 
 }  // namespace sdlc::lang

@@ -528,22 +528,27 @@ Resumption diagnose_statement(TreeBuilder& builder, std::uint32_t at) {
 
 namespace {
 
-/// Whether the text gives something else this name, which is a unit too. Only those of one letter
-/// are likely to be names.
-bool declares(std::string_view text, std::string_view unit) {
-  for (const std::string_view head : {"let ", "for ", "param ", "(", ", "}) {
-    const std::string declared = fmt::format("{}{}", head, unit);
-    for (std::size_t at = text.find(declared); at != std::string_view::npos;
-         at = text.find(declared, at + 1)) {
-      if (!is_idchar(char_at(text, at + declared.size()))) return true;
-    }
+/// Whether the text has the unit as a word that does not stand behind a number: as the name of
+/// something, wherever and however that is declared. Only units of one letter are likely to be
+/// names.
+bool is_name_in(std::string_view text, std::string_view unit) {
+  bool is_behind_number = false;
+  for (std::uint32_t i = 0; i < text.size();) {
+    const std::uint32_t token = skip_blanks(text, i);
+    if (token >= text.size()) break;
+    const std::uint32_t behind = end_of_opaque(text, token);
+    const std::uint32_t end = behind > token ? behind : token_at(text, token).end;
+    if (!is_behind_number && text.substr(token, end - token) == unit) return true;
+    is_behind_number = is_digit(text[token]) && is_digit(text[end - 1]);
+    i = end;
   }
   return false;
 }
+
 bool may_be_name(TreeBuilder& builder, std::string_view unit) {
   if (unit != "m" && unit != "s") return false;
   std::optional<bool>& answer = builder.declares_unit[unit == "s"];
-  if (!answer) answer = declares(builder.text(), unit);
+  if (!answer) answer = is_name_in(builder.text(), unit);
   return *answer;
 }
 

@@ -36,6 +36,8 @@ std::optional<ErrorEstimate> estimate_error(const Picture& picture,
   const double mean_half_width = of_mean.half_width() * unit / pixels;
   estimate.mean_interval = {estimate.mean - mean_half_width, estimate.mean + mean_half_width};
   if (estimate.mean == 0) return estimate;
+  constexpr double kMinMean = 1e-140;  // below, squares of differences are no numbers
+  if (estimate.mean < kMinMean) return std::nullopt;
   const auto relative = [&](double squares) {
     return std::sqrt(std::max(0.0, squares) / values) * unit / estimate.mean;
   };

@@ -28,7 +28,7 @@ struct ErrorEstimate {
 /// independent of each other, so the variances of many add up (PooledVariance). That makes an
 /// interval for the error of this very picture, twice as long as one for that of pictures like it
 /// would be. Where rare and large samples make the error it is longer than it need be. Nothing
-/// where squares of the radiance are no finite numbers, from 1e150 on.
+/// where squares of the radiance are no finite numbers, from 1e150 on, or vanish, below 1e-140.
 std::optional<ErrorEstimate> estimate_error(const Picture& picture,
                                             std::span<const PixelSpread> spreads);
 

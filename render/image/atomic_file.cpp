@@ -233,8 +233,9 @@ std::vector<std::string> attributes_of(const fs::path& path) {
 }
 
 /// Gives `fd` the extended attributes of the file it will replace. Those that only the system may
-/// set, and those that describe the old bytes, are left to the system.
-int copy_attributes(int fd, const fs::path& path) {
+/// set, and those that describe the old bytes, are left to the system. Best effort: no attribute
+/// is worth the loss of the file's bytes.
+void copy_attributes(int fd, const fs::path& path) {
   constexpr const char* kAccess = "system.posix_acl_access";
   const auto is_of_system = [](const std::string& name) {
     return name.starts_with("security.") && name != "security.selinux";
@@ -245,12 +246,8 @@ int copy_attributes(int fd, const fs::path& path) {
     if (is_of_system(name)) continue;
     const ssize_t size = ::getxattr(path.c_str(), name.c_str(), value.data(), value.size());
     if (size < 0) continue;  // gone by now, or not for us to see
-    if (::fsetxattr(fd, name.c_str(), value.data(), static_cast<std::size_t>(size), 0) == 0) {
-      continue;
-    }
-    if (errno != EPERM && errno != EACCES && errno != ENOTSUP) return errno;
+    ::fsetxattr(fd, name.c_str(), value.data(), static_cast<std::size_t>(size), 0);
   }
-  return 0;
 }
 
 /// Gives `fd` the attributes, the permissions and, where that is allowed, the owner of the file it
@@ -259,7 +256,7 @@ int copy_ownership(int fd, const fs::path& path, const struct stat& old) {
   // Only root may give files away; for anyone else the new file is their own, which is what they
   // want.
   if (::fchown(fd, old.st_uid, old.st_gid) != 0 && errno != EPERM && errno != EINVAL) return errno;
-  if (const int error = copy_attributes(fd, path)) return error;
+  copy_attributes(fd, path);
   // After fchown, which clears the set-user-ID bits.
   return ::fchmod(fd, old.st_mode & 07777) == 0 ? 0 : errno;
 }

@@ -74,7 +74,7 @@ LightPilot run_light_pilot(Scene scene, const RenderSettings& settings,
       const LinearRgb value = integrator.sample(s + (in_pixel.first - 0.5) / settings.width,
                                                 t + (in_pixel.second - 0.5) / settings.height,
                                                 sampler, counts, nullptr, &plain);
-      // Of what the camera sees directly, edges are all that is noise.
+      // Directly visible light is noisy only at edges, which Sobol' points handle well: leave it out.
       pixel.add(counts.rays - rays_before > 1 ? value : LinearRgb{});
     }
     const double of_pixel = (pixel.squares - pixel.squared_sum() / kSamples) / (kSamples - 1);

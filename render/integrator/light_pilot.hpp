@@ -7,15 +7,12 @@
 
 namespace sdlc::render {
 
-/// What connections to lights are worth, by a few hundred paths: each relative to plain paths.
+/// What connections to lights are worth, by 2048 paths: each relative to plain paths. They pay where
+/// variance × work is below 1.
 struct LightPilot {
   double variance = 1;            ///< of a path
   double work = 1;                ///< time of a path, by a model of rays and choices
   std::uint64_t connections = 0;  ///< that found their light; few of them prove nothing
-
-  /// Whether the same error takes less time. Variances are those of independent samples; Sobol'
-  /// points, which make more of smooth light than of lights hit or missed, only widen the gap.
-  bool pays() const noexcept { return variance * work < 1; }
 };
 
 /// Traces paths with connections to `lights`, always the same ones. It is not blind to light that

@@ -23,7 +23,7 @@ double root_mean_square(LinearRgb c) noexcept {
   // Radiance may be beyond all numbers whose squares are numbers.
   const double largest = std::fmin(std::fmax(c.r, std::fmax(c.g, c.b)), 1e150);
   if (!(largest > 0)) return 0;
-  const LinearRgb unit = c * (1 / largest);
+  const LinearRgb unit{c.r / largest, c.g / largest, c.b / largest};
   return largest * std::sqrt((unit.r * unit.r + unit.g * unit.g + unit.b * unit.b) / 3);
 }
 
@@ -98,6 +98,7 @@ void EmitterTally::count_emitters(const Scene& scene) {
 
 void EmitterTally::classify(const Scene& scene, std::span<const std::uint32_t> lights,
                             int max_depth) {
+  classes_of_spheres_.assign(scene.spheres.size(), kNoClass);
   const Surfaces surfaces(scene);
   // Without them every path is a camera ray, and unlit spheres are plain pixels.
   if (!surfaces.diffuse && !surfaces.specular && paths_.empty()) return;
@@ -113,7 +114,6 @@ void EmitterTally::classify(const Scene& scene, std::span<const std::uint32_t> l
   class_of_octave.fill(kNoClass);
   const ViewPyramid view(scene.camera);
   const Rebase rebase(scene);
-  classes_of_spheres_.assign(scene.spheres.size(), kNoClass);
   for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
     const double radiance =
         root_mean_square(radiance_of(scene.materials[scene.spheres[i].material]));
@@ -127,7 +127,7 @@ void EmitterTally::classify(const Scene& scene, std::span<const std::uint32_t> l
     }
     classes_of_spheres_[i] = id;
     Class& c = classes_[id];
-    c.squared_radiance = std::fmax(c.squared_radiance, radiance * radiance);
+    c.radiance = std::fmax(c.radiance, radiance);
     const Sphere sphere = rebase.sphere(scene.spheres[i]);
     const Vec3 shift = scene.shifts.empty() ? Vec3{} : rebase.shift(scene.shifts[i]);
     // Around the sphere and all of its way.
@@ -158,11 +158,12 @@ std::vector<RarePath> EmitterTally::rare() const {
   for (std::size_t i = 0; i < classes_.size(); ++i) {
     for (std::size_t kind = 0; kind < kLightPaths; ++kind) {
       const std::uint8_t paths = found_[i][kind].load(std::memory_order_relaxed);
-      if (!classes_[i].kinds[kind] || paths >= kWitnesses) continue;
-      rare.push_back({.kind = static_cast<LightPath>(kind),
+      const auto path = static_cast<LightPath>(kind);
+      if (!classes_[i].kinds[kind] || paths >= witnesses(path)) continue;
+      rare.push_back({.kind = path,
                       .paths = paths,
                       .sphere = classes_[i].sphere,
-                      .squared_radiance = classes_[i].squared_radiance});
+                      .radiance = classes_[i].radiance});
     }
   }
   return rare;
@@ -172,10 +173,11 @@ double unseen_error(std::span<const RarePath> rare, double mean_radiance, std::s
                     std::uint64_t samples) noexcept {
   double squares = 0;
   for (const RarePath& path : rare) {
-    const double expected = poisson_limit(path.paths) / static_cast<double>(samples);
-    squares += path.squared_radiance * expected * expected / static_cast<double>(pixels);
+    const double paths = path.paths < EmitterTally::kWitnesses ? poisson_limit(path.paths) : 1;
+    const double lacking = path.radiance / mean_radiance * paths / static_cast<double>(samples);
+    squares += lacking * lacking / static_cast<double>(pixels);
   }
-  return squares > 0 ? std::sqrt(squares) / mean_radiance : 0;
+  return std::sqrt(squares);
 }
 
 }  // namespace sdlc::render

@@ -41,13 +41,13 @@ constexpr LightPath light_path(PathHistory history) noexcept {
   return history.leaves_diffuse ? LightPath::Direct : LightPath::Caustic;
 }
 
-/// A kind of path that the scene makes possible and that was found fewer than
-/// EmitterTally::kWitnesses times.
+/// A kind of path that the scene makes possible and that was found too rarely (EmitterTally) to
+/// know what replicates lack of it.
 struct RarePath {
   LightPath kind;
-  std::uint32_t paths;      ///< that were found
-  std::uint32_t sphere;     ///< one that shines and that they lead to: the first of its class
-  double squared_radiance;  ///< of the brightest, the mean over channels
+  std::uint32_t paths;   ///< that were found
+  std::uint32_t sphere;  ///< one that shines and that they lead to: the first of its class
+  double radiance;       ///< of the brightest: root mean square over channels
 };
 
 /// Counts the paths that reach spheres that shine, up to as many as matter. Spheres of prototypes
@@ -63,6 +63,10 @@ class EmitterTally {
   /// From two paths of a kind on replicates differ, by so much that the interval of the error holds
   /// the rest: with n paths of the same weight its upper end is 1 + 3.2/√n times their squares.
   static constexpr std::uint8_t kWitnesses = 2;
+  /// Where camera rays meet a light, by themselves or by mirrors and glass, Sobol' points spread
+  /// evenly over the pixel: each replicate may meet one smaller than a pixel as often as the
+  /// others, and still be off by a path. After so many paths that has no chance to go unseen.
+  static constexpr std::uint8_t kEvenWitnesses = 255;
 
   /// `lights`: spheres of choose_lights(), for which Direct paths are found by connections.
   EmitterTally(const Scene& scene, std::span<const std::uint32_t> lights, int max_depth);
@@ -78,7 +82,7 @@ class EmitterTally {
     if (!paths_.empty()) add(paths_[sphere], kEnough, scarce_);
     const std::uint8_t of = classes_of_spheres_[sphere];
     if (of == kNoClass || !classes_[of].kinds[index_of(kind)]) return;
-    add(found_[of][index_of(kind)], kWitnesses, open_);
+    add(found_[of][index_of(kind)], witnesses(kind), open_);
   }
 
   /// Emissive spheres that fewer than kEnough paths reached, in the order of the scene.
@@ -91,10 +95,14 @@ class EmitterTally {
 
   struct Class {
     std::uint32_t sphere = 0;  // the first of the class
-    double squared_radiance = 0;
+    double radiance = 0;
     std::array<bool, kLightPaths> kinds{};  // those to count
   };
 
+  static constexpr std::uint8_t witnesses(LightPath kind) noexcept {
+    const bool is_even = kind == LightPath::Visible || kind == LightPath::Reflected;
+    return is_even ? kEvenWitnesses : kWitnesses;
+  }
   static constexpr std::size_t index_of(LightPath kind) noexcept {
     return static_cast<std::size_t>(kind);
   }
@@ -117,7 +125,7 @@ class EmitterTally {
   std::vector<Class> classes_;
   std::vector<std::uint8_t> classes_of_spheres_;  // empty: nothing shines
   std::vector<std::array<Count, kLightPaths>> found_;
-  std::atomic<std::size_t> open_{0};  // kinds of classes of which fewer than kWitnesses were found
+  std::atomic<std::size_t> open_{0};  // kinds of classes of which too few were found
 };
 
 /// An upper limit of 95 % for what rare paths may add to the relative error of a picture, in units
@@ -125,10 +133,10 @@ class EmitterTally {
 ///
 /// A path that scattering finds brings at most the radiance L of what it reaches. Where n were
 /// found, with 95 % confidence fewer than λ(n) were to be expected (the limit of the Poisson
-/// distribution; λ(0) = 3). At worst all of them belong to one pixel, which then lacks L λ /
-/// samples; spread over more they make less error. The square of that is divided by the number of
-/// pixels, those of kinds add up, and the root is divided by the picture's mean radiance. Infinity
-/// of a black picture with rare paths.
+/// distribution; λ(0) = 3); from two on a path more or less remains, λ = 1. At worst all of them
+/// belong to one pixel, which then lacks L λ / samples; spread over more they make less error. The
+/// square of that is divided by the number of pixels, those of kinds add up, and the root is
+/// divided by the picture's mean radiance. Infinity of a black picture with rare paths.
 double unseen_error(std::span<const RarePath> rare, double mean_radiance, std::size_t pixels,
                     std::uint64_t samples) noexcept;
 

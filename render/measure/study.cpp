@@ -307,9 +307,10 @@ bool Study::run_depths(const StudyTask& task) {
                       .cut_share = cut_share(*result)});
     // The first round goes on until no more light is found; the others have the same depths.
     if (task.round > 0 || i + 1 < depths.size() || depths_have_converged(probes)) continue;
+    if (way.depth > kMaxProbedDepth / 2) continue;
     way.depth *= 2;
     const double seconds = kProbeSeeds * 2 * probes.back().seconds;  // at most, of all rounds
-    if (way.depth > kMaxProbedDepth || seconds > seconds_left() || !is_possible(way)) continue;
+    if (seconds > seconds_left() || !is_possible(way)) continue;
     depths.push_back(way.depth);
   }
   ledger_.plan->depths = std::move(depths);

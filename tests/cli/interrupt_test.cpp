@@ -154,6 +154,20 @@ class InterruptedProgram : public testing::Test {
                          "  # lets cat go where the program did not\nwait $cat; exit $code");
   }
 
+  /// Sends the signal when the program opens the pipe diff.png, and reads the pipe then.
+  ProgramResult compare(const std::string& pictures) {
+    return run_shell(folder_.path(),
+                     "mkfifo diff.png\n"
+                     "env --default-signal=INT \"$SDLC\" compare " +
+                         pictures +
+                         " -o diff.png & pid=$!\n"
+                         "( exec 3<diff.png; kill -INT $pid; cat <&3 >got ) & reader=$!\n"
+                         "wait $pid; code=$?\n"
+                         // Lets the reader go where the program never opened the pipe.
+                         "while kill -0 $reader 2>/dev/null; do : 3<>diff.png; sleep 0.05; done\n"
+                         "exit $code");
+  }
+
   const TemporaryFolder folder_;
 };
 
@@ -202,17 +216,15 @@ TEST_F(InterruptedProgram, EndsAtOnceAtTheSecondSignal) {
 
 TEST_F(InterruptedProgram, WritesAComparison) {
   ASSERT_EQ(run_shell(folder_.path(), "\"$SDLC\" render ball.scene --quiet -o a.png").exit_code, 0);
-  // A pipe for the report shows that the difference has been written; it is the pipe's reader that
-  // is sent the signal then.
-  const ProgramResult result =
-      run_shell(folder_.path(),
-                "mkfifo diff.png\n"
-                "env --default-signal=INT \"$SDLC\" compare a.png a.png -o diff.png & pid=$!\n"
-                "exec 3<diff.png\n"  // the program is in the middle of the writing, or done
-                "kill -INT $pid; cat <&3 >got; wait $pid");
+  const ProgramResult result = compare("a.png a.png");
   // Either the signal came while it was written, or just after.
   EXPECT_THAT(result.exit_code, testing::AnyOf(130, 0)) << result.err;
-  EXPECT_EQ(content_of(folder_ / "got").substr(1, 3), "PNG");
+  EXPECT_THAT(content_of(folder_ / "got"), HasSubstr("PNG"));
+}
+
+TEST_F(InterruptedProgram, DoesNotWaitForAComparisonThatFails) {
+  EXPECT_EQ(compare("missing.png missing.png").exit_code, 2);
+  EXPECT_EQ(content_of(folder_ / "got"), "");
 }
 
 TEST_F(InterruptedProgram, WritesTheReportsOfAMeasurementThatIsFinished) {

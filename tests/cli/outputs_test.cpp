@@ -1,11 +1,38 @@
+#include <cerrno>
+#include <cstddef>
 #include <filesystem>
+#include <map>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
+#include <sys/xattr.h>
+#include <unistd.h>
 
+#include "render/image/atomic_file.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
+
+namespace {
+
+int attribute_error = 0;     // what setting an attribute fails with; 0: it does not
+int refused_attributes = 0;  // how often it did
+
+}  // namespace
+
+/// In place of the C library's, in this process only.
+extern "C" int fsetxattr(int fd, const char* name, const void* value, std::size_t size,
+                         int flags) noexcept {
+  if (attribute_error == 0) {
+    return static_cast<int>(::syscall(SYS_fsetxattr, fd, name, value, size, flags));
+  }
+  ++refused_attributes;
+  errno = attribute_error;
+  return -1;
+}
 
 namespace sdlc::test {
 namespace {
@@ -160,6 +187,66 @@ TEST_F(Outputs, OfSeveralFramesGoToOnePlaceEach) {
   write_text(folder_ / "ball.scene",
              std::string(kScene) + "animation { frames: 0..10000, step: 10000 }\n");
   expect_refused("render ball.scene -o a####.png -o a1####.png", "two outputs go to `a10000.png`");
+}
+
+TEST_F(Outputs, OfAnInterruptionGoToOnePlaceEach) {
+  link("a.partial.png", "link.json");
+  for (const char* flags :
+       {"-o a.png --stats a.partial.png", "-o a.png --stats ./a.partial.png",
+        "-o a.png --stats link.json", "-o a.png -o a.partial.png", "-o a.partial.png -o a.png"}) {
+    expect_refused(std::string("render ball.scene ") + flags, "two outputs go to");
+  }
+  // Names that are cut to make room for `.partial`.
+  const std::string longest(245, 'x');
+  expect_refused("render ball.scene -o " + longest + "1.png -o " + longest + "2.png",
+                 "two outputs go to");
+  const ProgramResult fine = run("render ball.scene -o a.png -o a.ppm --stats a.partial.json");
+  EXPECT_EQ(fine.exit_code, 0) << fine.err;
+}
+
+TEST_F(Outputs, OfAnInterruptionAreThoseOfOneFrame) {
+  write_text(folder_ / "ball.scene", std::string(kScene) + "animation { frames: 1..2, fps: 24 }\n");
+  expect_refused("render ball.scene -o f####.png --stats f0002.partial.png", "two outputs go to");
+  // Cut, all frames have the same.
+  const ProgramResult fine = run("render ball.scene -o " + std::string(245, 'x') + "####.png");
+  EXPECT_EQ(fine.exit_code, 0) << fine.err;
+}
+
+TEST_F(Outputs, OutsideOfTheSandboxAreRefusedBeforeTheyAreLookedAt) {
+  fs::create_directory(folder_ / "box");
+  write_text(folder_ / "box/ball.scene",
+             "scene 1\ncamera main { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }\n"
+             "sphere { center: (0, 0, 0), radius: 1, material: unlit(red) }\n"
+             "render { width: 8, samples: 1 }\n");
+  // Whoever looks at it sees that it is the scene.
+  fs::create_hard_link(folder_ / "box/ball.scene", folder_ / "hard.png");
+  for (const std::string name : {"box/ball.png", "box/ball.partial.png"}) {
+    link("../hard.png", name);
+    const ProgramResult result =
+        run_shell(folder_ / "box", "\"$SDLC\" render --sandbox ball.scene");
+    EXPECT_EQ(result.exit_code, 2) << name;
+    EXPECT_THAT(result.err, HasSubstr("leads out of the scene's folder")) << name;
+    fs::remove(folder_ / name);
+  }
+}
+
+TEST_F(Outputs, AreWrittenWhereAttributesCannotBeSet) {
+  const fs::path file = folder_ / "a.txt";
+  write_text(file, "old");
+  if (::setxattr(file.c_str(), "user.note", "mine", 4, 0) != 0) {
+    GTEST_SKIP() << "this file system has no extended attributes";
+  }
+  for (const int error : {EINVAL, ENOSPC, E2BIG, ERANGE, ENOTSUP, EPERM, EACCES, EDQUOT, EIO}) {
+    write_text(file, "old");
+    ::setxattr(file.c_str(), "user.note", "mine", 4, 0);
+    refused_attributes = 0;
+    attribute_error = error;
+    const std::string bytes = "new";
+    EXPECT_NO_THROW(render::write_file_atomically(file, std::as_bytes(std::span(bytes)))) << error;
+    attribute_error = 0;
+    EXPECT_GT(refused_attributes, 0);
+    EXPECT_EQ(content_of(file), "new") << error;
+  }
 }
 
 TEST_F(Outputs, AreAllTriedWhenOneFails) {

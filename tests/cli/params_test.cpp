@@ -242,6 +242,23 @@ TEST_F(Sandbox, IsTheWorkingFolderForAFileInIt) {
   EXPECT_THAT(inside.err, HasSubstr("E309")) << "scene/outside.scene is not there";
 }
 
+TEST_F(Sandbox, MayBeNamedWithDotDot) {
+  namespace fs = std::filesystem;
+  fs::create_directory(folder_ / "other");
+  const fs::path absolute = folder_ / "other/../scene/main.scene";
+  for (const std::string& scene :
+       {std::string("../scene/main.scene"), std::string("../other/../scene/main.scene"),
+        absolute.string()}) {
+    const auto inspect = [&](const std::string& file) {
+      write("scene/main.scene", std::string(kCamera) + "include \"" + file + "\"\n");
+      return run_shell(folder_ / "other", "\"$SDLC\" inspect --sandbox '" + scene + "'");
+    };
+    const ProgramResult inside = inspect("lib/inside.scene");
+    EXPECT_EQ(inside.exit_code, 0) << scene << "\n" << inside.err;
+    EXPECT_THAT(inspect("../outside.scene").err, HasSubstr("E312")) << scene;
+  }
+}
+
 TEST_F(Sandbox, NeverReadsStandardInputForAFileOfThatName) {
   write("here.scene", std::string(kCamera) + "include \"-\"\n");
   for (const std::string flags : {"", "--sandbox "}) {

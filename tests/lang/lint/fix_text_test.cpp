@@ -61,6 +61,16 @@ void expect_configs_left_alone(std::initializer_list<std::string> configs) {
   for (const std::string& config : configs) EXPECT_EQ(config_safely(config), config);
 }
 
+// Each left as many errors as there were, so the count alone does not show the damage.
+TEST(SafeFixes, GlueNoWordsAndLeaveWhatIsInQuotes) {
+  expect_left_alone({"let c = if a||b then 1 else 2\n", "let c = if 1 < 2&&a then 1 else 2\n",
+                     "let d = 40°C\n", "let d = 40°at2\n", "let r = = 1\n", "let r :: 3\n",
+                     "let r = “a “b” c”\n", "let r = ‘it’s’\n", "let r = '''a'''\n",
+                     "let r = 'a''b'\n", "let r = x'ff8800'\n"});
+  const std::string quoted = "assert true, 'he said “no” && it \\\"s'\n";
+  EXPECT_EQ(safely(quoted), quoted);
+}
+
 // `:=` was half replaced, which left `==`, and `=>` became `:>`.
 TEST(SafeFixes, TakeASignAsAWhole) {
   EXPECT_EQ(safely("let a := 3\n"), "let a = 3\n");
@@ -139,6 +149,36 @@ TEST(SafeFixes, AddSeparatorsToConfigsWhereNothingElseCanBeMissing) {
                              R"({"camera": {"look_at": [0, 1, 0)}})"});
 }
 
+TEST(SafeFixes, AddNoCommaToConfigsByGuess) {
+  expect_configs_left_alone({
+      "{\"camera\": {\"look_at\": [1,\n 2\n.5, 3]}}",
+      "{\"camera\": {\"look_at\": [1,\n 2\n-5, 3]}}",
+      "{\"camera\": {\"look_at\": [1,\n 2\n5, 3]}}",
+      "{\"camera\": {\"vfov\": 4\n0}}",
+      "{\"saving\": {\"path\": \"out\"\n\".png\"}}",
+  });
+  EXPECT_EQ(config_safely("{\"camera\": {\"vfov\": .5}}"), "{\"camera\": {\"vfov\": 0.5}}");
+  EXPECT_EQ(config_safely("{\"spheres\": [{\"radius\": 1}\n{\"origin\": [0, 0, 0]}]}"),
+            "{\"spheres\": [{\"radius\": 1},\n{\"origin\": [0, 0, 0]}]}");
+}
+
+TEST(SafeFixes, UngroupDigitsOfConfigsOnlyInThrees) {
+  expect_configs_left_alone({R"({"camera": {"vfov": 1_5}})", R"({"camera": {"vfov": +1_5}})",
+                             R"({"camera": {"vfov": 40_00}})", R"({"camera": {"vfov": 1.5_0}})",
+                             R"({"rendering": {"width": 1000_000}})",
+                             R"({"rendering": {"width": 1__000}})"});
+  EXPECT_EQ(config_safely(R"({"rendering": {"width": 1_920}})"),
+            R"({"rendering": {"width": 1920}})");
+}
+
+TEST(SafeFixes, TakeSingleQuotesOnlyAroundAWholeText) {
+  expect_configs_left_alone(
+      {R"({'it''s': 1})", R"({"saving": {"path": 'it''s'}})", R"({"saving": {"path": 'it' 's'}})"});
+  EXPECT_EQ(config_safely("{'camera' : {'vfov': 40}}"), "{\"camera\" : {\"vfov\": 40}}");
+  EXPECT_EQ(config_safely("{\"saving\": {\"path\": 'a.png'\n}}"),
+            "{\"saving\": {\"path\": \"a.png\"\n}}");
+}
+
 TEST(SafeFixes, KeepDefinitionsOfOtherLanguages) {
   EXPECT_EQ(safely("#declare R = 3;\n#local S = R;\n"), "let R = 3\nlet S = R\n");
   expect_left_alone({"#define R 3\n", "#include \"shapes.inc\"\n", "#version 3.7;\n"});
@@ -182,6 +222,12 @@ TEST(SafeFixes, LeaveWordsOfConfigsAloneThatMayBeNames) {
 
 TEST(SafeFixes, TakeNoVariableForAUnit) {
   expect_left_alone({"let s = 3\nlet a = 2 s\n", "let a = 2 m d\n"});
+  expect_left_alone({"fn f(x,s) = 2 s\n", "fn f( s) = 2 s\n", "fn f(x,\n  s) = 2 s\n",
+                     "for  s in [1, 2] { sphere { center: (0, 0, 0), radius: 2 s } }\n",
+                     "def d(a ,s ) { sphere { center: (0, 0, 0), radius: 2 s } }\n",
+                     "let  m = 3\nlet a = 2 m\n", "param  m = 3\nlet a = 2 m\n"});
+  EXPECT_EQ(safely("// m\nlet k = \"m\"\nlet a = (1.5 m, 2m, 3 m)\n"),
+            "// m\nlet k = \"m\"\nlet a = (1.5m, 2m, 3m)\n");
   EXPECT_EQ(safely("let a = 2 m\n"), "let a = 2m\n");
 }
 

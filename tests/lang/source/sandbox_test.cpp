@@ -10,6 +10,7 @@
 
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/program/program.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -52,12 +53,16 @@ class RecordingFiles final : public FileSystem {
   mutable std::vector<std::string> asked_;
 };
 
+std::string resolved_by(const Sandbox& sandbox, const fs::path& path) {
+  const std::optional<fs::path> result = sandbox.resolve(path);
+  return result ? result->string() : "refused";
+}
+
 /// /home/box/main.scene, with links in its folder.
 class SandboxTest : public testing::Test {
  protected:
   std::string resolved(const std::string& path) const {
-    const auto result = Sandbox(files_, "/home/box/main.scene").resolve(path);
-    return result ? result->string() : "refused";
+    return resolved_by(Sandbox(files_, "/home/box/main.scene"), path);
   }
 
   RecordingFiles files_{{{"/home/box/out", "/etc"},
@@ -113,6 +118,45 @@ TEST_F(SandboxTest, AsksForNothingOutside) {
     EXPECT_FALSE(sandbox.resolve(path)) << path;
   }
   EXPECT_THAT(files_.asked(), Each(StartsWith("/home/box/")));
+}
+
+TEST_F(SandboxTest, TakesAFolderThatIsNamedWithDotDot) {
+  const Sandbox sandbox(files_, "/home/other/../box/main.scene");
+  files_.forget();
+  for (const char* path : {"/home/other/../box/p.scene", "/home/box/p.scene"}) {
+    EXPECT_EQ(resolved_by(sandbox, path), "/home/box/p.scene") << path;
+  }
+  EXPECT_EQ(resolved_by(sandbox, "/home/other/../box/deep/x"), "/home/box/a/b/c/x");
+  for (const char* path :
+       {"/home/other/p.scene", "/home/other/../p.scene", "/home/other/../box/../p.scene",
+        "/home/other/../other/p.scene", "/home/other/../box/out/passwd"}) {
+    EXPECT_FALSE(sandbox.resolve(path)) << path;
+  }
+  EXPECT_THAT(files_.asked(), Each(StartsWith("/home/box/")));
+}
+
+TEST_F(SandboxTest, TakesARelativeFolderThatIsNamedWithDotDot) {
+  for (const char* scene : {"../box/main.scene", "../other/../box/main.scene"}) {
+    const Sandbox sandbox(files_, scene);
+    EXPECT_TRUE(sandbox.resolve("../box/p.scene")) << scene;
+    EXPECT_TRUE(sandbox.resolve(fs::absolute("../box/p.scene").lexically_normal())) << scene;
+    EXPECT_FALSE(sandbox.resolve("../p.scene")) << scene;
+    EXPECT_FALSE(sandbox.resolve("../other/p.scene")) << scene;
+    EXPECT_FALSE(sandbox.resolve("p.scene")) << scene;
+  }
+}
+
+TEST(SandboxOnDisk, DoesNotTakeADotDotAfterALinkForTheLinksFolder) {
+  const test::TemporaryFolder folder;
+  const fs::path top = fs::canonical(folder.path());
+  for (const char* name : {"x/box", "y/box", "y/sub"}) fs::create_directories(top / name);
+  fs::create_directory_symlink("../y/sub", top / "x/link");
+  const DiskFileSystem files;
+  const Sandbox sandbox(files, top / "x/link/../box/main.scene");  // in y/box
+  const std::string file = (top / "y/box/p.scene").string();
+  EXPECT_EQ(resolved_by(sandbox, top / "x/link/../box/p.scene"), file);
+  EXPECT_EQ(resolved_by(sandbox, file), file);
+  EXPECT_FALSE(sandbox.resolve(top / "x/box/p.scene")) << "another folder";
 }
 
 TEST_F(SandboxTest, HoldsForImportsAndIncludes) {
