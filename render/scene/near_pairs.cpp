@@ -115,7 +115,7 @@ class Search {
     const std::size_t leaves = (order_.size() + kWidth - 1) / kWidth;
     const std::size_t parts = (leaves + kLeavesAPart - 1) / kLeavesAPart;
     most_comparisons_ = kMostComparisons + 100 * leaves;
-    most_pairs_ = kMostPairs + 64 * order_.size();
+    most_pairs_ = kMostPairs + kMaxPairsPerSphere * order_.size();
     std::vector<std::vector<SpherePair>> found(parts);
     tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
       const std::size_t end = std::min(leaves, (part + 1) * kLeavesAPart);
@@ -134,6 +134,9 @@ class Search {
   // Of leaves, beside a hundred for each, where scenes need some twenty.
   static constexpr std::size_t kMostComparisons = 1 << 17;
   static constexpr std::size_t kMostPairs = 1 << 20;
+  static constexpr std::size_t kMaxPairsPerSphere = 24;  // of a lattice that touches 6
+  // Tests of two spheres that take as long as a comparison of two leaves without any.
+  static constexpr std::size_t kTestsPerComparison = 16;
 
   /// Whether there is more to do than may be: sums that only grow, so that no thread's pace
   /// decides.
@@ -219,8 +222,7 @@ class Search {
     while (waiting > 0) {
       const Waiting now = stack[--waiting];
       if (now.level == 0) {
-        compare(leaf, now.node, found);
-        ++comparisons;
+        comparisons += 1 + compare(leaf, now.node, found) / kTestsPerComparison;
         continue;
       }
       const Level &below = levels_[now.level - 1], &above_leaves = levels_[1];
@@ -239,14 +241,16 @@ class Search {
     pairs_ += found.size() - before;
   }
 
-  void compare(std::size_t leaf, std::size_t other, std::vector<SpherePair>& found) const {
+  /// How many pairs of spheres it had to test.
+  std::size_t compare(std::size_t leaf, std::size_t other, std::vector<SpherePair>& found) const {
+    std::size_t tests = 0;
     const Boxes *ours = &levels_[0].boxes[leaf], *theirs = &levels_[0].boxes[other];
     std::uint32_t of_ours = Boxes::kAll, of_theirs = Boxes::kAll;
     if (leaf != other) {
       // Of each leaf those that meet the box around the other one; the fewer are looked at in turn.
       const Level& above = levels_[1];
       of_theirs = theirs->meet(above.boxes[leaf / kWidth], leaf % kWidth);
-      if (of_theirs == 0) return;
+      if (of_theirs == 0) return 0;
       of_ours = ours->meet(above.boxes[other / kWidth], other % kWidth);
       if (std::popcount(of_ours) < std::popcount(of_theirs)) {
         std::swap(ours, theirs);
@@ -261,8 +265,10 @@ class Search {
         const auto l = static_cast<std::size_t>(std::countr_zero(met));
         const std::uint32_t a = order_[leaf * kWidth + l], b = order_[other * kWidth + k];
         if (are_near(a, b)) found.push_back({std::min(a, b), std::max(a, b)});
+        ++tests;
       }
     }
+    return tests;
   }
 
   /// Whether are_near() may hold for a sphere of each, by what they have in common: of many spheres
