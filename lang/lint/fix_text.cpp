@@ -206,7 +206,7 @@ class Round {
     Selection all = accepted_;
     all.insert(all.end(), part.begin(), part.end());
     std::unique_ptr<CheckedText> checked = check_(fixed_text(base_.file(), all));
-    if (is_good(part, checked->sink().error_count())) {
+    if (is_good(part, *checked)) {
       errors_ = checked->sink().error_count();
       accepted_ = std::move(all);
       result_ = std::move(checked);
@@ -221,11 +221,24 @@ class Round {
 
   /// Whether each of the fixes did its work. Fixing one error may uncover a later one: accepted for
   /// a safe fix, not for a guess.
-  bool is_good(std::span<const Diagnostic* const> part, std::size_t errors) const {
+  bool is_good(std::span<const Diagnostic* const> part, const CheckedText& checked) const {
+    const std::size_t errors = checked.sink().error_count();
     const auto fixed = static_cast<std::size_t>(std::ranges::count_if(part, is_error));
     if (errors + fixed <= errors_) return true;
     const bool is_last_try = part.size() == 1 || budget_.is_spent();
-    return is_last_try && !is_unsafe_ && errors <= errors_;
+    if (!is_last_try || is_unsafe_ || errors > errors_) return false;
+    return part.size() > 1 || !breaks_line_of(*part.front(), checked);
+  }
+
+  /// Whether the text now has a syntax error in the line of the fix for which there is no safe fix:
+  /// the line was not meant like that.
+  bool breaks_line_of(const Diagnostic& fixed, const CheckedText& checked) const {
+    const std::uint32_t line = base_.file().position(fixed.fixes.front().where.span.begin).line;
+    return std::ranges::any_of(checked.sink().diagnostics(), [&](const Diagnostic& found) {
+      return is_error(&found) && std::string_view(found.info->code).starts_with("E0") &&
+             (found.fixes.empty() || !is_safe(found)) && found.where.file == &checked.file() &&
+             checked.file().position(found.where.span.begin).line == line;
+    });
   }
 
   const CheckedText& base_;

@@ -48,13 +48,6 @@ bool is_before_value(std::string_view text, std::uint32_t at) noexcept {
          rest.starts_with("“") || rest.starts_with("‘");
 }
 
-bool is_digit_around(std::string_view text, Span sign) noexcept {
-  std::uint32_t begin = sign.begin;
-  while (begin > 0 && text[begin - 1] == ' ') --begin;
-  return begin > 0 && is_digit(text[begin - 1]) &&
-         is_digit(char_at(text, skip_blanks(text, sign.end)));
-}
-
 /// Whether `let NAME` or `param NAME` ends before `at`: a value is given there, not compared.
 bool is_declared_before(std::string_view text, std::uint32_t at) noexcept {
   const auto skip_back = [&](auto is_skipped) {
@@ -85,7 +78,8 @@ bool is_point_property(std::string_view name) noexcept {
 }
 
 bool is_certain_sign(std::string_view text, Span sign) noexcept {
-  // `**`, `<>` and `=<` are left out: each may be a slip of the pen in another sign.
+  // `**`, `<>` and `=<` are left out: each may be a slip of the pen in another sign. So are `×` and
+  // `·`: 800×600 is no product, and of vectors they are `cross` and `dot`.
   constexpr auto kBinary =
       std::to_array<std::string_view>({"&&", "||", "!==", "===", "÷", "≤", "≥", "≠", "…"});
   const std::string_view written = text.substr(sign.begin, sign.size());
@@ -93,9 +87,6 @@ bool is_certain_sign(std::string_view text, Span sign) noexcept {
   const bool has_right = is_before_value(text, sign.end);
   if (is_one_of(written, kBinary)) {
     return has_left && has_right && !(written == "===" && is_declared_before(text, sign.begin));
-  }
-  if (written == "×" || written == "·") {  // 800×600 is no product
-    return has_left && has_right && !is_digit_around(text, sign);
   }
   if (written == "−") return has_right;
   if (written == "–") return has_right && !has_left;  // 1–5 may be a range

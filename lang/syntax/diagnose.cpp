@@ -679,7 +679,9 @@ std::uint32_t diagnose_header(TreeBuilder& builder, std::uint32_t at) {
     if (text.substr(number, all.end - number) == "1") report.fix(builder.location(all), "scene 1");
     return skip_space(text, all.end);
   }
-  missing(found).fix(builder.location(found), "scene 1");
+  auto report = missing(found);
+  const bool is_alone = mark == '\0' || mark == '\n' || mark == '\r' || mark == '/';
+  if (is_alone) report.fix(builder.location(found), "scene 1");
   return skip_space(text, found.end);
 }
 

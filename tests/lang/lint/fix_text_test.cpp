@@ -67,6 +67,11 @@ TEST(SafeFixes, GlueNoWordsAndLeaveWhatIsInQuotes) {
                      "let d = 40°C\n", "let d = 40°at2\n", "let r = = 1\n", "let r :: 3\n",
                      "let r = “a “b” c”\n", "let r = ‘it’s’\n", "let r = '''a'''\n",
                      "let r = 'a''b'\n", "let r = x'ff8800'\n"});
+  for (const std::string version : {"scene \"1\"\n", "scene(1)\n", "scene v1\n", "scene #1\n"}) {
+    EXPECT_EQ(fix("a.scene", version, false).checked->file().text(), version);
+  }
+  expect_left_alone({"group(translate: (0, 1, 0)) { sphere { center: (0, 0, 0), radius: 1 } }\n",
+                     "let v = (1, 0, 0) × (0, 1, 0)\n", "let v = (1, 0, 0) · (0, 1, 0)\n"});
   const std::string quoted = "assert true, 'he said “no” && it \\\"s'\n";
   EXPECT_EQ(safely(quoted), quoted);
 }
