@@ -84,6 +84,14 @@ void DiagnosticSink::add(const Diagnostic& diagnostic) {
   }
 }
 
+void DiagnosticSink::add(const DiagnosticSink& other) {
+  for (const Diagnostic& diagnostic : other.diagnostics()) add(diagnostic);
+  for (const auto& [info, count] : other.not_kept()) {
+    not_kept_[info] += count;
+    (info->severity == Severity::Error ? errors_ : warnings_) += count;
+  }
+}
+
 void DiagnosticSink::forget_shown() {
   diagnostics_.clear();
   not_kept_.clear();

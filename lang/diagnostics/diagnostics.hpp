@@ -148,6 +148,8 @@ class DiagnosticSink {
 
   /// Adds a diagnostic of another sink.
   void add(const Diagnostic& diagnostic);
+  /// Adds all that the other sink has, and counts what it did not keep.
+  void add(const DiagnosticSink& other);
 
   /// The chain of the next diagnostics; null: none.
   void set_chain(const ChainSource* chain) noexcept { chain_ = chain; }
