@@ -22,9 +22,10 @@
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
 #include "cli/words.hpp"
+#include "lang/allowances/allowances.hpp"
 #include "lang/convert/convert.hpp"
-#include "lang/diagnostics/render.hpp"
 #include "lang/object/object.hpp"
+#include "lang/report/report.hpp"
 #include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"
@@ -165,9 +166,10 @@ class ConvertJob {
     lang::Conversion conversion(file, program, sink);
     std::optional<std::string> text = conversion.run(options_.conversion);
     for (const fs::path& part : conversion.dependencies()) read_.add(part.string());
-    for (const lang::Diagnostic* diagnostic : sink.sorted()) writer_->write(*diagnostic);
-    counts_ += sink.counts();
-    const std::size_t avoidable = sink.counts().warnings - conversion.forced_warnings();
+    const lang::Findings findings = select_unallowed(sink);
+    for (const lang::Diagnostic* diagnostic : findings.shown) writer_->write(*diagnostic);
+    counts_ += findings.counts;
+    const std::size_t avoidable = findings.counts.warnings - conversion.forced_warnings();
     if (!text || !options_.is_strict || avoidable == 0) return text;
     env_.err << fmt::format("error: {} has warnings, and --strict takes them for errors\n",
                             lang::printable(file.name()));

@@ -77,12 +77,12 @@ std::unique_ptr<lang::DiagnosticWriter> make_writer(const DiagnosticsOptions& op
                                       out);
 }
 
-void print_diagnostics(const lang::DiagnosticSink& sink, const DiagnosticsOptions& options,
-                       std::ostream& out, bool is_terminal, const Environment& env) {
-  if (sink.diagnostics().empty() && !format_of(options).is_document) return;
+void print_findings(const lang::Findings& findings, const DiagnosticsOptions& options,
+                    std::ostream& out, bool is_terminal, const Environment& env) {
+  if (findings.shown.empty() && !format_of(options).is_document) return;
   const auto writer = make_writer(options, out, is_terminal, env);
-  for (const lang::Diagnostic* diagnostic : sink.sorted()) writer->write(*diagnostic);
-  writer->finish(sink.counts());
+  for (const lang::Diagnostic* diagnostic : findings.shown) writer->write(*diagnostic);
+  writer->finish(findings.counts);
   out << std::flush;
 }
 

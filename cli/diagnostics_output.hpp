@@ -8,7 +8,8 @@
 
 #include "cli/environment.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/diagnostics/render.hpp"
+#include "lang/report/findings.hpp"
+#include "lang/report/report.hpp"
 
 namespace sdlc::cli {
 
@@ -31,9 +32,9 @@ std::unique_ptr<lang::DiagnosticWriter> make_writer(const DiagnosticsOptions& op
                                                     std::ostream& out, bool is_terminal,
                                                     const Environment& env);
 
-/// The sink's diagnostics to `out` in the format asked for. When there are none, only a format that
-/// is a document is written: it says so.
-void print_diagnostics(const lang::DiagnosticSink& sink, const DiagnosticsOptions& options,
-                       std::ostream& out, bool is_terminal, const Environment& env);
+/// Writes the findings to `out` in the requested format. Without findings, only formats that are
+/// documents write anything.
+void print_findings(const lang::Findings& findings, const DiagnosticsOptions& options,
+                    std::ostream& out, bool is_terminal, const Environment& env);
 
 }  // namespace sdlc::cli

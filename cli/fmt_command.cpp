@@ -98,8 +98,6 @@ class FmtJob {
       const std::string text = read_text(name, shown, env_, options_.limits.file);
       refuse_json(name, shown, text);
       lang::DiagnosticSink sink;
-      sink.set_filter(
-          [](const lang::DiagnosticInfo& info) { return info.severity == lang::Severity::Error; });
       const lang::SourceFile file(shown, text);
       if (!lang::check_file_size(file, options_.limits, sink)) return leave_alone(shown, sink);
       if (const auto formatted = lang::format_file(file, sink, options_.lines)) {
@@ -150,8 +148,12 @@ class FmtJob {
   }
 
   void leave_alone(const std::string& shown, const lang::DiagnosticSink& sink) {
-    for (const lang::Diagnostic* diagnostic : sink.sorted()) writer_->write(*diagnostic);
-    counts_ += sink.counts();
+    const auto is_error = [](const lang::DiagnosticInfo& info, const lang::SourceFile*) {
+      return info.severity == lang::Severity::Error;
+    };
+    const lang::Findings findings = select_findings(sink, {.is_wanted = is_error});
+    for (const lang::Diagnostic* diagnostic : findings.shown) writer_->write(*diagnostic);
+    counts_ += findings.counts;
     left_alone_.push_back(shown);
   }
 

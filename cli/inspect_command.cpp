@@ -19,6 +19,7 @@
 #include "cli/scene_options.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
+#include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/object/object.hpp"
 #include "lang/text/display_width.hpp"
@@ -74,7 +75,8 @@ class InspectJob {
 
  private:
   void print_new_diagnostics() {
-    print_diagnostics(sink_, options_.scene.diagnostics, env_.err, env_.err_is_terminal, env_);
+    print_findings(select_unallowed(sink_), options_.scene.diagnostics, env_.err,
+                   env_.err_is_terminal, env_);
   }
 
   /// What has been read beside the scene itself.
@@ -169,7 +171,7 @@ class InspectJob {
     if (animation) frame = options_.frame.value_or(animation->first);
     InspectReport report{
         .scene = source_.name(),
-        .errors = sink_.counts().errors,
+        .errors = sink_.error_count(),
         .dependencies = dependencies(),
         .animation = animation,
         .frame = frame.value_or(0),

@@ -7,7 +7,7 @@
 #include "cli/inspect_report.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/numbers/format_numbers.hpp"
-#include "lang/diagnostics/render.hpp"
+#include "lang/report/report.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/tone.hpp"
 #include "render/scene/choices.hpp"

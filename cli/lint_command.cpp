@@ -1,15 +1,15 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -26,10 +26,12 @@
 #include "cli/unified_diff.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
+#include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
-#include "lang/diagnostics/render.hpp"
 #include "lang/lint/fix_text.hpp"
 #include "lang/lint/lint.hpp"
+#include "lang/report/findings.hpp"
+#include "lang/report/report.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/io_error.hpp"
@@ -57,30 +59,33 @@ std::string plural(std::size_t count, std::string_view noun) {
   return plural(count, noun, std::string(noun) + "s");
 }
 
-/// One file and what is wrong with it.
+/// One file and its findings.
 class Linted final : public lang::CheckedText {
  public:
-  /// `wants` may be called as long as this lives. `max_kept`: of each severity.
-  Linted(std::string name, std::string text, const LintOptions& options, const Environment& env,
-         std::function<bool(const lang::DiagnosticInfo&)> wants, std::size_t max_kept)
+  Linted(std::string name, std::string text, const LintOptions& options, const Environment& env)
       : file_(std::move(name), std::move(text)) {
-    sink_.set_max_per_severity(max_kept);
-    sink_.set_filter(std::move(wants));
+    sink_.set_max_kept(kMaxKept);
     compiler_.emplace(file_, program_options(options.reading, env), sink_);
     lang::lint(*compiler_, file_, sink_);
   }
 
+  void select(lang::FindingsFilter filter) {
+    findings_ = select_unallowed(sink_, std::move(filter));
+  }
+
   const lang::SourceFile& file() const override { return file_; }
-  const lang::DiagnosticSink& sink() const override { return sink_; }
+  std::size_t error_count() const override { return sink_.error_count(); }
+  const lang::Findings& findings() const override { return findings_; }
 
  private:
+  // A round of fixes reads the whole text, so each applies as many as memory allows.
+  static constexpr std::size_t kMaxKept = 100'000;
+
   lang::SourceFile file_;
   lang::DiagnosticSink sink_;
   std::optional<lang::Compiler> compiler_;  // holds texts that the sink refers to
+  lang::Findings findings_;
 };
-
-/// Whether diagnostics are wanted, by their codes.
-using Decided = std::unordered_map<std::string_view, bool>;
 
 /// The warnings in the files of one config.
 struct WarningCount {
@@ -140,17 +145,21 @@ class LintJob {
         .wants(info.code, std::filesystem::absolute(place).lexically_normal());
   }
 
-  std::unique_ptr<Linted> linted(const std::string& name, std::string text,
-                                 std::size_t max_kept = lang::DiagnosticSink::kMaxPerSeverity) {
-    // A scene may report a million times; each code is decided once.
-    auto is_wanted = [this, place = shown_name(name),
-                      decided = Decided()](const lang::DiagnosticInfo& info) mutable {
-      const auto [answer, is_new] = decided.emplace(info.code, false);
-      if (is_new) answer->second = wants(info, place, place);
-      return answer->second;
-    };
-    return std::make_unique<Linted>(shown_name(name), std::move(text), options_, env_,
-                                    std::move(is_wanted), max_kept);
+  std::unique_ptr<Linted> linted(const std::string& name, std::string text) {
+    auto result = std::make_unique<Linted>(shown_name(name), std::move(text), options_, env_);
+    using Kind = std::pair<const lang::DiagnosticInfo*, const lang::SourceFile*>;
+    const auto is_wanted =
+        [this, scene = shown_name(name), own = &result->file(), decided = std::map<Kind, bool>()](
+            const lang::DiagnosticInfo& info, const lang::SourceFile* file) mutable {
+          const auto [answer, is_new] = decided.emplace(Kind(&info, file), false);
+          const bool is_own = file == nullptr || file == own;
+          if (is_new) answer->second = wants(info, is_own ? scene : file->name(), scene);
+          return answer->second;
+        };
+    result->select({.is_wanted = is_wanted,
+                    .max_per_severity = applies_fixes() ? std::numeric_limits<std::size_t>::max()
+                                                        : lang::FindingsFilter::kMaxShown});
+    return result;
   }
 
   void lint(const std::string& name) {
@@ -161,7 +170,7 @@ class LintJob {
       if (!options_.shows_diff) writer_->enter(shown_name(name));
       const std::unique_ptr<lang::CheckedText> result =
           applies_fixes() ? fix(name, std::move(text)) : linted(name, std::move(text));
-      if (!options_.shows_diff) tell(*result, shown_name(name));
+      if (!options_.shows_diff) print(*result, shown_name(name));
     } catch (const render::IoError& error) {
       ++unreadable_;
       if (!options_.shows_diff) writer_->fail(shown_name(name), error.what());
@@ -169,13 +178,11 @@ class LintJob {
     }
   }
 
-  /// Every round reads the whole text, so each sees as many findings as memory allows.
   std::unique_ptr<lang::CheckedText> fix(const std::string& name, std::string text) {
-    constexpr std::size_t kMaxPerRound = 100'000;
     const std::string original = text;
-    lang::FixResult result = lang::fix_text(
-        linted(name, std::move(text), kMaxPerRound), options_.fixes_unsafe,
-        [&](std::string fixed) { return linted(name, std::move(fixed), kMaxPerRound); });
+    lang::FixResult result =
+        lang::fix_text(linted(name, std::move(text)), options_.fixes_unsafe,
+                       [&](std::string fixed) { return linted(name, std::move(fixed)); });
     const std::string fixed(result.checked->file().text());
     if (options_.shows_diff) {
       env_.out << unified_diff(shown_name(name), original, fixed);
@@ -188,11 +195,6 @@ class LintJob {
     mended_ += result.applied;
     refused_ += result.refused;
     if (result.applied > 0) ++mended_files_;
-    const lang::DiagnosticCounts left = result.checked->sink().counts();
-    if (std::max(left.errors, left.warnings) > lang::DiagnosticSink::kMaxPerSeverity) {
-      result.checked.reset();
-      return linted(name, fixed);  // with as many as are shown
-    }
     return std::move(result.checked);
   }
 
@@ -203,33 +205,30 @@ class LintJob {
     }
   }
 
-  /// Each once, though several of the files may read the one that it is about; and none that the
-  /// config of an imported file does not want there.
-  void tell(const lang::CheckedText& linted, const std::string& place) {
-    lang::DiagnosticCounts counts = linted.sink().counts();
-    for (const lang::Diagnostic* diagnostic : linted.sink().sorted()) {
+  /// Prints each finding once, even if several of the files read its text.
+  void print(const lang::CheckedText& linted, const std::string& place) {
+    lang::DiagnosticCounts counts = linted.findings().counts;
+    std::size_t other_warnings = counts.warnings;  // those not shown
+    lang::DiagnosticCounts shown;
+    for (const lang::Diagnostic* diagnostic : linted.findings().shown) {
+      const bool is_error = diagnostic->info->severity == lang::Severity::Error;
+      if (!is_error) --other_warnings;
+      if (!printed_.insert(identity(*diagnostic)).second) {
+        --(is_error ? counts.errors : counts.warnings);
+        continue;
+      }
+      if (++(is_error ? shown.errors : shown.warnings) > lang::FindingsFilter::kMaxShown) {
+        ++counts.omitted;
+      } else {
+        writer_->write(*diagnostic);
+      }
+      count_fixes(*diagnostic);
       const lang::SourceFile* file = diagnostic->where.file;
       const bool is_own = file == nullptr || file == &linted.file();
-      const std::string its_place = is_own ? place : file->name();
-      const bool is_wanted = is_own || wants(*diagnostic->info, its_place, place);
-      const bool is_error = diagnostic->info->severity == lang::Severity::Error;
-      if (is_wanted && told_.insert(identity(*diagnostic)).second) {
-        writer_->write(*diagnostic);
-        count_fixes(*diagnostic);
-        if (!is_error) count_warnings(its_place, place, 1);
-      } else {
-        --(is_error ? counts.errors : counts.warnings);
-      }
+      if (!is_error) count_warnings(is_own ? place : file->name(), place, 1);
     }
-    count_warnings(place, place, linted.sink().counts().warnings - kept_warnings(linted.sink()));
+    count_warnings(place, place, other_warnings);
     counts_ += counts;
-  }
-
-  static std::size_t kept_warnings(const lang::DiagnosticSink& sink) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(sink.diagnostics(), [](const lang::Diagnostic& diagnostic) {
-          return diagnostic.info->severity == lang::Severity::Warning;
-        }));
   }
 
   void count_warnings(const std::string& place, const std::string& scene, std::size_t count) {
@@ -288,7 +287,7 @@ class LintJob {
   LintConfigs configs_;
   std::ostream& out_;
   std::unique_ptr<lang::DiagnosticWriter> writer_;
-  std::unordered_set<std::string> told_;
+  std::unordered_set<std::string> printed_;
   lang::DiagnosticCounts counts_;
   std::map<const LintConfig*, WarningCount> warnings_;
   std::size_t unreadable_ = 0;

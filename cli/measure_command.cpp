@@ -37,6 +37,7 @@
 #include "cli/version.hpp"
 #include "cli/whole_number.hpp"
 #include "cli/words.hpp"
+#include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/object/object.hpp"
 #include "lang/text/display_width.hpp"
@@ -262,13 +263,15 @@ class MeasureJob {
       request_ = options_.kernel;
       request_.precision = lowered->precision;
       request_.may_take_double = !overrides.precision;
-      print_diagnostics(sink_, options_.scene.diagnostics, env_.err, env_.err_is_terminal, env_);
+      print_findings(select_unallowed(sink_), options_.scene.diagnostics, env_.err,
+                     env_.err_is_terminal, env_);
       check_not_refused(kernel);
       machine_.emplace_back("instruction set", instruction_set(kernel));
       machine_.emplace_back("kernel", name_of(kernel.kind));
       read_seconds_ = seconds;
     } else {
-      print_diagnostics(sink_, options_.scene.diagnostics, env_.err, env_.err_is_terminal, env_);
+      print_findings(select_unallowed(sink_), options_.scene.diagnostics, env_.err,
+                     env_.err_is_terminal, env_);
     }
     compiler_.reset();
     source_.reset();

@@ -32,6 +32,7 @@
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "cli/words.hpp"
+#include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/lower/scene_builder.hpp"
 #include "lang/source/sandbox.hpp"
@@ -300,7 +301,8 @@ class RenderJob {
     const double choice_seconds = seconds_since(choice_start);
     const bool is_first = frame == frames_.front();
     if (is_first || !sink_.diagnostics().empty()) {
-      print_diagnostics(sink_, options_.scene.diagnostics, env_.err, env_.err_is_terminal, env_);
+      print_findings(select_unallowed(sink_), options_.scene.diagnostics, env_.err,
+                     env_.err_is_terminal, env_);
     }
     if (!lowered) return std::nullopt;
     check_goals(overrides, *lowered);

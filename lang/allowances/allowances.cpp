@@ -300,4 +300,12 @@ void Allowances::diagnose_unused(const SourceFile& file, const FileAllowances& a
   }
 }
 
+Findings select_unallowed(const DiagnosticSink& sink, FindingsFilter filter) {
+  Allowances allowances;
+  filter.is_allowed = [&](const DiagnosticInfo& info, Location where) {
+    return allowances.allow(info, where);
+  };
+  return select_findings(sink, filter);
+}
+
 }  // namespace sdlc::lang

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/report/findings.hpp"
 #include "lang/source/source.hpp"
 
 namespace sdlc::lang {
@@ -60,5 +61,8 @@ class Allowances {
 
   std::unordered_map<const SourceFile*, FileAllowances> files_;
 };
+
+/// The findings of the sink without the warnings that comments of their files allow.
+Findings select_unallowed(const DiagnosticSink& sink, FindingsFilter filter = {});
 
 }  // namespace sdlc::lang

@@ -121,11 +121,8 @@ class Tracer final : public ObjectSink {
 }  // namespace
 
 Compiler::Compiler(const SourceFile& file, const ProgramOptions& options, DiagnosticSink& sink)
-    : file_(file), options_(options), sink_(sink), allowances_(std::make_shared<Allowances>()) {
+    : file_(file), options_(options), sink_(sink) {
   const auto start = Clock::now();
-  sink.set_allowances([allowances = allowances_](const DiagnosticInfo& info, Location where) {
-    return allowances->allow(info, where);
-  });
   if (file.format() == SourceFormat::Scene) {
     program_ = std::make_unique<Program>(file, options, sink);
   } else {
@@ -296,7 +293,7 @@ std::vector<Origin> Compiler::trace_added(std::span<const std::uint32_t> spheres
     for (; run != instance_runs_.end() && run->before <= sphere; ++run) of_instances += run->count;
     wanted.push_back(sphere + of_instances);
   }
-  DiagnosticSink ignored;  // all has been said
+  DiagnosticSink ignored(sink_.stop_token());
   Tracer tracer(file_, options_.limits, wanted, ignored);
   // All traces together may take as long as two evaluations.
   const std::uint64_t most = 2 * std::min(options_.limits.steps, std::uint64_t{1} << 62);

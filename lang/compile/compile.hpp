@@ -10,7 +10,6 @@
 #include <tuple>
 #include <vector>
 
-#include "lang/allowances/allowances.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/eval/eval.hpp"
 #include "lang/lower/precision_fault.hpp"
@@ -35,7 +34,7 @@ struct Origin {
 };
 
 /// A text of either format and the files it needs, read once and lowered as often as it has frames.
-/// What is wrong, warnings included, is in the sink, which refers to texts that this object holds.
+/// Errors and warnings are in the sink, whose diagnostics refer to texts that this object holds.
 class Compiler {
  public:
   /// `file` must outlive the compiler.
@@ -76,8 +75,6 @@ class Compiler {
   /// The text's statements; null of a config.
   const Program* program() const noexcept { return program_.get(); }
   const ProgramOptions& options() const noexcept { return options_; }
-  /// What comments of the files allow.
-  Allowances& allowances() noexcept { return *allowances_; }
 
   /// Reads the files that could be included whatever the values are, without evaluating anything.
   void read_all_files();
@@ -109,8 +106,7 @@ class Compiler {
   const SourceFile& file_;
   ProgramOptions options_;
   DiagnosticSink& sink_;
-  std::shared_ptr<Allowances> allowances_;  ///< the sink asks it, perhaps for longer than we live
-  std::unique_ptr<Program> program_;        ///< null for a config
+  std::unique_ptr<Program> program_;  ///< null for a config
   std::optional<Animation> animation_;
   bool knows_animation_ = false;
   std::set<ToldPrecision> told_precision_;  ///< what warnings of earlier frames were about

@@ -15,21 +15,14 @@
 namespace sdlc::lang {
 namespace {
 
-/// While it lives, the sink is deaf to warnings but those of the kind `heard`.
-class WarningsOff {
- public:
-  explicit WarningsOff(DiagnosticSink& sink, std::string_view heard = {}) : sink_(sink) {
-    sink_.set_filter([heard](const DiagnosticInfo& info) {
-      return info.severity == Severity::Error || info.code == heard;
-    });
+/// Adds to `to` what `from` reports about the conversion: errors and rounded colours. Other
+/// warnings are about the text itself, and `lint` reports them.
+void add_findings(const DiagnosticSink& from, DiagnosticSink& to) {
+  for (const Diagnostic& diagnostic : from.diagnostics()) {
+    const bool is_error = diagnostic.info->severity == Severity::Error;
+    if (is_error || diagnostic.info == &diag::rounded_color) to.add(diagnostic);
   }
-  WarningsOff(const WarningsOff&) = delete;
-  WarningsOff& operator=(const WarningsOff&) = delete;
-  ~WarningsOff() { sink_.set_filter({}); }
-
- private:
-  DiagnosticSink& sink_;
-};
+}
 
 void collect_number(std::string_view spelling, std::vector<double>& numbers) {
   std::string digits(spelling);
@@ -78,9 +71,10 @@ void require(bool is_right, const DiagnosticSink& sink) {
 
 Conversion::Conversion(const SourceFile& file, const ProgramOptions& options, DiagnosticSink& sink)
     : file_(file), options_(options), sink_(sink) {
-  const WarningsOff off(sink);
   if (file.format() == SourceFormat::Scene) {
-    program_ = std::make_unique<Program>(file, options, sink);
+    DiagnosticSink reading(sink.stop_token());
+    program_ = std::make_unique<Program>(file, options, reading);
+    add_findings(reading, sink);
   } else {
     for (const SetOption& set : options.sets) sink.report(diag::unknown_param, {}, set.name);
   }
@@ -99,10 +93,11 @@ std::optional<std::string> Conversion::run(const ConvertOptions& options) {
 std::optional<std::string> Conversion::to_scene() {
   LoweredScene lowered;
   {
-    const WarningsOff off(sink_);
-    SceneBuilder builder(file_, options_.limits, sink_, Purpose::Picture, Instancing::Never);
-    if (check_file_size(file_, options_.limits, sink_)) read_config(file_, builder, sink_);
+    DiagnosticSink reading(sink_.stop_token());
+    SceneBuilder builder(file_, options_.limits, reading, Purpose::Picture, Instancing::Never);
+    if (check_file_size(file_, options_.limits, reading)) read_config(file_, builder, reading);
     lowered = builder.finish({});
+    add_findings(reading, sink_);
   }
   if (sink_.has_errors()) return std::nullopt;
 
@@ -129,28 +124,28 @@ bool Conversion::may_be_read(const SourceFile& scene, const LoweredScene& lowere
 }
 
 std::optional<std::string> Conversion::to_config(const ConvertOptions& options) {
-  const Overrides overrides{
-      .tone = options.tone, .camera = options.camera, .names_output = true};
-  SceneBuilder builder(file_, options_.limits, sink_, Purpose::Picture, Instancing::Never);
+  const Overrides overrides{.tone = options.tone, .camera = options.camera, .names_output = true};
+  DiagnosticSink reading(sink_.stop_token());
+  SceneBuilder builder(file_, options_.limits, reading, Purpose::Picture, Instancing::Never);
   ConfigWriter writer(builder, options.camera,
-                      scaled_numbers(program_->module(Program::kRoot).tree), sink_);
+                      scaled_numbers(program_->module(Program::kRoot).tree), reading);
   std::optional<Animation> film;
   LoweredScene lowered;
   {
-    const WarningsOff off(sink_, diag::rounded_color.code);
-    Evaluation evaluation(*program_, {.frame = options.frame, .camera = options.camera}, sink_);
+    Evaluation evaluation(*program_, {.frame = options.frame, .camera = options.camera}, reading);
     film = evaluation.animation();
     if (film && !options.frame) {
-      sink_.report(diag::not_in_config, film->where, "a film")
+      reading.report(diag::not_in_config, film->where, "a film")
           .help("`--frame N` converts one of its frames");
     }
     evaluation.run(writer);
     lowered = builder.finish(overrides);
   }
-  if (options.frame && !film && !sink_.has_errors()) {
+  if (options.frame && !film && !reading.has_errors()) {
     sink_.report(diag::no_effect, {}, "--frame").help("the scene has no `animation`");
   }
   std::string text = writer.finish(lowered, film ? options.frame : std::nullopt);
+  add_findings(reading, sink_);
   if (sink_.has_errors()) return std::nullopt;
 
   const SourceFile config("converted.json", text);

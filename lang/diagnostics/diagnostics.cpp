@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <iterator>
 
 namespace sdlc::lang {
 
@@ -47,13 +46,6 @@ DiagnosticBuilder& DiagnosticBuilder::suggest(std::optional<std::string_view> na
   return unsafe_fix(diagnostic_->where, std::string(*name));
 }
 
-DiagnosticCounts& DiagnosticCounts::operator+=(const DiagnosticCounts& other) noexcept {
-  errors += other.errors;
-  warnings += other.warnings;
-  omitted += other.omitted;
-  return *this;
-}
-
 DiagnosticBuilder DiagnosticSink::discard() {
   discarded_ = {};
   return DiagnosticBuilder(discarded_, false);
@@ -62,23 +54,17 @@ DiagnosticBuilder DiagnosticSink::discard() {
 DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where,
                                       std::string message) {
   if (is_muted_) return discard();
-  const bool is_error = info.severity == Severity::Error;
-  if (!is_error && is_allowed_ && is_allowed_(info, where)) return discard();
   const std::string place =
       fmt::format("{} {} {} {} ", info.code, static_cast<const void*>(where.file), where.span.begin,
                   where.span.end);
   const std::hash<std::string_view> hash;
   // Past this many, duplicates are no longer detected.
   constexpr std::size_t kMaxDistinct = 1'000'000;
-  if (told_.size() < kMaxDistinct && !told_.insert(hash(place) * 31 + hash(message)).second) {
+  if (seen_.size() < kMaxDistinct && !seen_.insert(hash(place) * 31 + hash(message)).second) {
     return discard();
   }
-  if (is_wanted_ && !is_wanted_(info)) {
-    if (is_error) ++unwanted_errors_;
-    return discard();
-  }
-  if (++(is_error ? counts_.errors : counts_.warnings) > max_per_severity_) {
-    ++counts_.omitted;
+  if (++(info.severity == Severity::Error ? errors_ : warnings_) > max_kept_) {
+    ++not_kept_[&info];
     return discard();
   }
   diagnostics_.push_back({.info = &info,
@@ -92,28 +78,24 @@ DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where
   return DiagnosticBuilder(diagnostics_.back());
 }
 
-void DiagnosticSink::forget_shown() {
-  diagnostics_.clear();
-  counts_ = {};
-  unwanted_errors_ = 0;
+void DiagnosticSink::add(const Diagnostic& diagnostic) {
+  if (add(*diagnostic.info, diagnostic.where, diagnostic.message).is_kept()) {
+    diagnostics_.back() = diagnostic;
+  }
 }
 
-std::vector<const Diagnostic*> DiagnosticSink::sorted() const {
-  std::vector<const SourceFile*> files;
-  std::vector<const Diagnostic*> sorted;
-  for (const Diagnostic& diagnostic : diagnostics_) {
-    sorted.push_back(&diagnostic);
-    if (std::find(files.begin(), files.end(), diagnostic.where.file) == files.end()) {
-      files.push_back(diagnostic.where.file);
-    }
+void DiagnosticSink::add(const DiagnosticSink& other) {
+  for (const Diagnostic& diagnostic : other.diagnostics()) add(diagnostic);
+  for (const auto& [info, count] : other.not_kept()) {
+    not_kept_[info] += count;
+    (info->severity == Severity::Error ? errors_ : warnings_) += count;
   }
-  const auto key = [&](const Diagnostic* diagnostic) {
-    const auto file = std::find(files.begin(), files.end(), diagnostic->where.file);
-    return std::pair(std::distance(files.begin(), file), diagnostic->where.span.begin);
-  };
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](const Diagnostic* a, const Diagnostic* b) { return key(a) < key(b); });
-  return sorted;
+}
+
+void DiagnosticSink::forget_shown() {
+  diagnostics_.clear();
+  not_kept_.clear();
+  errors_ = warnings_ = 0;
 }
 
 }  // namespace sdlc::lang

@@ -2,9 +2,10 @@
 
 #include <cstdint>
 #include <deque>
-#include <functional>
+#include <map>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -94,19 +95,19 @@ class DiagnosticBuilder {
   explicit DiagnosticBuilder(Diagnostic& diagnostic, bool is_kept = true) noexcept
       : diagnostic_(&diagnostic), is_kept_(is_kept) {}
 
-  /// Whether anybody will read what is added: what is costly to find is not looked for else.
+  /// Whether the sink keeps the diagnostic. If not, skip expensive additions.
   bool is_kept() const noexcept { return is_kept_; }
 
   DiagnosticBuilder& label(Location where, std::string message);
   DiagnosticBuilder& help(std::string text);
-  /// Nothing where the text is empty.
+  /// No effect if the text is empty.
   DiagnosticBuilder& help_if(std::string_view text) {
     return text.empty() ? *this : help(std::string(text));
   }
   DiagnosticBuilder& fix(Location where, std::string replacement);
   /// A fix that is a guess.
   DiagnosticBuilder& unsafe_fix(Location where, std::string replacement);
-  /// How evaluation came to the place, where the sink does not know it.
+  /// Replaces the chain that the sink knows.
   DiagnosticBuilder& chain(std::vector<ChainLink> links);
   /// "did you mean `name`?", with the replacement of the diagnostic's own span as its unsafe fix.
   DiagnosticBuilder& suggest(std::optional<std::string_view> name);
@@ -116,24 +117,23 @@ class DiagnosticBuilder {
   bool is_kept_;
 };
 
-/// How many diagnostics there were.
-struct DiagnosticCounts {
-  std::size_t errors = 0, warnings = 0;  ///< those not kept included
-  std::size_t omitted = 0;               ///< of both, those not kept
+/// Thrown by DiagnosticSink::stop_if_requested(). No std::exception: nothing handles it but the
+/// caller that requested the stop.
+struct StopRequested {};
 
-  friend bool operator==(const DiagnosticCounts&, const DiagnosticCounts&) = default;
-  DiagnosticCounts& operator+=(const DiagnosticCounts& other) noexcept;
-};
-
-/// Collects what the phases report; what is said twice of one place is kept once. After
-/// `kMaxPerSeverity` errors (or as many warnings) further ones are only counted: the reader of a
-/// message about the 51st mistake is better served by a second run.
+/// Collects what the phases report, in that order. A diagnostic that repeats an earlier one (code,
+/// place and message) is dropped. `lang/report` decides what is shown, and how.
+///
+/// The sink also carries the stop token of the work, because every phase has the sink.
 class DiagnosticSink {
  public:
-  static constexpr std::size_t kMaxPerSeverity = 50;
+  /// Errors that are kept, and as many warnings: a bound on memory. The rest is counted.
+  static constexpr std::size_t kMaxKept = 10'000;
 
-  /// Keeps more, for a reader that is a program.
-  void set_max_per_severity(std::size_t count) noexcept { max_per_severity_ = count; }
+  DiagnosticSink() = default;
+  explicit DiagnosticSink(std::stop_token stop) : stop_(std::move(stop)) {}
+
+  void set_max_kept(std::size_t count) noexcept { max_kept_ = count; }
 
   template <typename... Args>
   DiagnosticBuilder report(const DiagnosticKind<Args...>& kind, Location where,
@@ -141,58 +141,59 @@ class DiagnosticSink {
     return add(kind, where, fmt::format(fmt::runtime(kind.message), args...));
   }
 
-  /// The same with the message made.
+  /// The same with a finished message.
   DiagnosticBuilder report_as(const DiagnosticInfo& info, Location where, std::string message) {
     return add(info, where, std::move(message));
   }
 
-  /// What is reported from now on comes about by this chain; null: by none.
+  /// Adds a diagnostic of another sink.
+  void add(const Diagnostic& diagnostic);
+  /// Adds all that the other sink has, and counts what it did not keep.
+  void add(const DiagnosticSink& other);
+
+  /// The chain of the next diagnostics; null: none.
   void set_chain(const ChainSource* chain) noexcept { chain_ = chain; }
   std::vector<ChainLink> chain() const {
     return chain_ == nullptr ? std::vector<ChainLink>() : chain_->chain();
   }
 
-  /// While it is muted, whatever is reported is lost.
+  /// A muted sink drops everything.
   void set_muted(bool is_muted) noexcept { is_muted_ = is_muted; }
 
-  /// Which diagnostics are wanted. The others count as errors for the phases, but nobody is told of
-  /// them.
-  void set_filter(std::function<bool(const DiagnosticInfo&)> is_wanted) {
-    is_wanted_ = std::move(is_wanted);
-  }
-
-  /// Which warnings the text itself allows: nobody is told of those. Errors cannot be allowed.
-  void set_allowances(std::function<bool(const DiagnosticInfo&, Location)> is_allowed) {
-    is_allowed_ = std::move(is_allowed);
-  }
-
-  /// Empties the sink, whose content the user has seen; none of it will be reported again.
+  /// Empties the sink. What it has dropped or kept so far will not be reported again.
   void forget_shown();
 
-  bool has_errors() const noexcept { return error_count() > 0; }
-  /// Those not kept and those not wanted included.
-  std::size_t error_count() const noexcept { return counts_.errors + unwanted_errors_; }
-  /// Of those that are wanted.
-  const DiagnosticCounts& counts() const noexcept { return counts_; }
-  /// What was kept, in the order it was reported.
+  bool has_errors() const noexcept { return errors_ > 0; }
+  /// Errors reported, including those not kept.
+  std::size_t error_count() const noexcept { return errors_; }
+  /// Warnings reported, including those not kept.
+  std::size_t warning_count() const noexcept { return warnings_; }
   const std::deque<Diagnostic>& diagnostics() const noexcept { return diagnostics_; }
-  /// What was kept, by place: files in the order they were first mentioned, then offsets.
-  std::vector<const Diagnostic*> sorted() const;
+  /// How many diagnostics were counted and not kept, by kind.
+  const std::map<const DiagnosticInfo*, std::size_t>& not_kept() const noexcept {
+    return not_kept_;
+  }
+
+  const std::stop_token& stop_token() const noexcept { return stop_; }
+  /// Throws StopRequested if a stop was requested. Costs about a nanosecond; long loops call it at
+  /// least once a millisecond.
+  void stop_if_requested() const {
+    if (stop_.stop_requested()) throw StopRequested{};
+  }
 
  private:
   DiagnosticBuilder add(const DiagnosticInfo& info, Location where, std::string message);
   DiagnosticBuilder discard();
 
   std::deque<Diagnostic> diagnostics_;    // a deque: builders keep a pointer to the last one
-  Diagnostic discarded_;                  // what builders of omitted diagnostics write to
-  std::unordered_set<std::size_t> told_;  // by hashes: a message may be long, and they are many
+  Diagnostic discarded_;                  // written by builders of diagnostics that are not kept
+  std::unordered_set<std::size_t> seen_;  // hashes: messages may be long, and many
   const ChainSource* chain_ = nullptr;
-  std::function<bool(const DiagnosticInfo&)> is_wanted_;             // empty: all are
-  std::function<bool(const DiagnosticInfo&, Location)> is_allowed_;  // empty: none is
   bool is_muted_ = false;
-  std::size_t max_per_severity_ = kMaxPerSeverity;
-  DiagnosticCounts counts_;
-  std::size_t unwanted_errors_ = 0;
+  std::size_t max_kept_ = kMaxKept;
+  std::size_t errors_ = 0, warnings_ = 0;
+  std::map<const DiagnosticInfo*, std::size_t> not_kept_;
+  std::stop_token stop_;
 };
 
 }  // namespace sdlc::lang

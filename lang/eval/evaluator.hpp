@@ -134,7 +134,7 @@ class Evaluator final : public ChainSource {
   Computed check_type(const Module& module, std::string_view name, const TypeInfo* type,
                       NodeIndex declaration, Computed value, Location where);
   /// Errors and warnings that have been told so far.
-  std::size_t report_count() const { return sink_.error_count() + sink_.counts().warnings; }
+  std::size_t report_count() const { return sink_.error_count() + sink_.warning_count(); }
   /// Counts steps; false, once reported, when there are too many, or the values take too much
   /// memory. Then nothing more is evaluated.
   bool take_steps(const Code& code, NodeIndex node, std::uint64_t count);

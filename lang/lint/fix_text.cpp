@@ -175,11 +175,11 @@ class Round {
         check_(check),
         is_unsafe_(is_unsafe),
         budget_(budget),
-        errors_(base.sink().error_count()) {}
+        errors_(base.error_count()) {}
 
   void run() {
     const SourceFile& file = base_.file();
-    Selection selection = base_.sink().sorted();
+    Selection selection = base_.findings().shown;
     std::erase_if(selection, [&](const Diagnostic* diagnostic) {
       return diagnostic->fixes.empty() || is_safe(*diagnostic) == is_unsafe_;
     });
@@ -207,7 +207,7 @@ class Round {
     all.insert(all.end(), part.begin(), part.end());
     std::unique_ptr<CheckedText> checked = check_(fixed_text(base_.file(), all));
     if (is_good(part, *checked)) {
-      errors_ = checked->sink().error_count();
+      errors_ = checked->error_count();
       accepted_ = std::move(all);
       result_ = std::move(checked);
     } else if (part.size() == 1 || budget_.is_spent()) {
@@ -222,7 +222,7 @@ class Round {
   /// Whether each of the fixes did its work. Fixing one error may uncover a later one: accepted for
   /// a safe fix, not for a guess.
   bool is_good(std::span<const Diagnostic* const> part, const CheckedText& checked) const {
-    const std::size_t errors = checked.sink().error_count();
+    const std::size_t errors = checked.error_count();
     const auto fixed = static_cast<std::size_t>(std::ranges::count_if(part, is_error));
     if (errors + fixed <= errors_) return true;
     const bool is_last_try = part.size() == 1 || budget_.is_spent();
@@ -234,10 +234,10 @@ class Round {
   /// the line was not meant like that.
   bool breaks_line_of(const Diagnostic& fixed, const CheckedText& checked) const {
     const std::uint32_t line = base_.file().position(fixed.fixes.front().where.span.begin).line;
-    return std::ranges::any_of(checked.sink().diagnostics(), [&](const Diagnostic& found) {
-      return is_error(&found) && std::string_view(found.info->code).starts_with("E0") &&
-             (found.fixes.empty() || !is_safe(found)) && found.where.file == &checked.file() &&
-             checked.file().position(found.where.span.begin).line == line;
+    return std::ranges::any_of(checked.findings().shown, [&](const Diagnostic* found) {
+      return is_error(found) && found->info->code.starts_with("E0") &&
+             (found->fixes.empty() || !is_safe(*found)) && found->where.file == &checked.file() &&
+             checked.file().position(found->where.span.begin).line == line;
     });
   }
 
@@ -284,7 +284,7 @@ class Fixer {
   using Score = std::pair<std::size_t, std::size_t>;
 
   Score score() const {
-    return {now_.checked->sink().error_count(), now_.checked->sink().counts().warnings};
+    return {now_.checked->error_count(), now_.checked->findings().counts.warnings};
   }
   bool is_progress() const { return score() < best_score_; }
 

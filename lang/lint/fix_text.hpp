@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/report/findings.hpp"
 #include "lang/source/source.hpp"
 
 namespace sdlc::lang {
@@ -16,7 +17,10 @@ class CheckedText {
  public:
   virtual ~CheckedText() = default;
   virtual const SourceFile& file() const = 0;
-  virtual const DiagnosticSink& sink() const = 0;
+  /// All errors, including those that are not shown.
+  virtual std::size_t error_count() const = 0;
+  /// The findings whose fixes may be applied.
+  virtual const Findings& findings() const = 0;
 };
 
 /// Checks a text; called again for every text that fixes make.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "lang/allowances/allowances.hpp"
 #include "lang/lint/context.hpp"
 #include "lang/lint/rules.hpp"
 
@@ -52,7 +53,7 @@ class Linter {
     if (sink_.has_errors()) return;
     confirm_held();
     for (const Found& found : held_) report(found);
-    if (is_picture_) compiler_.allowances().diagnose_unused(file_, sink_);
+    if (is_picture_) diagnose_unused_allowances();
   }
 
  private:
@@ -83,6 +84,12 @@ class Linter {
     } else {
       keep(kept);
     }
+  }
+
+  void diagnose_unused_allowances() {
+    if (!sink_.not_kept().empty()) return;  // one of these may need the allowance
+    for (const Diagnostic& found : sink_.diagnostics()) allowances_.allow(*found.info, found.where);
+    allowances_.diagnose_unused(file_, sink_);
   }
 
   /// Those that may be chosen, where it matters which one is: the shutter that is open is its.
@@ -131,7 +138,7 @@ class Linter {
     constexpr std::uint64_t kMostSteps = 200'000'000;  // of all views together: two seconds
     ProgramOptions options = compiler_.options();
     options.limits.steps = std::min(options.limits.steps, kMostSteps / views->size());
-    DiagnosticSink ignored;
+    DiagnosticSink ignored(sink_.stop_token());
     Compiler compiler(file_, options, ignored);
     const bool is_film = compiler.animation().has_value();
     for (const View& view : *views) {
@@ -146,7 +153,7 @@ class Linter {
   /// Forgets what cannot be confirmed. That is no proof that a comment allows it without need.
   void drop_held() {
     for (const Found& found : held_) {
-      compiler_.allowances().allow(*found.finding.info, found.finding.place.where);
+      allowances_.allow(*found.finding.info, found.finding.place.where);
     }
     held_.clear();
   }
@@ -227,6 +234,7 @@ class Linter {
   Compiler& compiler_;
   const SourceFile& file_;
   DiagnosticSink& sink_;
+  Allowances allowances_;
   std::vector<Found> held_;  // in each view looked at
   std::set<decltype(place_of(std::declval<Finding>()))> told_;
   std::vector<std::string> cameras_;  // where it matters which one is chosen

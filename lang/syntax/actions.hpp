@@ -646,7 +646,8 @@ struct Build<grammar::statement> : pegtl::maybe_nothing {
   /// The next statement from `from` on, and at least one byte behind `begin`.
   static std::uint32_t find_next(TreeBuilder& builder, std::uint32_t begin, std::uint32_t from,
                                  RecoveryOptions options) {
-    options.is_patient = builder.sink().counts().omitted == 0;
+    constexpr std::size_t kMaxPatientErrors = 50;
+    options.is_patient = builder.sink().error_count() <= kMaxPatientErrors;
     // Looking back along a line at every mistake takes long, which is worth it for those that are
     // shown.
     if (options.is_patient) options.indent = indent_of_line(builder.text(), begin);

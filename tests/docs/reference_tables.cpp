@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/report/findings.hpp"
 #include "lang/object/object.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/source/limits.hpp"
@@ -156,9 +156,9 @@ std::string fixed_limit_table() {
       "| {:.0f} | pixels, samples, rays and the like: whole numbers in properties, but for `seed` "
       "|\n"
       "| {} | pixels of a picture |\n"
-      "| {} | errors that are told of one run, and as many warnings; more are counted |\n",
+      "| {} | errors that are shown of one run, and as many warnings; more are counted |\n",
       lang::kMaxNesting, lang::kMaxCalls, lang::kMaxEvaluationDepth, lang::kMaxWholeNumber,
-      render::kMaxPicturePixels, lang::DiagnosticSink::kMaxPerSeverity);
+      render::kMaxPicturePixels, lang::FindingsFilter::kMaxShown);
 }
 
 std::string color_list() {

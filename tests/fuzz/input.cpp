@@ -8,9 +8,9 @@
 
 #include "lang/compile/compile.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/diagnostics/render.hpp"
 #include "lang/format/format.hpp"
 #include "lang/program/program.hpp"
+#include "lang/report/report.hpp"
 
 namespace sdlc::test {
 namespace {

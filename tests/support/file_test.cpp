@@ -12,8 +12,9 @@
 
 #include <fmt/format.h>
 
+#include "lang/allowances/allowances.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/diagnostics/render.hpp"
+#include "lang/report/report.hpp"
 #include "lang/text/display_width.hpp"
 #include "lang/text/utf8.hpp"
 #include "tests/support/folder_lock.hpp"
@@ -331,7 +332,7 @@ std::vector<Remark> remarks_of(const lang::DiagnosticSink& sink, const FileCase&
                                std::string_view file_name) {
   const Remarker remarker(file_case, file_name);
   std::vector<Remark> remarks;
-  for (const lang::Diagnostic* diagnostic : sink.sorted()) {
+  for (const lang::Diagnostic* diagnostic : select_unallowed(sink).shown) {
     remarks.push_back(remarker.at(diagnostic->where, diagnostic->info->code, diagnostic->message));
     const Remark own = remarks.back();
     for (const lang::Label& label : diagnostic->labels) {

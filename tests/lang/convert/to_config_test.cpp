@@ -11,6 +11,7 @@
 
 #include "lang/compile/compile.hpp"
 #include "lang/convert/convert.hpp"
+#include "lang/report/findings.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/value/colors.hpp"
 #include "render/scene/digest.hpp"
@@ -42,7 +43,7 @@ Converted convert(const std::string& scene, const ConvertOptions& options = {},
   DiagnosticSink sink;
   Conversion conversion(file, {.files = &others, .limits = {}, .sets = {}}, sink);
   Converted converted{.text = conversion.run(options), .told = {}};
-  for (const Diagnostic* diagnostic : sink.sorted()) {
+  for (const Diagnostic* diagnostic : select_findings(sink).shown) {
     converted.told.push_back(std::string(diagnostic->info->code) + " " + diagnostic->message);
   }
   if (!converted.text) return converted;

@@ -1,6 +1,7 @@
 #include "lang/diagnostics/diagnostics.hpp"
 
 #include <set>
+#include <stop_token>
 
 #include <gtest/gtest.h>
 
@@ -17,28 +18,37 @@ TEST(Diagnostics, CodesAndNamesAreUsedOnce) {
   }
 }
 
-TEST(DiagnosticSink, KeepsTheFirstFiftyAndCountsTheRest) {
+TEST(DiagnosticSink, CountsWhatItDoesNotKeep) {
   const SourceFile file("a", "text");
   DiagnosticSink sink;
+  sink.set_max_kept(50);
   for (std::uint32_t i = 0; i < 60; ++i) {
-    sink.report(diag::bad_utf8, {&file, {i, i + 1}}).help("say it");
+    EXPECT_EQ(sink.report(diag::bad_utf8, {&file, {i, i + 1}}).is_kept(), i < 50);
   }
   sink.report(diag::zero_radius, {&file, {0, 1}});
-  EXPECT_EQ(sink.counts(), (DiagnosticCounts{.errors = 60, .warnings = 1, .omitted = 10}));
+  EXPECT_EQ(sink.error_count(), 60u);
+  EXPECT_EQ(sink.warning_count(), 1u);
+  EXPECT_EQ(sink.not_kept().at(&diag::bad_utf8), 10u);
   EXPECT_EQ(sink.diagnostics().size(), 51u);
 }
 
-TEST(DiagnosticSink, KeepsWhatIsWantedAndKnowsOfOtherErrors) {
+TEST(DiagnosticSink, AddsDiagnosticsOfAnotherSink) {
   const SourceFile file("a", "text");
-  DiagnosticSink sink;
-  sink.set_filter([](const DiagnosticInfo& info) { return info.code == "E101"; });
-  sink.report(diag::bad_utf8, {&file, {0, 1}}).help("lost");
-  EXPECT_TRUE(sink.has_errors());
-  EXPECT_EQ(sink.counts(), DiagnosticCounts{});
-  sink.report(diag::unknown_name, {&file, {1, 2}}, "a");
-  sink.report(diag::zero_radius, {&file, {1, 2}});
-  EXPECT_EQ(sink.counts(), (DiagnosticCounts{.errors = 1, .warnings = 0, .omitted = 0}));
-  EXPECT_EQ(sink.diagnostics().size(), 1u);
+  DiagnosticSink from, to;
+  from.report(diag::zero_radius, {&file, {0, 1}}).help("look").label({&file, {1, 2}}, "here");
+  for (int i = 0; i < 2; ++i) to.add(from.diagnostics().front());
+  ASSERT_EQ(to.diagnostics().size(), 1u);
+  EXPECT_EQ(to.diagnostics().front().help, from.diagnostics().front().help);
+  EXPECT_EQ(to.diagnostics().front().labels.size(), 1u);
+}
+
+TEST(DiagnosticSink, StopsOnRequest) {
+  std::stop_source source;
+  const DiagnosticSink sink(source.get_token());
+  sink.stop_if_requested();
+  source.request_stop();
+  EXPECT_THROW(sink.stop_if_requested(), StopRequested);
+  DiagnosticSink().stop_if_requested();
 }
 
 TEST(DiagnosticSink, TellsTheSameOfOnePlaceOnce) {
@@ -55,19 +65,6 @@ TEST(DiagnosticSink, TellsTheSameOfOnePlaceOnce) {
   EXPECT_FALSE(sink.has_errors());
   sink.report(diag::unknown_name, {&file, {0, 1}}, "a");
   EXPECT_TRUE(sink.diagnostics().empty());
-}
-
-TEST(DiagnosticSink, SortsByFileAndThenByPlace) {
-  const SourceFile a("a", "text"), b("b", "text");
-  DiagnosticSink sink;
-  sink.report(diag::bad_utf8, {&b, {3, 4}});
-  sink.report(diag::bad_utf8, {&a, {2, 3}});
-  sink.report(diag::bad_utf8, {&b, {0, 1}});
-  const auto sorted = sink.sorted();
-  EXPECT_EQ(sorted[0]->where.file, &b);
-  EXPECT_EQ(sorted[0]->where.span.begin, 0u);
-  EXPECT_EQ(sorted[1]->where.span.begin, 3u);
-  EXPECT_EQ(sorted[2]->where.file, &a);
 }
 
 }  // namespace

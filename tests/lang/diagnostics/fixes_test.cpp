@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lang/report/findings.hpp"
+
 namespace sdlc::lang {
 namespace {
 
@@ -15,7 +17,7 @@ class ApplyFixes : public testing::Test {
   }
   Location at(std::uint32_t begin, std::uint32_t end) const { return {&file_, {begin, end}}; }
   FixedText apply(bool applies_unsafe = false) {
-    return apply_fixes(file_, sink_.sorted(), applies_unsafe);
+    return apply_fixes(file_, select_findings(sink_).shown, applies_unsafe);
   }
 
   SourceFile file_{"a.scene", "one two three"};

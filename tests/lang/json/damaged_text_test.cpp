@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "lang/diagnostics/render.hpp"
 #include "lang/json/json.hpp"
+#include "lang/report/report.hpp"
 
 // Whatever a text is damaged by, it is read to an answer.
 namespace sdlc::lang {

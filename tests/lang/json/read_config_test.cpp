@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/diagnostics/render.hpp"
 #include "lang/json/json.hpp"
+#include "lang/report/report.hpp"
 
 namespace sdlc::lang {
 namespace {

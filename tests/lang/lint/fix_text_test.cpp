@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/lint/lint.hpp"
 
@@ -21,13 +22,16 @@ class Checked final : public CheckedText {
   Checked(std::string name, std::string text)
       : file_(std::move(name), std::move(text)), compiler_(file_, {}, sink_) {
     lint(compiler_, file_, sink_);
+    findings_ = select_unallowed(sink_);
   }
   const SourceFile& file() const override { return file_; }
-  const DiagnosticSink& sink() const override { return sink_; }
+  std::size_t error_count() const override { return sink_.error_count(); }
+  const Findings& findings() const override { return findings_; }
 
  private:
   SourceFile file_;
   DiagnosticSink sink_;
+  Findings findings_;
   Compiler compiler_;
 };
 
@@ -291,13 +295,16 @@ class Marked final : public CheckedText {
         default: break;
       }
     }
+    findings_ = select_findings(sink_);
   }
   const SourceFile& file() const override { return file_; }
-  const DiagnosticSink& sink() const override { return sink_; }
+  std::size_t error_count() const override { return sink_.error_count(); }
+  const Findings& findings() const override { return findings_; }
 
  private:
   SourceFile file_;
   DiagnosticSink sink_;
+  Findings findings_;
 };
 
 FixResult fix_marks(std::string text, bool applies_unsafe = false) {

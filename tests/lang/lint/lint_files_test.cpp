@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/diagnostics/fixes.hpp"
 #include "lang/lint/lint.hpp"
@@ -48,12 +49,13 @@ std::size_t count_mendable(const FileCase& file_case, const std::string& text, s
   lang::DiagnosticSink sink;
   const auto compiler = lint_case(file_case, file, files, sink);
   std::size_t count = 0;
-  for (const lang::Diagnostic& diagnostic : sink.diagnostics()) {
-    EXPECT_NE(diagnostic.info->severity, lang::Severity::Error) << diagnostic.message;
-    check_fixes(diagnostic);
-    if (!diagnostic.fixes.empty()) ++count;
+  const lang::Findings findings = select_unallowed(sink);
+  for (const lang::Diagnostic* diagnostic : findings.shown) {
+    EXPECT_NE(diagnostic->info->severity, lang::Severity::Error) << diagnostic->message;
+    check_fixes(*diagnostic);
+    if (!diagnostic->fixes.empty()) ++count;
   }
-  if (fixed != nullptr) *fixed = lang::apply_fixes(file, sink.sorted(), true).text;
+  if (fixed != nullptr) *fixed = lang::apply_fixes(file, findings.shown, true).text;
   return count;
 }
 

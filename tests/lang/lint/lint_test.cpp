@@ -6,9 +6,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/diagnostics/render.hpp"
+#include "lang/report/report.hpp"
 #include "lang/source/source.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -23,7 +24,7 @@ DiagnosticCounts lint_counts(const std::string& text) {
   DiagnosticSink sink;
   Compiler compiler(file, {}, sink);
   lint(compiler, file, sink);
-  return sink.counts();
+  return select_unallowed(sink).counts;
 }
 
 constexpr const char* kHead =

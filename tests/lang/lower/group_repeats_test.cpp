@@ -15,6 +15,7 @@
 
 #include "lang/eval/eval.hpp"
 #include "lang/lower/scene_builder.hpp"
+#include "lang/report/findings.hpp"
 #include "render/scene/instances.hpp"
 #include "tests/support/compilation/compilation.hpp"
 
@@ -81,7 +82,7 @@ Built build(const std::string& text, bool tells_repetitions, Instancing instanci
               .added = objects.added,
               .codes = {},
               .has_duplicates = !builder.dropped().empty()};
-  for (const lang::Diagnostic* diagnostic : sink.sorted()) {
+  for (const lang::Diagnostic* diagnostic : select_findings(sink).shown) {
     built.codes.emplace_back(diagnostic->info->code);
   }
   return built;

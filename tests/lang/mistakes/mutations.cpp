@@ -11,6 +11,7 @@
 #include "lang/compile/compile.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/program/program.hpp"
+#include "lang/report/findings.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/syntax/scan.hpp"
 
@@ -227,7 +228,7 @@ std::vector<MutantError> errors_of(const Mutant& mutant, const SoundTexts& texts
   };
 
   std::vector<MutantError> errors;
-  for (const lang::Diagnostic* diagnostic : sink.sorted()) {
+  for (const lang::Diagnostic* diagnostic : select_findings(sink).shown) {
     if (diagnostic->info->severity != lang::Severity::Error) continue;
     MutantError error{.code = std::string(diagnostic->info->code),
                       .message = diagnostic->message,

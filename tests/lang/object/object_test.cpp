@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lang/diagnostics/render.hpp"
+#include "lang/report/report.hpp"
 
 namespace sdlc::lang {
 namespace {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/report/findings.hpp"
 #include "lang/source/source.hpp"
 #include "lang/text/mended_text.hpp"
 
@@ -23,7 +24,7 @@ Mended mended(const std::string& text) {
   DiagnosticSink sink;
   const auto result = mend(file, file.text(), {}, sink);
   Mended mended{result ? result->text() : text, {}};
-  for (const Diagnostic* diagnostic : sink.sorted()) {
+  for (const Diagnostic* diagnostic : select_findings(sink).shown) {
     mended.codes.emplace_back(diagnostic->info->code);
   }
   return mended;

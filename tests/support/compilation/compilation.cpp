@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lang/allowances/allowances.hpp"
 #include "lang/diagnostics/fixes.hpp"
 #include "lang/eval/eval.hpp"
 
@@ -40,7 +41,7 @@ std::string text_at(const lang::Location& where) {
 
 std::vector<Told> told_by(const lang::DiagnosticSink& sink) {
   std::vector<Told> all;
-  for (const lang::Diagnostic* diagnostic : sink.sorted()) {
+  for (const lang::Diagnostic* diagnostic : select_unallowed(sink).shown) {
     Told told{.code = std::string(diagnostic->info->code),
               .message = diagnostic->message,
               .at = text_at(diagnostic->where),
@@ -129,7 +130,7 @@ std::string with_fixes(const std::string& root) {
   lang::Program program(file, {}, sink);
   RecordedObjects objects;
   lang::Evaluation(program, {}, sink).run(objects);
-  return lang::apply_fixes(file, sink.sorted(), true).text;
+  return lang::apply_fixes(file, select_unallowed(sink).shown, true).text;
 }
 
 }  // namespace sdlc::test

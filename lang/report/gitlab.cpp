@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "lang/diagnostics/formats.hpp"
-#include "lang/diagnostics/report_place.hpp"
+#include "lang/report/report_place.hpp"
+#include "lang/report/writers.hpp"
 
 namespace sdlc::lang {
 namespace {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "lang/diagnostics/render.hpp"
-#include "lang/diagnostics/rule_text.hpp"
+#include "lang/report/report.hpp"
+#include "lang/report/rule_text.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -174,7 +174,7 @@ TEST(SarifReport, PlacesWhatHasNoTextInTheFileThatIsLookedAt) {
   sink.report(diag::zero_radius, {});
   writer->enter("a.scene");
   writer->write(sink.diagnostics().front());
-  writer->finish(sink.counts());
+  writer->finish(select_findings(sink).counts);
   EXPECT_EQ(Json::parse(out.str())["runs"][0]["results"][0]["locations"][0]["physicalLocation"]
                                   ["artifactLocation"]["uri"],
             "a.scene");

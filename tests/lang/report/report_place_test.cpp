@@ -1,4 +1,4 @@
-#include "lang/diagnostics/report_place.hpp"
+#include "lang/report/report_place.hpp"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "lang/diagnostics/excerpt.hpp"
+#include "lang/report/excerpt.hpp"
 
 #include <algorithm>
 #include <map>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "lang/diagnostics/shown_line.hpp"
+#include "lang/report/shown_line.hpp"
 #include "lang/text/display_width.hpp"
 
 namespace sdlc::lang {

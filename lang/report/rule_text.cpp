@@ -1,4 +1,4 @@
-#include "lang/diagnostics/rule_text.hpp"
+#include "lang/report/rule_text.hpp"
 
 #include <optional>
 

@@ -1,4 +1,4 @@
-#include "lang/diagnostics/render.hpp"
+#include "lang/report/report.hpp"
 
 #include <sstream>
 

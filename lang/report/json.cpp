@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "lang/diagnostics/formats.hpp"
+#include "lang/report/writers.hpp"
 
 namespace sdlc::lang {
 namespace {

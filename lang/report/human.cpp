@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "lang/diagnostics/excerpt.hpp"
-#include "lang/diagnostics/formats.hpp"
-#include "lang/diagnostics/render.hpp"
+#include "lang/report/excerpt.hpp"
+#include "lang/report/report.hpp"
+#include "lang/report/writers.hpp"
 #include "lang/text/display_width.hpp"
 #include "lang/text/utf8.hpp"
 

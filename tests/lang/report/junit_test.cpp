@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lang/diagnostics/render.hpp"
+#include "lang/report/report.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -24,7 +24,7 @@ TEST(Junit, IsASuiteAFileAndAFailedCaseAFinding) {
   writer->enter("clean.scene");
   writer->enter("a.scene");
   writer->write(sink.diagnostics().front());
-  writer->finish(sink.counts());
+  writer->finish(select_findings(sink).counts);
   EXPECT_EQ(out.str(), R"(<?xml version="1.0" encoding="UTF-8"?>
 <testsuites name="sdlc" tests="2" failures="1" errors="0">
   <testsuite name="clean.scene" tests="1" failures="0" errors="0">

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "lang/diagnostics/render.hpp"
+#include "lang/report/report.hpp"
 
 namespace sdlc::lang {
 namespace {

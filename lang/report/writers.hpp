@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/diagnostics/render.hpp"
+#include "lang/report/report.hpp"
 
 /// The writers behind make_diagnostic_writer.
 namespace sdlc::lang {

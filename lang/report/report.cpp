@@ -1,10 +1,10 @@
-#include "lang/diagnostics/render.hpp"
+#include "lang/report/report.hpp"
 
 #include <sstream>
 
 #include <fmt/format.h>
 
-#include "lang/diagnostics/formats.hpp"
+#include "lang/report/writers.hpp"
 #include "lang/text/display_width.hpp"
 
 namespace sdlc::lang {
@@ -42,7 +42,7 @@ std::string message_with_suggestion(const Diagnostic& diagnostic) {
 
 std::string omitted_text(std::size_t omitted) {
   return fmt::format("{} more finding{} not listed: of each file the first {} errors and warnings",
-                     omitted, omitted == 1 ? " is" : "s are", DiagnosticSink::kMaxPerSeverity);
+                     omitted, omitted == 1 ? " is" : "s are", FindingsFilter::kMaxShown);
 }
 
 std::string describe_place(const Location& where) {
@@ -64,13 +64,17 @@ std::unique_ptr<DiagnosticWriter> make_diagnostic_writer(const RenderDiagnostics
   return std::make_unique<ConciseWriter>(out);
 }
 
-std::string render_diagnostics(const DiagnosticSink& sink,
-                               const RenderDiagnosticsOptions& options) {
+std::string render_findings(const Findings& findings, const RenderDiagnosticsOptions& options) {
   std::ostringstream text;
   const auto writer = make_diagnostic_writer(options, text);
-  for (const Diagnostic* diagnostic : sink.sorted()) writer->write(*diagnostic);
-  writer->finish(sink.counts());
+  for (const Diagnostic* diagnostic : findings.shown) writer->write(*diagnostic);
+  writer->finish(findings.counts);
   return std::move(text).str();
+}
+
+std::string render_diagnostics(const DiagnosticSink& sink,
+                               const RenderDiagnosticsOptions& options) {
+  return render_findings(select_findings(sink), options);
 }
 
 }  // namespace sdlc::lang

@@ -1,4 +1,4 @@
-#include "lang/diagnostics/shown_line.hpp"
+#include "lang/report/shown_line.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "lang/diagnostics/formats.hpp"
-#include "lang/diagnostics/report_place.hpp"
-#include "lang/diagnostics/rule_text.hpp"
+#include "lang/report/report_place.hpp"
+#include "lang/report/rule_text.hpp"
+#include "lang/report/writers.hpp"
 
 // SARIF 2.1.0: https://docs.oasis-open.org/sarif/sarif/v2.1.0/sarif-v2.1.0.html; what GitHub's code
 // scanning reads of it: "SARIF support for code scanning" in its documentation.

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/report/findings.hpp"
 
 namespace sdlc::lang {
 
@@ -61,7 +62,10 @@ class DiagnosticWriter {
 std::unique_ptr<DiagnosticWriter> make_diagnostic_writer(const RenderDiagnosticsOptions& options,
                                                          std::ostream& out);
 
-/// All of the sink's diagnostics, by place.
+/// The findings as text.
+std::string render_findings(const Findings& findings, const RenderDiagnosticsOptions& options);
+
+/// The findings of the sink without a filter, as text.
 std::string render_diagnostics(const DiagnosticSink& sink, const RenderDiagnosticsOptions& options);
 
 }  // namespace sdlc::lang

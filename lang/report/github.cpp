@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "lang/diagnostics/formats.hpp"
-#include "lang/diagnostics/report_place.hpp"
+#include "lang/report/report_place.hpp"
+#include "lang/report/writers.hpp"
 #include "lang/text/display_width.hpp"
 
 namespace sdlc::lang {

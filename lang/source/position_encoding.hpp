@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "lang/source/source.hpp"
+
+namespace sdlc::lang {
+
+/// The unit in which the columns of a position are counted.
+enum class PositionEncoding : std::uint8_t {
+  Utf8,   ///< bytes
+  Utf16,  ///< UTF-16 code units: the default of the Language Server Protocol
+  Utf32,  ///< code points: what SourceFile::position() counts
+};
+
+/// The position of a byte offset; line and column count from 1. An offset inside a code point has
+/// the column of that code point (Utf16, Utf32). Offsets past the end are at the end.
+Position position_of(const SourceFile& file, std::uint32_t offset, PositionEncoding encoding);
+
+/// The byte offset of a position. A line past the last one is at the end of the text, a column past
+/// the end of its line before the line end, and a column inside a code point at its beginning.
+std::uint32_t offset_of(const SourceFile& file, Position position, PositionEncoding encoding);
+
+}  // namespace sdlc::lang

@@ -1,0 +1,89 @@
+#include "lang/workspace/workspace.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace sdlc::lang {
+
+namespace fs = std::filesystem;
+
+void Workspace::open(const fs::path& path, std::string text, int version) {
+  open_[identity(path)] = {.text = std::move(text), .version = version};
+}
+
+void Workspace::close(const fs::path& path) { open_.erase(identity(path)); }
+
+bool Workspace::is_open(const fs::path& path) const { return find_open(path) != nullptr; }
+
+const Workspace::OpenText* Workspace::find_open(const fs::path& path) const {
+  if (open_.empty()) return nullptr;
+  const auto found = open_.find(identity(path));
+  return found == open_.end() ? nullptr : &found->second;
+}
+
+std::shared_ptr<const Document> Workspace::load(const fs::path& path, std::uint64_t max_bytes,
+                                                std::error_code& error) {
+  std::optional<std::string> text = read(path, max_bytes, error);
+  if (!text) return nullptr;
+  const OpenText* open = find_open(path);
+  const int version = open == nullptr ? 0 : open->version;
+  std::weak_ptr<const Document>& entry = in_use_[path.string()];
+  auto document = entry.lock();
+  const bool is_same =
+      document != nullptr && document->version() == version && document->text() == *text;
+  if (is_same) return document;
+  document = std::make_shared<const Document>(path.string(), std::move(*text), version);
+  entry = document;
+  return document;
+}
+
+void Workspace::set_dependencies(const fs::path& file, const std::vector<fs::path>& dependencies) {
+  const fs::path from = identity(file);
+  for (const fs::path& to : std::exchange(dependencies_[from], {})) dependents_[to].erase(from);
+  for (const fs::path& dependency : dependencies) {
+    fs::path to = identity(dependency);
+    dependents_[to].insert(from);
+    dependencies_[from].push_back(std::move(to));
+  }
+}
+
+std::vector<fs::path> Workspace::dependents(const fs::path& path) const {
+  std::set<fs::path> seen{identity(path)};
+  std::vector<fs::path> pending(seen.begin(), seen.end()), all;
+  while (!pending.empty()) {
+    const fs::path file = std::move(pending.back());
+    pending.pop_back();
+    const auto found = dependents_.find(file);
+    if (found == dependents_.end()) continue;
+    for (const fs::path& dependent : found->second) {
+      if (!seen.insert(dependent).second) continue;
+      all.push_back(dependent);
+      pending.push_back(dependent);
+    }
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+std::vector<fs::path> Workspace::roots(const fs::path& path) const {
+  std::vector<fs::path> files = dependents(path);
+  std::erase_if(files, [&](const fs::path& file) {
+    const auto found = dependents_.find(file);
+    return found != dependents_.end() && !found->second.empty();
+  });
+  return files;
+}
+
+std::optional<std::string> Workspace::read(const fs::path& path, std::uint64_t most,
+                                           std::error_code& error) const {
+  const OpenText* open = find_open(path);
+  if (open == nullptr) return disk_.read(path, most, error);
+  error.clear();
+  return open->text.size() > most ? open->text.substr(0, most + 1) : open->text;
+}
+
+bool Workspace::is_special(const fs::path& path) const {
+  return !is_open(path) && disk_.is_special(path);
+}
+
+}  // namespace sdlc::lang
