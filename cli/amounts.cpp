@@ -138,10 +138,10 @@ double parse_duration(const std::string& flag, const std::string& text) {
                       read_duration, mend_duration);
 }
 
-double parse_number(const std::string& flag, const std::string& text, double least) {
+double parse_number(const std::string& flag, const std::string& text, double min) {
   const auto number = read_finite(text);
-  if (number && *number >= least) return *number;
-  refuse_number(flag, text, fmt::format("a number from {} on, such as `{}`", least, least + 0.5));
+  if (number && *number >= min) return *number;
+  refuse_number(flag, text, fmt::format("a number from {} on, such as `{}`", min, min + 0.5));
 }
 
 double parse_signed_number(const std::string& flag, const std::string& text) {

@@ -16,9 +16,9 @@ double parse_ratio(const std::string& flag, const std::string& text);
 /// finite. Throws CLI::ValidationError, which names the flag.
 double parse_duration(const std::string& flag, const std::string& text);
 
-/// The number that the text is: finite and not below `least`. Throws CLI::ValidationError, which
+/// The number that the text is: finite and not below `min`. Throws CLI::ValidationError, which
 /// names the flag.
-double parse_number(const std::string& flag, const std::string& text, double least);
+double parse_number(const std::string& flag, const std::string& text, double min);
 
 /// The same of any finite number.
 double parse_signed_number(const std::string& flag, const std::string& text);

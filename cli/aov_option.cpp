@@ -58,20 +58,20 @@ void check_aovs(const Aovs& aovs, const std::vector<Output>& outputs, const rend
         "--aov: only .exr files have room for further channels, and no output is one; add one, "
         "such as -o picture.exr");
   }
-  const auto least = static_cast<int>(render::kLeastReplicatedSamples);
-  if (aovs.variance && settings.samples < least) {
+  const auto min_samples = static_cast<int>(render::kMinReplicatedSamples);
+  if (aovs.variance && settings.samples < min_samples) {
     throw UsageError(fmt::format(
         "--aov: `variance` takes at least {0} samples a pixel, and this render has {1}; raise "
         "them, such as --samples {0}, or leave `variance` out",
-        least, settings.samples));
+        min_samples, settings.samples));
   }
   if (!aovs.has_first_hits() || scene.instances.empty()) return;
-  if (const std::uint64_t spheres = count_spheres(scene); spheres > render::kMostUninstanced) {
+  if (const std::uint64_t spheres = count_spheres(scene); spheres > render::kMaxExpandedSpheres) {
     throw UsageError(
         fmt::format("--aov: `normal`, `depth` and `albedo` hold each sphere of an instance by "
                     "itself, which is done up to {} spheres, and this scene has {}; `variance` and "
                     "`samples` can be had of it",
-                    format_whole(render::kMostUninstanced), format_whole(spheres)));
+                    format_whole(render::kMaxExpandedSpheres), format_whole(spheres)));
   }
 }
 
@@ -111,7 +111,7 @@ void add_picture_layers(const Aovs& aovs, const render::RenderSettings& settings
   const std::string reason =
       result.is_complete
           ? fmt::format("it takes at least {} samples a pixel, and there was time for {}",
-                        render::kLeastReplicatedSamples, result.least_samples)
+                        render::kMinReplicatedSamples, result.least_samples)
           : "the render was interrupted";
   err << fmt::format("warning: --aov: without {}, as {}\n", fmt::join(missing, ", "), reason);
 }

@@ -48,7 +48,7 @@ struct GateKind {
   const char* quantity;
   const char* help;
   double (*parse)(const std::string& flag, const std::string& text);
-  bool is_least;
+  bool is_minimum;
   double (*value)(const CompareReport&);
 };
 
@@ -177,7 +177,7 @@ class CompareJob {
                               .quantity = kGates[i].quantity,
                               .limit = *options_.limits[i],
                               .value = kGates[i].value(report),
-                              .is_least = kGates[i].is_least});
+                              .is_minimum = kGates[i].is_minimum});
     }
   }
 
@@ -219,7 +219,7 @@ class CompareJob {
       if (gate.passes()) continue;
       is_any = true;
       env_.err << fmt::format("error: {} is {:.6g}, {} than the {:.6g} of --{}\n", gate.quantity,
-                              gate.value, gate.is_least ? "less" : "more", gate.limit, gate.name);
+                              gate.value, gate.is_minimum ? "less" : "more", gate.limit, gate.name);
     }
     return is_any;
   }

@@ -19,9 +19,9 @@ struct Gate {
   std::string quantity;  ///< in words: "the RMSE"
   double limit = 0;
   double value = 0;
-  bool is_least = false;  ///< the limit is the least value, not the largest
+  bool is_minimum = false;  ///< the limit is the least value, not the largest
 
-  bool passes() const noexcept { return is_least ? value >= limit : value <= limit; }
+  bool passes() const noexcept { return is_minimum ? value >= limit : value <= limit; }
 };
 
 /// The picture of -o.

@@ -59,9 +59,9 @@ Json number(lang::Range range) {
 Json whole_number(lang::Range range) {
   Json schema{{"type", "integer"}};
   add_range(schema, range);
-  constexpr auto kMost = static_cast<std::int64_t>(lang::kMaxWholeNumber);
-  if (!schema.contains("minimum")) schema["minimum"] = -kMost;
-  if (!schema.contains("maximum")) schema["maximum"] = kMost;
+  constexpr auto kMax = static_cast<std::int64_t>(lang::kMaxWholeNumber);
+  if (!schema.contains("minimum")) schema["minimum"] = -kMax;
+  if (!schema.contains("maximum")) schema["maximum"] = kMax;
   return schema;
 }
 

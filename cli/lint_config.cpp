@@ -256,7 +256,7 @@ const LintConfig& LintConfigs::in_folder(const fs::path& folder, const fs::path&
 }
 
 std::optional<LintConfig> LintConfigs::read(const fs::path& path) {
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 20;
+  constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 20;
   if (searches_ && is_sandboxed_ && !lang::Sandbox(env_.files, path).resolve(path)) {
     throw render::IoError("read", shown_name(path),
                           "it leads out of its folder, which --sandbox refuses");
@@ -266,10 +266,10 @@ std::optional<LintConfig> LintConfigs::read(const fs::path& path) {
     throw render::IoError("read", shown_name(path), "it is no regular file");
   }
   std::error_code error;
-  const std::optional<std::string> text = env_.files.read(path, kMost, error);
-  if (text && text->size() > kMost) {
+  const std::optional<std::string> text = env_.files.read(path, kMaxBytes, error);
+  if (text && text->size() > kMaxBytes) {
     throw render::IoError("read", shown_name(path),
-                          fmt::format("it has more than {} bytes", kMost));
+                          fmt::format("it has more than {} bytes", kMaxBytes));
   }
   if (!text) {
     if (error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory) {

@@ -74,7 +74,7 @@ void check_memory(const render::RenderSettings& settings, const render::Aovs& ao
   // the sums of all samples too.
   std::size_t pixel_bytes =
       sizeof(render::LinearRgb) + 2 * 3 * sizeof(float) + sizeof(render::PixelSpread);
-  if (settings.has_goal()) pixel_bytes += render::Film::kBytesAPixel;
+  if (settings.has_goal()) pixel_bytes += render::Film::kBytesPerPixel;
   const std::size_t bytes = pixels * pixel_bytes + aov_bytes(aovs, pixels);
   if (bytes > physical_memory_bytes()) throw std::bad_alloc();
 }

@@ -132,8 +132,9 @@ std::optional<SphereFigures> measure_spheres(const render::Scene& scene) {
     const Vec3 reach{radius, radius, radius};
     figures.low = lower_corner(figures.low, center - reach);
     figures.high = upper_corner(figures.high, center + reach);
-    const Vec3 way = center - scene.camera.from;
-    figures.extent = std::max(figures.extent, std::hypot(way.x, way.y, way.z) + radius);
+    const Vec3 to_center = center - scene.camera.from;
+    figures.extent =
+        std::max(figures.extent, std::hypot(to_center.x, to_center.y, to_center.z) + radius);
   };
   for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
     const auto& [center, radius, material] = scene.spheres[i];

@@ -99,9 +99,9 @@ std::string stdin_name(const ReadingOptions& options) {
 }
 
 std::string read_text(const std::string& path, const std::string& name, const Environment& env,
-                      std::uint64_t most) {
+                      std::uint64_t max_bytes) {
   std::error_code error;
-  std::optional<std::string> text = env.files.read(path, most, error);
+  std::optional<std::string> text = env.files.read(path, max_bytes, error);
   if (!text) throw render::IoError("read", name, error.message());
   return std::move(*text);
 }

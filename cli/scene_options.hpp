@@ -28,10 +28,10 @@ void add_reading_options(CLI::App& command, ReadingOptions& options);
 /// What a scene from standard input is called in messages.
 std::string stdin_name(const ReadingOptions& options);
 
-/// The text of `path`, which messages call `name`; of one of more than `most` bytes the first
-/// `most` + 1. Throws render::IoError.
+/// The text of `path`, which messages call `name`; of one of more than `max_bytes` bytes the first
+/// `max_bytes` + 1. Throws render::IoError.
 std::string read_text(const std::string& path, const std::string& name, const Environment& env,
-                      std::uint64_t most = lang::Limits().any_file());
+                      std::uint64_t max_bytes = lang::Limits().any_file());
 
 lang::ProgramOptions program_options(const ReadingOptions& options, const Environment& env);
 

@@ -221,10 +221,10 @@ void Details::fill(Report& report) const {
         {fmt::format("{} samples, error {}", point.samples, percent(point.error.value)), key});
   }
   // Four of them at most, from the first to the last.
-  constexpr std::size_t kMost = 4;
+  constexpr std::size_t kMaxCount = 4;
   std::vector<Shown> shown;
-  for (std::size_t i = 0; i < std::min(own.size(), kMost); ++i) {
-    const std::size_t steps = std::min(own.size(), kMost) - 1;
+  for (std::size_t i = 0; i < std::min(own.size(), kMaxCount); ++i) {
+    const std::size_t steps = std::min(own.size(), kMaxCount) - 1;
     shown.push_back(own[steps == 0 ? 0 : i * (own.size() - 1) / steps]);
   }
   if (shown.empty()) return;

@@ -65,15 +65,15 @@ double number_of(const Json& json, const std::string& name) {
   return number;
 }
 
-std::int64_t whole_of(const Json& json, const std::string& name, std::int64_t least,
-                      std::int64_t most) {
+std::int64_t whole_of(const Json& json, const std::string& name, std::int64_t min,
+                      std::int64_t max) {
   // Numbers with a point or an exponent are none, and those beyond 64 bits are read as such.
   const bool is_in_range = json.is_number_unsigned()
-                               ? std::cmp_less_equal(json.get<std::uint64_t>(), most) &&
-                                     std::cmp_greater_equal(json.get<std::uint64_t>(), least)
-                               : json.is_number_integer() && json.get<std::int64_t>() >= least &&
-                                     json.get<std::int64_t>() <= most;
-  if (!is_in_range) refuse(name, fmt::format("no whole number from {} to {}", least, most));
+                               ? std::cmp_less_equal(json.get<std::uint64_t>(), max) &&
+                                     std::cmp_greater_equal(json.get<std::uint64_t>(), min)
+                               : json.is_number_integer() && json.get<std::int64_t>() >= min &&
+                                     json.get<std::int64_t>() <= max;
+  if (!is_in_range) refuse(name, fmt::format("no whole number from {} to {}", min, max));
   return json.get<std::int64_t>();
 }
 
@@ -92,8 +92,8 @@ bool bool_of(const Json& json, const std::string& name) {
   return json.get<bool>();
 }
 
-int whole_field(const Json& json, const std::string& name, int least, int most) {
-  return static_cast<int>(whole_of(any_field(json, name), name, least, most));
+int whole_field(const Json& json, const std::string& name, int min, int max) {
+  return static_cast<int>(whole_of(any_field(json, name), name, min, max));
 }
 
 double positive_field(const Json& json, const std::string& name) {

@@ -36,11 +36,11 @@ Json parse_json(std::string_view text);
 const Json& any_field(const Json& json, const std::string& name);
 
 /// What `json` holds, which is called `name` in messages: a number is finite, a whole one from
-/// `least` to `most`. Getting it from nlohmann::json would convert, which is undefined for numbers
+/// `min` to `max`. Getting it from nlohmann::json would convert, which is undefined for numbers
 /// that do not fit.
 double number_of(const Json& json, const std::string& name);
-std::int64_t whole_of(const Json& json, const std::string& name, std::int64_t least,
-                      std::int64_t most);
+std::int64_t whole_of(const Json& json, const std::string& name, std::int64_t min,
+                      std::int64_t max);
 std::uint64_t natural_of(const Json& json, const std::string& name);
 std::string string_of(const Json& json, const std::string& name);
 bool bool_of(const Json& json, const std::string& name);
@@ -61,9 +61,9 @@ T field(const Json& json, const std::string& name) {
   }
 }
 
-/// A whole number of at least `least`.
-int whole_field(const Json& json, const std::string& name, int least,
-                int most = std::numeric_limits<int>::max());
+/// A whole number of at least `min`.
+int whole_field(const Json& json, const std::string& name, int min,
+                int max = std::numeric_limits<int>::max());
 /// A number above 0.
 double positive_field(const Json& json, const std::string& name);
 

@@ -47,14 +47,14 @@ StudyTask task_of(const Json& json) {
 Json cost_json(const render::WayCost& cost) {
   return {{"way", way_json(cost.way)},
           {"build_seconds", cost.build_seconds},
-          {"seconds_a_sample", cost.seconds_a_sample},
+          {"seconds_a_sample", cost.seconds_per_sample},
           {"refusal", cost.refusal}};
 }
 
 render::WayCost cost_of(const Json& json) {
   return {.way = way_of(any_field(json, "way")),
           .build_seconds = field<double>(json, "build_seconds"),
-          .seconds_a_sample = field<double>(json, "seconds_a_sample"),
+          .seconds_per_sample = field<double>(json, "seconds_a_sample"),
           .refusal = field<std::string>(json, "refusal")};
 }
 
@@ -185,7 +185,7 @@ void check(const render::StudyPlan& plan) {
   const render::Way& own = plan.costs.front().way;
   if (!plan.costs.front().refusal.empty()) refuse("the scene's own way is refused in it");
   for (const render::WayCost& cost : plan.costs) {
-    if (cost.build_seconds < 0 || cost.seconds_a_sample < 0)
+    if (cost.build_seconds < 0 || cost.seconds_per_sample < 0)
       refuse("one of its `costs` is below 0");
   }
   if (!std::ranges::is_sorted(plan.depths, std::less_equal())) refuse("its `depths` do not ascend");

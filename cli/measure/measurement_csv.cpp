@@ -56,7 +56,7 @@ constexpr std::array kColumns{
     Column{"cut_paths", [](const render::Point& p) { return number(p.cut_share); }},
     Column{"scarce_emitters",
            [](const render::Point& p) { return fmt::to_string(p.scarce_emitters); }},
-    Column{"standing", [](const render::Point& p) { return std::string(name_of(p.standing)); }},
+    Column{"standing", [](const render::Point& p) { return std::string(name_of(p.dominance)); }},
 };
 
 }  // namespace

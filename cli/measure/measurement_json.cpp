@@ -33,7 +33,7 @@ Json point_json(const render::Point& point) {
   json["flip"] = point.flip;
   json["cut_paths"] = point.cut_share;
   json["scarce_emitters"] = point.scarce_emitters;
-  json["standing"] = name_of(point.standing);
+  json["standing"] = name_of(point.dominance);
   return json;
 }
 

@@ -62,7 +62,7 @@ class Table {
 };
 
 std::string points_text(const Measurement& measurement) {
-  constexpr std::array<const char*, 3> kStandings{"best in its time", "not distinguished from it",
+  constexpr std::array<const char*, 3> kDominance{"best in its time", "not distinguished from it",
                                                   ""};
   Table table;
   table.add({"samples", "time", "error", "FLIP", "way", ""});
@@ -72,7 +72,7 @@ std::string points_text(const Measurement& measurement) {
       table.add({fmt::to_string(point.samples), reading(point.seconds, duration),
                  reading(point.error, percent), figure(point.flip, 2),
                  plain(describe_way(measurement, point.way)),
-                 kStandings[static_cast<std::size_t>(point.standing)]});
+                 kDominance[static_cast<std::size_t>(point.dominance)]});
     }
   }
   return table.text();

@@ -33,8 +33,8 @@ std::vector<double> multiples_within(double from, double to, std::span<const dou
 
 /// Even steps of 1, 2 or 5 times a power of ten: three to seven of them.
 std::vector<double> even_steps(double from, double to) {
-  constexpr int kMost = 6;
-  const double rough = (to - from) / kMost;
+  constexpr int kMaxLabels = 6;
+  const double rough = (to - from) / kMaxLabels;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   double step = 10 * power;
   for (const double multiple : {5.0, 2.0}) {
@@ -45,11 +45,11 @@ std::vector<double> even_steps(double from, double to) {
   return values;
 }
 
-std::vector<double> labelled_values(double from, double to, std::size_t most) {
+std::vector<double> labelled_values(double from, double to, std::size_t max_count) {
   std::vector<double> values = multiples_within(from, to, kOneTwoFive);
   if (values.size() < 3) return even_steps(from, to);
-  if (values.size() > most) values = multiples_within(from, to, kOneThree);
-  for (int step = 1; values.size() > most; ++step) {
+  if (values.size() > max_count) values = multiples_within(from, to, kOneThree);
+  for (int step = 1; values.size() > max_count; ++step) {
     values = multiples_within(from, to, kOnes, step);
   }
   return values;
@@ -58,16 +58,16 @@ std::vector<double> labelled_values(double from, double to, std::size_t most) {
 }  // namespace
 
 LogAxis LogAxis::covering(std::span<const double> values) {
-  double least = std::numeric_limits<double>::infinity(), largest = 0;
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   for (const double value : values) {
     if (!(value > 0) || !std::isfinite(value)) continue;
-    least = std::min(least, value);
+    smallest = std::min(smallest, value);
     largest = std::max(largest, value);
   }
-  if (largest == 0) least = largest = 1;
+  if (largest == 0) smallest = largest = 1;
   // Of a range that a double cannot hold the ends stay as they are.
   constexpr double kLeastSpan = 1.5, kMargin = 0.04;
-  double from = least, to = largest;
+  double from = smallest, to = largest;
   if (to / from < kLeastSpan) {
     const double middle = std::sqrt(from) * std::sqrt(to);
     from = middle / std::sqrt(kLeastSpan);

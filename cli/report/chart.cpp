@@ -45,11 +45,11 @@ LogAxis axis_over(const Chart& chart, render::Measured ChartPoint::*coordinate,
   }
   // A level far below is left out rather than all else squeezed into the upper half.
   constexpr double kWorthShowing = 20;
-  double least = std::numeric_limits<double>::infinity();
+  double smallest = std::numeric_limits<double>::infinity();
   for (const double value : values) {
-    if (value > 0) least = std::min(least, value);
+    if (value > 0) smallest = std::min(smallest, value);
   }
-  if (level && level->y.value * kWorthShowing > least) collect(level->y, values);
+  if (level && level->y.value * kWorthShowing > smallest) collect(level->y, values);
   return LogAxis::covering(values);
 }
 

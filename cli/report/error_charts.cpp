@@ -20,10 +20,10 @@ std::string seconds_tick(double seconds) {
 }
 std::string samples_tick(double samples) { return figure(samples, 6); }
 
-MarkLook look_of(render::Standing standing) {
-  switch (standing) {
-    case render::Standing::Front: return MarkLook::Filled;
-    case render::Standing::NotDistinguished: return MarkLook::Hollow;
+MarkLook look_of(render::Dominance dominance) {
+  switch (dominance) {
+    case render::Dominance::Front: return MarkLook::Filled;
+    case render::Dominance::NotDistinguished: return MarkLook::Hollow;
     default: return MarkLook::Faded;
   }
 }
@@ -44,11 +44,11 @@ std::vector<ChartSeries> series_over(const render::Measurement& measurement, X&&
       drawn.points.push_back(
           {.x = x(point),
            .y = point.error,
-           .look = look_of(point.standing),
+           .look = look_of(point.dominance),
            .reading = fmt::format(
                "{}, {}, error {}", count_of(static_cast<std::uint64_t>(point.samples), "sample"),
                read(point.seconds, duration).text(), read(point.error, percent).text()),
-           .remark = std::string(words_of(point.standing))});
+           .remark = std::string(words_of(point.dominance))});
     }
     all.push_back(std::move(drawn));
   }
@@ -76,7 +76,7 @@ Chart error_against_time(const render::Measurement& measurement) {
       .level = reference_level(measurement)};
   for (ChartSeries& series : chart.series) series.is_joined = true;
   for (const render::Point& point : measurement.points) {
-    if (point.standing != render::Standing::Front) continue;
+    if (point.dominance != render::Dominance::Front) continue;
     chart.front.emplace_back(point.seconds.value, point.error.value);
   }
   std::ranges::sort(chart.front);

@@ -38,7 +38,7 @@ void write_point(const render::Point& point, HtmlTable& table) {
       .cell(format_whole(static_cast<std::uint64_t>(point.samples)))
       .cell(seconds.value, seconds.interval)
       .cell(error.value, error.interval)
-      .cell(words_of(point.standing), scarce)
+      .cell(words_of(point.dominance), scarce)
       .cell(rate(point.samples_per_second))
       .cell(rate(point.rays_per_second))
       .cell(figure(point.difference.rmse))
@@ -77,10 +77,10 @@ std::string left_out_table(const render::Measurement& measurement) {
 
 }  // namespace
 
-std::string_view words_of(render::Standing standing) {
-  switch (standing) {
-    case render::Standing::Front: return "on the front";
-    case render::Standing::NotDistinguished: return "not distinguished";
+std::string_view words_of(render::Dominance dominance) {
+  switch (dominance) {
+    case render::Dominance::Front: return "on the front";
+    case render::Dominance::NotDistinguished: return "not distinguished";
     default: return "dominated";
   }
 }

@@ -22,7 +22,7 @@ std::string against_section(const Report& report);
 std::string method_section(const Report& report);
 
 /// "on the front".
-std::string_view words_of(render::Standing standing);
+std::string_view words_of(render::Dominance dominance);
 
 /// The letter of a series in charts and tables: A to Z, then A1.
 std::string series_key(std::size_t index);

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// Near the largest value that the shared exponent of the HDR format can express, 2^127.
 constexpr double kMaxHdrValue = 1e38;
 
-/// `convert` of every component, in the order of the file.
+/// `convert` applied to every component, in file order.
 template <typename Value, typename Convert>
 std::vector<Value> components(const Picture& picture, Convert convert) {
   std::vector<Value> values;
@@ -30,7 +30,7 @@ std::vector<Value> components(const Picture& picture, Convert convert) {
 }
 
 float to_hdr(double v) noexcept {
-  if (!(v > 0)) return 0;  // a NaN goes this way
+  if (!(v > 0)) return 0;  // NaN takes this branch
   return static_cast<float>(std::min(v, kMaxHdrValue));
 }
 

@@ -38,7 +38,7 @@ void check_is_one_picture(const DecodedImage& image, const std::filesystem::path
   }
 }
 
-/// An opacity that is the same everywhere has nothing to tell.
+/// A constant alpha of 1 carries no information.
 bool is_opaque(const DecodedImage& image, std::size_t channel) {
   for (std::size_t i = channel; i < image.values.size(); i += image.channels.size()) {
     if (image.values[i] != image.white) return false;
@@ -65,7 +65,7 @@ void take_exr_channels(const DecodedImage& image, const std::filesystem::path& p
   }
 }
 
-/// Names the channels that nothing was made of.
+/// Lists the channels that were not used.
 void name_others(const DecodedImage& image, PictureFile& file) {
   const auto is_taken = [&](std::size_t channel) {
     const std::string_view name = image.channels[channel];

@@ -29,7 +29,7 @@ StudyLedger full_ledger() {
   ledger.plan = render::StudyPlan{
       .width = 4,
       .height = 3,
-      .costs = {{.way = way, .build_seconds = 0.25, .seconds_a_sample = 1e-7},
+      .costs = {{.way = way, .build_seconds = 0.25, .seconds_per_sample = 1e-7},
                 {.way = other, .refusal = "no"}},
       .reference_way = way,
       .reference_samples = 512,

@@ -71,9 +71,9 @@ void judge(std::vector<render::Point>& points) {
       if (other.seconds.value < point.seconds.value && other.error.value < point.error.value) {
         const bool is_sure = other.seconds.interval.to < point.seconds.interval.from &&
                              other.error.interval.to < point.error.interval.from;
-        const auto standing =
-            is_sure ? render::Standing::Dominated : render::Standing::NotDistinguished;
-        point.standing = std::max(point.standing, standing);
+        const auto dominance =
+            is_sure ? render::Dominance::Dominated : render::Dominance::NotDistinguished;
+        point.dominance = std::max(point.dominance, dominance);
       }
     }
   }

@@ -22,13 +22,13 @@ void trace(std::vector<SampleRun>& runs) {
   }
 }
 
-void bring_to(Film& film, std::size_t pixel, std::uint64_t samples, std::uint32_t most_blocks = 3) {
+void bring_to(Film& film, std::size_t pixel, std::uint64_t samples, std::uint32_t max_blocks = 3) {
   Film::Target target;
   for (std::uint32_t i = 0; i < kReplicates; ++i) target[i] = samples_in_replicate(samples, i);
   film.reserve(target[0]);
   while (true) {
     std::vector<SampleRun> runs;
-    film.plan(pixel, target, most_blocks, runs);
+    film.plan(pixel, target, max_blocks, runs);
     if (runs.empty()) return;
     trace(runs);
     for (const SampleRun& run : runs) film.add(run);

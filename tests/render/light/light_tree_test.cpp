@@ -11,9 +11,9 @@
 namespace sdlc::render {
 namespace {
 
-std::vector<LightBall> random_balls(int count, unsigned seed) {
+std::vector<LightSphere> random_balls(int count, unsigned seed) {
   test::Random random(seed);
-  std::vector<LightBall> balls;
+  std::vector<LightSphere> balls;
   for (int i = 0; i < count; ++i) {
     balls.push_back({.center = random.in_box(1),
                      .shift = i % 3 == 0 ? random.in_box(0.2) : Vec3{},
@@ -41,10 +41,10 @@ TEST(LightTree, GivesProbabilitiesThatAddUpToOneWhereAllIsAboveTheHorizon) {
   for (const int count : {1, 2, 3, 7, 64, 1000}) {
     const LightTree tree(random_balls(count, 2));
     double sum = 0;
-    for (std::uint32_t leaf = 0; leaf < tree.balls_of_leaves().size(); ++leaf) {
+    for (std::uint32_t leaf = 0; leaf < tree.lights_of_leaves().size(); ++leaf) {
       const double p = tree.probability(leaf, {0, -9, 0}, {0, 1, 0});
       EXPECT_GE(p, 0);
-      EXPECT_EQ(p == 0, tree.balls_of_leaves()[leaf] == kNoLight);
+      EXPECT_EQ(p == 0, tree.lights_of_leaves()[leaf] == kNoLight);
       sum += p;
     }
     EXPECT_NEAR(sum, 1, 1e-12) << count;
@@ -54,7 +54,7 @@ TEST(LightTree, GivesProbabilitiesThatAddUpToOneWhereAllIsAboveTheHorizon) {
 TEST(LightTree, HoldsEveryLightOnce) {
   const LightTree tree(random_balls(1000, 4));
   std::vector<std::uint32_t> found;
-  for (const std::uint32_t ball : tree.balls_of_leaves()) {
+  for (const std::uint32_t ball : tree.lights_of_leaves()) {
     if (ball != kNoLight) found.push_back(ball);
   }
   std::ranges::sort(found);
@@ -82,7 +82,7 @@ TEST(LightTree, ChoosesEachLeafAsOftenAsItSays) {
   const LightTree tree(random_balls(21, 7));
   for_places([&](Vec3 x, Vec3 normal) {
     constexpr int kSteps = 20000;
-    std::vector<double> share(tree.balls_of_leaves().size());
+    std::vector<double> share(tree.lights_of_leaves().size());
     for (int i = 0; i < kSteps; ++i) {
       const auto choice = tree.choose(x, normal, {(i + 0.5) / kSteps, 0});
       if (choice.probability > 0) share[choice.leaf] += 1.0 / kSteps;
@@ -94,11 +94,11 @@ TEST(LightTree, ChoosesEachLeafAsOftenAsItSays) {
 }
 
 TEST(LightTree, NeverChoosesWhatIsBelowTheHorizonNorLeavesOutWhatIsAbove) {
-  const std::vector<LightBall> balls = random_balls(300, 8);
+  const std::vector<LightSphere> balls = random_balls(300, 8);
   const LightTree tree(balls);
   for_places([&](Vec3 x, Vec3 normal) {
-    for (std::uint32_t leaf = 0; leaf < tree.balls_of_leaves().size(); ++leaf) {
-      const std::uint32_t i = tree.balls_of_leaves()[leaf];
+    for (std::uint32_t leaf = 0; leaf < tree.lights_of_leaves().size(); ++leaf) {
+      const std::uint32_t i = tree.lights_of_leaves()[leaf];
       if (i == kNoLight) continue;
       const double opening = dot(balls[i].center - x, normal);
       const double closing = dot(balls[i].center + balls[i].shift - x, normal);
@@ -112,13 +112,13 @@ TEST(LightTree, NeverChoosesWhatIsBelowTheHorizonNorLeavesOutWhatIsAbove) {
 }
 
 TEST(LightTree, PrefersWhatIsNearBrightAndUpright) {
-  const auto share_of_first = [](const LightBall& a, const LightBall& b) {
+  const auto share_of_first = [](const LightSphere& a, const LightSphere& b) {
     const LightTree tree({a, b});
-    const std::uint32_t leaf = tree.balls_of_leaves()[0] == 0 ? 0 : 1;
+    const std::uint32_t leaf = tree.lights_of_leaves()[0] == 0 ? 0 : 1;
     return tree.probability(leaf, {0, 0, 0}, {0, 1, 0});
   };
-  const LightBall up{.center = {0, 2, 0}, .shift = {}, .radius = 0.01, .power = 1};
-  LightBall other = up;
+  const LightSphere up{.center = {0, 2, 0}, .shift = {}, .radius = 0.01, .power = 1};
+  LightSphere other = up;
   other.center = {0, 4, 0};
   EXPECT_NEAR(share_of_first(up, other), 0.8, 0.01);
   other.center = {2 * std::sqrt(0.75), 1, 0};

@@ -16,7 +16,7 @@ using Kind = render::StudyTask::Kind;
 constexpr render::Way kOwn{};
 
 /// A megapixel of which ten million samples take a second.
-StudyRequest request(double budget_seconds, double seconds_a_sample = 1e-7) {
+StudyRequest request(double budget_seconds, double seconds_per_sample = 1e-7) {
   StudyRequest request{.settings = {.width = 1000, .height = 1000, .samples = 48},
                        .reference_way = kOwn,
                        .budget_seconds = budget_seconds};
@@ -25,7 +25,7 @@ StudyRequest request(double budget_seconds, double seconds_a_sample = 1e-7) {
   render::Way twice = kOwn;
   twice.precision = render::Precision::Double;
   for (const render::Way& way : {kOwn, independent, twice}) {
-    request.costs.push_back({.way = way, .seconds_a_sample = seconds_a_sample});
+    request.costs.push_back({.way = way, .seconds_per_sample = seconds_per_sample});
   }
   return request;
 }

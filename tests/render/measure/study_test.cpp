@@ -28,14 +28,15 @@ StudyLedger short_ledger() {
   render::StudyRequest request{
       .settings = kSettings, .reference_way = own, .budget_seconds = kOptions.budget_seconds};
   // So slow that 64 samples are the most.
-  const double seconds_a_sample = 0.5;
-  request.costs.push_back({.way = own, .seconds_a_sample = seconds_a_sample / (24 * 16)});
+  const double seconds_per_sample = 0.5;
+  request.costs.push_back({.way = own, .seconds_per_sample = seconds_per_sample / (24 * 16)});
   render::Way independent = own;
   independent.sampler = render::SamplerKind::Independent;
-  request.costs.push_back({.way = independent, .seconds_a_sample = seconds_a_sample / (24 * 16)});
+  request.costs.push_back(
+      {.way = independent, .seconds_per_sample = seconds_per_sample / (24 * 16)});
   render::Way exact = own;
   exact.precision = render::Precision::Double;
-  request.costs.push_back({.way = exact, .seconds_a_sample = seconds_a_sample / (24 * 16)});
+  request.costs.push_back({.way = exact, .seconds_per_sample = seconds_per_sample / (24 * 16)});
   ledger.plan = plan_study(request);
   // Nothing that is told apart by a clock.
   std::erase_if(ledger.plan->tasks, [](const render::StudyTask& task) {

@@ -10,9 +10,9 @@
 namespace sdlc::test {
 namespace {
 
+using render::Dominance;
 using render::Point;
 using render::Series;
-using render::Standing;
 
 /// Errors of 8 / samples^.75 and times of samples milliseconds.
 std::vector<Point> sobol_points() {
@@ -25,31 +25,31 @@ std::vector<Point> sobol_points() {
 
 TEST(Standings, WhatIsSlowerAndWorseBeyondTheIntervalsIsDominated) {
   std::vector<Point> points{point(8, 1, 0.1), point(16, 2, 0.05), point(16, 3, 0.07, kIndependent)};
-  mark_standings(points);
-  EXPECT_EQ(points[0].standing, Standing::Front);
-  EXPECT_EQ(points[1].standing, Standing::Front);
-  EXPECT_EQ(points[2].standing, Standing::Dominated);
+  mark_dominance(points);
+  EXPECT_EQ(points[0].dominance, Dominance::Front);
+  EXPECT_EQ(points[1].dominance, Dominance::Front);
+  EXPECT_EQ(points[2].dominance, Dominance::Dominated);
 }
 
 TEST(Standings, WhatIsSlowerAndWorseWithinThemIsNotDistinguished) {
   std::vector<Point> points{point(16, 2, 0.05), point(16, 2.05, 0.07, kIndependent),
                             point(16, 3, 0.051, kIndependent)};
-  mark_standings(points);
-  EXPECT_EQ(points[1].standing, Standing::NotDistinguished) << "their times overlap";
-  EXPECT_EQ(points[2].standing, Standing::NotDistinguished) << "their errors overlap";
+  mark_dominance(points);
+  EXPECT_EQ(points[1].dominance, Dominance::NotDistinguished) << "their times overlap";
+  EXPECT_EQ(points[2].dominance, Dominance::NotDistinguished) << "their errors overlap";
 }
 
 TEST(Standings, TheSamePictureMadeMoreSlowlyIsDominated) {
   std::vector<Point> points{point(16, 2, 0.05), point(16, 3, 0.05, kIndependent)};
-  mark_standings(points);
-  EXPECT_EQ(points[0].standing, Standing::Front);
-  EXPECT_EQ(points[1].standing, Standing::Dominated);
+  mark_dominance(points);
+  EXPECT_EQ(points[0].dominance, Dominance::Front);
+  EXPECT_EQ(points[1].dominance, Dominance::Dominated);
 }
 
 TEST(Standings, WhatIsClearlySlowerAndHardlyNearerIsNotDistinguished) {
   std::vector<Point> points{point(16, 2, 0.05), point(16, 3, 0.0499, kIndependent)};
-  mark_standings(points);
-  EXPECT_EQ(points[1].standing, Standing::NotDistinguished);
+  mark_dominance(points);
+  EXPECT_EQ(points[1].dominance, Dominance::NotDistinguished);
 }
 
 TEST(SeriesOfAWay, HaveTheSlopeOfTheirLine) {

@@ -24,8 +24,8 @@ Scene plain_scene() {
   return scene;
 }
 
-FloatVerdict judge(const Scene& scene, int height = kHeight, std::size_t most_exact = 2) {
-  return judge_float(scene, scene.camera, {.width = 960, .height = height}, most_exact);
+FloatVerdict judge(const Scene& scene, int height = kHeight, std::size_t max_exact = 2) {
+  return judge_float(scene, scene.camera, {.width = 960, .height = height}, max_exact);
 }
 
 /// What decides about all of it in float, and the spheres.

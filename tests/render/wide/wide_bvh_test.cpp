@@ -30,7 +30,7 @@ struct NamedSpheres {
   std::vector<Vec3> shifts = {};
 };
 
-/// Up to kMostWideSpheres each, so that both searches take them.
+/// Up to kMaxWideSpheres each, so that both searches take them.
 std::vector<NamedSpheres> named_spheres() {
   Random random(3);
   std::vector<NamedSpheres> all;
@@ -129,7 +129,7 @@ void expect_sound(const Scene& scene) {
   Walk<T> walk{.bvh = bvh, .scene = scene, .seen = std::vector<int>(members.size())};
   walk.visit(0, {{{-kFar, kFar}, {-kFar, kFar}, {-kFar, kFar}}}, 0);
   EXPECT_TRUE(std::ranges::all_of(walk.seen, [](int times) { return times == 1; }));
-  EXPECT_LT(walk.deepest * (kBvhWidth - 1), WideBvh<T>::kMostWaiting);
+  EXPECT_LT(walk.deepest * (kBvhWidth - 1), WideBvh<T>::kMaxWaiting);
 }
 
 TEST(WideBvh, HoldsEachSphereOnceWithinAllBoxesAboveIt) {
@@ -277,7 +277,7 @@ TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphere) {
   }
 }
 
-/// Up to kMostWideSpheres of a kind that chance chooses, moving or not, on a large ground or not,
+/// Up to kMaxWideSpheres of a kind that chance chooses, moving or not, on a large ground or not,
 /// seen from outside or from among them.
 Scene random_scene(unsigned seed) {
   Random random(seed);
