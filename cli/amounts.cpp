@@ -18,15 +18,15 @@
 namespace sdlc::cli {
 namespace {
 
-/// A number and what stands right behind it.
+/// A number and the unit directly after it.
 struct Amount {
   double number;
   std::string_view digits, unit;
 };
 
-/// Nothing where the text does not begin with a number that is above 0 and finite.
+/// nullopt if the text does not begin with a positive finite number.
 std::optional<Amount> read_amount(std::string_view text) {
-  // from_chars reads signs and words too.
+  // from_chars also accepts signs and words.
   if (text.empty() || !(lang::is_ascii_digit(text[0]) || text[0] == '.')) return std::nullopt;
   Amount amount{};
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), amount.number);
@@ -45,7 +45,7 @@ std::optional<double> read_share(std::string_view text) {
 
 struct TimeUnit {
   std::string_view name;
-  double factor, divisor;  // one of them 1, so that there is one rounding
+  double factor, divisor;  // one of them is 1, so that there is a single rounding
 };
 
 constexpr std::array kTimeUnits{TimeUnit{"ms", 1, 1000}, TimeUnit{"s", 1, 1},
@@ -66,7 +66,7 @@ std::string without_blanks(std::string_view text) {
   return joined;
 }
 
-/// The unit that begins like this word: "s" for "seconds".
+/// The unit that begins like the word: "s" for "seconds".
 std::string_view nearest_unit(std::string_view word) {
   struct Beginning {
     std::string_view text, unit;
@@ -82,7 +82,7 @@ std::string_view nearest_unit(std::string_view word) {
   return found == kBeginnings.end() ? std::string_view() : found->unit;
 }
 
-/// `text` with the sign or unit that it seems to lack; perhaps no better.
+/// Guesses the intended share by adding the missing `%`; the result may still be invalid.
 std::string mend_share(std::string_view text) {
   const std::string joined = without_blanks(text);
   return read_share(joined) ? joined : joined + "%";

@@ -44,7 +44,7 @@ void add_aov_option(CLI::App& command, Aovs& aovs) {
       ->delimiter(',')
       ->take_all()
       ->expected(1)
-      ->allow_extra_args(false);  // FILE may stand behind it
+      ->allow_extra_args(false);  // FILE may follow
 }
 
 void check_aovs(const Aovs& aovs, const std::vector<Output>& outputs, const render::Scene& scene,
@@ -76,7 +76,7 @@ void check_aovs(const Aovs& aovs, const std::vector<Output>& outputs, const rend
 }
 
 std::size_t aov_bytes(const Aovs& aovs, std::size_t pixels) noexcept {
-  // Each channel, and its part of the encoded file.
+  // Each channel, plus its part of the encoded file.
   const std::size_t channels = aovs.channels() * 2 * sizeof(float);
   return pixels * (channels + (aovs.variance ? sizeof(render::LinearRgb) : 0));
 }
@@ -84,7 +84,7 @@ std::size_t aov_bytes(const Aovs& aovs, std::size_t pixels) noexcept {
 void add_picture_layers(const Aovs& aovs, const render::RenderSettings& settings,
                         const render::RenderResult& result, std::vector<render::Layer>& layers,
                         std::ostream& err) {
-  // Only a render with a goal counts the samples of each pixel.
+  // Only a render with a goal counts the samples per pixel.
   const bool is_counted = result.is_complete || settings.has_goal();
   std::vector<std::string_view> missing;
   if (aovs.has_first_hits() && layers.empty()) {

@@ -12,7 +12,7 @@
 namespace sdlc::cli {
 namespace {
 
-/// The length of the longest beginning of `code` among `beginnings`; 0 where there is none.
+/// The length of the longest prefix of `code` in `beginnings`; 0 if there is none.
 std::size_t longest(const std::vector<std::string>& beginnings, std::string_view code) {
   std::size_t size = 0;
   for (const std::string& beginning : beginnings) {
@@ -46,7 +46,7 @@ void add_codes(CLI::App& command, const std::string& flag, std::vector<std::stri
       ->delimiter(',')
       ->take_all()
       ->expected(1)
-      ->allow_extra_args(false);  // FILE may stand behind it
+      ->allow_extra_args(false);  // FILE may follow
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ double parse_limit(const std::string& flag, const std::string& text) {
   return parse_number(flag, text, 0);
 }
 
-/// A gate that the command line can set.
+/// A gate that can be set on the command line.
 struct GateKind {
   const char* flag;
   const char* quantity;
@@ -84,7 +84,7 @@ struct CompareOptions {
   bool quiet = false;
 };
 
-/// Codes as the linear values behind them, for FLIP.
+/// Decodes codes to linear values, for FLIP.
 render::Picture to_linear(const render::Picture& picture, render::Tone tone) {
   render::Picture linear = picture;
   if (tone == render::Tone::Linear) return linear;
@@ -127,7 +127,7 @@ class CompareJob {
   }
 
  private:
-  /// What is known to fail before anything is read.
+  /// Reports errors that are known before anything is read.
   void check_output() {
     if (options_.output.empty()) {
       if (options_.top || options_.what != kMaps[0]) {
@@ -197,13 +197,13 @@ class CompareJob {
     render::Picture values = values_to_write(report);
     report.output = {.path = options_.output, .what = options_.what, .top = {}};
     if (!is_linear_output()) {
-      std::vector<float> sizes;  // of the difference in each pixel
+      std::vector<float> sizes;  // magnitude of the difference per pixel
       float largest = 0;
       for (const render::LinearRgb c : values.pixels) {
         sizes.push_back(static_cast<float>(std::sqrt((c.r * c.r + c.g * c.g + c.b * c.b) / 3)));
         largest = std::max(largest, sizes.back());
       }
-      // FLIP has a largest value of its own.
+      // FLIP has a fixed maximum.
       const double top = options_.what == "flip" ? 1 : largest;
       report.output->top = options_.top.value_or(top);
       values = render::color_mapped(sizes, values.width, values.height, *report.output->top);
@@ -248,7 +248,8 @@ void add_gates(CLI::App& command, CompareOptions& options) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, Dispatcher& dispatcher) {
-  // Farther away than any display, and a filter of some hundred pixels.
+  // Beyond this range the picture is smaller than on any display, or the filter has hundreds of
+  // pixels.
   constexpr double kLeastPixelsPerDegree = 1, kMostPixelsPerDegree = 1000;
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand(

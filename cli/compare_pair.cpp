@@ -24,7 +24,7 @@ using render::IoError;
 using render::LinearRgb;
 using render::PictureFile;
 
-/// Throws where a value is not wanted, and says where the first of them is.
+/// Throws at the first value that is not wanted, with its position.
 template <typename IsWanted>
 void check_values(const std::string& name, const render::Picture& picture, std::string_view what,
                   std::string_view fault, IsWanted is_wanted) {
@@ -61,7 +61,7 @@ PictureFile read(const std::string& name) {
   return file;
 }
 
-/// Nothing if the file does not tell.
+/// nullopt if the file does not record it.
 std::optional<render::Tone> tone_in(const PictureFile& file) {
   const auto word = file.find_metadata("sdlc:tone");
   return word ? render::tone_of(*word) : std::nullopt;
@@ -102,7 +102,7 @@ void choose_tone(ComparedPair& pair) {
   }
   const auto a_tone = tone_in(pair.picture), b_tone = tone_in(pair.reference);
   if (a_tone || b_tone) pair.tone = a_tone ? *a_tone : *b_tone;
-  // What nearly every picture follows needs no word.
+  // Do not mention sRGB, the usual case.
   if (pair.tone == render::Tone::Srgb || (a_tone && b_tone)) return;
   pair.notes.push_back(fmt::format(
       "{} does not tell its tone, which is taken for that of the other, {}",
@@ -118,7 +118,7 @@ void note_others(const std::string& name, const PictureFile& file,
                   lang::printable(name)));
 }
 
-/// Pictures of one seed have the same noise where they trace the same paths.
+/// Pictures with the same seed share the noise of the paths that they have in common.
 void note_shared_noise(ComparedPair& pair) {
   const auto seed = pair.picture.find_metadata("sdlc:seed");
   const auto sampler = pair.picture.find_metadata("sdlc:sampler");

@@ -54,10 +54,11 @@ struct ConvertCommandOptions {
   DiagnosticsOptions diagnostics;
 };
 
-/// A text to be converted.
+/// A file to convert.
 struct Input {
-  std::string name;                ///< `-`: standard input
-  std::optional<fs::path> folder;  ///< that it was found in, if only its folder was named
+  std::string name;                ///< `-` for standard input
+  std::optional<fs::path> folder;  ///< the folder in which it was found, if only the folder was
+                                   ///< named
 };
 
 std::vector<Input> find_inputs(const std::vector<std::string>& arguments, const Environment& env,
@@ -94,7 +95,7 @@ class ConvertJob {
       throw UsageError("-o -: several texts would run into each other; name a folder");
     }
     for (const Input& input : inputs_) {
-      // One that is of the wanted format already is passed over, and may be replaced.
+      // Skip files that already have the target format; they may be replaced.
       const bool is_done =
           input.folder && fs::path(input.name).extension() == fmt::format(".{}", options.to);
       if (!is_done) read_.add(input.name);
@@ -120,7 +121,7 @@ class ConvertJob {
  private:
   bool tells_progress() const { return !options_.quiet && options_.diagnostics.format == "human"; }
 
-  /// What has nothing to do with the text: a file cannot be read or written.
+  /// Reports a failure to read or write a file.
   void fail(std::string_view reason) {
     ++unusable_;
     env_.err << fmt::format("error: {}\n", lang::printable(reason));
@@ -174,7 +175,7 @@ class ConvertJob {
     return std::nullopt;
   }
 
-  /// Where the converted text goes; nothing: to standard output.
+  /// The output file; nullopt for standard output.
   std::optional<fs::path> target_of(const Input& input, lang::SourceFormat format) const {
     const bool is_stdin = input.name == kStandardStream;
     if (options_.output == kStandardStream) return std::nullopt;
@@ -198,7 +199,7 @@ class ConvertJob {
       fail(fmt::format("`{}` has the extension of the format that is converted from", shown));
       return false;
     }
-    // Beside a scene of somebody else there may be links of theirs.
+    // The folder of an untrusted scene may contain untrusted links.
     if (options_.reading.is_sandboxed && options_.output.empty() &&
         !lang::Sandbox(env_.files, target).resolve(target)) {
       fail(
@@ -211,7 +212,7 @@ class ConvertJob {
       fail(fmt::format("`{}` would be written twice", shown));
       return false;
     }
-    // What -o names is meant to be replaced; a file that happens to stand beside is not.
+    // A file named by -o may be replaced; other existing files may not.
     if (options_.output.empty() && !options_.overwrites && fs::exists(target)) {
       fail(fmt::format("`{}` is there already; --overwrite replaces it, -o names another", shown));
       return false;
@@ -228,8 +229,8 @@ class ConvertJob {
   std::set<std::string> targets_;
   InputSet read_;
   std::size_t converted_ = 0;
-  std::size_t refused_ = 0;   // errors in the text, or nothing that the other format could hold
-  std::size_t unusable_ = 0;  // files
+  std::size_t refused_ = 0;   // texts with errors, or that the other format cannot represent
+  std::size_t unusable_ = 0;  // files that could not be read or written
 };
 
 void add_choice_options(CLI::App& command, lang::ConvertOptions& options) {

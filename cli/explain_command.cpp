@@ -28,13 +28,13 @@ struct ExplainOptions {
   DiagnosticsOptions diagnostics;
 };
 
-/// What one argument asks for: a page, or the list of those whose codes begin so.
+/// What one argument selects: a page, or the list of codes with a prefix.
 struct Topic {
   Diagnostics diagnostics;
   bool is_list = false;
 };
 
-/// As names are written in the table: "unknown_property" of "Unknown property".
+/// Converts a title to the name in the table: "unknown_property" for "Unknown property".
 std::string as_name(std::string_view text) {
   std::string name = lang::lower_case(text);
   std::ranges::replace_if(

@@ -23,8 +23,8 @@ using render::KernelKind;
 constexpr std::string_view kAuto = "auto";
 constexpr std::array kKinds{KernelKind::Scalar, KernelKind::Wide, KernelKind::Bvh};
 
-/// The option's words are `auto` and the names of `choices`; the one given is what `chosen`
-/// becomes.
+/// Adds an option with the values `auto` and the names of `choices`; the given one is stored in
+/// `chosen`.
 template <typename T, std::size_t N>
 void add_choice(CLI::App& command, const char* flag, const std::array<T, N>& choices,
                 std::optional<T>& chosen, const char* help) {

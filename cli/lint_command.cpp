@@ -46,7 +46,8 @@ struct LintOptions {
   bool fixes_unsafe = false;  // --unsafe-fixes
   bool shows_diff = false;    // --diff
   LintConfigOptions config;
-  std::optional<std::uint64_t> most_warnings;  // of all files; else each config has its own limit
+  std::optional<std::uint64_t> most_warnings;  // over all files; otherwise each config has its own
+                                               // limit
   bool quiet = false;
 };
 
@@ -57,10 +58,10 @@ std::string plural(std::size_t count, std::string_view noun) {
   return plural(count, noun, std::string(noun) + "s");
 }
 
-/// One file and what is wrong with it.
+/// A file and its findings.
 class Linted final : public lang::CheckedText {
  public:
-  /// `wants` may be called as long as this lives. `max_kept`: of each severity.
+  /// `wants` may be called during the lifetime of this object. `max_kept` is per severity.
   Linted(std::string name, std::string text, const LintOptions& options, const Environment& env,
          std::function<bool(const lang::DiagnosticInfo&)> wants, std::size_t max_kept)
       : file_(std::move(name), std::move(text)) {
@@ -76,13 +77,13 @@ class Linted final : public lang::CheckedText {
  private:
   lang::SourceFile file_;
   lang::DiagnosticSink sink_;
-  std::optional<lang::Compiler> compiler_;  // holds texts that the sink refers to
+  std::optional<lang::Compiler> compiler_;  // owns texts that the sink refers to
 };
 
-/// Whether diagnostics are wanted, by their codes.
+/// Memo of decisions whether diagnostics are wanted, by code.
 using Decided = std::unordered_map<std::string_view, bool>;
 
-/// The warnings in the files of one config.
+/// The warnings in all files of one config.
 struct WarningCount {
   std::size_t found = 0;
   std::uint64_t allowed = 0;
@@ -96,7 +97,7 @@ class LintJob {
         names_(find_scene_files(options.arguments, env, SceneFiles::ScenesAndConfigs,
                                 options.reading.is_sandboxed)),
         configs_(options.config, env),
-        // The mended text of standard input goes where the findings would.
+        // Fixed text of standard input goes where the findings would go.
         out_(writes_text_to_stdout() ? env.err : env.out),
         writer_(make_writer(options.diagnostics, out_,
                             writes_text_to_stdout() ? env.err_is_terminal : env.out_is_terminal,
@@ -109,7 +110,7 @@ class LintJob {
     if (!options_.shows_diff) writer_->finish(counts_);
     out_.flush();
     if (!options_.quiet) conclude();
-    refuse_wrong_configs();  // of files that were imported
+    refuse_wrong_configs();  // for configs of imported files
     if (unreadable_ > 0) return ExitCode::Usage;
     if (options_.shows_diff) return mended_ == 0 ? ExitCode::Success : ExitCode::Findings;
     return is_clean() ? ExitCode::Success : ExitCode::Findings;
@@ -133,7 +134,7 @@ class LintJob {
     throw UsageError(fmt::format("{}", fmt::join(configs_.errors(), "\nerror: ")));
   }
 
-  /// Flags decide before configs. `scene` is what reads the file `place`.
+  /// Flags take precedence over configs. `scene` is the file that reads `place`.
   bool wants(const lang::DiagnosticInfo& info, const std::string& place, const std::string& scene) {
     if (const auto answer = options_.filter.answer(info.code)) return *answer;
     return configs_.of(place, scene)
@@ -142,7 +143,7 @@ class LintJob {
 
   std::unique_ptr<Linted> linted(const std::string& name, std::string text,
                                  std::size_t max_kept = lang::DiagnosticSink::kMaxPerSeverity) {
-    // A scene may report a million times; each code is decided once.
+    // A scene may report a million times; decide each code only once.
     auto is_wanted = [this, place = shown_name(name),
                       decided = Decided()](const lang::DiagnosticInfo& info) mutable {
       const auto [answer, is_new] = decided.emplace(info.code, false);
@@ -169,7 +170,7 @@ class LintJob {
     }
   }
 
-  /// Every round reads the whole text, so each sees as many findings as memory allows.
+  /// Every round reads the whole text, so keep as many findings as memory allows.
   std::unique_ptr<lang::CheckedText> fix(const std::string& name, std::string text) {
     constexpr std::size_t kMaxPerRound = 100'000;
     const std::string original = text;
@@ -191,7 +192,7 @@ class LintJob {
     const lang::DiagnosticCounts left = result.checked->sink().counts();
     if (std::max(left.errors, left.warnings) > lang::DiagnosticSink::kMaxPerSeverity) {
       result.checked.reset();
-      return linted(name, fixed);  // with as many as are shown
+      return linted(name, fixed);  // with as many findings as are shown
     }
     return std::move(result.checked);
   }
@@ -203,8 +204,8 @@ class LintJob {
     }
   }
 
-  /// Each once, though several of the files may read the one that it is about; and none that the
-  /// config of an imported file does not want there.
+  /// Prints each finding once, although several files may read the file it is about. Skips findings
+  /// that the config of an imported file disables.
   void tell(const lang::CheckedText& linted, const std::string& place) {
     lang::DiagnosticCounts counts = linted.sink().counts();
     for (const lang::Diagnostic* diagnostic : linted.sink().sorted()) {
@@ -294,7 +295,7 @@ class LintJob {
   std::size_t unreadable_ = 0;
   std::size_t mended_ = 0, mended_files_ = 0;
   std::size_t refused_ = 0;                        // fixes
-  std::size_t safe_fixes_ = 0, unsafe_fixes_ = 0;  // of what is still there
+  std::size_t safe_fixes_ = 0, unsafe_fixes_ = 0;  // of the remaining findings
 };
 
 }  // namespace

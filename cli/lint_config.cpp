@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-// The library's own binary would be one more to load at each start.
+// Header-only: the library's binary would have to be loaded at each start.
 #define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "an array", as it is called in messages.
+/// The name of the type in messages, such as "an array".
 std::string_view describe(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table: return "a table";
@@ -54,7 +54,7 @@ class ConfigReader {
     } catch (const toml::parse_error& error) {
       report(error.source(), error.description());
     }
-    // The library keeps keys in the order of the alphabet.
+    // The library sorts keys alphabetically.
     std::ranges::stable_sort(found_,
                              [](const Mistake& a, const Mistake& b) { return a.where < b.where; });
     for (const Mistake& mistake : found_) errors_.push_back(mistake.text);
@@ -166,7 +166,7 @@ class ConfigReader {
     return globs;
   }
 
-  /// Hands each string to `take`; what that throws is reported at the string.
+  /// Passes each string to `take`; exceptions are reported at the string.
   template <typename Take>
   void read_strings(std::string_view key, const toml::node& value, std::string_view wanted,
                     Take take) {
@@ -195,7 +195,7 @@ fs::path folder_of(const fs::path& file) {
   return fs::absolute(file).lexically_normal().parent_path();
 }
 
-/// As it is printed: from the working folder.
+/// The path relative to the working folder, for messages.
 std::string shown_name(const fs::path& path) {
   std::error_code no_folder;
   const fs::path shown = path.lexically_proximate(fs::current_path(no_folder));

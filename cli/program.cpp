@@ -49,7 +49,7 @@ std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) 
   return names;
 }
 
-/// What to say of arguments that do not parse.
+/// The message for arguments that do not parse.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error,
                         std::span<const std::string> arguments) {
   const auto all_commands = app.get_subcommands([](const CLI::App*) { return true; });
@@ -110,7 +110,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
   add_schema_command(app, dispatcher);
 
   try {
-    // CLI11 takes its arguments last first.
+    // CLI11 takes its arguments in reverse order.
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::CallForHelp&) {
     const bool has_command = !app.get_subcommands().empty();

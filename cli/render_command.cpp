@@ -66,12 +66,12 @@ struct RenderOptions {
   bool quiet = false;
 };
 
-/// Refuses a picture that the machine cannot hold before any of it is allocated.
+/// Rejects a picture that does not fit into memory, before it is allocated.
 void check_memory(const render::RenderSettings& settings, const render::Aovs& aovs) {
   const auto pixels =
       static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
-  // The picture, its 32-bit copy and the encoded file, and what is kept of its error; with a goal
-  // the sums of all samples too.
+  // The picture, its 32-bit copy, the encoded file, and the error estimates; with a goal also the
+  // sums of all samples.
   std::size_t pixel_bytes =
       sizeof(render::LinearRgb) + 2 * 3 * sizeof(float) + sizeof(render::PixelSpread);
   if (settings.has_goal()) pixel_bytes += render::Film::kBytesPerPixel;
@@ -99,14 +99,13 @@ void write_to_stdout(const render::Picture& picture, const render::WriteOptions&
   if (!env.out.flush()) throw render::IoError("write", "standard output", "the write failed");
 }
 
-/// What was written, and what came of the rest.
+/// The written files, and the status.
 struct Written {
-  std::vector<std::string> names;  ///< as they are printed
+  std::vector<std::string> names;  ///< as printed
   ExitCode code = ExitCode::Success;
 };
 
-/// Runs `write`; what the world refuses it is reported, and does not keep others from being
-/// written.
+/// Runs `write`; an I/O failure is reported, and does not prevent other outputs.
 template <typename Write>
 void try_to_write(ExitCode& code, Environment& env, Write write) {
   try {
@@ -157,30 +156,29 @@ void write_stats(const std::string& path, const std::string& lines, Environment&
   }
 }
 
-/// The first pass is finished anyhow.
+/// The first pass is finished in any case.
 constexpr double kLeastSecondsToTrace = 1e-3;
 
-/// What is left for tracing of the time that a picture may take, once it is read and until it is
-/// written.
+/// The part of a picture's time limit that is left for tracing, after reading and before writing.
 double seconds_to_trace(const render::RenderSettings& settings, std::size_t outputs, double spent) {
-  // PNG, the slowest of those that are common, takes some 60 ns a pixel.
+  // PNG, the slowest common format, takes about 60 ns per pixel.
   constexpr double kSecondsAPixel = 60e-9, kSecondsAFile = 0.02;
   const double pixels = static_cast<double>(settings.width) * settings.height;
   const double to_write = (pixels * kSecondsAPixel + kSecondsAFile) * static_cast<double>(outputs);
   return std::max(*settings.seconds - spent - to_write, kLeastSecondsToTrace);
 }
 
-/// Traces with progress; Ctrl-C ends it early. Takes the scene's spheres, and adds what --aov asks
-/// of the first surfaces to `layers`.
+/// Traces with progress; Ctrl-C ends it early. Moves the scene's spheres away, and appends the
+/// first-hit channels of --aov to `layers`.
 render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
                            const RenderOptions& options, RenderStatistics& statistics,
                            std::vector<render::Layer>& layers, Environment& env) {
   render::RenderMonitor monitor;
   monitor.on_tracing = [&] {
-    // Of ten million spheres, what was compiled and what the hierarchy was built from leave 140 MB
-    // behind, as long as the tracing takes.
+    // For ten million spheres, freed memory of the compiler and the BVH builder would keep 140 MB
+    // resident during tracing.
     release_freed_memory();
-    statistics.render_rss_bytes = resident_bytes();  // before the codec adds its own
+    statistics.render_rss_bytes = resident_bytes();  // before the codec allocates its own
     render::preload_image_codec();
   };
   const InterruptGuard interrupt(monitor.cancel);
@@ -195,7 +193,7 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
   return render::render(std::move(kernel), std::move(lowered.scene), lowered.settings, monitor);
 }
 
-/// The closing line, and how the command ends.
+/// Prints the final line and returns the status of the command.
 ExitCode conclude(const RenderOptions& options, const render::RenderSettings& settings,
                   const render::RenderResult& result, const Written& written, Environment& env) {
   if (result.nonfinite_samples > 0) {
@@ -251,9 +249,11 @@ class RenderJob {
   }
 
  private:
-  /// Of an interruption that found a picture finished.
+  /// Reports an interruption after a finished picture.
   ExitCode tell_interrupted(ExitCode code) {
-    if (code == ExitCode::Interrupted) return code;  // within a picture, which has been reported
+    if (code == ExitCode::Interrupted)
+      return code;  // interrupted within a picture, which has been
+                    // reported
     env_.err << fmt::format("interrupted; {}\n", frames_.size() == 1
                                                      ? "the picture was finished"
                                                      : fmt::format("{} of {} frames were finished",
@@ -281,14 +281,14 @@ class RenderJob {
     }
   }
 
-  /// A frame's scene, and how it is traced.
+  /// A frame's scene, and its kernel.
   struct LoweredFrame {
     lang::LoweredScene lowered;
-    render::Kernel kernel;  ///< perhaps refused
+    render::Kernel kernel;  ///< may be refused
     double choice_seconds = 0;
   };
 
-  /// Compiles the scene at this frame and prints its new diagnostics; nothing when it has errors.
+  /// Compiles the scene at this frame and prints its new diagnostics; nullopt if it has errors.
   std::optional<LoweredFrame> lower(std::optional<int> frame, RenderStatistics& statistics) {
     lang::Overrides overrides = options_.overrides;
     overrides.instancing = instancing_for(options_.kernel, overrides);
@@ -330,18 +330,18 @@ class RenderJob {
     if (frame == frames_.front()) {
       request.all_frames = frames_;
     } else {
-      request.stats.clear();  // those of earlier frames are there by now
+      request.stats.clear();  // the file of earlier frames exists by now
     }
     if (sandbox_) request.sandbox = &*sandbox_;
     return request;
   }
 
-  /// Before text and tree are gone.
+  /// Called before text and tree are freed.
   void find_inputs(const lang::LoweredScene& lowered) {
     inputs_ = {options_.scene.file};
     for (const fs::path& part : compiler_->dependencies()) inputs_.push_back(part.string());
     if (!options_.scene.reading.is_sandboxed) return;
-    // The default's folder is ours, its file may be a link of the scene's.
+    // The default folder is ours, but the file in it may be a link made by the scene's author.
     sandbox_.emplace(env_.files, lowered.output.output.empty() ? "" : options_.scene.name());
   }
 
@@ -353,7 +353,7 @@ class RenderJob {
     auto& [lowered, kernel, choice_seconds] = *lowered_frame;
     if (interrupted_.load()) return ExitCode::Success;  // between two frames
     find_inputs(lowered);
-    if (is_last) {  // text and tree make room for the tracing
+    if (is_last) {  // free text and tree before tracing
       compiler_.reset();
       source_.reset();
     }
@@ -368,7 +368,7 @@ class RenderJob {
     if (settings.seconds) {
       lowered.settings.seconds = seconds_to_trace(settings, outputs.size(), seconds_since(start));
     }
-    // Until here there is nothing to save, and a signal ends the process.
+    // Until here there is nothing to save, and a signal may end the process.
     if (!guard_) guard_.emplace(interrupted_);
     std::vector<render::Layer> layers;
     render::RenderResult result =
@@ -398,9 +398,9 @@ class RenderJob {
   std::optional<lang::SourceFile> source_;
   std::optional<lang::Compiler> compiler_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::vector<std::optional<int>> frames_;  // nothing: a scene without an animation
+  std::vector<std::optional<int>> frames_;  // nullopt for a scene without an animation
   double read_seconds_ = 0;
-  std::string stats_;  // of the frames so far, one a line
+  std::string stats_;  // of the frames so far, one per line
   std::vector<std::string> inputs_;
   std::optional<lang::Sandbox> sandbox_;
   std::size_t finished_ = 0;  // frames
@@ -425,7 +425,7 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
                    "output). Default: the scene's own, else FILE's stem with .png")
       ->take_all()
       ->expected(1)
-      ->allow_extra_args(false);  // FILE may stand behind it
+      ->allow_extra_args(false);  // FILE may follow
   add_override_options(*command, options->overrides);
   add_kernel_options(*command, options->kernel);
   add_aov_option(*command, options->aovs);

@@ -19,7 +19,7 @@
 namespace sdlc::cli {
 namespace {
 
-/// The two sides of NAME=VALUE.
+/// Splits NAME=VALUE.
 std::pair<std::string, std::string> split_pair(const std::string& flag, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
@@ -29,7 +29,7 @@ std::pair<std::string, std::string> split_pair(const std::string& flag, const st
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-/// `4096`, `64MiB`
+/// Parses `4096` or `64MiB`.
 std::optional<std::uint64_t> read_limit(std::string_view text) {
   std::uint64_t number = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -82,7 +82,7 @@ void add_limit_option(CLI::App& command, lang::Limits& limits) {
       ->type_name("NAME=N")
       ->take_all()
       ->expected(1)
-      ->allow_extra_args(false);  // FILE may stand behind it
+      ->allow_extra_args(false);  // FILE may follow
 }
 
 void add_reading_options(CLI::App& command, ReadingOptions& options) {
@@ -140,7 +140,7 @@ void add_set_option(CLI::App& command, std::vector<lang::SetOption>& sets) {
       ->type_name("NAME=VALUE")
       ->take_all()
       ->expected(1)
-      ->allow_extra_args(false);  // FILE may stand behind it
+      ->allow_extra_args(false);  // FILE may follow
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {

@@ -15,7 +15,7 @@ void add_schema_command(CLI::App& app, Dispatcher& dispatcher) {
   command->add_flag("--language", *is_language,
                     "The kinds, properties, materials, functions, types, limits, colours and "
                     "diagnostics of the language instead, as JSON");
-  // All commands take it; this one has nothing else to say.
+  // Accepted because all commands have it; without effect here.
   command->add_flag("--quiet")->description("Has no effect here");
   command->footer(
       "Examples:\n"

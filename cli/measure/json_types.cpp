@@ -67,7 +67,7 @@ double number_of(const Json& json, const std::string& name) {
 
 std::int64_t whole_of(const Json& json, const std::string& name, std::int64_t min,
                       std::int64_t max) {
-  // Numbers with a point or an exponent are none, and those beyond 64 bits are read as such.
+  // Rejects numbers with a point or an exponent; integers beyond 64 bits are parsed as such.
   const bool is_in_range = json.is_number_unsigned()
                                ? std::cmp_less_equal(json.get<std::uint64_t>(), max) &&
                                      std::cmp_greater_equal(json.get<std::uint64_t>(), min)

@@ -175,7 +175,7 @@ render::PrecisionProbe precision_of(const Json& json) {
 
 [[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument(what); }
 
-/// A plan that the study can follow.
+/// Checks that the study can follow the plan.
 void check(const render::StudyPlan& plan) {
   using Kind = StudyTask::Kind;
   if (std::int64_t{plan.width} * plan.height > render::kMaxPicturePixels) {
@@ -201,7 +201,7 @@ void check(const render::StudyPlan& plan) {
   if (compares_precisions && !has_other) refuse("its `costs` lack the other precision");
 }
 
-/// Depths of one seed are held against each other: where one is, all are.
+/// Depths of one seed are compared with each other, so they must be complete.
 void check_depths(const render::StudyPlan& plan, const std::vector<render::DepthProbe>& probes) {
   std::map<int, std::vector<int>> rounds;
   for (const render::DepthProbe& probe : probes) rounds[probe.round].push_back(probe.depth);
@@ -213,7 +213,7 @@ void check_depths(const render::StudyPlan& plan, const std::vector<render::Depth
   }
 }
 
-/// A ledger that was damaged or edited must not go unnoticed, let alone be read beyond its ends.
+/// A damaged or edited ledger must be detected, and must not cause out-of-range access.
 void check(const render::StudyLedger& ledger) {
   if (!ledger.plan) {
     const bool is_empty = !ledger.reference && ledger.renders.empty() &&

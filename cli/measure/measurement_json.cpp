@@ -24,7 +24,7 @@ Json point_json(const render::Point& point) {
   put(json, "seconds", point.seconds);
   json["samples_per_second"] = point.samples_per_second;
   json["rays_per_second"] = point.rays_per_second;
-  // By the reference's own noise, unlike that of the difference.
+  // Relative to the reference's own noise, unlike the error of the difference.
   Json difference = difference_json(point.difference);
   difference.erase("relative_error");
   put(json, "relative_error", point.error);

@@ -17,7 +17,7 @@ namespace {
 using render::Measured;
 using render::Measurement;
 
-/// Spaces that do not break are for pages.
+/// Replaces no-break spaces, which are only for HTML.
 std::string plain(std::string text) {
   constexpr std::string_view kNoBreak = "\u00a0";
   for (std::size_t at = text.find(kNoBreak); at != std::string::npos; at = text.find(kNoBreak)) {
@@ -30,7 +30,7 @@ std::string reading(const Measured& measured, FigureText* as) {
   return plain(read(measured, as).text());
 }
 
-/// Rows of cells, in columns as wide as they need; the first row names them.
+/// Rows of cells, in columns as wide as necessary; the first row is the header.
 class Table {
  public:
   using Row = std::vector<std::string>;
@@ -158,7 +158,7 @@ std::string recommendation_text(const Measurement& measurement, const std::strin
                            reading(recommendation.error, percent)));
 }
 
-/// The last thing that is told: what to render with.
+/// The last part of the output: the recommendations.
 std::string recommendations_text(const Measurement& measurement) {
   std::string text;
   if (measurement.as_it_is) {

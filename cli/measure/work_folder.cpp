@@ -44,7 +44,7 @@ void write_file(const fs::path& path, std::string_view bytes) {
   render::write_file_atomically(path, std::as_bytes(std::span(bytes)));
 }
 
-/// Values that a reference has a pixel: red, green, blue, and the two of its noise.
+/// Values per pixel of a reference: red, green, blue, and two for its noise.
 constexpr std::size_t kValues = 5;
 
 std::string reference_bytes(const render::ReferencePicture& reference) {
@@ -59,7 +59,7 @@ std::string reference_bytes(const render::ReferencePicture& reference) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
 }
 
-/// Nothing where the file is not of a picture of this size.
+/// nullopt if the file does not hold a picture of this size.
 std::optional<render::ReferencePicture> reference_of(const std::string& bytes, int width,
                                                      int height) {
   render::ReferencePicture reference{.picture = render::Picture(width, height)};
@@ -114,8 +114,8 @@ WorkFolder::WorkFolder(fs::path folder, Json identity)
   fs::create_directories(folder_, error);
   if (error) throw render::IoError("make", folder_, error.message());
   render::check_writable(folder_ / kStudyName);
-  // Nothing is put into a folder of somebody else, not even a lock; and one that is locked may be
-  // in the middle of anything.
+  // Write nothing into a folder of somebody else, not even a lock; a locked folder may be in any
+  // state.
   if (!fs::exists(folder_ / kLockName, error)) check_only_ours();
   lock_.emplace(folder_ / kLockName, folder_);
   check_only_ours();
@@ -194,7 +194,7 @@ bool WorkFolder::load(render::StudyLedger& ledger,
 
 std::string WorkFolder::read_whole(const std::string& name) const {
   const auto digest = digests_.find(name);
-  // A name that was not written here may lead anywhere.
+  // A name that was not written by us could be any path.
   if (digest == digests_.end()) {
     refuse_to_go_on(folder_, fmt::format("its study.json has no digest of {}", name));
   }

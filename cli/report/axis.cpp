@@ -13,7 +13,7 @@ constexpr std::array kOneThree{1.0, 3.0};
 constexpr std::array kOneTwoFive{1.0, 2.0, 5.0};
 constexpr std::array kAll{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0};
 
-/// Those multiples of every `step`th power of ten that lie within.
+/// The multiples of every `step`th power of ten within the range.
 std::vector<double> multiples_within(double from, double to, std::span<const double> multiples,
                                      int step = 1) {
   std::vector<double> values;
@@ -22,7 +22,7 @@ std::vector<double> multiples_within(double from, double to, std::span<const dou
   for (int exponent = first; exponent <= last; ++exponent) {
     if (exponent % step != 0) continue;
     for (const double multiple : multiples) {
-      // Divided by a whole power, so that 0.2 is the nearest number to it.
+      // Divided by an integer power, so that 0.2 is correctly rounded.
       const double value =
           exponent < 0 ? multiple / std::pow(10.0, -exponent) : multiple * std::pow(10.0, exponent);
       if (value >= from && value <= to) values.push_back(value);
@@ -65,7 +65,7 @@ LogAxis LogAxis::covering(std::span<const double> values) {
     largest = std::max(largest, value);
   }
   if (largest == 0) smallest = largest = 1;
-  // Of a range that a double cannot hold the ends stay as they are.
+  // If the range is beyond a double, keep its ends.
   constexpr double kLeastSpan = 1.5, kMargin = 0.04;
   double from = smallest, to = largest;
   if (to / from < kLeastSpan) {

@@ -18,16 +18,16 @@ namespace {
 constexpr double kWidth = 600, kHeight = 420;
 constexpr double kLeft = 72, kRight = 24, kTop = 66, kBottom = 50;
 constexpr double kRadius = 5, kFadedRadius = 3.6, kTargetRadius = 11;
-constexpr double kZeroLane = 22;  // below the plot, for what a logarithmic axis has no place for
+constexpr double kZeroLane = 22;  // below the plot, for values that a logarithmic axis cannot show
 
 bool has_place(const ChartPoint& point) noexcept {
   return std::isfinite(point.x.value) && std::isfinite(point.y.value);
 }
 
-/// Ends farther than this from their value would squeeze everything else together.
+/// Ends farther than this factor from their value would compress everything else.
 constexpr double kFarthestEnd = 10;
 
-/// What the axis has to cover for the value: it and its ends.
+/// Collects the values that the axis has to cover: the value and its ends.
 void collect(const render::Measured& measured, std::vector<double>& values) {
   values.push_back(measured.value);
   if (!has_interval(measured)) return;
@@ -43,7 +43,7 @@ LogAxis axis_over(const Chart& chart, render::Measured ChartPoint::*coordinate,
       if (has_place(point)) collect(point.*coordinate, values);
     }
   }
-  // A level far below is left out rather than all else squeezed into the upper half.
+  // A level far below is left out, because it would compress everything else into the upper half.
   constexpr double kWorthShowing = 20;
   double smallest = std::numeric_limits<double>::infinity();
   for (const double value : values) {
@@ -53,7 +53,7 @@ LogAxis axis_over(const Chart& chart, render::Measured ChartPoint::*coordinate,
   return LogAxis::covering(values);
 }
 
-/// The plot's rectangle and where coordinates lie in it.
+/// The plot's rectangle and the mapping of coordinates to it.
 class Plot {
  public:
   explicit Plot(const Chart& chart)
@@ -73,12 +73,12 @@ class Plot {
   double right() const noexcept { return kWidth - kRight; }
   double top() const noexcept { return kTop; }
   double bottom() const noexcept { return kHeight - kBottom - (has_zeros_ ? kZeroLane : 0); }
-  /// Of the drawing's frame, with the lane of zeros.
+  /// The lower edge of the frame, including the lane of zeros.
   double floor() const noexcept { return kHeight - kBottom; }
   bool has_zeros() const noexcept { return has_zeros_; }
 
   double x(double value) const noexcept { return left() + (right() - left()) * x_.share(value); }
-  /// Of 0 the middle of the lane.
+  /// 0 is in the centre of the lane.
   double y(double value) const noexcept {
     if (!(value > 0) && has_zeros_) return (bottom() + floor()) / 2;
     return bottom() + (top() - bottom()) * y_.share(value);
@@ -157,7 +157,8 @@ std::string draw_front(const Plot& plot, const Chart& chart) {
   return fmt::format("<path class=\"front\" d=\"{}H{:.1f}\"/>\n", path, plot.right());
 }
 
-/// From mark to mark, or straight: through the middle of the marks in logarithms, with the slope.
+/// From mark to mark, or a straight line with the slope through the centre of the marks in
+/// logarithms.
 std::string draw_line(const Plot& plot, const ChartSeries& series) {
   std::string path;
   if (series.is_joined) {
@@ -191,7 +192,7 @@ std::string draw_line(const Plot& plot, const ChartSeries& series) {
                      series.style % kSeriesStyles, dashes(series.style), path);
 }
 
-/// An error bar along one axis; the cap is left out where the interval goes on beyond the plot.
+/// An error bar along one axis; without a cap where the interval extends beyond the plot.
 std::string draw_bar(const Plot& plot, const ChartPoint& point) {
   constexpr double kCap = 3.5;
   std::string path;
@@ -227,7 +228,7 @@ std::string_view class_of(MarkLook look) {
   }
 }
 
-/// The figures of a point stand above the plot, where they hide no other.
+/// The figures of a point are above the plot, where they hide no other.
 std::string draw_reading(const ChartSeries& series, const ChartPoint& point,
                          std::string_view title) {
   const std::string key = series.key.empty() ? "" : series.key + "\u2002";
@@ -253,7 +254,7 @@ std::string draw_point(const Plot& plot, const ChartSeries& series, const ChartP
          draw_reading(series, point, title) + "</g>\n";
 }
 
-/// The letters of the series beside their last marks, pushed apart where these lie close together.
+/// The letters of the series next to their last marks, moved apart if they overlap.
 std::string draw_keys(const Plot& plot, const Chart& chart) {
   struct Key {
     double x, y;

@@ -11,7 +11,7 @@ namespace {
 
 std::string plain_tick(double number) { return figure(number, 6); }
 
-/// `y` takes what is drawn from a depth.
+/// `y` maps a depth to the plotted value.
 template <typename Y>
 Chart chart_over_depth(const render::Measurement& measurement, Chart chart, Y&& y) {
   chart.x = {"depth", plain_tick};

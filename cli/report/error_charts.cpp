@@ -28,7 +28,7 @@ MarkLook look_of(render::Dominance dominance) {
   }
 }
 
-/// The series with the error of each point over what `x` takes from it.
+/// The series with the error of each point over `x` of the point.
 template <typename X>
 std::vector<ChartSeries> series_over(const render::Measurement& measurement, X&& x) {
   std::vector<ChartSeries> all;

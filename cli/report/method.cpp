@@ -8,7 +8,7 @@
 namespace sdlc::cli {
 namespace {
 
-/// Terms and what is said of them, side by side.
+/// A list of terms and their descriptions.
 class Facts {
  public:
   void add(std::string_view term, std::string_view html) {

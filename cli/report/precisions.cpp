@@ -11,7 +11,7 @@
 namespace sdlc::cli {
 namespace {
 
-/// Whether float and double differ, as the interval has it.
+/// Whether float and double differ, according to the interval.
 std::string_view verdict_of(const render::Measured& difference) {
   if (!has_interval(difference)) return "whether that is chance cannot be told";
   const auto [from, to] = difference.interval;

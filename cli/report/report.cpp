@@ -28,7 +28,7 @@ constexpr std::array kSections{
     Section{"method", "How it was measured", method_section},
 };
 
-/// Nothing may be loaded, and no script run, whatever a scene is called.
+/// Nothing is loaded, and no script runs, whatever a scene is called.
 constexpr std::string_view kPolicy = "default-src 'none'; img-src data:; style-src 'unsafe-inline'";
 
 std::string head(const Report& report) {

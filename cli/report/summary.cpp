@@ -12,7 +12,7 @@
 namespace sdlc::cli {
 namespace {
 
-/// The flags as they are typed; a line may end between two of them only.
+/// The flags as typed; a line may only break between flags.
 std::string flags_element(const render::Measurement& measurement,
                           const render::Recommendation& choice) {
   const std::string flags = render_flags(measurement, choice.way, choice.samples);
@@ -40,7 +40,7 @@ std::string lead(const render::Measurement& measurement, const render::Recommend
       read(choice.error, percent).text(), how);
 }
 
-/// What the scene asks for now, where that was measured.
+/// The scene's current settings, if they were measured.
 std::string as_it_is(const render::Measurement& measurement) {
   if (!measurement.as_it_is) return {};
   const render::Recommendation& render = *measurement.as_it_is;
