@@ -60,7 +60,7 @@ std::optional<double> read_duration(std::string_view text) {
   return seconds > 0 && std::isfinite(seconds) ? std::optional(seconds) : std::nullopt;
 }
 
-std::string without_blanks(std::string_view text) {
+std::string without_spaces(std::string_view text) {
   std::string joined;
   std::ranges::copy_if(text, std::back_inserter(joined), [](char c) { return c != ' '; });
   return joined;
@@ -83,12 +83,12 @@ std::string_view nearest_unit(std::string_view word) {
 }
 
 /// Guesses the intended share by adding the missing `%`; the result may still be invalid.
-std::string mend_share(std::string_view text) {
-  const std::string joined = without_blanks(text);
+std::string repair_share(std::string_view text) {
+  const std::string joined = without_spaces(text);
   return read_share(joined) ? joined : joined + "%";
 }
-std::string mend_duration(std::string_view text) {
-  const std::string joined = without_blanks(text);
+std::string repair_duration(std::string_view text) {
+  const std::string joined = without_spaces(text);
   const std::optional<Amount> amount = read_amount(joined);
   if (!amount) return joined;
   return fmt::format("{}{}", amount->digits, nearest_unit(amount->unit));
@@ -96,12 +96,12 @@ std::string mend_duration(std::string_view text) {
 
 double parse_amount(const std::string& flag, const std::string& text, std::string_view wanted,
                     std::optional<double> (*read)(std::string_view),
-                    std::string (*mend)(std::string_view)) {
+                    std::string (*repair)(std::string_view)) {
   if (const auto amount = read(text)) return *amount;
-  const std::string mended = mend(text);
+  const std::string repaired = repair(text);
   throw CLI::ValidationError(
       flag, fmt::format("takes {}, not `{}`{}", wanted, lang::printable(text),
-                        read(mended) ? fmt::format(" (did you mean `{}`?)", mended) : ""));
+                        read(repaired) ? fmt::format(" (did you mean `{}`?)", repaired) : ""));
 }
 
 std::optional<double> read_finite(const std::string& text) {
@@ -122,7 +122,7 @@ std::optional<double> read_finite(const std::string& text) {
 
 double parse_share(const std::string& flag, const std::string& text) {
   return parse_amount(flag, text, "a share above 0 and at most 100%, such as `3%` or `0.03`",
-                      read_share, mend_share);
+                      read_share, repair_share);
 }
 
 double parse_ratio(const std::string& flag, const std::string& text) {
@@ -135,7 +135,7 @@ double parse_ratio(const std::string& flag, const std::string& text) {
 double parse_duration(const std::string& flag, const std::string& text) {
   return parse_amount(flag, text,
                       "a time above 0 with its unit, such as `10s`, `500ms`, `2min` or `1h`",
-                      read_duration, mend_duration);
+                      read_duration, repair_duration);
 }
 
 double parse_number(const std::string& flag, const std::string& text, double min) {

@@ -39,7 +39,7 @@ void add_aov_option(CLI::App& command, Aovs& aovs) {
               aovs.*kMembers[static_cast<std::size_t>(found - kWords.begin())] = true;
             }
           },
-          "Further channels in .exr outputs, with commas between them (may be repeated)")
+          "Additional channels in .exr outputs, comma-separated (may be repeated)")
       ->check(one_of(kWords))
       ->delimiter(',')
       ->take_all()
@@ -55,22 +55,21 @@ void check_aovs(const Aovs& aovs, const std::vector<Output>& outputs, const rend
   };
   if (std::ranges::none_of(outputs, is_exr)) {
     throw UsageError(
-        "--aov: only .exr files have room for further channels, and no output is one; add one, "
-        "such as -o picture.exr");
+        "--aov: only .exr files can store additional channels, and there is no .exr output; add "
+        "one, such as -o picture.exr");
   }
   const auto min_samples = static_cast<int>(render::kMinReplicatedSamples);
   if (aovs.variance && settings.samples < min_samples) {
-    throw UsageError(fmt::format(
-        "--aov: `variance` takes at least {0} samples a pixel, and this render has {1}; raise "
-        "them, such as --samples {0}, or leave `variance` out",
-        min_samples, settings.samples));
+    throw UsageError(
+        fmt::format("--aov: `variance` takes at least {0} samples per pixel, and this render has "
+                    "{1}; use more, such as --samples {0}, or omit `variance`",
+                    min_samples, settings.samples));
   }
   if (!aovs.has_first_hits() || scene.instances.empty()) return;
   if (const std::uint64_t spheres = count_spheres(scene); spheres > render::kMaxExpandedSpheres) {
     throw UsageError(
-        fmt::format("--aov: `normal`, `depth` and `albedo` hold each sphere of an instance by "
-                    "itself, which is done up to {} spheres, and this scene has {}; `variance` and "
-                    "`samples` can be had of it",
+        fmt::format("--aov: `normal`, `depth` and `albedo` expand instances, which is limited to "
+                    "{} spheres, and this scene has {}; `variance` and `samples` are possible",
                     format_whole(render::kMaxExpandedSpheres), format_whole(spheres)));
   }
 }
@@ -110,7 +109,7 @@ void add_picture_layers(const Aovs& aovs, const render::RenderSettings& settings
   if (missing.empty()) return;
   const std::string reason =
       result.is_complete
-          ? fmt::format("it takes at least {} samples a pixel, and there was time for {}",
+          ? fmt::format("it takes at least {} samples per pixel, and there was time for {}",
                         render::kMinReplicatedSamples, result.least_samples)
           : "the render was interrupted";
   err << fmt::format("warning: --aov: without {}, as {}\n", fmt::join(missing, ", "), reason);

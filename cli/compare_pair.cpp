@@ -48,7 +48,8 @@ void check_values(const std::string& name, const render::Picture& picture, std::
 
 PictureFile read(const std::string& name) {
   if (name == kStandardStream) {
-    throw UsageError("pictures are not read from standard input: their names tell the format");
+    throw UsageError(
+        "pictures cannot be read from standard input: the format follows from the name");
   }
   picture_format(name, "read");
   PictureFile file = render::read_picture_file(name);
@@ -73,14 +74,14 @@ void check_match(const ComparedPair& pair) {
   const std::string b_name = lang::printable(pair.reference_name);
   if (a.picture.width != b.picture.width || a.picture.height != b.picture.height) {
     throw UsageError(fmt::format(
-        "`{}` has {} x {} pixels and `{}` {} x {}; only pictures of one size can be compared",
+        "`{}` has {} x {} pixels and `{}` {} x {}; only pictures of the same size can be compared",
         a_name, a.picture.width, a.picture.height, b_name, b.picture.width, b.picture.height));
   }
   if (a.is_linear != b.is_linear) {
-    throw UsageError(fmt::format(
-        "`{}` holds linear radiance and `{}` the codes of a tone curve; compare two files of one "
-        "kind, such as two .exr or two .png",
-        a.is_linear ? a_name : b_name, a.is_linear ? b_name : a_name));
+    throw UsageError(
+        fmt::format("`{}` holds linear radiance and `{}` the codes of a tone curve; compare two "
+                    "files of the same kind, such as two .exr or two .png",
+                    a.is_linear ? a_name : b_name, a.is_linear ? b_name : a_name));
   }
   if (a.is_grey != b.is_grey) {
     throw UsageError(fmt::format("`{}` is grey and `{}` has colours; make both the same",
@@ -105,7 +106,7 @@ void choose_tone(ComparedPair& pair) {
   // Do not mention sRGB, the usual case.
   if (pair.tone == render::Tone::Srgb || (a_tone && b_tone)) return;
   pair.notes.push_back(fmt::format(
-      "{} does not tell its tone, which is taken for that of the other, {}",
+      "{} does not record its tone; assuming that of the other, {}",
       lang::printable(a_tone ? pair.reference_name : pair.picture_name), name_of(pair.tone)));
 }
 
@@ -127,8 +128,8 @@ void note_shared_noise(ComparedPair& pair) {
     return;
   }
   pair.notes.push_back(
-      fmt::format("both are of seed {}: they share noise, of which the z-test knows nothing, and "
-                  "it finds too little; give one of them another --seed",
+      fmt::format("both have seed {}: they share noise, so the z-test is less sensitive; render "
+                  "one of them with another --seed",
                   lang::printable(*seed)));
 }
 

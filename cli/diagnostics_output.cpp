@@ -46,8 +46,7 @@ const NamedFormat& format_of(const DiagnosticsOptions& options) {
 
 void add_options(CLI::App& command, DiagnosticsOptions& options,
                  std::span<const std::string_view> formats) {
-  command.add_option("--format", options.format, "How diagnostics are printed")
-      ->check(one_of(formats));
+  command.add_option("--format", options.format, "Format of diagnostics")->check(one_of(formats));
   command.add_option("--color", options.color, "Colours in diagnostics")->check(one_of(kColors));
 }
 

@@ -57,11 +57,11 @@ bool unit_matches(std::string_view unit, char c) {
 /// character; earlier ones need not be retried.
 bool name_matches(std::string_view pattern, std::string_view name) {
   std::size_t p = 0, n = 0;
-  std::optional<std::size_t> behind_star;
+  std::optional<std::size_t> after_star;
   std::size_t star_end = 0;  // end of the text that the last `*` has taken
   while (n < name.size()) {
     if (p < pattern.size() && pattern[p] == '*') {
-      behind_star = ++p;
+      after_star = ++p;
       star_end = n;
       continue;
     }
@@ -69,8 +69,8 @@ bool name_matches(std::string_view pattern, std::string_view name) {
     if (size > 0 && unit_matches(pattern.substr(p, size), name[n])) {
       p += size;
       ++n;
-    } else if (behind_star) {
-      p = *behind_star;
+    } else if (after_star) {
+      p = *after_star;
       n = ++star_end;
     } else {
       return false;
@@ -80,11 +80,12 @@ bool name_matches(std::string_view pattern, std::string_view name) {
 }
 
 void check_part(std::string_view part) {
-  if (part.empty()) throw std::invalid_argument("has an empty name between its slashes");
+  if (part.empty()) throw std::invalid_argument("has an empty part between slashes");
   if (part == "." || part == "..") throw std::invalid_argument("has `.` or `..` in it");
   if (part == kAnyFolders) return;
   if (part.find(kAnyFolders) != std::string_view::npos) {
-    throw std::invalid_argument("has `**` beside other characters; between slashes it is alone");
+    throw std::invalid_argument(
+        "has `**` next to other characters; it must be a complete part between slashes");
   }
   for (std::size_t i = 0; i < part.size(); ++i) {
     if (part[i] != '[') continue;
@@ -99,7 +100,8 @@ void check_part(std::string_view part) {
 Glob::Glob(std::string_view pattern) {
   if (pattern.empty()) throw std::invalid_argument("is empty");
   if (pattern.starts_with('/')) {
-    throw std::invalid_argument("begins with a slash; it is relative to the folder of this file");
+    throw std::invalid_argument(
+        "begins with a slash; patterns are relative to the folder of this file");
   }
   if (pattern.find('\\') != std::string_view::npos) {
     throw std::invalid_argument("has a backslash; folders are separated by slashes");

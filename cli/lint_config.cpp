@@ -94,7 +94,7 @@ class ConfigReader {
       } else if (key.str() == "ignore") {
         config.filter.ignored = read_codes(key.str(), entry);
       } else if (key.str() == "max-warnings") {
-        config.most_warnings = read_count(key.str(), entry);
+        config.max_warnings = read_count(key.str(), entry);
       } else if (key.str() == "overrides") {
         read_overrides(entry, config);
       } else {
@@ -259,11 +259,11 @@ std::optional<LintConfig> LintConfigs::read(const fs::path& path) {
   constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 20;
   if (searches_ && is_sandboxed_ && !lang::Sandbox(env_.files, path).resolve(path)) {
     throw render::IoError("read", shown_name(path),
-                          "it leads out of its folder, which --sandbox refuses");
+                          "it is outside its folder, which --sandbox refuses");
   }
   const bool is_searched = path.filename() == kLintConfigName;
   if (is_searched && env_.files.is_special(path)) {
-    throw render::IoError("read", shown_name(path), "it is no regular file");
+    throw render::IoError("read", shown_name(path), "it is not a regular file");
   }
   std::error_code error;
   const std::optional<std::string> text = env_.files.read(path, kMaxBytes, error);

@@ -28,7 +28,7 @@ struct LintOverride {
 struct LintConfig {
   std::filesystem::path folder = {};  ///< its folder, absolute; globs are relative to it
   CodeFilter filter = {};
-  std::optional<std::uint64_t> most_warnings = {};
+  std::optional<std::uint64_t> max_warnings = {};
   std::vector<LintOverride> overrides = {};
 
   /// Whether a diagnostic is wanted in the file, given by its absolute path. Checks the overrides

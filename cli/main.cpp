@@ -40,8 +40,8 @@ void open_closed_streams() {
     } catch (const std::exception& error) {
       if (sdlc::render::is_thread_shortage(error)) {
         std::fputs(
-            "error: a thread cannot be started: the user or the container has too many "
-            "(`ulimit -u`); --threads asks for fewer\n",
+            "error: a thread cannot be started: the limit of the user or the container is reached "
+            "(`ulimit -u`); use fewer --threads\n",
             stderr);
         std::_Exit(static_cast<int>(sdlc::cli::ExitCode::Usage));
       }

@@ -63,7 +63,7 @@ std::vector<Output> name_outputs(const OutputRequest& request, std::optional<int
   }
   if (!outputs.empty()) return outputs;
   const auto name = default_picture(request.of_scene, request.input, frame);
-  if (!name) throw UsageError("a scene from `-` needs -o OUT or --stdin-filename NAME");
+  if (!name) throw UsageError("a scene from `-` requires -o OUT or --stdin-filename NAME");
   return {{.path = *name,
            .format = picture_format(*name, "write"),
            .may_make_folders = !request.of_scene.empty()}};
@@ -129,7 +129,7 @@ bool InputSet::contains(const std::string& name) const {
 void InputSet::check_not_in(const std::string& name) const {
   if (!contains(name)) return;
   throw UsageError(
-      fmt::format("`{}` is a file that is read, and would be overwritten", lang::printable(name)));
+      fmt::format("`{}` is an input file and would be overwritten", lang::printable(name)));
 }
 
 namespace {
@@ -138,10 +138,9 @@ namespace {
 void check_sandbox(const OutputRequest& request, const fs::path& name) {
   if (request.sandbox == nullptr || !request.pictures.empty()) return;
   if (request.sandbox->resolve(name)) return;
-  throw UsageError(
-      fmt::format("`{}` leads out of the scene's folder, which --sandbox refuses; -o names "
-                  "another place",
-                  lang::printable(name.string())));
+  throw UsageError(fmt::format(
+      "`{}` is outside the scene's folder, which --sandbox refuses; use -o to choose another place",
+      lang::printable(name.string())));
 }
 
 /// Checks the names of unfinished pictures. `all`: all other outputs.

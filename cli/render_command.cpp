@@ -157,15 +157,16 @@ void write_stats(const std::string& path, const std::string& lines, Environment&
 }
 
 /// The first pass is finished in any case.
-constexpr double kLeastSecondsToTrace = 1e-3;
+constexpr double kMinSecondsToTrace = 1e-3;
 
 /// The part of a picture's time limit that is left for tracing, after reading and before writing.
 double seconds_to_trace(const render::RenderSettings& settings, std::size_t outputs, double spent) {
   // PNG, the slowest common format, takes about 60 ns per pixel.
-  constexpr double kSecondsAPixel = 60e-9, kSecondsAFile = 0.02;
+  constexpr double kSecondsPerPixel = 60e-9, kSecondsPerFile = 0.02;
   const double pixels = static_cast<double>(settings.width) * settings.height;
-  const double to_write = (pixels * kSecondsAPixel + kSecondsAFile) * static_cast<double>(outputs);
-  return std::max(*settings.seconds - spent - to_write, kLeastSecondsToTrace);
+  const double to_write =
+      (pixels * kSecondsPerPixel + kSecondsPerFile) * static_cast<double>(outputs);
+  return std::max(*settings.seconds - spent - to_write, kMinSecondsToTrace);
 }
 
 /// Traces with progress; Ctrl-C ends it early. Moves the scene's spheres away, and appends the
@@ -186,7 +187,7 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
     const auto start = std::chrono::steady_clock::now();
     layers = first_hit_layers(lowered.scene, lowered.settings, options.aovs, monitor.cancel);
     if (auto& seconds = lowered.settings.seconds) {
-      *seconds = std::max(*seconds - seconds_since(start), kLeastSecondsToTrace);
+      *seconds = std::max(*seconds - seconds_since(start), kMinSecondsToTrace);
     }
   }
   const ProgressReporter progress(progress_style(options, env), monitor, lowered.settings, env.err);
@@ -205,9 +206,10 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
         settings.has_goal()
             ? ""
             : fmt::format(" of {}", format_count(static_cast<double>(total_samples(settings))));
-    const std::string saved = written.names.empty() ? "nothing was saved"
-                                                    : fmt::format("what there is was saved as {}",
-                                                                  fmt::join(written.names, ", "));
+    const std::string saved =
+        written.names.empty()
+            ? "nothing was saved"
+            : fmt::format("the partial picture was saved as {}", fmt::join(written.names, ", "));
     env.err << fmt::format("interrupted after {}{} samples; {}\n",
                            format_count(static_cast<double>(result.camera_samples)), of, saved);
     return graver(ExitCode::Interrupted, written.code);
@@ -245,12 +247,12 @@ class RenderJob {
       if (code != ExitCode::Success || interrupted_.load()) break;
       code = render_frame(frames_[i], i + 1 == frames_.size());
     }
-    return interrupted_.load() && finished_ > 0 ? tell_interrupted(code) : code;
+    return interrupted_.load() && finished_ > 0 ? report_interrupted(code) : code;
   }
 
  private:
   /// Reports an interruption after a finished picture.
-  ExitCode tell_interrupted(ExitCode code) {
+  ExitCode report_interrupted(ExitCode code) {
     if (code == ExitCode::Interrupted)
       return code;  // interrupted within a picture, which has been
                     // reported
@@ -264,7 +266,7 @@ class RenderJob {
   void choose_frames() {
     const std::optional<lang::Animation> animation = compiler_->animation();
     if (!animation && options_.frames && !sink_.has_errors()) {
-      throw UsageError("--frames: the scene has no `animation`, so that all frames are the same");
+      throw UsageError("--frames: the scene has no `animation`, so all frames are the same");
     }
     if (!animation) {
       frames_ = {std::nullopt};
@@ -376,7 +378,7 @@ class RenderJob {
     result.build_seconds += choice_seconds;
     if (!result.is_complete) {
       if (result.camera_samples == 0) return conclude(options_, settings, result, {}, env_);
-      env_.err << "interrupted; saving what there is" << std::endl;
+      env_.err << "interrupted; saving the partial picture" << std::endl;
     }
     add_picture_layers(options_.aovs, settings, result, layers, env_.err);
     const auto write_start = std::chrono::steady_clock::now();
@@ -422,7 +424,7 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
   command
       ->add_option("-o,--output", options->outputs,
                    "A picture to write, by its extension (may be repeated; `-`: PNG to standard "
-                   "output). Default: the scene's own, else FILE's stem with .png")
+                   "output). Default: that of the scene, otherwise FILE's stem with .png")
       ->take_all()
       ->expected(1)
       ->allow_extra_args(false);  // FILE may follow
@@ -432,11 +434,11 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
   command->add_flag("--ppm-text", options->ppm_text, "Write PPM as decimal numbers");
   command->add_flag("--no-clobber,!--overwrite", options->keeps_existing,
                     "Refuse to replace files");
-  command->add_option("--progress", options->progress, "How progress is told, on standard error")
+  command->add_option("--progress", options->progress, "Format of the progress on standard error")
       ->check(one_of(kProgressWords));
   command->add_option("--stats", options->stats,
-                      "Write figures about the render to this file, as JSON; `-`: standard output");
-  command->add_flag("--quiet", options->quiet, "Nothing on standard error but diagnostics");
+                      "Write statistics to this file, as JSON; `-`: standard output");
+  command->add_flag("--quiet", options->quiet, "Only diagnostics on standard error");
   command
       ->add_option_function<std::string>(
           "--frames",
@@ -447,7 +449,7 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
                 "--frames", fmt::format("takes A, A-B or A-BxS with whole numbers, not `{}`",
                                         lang::printable(text)));
           },
-          "The frames to render, every S-th of A to B; default: those of the scene's animation")
+          "The frames to render, every S-th from A to B; default: those of the scene's animation")
       ->type_name("A-B[xS]");
   command->footer(
       "Examples:\n"
@@ -458,14 +460,15 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
       "  sdlc render ball.scene --time 10s --samples 4096\n"
       "  sdlc render ball.scene -o ball.exr --aov normal,depth,albedo\n"
       "  cat ball.scene | sdlc render - -o - > ball.png\n"
-      "  sdlc render ring.scene --set count=200 --frames 1-24 -o ring.####.png\n\n"
-      "#### in an output's name is the number of the frame.\n"
+      "  sdlc render ring.scene --set count=200 --frames 1-24 -o ring.####.png\n"
+      "\n"
+      "#### in an output's name is replaced by the frame number.\n"
       "png jpg tiff webp ppm gif hold 8-bit codes after the scene's tone curve; exr and hdr hold "
       "linear\n"
       "radiance. --width or --height alone keeps the aspect, both together set a new one. Ctrl-C "
-      "saves what\n"
-      "there is as NAME.partial.EXT, or lets a finished picture be written; a second one ends at "
-      "once.");
+      "saves the\n"
+      "partial picture as NAME.partial.EXT, or lets a finished picture be written; a second one "
+      "ends at once.");
   dispatcher.on(command, [options](Environment& env) { return run_render(*options, env); });
 }
 

@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 /// Whether the text contains two keys of the format: this accepts configs with mistakes, and
 /// excludes other JSON.
 bool looks_like_config(const fs::path& path, const Environment& env) {
-  constexpr std::uint64_t kMostConfig = lang::Limits().config;
+  constexpr std::uint64_t kMaxConfig = lang::Limits().config;
   std::error_code error;
-  const std::optional<std::string> text = env.files.read(path, kMostConfig, error);
+  const std::optional<std::string> text = env.files.read(path, kMaxConfig, error);
   if (!text) return true;  // the reader will report why it cannot be read
   const auto is_there = [&](const lang::JsonKey& key) {
     return text->find(fmt::format("\"{}\"", key.key)) != std::string::npos;
@@ -73,7 +73,7 @@ std::vector<std::string> find_scene_files(const std::vector<std::string>& argume
     }
     const std::vector<std::string> found = scenes_in(argument, env, wanted, is_sandboxed);
     if (found.empty()) {
-      throw UsageError(fmt::format("there are no scenes in `{}`", lang::printable(argument)));
+      throw UsageError(fmt::format("no scenes in `{}`", lang::printable(argument)));
     }
     names.insert(names.end(), found.begin(), found.end());
   }

@@ -51,14 +51,13 @@ void set_limit(const std::string& text, lang::Limits& limits) {
   if (found == lang::kLimits.end()) {
     std::vector<std::string_view> names;
     for (const lang::LimitInfo& limit : lang::kLimits) names.push_back(limit.name);
-    throw CLI::ValidationError(
-        "--limit",
-        fmt::format("there is no limit `{}`{}", lang::printable(name), did_you_mean(name, names)));
+    throw CLI::ValidationError("--limit", fmt::format("unknown limit `{}`{}", lang::printable(name),
+                                                      did_you_mean(name, names)));
   }
   const std::optional<std::uint64_t> number = read_limit(value);
   if (!number) {
     throw CLI::ValidationError(
-        "--limit", fmt::format("{} takes a whole number, perhaps with KiB, MiB or GiB, not `{}`",
+        "--limit", fmt::format("{} takes a whole number, optionally with KiB, MiB or GiB, not `{}`",
                                name, lang::printable(value)));
   }
   limits.*(found->limit) = *number;
@@ -78,7 +77,7 @@ void add_limit_option(CLI::App& command, lang::Limits& limits) {
           [&limits](const std::vector<std::string>& pairs) {
             for (const std::string& pair : pairs) set_limit(pair, limits);
           },
-          "Change what a scene may use up: " + all)
+          "Change the resource limits of a scene: " + all)
       ->type_name("NAME=N")
       ->take_all()
       ->expected(1)
@@ -86,12 +85,12 @@ void add_limit_option(CLI::App& command, lang::Limits& limits) {
 }
 
 void add_reading_options(CLI::App& command, ReadingOptions& options) {
-  command.add_flag(
-      "--sandbox", options.is_sandboxed,
-      "Read no file outside the scene's folder, and write none there that the scene names");
+  command.add_flag("--sandbox", options.is_sandboxed,
+                   "Refuse to read files outside the scene's folder, and to write files there that "
+                   "the scene names");
   add_limit_option(command, options.limits);
   command.add_option("--stdin-filename", options.stdin_filename,
-                     "What a scene from standard input is called in messages");
+                     "Name of a scene from standard input in messages");
 }
 
 std::string stdin_name(const ReadingOptions& options) {
@@ -108,7 +107,7 @@ std::string read_text(const std::string& path, const std::string& name, const En
 
 void refuse_special(const std::string& path, const Environment& env) {
   if (path == kStandardStream || !env.files.is_special(path)) return;
-  throw render::IoError("replace", path, "it is no regular file");
+  throw render::IoError("replace", path, "it is not a regular file");
 }
 
 lang::ProgramOptions program_options(const ReadingOptions& options, const Environment& env) {
@@ -136,7 +135,7 @@ void add_set_option(CLI::App& command, std::vector<lang::SetOption>& sets) {
               sets.push_back({.name = std::move(name), .value = std::move(value)});
             }
           },
-          "Give a param of the scene another value (may be repeated)")
+          "Set a param of the scene (may be repeated)")
       ->type_name("NAME=VALUE")
       ->take_all()
       ->expected(1)

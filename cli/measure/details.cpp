@@ -46,7 +46,7 @@ Picture cropped(const Picture& picture, const Window& window) {
 }
 
 /// The range of pixels out of `count` that are averaged into pixel `i` of `fewer`.
-std::pair<int, int> pixels_behind(int i, int fewer, int count) {
+std::pair<int, int> pixels_of(int i, int fewer, int count) {
   const auto edge = [&](int at) {
     return static_cast<int>(static_cast<long long>(at) * count / fewer);
   };
@@ -58,9 +58,9 @@ template <typename T, typename Value>
 std::vector<T> shrunk(int width, int height, int from_width, int from_height, Value value) {
   std::vector<T> values;
   for (int v = 0; v < height; ++v) {
-    const auto [top, bottom] = pixels_behind(v, height, from_height);
+    const auto [top, bottom] = pixels_of(v, height, from_height);
     for (int u = 0; u < width; ++u) {
-      const auto [left, right] = pixels_behind(u, width, from_width);
+      const auto [left, right] = pixels_of(u, width, from_width);
       auto sum = value(left, top) * 0.0;
       for (int y = top; y < bottom; ++y) {
         for (int x = left; x < right; ++x) sum = sum + value(x, y);
@@ -71,9 +71,9 @@ std::vector<T> shrunk(int width, int height, int from_width, int from_height, Va
   return values;
 }
 
-/// A size of at most `most_width` with the same shape.
-std::pair<int, int> smaller_size(int width, int height, int most_width) {
-  const int smaller = std::min(width, most_width);
+/// A size of at most `max_width` with the same shape.
+std::pair<int, int> smaller_size(int width, int height, int max_width) {
+  const int smaller = std::min(width, max_width);
   return {smaller, std::max(1, static_cast<int>(static_cast<long long>(height) * smaller / width))};
 }
 
@@ -91,7 +91,7 @@ Window window_of(const Json& json, int width, int height) {
 std::pair<int, int> size_of(const Json& json, const std::string& name, int width, int height) {
   const Json& size = any_field(json, name);
   if (!size.is_array() || size.size() != 2) {
-    throw std::invalid_argument(fmt::format("its `{}` is no list of two", name));
+    throw std::invalid_argument(fmt::format("its `{}` is not a list of two", name));
   }
   return {static_cast<int>(whole_of(size[0], name, 1, width)),
           static_cast<int>(whole_of(size[1], name, 1, height))};
@@ -136,8 +136,8 @@ void Details::choose_windows(const Picture& picture, const render::ReferencePict
         fmt::format("{} ({} × {} pixels from {}, {})", title, width, height, window.x, window.y);
     windows_.push_back(window);
   };
-  add("The noisiest place", 0);
-  if (places.size() > 4) add("A place of medium noise", places.size() / 2);
+  add("The noisiest area", 0);
+  if (places.size() > 4) add("An area of medium noise", places.size() / 2);
 }
 
 std::string Details::png(const Picture& picture) const {
@@ -229,7 +229,7 @@ void Details::fill(Report& report) const {
   }
   if (shown.empty()) return;
   shown.push_back({"reference", kReferenceKey});
-  add_rows(report, "More and more samples", shown);
+  add_rows(report, "Increasing samples", shown);
 
   // All configurations that have a point with this number of samples.
   constexpr int kSamples = 64;
@@ -243,7 +243,7 @@ void Details::fill(Report& report) const {
   }
   if (ways.size() < 2) return;
   ways.push_back({"reference", kReferenceKey});
-  add_rows(report, fmt::format("Every way with {} samples", kSamples), ways);
+  add_rows(report, fmt::format("Every configuration with {} samples", kSamples), ways);
 }
 
 std::vector<std::string> Details::keys() const {
@@ -269,7 +269,7 @@ void Details::read_frame(const Json& json, int width, int height) {
   if (json.is_null()) return;
   windows_ = list_field(json, "windows",
                         [&](const Json& window) { return window_of(window, width, height); });
-  if (windows_.empty()) throw std::invalid_argument("its `windows` are none");
+  if (windows_.empty()) throw std::invalid_argument("its `windows` are empty");
   top_ = positive_field(json, "top");
   mean_ = field<double>(json, "mean");
   std::tie(map_width_, map_height_) = size_of(json, "map", width, height);

@@ -71,7 +71,7 @@ double positive_field(const Json& json, const std::string& name);
 template <typename Convert>
 auto list_field(const Json& json, const std::string& name, Convert convert) {
   const Json& list = any_field(json, name);
-  if (!list.is_array()) throw std::invalid_argument(fmt::format("its `{}` is no list", name));
+  if (!list.is_array()) throw std::invalid_argument(fmt::format("its `{}` is not a list", name));
   std::vector<decltype(convert(list))> items;
   for (const Json& item : list) {
     try {
@@ -85,7 +85,7 @@ auto list_field(const Json& json, const std::string& name, Convert convert) {
 }
 
 /// The max number of samples of any render of a measurement, including the reference.
-inline constexpr int kMostMeasuredSamples = 1 << 27;
+inline constexpr int kMaxMeasuredSamples = 1 << 27;
 
 Json way_json(const render::Way& way);
 render::Way way_of(const Json& json);

@@ -31,12 +31,12 @@ Json task_json(const StudyTask& task) {
 }
 
 int samples_of(const Json& json, const std::string& name) {
-  return whole_field(json, name, 1, kMostMeasuredSamples);
+  return whole_field(json, name, 1, kMaxMeasuredSamples);
 }
 
 StudyTask task_of(const Json& json) {
   const auto kind = std::ranges::find(kKinds, field<std::string>(json, "kind"));
-  if (kind == kKinds.end()) throw std::invalid_argument("it is of no known kind");
+  if (kind == kKinds.end()) throw std::invalid_argument("its kind is unknown");
   const auto what = static_cast<StudyTask::Kind>(kind - kKinds.begin());
   return {.kind = what,
           .way = way_of(any_field(json, "way")),
@@ -181,12 +181,12 @@ void check(const render::StudyPlan& plan) {
   if (std::int64_t{plan.width} * plan.height > render::kMaxPicturePixels) {
     refuse(fmt::format("its picture has more than {} pixels", render::kMaxPicturePixels));
   }
-  if (plan.costs.empty()) refuse("its `costs` are none");
+  if (plan.costs.empty()) refuse("its `costs` are empty");
   const render::Way& own = plan.costs.front().way;
-  if (!plan.costs.front().refusal.empty()) refuse("the scene's own way is refused in it");
+  if (!plan.costs.front().refusal.empty()) refuse("it refuses the scene's own configuration");
   for (const render::WayCost& cost : plan.costs) {
     if (cost.build_seconds < 0 || cost.seconds_per_sample < 0)
-      refuse("one of its `costs` is below 0");
+      refuse("one of its `costs` is negative");
   }
   if (!std::ranges::is_sorted(plan.depths, std::less_equal())) refuse("its `depths` do not ascend");
   if (!std::ranges::count(plan.depths, own.depth)) refuse("its `depths` lack that of the scene");
@@ -208,7 +208,7 @@ void check_depths(const render::StudyPlan& plan, const std::vector<render::Depth
   for (auto& [round, depths] : rounds) {
     std::ranges::sort(depths);
     if (depths != plan.depths) {
-      refuse(fmt::format("its `depths` of round {} are not those of the plan", round));
+      refuse(fmt::format("its `depths` of round {} differ from the plan", round));
     }
   }
 }
@@ -232,7 +232,7 @@ void check(const render::StudyLedger& ledger) {
       return done.way == evaluation.way && done.samples == evaluation.samples;
     };
     if (std::ranges::count_if(ledger.evaluations, is_of_same) > 1) {
-      refuse("one of its `evaluations` is there twice");
+      refuse("one of its `evaluations` is duplicated");
     }
     if (std::ranges::none_of(ledger.renders, is_of_same)) {
       refuse("one of its `evaluations` was never timed");
@@ -267,7 +267,7 @@ render::StudyLedger read_ledger(std::string_view text) {
                              .other_seconds = field<double>(json, "other_seconds"),
                              .spent_seconds = field<double>(json, "spent_seconds"),
                              .nonfinite_samples = field<std::uint64_t>(json, "nonfinite_samples")};
-  if (ledger.other_seconds < 0 || ledger.spent_seconds < 0) refuse("a time in it is below 0");
+  if (ledger.other_seconds < 0 || ledger.spent_seconds < 0) refuse("one of its times is negative");
   const Json &plan = any_field(json, "plan"), &reference = any_field(json, "reference");
   if (!plan.is_null()) ledger.plan = plan_of(plan);
   if (!reference.is_null()) ledger.reference = reference_of(reference);

@@ -88,7 +88,7 @@ std::string digest_of(std::string_view bytes) {
 }
 
 [[noreturn]] void refuse_to_go_on(const fs::path& folder, const std::string& reason) {
-  throw render::IoError("go on with", folder, reason + "; remove the folder to begin anew");
+  throw render::IoError("resume", folder, reason + "; remove the folder to start again");
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ FileLock::FileLock(const fs::path& file, const fs::path& folder)
   const int error = errno;
   ::close(descriptor_);
   if (error != EWOULDBLOCK) fail(file, error);
-  throw render::IoError("work in", folder, "another sdlc is measuring in it");
+  throw render::IoError("work in", folder, "another sdlc is using it");
 }
 
 FileLock::~FileLock() { ::close(descriptor_); }
@@ -139,11 +139,10 @@ void WorkFolder::check_identity(const Json& kept) const {
     const auto text = [](const Json& json) {
       return json.is_string() ? json.get<std::string>() : json.dump();
     };
-    throw render::IoError(
-        "go on with", folder_,
-        fmt::format("its measurement has another {} ({}, now {}); name another folder, or remove "
-                    "this one to begin anew",
-                    name, text(was), text(value)));
+    throw render::IoError("resume", folder_,
+                          fmt::format("its measurement has another {} ({}, now {}); name another "
+                                      "folder, or remove this one to start again",
+                                      name, text(was), text(value)));
   }
 }
 
@@ -151,7 +150,7 @@ void WorkFolder::read_study(const std::string& text, render::StudyLedger& ledger
                             std::vector<std::string>& keys) {
   const Json json = parse_json(text);
   if (field<std::string>(json, "format") != kFormat) {
-    throw std::invalid_argument("it is no measurement");
+    throw std::invalid_argument("it is not a measurement");
   }
   check_identity(any_field(json, "identity"));
   ledger = read_ledger(any_field(json, "ledger").dump());
@@ -162,7 +161,7 @@ void WorkFolder::read_study(const std::string& text, render::StudyLedger& ledger
     throw std::invalid_argument("it has `pictures` but no `windows`");
   }
   const Json& digests = any_field(json, "digests");
-  if (!digests.is_object()) throw std::invalid_argument("its `digests` is no object");
+  if (!digests.is_object()) throw std::invalid_argument("its `digests` is not an object");
   for (const auto& [name, digest] : digests.items()) digests_[name] = string_of(digest, name);
 }
 
@@ -178,7 +177,7 @@ bool WorkFolder::load(render::StudyLedger& ledger,
   }
   if (ledger.reference) {
     reference = reference_of(read_whole(kReferenceName), ledger.plan->width, ledger.plan->height);
-    if (!reference) refuse_to_go_on(folder_, "its reference.f32 is of another size");
+    if (!reference) refuse_to_go_on(folder_, "its reference.f32 has a different size");
   }
   const std::size_t crops = details.windows().size();
   for (const std::string& key : keys) {

@@ -66,12 +66,12 @@ LogAxis LogAxis::covering(std::span<const double> values) {
   }
   if (largest == 0) smallest = largest = 1;
   // If the range is beyond a double, keep its ends.
-  constexpr double kLeastSpan = 1.5, kMargin = 0.04;
+  constexpr double kMinSpan = 1.5, kMargin = 0.04;
   double from = smallest, to = largest;
-  if (to / from < kLeastSpan) {
+  if (to / from < kMinSpan) {
     const double middle = std::sqrt(from) * std::sqrt(to);
-    from = middle / std::sqrt(kLeastSpan);
-    to = std::min(middle * std::sqrt(kLeastSpan), std::numeric_limits<double>::max());
+    from = middle / std::sqrt(kMinSpan);
+    to = std::min(middle * std::sqrt(kMinSpan), std::numeric_limits<double>::max());
   }
   const double margin = std::pow(to / from, kMargin);
   if (std::isfinite(margin) && std::isfinite(to * margin) && from / margin > 0) {
@@ -87,12 +87,11 @@ double LogAxis::share(double value) const noexcept {
   return (std::log(value) - std::log(from_)) / (std::log(to_) - std::log(from_));
 }
 
-std::vector<Tick> LogAxis::ticks(std::size_t most_labels) const {
+std::vector<Tick> LogAxis::ticks(std::size_t max_labels) const {
   std::vector<Tick> ticks;
-  for (const double value : labelled_values(from_, to_, most_labels))
-    ticks.push_back({value, true});
-  constexpr double kMostForMinor = 1e5;
-  if (to_ / from_ > kMostForMinor) return ticks;
+  for (const double value : labelled_values(from_, to_, max_labels)) ticks.push_back({value, true});
+  constexpr double kMaxForMinor = 1e5;
+  if (to_ / from_ > kMaxForMinor) return ticks;
   for (const double value : multiples_within(from_, to_, kAll)) {
     if (std::ranges::find(ticks, value, &Tick::value) == ticks.end())
       ticks.push_back({value, false});

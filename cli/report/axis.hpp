@@ -27,7 +27,7 @@ class LogAxis {
 
   /// Ascending. Labels are at 1, 2, 5 times powers of ten; if those are too many, at 1, 3 times, at
   /// powers of ten or at some of them; if there are fewer than three, at even steps.
-  std::vector<Tick> ticks(std::size_t most_labels) const;
+  std::vector<Tick> ticks(std::size_t max_labels) const;
 
  private:
   LogAxis(double from, double to) : from_(from), to_(to) {}

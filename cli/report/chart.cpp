@@ -103,16 +103,16 @@ std::string label(std::string_view of, double x, double y, std::string_view anch
 }
 
 std::string draw_grid(const Plot& plot, const Chart& chart) {
-  constexpr std::size_t kMostAcross = 8, kMostUp = 9;
+  constexpr std::size_t kMaxAcross = 8, kMaxUp = 9;
   constexpr double kGap = 8, kBelow = 18;
   std::string svg;
-  for (const Tick& tick : plot.x_axis().ticks(kMostAcross)) {
+  for (const Tick& tick : plot.x_axis().ticks(kMaxAcross)) {
     const double x = plot.x(tick.value);
     svg += line(tick.is_labelled ? "major" : "minor", x, plot.top(), x, plot.floor());
     if (!tick.is_labelled) continue;
     svg += label("tick", x, plot.floor() + kBelow, "middle", chart.x.tick(tick.value));
   }
-  for (const Tick& tick : plot.y_axis().ticks(kMostUp)) {
+  for (const Tick& tick : plot.y_axis().ticks(kMaxUp)) {
     const double y = plot.y(tick.value);
     svg += line(tick.is_labelled ? "major" : "minor", plot.left(), y, plot.right(), y);
     if (!tick.is_labelled) continue;
@@ -297,7 +297,7 @@ std::string draw(const Chart& chart) {
       kWidth, kHeight, chart.id, chart.id, chart.id, escaped(chart.title), chart.id,
       escaped(chart.description));
   svg += draw_grid(plot, chart);
-  svg += label("hint", 4, 15, "start", "Point at a mark, or go to it with Tab, for its figures.");
+  svg += label("hint", 4, 15, "start", "Point at a mark, or focus it with Tab, for its figures.");
   if (chart.level) svg += draw_level(plot, *chart.level);
   svg += draw_front(plot, chart);
   for (const ChartSeries& series : chart.series) svg += draw_line(plot, series);

@@ -46,8 +46,8 @@ fs::path find_module() {
   std::error_code error;
   if (!fs::is_regular_file(module, error)) {
     throw IoError("load", module,
-                  fmt::format("pictures are read and written by this module, and it is not there; "
-                              "install it or set {} to its folder",
+                  fmt::format("this module, which reads and writes pictures, is missing; install "
+                              "it or set {} to its folder",
                               kModulePathVariable));
   }
   return module;
@@ -58,8 +58,8 @@ void check_threads(const fs::path& module) {
   const int startable = startable_threads(kCodecThreads);
   if (startable == kCodecThreads) return;
   throw IoError("load", module,
-                fmt::format("its libraries start threads, and the system lets {} more start where "
-                            "{} are needed (`ulimit -u`, or a limit of the container)",
+                fmt::format("its libraries need {1} threads, and only {0} more can be started "
+                            "(`ulimit -u`, or a limit of the container)",
                             startable, kCodecThreads));
 }
 

@@ -27,7 +27,7 @@ std::vector<std::byte> read_file(const fs::path& path) {
   if (fs::is_directory(path, ignored)) throw IoError("read", path, "it is a folder");
   // A pipe may block, and a device has no end.
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) {
-    throw IoError("read", path, "it is no regular file");
+    throw IoError("read", path, "it is not a regular file");
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError("read", path, std::generic_category().message(errno));
@@ -78,7 +78,7 @@ DecodedFile decode_file(const fs::path& path) {
   const std::optional<ImageFormat> format = image_format_of(path);
   if (!format) {
     throw IoError("read", path,
-                  fmt::format("its extension names no picture format; known are {}",
+                  fmt::format("its extension is not that of a picture format; known are {}",
                               fmt::join(image_extensions(), ", ")));
   }
   DecodedFile decoded{.format = *format, .image = {}};

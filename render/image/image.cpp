@@ -39,8 +39,9 @@ std::vector<EncodeChannel> channels_of(std::span<const Layer> layers, const Pict
   std::vector<EncodeChannel> channels;
   for (const Layer& layer : layers) {
     if (layer.values.size() != picture.pixels.size()) {
-      throw IoError("write", shown,
-                    fmt::format("`{}` has another number of pixels than the picture", layer.name));
+      throw IoError(
+          "write", shown,
+          fmt::format("`{}` has a different number of pixels than the picture", layer.name));
     }
     channels.push_back({.name = layer.name, .values = layer.values});
   }
@@ -65,7 +66,7 @@ std::vector<std::byte> encode_picture(const Picture& picture, const WriteOptions
   check_picture_size(picture.width, picture.height, options.format, shown);
   if (picture.pixels.size() !=
       static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height)) {
-    throw IoError("write", shown, "the picture has another number of pixels than its size says");
+    throw IoError("write", shown, "the number of pixels does not match the size");
   }
   EncodeRequest request{.format = options.format,
                         .width = picture.width,

@@ -370,7 +370,7 @@ bool Study::run_and_account(const StudyTask& task) {
 void Study::run(std::optional<ReferencePicture> reference) {
   reference_ = std::move(reference);
   if (!ledger_.plan) {
-    notify("short trials of every way");
+    notify("short trials of every configuration");
     make_plan();
     if (monitor_.cancel.load()) return;
     account();

@@ -31,12 +31,12 @@ std::string whole(double number) { return std::to_string(std::lround(number)); }
 
 /// Why no wide kernel can trace the scene; empty if one can.
 std::string objection_to_wide(const Scene& scene, const KernelRequest& request) {
-  if (available_isas().empty()) return "the machine lacks the instructions of the wide kernel";
+  if (available_isas().empty()) return "the machine lacks the instructions of the wide kernels";
   if (scene.spheres.empty() && scene.instances.empty()) return "no spheres";
   if (request.kind == KernelKind::Wide && scene.spheres.size() > kMaxWideSpheres) {
     return "more than " + std::to_string(kMaxWideSpheres) + " spheres";
   }
-  return count_under_camera(scene) > 1 ? "the camera stands on several surfaces" : "";
+  return count_under_camera(scene) > 1 ? "the camera is on several surfaces" : "";
 }
 
 bool has(Isa isa) {
@@ -55,7 +55,7 @@ Kernel kernel_in_double(const Scene& scene, const RenderSettings& settings, std:
 Kernel judged_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request) {
   if (request.precision == Precision::Double) {
-    return kernel_in_double(scene, settings, "double was asked for");
+    return kernel_in_double(scene, settings, "double was requested");
   }
   FloatVerdict verdict = judge_float(scene, scene.camera, settings);
   const PrecisionClause clause = verdict.in_float.deciding();
@@ -70,11 +70,11 @@ Kernel judged_kernel(const Scene& scene, const RenderSettings& settings,
   const bool is_mixed = !kernel.exact_spheres.empty();
   kernel.precision = is_mixed ? Precision::Mixed : Precision::Float;
   if (is_mixed) {
-    kernel.reason = std::to_string(kernel.exact_spheres.size()) + " met in double: " + objection;
+    kernel.reason = std::to_string(kernel.exact_spheres.size()) + " in double: " + objection;
   } else if (!verdict.is_accepted) {
-    kernel.reason = "float was asked for, but " + objection;
+    kernel.reason = "float was requested, but " + objection;
   } else {
-    kernel.reason = "rounding stays far below a pixel";
+    kernel.reason = "rounding errors are far below a pixel";
   }
   return kernel;
 }
@@ -89,12 +89,12 @@ Kernel refused(std::string refusal) {
 /// Only the BVH kernel supports instances.
 Kernel kernel_for_instances(const Scene& scene, const RenderSettings& settings,
                             const KernelRequest& request) {
-  const std::string hint = "; --instances never gives every sphere a place of its own";
+  const std::string hint = "; --instances never expands them";
   if (request.isa && !has(*request.isa)) {
     return refused("--isa: this machine has no " + std::string(name_of(*request.isa)));
   }
   if (request.kind && *request.kind != KernelKind::Bvh) {
-    return refused("--kernel: instances are traced through a hierarchy" + hint);
+    return refused("--kernel: instances are traced with a BVH" + hint);
   }
   if (request.precision && request.precision != Precision::Double && !request.may_take_double) {
     return refused("--precision: instances are traced in double" + hint);
@@ -121,8 +121,8 @@ Kernel wide_kernel_for(const Scene& scene, const RenderSettings& settings,
     const double bvh = cost_of_bvh(spheres, kernel.precision);
     const bool is_small = scene.spheres.size() <= kMaxWideSpheres && all <= bvh;
     kernel.kind = is_small ? KernelKind::Wide : KernelKind::Bvh;
-    kernel.reason += "; by the model " + whole(all) + " ns a ray with every sphere, " + whole(bvh) +
-                     " through a hierarchy";
+    kernel.reason +=
+        "; model: " + whole(all) + " ns per ray with every sphere, " + whole(bvh) + " with a BVH";
   }
   kernel.isa = request.isa.value_or(available_isas().back());
   return kernel;
@@ -147,15 +147,15 @@ Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
   }
   if (is_scalar) {
     if (wants_float) return refused("--precision: the scalar kernel computes in double");
-    if (request.isa) return refused("--isa: the scalar kernel has no other instructions");
-    return scalar("the scalar kernel was asked for");
+    if (request.isa) return refused("--isa: the scalar kernel has no other instruction sets");
+    return scalar("the scalar kernel was requested");
   }
 
   const bool must_be_wide = request.kind || request.isa || wants_float;
   if (!objection.empty()) {
     if (!must_be_wide) return scalar(objection);
     const char* flag = request.kind ? "--kernel" : request.isa ? "--isa" : "--precision";
-    return refused(std::string(flag) + ": not with the wide kernel: " + objection);
+    return refused(std::string(flag) + ": not with the wide kernels: " + objection);
   }
   return wide_kernel_for(scene, settings, request);
 }

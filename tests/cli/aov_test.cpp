@@ -99,8 +99,8 @@ TEST_F(AovCommand, SuggestsTheChannelThatWasMeant) {
 TEST_F(AovCommand, NeedsAnExrFile) {
   for (const char* outputs : {"", "-o a.png -o a.hdr", "-o -"}) {
     EXPECT_THAT(refusal(std::string("--aov depth ") + outputs),
-                HasSubstr("error: --aov: only .exr files have room for further channels, and no "
-                          "output is one; add one, such as -o picture.exr"));
+                HasSubstr("error: --aov: only .exr files can store additional channels, and there "
+                          "is no .exr output; add one, such as -o picture.exr"));
   }
   const ProgramResult both = render("-o - -o a.exr --aov depth");
   EXPECT_EQ(both.exit_code, 0) << both.err;
@@ -109,7 +109,7 @@ TEST_F(AovCommand, NeedsAnExrFile) {
 
 TEST_F(AovCommand, NeedsEightSamplesForTheVariance) {
   EXPECT_THAT(refusal("-o a.exr --aov variance --samples 7"),
-              HasSubstr("`variance` takes at least 8 samples a pixel, and this render has 7; "
+              HasSubstr("`variance` takes at least 8 samples per pixel, and this render has 7; "
                         "raise them, such as --samples 8, or leave `variance` out"));
   EXPECT_EQ(render("-o a.exr --aov variance --samples 8").exit_code, 0);
 }
@@ -119,7 +119,7 @@ TEST_F(AovCommand, LeavesOutAVarianceThatTimeWasTooShortFor) {
       render("-o a.exr --aov variance,samples --time 1ms --width 600 --height 600");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.err, HasSubstr("warning: --aov: without variance, as it takes at least 8 "
-                                    "samples a pixel, and there was time for "));
+                                    "samples per pixel, and there was time for "));
   EXPECT_THAT(names("a.exr"), UnorderedElementsAre("R", "G", "B", "samples.V"));
 }
 

@@ -278,8 +278,9 @@ TEST_F(CompareCommand, NeedsAVarianceForAGateOnZ) {
   write_noisy("b.exr", gradient(), 1);
   const ProgramResult result = compare("a.exr b.exr --max-z 4");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("--max-z takes two .exr files with a variance, of `sdlc render "
-                                    "--aov variance`"));
+  EXPECT_THAT(
+      result.err,
+      HasSubstr("--max-z needs two .exr files with a variance, from `sdlc render --aov variance`"));
   EXPECT_THAT(json("a.exr b.exr")["notes"], ElementsAre("no z-test: a.exr has no variance"));
 }
 
@@ -501,7 +502,7 @@ std::vector<BrokenCase> broken_cases() {
        "it is a folder"},
       {"Empty", "bad.png", "good.png", text("bad.png", ""), "it is empty"},
       {"StandardInput", "-", "good.png", nothing,
-       "pictures are not read from standard input: their names tell the format"},
+       "pictures cannot be read from standard input: the format follows from the name"},
       {"NoExtension", "bad", "good.png", text("bad", "x"), "the name has no extension"},
       {"UnknownExtension", "bad.pgn", "good.png", text("bad.pgn", "x"),
        "unknown extension `.pgn`; known are png exr hdr tiff tif jpg jpeg webp ppm gif (did you "
@@ -525,7 +526,7 @@ std::vector<BrokenCase> broken_cases() {
        [](const TemporaryFolder& folder) {
          render::write_picture(folder / "bad.png", gradient(8, 12), {});
        },
-       "only pictures of one size can be compared"},
+       "only pictures of the same size can be compared"},
       {"Nan", "bad.exr", "good.exr", with_value(std::nan("")),
        "cannot compare `bad.exr`: 1 of its values is not finite; the first is nan in green "
        "of the pixel (5, 3)"},
@@ -575,7 +576,7 @@ std::vector<BrokenCase> broken_cases() {
        [](const TemporaryFolder& folder) {
          ASSERT_EQ(::mkfifo((folder / "bad.png").c_str(), 0600), 0);
        },
-       "it is no regular file"},
+       "it is not a regular file"},
       {"TerminalCodesInTheName", "'bad\033[31m.exr'", "good.exr", nothing, "bad"},
       {"LinkToItself", "bad.tif", "good.png",
        [](const TemporaryFolder& folder) {

@@ -65,7 +65,7 @@ TEST_F(LimitsOfFiles, AFileOfSettingsIsReadNoFurtherEither) {
   ASSERT_EQ(::mkfifo((folder_ / ".sdlc.toml").c_str(), 0600), 0);
   const ProgramResult pipe = run("\"$SDLC\" lint a.scene");
   EXPECT_EQ(pipe.exit_code, 2);
-  EXPECT_THAT(pipe.err, HasSubstr("it is no regular file"));
+  EXPECT_THAT(pipe.err, HasSubstr("it is not a regular file"));
 }
 
 TEST_F(LimitsOfFiles, WhatCannotBeReplacedIsRefusedBeforeItIsRead) {
@@ -76,7 +76,7 @@ TEST_F(LimitsOfFiles, WhatCannotBeReplacedIsRefusedBeforeItIsRead) {
       // Nobody writes to the pipe: to read it would take for ever.
       const ProgramResult result = run("\"$SDLC\" " + command + " " + name);
       EXPECT_EQ(result.exit_code, 2) << command;
-      EXPECT_THAT(result.err, HasSubstr("it is no regular file")) << command;
+      EXPECT_THAT(result.err, HasSubstr("it is not a regular file")) << command;
       EXPECT_THAT(result.out + result.err, Not(HasSubstr("1 file"))) << command;
     }
   }

@@ -328,7 +328,7 @@ TEST_F(LintCommand, ShowsWhatWouldBeMended) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("-let tall = 2;\n+let tall = 2\n"));
   EXPECT_THAT(result.out, Not(HasSubstr("E215")));
-  EXPECT_EQ(result.err, "would mend 1 finding in 1 file\n");
+  EXPECT_EQ(result.err, "would fix 1 finding in 1 file\n");
   EXPECT_EQ(read("wrong.scene"), kWrong);
   EXPECT_THAT(run("wrong.scene --unsafe-fixes --diff").out, HasSubstr("radius: 1"));
 }

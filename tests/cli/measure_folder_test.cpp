@@ -45,7 +45,7 @@ class MeasureFolder : public testing::Test {
     EXPECT_EQ(result.exit_code, 2) << words;
     EXPECT_THAT(result.err, HasSubstr("its study.json cannot be read ("));
     EXPECT_THAT(result.err, HasSubstr(words));
-    EXPECT_THAT(result.err, HasSubstr("; remove the folder to begin anew"));
+    EXPECT_THAT(result.err, HasSubstr("; remove the folder to start again"));
     EXPECT_EQ(result.out, "");
   }
 
@@ -80,7 +80,7 @@ TEST_F(MeasureFolder, IsOfOneProcessAtATime) {
   const std::string before = content_of(kept("study.json"));
   const ProgramResult result = run();
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("`kept`: another sdlc is measuring in it"));
+  EXPECT_THAT(result.err, HasSubstr("`kept`: another sdlc is using it"));
   EXPECT_EQ(content_of(kept("study.json")), before);
   ::close(lock);
   EXPECT_EQ(run().exit_code, 0);
@@ -132,12 +132,12 @@ TEST_F(MeasureFolder, IsRefusedWhereItsStudyDoesNotGoTogether) {
   expect_told("/ledger/plan/tasks/1/samples", 0, "`tasks`, number 2: its `samples` is no whole");
   expect_told("/ledger/plan/tasks/1/samples", 1e300, "its `samples` is no whole number");
   expect_told("/ledger/plan", nullptr, "it has results but no `plan`");
-  expect_told("/details/windows", json::array(), "its `windows` are none");
+  expect_told("/details/windows", json::array(), "its `windows` are empty");
   expect_told("/details", nullptr, "it has `pictures` but no `windows`");
   expect_told("/details/windows/0/x", 6, "its `x` is no whole number from 0 to 5");
   expect_told("/details/windows/0/width", 7, "its `width` is no whole number from 1 to 6");
   expect_told("/details/map", json::array({0, 1}), "its `map` is no whole number from 1 to 6");
-  expect_told("/details/thumbnail", json::array({6}), "its `thumbnail` is no list of two");
+  expect_told("/details/thumbnail", json::array({6}), "its `thumbnail` is not a list of two");
   expect_told("/details/top", 0, "its `top` is not above 0");
   expect_told("/pictures/0", 7, "its `pictures` is no text");
   json unnamed = study;

@@ -117,7 +117,8 @@ bool encode_with_oiio(const EncodeRequest& request, std::vector<std::byte>& file
     // In its own scope: some formats write their trailer only when the writer is destroyed.
     const std::unique_ptr<ImageOutput> output = ImageOutput::create(plugin_of(request.format));
     if (!output) return fail(error, OIIO::geterror());
-    if (!output->set_ioproxy(&memory)) return fail(error, "this format is not written to memory");
+    if (!output->set_ioproxy(&memory))
+      return fail(error, "this format cannot be written to memory");
     if (!output->open(kNoFileName, spec_of(request))) return fail(error, output->geterror());
     if (!write_pixels(*output, request)) return fail(error, output->geterror());
     if (!output->close()) return fail(error, output->geterror());
@@ -177,12 +178,12 @@ int count_pictures(ImageInput& input) {
 
 bool decode_with_oiio(ImageFormat format, std::span<const std::byte> file, std::int64_t max_pixels,
                       DecodedImage& image, std::string& error) {
-  if (!has_end_mark(format, file)) return fail(error, "it is cut short or not of its format");
+  if (!has_end_mark(format, file)) return fail(error, "it is truncated or not of its format");
   // The reader does not write to what it is given, though its parameter is not const.
   OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(file.data()), file.size());
   const std::unique_ptr<ImageInput> input = ImageInput::create(plugin_of(format));
   if (!input) return fail(error, OIIO::geterror());
-  if (!input->set_ioproxy(&memory)) return fail(error, "this format is not read from memory");
+  if (!input->set_ioproxy(&memory)) return fail(error, "this format cannot be read from memory");
   ImageSpec spec;
   if (!input->open(kNoFileName, spec)) return fail(error, input->geterror());
   if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.nchannels > kMaxChannels) {

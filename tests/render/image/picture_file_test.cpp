@@ -131,10 +131,9 @@ TEST_F(PictureFiles, ThatAreACropAreRefused) {
   spec.x = 2;
   spec.full_width = 20;
   spec.full_height = 10;
-  EXPECT_THAT(
-      refusal("a.exr", {spec}),
-      HasSubstr("it holds 4 x 3 pixels at (2, 0) of a picture of 20 x 10 at (0, 0), a crop; "
-                "write all of the picture"));
+  EXPECT_THAT(refusal("a.exr", {spec}),
+              HasSubstr("it holds 4 x 3 pixels at (2, 0) of a picture of 20 x 10 at (0, 0), a "
+                        "crop; write the complete picture"));
 }
 
 // A window that is not at the origin is no crop as long as it is all there is.

@@ -101,7 +101,7 @@ TEST_F(KernelChoice, LeavesACameraOnSeveralSurfacesToTheScalarKernel) {
   test::add_sphere(scene, {0, 1, 0}, 1, test::diffuse({0.5, 0.5, 0.5}));
   EXPECT_EQ(choose_kernel(scene, kSettings).kind, KernelKind::Scalar);
   const Kernel forced = choose_kernel(scene, kSettings, {.kind = KernelKind::Wide});
-  EXPECT_THAT(forced.refusal, HasSubstr("--kernel: not with the wide kernel: the camera stands"));
+  EXPECT_THAT(forced.refusal, HasSubstr("--kernel: not with the wide kernels: the camera is on"));
 }
 
 TEST_F(KernelChoice, DoesAsItIsAsked) {
@@ -133,13 +133,13 @@ TEST_F(KernelChoice, NamesTheFlagThatCannotBeMet) {
   test::add_sphere(scene, {0, -3, 0}, 3, test::diffuse({0.5, 0.5, 0.5}));
   test::add_sphere(scene, {0, 1, 0}, 1, test::diffuse({0.5, 0.5, 0.5}));
   EXPECT_THAT(choose_kernel(scene, kSettings, {.isa = isa}).refusal,
-              HasSubstr("--isa: not with the wide kernel: the camera stands"));
+              HasSubstr("--isa: not with the wide kernels: the camera is on"));
   EXPECT_THAT(choose_kernel(scene, kSettings, {.precision = Precision::Float}).refusal,
-              HasSubstr("--precision: not with the wide kernel: the camera stands"));
+              HasSubstr("--precision: not with the wide kernels: the camera is on"));
   EXPECT_THAT(
       choose_kernel(line_of_spheres(9, 0.2), kSettings, {.kind = KernelKind::Scalar, .isa = isa})
           .refusal,
-      HasSubstr("--isa: the scalar kernel has no other instructions"));
+      HasSubstr("--isa: the scalar kernel has no other instruction sets"));
   // None that the machines of the tests lack is known to all of them.
   constexpr auto kNotOfThisMachine = static_cast<Isa>(99);
   EXPECT_THAT(choose_kernel(line_of_spheres(9, 0.2), kSettings, {.isa = kNotOfThisMachine}).refusal,
@@ -149,7 +149,7 @@ TEST_F(KernelChoice, NamesTheFlagThatCannotBeMet) {
 TEST_F(KernelChoice, LeavesASkyToTheScalarKernel) {
   EXPECT_EQ(choose_kernel(line_of_spheres(0, 1), kSettings).kind, KernelKind::Scalar);
   EXPECT_THAT(choose_kernel(line_of_spheres(0, 1), kSettings, {.kind = KernelKind::Wide}).refusal,
-              HasSubstr("--kernel: not with the wide kernel: no spheres"));
+              HasSubstr("--kernel: not with the wide kernels: no spheres"));
 }
 
 TEST_F(KernelChoice, TakesInstancesThroughAHierarchyInDouble) {
