@@ -35,7 +35,7 @@ class AovCommand : public testing::Test {
   ProgramResult render(const std::string& flags) {
     return run("\"$SDLC\" render ball.scene --quiet " + flags);
   }
-  /// What such a command prints that must not render anything.
+  /// The output of a command that must not render anything.
   std::string refusal(const std::string& flags) {
     const ProgramResult result = render(flags);
     EXPECT_EQ(result.exit_code, 2) << flags;
@@ -147,8 +147,7 @@ TEST_F(AovCommand, IsOfEachFrameOfAFilm) {
   EXPECT_EQ(second - first, 1);
 }
 
-/// So many rows of so many balls each, of which the third begins at (0, 0, 0); the first is no
-/// instance.
+/// Rows of balls; the third row begins at (0, 0, 0), and the first is not an instance.
 std::string instances(int balls, int instances) {
   return "scene 1\ncamera main { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }\n"
          "render { width: 33, height: 33, samples: 1 }\n"

@@ -8,7 +8,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// What a file may use up, as the real program meets it.
+// The limits on resources, with the real program.
 namespace sdlc::test {
 namespace {
 
@@ -73,7 +73,7 @@ TEST_F(LimitsOfFiles, WhatCannotBeReplacedIsRefusedBeforeItIsRead) {
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   for (const std::string command : {"fmt", "lint --fix", "lint --unsafe-fixes"}) {
     for (const std::string name : {"pipe.scene", "/dev/null"}) {
-      // Nobody writes to the pipe: to read it would take for ever.
+      // Nobody writes to the pipe: reading it would block forever.
       const ProgramResult result = run("\"$SDLC\" " + command + " " + name);
       EXPECT_EQ(result.exit_code, 2) << command;
       EXPECT_THAT(result.err, HasSubstr("it is not a regular file")) << command;

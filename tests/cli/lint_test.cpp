@@ -198,7 +198,7 @@ TEST_F(LintCommand, PrintsEachGuessThatItApplies) {
 }
 
 TEST_F(LintCommand, AppliesNoFixThatLeavesMoreErrors) {
-  // `gold` is a colour: a guess that leaves another error in its place.
+  // `gold` is a colour: a guess that causes another error.
   const std::string lamp = std::string(kClean) +
                            "def lamp(bulb = unlit(red)) {\n"
                            "  sphere { center: (0, 2, 0), radius: 1, material: bulb }\n"

@@ -38,7 +38,7 @@ class MeasureFolder : public testing::Test {
                      "\"$SDLC\" measure ball.scene --budget 20s --quiet --work kept " + arguments);
   }
   fs::path kept(const std::string& name) const { return folder_ / "kept" / name; }
-  /// Runs it with `study` in the place of what was kept.
+  /// Runs the command with `study` instead of the saved file.
   void expect_refused(const json& study, const std::string& words) const {
     write_text(kept("study.json"), study.dump());
     const ProgramResult result = run();
@@ -102,7 +102,7 @@ TEST_F(MeasureFolder, IsRefusedWhereItHoldsFilesOfSomethingElse) {
 TEST_F(MeasureFolder, TakesNoNoticeOfFilesThatItsStudyDoesNotName) {
   ASSERT_EQ(run().exit_code, 0);
   json study = json::parse(content_of(kept("study.json")));
-  // As it was written before the reference was rendered.
+  // As saved before the reference was rendered.
   json& ledger = study["ledger"];
   ledger["reference"] = nullptr;
   for (const char* name : {"renders", "evaluations", "depths", "precisions"}) {

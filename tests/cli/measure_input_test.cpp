@@ -25,7 +25,7 @@ sphere ball { center: (0, 0.5, 0), radius: 0.5, material: diffuse(color: paint.s
 render { width: 6, samples: 8, depth: 4 }
 )";
 
-/// What is read must not be written, whatever it is called.
+/// An input file must not be overwritten, whatever its name.
 class MeasureInput : public testing::Test {
  protected:
   void SetUp() override {
@@ -47,7 +47,7 @@ class MeasureInput : public testing::Test {
 };
 
 TEST_F(MeasureInput, IsNotOverwrittenByAReport) {
-  // A scene in JSON has the name of a report.
+  // A JSON scene has the file extension of a report.
   const std::string before = "{}";
   write_text(folder_ / "ball.json", before);
   fs::create_symlink("ball.json", folder_ / "link.json");

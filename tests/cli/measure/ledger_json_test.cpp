@@ -14,7 +14,7 @@ namespace {
 
 using render::StudyLedger;
 
-/// Every field with a number of its own.
+/// Every field with a different number.
 StudyLedger full_ledger() {
   const render::Way way{.sampler = render::SamplerKind::Independent,
                         .light_sampling = render::LightSampling::Off,

@@ -31,8 +31,8 @@ using testing::Not;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// What is wrong with the text as XML, with the place; empty: nothing. Names, attributes, nesting
-/// and entities are looked at.
+/// Checks that the text is well-formed XML (names, attributes, nesting and entities); returns the
+/// first mistake with its place, or an empty string.
 std::string markup_error(const std::string& page) {
   static const std::regex kTag(R"(<(/?)([a-zA-Z0-9]+)((?: [a-zA-Z0-9:-]+="[^"<]*")*)(/?)>)");
   static const std::regex kEntity("&(amp|lt|gt|quot|#39);");
@@ -47,7 +47,7 @@ std::string markup_error(const std::string& page) {
       constexpr auto kHere = std::regex_constants::match_continuous;
       if (!std::regex_search(begin, page.end(), match, kEntity, kHere)) return "entity: " + place;
     } else if (page[at] == '<') {
-      // Pictures are long, and std::regex recurses.
+      // Remove the pictures first: they are long, and std::regex recurses.
       const std::size_t end = page.find('>', at);
       if (end == std::string::npos) return "unfinished: " + place;
       std::string tag = page.substr(at, end + 1 - at);
@@ -69,7 +69,7 @@ std::string markup_error(const std::string& page) {
   return open.empty() ? "" : "not closed: " + open.back();
 }
 
-/// What is read: no tags, no style sheet.
+/// The visible text: no tags, no style sheet.
 std::string visible_text(const std::string& page) {
   std::string text;
   bool is_tag = false;
@@ -98,7 +98,7 @@ struct Degenerate {
   Measurement measurement;
 };
 
-/// Measurements that have little, or nothing as it should be.
+/// Incomplete and unusual measurements.
 std::vector<Degenerate> degenerates() {
   std::vector<Degenerate> all{{"nothing", {}}};
   const auto add = [&](std::string name, auto&& change) {

@@ -15,7 +15,7 @@ namespace {
 
 using render::Measured;
 
-/// From -1 to 1, of a hash of the number.
+/// From -1 to 1, from a hash of the number.
 double noise(std::uint32_t number) {
   number = (number ^ 61u ^ number >> 16) * 9u;
   number = (number ^ number >> 4) * 0x27d4eb2du;
@@ -26,7 +26,8 @@ Measured around(double value, double relative) {
   return {.value = value, .interval = {value * (1 - relative), value * (1 + relative)}};
 }
 
-/// What a way costs and gets: seconds and error of one sample, and how fast the error falls.
+/// The cost and accuracy of a configuration: seconds and error of one sample, and the slope of the
+/// error.
 struct Law {
   render::Way way;
   double seconds, error, slope, bias;

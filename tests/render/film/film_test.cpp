@@ -15,7 +15,7 @@ LinearRgb sample(std::uint32_t replicate, std::uint32_t index) {
   return {v, 2 * v, std::sqrt(v)};
 }
 
-/// What a kernel does with a run.
+/// The result of a kernel for a run.
 void trace(std::vector<SampleRun>& runs) {
   for (SampleRun& run : runs) {
     for (std::uint32_t i = 0; i < run.count; ++i) run.sum += sample(run.replicate, run.first + i);

@@ -23,7 +23,7 @@ std::vector<LightSphere> random_balls(int count, unsigned seed) {
   return balls;
 }
 
-/// Places near the lights and apart from them, with every direction of the normal.
+/// Points near the lights and far from them, with every direction of the normal.
 template <typename Body>
 void for_places(const Body& body) {
   test::Random random(3);
@@ -62,7 +62,8 @@ TEST(LightTree, HoldsEveryLightOnce) {
   for (std::uint32_t i = 0; i < 1000; ++i) EXPECT_EQ(found[i], i);
 }
 
-// Both techniques of light sampling weigh by the same numbers, or the weights do not add up to 1.
+// Both techniques of light sampling weigh with the same numbers, otherwise the weights do not add
+// up to 1.
 TEST(LightTree, ChoosesWithTheProbabilityThatItTellsOfALeafToTheBit) {
   test::Random random(5);
   for (const int count : {2, 5, 300, 5000}) {
@@ -77,7 +78,8 @@ TEST(LightTree, ChoosesWithTheProbabilityThatItTellsOfALeafToTheBit) {
   }
 }
 
-// The random number's unit interval is cut into one piece a leaf, as long as its probability.
+// The unit interval of the random number is divided into one piece per leaf, with the length of its
+// probability.
 TEST(LightTree, ChoosesEachLeafAsOftenAsItSays) {
   const LightTree tree(random_balls(21, 7));
   for_places([&](Vec3 x, Vec3 normal) {
@@ -105,7 +107,7 @@ TEST(LightTree, NeverChoosesWhatIsBelowTheHorizonNorLeavesOutWhatIsAbove) {
       const double height = std::fmax(opening, closing) + balls[i].radius;
       const double p = tree.probability(leaf, x, normal);
       EXPECT_TRUE(p > 0 || height < 1e-12);
-      // The ball of one that moves reaches further than it does.
+      // The bounding sphere of a moving one is larger than it is.
       EXPECT_TRUE(p == 0 || height > -1e-12 || balls[i].shift != Vec3{});
     }
   });

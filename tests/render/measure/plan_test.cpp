@@ -15,7 +15,7 @@ using Kind = render::StudyTask::Kind;
 
 constexpr render::Way kOwn{};
 
-/// A megapixel of which ten million samples take a second.
+/// A megapixel; ten million samples take a second.
 StudyRequest request(double budget_seconds, double seconds_per_sample = 1e-7) {
   StudyRequest request{.settings = {.width = 1000, .height = 1000, .samples = 48},
                        .reference_way = kOwn,
@@ -114,7 +114,7 @@ TEST(StudyPlan, LooksAtDepthsOnBothSidesOfTheScenesOwn) {
   EXPECT_EQ(plan_study(odd).depths, (std::vector{2, 4, 8, 16, 32, 64, 128, 1000}));
 }
 
-// Each of the things would be measured on a machine that just then is slow, were they not spread.
+// Otherwise all repetitions of a point could fall into a period in which the machine is slow.
 TEST(StudyPlan, SpreadsRepeatsOverTheWholeTime) {
   const StudyPlan plan = plan_study(request(600));
   std::vector<int> rounds;

@@ -14,7 +14,7 @@ using render::Dominance;
 using render::Point;
 using render::Series;
 
-/// Errors of 8 / samples^.75 and times of samples milliseconds.
+/// Errors of 8 / samples^.75 and times of `samples` milliseconds.
 std::vector<Point> sobol_points() {
   std::vector<Point> points;
   for (int samples = 8; samples <= 512; samples *= 4) {
@@ -81,7 +81,7 @@ TEST(SamplesForAnError, AreMeasuredWhereAPointHasItAlready) {
 
 TEST(SamplesForAnError, AreBetweenPointsOnTheLineThroughThem) {
   const std::vector<Point> points = sobol_points();
-  // 8 (.4 / .1)^(4/3) = 50.8 of the plain error, 52 of the interval's upper end.
+  // 8 (.4 / .1)^(4/3) = 50.8 for the error itself, 52 for the interval's upper end.
   const auto found = samples_for(0.1, group_by_way(points).front(), points);
   ASSERT_TRUE(found);
   EXPECT_FALSE(found->is_measured);
