@@ -53,7 +53,7 @@ std::pair<int, int> pixels_of(int i, int fewer, int count) {
   return {edge(i), std::max(edge(i + 1), edge(i) + 1)};
 }
 
-/// `value(x, y)` averaged over the pixels behind each pixel of a smaller picture.
+/// `value(x, y)` averaged over the source pixels of each pixel of a smaller picture.
 template <typename T, typename Value>
 std::vector<T> shrunk(int width, int height, int from_width, int from_height, Value value) {
   std::vector<T> values;
