@@ -21,14 +21,14 @@ std::string scarce_light(const render::RenderSettings& settings,
   const bool is_one = emitters.size() == 1;
   const auto fewest = std::ranges::min_element(
       emitters, {}, [](const render::ReachedEmitter& emitter) { return emitter.paths; });
-  const char* way_out = settings.light_sampling == render::LightSampling::On
-                            ? "more samples find it, if it is not hidden"
-                            : "more samples, or --light-sampling on, find it, if it is not hidden";
+  const char* hint = settings.light_sampling == render::LightSampling::On
+                         ? "more samples find it, if it is not hidden"
+                         : "more samples, or --light-sampling on, find it, if it is not hidden";
   return fmt::format(
       "{} emissive sphere{} reached by fewer than {} paths, {}by {}: {} light may be missing in "
       "the picture and in its error; {}",
       emitters.size(), is_one ? " was" : "s were", render::EmitterTally::kEnough,
-      is_one ? "" : "one of them ", fewest->paths, is_one ? "its" : "their", way_out);
+      is_one ? "" : "one of them ", fewest->paths, is_one ? "its" : "their", hint);
 }
 
 std::string_view words_of(render::LightPath kind) {
@@ -69,7 +69,7 @@ std::string describe_error(const render::RenderResult& result) {
   if (result.error) {
     text += fmt::format(", error {} % ({} to {} %)", percent(result.error->relative_error),
                         percent(result.error->interval.from), percent(result.error->interval.to));
-  } else if (result.least_samples >= render::kLeastReplicatedSamples) {
+  } else if (result.least_samples >= render::kMinReplicatedSamples) {
     text += ", error unknown";
   }
   const double cut = static_cast<double>(result.truncated_paths) /
@@ -95,7 +95,7 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
   }
   if (!result.rare_paths.empty()) warnings.push_back(rare_light(result.rare_paths));
   // A picture of fewer samples is a draft that claims nothing of its error.
-  const bool claims_error = result.least_samples >= render::kLeastReplicatedSamples;
+  const bool claims_error = result.least_samples >= render::kMinReplicatedSamples;
   if (claims_error && !result.scarce_emitters.empty()) {
     warnings.push_back(scarce_light(settings, result.scarce_emitters));
   }

@@ -23,8 +23,8 @@ using render::KernelKind;
 constexpr std::string_view kAuto = "auto";
 constexpr std::array kKinds{KernelKind::Scalar, KernelKind::Wide, KernelKind::Bvh};
 
-/// The option's words are `auto` and the names of `choices`; the one given is what `chosen`
-/// becomes.
+/// Adds an option with the values `auto` and the names of `choices`; the given one is stored in
+/// `chosen`.
 template <typename T, std::size_t N>
 void add_choice(CLI::App& command, const char* flag, const std::array<T, N>& choices,
                 std::optional<T>& chosen, const char* help) {
@@ -43,12 +43,11 @@ void add_choice(CLI::App& command, const char* flag, const std::array<T, N>& cho
 }  // namespace
 
 void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
-  add_choice(
-      command, "--kernel", kKinds, request.kind,
-      "How paths are traced: one at a time, or one in every lane of a vector; a ray against every "
-      "sphere, or through a hierarchy");
+  add_choice(command, "--kernel", kKinds, request.kind,
+             "How paths are traced: one at a time, or one per vector lane; with all spheres tested "
+             "per ray, or with a BVH");
   add_choice(command, "--isa", render::kIsas, request.isa,
-             "The instruction set of the wide kernel; auto: the best of the machine");
+             "The instruction set of the wide kernels; auto: the best available");
 }
 
 lang::Instancing instancing_for(const render::KernelRequest& flags,

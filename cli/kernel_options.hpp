@@ -24,10 +24,10 @@ void add_kernel_options(CLI::App& command, render::KernelRequest& request);
 render::Kernel choose_kernel(const render::KernelRequest& flags, const lang::Overrides& overrides,
                              lang::LoweredScene& lowered, lang::Compiler& compiler);
 
-/// Throws UsageError where a kernel cannot be the one that is asked for.
+/// Throws UsageError if the requested kernel was refused.
 void check_not_refused(const render::Kernel& kernel);
 
-/// What the kernel runs on, as users are told.
+/// The instruction set, for messages.
 std::string_view instruction_set(const render::Kernel& kernel) noexcept;
 
 }  // namespace sdlc::cli

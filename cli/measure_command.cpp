@@ -164,11 +164,11 @@ void check_supported(const MeasureOptions& options) {
 /// Refuses what would not fit before anything is rendered.
 void check_memory(const render::RenderSettings& settings) {
   // Three pictures, the reference's spread, FLIP's colours of two, and the report's maps.
-  constexpr std::size_t kBytesAPixel =
+  constexpr std::size_t kBytesPerPixel =
       3 * sizeof(render::LinearRgb) + 2 * sizeof(render::PixelSpread) + 24 * sizeof(float);
   const auto pixels =
       static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
-  if (pixels * kBytesAPixel > physical_memory_bytes()) throw std::bad_alloc();
+  if (pixels * kBytesPerPixel > physical_memory_bytes()) throw std::bad_alloc();
 }
 
 /// Tells what is done, one thing after the other, on standard error.

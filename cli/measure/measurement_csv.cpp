@@ -11,7 +11,7 @@
 namespace sdlc::cli {
 namespace {
 
-/// All digits; nothing where it is no finite number.
+/// All digits; empty if not finite.
 std::string number(double value) { return std::isfinite(value) ? fmt::to_string(value) : ""; }
 
 struct Column {
@@ -19,7 +19,7 @@ struct Column {
   std::string (*text)(const render::Point& point);
 };
 
-// What no cell holds is a comma, a quote or the end of a line, so that none has to be quoted.
+// No cell contains a comma, a quote or a line end, so none has to be quoted.
 constexpr std::array kColumns{
     Column{"samples", [](const render::Point& p) { return fmt::to_string(p.samples); }},
     Column{"sampler", [](const render::Point& p) { return std::string(name_of(p.way.sampler)); }},
@@ -56,7 +56,7 @@ constexpr std::array kColumns{
     Column{"cut_paths", [](const render::Point& p) { return number(p.cut_share); }},
     Column{"scarce_emitters",
            [](const render::Point& p) { return fmt::to_string(p.scarce_emitters); }},
-    Column{"standing", [](const render::Point& p) { return std::string(name_of(p.standing)); }},
+    Column{"standing", [](const render::Point& p) { return std::string(name_of(p.dominance)); }},
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Keeps what it receives.
+/// Stores what it receives.
 class Objects final : public ObjectSink {
  public:
   void add(const Object& object) override { all.push_back(object); }

@@ -13,8 +13,8 @@
 
 namespace sdlc::render {
 
-/// One number for each axis, and one more that fills the registers and means nothing. Registers are
-/// those of every machine: compilers take larger vectors apart in memory.
+/// One number per axis, plus an unused one that fills the registers. Uses 16-byte registers, which
+/// every machine has: compilers split larger vectors through memory.
 template <typename T>
 class Axes {
  public:
@@ -33,10 +33,10 @@ class Axes {
 
   T operator[](std::size_t i) const noexcept { return parts[i / kLanes][i % kLanes]; }
 
-  Part parts[kParts];  // NOLINT: of registers
+  Part parts[kParts];  // NOLINT: registers
 };
 
-/// `operation` on the registers of two.
+/// Applies `operation` to each pair of registers.
 template <typename T, typename Operation>
 Axes<T> combined(const Axes<T>& a, const Axes<T>& b, const Operation& operation) noexcept {
   Axes<T> result;
@@ -46,7 +46,7 @@ Axes<T> combined(const Axes<T>& a, const Axes<T>& b, const Operation& operation)
   return result;
 }
 template <typename T>
-Axes<T> least(const Axes<T>& a, const Axes<T>& b) noexcept {
+Axes<T> lanewise_min(const Axes<T>& a, const Axes<T>& b) noexcept {
   return combined(a, b, [](auto& to, const auto& x, const auto& y) { to = x < y ? x : y; });
 }
 template <typename T>
@@ -62,8 +62,8 @@ Axes<T> operator*(const Axes<T>& a, const Axes<T>& b) noexcept {
   return combined(a, b, [](auto& to, const auto& x, const auto& y) { to = x * y; });
 }
 
-/// An axis-aligned box as the builder reads it, at first around nothing: the high sides have their
-/// signs changed, so that every side grows by a minimum.
+/// An axis-aligned box for the builder, initially empty. The upper bounds are negated, so that
+/// every side grows by a minimum.
 template <typename T>
 struct BuildBox {
   static constexpr T kInfinity = std::numeric_limits<T>::infinity();
@@ -75,33 +75,34 @@ struct BuildBox {
   T high(std::size_t axis) const noexcept { return -minus_highs[axis]; }
 
   void add(const BuildBox& other) noexcept {
-    lows = least(lows, other.lows);
-    minus_highs = least(minus_highs, other.minus_highs);
+    lows = lanewise_min(lows, other.lows);
+    minus_highs = lanewise_min(minus_highs, other.minus_highs);
   }
   T half_area() const noexcept {
-    const Axes<T> minus_size = lows + minus_highs;  // of which products are those of the size
+    const Axes<T> minus_size = lows + minus_highs;  // the signs cancel in products
     return minus_size[0] * minus_size[1] + minus_size[1] * minus_size[2] +
            minus_size[2] * minus_size[0];
   }
 };
 
-/// A sphere to be put into a leaf, and the box around it over the whole shutter: two registers.
+/// A sphere to be put into a leaf, with its bounding box over the whole shutter: two registers.
 template <typename T>
-class alignas(8 * sizeof(T)) Member {
+class alignas(8 * sizeof(T)) Primitive {
  public:
-  Member() = default;  // not initialised, for there are many
-  /// A sphere that stands still.
-  Member(Vec3 center, double radius, std::uint32_t sphere) noexcept {
+  Primitive() = default;  // not initialised, because there are many
+  /// A static sphere.
+  Primitive(Vec3 center, double radius, std::uint32_t sphere) noexcept {
     const auto side = [](double v) { return static_cast<T>(v); };
-    // In both, so that their difference is 0: some processors are slow with numbers so tiny.
+    // Stored in both, so that their difference is 0: some processors are slow with subnormal
+    // numbers.
     const T last = std::bit_cast<T>(Bits{sphere});
     lows_ =
         Axes<T>{side(center.x - radius), side(center.y - radius), side(center.z - radius), last};
     minus_highs_ =
         Axes<T>{side(-center.x - radius), side(-center.y - radius), side(-center.z - radius), last};
   }
-  /// The same sphere elsewhere.
-  void add(const Member& other) noexcept {
+  /// Adds the bounds of the same sphere at another time.
+  void add(const Primitive& other) noexcept {
     BuildBox<T> both = box();
     both.add(other.box());
     lows_ = both.lows;
@@ -112,26 +113,26 @@ class alignas(8 * sizeof(T)) Member {
   std::uint32_t sphere() const noexcept {
     return static_cast<std::uint32_t>(std::bit_cast<Bits>(T{lows_[3]}));
   }
-  /// Twice the middle, as a box; what means nothing is 0.
-  BuildBox<T> middles() const noexcept {
+  /// Twice the centroid, as a box; the unused lane is 0.
+  BuildBox<T> centroids() const noexcept {
     return {.lows = lows_ - minus_highs_, .minus_highs = minus_highs_ - lows_};
   }
-  T middle(std::size_t axis) const noexcept { return lows_[axis] - minus_highs_[axis]; }
+  T centroid(std::size_t axis) const noexcept { return lows_[axis] - minus_highs_[axis]; }
 
  private:
   using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
 
-  Axes<T> lows_, minus_highs_;  // with the sphere where nothing has a meaning
+  Axes<T> lows_, minus_highs_;  // the unused lane holds the sphere
 };
 
-/// The members [begin, end) and the box around them.
+/// The primitives [begin, end) and their bounding box.
 template <typename T>
-struct Group {
+struct Range {
   static constexpr std::size_t kNotSorted = ~std::size_t{0};
 
   std::size_t begin = 0, end = 0;
   BuildBox<T> box;
-  /// Where the places that SweepSplitter's orders hold are counted from, once they hold some.
+  /// The base of the indices in SweepSplitter's orders, if this range is sorted.
   std::size_t sorted_from = kNotSorted;
 
   std::size_t count() const noexcept { return end - begin; }
@@ -139,14 +140,14 @@ struct Group {
   bool is_sorted() const noexcept { return sorted_from != kNotSorted; }
 };
 
-/// Those below a node.
+/// The ranges below a node.
 template <typename T>
-struct NodeGroups {
-  std::array<Group<T>, kBvhWidth> of;
+struct NodeRanges {
+  std::array<Range<T>, kBvhWidth> of;
   std::size_t count = 0;
 };
 
-/// What the spheres of a group cost a ray that meets its box: one operation for each sixteen.
+/// The cost of testing the spheres of a range: one operation per sixteen.
 template <typename T>
 T leaf_cost(std::size_t count) noexcept {
   return static_cast<T>(static_cast<std::uint32_t>((count + kBvhWidth - 1) / kBvhWidth));
