@@ -12,7 +12,8 @@
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/program/program.hpp"
 #include "lang/source/limits.hpp"
-#include "lang/syntax/scan.hpp"
+#include "lang/token/name_characters.hpp"
+#include "lang/token/token_reader.hpp"
 
 namespace sdlc::test {
 namespace {
