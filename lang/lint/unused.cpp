@@ -5,7 +5,8 @@
 
 #include "lang/lint/context.hpp"
 #include "lang/lint/names.hpp"
-#include "lang/syntax/scan.hpp"
+#include "lang/token/lines.hpp"
+#include "lang/token/name_characters.hpp"
 
 namespace sdlc::lang {
 namespace {

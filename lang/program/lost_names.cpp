@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "lang/ast/ast.hpp"
-#include "lang/syntax/scan.hpp"
+#include "lang/token/lines.hpp"
+#include "lang/token/name_characters.hpp"
 
 namespace sdlc::lang {
 
