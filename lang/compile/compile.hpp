@@ -75,6 +75,8 @@ class Compiler {
 
   /// The text's statements; null of a config.
   const Program* program() const noexcept { return program_.get(); }
+  /// What the names of the text mean. Precondition: it is no config.
+  const SymbolTable& names() { return program_->names_of(Program::kRoot); }
   const ProgramOptions& options() const noexcept { return options_; }
   /// What comments of the files allow.
   Allowances& allowances() noexcept { return *allowances_; }
