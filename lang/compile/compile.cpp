@@ -8,7 +8,7 @@
 
 #include "lang/ast/ast.hpp"
 #include "lang/json/json.hpp"
-#include "lang/program/resolver.hpp"
+#include "lang/resolve/resolver.hpp"
 
 namespace sdlc::lang {
 namespace {

@@ -7,7 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "lang/program/resolver.hpp"
+#include "lang/resolve/resolver.hpp"
+#include "lang/schema/find_kind.hpp"
 #include "lang/value/literals.hpp"
 #include "lang/value/logic.hpp"
 
@@ -31,10 +32,8 @@ std::uint32_t expression_of(const Code& code, const Statement& statement, std::s
 bool is_setting(const Module& file, ast::Node statement) {
   if (!statement.is(SyntaxKind::Object)) return false;
   const std::string_view name = ast::Object{statement}.kind();
-  const auto kinds = all_kinds();
-  return !file.def_names.contains(name) &&
-         std::any_of(kinds.begin(), kinds.end(),
-                     [&](const Kind& kind) { return kind.is_setting && kind.name == name; });
+  const Kind* kind = find_kind(name);
+  return !file.def_names.contains(name) && kind != nullptr && kind->is_setting;
 }
 
 bool is_declaration(SyntaxKind kind) noexcept {
@@ -237,7 +236,7 @@ void Evaluator::evaluate_globals(std::uint32_t module, Globals which) {
   done[module] = true;
   const Module& file = program_.module(module);
   for (const auto& [name, import] : file.imports) {
-    if (import != kNothing) evaluate_globals(import, which);
+    if (import.module != kNothing) evaluate_globals(import.module, which);
   }
   if (globals_.size() <= module) globals_.resize(module + 1);
   if (globals_[module].empty()) {

@@ -1,4 +1,4 @@
-#include "lang/program/path.hpp"
+#include "lang/resolve/path.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "lang/program/dependencies.hpp"
+#include "lang/resolve/global_order.hpp"
 
 #include <algorithm>
 #include <string>
@@ -44,8 +44,8 @@ class Graph {
   const std::vector<Uses>&globals_, &functions_;
 };
 
-/// Tarjan's strongly connected components, which come out with those they use before them. The
-/// stack is its own: a file may chain a million values.
+/// Tarjan's strongly connected components: each comes after those that it uses. The stack is
+/// explicit, since a file may chain a million values.
 class Sorter {
  public:
   Sorter(Module& module, Graph& graph, DiagnosticSink& sink)
@@ -75,15 +75,15 @@ class Sorter {
     marks_[node] = {.number = count_, .lowest = count_, .is_open = true, .component = kNew};
     ++count_;
     open_.push_back(node);
-    way_.push_back({.node = node});
+    path_.push_back({.node = node});
   }
 
   void walk_from(std::size_t root) {
     enter(root);
-    while (!way_.empty()) {
-      const std::size_t current = way_.back().node;
-      if (way_.back().next_use < graph_.degree(current)) {
-        const std::size_t used = graph_.used(current, way_.back().next_use++);
+    while (!path_.empty()) {
+      const std::size_t current = path_.back().node;
+      if (path_.back().next_use < graph_.degree(current)) {
+        const std::size_t used = graph_.used(current, path_.back().next_use++);
         if (marks_[used].number == kNew) {
           enter(used);
         } else if (marks_[used].is_open) {
@@ -91,9 +91,9 @@ class Sorter {
         }
         continue;
       }
-      way_.pop_back();
-      if (!way_.empty()) {
-        Mark& user = marks_[way_.back().node];
+      path_.pop_back();
+      if (!path_.empty()) {
+        Mark& user = marks_[path_.back().node];
         user.lowest = std::min(user.lowest, marks_[current].lowest);
       }
       if (marks_[current].lowest == marks_[current].number) close_component(current);
@@ -110,7 +110,7 @@ class Sorter {
     }
     const auto global = std::find_if(component.begin(), component.end(),
                                      [&](std::size_t node) { return graph_.is_global(node); });
-    // Functions may call each other in a circle; it is a value that cannot wait for itself.
+    // Functions may call each other in a circle; values may not depend on themselves.
     if (global == component.end()) return;
     if (component.size() > 1 || uses_itself(first)) return report_circle(*global);
     module_.order.push_back(static_cast<std::uint32_t>(first));
@@ -123,7 +123,7 @@ class Sorter {
     return false;
   }
 
-  /// The shortest way from the node back to itself, inside its component.
+  /// The shortest path from the node back to itself inside its component.
   std::vector<std::size_t> circle_of(std::size_t start) const {
     std::unordered_map<std::size_t, std::size_t> comes_from;
     std::vector<std::size_t> found{start};
@@ -166,7 +166,7 @@ class Sorter {
   std::vector<Mark> marks_;
   std::size_t count_ = 0;
   std::vector<std::size_t> open_;
-  std::vector<Visit> way_;
+  std::vector<Visit> path_;
 };
 
 }  // namespace
@@ -176,7 +176,7 @@ void order_globals(Module& module, const std::vector<Uses>& of_globals,
   Graph graph(module, of_globals, of_functions);
   Sorter(module, graph, sink).run();
 
-  // Backwards along the uses from what reads `time` itself: each node is reached once.
+  // Backwards along the uses, from what reads `time` itself; each node is visited once.
   std::vector<std::vector<std::size_t>> users(graph.size());
   std::vector<std::size_t> found;
   for (std::size_t node = 0; node < graph.size(); ++node) {

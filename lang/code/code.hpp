@@ -8,15 +8,15 @@
 #include "lang/syntax/syntax.hpp"
 #include "lang/value/computed.hpp"
 
-/// Expressions and statements whose names have been resolved: what the evaluator runs. It is flat;
-/// parts name each other by index.
+/// Expressions and statements with resolved names: what the evaluator runs. The code is flat; its
+/// parts refer to each other by index.
 namespace sdlc::lang {
 
 inline constexpr std::uint32_t kNothing = 0xFFFFFFFF;
 
 /// What an expression does. `operands` are entries of Code::operands, most of them expressions.
 enum class Op : std::uint8_t {
-  Broken,       ///< operands: what is evaluated for its mistakes only; the result has failed
+  Broken,       ///< operands: evaluated for their errors only; the result has failed
   Number,       ///< first: in Code::numbers; `detail` is the Unit
   Constant,     ///< first: in Code::constants
   Time,         ///< `time`
@@ -43,23 +43,23 @@ enum class Op : std::uint8_t {
 
 struct Expression {
   Op op = Op::Broken;
-  Operator before = Operator::None;  ///< in front of an operand of a chain
+  Operator before = Operator::None;  ///< before an operand of a chain
   std::uint8_t detail = 0;
-  NodeIndex node = 0;       ///< what is wrong with the value is reported there
+  NodeIndex node = 0;       ///< errors of the value are reported there
   std::uint32_t first = 0;  ///< of the operands
   std::uint32_t count = 0;  ///< of the operands
 };
 static_assert(sizeof(Expression) == 16);
 
-/// What a statement does. A block is written as the number of its statements and then they.
+/// What a statement does. A block is the number of its statements, then the statements.
 enum class Action : std::uint8_t {
-  Let,     ///< slot, expression
-  For,     ///< slot, list, block
-  If,      ///< [condition or kNothing, block]...
-  Assert,  ///< condition, message
-  Object,  ///< [property or kNothing, expression]...; `kind` says of what
-  Group,   ///< number of lets, lets, which the properties may use; number of properties, [property
-           ///< or kNothing, expression]...; block, with the lets in their places
+  Let,       ///< slot, expression
+  For,       ///< slot, list, block
+  If,        ///< [condition or kNothing, block]...
+  Assert,    ///< condition, message
+  Object,    ///< [property or kNothing, expression]... of an object of this `kind`
+  Group,     ///< number of lets, lets that properties may use; number of properties, [property or
+             ///< kNothing, expression]...; block, which contains the lets too
   Instance,  ///< module, def, number of group properties, [property, expression]..., then an
              ///< argument or kNothing a parameter
   Include,   ///< module, or index of a config plus kConfigs

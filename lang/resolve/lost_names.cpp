@@ -1,4 +1,4 @@
-#include "lang/program/lost_names.hpp"
+#include "lang/resolve/lost_names.hpp"
 
 #include <algorithm>
 
@@ -17,13 +17,13 @@ LostNames::LostNames(const SyntaxTree& tree) {
     if (!declares) continue;
     const auto name = node.first(SyntaxKind::Name);
     if (!name || name->span().size() > 0) continue;
-    // The name has run together with that of the first parameter.
+    // The bracket is missing: the name and that of the first parameter are one word.
     const std::string_view rest = tree.file().text().substr(name->span().begin);
     merged_.push_back(rest.substr(0, end_of_identifier(rest, 0)));
   }
 }
 
-/// Of an import that could not be read to its end, every word of the line may be its name.
+/// The name of an import without an end may be any word of its line.
 void LostNames::read_alias(ast::Node import) {
   const auto file = import.first(SyntaxKind::String);
   if (!file) return;
@@ -36,8 +36,8 @@ void LostNames::read_alias(ast::Node import) {
   }
 }
 
-/// A name is declared where a word stands in front of it and `=`, `(` or `:` behind, where `as`
-/// stands in front, or where the statement begins with it and `=` follows.
+/// A skipped text declares a name that is between a word and `=`, `(` or `:`, or after `as`, or
+/// that begins the text and is followed by `=`.
 void LostNames::read_skipped(std::string_view text) {
   std::string_view last;
   bool is_beside = false;
@@ -49,8 +49,7 @@ void LostNames::read_skipped(std::string_view text) {
     }
     const std::uint32_t end = end_of_identifier(text, at);
     const std::string_view word = text.substr(at, end - at);
-    const std::uint32_t behind = skip_blanks(text, end);
-    const char next = char_at(text, behind);
+    const char next = char_at(text, skip_blanks(text, end));
     const bool is_declared =
         is_beside && (next == '=' || next == '(' || next == ':' || last == "as");
     const bool is_assigned = at == 0 && next == '=';
