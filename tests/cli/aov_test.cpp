@@ -91,8 +91,8 @@ TEST_F(AovCommand, GivesTheSameFileForAnyNumberOfThreads) {
 
 TEST_F(AovCommand, SuggestsTheChannelThatWasMeant) {
   EXPECT_THAT(refusal("-o a.exr --aov depth,normals"),
-              HasSubstr("`normals` is none of normal, depth, albedo, variance, samples "
-                        "(did you mean `normal`?)"));
+              HasSubstr("`normals` is not one of normal, depth, albedo, variance, samples (did you "
+                        "mean `normal`?)"));
   EXPECT_THAT(refusal("-o a.exr --aov ''"), HasSubstr("--aov"));
 }
 
@@ -109,8 +109,8 @@ TEST_F(AovCommand, NeedsAnExrFile) {
 
 TEST_F(AovCommand, NeedsEightSamplesForTheVariance) {
   EXPECT_THAT(refusal("-o a.exr --aov variance --samples 7"),
-              HasSubstr("`variance` takes at least 8 samples per pixel, and this render has 7; "
-                        "raise them, such as --samples 8, or leave `variance` out"));
+              HasSubstr("`variance` takes at least 8 samples per pixel, and this render has 7; use "
+                        "more, such as --samples 8, or omit `variance`"));
   EXPECT_EQ(render("-o a.exr --aov variance --samples 8").exit_code, 0);
 }
 
@@ -173,8 +173,8 @@ TEST_F(AovCommand, RefusesFirstSurfacesOfVeryManyInstances) {
   const ProgramResult result =
       run("\"$SDLC\" render rows.scene --quiet -o a.exr --aov depth,samples --instances always");
   EXPECT_EQ(result.exit_code, 2) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("which is done up to 10,000,000 spheres, and this scene has "
-                                    "10,010,000; `variance` and `samples` can be had of it"));
+  EXPECT_THAT(result.err, HasSubstr("which is limited to 10,000,000 spheres, and this scene has "
+                                    "10,010,000; `variance` and `samples` are possible"));
   EXPECT_EQ(run("\"$SDLC\" render rows.scene --quiet -o a.exr --aov samples --instances always")
                 .exit_code,
             0);

@@ -176,8 +176,7 @@ TEST_F(CompareCommand, TakesAnUntoldToneForThatOfTheOther) {
   write("a.png", gradient(), render::Tone::Sqrt, {{"sdlc:tone", "sqrt"}});
   write("b.tiff", gradient(), render::Tone::Sqrt);
   EXPECT_THAT(json("a.png b.tiff")["notes"],
-              ElementsAre("b.tiff does not tell its tone, which is taken for that of the other, "
-                          "sqrt"));
+              ElementsAre("b.tiff does not record its tone; assuming that of the other, sqrt"));
 }
 
 TEST_F(CompareCommand, NamesChannelsThatItDoesNotCompare) {
@@ -362,11 +361,11 @@ TEST_F(CompareCommand, RefusesOutputsThatCannotBe) {
                 HasSubstr("it is one of the pictures to compare"));
   }
   EXPECT_EQ(content_of(folder_ / "a.exr"), before);
-  EXPECT_THAT(refusal("-o d.hdr"), HasSubstr("holds no negative values; .exr does"));
+  EXPECT_THAT(refusal("-o d.hdr"), HasSubstr("cannot store negative values; use .exr"));
   EXPECT_THAT(refusal("-o d.pgn"), HasSubstr("(did you mean `png`?)"));
   EXPECT_THAT(refusal("-o none/d.png"), HasSubstr("none/d.png"));
   EXPECT_THAT(refusal("-o -"), HasSubstr("name a file"));
-  EXPECT_THAT(refusal("-o d.exr --top 1"), HasSubstr("--top is for the colours of a .png"));
+  EXPECT_THAT(refusal("-o d.exr --top 1"), HasSubstr("--top is for colour maps such as .png"));
   for (const char* top : {"0", "-1", "nan"}) {
     EXPECT_THAT(refusal(std::string("-o d.png --top ") + top),
                 HasSubstr("--top: takes a number above 0, such as `0.5`, not `"));
@@ -409,8 +408,8 @@ TEST_F(CompareCommand, SaysThatPicturesOfOneSeedShareTheirNoise) {
     run("\"$SDLC\" render s.scene --quiet --aov variance --seed 7 -o " + name + ".exr");
   }
   EXPECT_THAT(json("a.exr b.exr")["notes"].dump(),
-              HasSubstr("both are of seed 7: they share noise, of which the z-test knows nothing, "
-                        "and it finds too little; give one of them another --seed"));
+              HasSubstr("both have seed 7: they share noise, so the z-test is less sensitive; "
+                        "render one of them with another --seed"));
 }
 
 TEST_F(CompareCommand, RefusesTonesThatDiffer) {
@@ -537,7 +536,7 @@ std::vector<BrokenCase> broken_cases() {
       {"TwoParts", "bad.exr", "good.exr", parts("bad.exr", OIIO::TypeDesc::FLOAT),
        "it holds 2 pictures"},
       {"AnimatedGif", "bad.gif", "good.png", parts("bad.gif", OIIO::TypeDesc::UINT8),
-       "it holds 2 pictures; take the one that is meant out of it"},
+       "it holds 2 pictures; extract the one to use"},
       {"Crop", "bad.exr", "good.exr",
        [](const TemporaryFolder& folder) {
          OIIO::ImageSpec spec = float_spec(12, 8, {"R", "G", "B"});
@@ -561,7 +560,7 @@ std::vector<BrokenCase> broken_cases() {
        [](const TemporaryFolder& folder) {
          write_oiio_file(folder / "bad.tiff", {float_spec(12, 8, {"R", "G", "B"})});
        },
-       "its values are no codes of 8 or 16 bits"},
+       "its values are not codes of 8 or 16 bits"},
       {"Pipe", "bad.png", "good.png",
        [](const TemporaryFolder& folder) {
          ASSERT_EQ(::mkfifo((folder / "bad.png").c_str(), 0600), 0);

@@ -117,7 +117,7 @@ TEST_F(LintReports, AreMadeByOtherCommandsToo) {
 TEST_F(LintReports, AreRefusedByCommandsThatReportNothing) {
   const ProgramResult result = run_shell(folder_.path(), "\"$SDLC\" explain E104 --format sarif");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("`sarif` is none of human, concise, json"));
+  EXPECT_THAT(result.err, HasSubstr("`sarif` is not one of human, concise, json"));
 }
 
 // The hooks of pre-commit and the recipes of docs/ci.md contain commands: in a folder of valid

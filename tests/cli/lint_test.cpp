@@ -111,7 +111,7 @@ TEST_F(LintCommand, RefusesAFolderWithoutScenes) {
   std::filesystem::create_directory(folder_ / "empty");
   const ProgramResult result = run("empty");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(result.err, "error: there are no scenes in `empty`\n");
+  EXPECT_EQ(result.err, "error: no scenes in `empty`\n");
 }
 
 TEST_F(LintCommand, GoesOnBehindAFileThatIsNotThere) {
@@ -161,7 +161,7 @@ TEST_F(LintCommand, SelectsAndIgnoresByCodeAndBeginning) {
               HasSubstr("E104"));
   const ProgramResult unknown = run("wrong.scene --select E999");
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("no diagnostic has a code that begins with `E999`"));
+  EXPECT_THAT(unknown.err, HasSubstr("no diagnostic code begins with `E999`"));
 }
 
 TEST_F(LintCommand, AllowsSoManyWarnings) {

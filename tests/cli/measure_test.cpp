@@ -123,7 +123,8 @@ TEST_F(Measure, RecommendsForTheErrorThatIsAskedFor) {
 TEST_F(Measure, SaysWhereTheErrorThatIsAskedForIsTooFar) {
   const ProgramResult result = run("--error 0.00001% -o a.json --quiet");
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.out, HasSubstr("No number of samples is known for the error of 10"));
+  EXPECT_THAT(result.out,
+              HasSubstr("No number of samples can be predicted for the requested error of 10"));
   EXPECT_FALSE(report("a.json")["notes"].empty());
 }
 
@@ -216,7 +217,7 @@ TEST_F(Measure, RefusesAFolderThatIsDamaged) {
   const ProgramResult half = run("--work kept");
   EXPECT_EQ(half.exit_code, 2);
   EXPECT_THAT(half.err, HasSubstr("its study.json cannot be read"));
-  EXPECT_THAT(half.err, HasSubstr("remove the folder to begin anew"));
+  EXPECT_THAT(half.err, HasSubstr("remove the folder to start again"));
 }
 
 TEST_F(Measure, HoldsItselfAgainstAnEarlierReport) {
@@ -257,7 +258,7 @@ TEST_F(Measure, RefusesToBeHeldAgainstSomethingElse) {
                  "sphere { center: (1, 1, 1), radius: 0.1, material: diffuse(color: gray) }\n");
   EXPECT_THAT(run("--against old.json").err, HasSubstr("of another scene"));
   write_text(folder_ / "text.json", "{\"points\": []}");
-  EXPECT_THAT(run("--against text.json").err, HasSubstr("no report of `sdlc measure`"));
+  EXPECT_THAT(run("--against text.json").err, HasSubstr("not a JSON report of `sdlc measure`"));
   EXPECT_EQ(run("--against text.json").exit_code, 2);
   write_text(folder_ / "broken.json", "{");
   EXPECT_EQ(run("--against broken.json").exit_code, 2);
@@ -287,7 +288,7 @@ TEST_F(Measure, SaysWhatItCannotDo) {
   expect_usage("--adaptive --error 1%", "--adaptive is not measured");
   expect_usage("--budget 0s", "--budget");
   expect_usage("--budget long", "--budget");
-  expect_usage("--format html", "`html` is none of human, json, csv");
+  expect_usage("--format html", "`html` is not one of human, json, csv");
   expect_usage("--frame 3", "no `animation`");
 }
 

@@ -89,7 +89,7 @@ class Outputs : public testing::Test {
   }
 
   const TemporaryFolder folder_;
-  static constexpr const char* kRead = "is a file that is read, and would be overwritten";
+  static constexpr const char* kRead = "is an input file and would be overwritten";
 };
 
 TEST_F(Outputs, OfARenderAreNotWhatItReads) {
@@ -225,7 +225,7 @@ TEST_F(Outputs, OutsideOfTheSandboxAreRefusedBeforeTheyAreLookedAt) {
     const ProgramResult result =
         run_shell(folder_ / "box", "\"$SDLC\" render --sandbox ball.scene");
     EXPECT_EQ(result.exit_code, 2) << name;
-    EXPECT_THAT(result.err, HasSubstr("leads out of the scene's folder")) << name;
+    EXPECT_THAT(result.err, HasSubstr("is outside the scene's folder")) << name;
     fs::remove(folder_ / name);
   }
 }

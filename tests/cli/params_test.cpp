@@ -139,7 +139,7 @@ TEST_F(SceneFlags, LimitsAreNamesAndWholeNumbers) {
   EXPECT_EQ(compile("scene/row.scene --limit steps=99999999999999999999").exit_code, 2);
   const ProgramResult unknown = compile("scene/row.scene --limit step=5");
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("there is no limit `step` (did you mean `steps`?)"));
+  EXPECT_THAT(unknown.err, HasSubstr("unknown limit `step` (did you mean `steps`?)"));
 }
 
 TEST_F(SceneFlags, TheHelpNamesTheLimitsWithTheirDefaults) {

@@ -143,7 +143,7 @@ TEST(LedgerJson, RefusesWhatDoesNotGoTogether) {
   EXPECT_EQ(complaint([](Ledger l) { l.plan->tasks.erase(l.plan->tasks.begin()); }),
             "its first task is not the reference");
   EXPECT_EQ(complaint([](Ledger l) { l.depths.pop_back(); }),
-            "its `depths` of round 1 are not those of the plan");
+            "its `depths` of round 1 differ from the plan");
   EXPECT_EQ(complaint([](Ledger l) {
               l.plan->costs.pop_back();
               l.plan->tasks.push_back({.kind = Kind::Precisions, .samples = 8});
@@ -166,7 +166,7 @@ TEST(LedgerJson, RefusesNumbersThatDoNotFit) {
     }
     return "nothing";
   };
-  const auto samples = "its `samples` is no whole number from 1 to 134217728";
+  const auto samples = "its `samples` is not a whole number from 1 to 134217728";
   for (const char* number : {"0", "-1", "1e300", "16.5", "134217729", "99999999999999999999"}) {
     EXPECT_THAT(complaint("\"samples\": 512", std::string("\"samples\": ") + number),
                 testing::HasSubstr(samples));

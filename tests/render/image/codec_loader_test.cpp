@@ -38,7 +38,7 @@ class CodecLoader : public testing::Test {
 
 TEST_F(CodecLoader, SaysWhereItLookedForAMissingModule) {
   EXPECT_EXIT(load_from("/nowhere", [] { image_codec(); }), testing::ExitedWithCode(0),
-              "cannot load `/nowhere/sdlc_image_codec.so`: .*it is not there.*SDLC_MODULE_PATH");
+              "cannot load `/nowhere/sdlc_image_codec.so`: .*is missing.*SDLC_MODULE_PATH");
 }
 
 TEST_F(CodecLoader, ReportsAMissingModuleBeforeTheFirstPicture) {

@@ -83,7 +83,7 @@ TEST(ExrLayers, HaveAValueForEveryPixel) {
   EXPECT_EQ(error_of([&] {
               encode_picture(Picture(2, 2), {.format = ImageFormat::Exr, .layers = all}, "a.exr");
             }),
-            "cannot write `a.exr`: `Z` has another number of pixels than the picture");
+            "cannot write `a.exr`: `Z` has a different number of pixels than the picture");
 }
 
 TEST(ToFloat, KeepsWhatIsTooLargeFinite) {

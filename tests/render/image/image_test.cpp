@@ -276,7 +276,7 @@ TEST(Image, ReportsFilesThatCannotBeRead) {
   EXPECT_THAT(error_of([&] { read_picture(folder / "none.png"); }),
               HasSubstr("No such file or directory"));
   EXPECT_THAT(error_of([&] { read_picture(folder / "a.bmp"); }),
-              HasSubstr("its extension names no picture format; known are png, exr, hdr"));
+              HasSubstr("its extension is not that of a picture format; known are png, exr, hdr"));
   fs::create_directory(folder / "b.png");
   EXPECT_THAT(error_of([&] { read_picture(folder / "b.png"); }), HasSubstr("it is a folder"));
 }

@@ -146,8 +146,8 @@ TEST_F(PictureFiles, MayBeginAnywhere) {
 
 TEST_F(PictureFiles, OfFloatsThatMayBeAnythingAreRefused) {
   EXPECT_THAT(refusal("a.tiff", {float_spec(2, 2, {"R", "G", "B"})}),
-              HasSubstr("its values are no codes of 8 or 16 bits, and TIFF does not tell what they "
-                        "are; write them as .exr"));
+              HasSubstr("its values are not codes of 8 or 16 bits, and TIFF does not define their "
+                        "meaning; write them as .exr"));
 }
 
 }  // namespace
