@@ -33,7 +33,7 @@
 #include "cli/version.hpp"
 #include "cli/words.hpp"
 #include "lang/compile/compile.hpp"
-#include "lang/lower/scene_builder.hpp"
+#include "lang/lower/lowered_scene.hpp"
 #include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/aov/aov.hpp"

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/lower/scene_builder.hpp"
+#include "lang/lower/lowered_scene.hpp"
+#include "lang/lower/settings.hpp"
 #include "lang/object/object.hpp"
 #include "lang/source/source.hpp"
 #include "render/scene/scene.hpp"
@@ -23,6 +25,12 @@ struct LoweredCamera {
 /// or what it needs is absent, which has been reported.
 std::optional<LoweredCamera> lower_camera(const Object& object, SourceFormat format,
                                           DiagnosticSink& sink);
+
+/// The camera that a flag or `render` names, else the only one. Null, once reported, if there is
+/// none of that name or there are several; null, unreported, if there is none at all. `takes_any`:
+/// of several the first will do.
+const Object* choose_camera(const WantedSettings& wanted, std::span<const Object> cameras,
+                            bool takes_any);
 
 /// What files of a format call a property; where JSON has no key for it, what the language does.
 std::string_view property_name(const Object& object, std::size_t property, SourceFormat format);

@@ -3,9 +3,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "lang/object/object.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::lang {
+
+/// The renderer's material for a checked value.
+render::Material lower_material(const MaterialValue& value) noexcept;
 
 /// Whether all the light that it gives off is a number.
 bool has_finite_light(const render::Material& material) noexcept;

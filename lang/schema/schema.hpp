@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -133,7 +134,9 @@ enum : std::size_t { kTranslate, kRotate, kScale, kMaterial, kCount };
 namespace animation_property {
 enum : std::size_t { kFrames, kFps, kStep, kCount };
 }
-inline constexpr std::size_t kMaxProperties = 13;
+inline constexpr std::size_t kMaxProperties = std::max<std::size_t>(
+    {camera_property::kCount, background_property::kCount, sphere_property::kCount,
+     render_property::kCount, group_property::kCount, animation_property::kCount});
 
 /// The shape of a value in the JSON config format.
 enum class JsonType : std::uint8_t {
