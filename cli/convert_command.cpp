@@ -24,7 +24,7 @@
 #include "cli/words.hpp"
 #include "lang/convert/convert.hpp"
 #include "lang/diagnostics/render.hpp"
-#include "lang/object/object.hpp"
+#include "lang/object/check.hpp"
 #include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"

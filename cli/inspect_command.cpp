@@ -20,7 +20,7 @@
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
 #include "lang/compile/compile.hpp"
-#include "lang/object/object.hpp"
+#include "lang/object/check.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/scene/instances.hpp"
 

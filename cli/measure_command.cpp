@@ -38,7 +38,7 @@
 #include "cli/whole_number.hpp"
 #include "cli/words.hpp"
 #include "lang/compile/compile.hpp"
-#include "lang/object/object.hpp"
+#include "lang/object/check.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/image.hpp"

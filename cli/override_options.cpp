@@ -12,7 +12,7 @@
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
 #include "cli/words.hpp"
-#include "lang/object/object.hpp"
+#include "lang/object/check.hpp"
 #include "lang/schema/schema.hpp"
 #include "render/scene/settings.hpp"
 

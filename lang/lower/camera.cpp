@@ -23,7 +23,7 @@ double tan_half(Angle angle) {
 }
 
 /// Of a view plane at distance 1: squares of longer sides could overflow.
-constexpr double kLargestPlane = 1e100;
+constexpr double kMaxPlane = 1e100;
 
 bool is_along(render::Vec3 a, render::Vec3 b) {
   // Below this the cross product, and with it the picture's horizon, is rounding error.
@@ -111,7 +111,7 @@ std::optional<LoweredCamera> lower_camera(const Object& object, SourceFormat for
   }
   if (!has_view || !up || !fov || !view_height || !aspect) return std::nullopt;
   const double plane_height = *view_height * tan_half(*fov);
-  if (!(plane_height * std::max(1.0, *aspect) <= kLargestPlane)) {
+  if (!(plane_height * std::max(1.0, *aspect) <= kMaxPlane)) {
     sink.report(diag::beyond_numbers, object.where, "the width or height of the view plane");
     return std::nullopt;
   }

@@ -14,15 +14,15 @@
 
 namespace sdlc::lang {
 
-/// A camera as the renderer has it, and what of its text is not in that.
+/// A camera for the renderer, with what is written of it beside that.
 struct LoweredCamera {
   render::Camera camera;
   WrittenCamera written;
 };
 
-/// The camera of a checked object, named in messages as `format` names its properties; nothing
-/// where it looks nowhere or has no horizon (E207, E208), where its view plane is too large (E214)
-/// or what it needs is absent, which has been reported.
+/// The camera of a checked object; messages call its properties as `format` does. nullopt, once
+/// reported, if it has no direction or no horizon (E207, E208), its view plane is too large (E214),
+/// or a property is missing.
 std::optional<LoweredCamera> lower_camera(const Object& object, SourceFormat format,
                                           DiagnosticSink& sink);
 
@@ -32,7 +32,7 @@ std::optional<LoweredCamera> lower_camera(const Object& object, SourceFormat for
 const Object* choose_camera(const WantedSettings& wanted, std::span<const Object> cameras,
                             bool takes_any);
 
-/// What files of a format call a property; where JSON has no key for it, what the language does.
+/// The name of a property in a format; the language's name if JSON has no key for it.
 std::string_view property_name(const Object& object, std::size_t property, SourceFormat format);
 
 }  // namespace sdlc::lang

@@ -14,7 +14,7 @@ namespace sdlc::lang {
 
 /// The value of a flag that sets a property of `render`, in the range of the property.
 struct Override {
-  Override(std::size_t property_, double number) : property(property_), value(number) {}
+  Override(std::size_t property_, double number) : property(property_), value(Scalar{number}) {}
   Override(std::size_t property_, std::string word)
       : property(property_), value(Word{std::move(word)}) {}
 
@@ -37,7 +37,7 @@ struct Overrides {
   template <typename T>
   std::optional<T> get(std::size_t property) const {
     const Override* flag = find(property);
-    return flag != nullptr ? std::optional(lang::get<T>(flag->value)) : std::nullopt;
+    return flag != nullptr ? value_as<T>(flag->value) : std::nullopt;
   }
   std::optional<std::string> word(std::size_t property) const {
     const auto given = get<Word>(property);

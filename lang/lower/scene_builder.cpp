@@ -93,7 +93,7 @@ bool SceneBuilder::repeat(const Object& object, std::uint32_t contents) {
   const Group group = read_group(object);
   const auto outcome =
       repeats_.repeat(contents, group.placing, in_world(group).placing,
-                      {.spheres = world_, .materials = materials_, .most_objects = max_objects()});
+                      {.spheres = world_, .materials = materials_, .max_objects = max_objects()});
   bytes_.set(bytes());
   if (outcome == GroupRepeats::Outcome::Duplicate) {
     sink_->report(diag::duplicate_sphere, object.where, "group is the same as an earlier one");

@@ -94,7 +94,7 @@ bool reads_words(const Property* property) {
 
 std::uint32_t Resolver::broken(ast::Node node) { return add(Op::Broken, node); }
 
-std::uint32_t Resolver::constant(ast::Node node, Computed value) {
+std::uint32_t Resolver::constant(ast::Node node, Value value) {
   code_->constants.push_back(std::move(value));
   return add(Op::Constant, node, static_cast<std::uint32_t>(code_->constants.size() - 1));
 }
@@ -114,7 +114,7 @@ std::uint32_t Resolver::expression(ast::Node node, const Property* property) {
   switch (node.kind()) {
     case SyntaxKind::Number: return number(node);
     case SyntaxKind::String: {
-      Computed text = evaluate_string(node, sink_);
+      Value text = evaluate_string(node, sink_);
       const auto* value = get_if<std::string>(&text);
       const bool is_good = value == nullptr || check_string_size(value->size(), program_.limits(),
                                                                  node.location(), sink_);
@@ -147,7 +147,7 @@ std::uint32_t Resolver::expression(ast::Node node, const Property* property) {
 }
 
 std::uint32_t Resolver::number(ast::Node node) {
-  const Computed value = evaluate_number(node, sink_);
+  const Value value = evaluate_number(node, sink_);
   const auto* scalar = get_if<Scalar>(&value);
   if (scalar == nullptr) return constant(node, value);
   code_->numbers.push_back(scalar->value);

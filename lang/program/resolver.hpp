@@ -129,7 +129,7 @@ class Resolver {
   bool is_broken_function(Op op, std::span<const std::uint32_t> callee) const;
   std::uint32_t conditional(ast::Node node, const Property* property);
   std::uint32_t broken(ast::Node node);
-  std::uint32_t constant(ast::Node node, Computed value);
+  std::uint32_t constant(ast::Node node, Value value);
 
   // Code
   std::uint32_t add(Op op, ast::Node node, std::uint32_t first = 0, std::uint32_t count = 0,

@@ -11,7 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/object/object.hpp"
+#include "lang/object/check.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/value/builtins.hpp"
