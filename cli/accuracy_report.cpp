@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "render/film/film.hpp"
-#include "render/scene/choices.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -108,11 +108,11 @@ std::vector<std::pair<std::string, std::string>> picture_metadata(
   std::vector<std::pair<std::string, std::string>> entries{
       {"sdlc:samples", result.least_samples == result.most_samples
                            ? fmt::to_string(result.most_samples)
-                           : fmt::format("{}-{}", result.least_samples, result.most_samples)},
-      {"sdlc:depth", fmt::to_string(settings.depth)},
-      {"sdlc:seed", fmt::to_string(settings.seed)},
-      {"sdlc:sampler", std::string(name_of(settings.sampler))},
-      {"sdlc:light_sampling", std::string(name_of(settings.light_sampling))}};
+                           : fmt::format("{}-{}", result.least_samples, result.most_samples)}};
+  render::for_each_setting([&](const auto& setting) {
+    entries.emplace_back(fmt::format("sdlc:{}", setting.name),
+                         fmt::format("{}", render::shown(settings.*setting.member)));
+  });
   entries.emplace_back("sdlc:truncated_paths", fmt::to_string(result.truncated_paths));
   entries.emplace_back("sdlc:scarce_emitters", fmt::to_string(result.scarce_emitters.size()));
   if (tone) entries.emplace_back("sdlc:tone", name_of(*tone));

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "lang/object/object.hpp"
+#include "lang/object/check.hpp"
 #include "lang/schema/schema.hpp"
 
 namespace sdlc::cli {

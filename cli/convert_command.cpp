@@ -24,7 +24,7 @@
 #include "cli/words.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/convert/convert.hpp"
-#include "lang/object/object.hpp"
+#include "lang/object/check.hpp"
 #include "lang/report/report.hpp"
 #include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"

@@ -53,7 +53,7 @@ void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
 lang::Instancing instancing_for(const render::KernelRequest& flags,
                                 const lang::Overrides& overrides) {
   const bool takes_them = flags.kind.value_or(KernelKind::Bvh) == KernelKind::Bvh &&
-                          overrides.precision.value_or("auto") != "float";
+                          overrides.word(lang::render_property::kPrecision) != "float";
   if (overrides.instancing == lang::Instancing::Auto && !takes_them) {
     return lang::Instancing::Never;
   }
@@ -65,7 +65,7 @@ render::Kernel choose_kernel(const render::KernelRequest& flags, const lang::Ove
   render::KernelRequest request = flags;
   request.precision = lowered.precision;
   // What the scene says is a wish, what a flag says is an order.
-  request.may_take_double = !overrides.precision;
+  request.may_take_double = !overrides.has(lang::render_property::kPrecision);
   render::Kernel kernel = render::choose_kernel(lowered.scene, lowered.settings, request);
   // That there are instances was no wish, and many scenes can do without.
   constexpr std::uint64_t kMostPlainSpheres = 100'000'000;

@@ -5,17 +5,18 @@
 #include <CLI/CLI.hpp>
 
 #include "lang/compile/compile.hpp"
-#include "lang/lower/scene_builder.hpp"
+#include "lang/lower/lowered_scene.hpp"
+#include "lang/lower/overrides.hpp"
 #include "render/tiles/kernel.hpp"
 
 namespace sdlc::cli {
 
-/// --kernel and --isa, which force what is otherwise chosen by itself.
-/// Whether a scene has instances: what a kernel or a precision that is asked for cannot take,
-/// `auto` does not make.
+/// Whether a scene may have instances: `auto` makes none where the kernel or the precision that is
+/// asked for cannot take them.
 lang::Instancing instancing_for(const render::KernelRequest& flags,
                                 const lang::Overrides& overrides);
 
+/// Adds --kernel and --isa, which force what is otherwise chosen by itself.
 void add_kernel_options(CLI::App& command, render::KernelRequest& request);
 
 /// The kernel that flags and scene ask for together. Where its precision does not resolve the scene

@@ -34,7 +34,7 @@
 #include "cli/words.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
-#include "lang/lower/scene_builder.hpp"
+#include "lang/lower/lowered_scene.hpp"
 #include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/aov/aov.hpp"

@@ -11,11 +11,12 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/report/figures.hpp"
 #include "render/compare/color_map.hpp"
 #include "render/image/image.hpp"
-#include "render/scene/choices.hpp"
+#include "render/measure/way.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -100,8 +101,9 @@ std::pair<int, int> size_of(const Json& json, const std::string& name, int width
 }  // namespace
 
 std::string Details::key_of(const render::Way& way, int samples) {
-  return fmt::format("{}-lights-{}-{}-depth-{}-samples-{}", name_of(way.sampler),
-                     name_of(way.light_sampling), name_of(way.precision), way.depth, samples);
+  std::string key = fmt::format("{}-samples-{}", fmt::join(render::parts_of(way), "-"), samples);
+  std::ranges::replace(key, ' ', '-');
+  return key;
 }
 
 void Details::choose_windows(const Picture& picture, const render::ReferencePicture& reference) {

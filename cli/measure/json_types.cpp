@@ -10,25 +10,26 @@
 
 #include <fmt/format.h>
 
-#include "render/scene/choices.hpp"
+#include "render/measure/way.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
 namespace {
-
-constexpr std::array kPrecisions{render::Precision::Float, render::Precision::Mixed,
-                                 render::Precision::Double};
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
   throw std::invalid_argument(fmt::format("its `{}` is {}", name, what));
 }
 
-template <typename T, std::size_t N>
-T named(const std::array<T, N>& choices, const Json& json, const std::string& name) {
+void read_setting(const Json& json, const std::string& name, int& value) {
+  value = whole_field(json, name, 1);
+}
+
+template <render::Choice T>
+void read_setting(const Json& json, const std::string& name, T& value) {
   const std::string word = field<std::string>(json, name);
-  for (const T choice : choices) {
-    if (name_of(choice) == word) return choice;
-  }
-  refuse(name, fmt::format("`{}`, which is unknown", word));
+  const auto choice = render::choice_named<T>(word);
+  if (!choice) refuse(name, fmt::format("`{}`, which is unknown", word));
+  value = *choice;
 }
 
 // JSON has no infinity.
@@ -103,17 +104,19 @@ double positive_field(const Json& json, const std::string& name) {
 }
 
 Json way_json(const render::Way& way) {
-  return {{"sampler", name_of(way.sampler)},
-          {"light_sampling", name_of(way.light_sampling)},
-          {"precision", name_of(way.precision)},
-          {"depth", way.depth}};
+  Json json;
+  render::for_each_way_setting([&](const auto& setting) {
+    json[std::string(setting.name)] = render::shown(way.*setting.member);
+  });
+  return json;
 }
 
 render::Way way_of(const Json& json) {
-  return {.sampler = named(render::kSamplerKinds, json, "sampler"),
-          .light_sampling = named(render::kLightSamplings, json, "light_sampling"),
-          .precision = named(kPrecisions, json, "precision"),
-          .depth = whole_field(json, "depth", 1)};
+  render::Way way;
+  render::for_each_way_setting([&](const auto& setting) {
+    read_setting(json, std::string(setting.name), way.*setting.member);
+  });
+  return way;
 }
 
 void put(Json& json, const std::string& name, const render::Measured& measured) {

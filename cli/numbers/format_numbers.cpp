@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "lang/object/object.hpp"
+#include "lang/object/value.hpp"
 
 namespace sdlc::cli {
 namespace {

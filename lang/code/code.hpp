@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "lang/object/value.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/syntax/syntax.hpp"
-#include "lang/value/computed.hpp"
 
 /// Expressions and statements with resolved names: what the evaluator runs. The code is flat; its
 /// parts refer to each other by index.
@@ -82,7 +82,7 @@ struct Code {
   std::vector<Statement> statements;
   std::vector<std::uint32_t> operands;
   std::vector<double> numbers;
-  std::vector<Computed> constants;
+  std::vector<Value> constants;
 
   std::span<const std::uint32_t> operands_of(const Expression& e) const noexcept {
     return std::span(operands).subspan(e.first, e.count);

@@ -47,7 +47,7 @@ std::uint32_t CodeBuilder::add_with(Op op, ast::Node node, std::size_t mark, std
   return add(op, node, move_operands(mark), count, detail);
 }
 
-std::uint32_t CodeBuilder::add_constant(ast::Node node, Computed value) {
+std::uint32_t CodeBuilder::add_constant(ast::Node node, Value value) {
   code_->constants.push_back(std::move(value));
   return add(Op::Constant, node, static_cast<std::uint32_t>(code_->constants.size() - 1));
 }

@@ -8,7 +8,7 @@
 #include "lang/ast/ast.hpp"
 #include "lang/code/code.hpp"
 #include "lang/schema/schema.hpp"
-#include "lang/value/computed.hpp"
+#include "lang/object/value.hpp"
 
 namespace sdlc::lang {
 
@@ -52,7 +52,7 @@ class CodeBuilder {
   /// The operands are those since `mark`.
   std::uint32_t add_with(Op op, ast::Node node, std::size_t mark, std::uint8_t detail = 0);
   std::uint32_t add_broken(ast::Node node) { return add(Op::Broken, node); }
-  std::uint32_t add_constant(ast::Node node, Computed value);
+  std::uint32_t add_constant(ast::Node node, Value value);
   std::uint32_t add_number(ast::Node node, Scalar number);
   /// A component of a vector; `name` may be none of its components.
   std::uint32_t add_member(ast::Node node, std::uint32_t operand, std::string_view name);

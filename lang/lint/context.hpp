@@ -11,7 +11,7 @@
 
 #include "lang/compile/compile.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/lower/scene_builder.hpp"
+#include "lang/lower/lowered_scene.hpp"
 #include "lang/resolve/symbol_table.hpp"
 #include "lang/source/source.hpp"
 #include "lang/syntax/syntax.hpp"

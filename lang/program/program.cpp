@@ -134,7 +134,7 @@ std::optional<std::string> Program::read(const fs::path& path, ast::Node name,
 
 std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
                             DiagnosticSink& sink) {
-  const Computed value = evaluate_string(name, sink);
+  const Value value = evaluate_string(name, sink);
   const auto* written = get_if<std::string>(&value);
   if (written == nullptr) return kNothing;
   const fs::path path = (modules_[from]->path.parent_path() / *written).lexically_normal();

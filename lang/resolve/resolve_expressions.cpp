@@ -71,7 +71,7 @@ std::uint32_t Resolver::broken_expression(ast::Node node) {
 }
 
 std::uint32_t Resolver::string(ast::Node node) {
-  Computed text = evaluate_string(node, sink_);
+  Value text = evaluate_string(node, sink_);
   const auto* value = get_if<std::string>(&text);
   const bool is_good = value == nullptr ||
                        check_string_size(value->size(), modules_.limits(), node.location(), sink_);
@@ -79,7 +79,7 @@ std::uint32_t Resolver::string(ast::Node node) {
 }
 
 std::uint32_t Resolver::number(ast::Node node) {
-  const Computed value = evaluate_number(node, sink_);
+  const Value value = evaluate_number(node, sink_);
   const auto* scalar = get_if<Scalar>(&value);
   return scalar == nullptr ? code_.add_constant(node, value) : code_.add_number(node, *scalar);
 }

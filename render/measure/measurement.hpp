@@ -9,23 +9,13 @@
 
 #include "render/compare/difference.hpp"
 #include "render/math/interval.hpp"
+#include "render/measure/way.hpp"
 #include "render/scene/precision.hpp"
-#include "render/scene/scene.hpp"
 
 /// How error depends on render time: a scene is rendered with many configurations, each compared
 /// with one long reference render. All intervals are 95 % confidence intervals. Errors are relative
 /// errors as in ErrorEstimate, where 1 is 100 %; times are in seconds.
 namespace sdlc::render {
-
-/// A way to render a scene.
-struct Way {
-  SamplerKind sampler = SamplerKind::Sobol;
-  LightSampling light_sampling = LightSampling::Auto;
-  Precision precision = Precision::Float;  ///< that is taken; Mixed counts as asked for by Float
-  int depth = 16;
-
-  friend bool operator==(const Way&, const Way&) = default;
-};
 
 struct Measured {
   double value = 0;
@@ -119,8 +109,8 @@ struct LeftOut {
 
 /// The flags of the command line that the picture depends on, and that a recommendation repeats.
 struct GivenFlags {
-  bool sampler = false, light_sampling = false, precision = false, depth = false;
-  std::string others{};  ///< as they are typed: "--width 320 --seed 7"
+  std::vector<std::string> of_way{};  ///< names in kWaySettings
+  std::string others{};               ///< as they are typed: "--width 320 --seed 7"
 };
 
 struct Measurement {

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "render/film/film.hpp"
-#include "render/scene/choices.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -149,7 +148,10 @@ const WayCost& StudyPlan::cost_of(const Way& way) const {
   const auto found = std::ranges::find(costs, way, &WayCost::way);
   if (found != costs.end()) return *found;
   const auto near = std::ranges::find_if(costs, [&](const WayCost& cost) {
-    return cost.way.light_sampling == way.light_sampling && cost.way.precision == way.precision;
+    Way like = cost.way;
+    like.sampler = way.sampler;
+    like.depth = way.depth;
+    return like == way;
   });
   return near != costs.end() ? *near : costs.front();
 }
@@ -186,9 +188,7 @@ double StudyPlan::seconds_of(const StudyTask& task) const {
 
 std::string describe(const StudyTask& task) {
   const auto of_way = [&] {
-    return fmt::format("{} samples, {}, light sampling {}, {}, depth {}", task.samples,
-                       name_of(task.way.sampler), name_of(task.way.light_sampling),
-                       name_of(task.way.precision), task.way.depth);
+    return fmt::format("{} samples, {}", task.samples, describe(task.way));
   };
   switch (task.kind) {
     case StudyTask::Kind::Reference: return "reference: " + of_way();

@@ -52,10 +52,10 @@ Study::Study(const Scene& scene, const RenderSettings& settings, KernelRequest r
   settings_.is_adaptive = false;
   const Kernel kernel = choose_kernel(scene, settings, request);
   if (!kernel.refusal.empty()) throw std::invalid_argument(kernel.refusal);
-  own_ = {.sampler = settings.sampler,
-          .light_sampling = settings.light_sampling,
-          .precision = kernel.precision,
-          .depth = settings.depth};
+  for_each_way_setting([&](const auto& row) {
+    if (row.setting != nullptr) own_.*row.member = settings.*row.setting;
+  });
+  own_.precision = kernel.precision;
   const PrecisionClause clause = kernel.bounds.deciding();
   ledger_.precision_bound = describe(clause, kernel.bounds[clause]);
 }
@@ -75,10 +75,10 @@ RenderSettings Study::settings_of(const Way& way, int samples, std::uint64_t see
     settings.width = ledger_.plan->width;
     settings.height = ledger_.plan->height;
   }
+  for_each_way_setting([&](const auto& row) {
+    if (row.setting != nullptr) settings.*row.setting = way.*row.member;
+  });
   settings.samples = samples;
-  settings.sampler = way.sampler;
-  settings.light_sampling = way.light_sampling;
-  settings.depth = way.depth;
   settings.seed = seed;
   return settings;
 }

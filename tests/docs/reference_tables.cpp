@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "lang/object/check.hpp"
 #include "lang/report/findings.hpp"
-#include "lang/object/object.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/value/builtins.hpp"

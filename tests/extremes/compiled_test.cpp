@@ -271,8 +271,9 @@ TEST(ExtremeText, AScenePastDoubleIsRefusedUnlessItIsForced) {
        {std::pair{"1e13", "1"}, {"1", "1e-13"}, {"1e308", "1e-300"}}) {
     const Text text{.from = std::string("(0, 0, ") + distance + ")", .radius = radius};
     EXPECT_THAT(text.compile().codes, Contains("E314 7")) << distance << ", " << radius;
-    EXPECT_FALSE(text.compile({.precision = "float"}).lowered);
-    const Compiled forced = text.compile({.precision = "double"});
+    EXPECT_FALSE(text.compile({.render = {{lang::render_property::kPrecision, "float"}}}).lowered);
+    const Compiled forced =
+        text.compile({.render = {{lang::render_property::kPrecision, "double"}}});
     EXPECT_THAT(forced.codes, Contains("W501 7"));
     expect_rendered(forced, "forced");
   }

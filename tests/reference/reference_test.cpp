@@ -128,7 +128,9 @@ class Reference : public testing::TestWithParam<std::tuple<std::string, Form>> {
     const lang::SourceFile source(config_.string(),
                                   std::string(std::istreambuf_iterator<char>(stream), {}));
     lang::DiagnosticSink sink;
-    return lang::compile(source, {.width = mean_.width, .samples = form().samples}, sink);
+    using namespace lang::render_property;
+    const double width = mean_.width, samples = form().samples;
+    return lang::compile(source, {.render = {{kWidth, width}, {kSamples, samples}}}, sink);
   }
 
   fs::path config_;

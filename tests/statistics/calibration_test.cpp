@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/scene/choices.hpp"
+#include "render/scene/settings.hpp"
 #include "render/tiles/render.hpp"
 #include "tests/support/statistics/rooms.hpp"
 #include "tests/support/statistics/scenes.hpp"

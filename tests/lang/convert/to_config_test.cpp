@@ -51,8 +51,10 @@ Converted convert(const std::string& scene, const ConvertOptions& options = {},
   // Every conversion lowers to the same bits.
   DiagnosticSink silent;
   Compiler compiler(file, {.files = &others, .limits = {}, .sets = {}}, silent);
-  const auto of_scene =
-      compiler.lower({.tone = options.tone, .camera = options.camera}, options.frame);
+  Overrides overrides;
+  if (options.tone) overrides.render.emplace_back(render_property::kTone, *options.tone);
+  if (options.camera) overrides.render.emplace_back(render_property::kCamera, *options.camera);
+  const auto of_scene = compiler.lower(overrides, options.frame);
   const SourceFile config("a.json", *converted.text);
   const auto of_config = compile(config, {}, silent);
   EXPECT_TRUE(of_scene && of_config) << *converted.text;

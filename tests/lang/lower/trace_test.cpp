@@ -114,11 +114,11 @@ TEST(Trace, IsOfTheFrameAndCameraLoweredLast) {
       ball("other", "(0, 0, 0)") + "}";
   Compilation compilation({.root = text});
   const std::vector<std::uint32_t> first{0};
-  ASSERT_TRUE(compilation.lower({.camera = "still"}, 3));
+  ASSERT_TRUE(compilation.lower({.render = {{lang::render_property::kCamera, "still"}}}, 3));
   EXPECT_THAT(names_of(compilation.compiler().trace(first)), ElementsAre("three"));
-  ASSERT_TRUE(compilation.lower({.camera = "still"}, 4));
+  ASSERT_TRUE(compilation.lower({.render = {{lang::render_property::kCamera, "still"}}}, 4));
   EXPECT_THAT(names_of(compilation.compiler().trace(first)), ElementsAre("other"));
-  ASSERT_TRUE(compilation.lower({.camera = "later"}, 4));
+  ASSERT_TRUE(compilation.lower({.render = {{lang::render_property::kCamera, "later"}}}, 4));
   EXPECT_THAT(names_of(compilation.compiler().trace(first)), ElementsAre("nine"));
 }
 

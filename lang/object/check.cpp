@@ -1,4 +1,4 @@
-#include "lang/object/object.hpp"
+#include "lang/object/check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,18 +30,21 @@ bool is_in(Range range, double number) noexcept {
 }  // namespace
 
 bool has_type(Type type, const Value& value) noexcept {
+  const auto* scalar = get_if<Scalar>(&value);
+  const auto* triple = get_if<Triple>(&value);
+  const auto* bounds = get_if<Bounds>(&value);
   switch (type) {
     case Type::Number:
-    case Type::WholeNumber:
-    case Type::Length: return holds_alternative<double>(value);
+    case Type::WholeNumber: return scalar != nullptr && scalar->unit == Unit::None;
+    case Type::Length: return scalar != nullptr && scalar->unit != Unit::Time;
     case Type::Bool: return holds_alternative<bool>(value);
     case Type::String: return holds_alternative<std::string>(value);
-    case Type::Vec3: return holds_alternative<render::Vec3>(value);
+    case Type::Vec3: return triple != nullptr && triple->unit != Unit::Time;
     case Type::Angle: return holds_alternative<Angle>(value);
     case Type::Angles: return holds_alternative<AngleTriple>(value);
     case Type::Color: return holds_alternative<render::LinearRgb>(value);
-    case Type::Frames:
-    case Type::Interval: return holds_alternative<render::Interval>(value);
+    case Type::Frames: return bounds != nullptr && bounds->unit == Unit::None;
+    case Type::Interval: return bounds != nullptr && bounds->unit != Unit::Length;
     case Type::Word: return holds_alternative<Word>(value);
     case Type::Material: return holds_alternative<MaterialValue>(value);
     case Type::Motion: return holds_alternative<MotionValue>(value);
@@ -95,17 +98,17 @@ bool check_whole_number(std::string_view name, Range range, double number, Locat
 
 bool check_value(std::string_view name, Type type, Range range, const Value& value, Location where,
                  DiagnosticSink& sink) {
-  if (holds_alternative<std::monostate>(value)) return false;
+  if (is_nothing(value)) return false;
   if (!has_type(type, value)) {
     sink.report(diag::wrong_type, where, name, describe(type), describe(value));
     return false;
   }
 
   if (type == Type::WholeNumber) {
-    return check_whole_number(name, range, get<double>(value), where, sink);
+    return check_whole_number(name, range, get<Scalar>(value).value, where, sink);
   }
-  if (const auto* number = get_if<double>(&value)) {
-    return check_range(name, range, *number, where, sink);
+  if (const auto* scalar = get_if<Scalar>(&value)) {
+    return check_range(name, range, scalar->value, where, sink);
   }
   if (const auto* angle = get_if<Angle>(&value)) {
     if (is_in(range, angle->degrees)) return true;
@@ -116,7 +119,7 @@ bool check_value(std::string_view name, Type type, Range range, const Value& val
     return check_color(name, range, *color, where, sink);
   }
   if (type == Type::Frames) {
-    const auto frames = get<render::Interval>(value);
+    const auto frames = get<Bounds>(value);
     const bool are_whole = check_whole_number(name, Range::NonNegative, frames.from, where, sink) &&
                            check_whole_number(name, Range::NonNegative, frames.to, where, sink);
     if (!are_whole || frames.from <= frames.to) return are_whole;
