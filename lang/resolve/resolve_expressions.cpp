@@ -30,7 +30,9 @@ std::uint32_t Resolver::expression(ast::Node node, const Property* property) {
     case SyntaxKind::False: return code_.add_constant(node, false);
     case SyntaxKind::Group: {
       const auto inside = node.child(0);
-      return inside ? expression(*inside, property) : code_.add_broken(node);
+      const std::uint32_t value = inside ? expression(*inside, property) : code_.add_broken(node);
+      record_rest(node, inside);  // of a point that is cut off
+      return value;
     }
     case SyntaxKind::Triple: return operands_of(node, Op::Triple);
     case SyntaxKind::Interval: return operands_of(node, Op::Interval);
