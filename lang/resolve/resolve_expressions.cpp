@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "lang/object/value.hpp"
 #include "lang/resolve/path.hpp"
 #include "lang/resolve/resolver.hpp"
 #include "lang/value/colors.hpp"
