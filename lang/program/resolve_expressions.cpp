@@ -295,7 +295,7 @@ std::uint32_t Resolver::unknown_name(ast::Node node, std::string_view name) {
   const Location where = node.tree().location(
       {node.span().begin, node.span().begin + static_cast<std::uint32_t>(name.size())});
   const std::string_view path = node.text();
-  if (is_foreign_library(name) && path.size() > name.size()) {
+  if (find_habit(HabitPlace::Library, name) && path.size() > name.size()) {
     sink_.report(diag::unknown_name, node.location(), path)
         .help(fmt::format("there are no libraries; write `{}`", member_of_library(path)));
     return broken(node);
@@ -318,7 +318,7 @@ std::uint32_t Resolver::unknown_name(ast::Node node, std::string_view name) {
   for (const auto& [import, module] : module_.imports) known.push_back(import);
   for (const NamedColor& color : named_colors()) known.push_back(color.name);
   known.insert(known.end(), {"pi", "time", "true", "false"});
-  const auto habit = name_habit(name);
+  const auto habit = find_habit(HabitPlace::Name, name);
   auto nearest = meant_name(habit, name, known);
   const auto is_declared = [&] {
     return find_local(*nearest) != nullptr || module_.global_names.contains(*nearest);
@@ -327,6 +327,7 @@ std::uint32_t Resolver::unknown_name(ast::Node node, std::string_view name) {
   if (is_color && node.span() == no_color_) nearest = std::nullopt;
   report.suggest(nearest);
   if (habit) report.help_if(habit->help);
+  if (is_color_without_sign(name)) report.help(fmt::format("a colour is `#{}`", name));
   label_unused(report, node.span().begin, nearest);
   return broken(node);
 }
@@ -375,13 +376,15 @@ std::uint32_t Resolver::unknown_function(ast::Call call) {
   for (const Definition& function : module_.functions) known.push_back(function.name);
   for (const Constructor& constructor : all_constructors()) known.push_back(constructor.name);
   for (const Builtin& builtin : all_builtins()) known.push_back(builtin.name);
-  const auto habit = function_habit(callee);
+  const auto habit = find_habit(HabitPlace::Callee, callee);
   const auto nearest = meant_name(habit, callee, known);
   auto report =
       sink_.report(diag::unknown_function, call.callee_location(), callee).suggest(nearest);
   if (habit) report.help_if(habit->help);
   label_unused(report, call.node.span().begin, nearest);
-  if (module_.def_names.contains(callee)) {
+  if (find_local(callee) != nullptr || module_.global_names.contains(callee)) {
+    report.help(fmt::format("`{0}` is a value; an element of a list is `{0}[0]`", callee));
+  } else if (module_.def_names.contains(callee)) {
     report.help(fmt::format("`{}` is a kind of object; write `{} {{ … }}`", callee, callee));
   }
   // The arguments of what was probably meant may be words.
@@ -401,7 +404,7 @@ std::uint32_t Resolver::unknown_imported_function(ast::Call call,
     return operands_of(call.node, Op::Broken);
   }
   auto report = sink_.report(diag::unknown_function, call.callee_location(), call.callee());
-  if (is_own && is_foreign_library(names.front())) {
+  if (is_own && find_habit(HabitPlace::Library, names.front())) {
     report.help(
         fmt::format("there are no libraries; write `{}(…)`", member_of_library(call.callee())));
     return operands_of(call.node, Op::Broken);
@@ -507,7 +510,8 @@ std::uint32_t Resolver::call_of(Op op, std::span<const std::uint32_t> callee,
         const bool is_told = is_broken_function(op, callee) ||
                              (op == Op::Function && callee[0] == index_ &&
                               is_excused(index_, labeled.label(), argument.span().begin));
-        const auto habit = op == Op::Function ? std::nullopt : argument_habit(labeled.label());
+        const auto habit =
+            op == Op::Function ? std::nullopt : find_habit(HabitPlace::Argument, labeled.label());
         const auto nearest = meant_name(habit, labeled.label(), names);
         if (!is_told && (nearest || !is_broken)) {
           sink_.report(diag::unknown_argument, where, labeled.label(), call.callee())

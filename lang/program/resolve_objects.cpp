@@ -68,7 +68,7 @@ std::uint32_t Resolver::unknown_kind(ast::Object node, std::uint32_t scope, bool
   if (is_excused(scope, written, node.node.span().begin)) return kNothing;
   auto report = sink_.report(diag::unknown_kind, node.kind_location(), node.kind());
   if (!may_suggest(names.size())) return object_of_no_kind(node);
-  const auto habit = scope == index_ ? kind_habit(written) : std::nullopt;
+  const auto habit = scope == index_ ? find_habit(HabitPlace::Kind, written) : std::nullopt;
   const auto nearest = report.is_kept() ? meant_name(habit, written, names) : std::nullopt;
   if (habit) report.help_if(habit->help);
   if (scope == index_) {
@@ -132,6 +132,8 @@ void Resolver::misplaced(std::string_view kind, ast::Node statement) {
   const std::string_view word =
       is_object ? statement.head() : ast::statement_word(statement.kind());
   auto report = sink_.report(diag::properties_only, where, kind, word);
+  const auto habit = is_object ? find_habit(HabitPlace::Kind, word) : std::nullopt;
+  if (habit) report.help_if(habit->help);
   if (!statement.is(SyntaxKind::If)) return;
   const auto block = statement.first(SyntaxKind::Block);
   const auto property = block ? block->first(SyntaxKind::Property) : std::nullopt;
@@ -164,7 +166,8 @@ std::size_t Resolver::guess_property(ast::Labeled node) {
   for (const Slots::Name& known : slots_.names) names.push_back(known.name);
   const bool is_own = module_.def_names.contains(slots_.kind);
   const Kind* kind = is_own ? nullptr : find_kind(slots_.kind);
-  const auto habit = kind != nullptr ? property_habit(*kind, node.label()) : std::nullopt;
+  const auto habit = kind != nullptr ? property_habit(*kind, node.label())
+                                     : find_habit(HabitPlace::GroupProperty, node.label());
   const auto nearest = meant_name(habit, node.label(), names);
   const bool is_told =
       slots_.is_broken || (is_own && is_excused(index_, node.label(), node.node.span().begin));

@@ -37,7 +37,10 @@ std::uint32_t Resolver::statement(ast::Node node, bool is_top) {
       const ast::Labeled property{node};
       auto report =
           sink_.report(diag::property_outside, property.label_location(), property.label());
-      if (!is_top) {
+      const bool is_kind = std::ranges::count(all_kinds(), property.label(), &Kind::name) > 0;
+      if (is_kind) {
+        report.help(fmt::format("an object is `{} {{ … }}`, without a colon", property.label()));
+      } else if (!is_top) {
         report.help(fmt::format("it stands in its object itself: `{}: if … then … else …`",
                                 property.label()));
       }
@@ -54,8 +57,11 @@ std::uint32_t Resolver::statement(ast::Node node, bool is_top) {
 }
 
 void Resolver::top_level_only(ast::Node statement) {
-  sink_.report(diag::top_level_only, ast::word_location(statement),
-               ast::statement_word(statement.kind()));
+  auto report = sink_.report(diag::top_level_only, ast::word_location(statement),
+                             ast::statement_word(statement.kind()));
+  if (statement.is(SyntaxKind::Import)) {
+    report.help("`include \"file.scene\"` adds the objects of a file in a block");
+  }
 }
 
 void Resolver::block(ast::Node node) {

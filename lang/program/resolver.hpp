@@ -14,7 +14,7 @@
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/program/dependencies.hpp"
 #include "lang/program/program.hpp"
-#include "lang/schema/habits.hpp"
+#include "lang/repair/habits.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/value/builtins.hpp"
 
