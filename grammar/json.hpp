@@ -17,7 +17,7 @@ struct end_object      : one<'}'> {};
 struct name_separator  : one<':'> {};
 struct value_separator : one<','> {};
 
-// What a reader has reported and replaced before; see lang/json/mend_syntax.hpp.
+// What a reader has reported and replaced before; see lang/repair/json_syntax.hpp.
 struct mended_value  : one<'\x1A'> {};
 struct mended_member : one<'\x1C'> {};
 struct mended_name   : seq<one<'\x1D'>, star<word_char>> {};

@@ -54,11 +54,23 @@ bool is_word(std::string_view text) {
          std::isdigit(static_cast<unsigned char>(text[0])) == 0;
 }
 
+/// Whether the file declares the name, as a value or a parameter.
+bool declares(const SyntaxTree& tree, std::string_view name) {
+  return std::ranges::any_of(tree.nodes(), [&](const SyntaxNode& node) {
+    if (node.kind == SyntaxKind::Name) return tree.text(node.span()) == name;
+    return node.kind == SyntaxKind::Parameter &&
+           tree.text({node.begin, node.begin + node.head}) == name;
+  });
+}
+
 void hint_color(DiagnosticBuilder& report, const Value& given, ast::Node written) {
   if (const auto* text = get_if<std::string>(&given)) {
     const bool is_written = written.is(SyntaxKind::String) && is_color(*text);
     if (is_written) {
-      report.help("a colour stands without quotes").fix(written.location(), *text);
+      report.help("a colour stands without quotes");
+      // Without its quotes the text may be another name than that of the colour.
+      declares(written.tree(), *text) ? report.unsafe_fix(written.location(), *text)
+                                      : report.fix(written.location(), *text);
       return;
     }
   }

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "lang/schema/habits.hpp"
+#include "lang/repair/habits.hpp"
 #include "lang/text/display_width.hpp"
 #include "lang/text/nearest_name.hpp"
 
@@ -32,9 +32,9 @@ bool is_called(const JsonKey& key, std::string_view name) {
   const bool is_argument =
       key.object == nullptr && key.setting == JsonSetting::None && key.type != JsonType::Spheres;
   if (!is_argument) return false;
-  const auto own_habit = argument_habit(key.key);
+  const auto own_habit = find_habit(HabitPlace::Argument, key.key);
   const std::string_view argument = own_habit ? own_habit->meant : key.key;
-  const auto habit = argument_habit(name);
+  const auto habit = find_habit(HabitPlace::Argument, name);
   return argument == name || (habit && habit->meant == argument);
 }
 

@@ -14,8 +14,8 @@
 
 #include "grammar/json.hpp"
 #include "lang/json/mend.hpp"
-#include "lang/json/mend_brackets.hpp"
-#include "lang/json/mend_syntax.hpp"
+#include "lang/repair/json_repair.hpp"
+#include "lang/repair/json_syntax.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/text/ascii.hpp"
 #include "lang/text/display_width.hpp"
@@ -56,7 +56,7 @@ bool is_large(std::string_view text) {
 class Parser {
  public:
   /// `text` is that of the file, or of `mended`.
-  Parser(const SourceFile& file, std::string_view text, const MendedText* mended,
+  Parser(const SourceFile& file, std::string_view text, const RepairedText* mended,
          std::string_view streamed, ConfigParts& parts, DiagnosticSink& sink)
       : file_(&file),
         mended_(mended),
@@ -360,7 +360,7 @@ class Parser {
   Location at(Span span) const { return {file_, in_file(span)}; }
   Span in_file(Span span) const {
     return mended_ == nullptr ? span
-                              : Span{mended_->in_source(span.begin), mended_->in_source(span.end)};
+                              : mended_->in_source(span);
   }
 
   /// Whether the file itself has the character that stands for something mended.
@@ -476,7 +476,7 @@ class Parser {
   void diagnose_unexpected(std::string_view expected, std::uint32_t offset) {
     if (offset == text_.size()) return diagnose_unexpected_end(expected);
     // What was put in the place of a mistake has been reported.
-    if (is_mark(text_[offset]) && !is_of_file({offset, offset + 1})) return;
+    if (is_repair_mark(text_[offset]) && !is_of_file({offset, offset + 1})) return;
     const DecodedChar c = decode_utf8(text_.substr(offset));
     if (!c.is_valid) return diagnose_encoding(offset);
 
@@ -513,7 +513,7 @@ class Parser {
   }
 
   const SourceFile* file_;
-  const MendedText* mended_;
+  const RepairedText* mended_;
   std::string_view
       text_;  ///< the spans of what is read count its bytes, those of the tape the file's
   std::string_view streamed_;
@@ -645,12 +645,9 @@ struct Control : pegtl::normal<Rule> {
 
 bool parse_config(const SourceFile& file, std::string_view streamed, ConfigParts& parts,
                   DiagnosticSink& sink) {
-  std::optional<std::string> readable = mend_syntax(file, sink);
-  const std::optional<MendedText> mended = mend_brackets(file, readable, sink);
-  const std::string_view text = mended     ? std::string_view(mended->text())
-                                : readable ? std::string_view(*readable)
-                                           : file.text();
-  Parser parser(file, text, mended ? &*mended : nullptr, streamed, parts, sink);
+  const std::optional<RepairedText> repaired = repair_json(file, sink);
+  const std::string_view text = repaired ? std::string_view(repaired->text()) : file.text();
+  Parser parser(file, text, repaired ? &*repaired : nullptr, streamed, parts, sink);
   pegtl::memory_input<pegtl::tracking_mode::lazy, pegtl::eol::lf_crlf, const char*> in(
       text.data(), text.data() + text.size(), file.name().c_str());
   try {

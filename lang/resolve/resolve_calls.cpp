@@ -288,7 +288,8 @@ std::size_t Resolver::labeled_argument(Binding<T>& binding, ast::Labeled argumen
                           (binding.function->is_broken ||
                            (binding.module == index_ &&
                             unknown_.is_excused(index_, label, argument.node.span().begin)));
-  const auto habit = binding.function != nullptr ? std::nullopt : argument_habit(label);
+  const auto habit =
+      binding.function != nullptr ? std::nullopt : find_habit(HabitPlace::Argument, label);
   const auto nearest = meant_name(habit, label, names_of(binding.parameters));
   if (!is_excused && (nearest || !binding.is_broken)) {
     sink_.report(diag::unknown_argument, argument.label_location(), label, binding.call.callee())

@@ -226,6 +226,8 @@ void Resolver::misplaced(ast::Node statement) {
   const std::string_view word =
       is_object ? statement.head() : ast::statement_word(statement.kind());
   auto report = sink_.report(diag::properties_only, where, slots_.kind, word);
+  const auto habit = is_object ? find_habit(HabitPlace::Kind, word) : std::nullopt;
+  if (habit) report.help_if(habit->help);
   if (statement.is(SyntaxKind::If)) {
     const auto block = statement.first(SyntaxKind::Block);
     const auto property = block ? block->first(SyntaxKind::Property) : std::nullopt;

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "lang/ast/statements.hpp"
 #include "lang/resolve/resolver.hpp"
+#include "lang/schema/schema.hpp"
 
 namespace sdlc::lang {
 
@@ -37,17 +39,27 @@ std::uint32_t Resolver::statement(ast::Node node, bool is_top) {
     case SyntaxKind::Fn:
     case SyntaxKind::Def:
       if (is_top) return kNothing;
-      sink_.report(diag::top_level_only, ast::word_location(node),
-                   ast::statement_word(node.kind()));
+      top_level_only(node);
       record_misplaced_declaration(node);
       return kNothing;
     default: record_error(node, is_top); return kNothing;
   }
 }
 
+void Resolver::top_level_only(ast::Node statement) {
+  auto report = sink_.report(diag::top_level_only, ast::word_location(statement),
+                             ast::statement_word(statement.kind()));
+  if (statement.is(SyntaxKind::Import)) {
+    report.help("`include \"file.scene\"` adds the objects of a file in a block");
+  }
+}
+
 std::uint32_t Resolver::property_outside(ast::Labeled property, bool is_top) {
   auto report = sink_.report(diag::property_outside, property.label_location(), property.label());
-  if (!is_top) {
+  const bool is_kind = std::ranges::count(all_kinds(), property.label(), &Kind::name) > 0;
+  if (is_kind) {
+    report.help(fmt::format("an object is `{} {{ … }}`, without a colon", property.label()));
+  } else if (!is_top) {
     report.help(
         fmt::format("it stands in its object itself: `{}: if … then … else …`", property.label()));
   }

@@ -105,7 +105,7 @@ const TypeInfo* Resolver::resolve_type(ast::Node node) {
   std::vector<std::string_view> names;
   for (const TypeInfo& known : all_types()) names.push_back(known.name);
   sink_.report(diag::unknown_type, node.location(), node.text())
-      .suggest(meant_name(type_habit(node.text()), node.text(), names))
+      .suggest(meant_name(find_habit(HabitPlace::Type, node.text()), node.text(), names))
       .help(fmt::format("types are {}", fmt::join(names, ", ")));
   return nullptr;
 }

@@ -84,6 +84,7 @@ class Resolver {
   std::uint32_t if_statement(ast::Node node);
   std::uint32_t assert_statement(ast::Node node);
   std::uint32_t include_statement(ast::Node node);
+  void top_level_only(ast::Node statement);
   std::uint32_t property_outside(ast::Labeled property, bool is_top);
   /// Pushes the number of statements in a Block, and then them.
   void block(ast::Node node);

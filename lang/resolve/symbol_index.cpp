@@ -5,7 +5,7 @@
 #include "lang/resolve/builtin_symbols.hpp"
 #include "lang/resolve/record_symbols.hpp"
 #include "lang/schema/schema.hpp"
-#include "lang/syntax/vocabulary.hpp"
+#include "lang/repair/vocabulary.hpp"
 #include "lang/text/ascii.hpp"
 
 namespace sdlc::lang {

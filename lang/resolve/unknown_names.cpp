@@ -136,7 +136,7 @@ void UnknownNames::report_value(ast::Node reference, std::string_view name,
   const std::uint32_t begin = reference.span().begin;
   if (is_excused(index_, name, begin)) return;
   const std::string_view path = reference.text();
-  if (is_foreign_library(name) && path.size() > name.size()) {
+  if (find_habit(HabitPlace::Library, name) && path.size() > name.size()) {
     sink_.report(diag::unknown_name, reference.location(), path)
         .help(fmt::format("there are no libraries; write `{}`", member_of_library(path)));
     return;
@@ -150,13 +150,14 @@ void UnknownNames::report_value(ast::Node reference, std::string_view name,
         fmt::format("`{}` names an object; what several share gets its name by `let`", name));
     return;
   }
-  const auto habit = name_habit(name);
+  const auto habit = find_habit(HabitPlace::Name, name);
   auto nearest = meant_name(habit, name, known_values(begin, excluded.declaring));
   const bool is_color = nearest && find_named_color(*nearest) && !scopes_.find(*nearest) &&
                         !module_.global_names.contains(*nearest);
   if (is_color && reference.span() == excluded.no_color) nearest = std::nullopt;
   report.suggest(nearest);
   if (habit) report.help_if(habit->help);
+  if (is_color_without_sign(name)) report.help(fmt::format("a colour is `#{}`", name));
   label_unused(report, begin, nearest);
 }
 
@@ -197,13 +198,15 @@ std::optional<std::string_view> UnknownNames::report_function(ast::Call call) {
   std::vector<std::string_view> known = names_of(module_.functions);
   for (const Constructor& constructor : all_constructors()) known.push_back(constructor.name);
   for (const Builtin& builtin : all_builtins()) known.push_back(builtin.name);
-  const auto habit = function_habit(callee);
+  const auto habit = find_habit(HabitPlace::Callee, callee);
   const auto nearest = meant_name(habit, callee, known);
   auto report =
       sink_.report(diag::unknown_function, call.callee_location(), callee).suggest(nearest);
   if (habit) report.help_if(habit->help);
   label_unused(report, begin, nearest);
-  if (module_.def_names.contains(callee)) {
+  if (scopes_.find(callee) || module_.global_names.contains(callee)) {
+    report.help(fmt::format("`{0}` is a value; an element of a list is `{0}[0]`", callee));
+  } else if (module_.def_names.contains(callee)) {
     report.help(fmt::format("`{}` is a kind of object; write `{} {{ … }}`", callee, callee));
   }
   return nearest;
@@ -215,7 +218,7 @@ void UnknownNames::report_imported_function(ast::Call call, std::span<const std:
   if (is_excused(module.value_or(index_), name, call.node.span().begin)) return;
   auto report = sink_.report(diag::unknown_function, call.callee_location(), call.callee());
   if (!module) {
-    if (is_foreign_library(names.front())) {
+    if (find_habit(HabitPlace::Library, names.front())) {
       report.help(
           fmt::format("there are no libraries; write `{}(…)`", member_of_library(call.callee())));
     } else {
@@ -255,7 +258,7 @@ UnknownNames::MeantKind UnknownNames::report_kind(ast::Object object, std::uint3
   if (is_excused(module_index, written, begin)) return {.is_excused = true};
   auto report = sink_.report(diag::unknown_kind, object.kind_location(), object.kind());
   if (!may_suggest(names.size())) return {};
-  const auto habit = is_own ? kind_habit(written) : std::nullopt;
+  const auto habit = is_own ? find_habit(HabitPlace::Kind, written) : std::nullopt;
   const auto nearest = report.is_kept() ? meant_name(habit, written, names) : std::nullopt;
   if (habit) report.help_if(habit->help);
   if (is_own) {
@@ -277,7 +280,8 @@ UnknownNames::MeantProperty UnknownNames::report_property(ast::Labeled property,
                                                           bool is_broken) {
   const bool is_own = module_.def_names.contains(kind_name);
   const Kind* kind = is_own ? nullptr : find_kind(kind_name);
-  const auto habit = kind != nullptr ? property_habit(*kind, property.label()) : std::nullopt;
+  const auto habit = kind != nullptr ? property_habit(*kind, property.label())
+                                     : find_habit(HabitPlace::GroupProperty, property.label());
   const auto nearest = meant_name(habit, property.label(), names);
   const std::uint32_t begin = property.node.span().begin;
   const bool is_silent = is_broken || (is_own && is_excused(index_, property.label(), begin));

@@ -8,9 +8,9 @@
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/repair/habits.hpp"
 #include "lang/resolve/module.hpp"
 #include "lang/resolve/scopes.hpp"
-#include "lang/schema/habits.hpp"
 
 namespace sdlc::lang {
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "grammar/scene.hpp"
+#include "lang/repair/recovery.hpp"
 #include "lang/syntax/expected.hpp"
-#include "lang/syntax/recovery.hpp"
 #include "lang/syntax/tree_builder.hpp"
 #include "lang/token/lines.hpp"
 #include "lang/token/name_characters.hpp"

@@ -76,13 +76,24 @@ std::uint32_t next_special(std::string_view text, std::uint32_t at) noexcept {
   return at;
 }
 
+/// With a byte order mark, or where of the first letters every other byte is NUL.
+bool is_utf16(std::string_view text) noexcept {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
+  constexpr std::size_t kMaxBytes = 64, kMinBytes = 8;
+  const std::string_view beginning = text.substr(0, std::min(text.size(), kMaxBytes));
+  std::array<std::size_t, 2> zeros{};
+  for (std::size_t i = 0; i < beginning.size(); ++i) zeros[i % 2] += beginning[i] == '\0';
+  const auto [fewer, more] = std::minmax(zeros[0], zeros[1]);
+  return beginning.size() >= kMinBytes && fewer == 0 && more * 2 + 1 >= beginning.size();
+}
+
 class CharacterCheck {
  public:
   CharacterCheck(const SourceFile& file, DiagnosticSink& sink)
       : file_(file), text_(file.text()), sink_(sink), tokens_(text_) {}
 
   std::optional<std::string> run() {
-    if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")) {
+    if (is_utf16(text_)) {
       sink_.report(diag::bad_utf8, {&file_, {0, 2}}).help("this is UTF-16; save the file as UTF-8");
       std::string empty(text_.size(), ' ');
       if (empty.size() >= 7) empty.replace(0, 7, "scene 1");

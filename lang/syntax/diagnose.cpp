@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "lang/repair/certainty.hpp"
+#include "lang/repair/habits.hpp"
+#include "lang/repair/recovery.hpp"
+#include "lang/repair/repair_report.hpp"
+#include "lang/repair/vocabulary.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/schema/type_names.hpp"
-#include "lang/syntax/certainty.hpp"
-#include "lang/syntax/foreign_signs.hpp"
-#include "lang/syntax/foreign_words.hpp"
-#include "lang/syntax/recovery.hpp"
 #include "lang/syntax/tree_builder.hpp"
-#include "lang/syntax/vocabulary.hpp"
 #include "lang/text/ascii.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "lang/token/brackets.hpp"
@@ -237,47 +237,38 @@ class Diagnosis {
                                   fmt::format("{}, found {}", words, found_text()));
   }
 
-  /// A sign of other languages. The reader stops inside some of them: behind the first `*` of `**`,
-  /// the second `=` of
-  /// `===`.
+  /// A sign of other languages. The parser stops inside some of them: after the first `*` of `**`,
+  /// the second `=` of `===`.
   bool foreign_sign() {
     for (std::uint32_t read = std::min<std::uint32_t>(2, at_);; --read) {
-      const std::string_view rest = text_.substr(std::min<std::size_t>(at_ - read, text_.size()));
-      const auto found =
-          std::find_if(kForeignSigns.begin(), kForeignSigns.end(), [&](const ForeignSign& sign) {
-            return sign.text.size() > read && rest.starts_with(sign.text);
-          });
-      const bool is_known =
-          found != kForeignSigns.end() && !(found->text == "!" && rest.starts_with("!="));
-      if (is_known) return report_sign(*found, at_ - read);
+      const std::uint32_t begin = at_ - read;
+      const std::string_view sign =
+          foreign_sign_at(text_.substr(std::min<std::size_t>(begin, text_.size())));
+      if (sign.size() > read) return report_sign(sign, begin);
       if (read == 0) return false;
     }
   }
 
-  bool report_sign(const ForeignSign& sign, std::uint32_t begin) {
-    const Span span{begin, begin + static_cast<std::uint32_t>(sign.text.size())};
-    auto report = builder_.sink().report(diag::foreign, where(span), sign.text);
-    report.help_if(sign.help);
+  bool report_sign(std::string_view sign, std::uint32_t begin) {
+    const Habit habit = *find_habit(HabitPlace::Sign, sign);
+    const Span span{begin, begin + static_cast<std::uint32_t>(sign.size())};
+    auto report = builder_.sink().report(diag::foreign, where(span), sign);
+    report.help_if(habit.help);
     found_.end = span.end;
-    if (sign.replacement == "\"") {
+    if (habit.meant == "\"") {
       const Span closing = closing_quote(text_, span);
       if (closing.size() == 0) return true;
       report.fix(where(span), "\"").fix(where(closing), "\"");
       found_.end = closing.end;
-    } else if (sign.deletes) {
-      add_fix(report, ends_statement(text_, span.begin), span, "");
-    } else if (!sign.replacement.empty() && sign.text != "°") {
+    } else if (sign == ";") {
+      add_fix(report, ends_statement(text_, span.begin), where(span), "");
+    } else if (!habit.meant.empty() && habit.meant != "deg") {
       const bool is_certain = is_certain_sign(text_, span);
-      if (is_certain || sign.text != "!") {
-        add_fix(report, is_certain, span, std::string(sign.replacement));
+      if (is_certain || sign != "!") {
+        add_fix(report, is_certain, where(span), std::string(habit.meant));
       }
     }
     return true;
-  }
-
-  void add_fix(DiagnosticBuilder& report, bool is_safe, Span span, std::string text) {
-    is_safe ? report.fix(where(span), std::move(text))
-            : report.unsafe_fix(where(span), std::move(text));
   }
 
   /// `=` where a value could go on.
@@ -338,17 +329,17 @@ class Diagnosis {
                              fmt::format("a statement, found `{}`; it belongs to an `if`", word()));
       return {name.end};
     }
-    const ForeignWord* foreign = find_foreign_word(word());
-    if (foreign != nullptr && foreign->kind == ForeignWord::Statement && c != '=' && c != ':') {
+    const auto habit = find_habit(HabitPlace::StatementWord, word());
+    if (habit && c != '=' && c != ':') {
       is_on_next_line_ = false;
-      report_expected("a statement").help_if(foreign->help);
+      report_expected("a statement").help_if(habit->help);
       return {name.end};
     }
     if (c == '=' && char_at(text_, next + 1) != '=' && char_at(text_, next + 1) != '>') {
       auto report = builder_.sink().report(diag::foreign, where({next, next + 1}), "=");
       if (builder_.in_object) {
         report.help("a property is `name: value`");
-        add_fix(report, is_property_name(text(name)), {name.end, next + 1}, ":");
+        add_fix(report, is_property_name(text(name)), where({name.end, next + 1}), ":");
       } else {
         report.help("a value gets its name by `let name = value`")
             .unsafe_fix(where({name.begin, name.begin}), "let ");
@@ -377,6 +368,8 @@ class Diagnosis {
     auto report = report_expected(fmt::format("`:` or `{{` after `{}`", text(name)));
     if (builder_.in_object && lacks_colon(text(name), next)) {
       report.fix(where({name.end, name.end}), ":");
+    } else if (builder_.in_object && char_at(text_, next) == '}') {
+      report.help(fmt::format("a property is `name: value`, such as `color: {}`", text(name)));
     }
     return {name.end};
   }
@@ -457,7 +450,7 @@ class Diagnosis {
       is_on_next_line_ = false;
       auto report = report_expected(fmt::format("`:` after `{}`", text(name)));
       report.help("a property is `name: value`");
-      add_fix(report, is_property_name(text(name)), {name.end, name.end}, ":");
+      add_fix(report, is_property_name(text(name)), where({name.end, name.end}), ":");
       return name.end;
     }
     auto report = builder_.sink().report(diag::call_as_statement, where(name), word());
@@ -529,34 +522,6 @@ Resumption diagnose_statement(TreeBuilder& builder, std::uint32_t at) {
   return Diagnosis(builder, at).statement();
 }
 
-namespace {
-
-/// Whether the text has the unit as a word that does not stand behind a number: as the name of
-/// something, wherever and however that is declared. Only units of one letter are likely to be
-/// names.
-bool is_name_in(std::string_view text, std::string_view unit) {
-  bool is_behind_number = false;
-  for (std::uint32_t i = 0; i < text.size();) {
-    const std::uint32_t token = skip_blanks(text, i);
-    if (token >= text.size()) break;
-    const std::uint32_t behind = end_of_opaque(text, token);
-    const std::uint32_t end = behind > token ? behind : token_at(text, token).end;
-    if (!is_behind_number && text.substr(token, end - token) == unit) return true;
-    is_behind_number = is_digit(text[token]) && is_digit(text[end - 1]);
-    i = end;
-  }
-  return false;
-}
-
-bool may_be_name(TreeBuilder& builder, std::string_view unit) {
-  if (unit != "m" && unit != "s") return false;
-  std::optional<bool>& answer = builder.declares_unit[unit == "s"];
-  if (!answer) answer = is_name_in(builder.text(), unit);
-  return *answer;
-}
-
-}  // namespace
-
 std::uint32_t diagnose_separate_unit(TreeBuilder& builder, Span number) {
   const std::string_view text = builder.text();
   if (!is_digit(text[number.end - 1]) && text[number.end - 1] != '.') return number.end;
@@ -578,15 +543,14 @@ std::uint32_t diagnose_separate_unit(TreeBuilder& builder, Span number) {
     builder.sink().report(diag::foreign, builder.location(unit), kDegree).fix(where, fixed);
   } else {
     auto report = builder.sink().report(diag::separate_unit, where, written);
-    // `2 s 3` lacks more than that, and `s` may be a name.
+    // `2 s 3` lacks more than that, and `m` and `s` may be names.
     const bool is_end = std::string_view(",)]}\n\r*/^<>=!&|;").find(c) != std::string_view::npos ||
                         c == '+' || c == '-' || next >= text.size() || is_letter(c);
     const bool is_sum = (c == '+' || c == '-') && written == "%";
     const bool is_word = is_letter(c) && !is_one_of(word_at(text, next), kJoints) &&
                          !looks_like_statement(text, next);
-    is_end && !is_sum && !is_word && !may_be_name(builder, written)
-        ? report.fix(where, fixed)
-        : report.unsafe_fix(where, fixed);
+    const bool may_be_name = written == "m" || written == "s";
+    add_fix(report, is_end && !is_sum && !is_word && !may_be_name, where, fixed);
   }
   return unit.end;
 }
@@ -669,6 +633,14 @@ std::uint32_t diagnose_header(TreeBuilder& builder, std::uint32_t at) {
   const std::uint32_t version = skip_space(text, found.end);
   std::uint32_t end = version;
   while (is_idchar(char_at(text, end)) || char_at(text, end) == '.') ++end;
+  if (end > version && text[version] == '1' && is_letter(char_at(text, version + 1))) {
+    const std::uint32_t gap = version + 1;
+    builder.sink()
+        .report(diag::expected, builder.location({gap, gap}),
+                fmt::format("a new line after `scene 1`, found `{}`", text.substr(gap, end - gap)))
+        .unsafe_fix(builder.location({gap, gap}), "\n");
+    return gap;
+  }
   if (end > version && is_digit(text[version])) {
     const Location where = builder.location({version, end});
     builder.sink().report(diag::unsupported_version, where, text.substr(version, end - version));

@@ -5,48 +5,21 @@
 
 #include <fmt/format.h>
 
+#include "lang/repair/habits.hpp"
+#include "lang/repair/repair_report.hpp"
+#include "lang/repair/vocabulary.hpp"
 #include "lang/syntax/tree_builder.hpp"
-#include "lang/syntax/vocabulary.hpp"
-#include "lang/text/nearest_name.hpp"
 #include "lang/token/name_characters.hpp"
 #include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
 namespace {
 
-/// Units as people write them elsewhere.
-struct ForeignUnit {
-  std::string_view name, unit;
-};
-constexpr auto kForeignUnits = std::to_array<ForeignUnit>({
-    {"degree", "deg"},
-    {"degrees", "deg"},
-    {"radians", "rad"},
-    {"turns", "turn"},
-    {"meter", "m"},
-    {"meters", "m"},
-    {"metre", "m"},
-    {"metres", "m"},
-    {"sec", "s"},
-    {"secs", "s"},
-    {"second", "s"},
-    {"seconds", "s"},
-    {"msec", "ms"},
-    {"percent", "%"},
-});
-
 struct NumberFault {
   std::string reason;
   std::string replacement;  ///< empty: none is known
   bool is_certain = true;
 };
-
-std::optional<std::string_view> nearest_unit(std::string_view suffix) {
-  for (const ForeignUnit& foreign : kForeignUnits) {
-    if (foreign.name == suffix) return foreign.unit;
-  }
-  return std::nullopt;
-}
 
 /// Where the longest number at the beginning of `text` ends, its unit left out, read as generously
 /// as possible.
@@ -111,9 +84,9 @@ NumberFault number_fault(std::string_view text) {
   if (tidied(number) != number) {
     return {"a digit is missing behind the point", tidied(number) + std::string(suffix), false};
   }
-  const auto unit = nearest_unit(suffix);
+  const auto unit = find_habit(HabitPlace::Unit, suffix);
   return {.reason = fmt::format("there is no unit `{}`", suffix),
-          .replacement = unit ? std::string(number) + std::string(*unit) : ""};
+          .replacement = unit ? fmt::format("{}{}", number, unit->meant) : ""};
 }
 
 }  // namespace
@@ -126,11 +99,10 @@ std::uint32_t diagnose_number(TreeBuilder& builder, std::uint32_t begin) {
   const Location where = builder.location({begin, end});
   auto report = builder.sink().report(diag::bad_number, where, number, fault.reason);
   if (!fault.replacement.empty()) {
-    fault.is_certain ? report.fix(where, fault.replacement)
-                     : report.unsafe_fix(where, fault.replacement);
-  } else if (may_be_color(number)) {
-    const std::string color = fmt::format("#{}", number.substr(2));
-    report.help("a colour is `#ff8000`").unsafe_fix(where, color);
+    add_fix(report, fault.is_certain, where, fault.replacement);
+  } else if (may_be_color(number) || is_color_without_sign(number)) {
+    const std::string color = fmt::format("#{}", number.substr(may_be_color(number) ? 2 : 0));
+    report.help(fmt::format("a colour is `{}`", color)).unsafe_fix(where, color);
   } else if (fault.reason.starts_with("there is no unit")) {
     report.help(fmt::format("units are {}", fmt::join(kUnits, ", ")));
   }

@@ -3,10 +3,9 @@
 #include <string>
 #include <utility>
 
+#include "lang/repair/scene_repair.hpp"
 #include "lang/syntax/actions.hpp"
 #include "lang/syntax/characters.hpp"
-#include "lang/syntax/mending.hpp"
-#include "lang/syntax/recovery.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "lang/syntax/tree_builder.hpp"
 
@@ -24,20 +23,20 @@ struct Reading {
   bool has_misplaced = false;
 };
 
-/// Counts bytes of the file instead of those of the mended text.
-void move_to_file(Reading& reading, const MendedText& mending) {
-  const auto move = [&](auto& span) {
-    span.begin = mending.in_source(span.begin);
-    span.end = mending.in_source(span.end);
-  };
-  for (SyntaxNode& node : reading.nodes.span()) move(node);
-  for (Comment& comment : reading.comments) move(comment.span);
+/// Counts bytes of the file instead of those of the repaired text.
+void move_to_file(Reading& reading, const RepairedText& repaired) {
+  for (SyntaxNode& node : reading.nodes.span()) {
+    const Span span = repaired.in_source(node.span());
+    node.begin = span.begin;
+    node.end = span.end;
+  }
+  for (Comment& comment : reading.comments) comment.span = repaired.in_source(comment.span);
 }
 
 template <typename Rule>
-Reading read(const SourceFile& file, std::string_view text, const MendedText* mending,
+Reading read(const SourceFile& file, std::string_view text, const RepairedText* repaired,
              DiagnosticSink& sink) {
-  TreeBuilder builder(file, text, mending, sink);
+  TreeBuilder builder(file, text, repaired, sink);
   pegtl::memory_input<pegtl::tracking_mode::lazy, pegtl::eol::lf, const char*> in(
       text.data(), text.data() + text.size(), "");
   builder.push(SyntaxKind::File, {0, 0});
@@ -49,40 +48,40 @@ Reading read(const SourceFile& file, std::string_view text, const MendedText* me
   builder.close(0);
   builder.node(0).end = static_cast<std::uint32_t>(text.size());
   Reading reading{builder.take_nodes(), builder.take_comments(), builder.has_misplaced};
-  if (mending != nullptr) move_to_file(reading, *mending);
+  if (repaired != nullptr) move_to_file(reading, *repaired);
   return reading;
 }
 
-/// Reads the text as `mending` has it, if that leaves less wrong than the reading before.
+/// Reads the text after its repair, if that leaves fewer errors than the reading before.
 template <typename Rule>
-bool read_better(const SourceFile& file, std::string_view text, MendOptions options,
+bool read_better(const SourceFile& file, std::string_view text, SceneRepairOptions options,
                  const DiagnosticSink& before, DiagnosticSink& sink, Reading& reading) {
   DiagnosticSink other = before;
-  const auto mending = mend(file, text, options, other);
-  if (!mending) return false;
-  const std::size_t told = other.error_count();
-  Reading mended = read<Rule>(file, mending->text(), &*mending, other);
-  const std::size_t still_wrong = other.error_count() - told;
+  const auto repaired = repair_scene(file, text, options, other);
+  if (!repaired) return false;
+  const std::size_t reported = other.error_count();
+  Reading better = read<Rule>(file, repaired->text(), &*repaired, other);
+  const std::size_t still_wrong = other.error_count() - reported;
   const std::size_t was_wrong = sink.error_count() - before.error_count();
   // What is certain may show a mistake that it had hidden.
   const std::size_t allowed =
       options.is_certain ? was_wrong : std::max<std::size_t>(was_wrong, 1) - 1;
   if (still_wrong > allowed) return false;
   sink = std::move(other);
-  reading = std::move(mended);
+  reading = std::move(better);
   return true;
 }
 
-/// Reads the text, and if something is wrong with it, once more as it is mended: as a whole, or if
-/// that leaves as much wrong as before, where no one can doubt what was meant.
+/// Reads the text. If something is wrong with it, reads it again after its repair: of everything,
+/// or if that leaves as much wrong as before, of what can have been meant in one way only.
 template <typename Rule>
-Reading read_mended(const SourceFile& file, std::string_view text, DiagnosticSink& sink) {
+Reading read_repaired(const SourceFile& file, std::string_view text, DiagnosticSink& sink) {
   const DiagnosticSink before = sink;
   Reading reading = read<Rule>(file, text, nullptr, sink);
   const bool is_sound = sink.error_count() == before.error_count() && !reading.has_misplaced;
   if (is_sound) return reading;
-  const MendOptions whole{.may_mismatch = reading.has_misplaced}, certain{.is_certain = true};
-  if (read_better<Rule>(file, text, whole, before, sink, reading)) return reading;
+  const SceneRepairOptions all{.may_mismatch = reading.has_misplaced}, certain{.is_certain = true};
+  if (read_better<Rule>(file, text, all, before, sink, reading)) return reading;
   read_better<Rule>(file, text, certain, before, sink, reading);
   return reading;
 }
@@ -92,7 +91,7 @@ Reading read_mended(const SourceFile& file, std::string_view text, DiagnosticSin
 SyntaxTree parse(const SourceFile& file, DiagnosticSink& sink) {
   const std::optional<std::string> checked = check_characters(file, sink);
   const std::string_view text = checked ? std::string_view(*checked) : file.text();
-  Reading reading = read_mended<grammar::file>(file, text, sink);
+  Reading reading = read_repaired<grammar::file>(file, text, sink);
   return {file, std::move(reading.nodes), std::move(reading.comments)};
 }
 

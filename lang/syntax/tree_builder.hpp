@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -9,10 +8,10 @@
 #include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/repair/repaired_text.hpp"
 #include "lang/source/source.hpp"
 #include "lang/syntax/expectation.hpp"
 #include "lang/syntax/syntax.hpp"
-#include "lang/text/mended_text.hpp"
 
 namespace sdlc::lang {
 
@@ -27,30 +26,32 @@ struct Stopped {};
 /// The nodes of the tree while it grows, and what the reporter of a mistake wants to know of the
 /// place.
 ///
-/// `text` is the file's text, a copy of the same length, or that of `mending`. The nodes count the
+/// `text` is the file's text, a copy of the same length, or that of `repaired`. The nodes count the
 /// bytes of `text`.
 class TreeBuilder {
  public:
-  TreeBuilder(const SourceFile& file, std::string_view text, const MendedText* mending,
+  TreeBuilder(const SourceFile& file, std::string_view text, const RepairedText* repaired,
               DiagnosticSink& sink)
       // Four bytes a node suffice for all but the densest text. What is not used is never touched.
-      : file_(&file), text_(text), mending_(mending), sink_(&sink), nodes_(text.size() / 4 + 16) {}
+      : file_(&file),
+        text_(text),
+        repaired_(repaired),
+        sink_(&sink),
+        nodes_(text.size() / 4 + 16) {}
 
   std::string_view text() const noexcept { return text_; }
   DiagnosticSink& sink() noexcept { return *sink_; }
   Location location(Span span) const noexcept { return {file_, in_file(span)}; }
   Span in_file(Span span) const noexcept {
-    return mending_ == nullptr
-               ? span
-               : Span{mending_->in_source(span.begin), mending_->in_source(span.end)};
+    return repaired_ == nullptr ? span : repaired_->in_source(span);
   }
   /// Whether the bracket at `at` is one that the file lacks.
   bool is_added(std::uint32_t at) const noexcept {
-    return mending_ != nullptr && mending_->is_added(at);
+    return repaired_ != nullptr && repaired_->is_added(at);
   }
   /// Whether the bracket at `at` ends a pair that perhaps should end elsewhere.
   bool is_uncertain(std::uint32_t at) const noexcept {
-    return mending_ != nullptr && mending_->is_uncertain(at);
+    return repaired_ != nullptr && repaired_->is_uncertain(at);
   }
   std::uint32_t offset(const char* at) const noexcept {
     return static_cast<std::uint32_t>(at - text_.data());
@@ -117,15 +118,13 @@ class TreeBuilder {
   bool has_version = false;         ///< the file began with its version
   bool has_misplaced = false;       ///< a statement stands where its object should have ended
   Operator op = Operator::None;     ///< the last one read
-  /// Whether the text has names `m` and `s`; empty as long as nobody asked.
-  std::array<std::optional<bool>, 2> declares_unit;
 
   static constexpr NodeIndex kNone = 0xFFFFFFFF;
 
  private:
   const SourceFile* file_;
   std::string_view text_;
-  const MendedText* mending_;
+  const RepairedText* repaired_;
   DiagnosticSink* sink_;
   NodeBuffer<SyntaxNode> nodes_;
   std::vector<Comment> comments_;

@@ -59,8 +59,12 @@ class Operation {
   }
 
   Value wrong_types() {
-    sink_.report(diag::wrong_operands, where_.location(), spelling(op_), describe(left_),
-                 describe(right_));
+    auto report = sink_.report(diag::wrong_operands, where_.location(), spelling(op_),
+                               describe(left_), describe(right_));
+    const bool has_string = left<std::string>() != nullptr || right<std::string>() != nullptr;
+    const bool has_list = left<ListValue>() != nullptr || right<ListValue>() != nullptr;
+    if (has_string && op_ == Operator::Add) report.help("`str(…)` makes a string of another value");
+    if (has_list) report.help("a point is written in parentheses: `(x, y, z)`");
     return Nothing{};
   }
 

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lang/source/source.hpp"
+
+namespace sdlc::lang {
+
+/// A part of a text and what replaces it.
+struct Edit {
+  Span span;
+  std::string text;
+};
+
+/// A text after repairs, which maps its bytes to those of its source. Edits are applied in rounds:
+/// each round counts the bytes of the text before it.
+class RepairedText {
+ public:
+  explicit RepairedText(std::string_view source) : text_(source) {}
+
+  const std::string& text() const noexcept { return text_; }
+  bool is_changed() const noexcept { return !rounds_.empty(); }
+
+  /// Makes the edits. One that begins inside another is dropped; of several insertions at one place
+  /// the order is kept. `uncertain` are brackets of the text before, for is_uncertain().
+  void apply(std::vector<Edit> edits, const std::vector<std::uint32_t>& uncertain = {});
+
+  /// The place in the source of a place in this text.
+  std::uint32_t in_source(std::uint32_t at) const noexcept;
+  /// What was removed beside the span is not part of it.
+  Span in_source(Span span) const noexcept;
+  /// Whether the byte was written by an edit and has no counterpart in the source.
+  bool is_added(std::uint32_t at) const noexcept;
+  /// Whether the bracket at `at` may be in the wrong place: it was added, or closes a pair in a
+  /// value with a wrong bracket.
+  bool is_uncertain(std::uint32_t at) const noexcept;
+
+ private:
+  /// The replacement of one edit: a part of the new text for a part of the old.
+  struct Piece {
+    Span before, after;
+  };
+  using Round = std::vector<Piece>;
+
+  static const Piece* piece_at(const Round& round, std::uint32_t at) noexcept;
+  static std::uint32_t before(const Round& round, std::uint32_t at) noexcept;
+  static std::uint32_t end_before(const Round& round, std::uint32_t end) noexcept;
+
+  std::string text_;
+  std::vector<Round> rounds_;
+  std::vector<std::uint32_t> uncertain_;  ///< places in `text_`, ascending
+};
+
+}  // namespace sdlc::lang

@@ -1,0 +1,620 @@
+#include "lang/repair/scene_phrases.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "lang/repair/certainty.hpp"
+#include "lang/repair/habits.hpp"
+#include "lang/repair/repair_report.hpp"
+#include "lang/repair/vocabulary.hpp"
+#include "lang/schema/schema.hpp"
+#include "lang/schema/type_names.hpp"
+#include "lang/text/ascii.hpp"
+#include "lang/token/name_characters.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+/// Tries each rule at each token. A rule that applies reports, makes its edits and returns true.
+class Phrases : private RepairRound {
+ public:
+  using RepairRound::RepairRound;
+
+  std::vector<Edit> run() {
+    for (i_ = surrounding_block(); i_ < tokens_.size(); ++i_) {
+      if (tokens_[i_].is_first) line_ = i_;
+      is_skipped_ = false;
+      static_cast<void>(statement() || value());
+      if (is_skipped_) continue;
+      if (tokens_.is(i_, TokenClass::Open)) open_ += tokens_[i_].bracket;
+      if (tokens_.is(i_, TokenClass::Close) && !open_.empty()) open_.pop_back();
+    }
+    edits_.insert(edits_.end(), block_ends_.rbegin(), block_ends_.rend());
+    return std::move(edits_);
+  }
+
+ private:
+  bool statement() {
+    if (indented_block() || then_block()) return true;
+    if (!tokens_.may_begin_statement(i_)) return false;
+    return loop() || while_loop() || function_block() || function_by_let() || typed_value() ||
+           reserved_name() || assigned_object() || quoted_label() || dashed_name();
+  }
+  bool value() {
+    return decimal_comma() || bare_point() || braced_point() || vector() || wrong_pair() ||
+           element_by_dot() || new_value() || quoted_name() || string_of_two_lines() ||
+           other_letters();
+  }
+
+  bool in_block() const { return open_.empty() || open_.back() == '{'; }
+  bool is_last_of_line(std::size_t i) const { return tokens_[i + 1].is_first; }
+  DiagnosticBuilder expected(Span span, std::string_view what) {
+    return report(diag::expected, span, fmt::format("{}, found `{}`", what, text_of(span)));
+  }
+  /// The brace in the line of the token that opens a block after it; size() if there is none.
+  std::size_t brace_of_line(std::size_t i) const {
+    constexpr int kMaxTokens = 100;
+    for (int n = 0; n < kMaxTokens && i < tokens_.size(); ++n) {
+      if (tokens_.is_bracket(i, '{')) return i;
+      if (tokens_.is(i, TokenClass::Open)) i = std::max(i, tokens_.partner(i));
+      if (tokens_[++i].is_first) break;
+    }
+    return tokens_.size();
+  }
+  /// From the end of one token to the beginning of another.
+  Span between(std::size_t first, std::size_t last) const {
+    return {tokens_[first].end, tokens_[last].begin};
+  }
+
+  // Blocks
+
+  /// `scene "name" { … }` around the whole file. Returns the first token after it.
+  std::size_t surrounding_block() {
+    if (!tokens_.is(0, "scene")) return 0;
+    const std::size_t open = tokens_.is_string(1) || tokens_.is_name(1) ? 2 : 1;
+    if (!tokens_.is_bracket(open, '{') || tokens_[open].line != tokens_[0].line) return 0;
+    auto message = report(diag::missing_version, span_of(0, open));
+    message.help("the first statement is `scene 1`; no block surrounds the others");
+    fix(message, false, span_of(0, open), "scene 1");
+    const std::size_t last = tokens_.size() - 1;
+    if (tokens_.is_bracket(last, '}')) fix(message, false, span_of(last), "");
+    return open + 1;
+  }
+
+  /// `for i in list:` with the block's lines indented, as in Python.
+  bool indented_block() {
+    constexpr auto kHeads = std::to_array<std::string_view>(
+        {"for", "if", "def", "fn", "else:", "elif", "else", "while"});
+    const bool has_colon = tokens_[i_].end > 0 && tokens_.written(i_).ends_with(':');
+    const std::uint32_t indent = tokens_[line_].indent;
+    if (!has_colon || !is_last_of_line(i_) || !is_one_of(tokens_.written(line_), kHeads) ||
+        i_ + 1 >= tokens_.size() || tokens_[i_ + 1].indent <= indent) {
+      return false;
+    }
+    const Span colon{tokens_[i_].end - 1, tokens_[i_].end};
+    if (tokens_.is(line_, "def") && tokens_.is(i_ + 1, "return")) {
+      auto message = expected(span_of(line_), "`fn`");
+      message.help_if(kFunction);
+      fix(message, false, span_of(line_), "fn");
+      fix(message, false, colon, " =");
+      fix(message, false, {colon.end, tokens_[i_ + 1].end}, "");
+      return true;
+    }
+    std::size_t end = i_ + 1;
+    while (end < tokens_.size() && (!tokens_[end].is_first || tokens_[end].indent > indent)) ++end;
+    auto message = expected(colon, "`{`");
+    message.help("a block stands in braces");
+    fix(message, false, colon, " {");
+    if (tokens_.is_bracket(end, '}') && tokens_[end].indent == indent) return true;
+    const Edit closing{gap_before(end), fmt::format("\n{}}}", std::string(indent, ' '))};
+    add_fix(message, false, where(closing.span), closing.text);
+    block_ends_.push_back(closing);
+    return true;
+  }
+
+  /// `if a then { … }`
+  bool then_block() {
+    if (!tokens_.is(i_, "then") || !tokens_.is_bracket(i_ + 1, '{')) return false;
+    auto message = expected(span_of(i_), "a block in braces");
+    message.help("`if … then …` is a value; a statement is `if … { … }`");
+    fix(message, false, {span_of(i_).begin, tokens_[i_ + 1].begin}, "");
+    return true;
+  }
+
+  // Loops. What they go through is made an empty list if it cannot be known: the block is read, and
+  // never run.
+
+  bool loop() {
+    if (!tokens_.is(i_, "for")) return false;
+    return loop_in_parentheses() || loop_with_bounds() || loop_of();
+  }
+
+  /// `for (i in list) {` and `for (int i = 0; i < 3; i++) {`
+  bool loop_in_parentheses() {
+    const std::size_t open = i_ + 1, close = tokens_.partner(open < tokens_.size() ? open : i_);
+    if (!tokens_.is_bracket(open, '(') || !tokens_.is_bracket(close + 1, '{')) return false;
+    std::size_t name = open + 1;
+    const auto is_in = [&](std::size_t i) { return tokens_.is(i, "in") || tokens_.is(i, "of"); };
+    while (name < close && !is_in(name + 1) && !tokens_.is(name + 1, "=")) ++name;
+    if (name == close || !tokens_.is_name(name)) return false;
+    auto message = report_expected(open, "a name after `for`", false);
+    if (is_in(name + 1)) {
+      message.help("a loop needs no parentheses: `for i in list { … }`");
+      if (tokens_.is(name + 1, "of")) fix(message, false, span_of(name + 1), "in");
+      fix(message, false, {tokens_[open].begin, tokens_[name].begin}, "");
+      fix(message, false, span_of(close), "");
+    } else {
+      message.help_if(kNoLoop);
+      edit({tokens_[open].begin, tokens_[name].begin}, "");
+      edit({tokens_[name].end, tokens_[close].end}, " in []");
+      skip_to(close);
+    }
+    return true;
+  }
+
+  /// `for i = 0 to 3 {`
+  bool loop_with_bounds() {
+    const std::size_t brace = brace_of_line(i_);
+    if (!tokens_.is_name(i_ + 1) || !tokens_.is(i_ + 2, "=") || brace >= tokens_.size()) {
+      return false;
+    }
+    auto message = report_expected(i_ + 2, "`in`", false);
+    message.help_if(kNoLoop);
+    std::size_t to = i_ + 3;
+    while (to < brace && !tokens_.is(to, "to")) ++to;
+    const Span bounds{tokens_[i_ + 2].begin, tokens_[brace - 1].end};
+    if (to > i_ + 3 && to + 1 < brace) {
+      message.unsafe_fix(where(bounds),
+                         fmt::format("in range({}, {} + 1)", text_of(span_of(i_ + 3, to - 1)),
+                                     text_of(span_of(to + 1, brace - 1))));
+    }
+    edit(bounds, "in []");
+    skip_to(brace - 1);
+    return true;
+  }
+
+  /// `for i of list {`
+  bool loop_of() {
+    if (!tokens_.is_name(i_ + 1) || !tokens_.is(i_ + 2, "of")) return false;
+    auto message = report_expected(i_ + 2, "`in`", false);
+    fix(message, false, span_of(i_ + 2), "in");
+    return true;
+  }
+
+  /// `while a {`
+  bool while_loop() {
+    const auto habit = find_habit(HabitPlace::StatementWord, tokens_.written(i_));
+    if (!habit || habit->help != kNoLoop || tokens_.is_bracket(i_ + 1, '{')) return false;
+    const std::size_t brace = brace_of_line(i_);
+    if (brace >= tokens_.size()) return false;
+    expected(span_of(i_), "a statement").help_if(habit->help);
+    edit({tokens_[i_].begin, tokens_[brace - 1].end}, "if true");
+    skip_to(brace - 1);
+    return true;
+  }
+
+  /// Leaves the tokens up to this one to the phrase.
+  void skip_to(std::size_t last) {
+    i_ = last;
+    is_skipped_ = true;
+  }
+
+  // Functions
+
+  bool is_head(std::size_t word) const {
+    return tokens_.is_name(word + 1) && tokens_.is_bracket(word + 2, '(') &&
+           tokens_.is_joined(word + 2);
+  }
+
+  /// `let f(x) = …`
+  bool function_by_let() {
+    const bool is_word = tokens_.is(i_, "let") || tokens_.is(i_, "def");
+    if (!is_word || !is_head(i_)) return false;
+    const std::size_t equals = tokens_.partner(i_ + 2) + 1;
+    if (!tokens_.is(equals, "=") || tokens_.is_bracket(equals + 2, '{')) return false;
+    auto message = expected(span_of(i_), "`fn`");
+    message.help_if(kFunction);
+    fix(message, false, span_of(i_), "fn");
+    return true;
+  }
+
+  /// `function f(x) { return … }`, or with objects in the block.
+  bool function_block() {
+    const bool is_def = tokens_.is(i_, "def");
+    const bool is_foreign = find_habit(HabitPlace::FunctionWord, tokens_.written(i_)).has_value();
+    if (!(is_def || is_foreign || tokens_.is(i_, "fn")) || !is_head(i_)) return false;
+    const std::size_t open = tokens_.partner(i_ + 2) + 1;
+    if (!tokens_.is_bracket(open, '{')) return false;
+    const bool returns = tokens_.is(open + 1, "return");
+    if (is_def && !returns) return false;
+    const std::size_t close = tokens_.partner(open);
+    if (close >= tokens_.size() || close == open + 1 + returns) return false;
+    for (std::size_t i = open + 1; i < close; ++i) {
+      if (tokens_.is_bracket(i, '{') || tokens_.is(i, "for")) return definition_by_function();
+      const bool is_statement = tokens_.is(i, "=") || (tokens_.is(i, ";") && i + 1 < close) ||
+                                is_one_of(tokens_.written(i), kDeclarationWords);
+      if (is_statement) return false;
+    }
+    const std::size_t body = open + 1 + returns;
+    const std::size_t last = close - 1 - tokens_.is(close - 1, ";");
+    if (is_foreign) expect_word("fn", false);
+    auto message = report_expected(open, "`=` and an expression", false);
+    message.help_if(kFunction);
+    if (is_def) fix(message, false, span_of(i_), "fn");
+    fix(message, false, {tokens_[open].begin, tokens_[body].begin}, "= ");
+    fix(message, false, {tokens_[last].end, tokens_[close].end}, "");
+    return true;
+  }
+
+  /// `function f(x) { sphere { … } }`
+  bool definition_by_function() {
+    expect_word("def", false);
+    return true;
+  }
+
+  void expect_word(std::string_view word, bool is_safe) {
+    auto message = expected(span_of(i_), fmt::format("`{}`", word));
+    fix(message, is_safe, span_of(i_), std::string(word));
+  }
+
+  // Declarations and names
+
+  /// `let size: number = …`
+  bool typed_value() {
+    const std::size_t label = i_ + 1;
+    const bool is_typed = tokens_.is(i_, "let") && tokens_.is(label, TokenClass::Label) &&
+                          tokens_.is_name(label + 1) && tokens_.is(label + 2, "=");
+    if (!is_typed) return false;
+    const std::string_view type = tokens_.written(label + 1);
+    const bool is_type = is_type_name(type) || find_habit(HabitPlace::ValueWord, type).has_value();
+    auto message = expected({tokens_[label].end - 1, tokens_[label].end}, "`=`");
+    message.help("a value has the type of what it is made of");
+    const auto name_end =
+        tokens_[label].begin + static_cast<std::uint32_t>(tokens_.label(label).size());
+    fix(message, is_type, {name_end, tokens_[label + 1].end}, "");
+    skip_to(label + 1);
+    return true;
+  }
+
+  /// `let if = 3`
+  bool reserved_name() {
+    const bool is_declared = tokens_.is(i_, "let") || tokens_.is(i_, "param");
+    const std::string_view word = tokens_.written(i_ + 1);
+    if (!is_declared || !is_one_of(word, kReservedWords) || !tokens_.is(i_ + 2, "=")) return false;
+    expected(span_of(i_ + 1), fmt::format("a name after `{}`", tokens_.written(i_)))
+        .help(fmt::format("`{}` is a word of the language and cannot be a name", word));
+    edit(span_of(i_ + 1), std::string(word.size(), '_'));
+    skip_to(i_ + 1);
+    return true;
+  }
+
+  static bool is_kind(std::string_view name) {
+    return std::ranges::any_of(all_kinds(), [&](const Kind& kind) { return kind.name == name; });
+  }
+
+  /// `Sphere ball = { … }`, `Sphere ball = sphere { … }` and `let ball = sphere { … }`
+  bool assigned_object() {
+    const bool is_let = tokens_.is(i_, "let");
+    const bool is_object = (is_let || tokens_.is_name(i_)) && tokens_.is_name(i_ + 1) &&
+                           tokens_.is_same_line(i_ + 1) && tokens_.is(i_ + 2, "=") &&
+                           tokens_.is_same_line(i_ + 2);
+    if (!is_object) return false;
+    const bool repeats = tokens_.is_name(i_ + 3) && tokens_.is_bracket(i_ + 4, '{');
+    const std::size_t brace = i_ + (repeats ? 4 : 3);
+    if (!tokens_.is_bracket(brace, '{') || (is_let && !repeats)) return false;
+    std::string kind(tokens_.written(is_let ? i_ + 3 : i_));
+    kind[0] = to_lower(kind[0]);
+    if (!is_kind(kind)) return false;
+    const std::string_view name = tokens_.written(i_ + 1);
+    const std::string help = fmt::format("an object is `{} {} {{ … }}`", kind, name);
+    if (is_let) {
+      auto message = report(diag::expected, span_of(i_ + 3), "a value after `=`, found an object");
+      message.help(help);
+      const Span head{tokens_[i_].begin, tokens_[brace].begin};
+      message.unsafe_fix(where(head), fmt::format("{} {} ", kind, name));
+      edit({tokens_[i_].begin, tokens_[i_ + 3].begin}, "");
+    } else {
+      auto message = report_expected(i_ + 2, "`{`", false);
+      message.help(help);
+      fix(message, false, between(i_ + 1, brace), " ");
+    }
+    skip_to(brace - 1);
+    return true;
+  }
+
+  static bool is_identifier(std::string_view name) {
+    return !name.empty() && end_of_identifier(name, 0) == name.size() &&
+           !is_one_of(name, kReservedWords);
+  }
+  /// Without its quotes.
+  std::string_view content(std::size_t string) const {
+    const std::string_view text = tokens_.written(string);
+    return text.size() > 2 && text.ends_with('"') ? text.substr(1, text.size() - 2)
+                                                  : std::string_view();
+  }
+
+  /// `sphere "ball" {`
+  bool quoted_name() {
+    const bool is_quoted = tokens_.is_string(i_) && tokens_.is_bracket(i_ + 1, '{') && i_ > 0 &&
+                           tokens_.is_name(i_ - 1) && tokens_.is_same_line(i_) &&
+                           tokens_.may_begin_statement(i_ - 1);
+    std::string name(content(i_));
+    if (!is_quoted || name.empty()) return false;
+    const bool is_plain = is_identifier(name);
+    for (char& c : name) c = is_idchar(c) ? c : '_';
+    if (!is_identifier(name)) name = "_" + name;
+    auto message = expected(span_of(i_), "a name");
+    message.help("names stand without quotes");
+    fix(message, is_plain, span_of(i_), name);
+    return true;
+  }
+
+  /// `"center": …`
+  bool quoted_label() {
+    const bool is_label = tokens_.is_string(i_) && tokens_.is(i_ + 1, ":") && in_block();
+    const std::string_view name = content(i_);
+    if (!is_label || name.empty() || end_of_identifier(name, 0) != name.size()) return false;
+    auto message = expected(span_of(i_), "a name");
+    message.help("names of properties stand without quotes");
+    // Edited quote by quote: the label's bytes stay where they are.
+    const Span span = span_of(i_);
+    add_fix(message, true, where(span), std::string(name));
+    edit({span.begin, span.begin + 1}, "");
+    edit({span.end - 1, span.end}, "");
+    return true;
+  }
+
+  /// `let my-name = …`, and where else it is written so.
+  bool dashed_name() {
+    if (!tokens_.is(i_, "let") && !tokens_.is(i_, "param")) return false;
+    std::size_t last = i_ + 1;
+    while (tokens_.is_word(last) && tokens_.is(last + 1, "-") && tokens_.is_joined(last + 1) &&
+           tokens_.is_word(last + 2) && tokens_.is_joined(last + 2)) {
+      last += 2;
+    }
+    const std::size_t size = last - i_ - 1;
+    constexpr int kMaxDashed = 50;  // each is looked for in the whole text
+    if (size == 0 || !tokens_.is(last + 1, "=") || ++dashed_ > kMaxDashed) return false;
+    const std::string name(text_of(span_of(i_ + 1, last)));
+    std::string fixed = name;
+    std::ranges::replace(fixed, '-', '_');
+    auto message = expected(span_of(i_ + 1, last), "a name");
+    message.help_if(kNameLetters);
+    for (std::size_t i = 0; i + size < tokens_.size(); ++i) {
+      const bool is_use = text_of(span_of(i, i + size)) == name;
+      if (!is_use || (i > 0 && tokens_.is_joined(i) && tokens_.is(i - 1, "-"))) continue;
+      fix(message, false, span_of(i, i + size), fixed);
+    }
+    skip_to(last);
+    return true;
+  }
+
+  /// Words with letters that no name has.
+  bool other_letters() {
+    const bool is_text = tokens_.is_word(i_) || tokens_.is(i_, TokenClass::Label);
+    const auto is_other = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
+    if (!is_text || std::ranges::none_of(tokens_.written(i_), is_other)) return false;
+    std::string plain(tokens_.label(i_));
+    const Span span{tokens_[i_].begin,
+                    tokens_[i_].begin + static_cast<std::uint32_t>(plain.size())};
+    if (told_words_.insert(plain).second) {
+      report(diag::foreign, span, plain).help_if(kNameLetters);
+    }
+    std::ranges::replace_if(plain, is_other, '_');
+    edit(span, plain);
+    return true;
+  }
+
+  // Values
+
+  /// `1,5` for 1.5 in the place of one value.
+  bool decimal_comma() {
+    const bool follows_name =
+        i_ > 0 && in_block() && (tokens_.is(i_ - 1, TokenClass::Label) || tokens_.is(i_ - 1, "="));
+    const bool is_number = follows_name && tokens_.is_number(i_) && tokens_.is_joined(i_ + 1) &&
+                           tokens_.is(i_ + 1, TokenClass::Comma) && tokens_.is_joined(i_ + 2) &&
+                           tokens_.is_number(i_ + 2);
+    const bool goes_on = tokens_.is(i_ + 3, TokenClass::Comma) && tokens_.is_number(i_ + 4);
+    if (!is_number || goes_on || tokens_.written(i_).find('.') != std::string_view::npos) {
+      return false;
+    }
+    const Span span = span_of(i_, i_ + 2);
+    auto message = report(diag::bad_number, span, text_of(span), "decimals follow a point");
+    fix(message, false, span_of(i_ + 1), ".");
+    skip_to(i_ + 2);
+    return true;
+  }
+
+  /// The last token of a number or name, perhaps with a sign, at `i`; size() if there is none.
+  std::size_t end_of_component(std::size_t i) const {
+    if (tokens_.is(i, "-")) ++i;
+    const bool is_one = (tokens_.is_number(i) || tokens_.is_name(i)) && tokens_.is_same_line(i);
+    return is_one ? i : tokens_.size();
+  }
+
+  /// `center: 1, 2, 3`, with commas or without.
+  bool bare_point() {
+    if (!tokens_.is(i_, TokenClass::Label) || !in_block()) return false;
+    std::size_t next = i_ + 1, last = i_;
+    bool has_number = false;
+    std::array<std::size_t, 3> ends{};
+    for (std::size_t& end : ends) {
+      if (last != i_ && tokens_.is(next, TokenClass::Comma)) ++next;
+      end = last = end_of_component(next);
+      if (last >= tokens_.size()) return false;
+      has_number = has_number || tokens_.is_number(last);
+      next = last + 1;
+    }
+    const bool has_comma = tokens_.is(ends[0] + 1, TokenClass::Comma);
+    const bool ends_value = tokens_[next].is_first || tokens_.is_bracket(next, '}') ||
+                            (tokens_.is(next, TokenClass::Comma) && !tokens_.is_number(next + 1));
+    // Names one after the other may be anything.
+    const bool are_plain = has_comma || (tokens_.is_number(ends[0]) && tokens_.is_number(ends[1]));
+    if (!ends_value || !has_number || !are_plain) return false;
+    const Span span = span_of(i_ + 1, last);
+    std::string point = "(";
+    for (std::size_t i = i_ + 1; i <= last; ++i) {
+      if (tokens_.is(i, TokenClass::Comma)) continue;
+      point += tokens_.written(i);
+      if (i == ends[0] || i == ends[1]) point += ", ";
+    }
+    auto message = expected(span, "a point in parentheses");
+    const bool is_safe =
+        is_point_property(tokens_.label(i_)) &&
+        std::ranges::all_of(ends, [&](std::size_t end) { return tokens_.is_number(end); });
+    add_fix(message, is_safe, where(span), point + ")");
+    edit({span.begin, span.begin}, "(");
+    for (const std::size_t end : {ends[0], ends[1]}) {
+      if (!tokens_.is(end + 1, TokenClass::Comma)) edit({tokens_[end].end, tokens_[end].end}, ",");
+    }
+    edit({span.end, span.end}, ")");
+    skip_to(last);
+    return true;
+  }
+
+  /// `{1, 2, 3}` in the place of a value.
+  bool braced_point() {
+    if (!tokens_.is_bracket(i_, '{') || i_ == 0 || !tokens_.is(i_ - 1, TokenClass::Label)) {
+      return false;
+    }
+    std::size_t last = i_;
+    for (int i = 0; i < 3; ++i) {
+      if (i > 0 && !tokens_.is(++last, TokenClass::Comma)) return false;
+      last = end_of_component(last + 1);
+      if (last >= tokens_.size()) return false;
+    }
+    if (!tokens_.is_bracket(last + 1, '}')) return false;
+    auto message = expected(span_of(i_, last + 1), "a point in parentheses");
+    return point_in_signs(message, last + 1, is_point_property(tokens_.label(i_ - 1)));
+  }
+
+  /// `<1, 2, 3>`
+  bool vector() {
+    constexpr std::size_t kMaxTokens = 60;
+    if (!tokens_.is(i_, "<") || i_ == 0 || !tokens_.wants_operand(i_ - 1)) return false;
+    std::size_t commas = 0, close = i_ + 1;
+    for (; !tokens_.is(close, ">"); ++close) {
+      if (!tokens_.is_same_line(close) || close > i_ + kMaxTokens) return false;
+      if (tokens_.is(close, TokenClass::Open)) close = tokens_.partner(close);
+      commas += tokens_.is(close, TokenClass::Comma);
+    }
+    if (commas != 2) return false;
+    auto message = report(diag::foreign, span_of(i_, close), text_of(span_of(i_, close)));
+    message.help("a point is written `(x, y, z)`");
+    return point_in_signs(message, close, true);
+  }
+
+  bool point_in_signs(DiagnosticBuilder& message, std::size_t close, bool is_safe) {
+    add_fix(message, is_safe, where(span_of(i_, close)),
+            fmt::format("({})", text_of(between(i_, close))));
+    edit(span_of(i_), "(");
+    edit(span_of(close), ")");
+    return true;
+  }
+
+  /// Braces or brackets around arguments, parentheses around a block.
+  bool wrong_pair() {
+    if (!tokens_.is(i_, TokenClass::Open) || i_ < 2 || !tokens_.is_name(i_ - 1)) return false;
+    if (tokens_.is_bracket(i_, '{') && is_kind(tokens_.written(i_ - 1))) return false;
+    const std::size_t close = tokens_.partner(i_);
+    const bool is_pair =
+        close < tokens_.size() && tokens_[i_].bracket == (tokens_.is_bracket(close, '}')   ? '{'
+                                                          : tokens_.is_bracket(close, ']') ? '['
+                                                                                           : '(');
+    if (!is_pair) return false;
+    const bool has_label = tokens_.is(i_ + 1, TokenClass::Label);
+    const bool is_one_line = tokens_[i_].line == tokens_[close].line;
+    const bool is_value = tokens_.is(i_ - 2, TokenClass::Label) || tokens_.is(i_ - 2, "=") ||
+                          tokens_.is_bracket(i_ - 2, '(') || tokens_.is_bracket(i_ - 2, '[') ||
+                          (tokens_.is(i_ - 2, "in") && tokens_.is_bracket(close + 1, '{'));
+    const bool are_arguments =
+        (tokens_.is_bracket(i_, '{') && is_one_line && is_value && !has_block(i_, close)) ||
+        (tokens_.is_bracket(i_, '[') && has_label);
+    const bool begins_line = tokens_.may_begin_statement(i_ - 1) ||
+                             (tokens_.is_name(i_ - 2) && tokens_.may_begin_statement(i_ - 2));
+    const bool is_block =
+        tokens_.is_bracket(i_, '(') && begins_line && has_label && tokens_[i_ + 1].is_first;
+    if (!are_arguments && !is_block) return false;
+    auto message = report_expected(i_, are_arguments ? "`(`" : "`{`", false);
+    fix(message, false, span_of(i_), are_arguments ? "(" : "{");
+    fix(message, false, span_of(close), are_arguments ? ")" : "}");
+    return true;
+  }
+  bool has_block(std::size_t open, std::size_t close) const {
+    for (std::size_t i = open + 1; i < close; ++i) {
+      if (tokens_.is_bracket(i, '{')) return true;
+    }
+    return false;
+  }
+
+  /// `row.0`
+  bool element_by_dot() {
+    const std::string_view number = tokens_.written(i_);
+    const bool is_element = tokens_.is_number(i_) && number[0] == '.' && tokens_.is_joined(i_) &&
+                            (tokens_.is_name(i_ - 1) || tokens_.is(i_ - 1, TokenClass::Close)) &&
+                            number.find_first_not_of("0123456789", 1) == std::string_view::npos;
+    if (!is_element) return false;
+    const Span span = span_of(i_), digits{span.begin + 1, span.end};
+    const std::string element = fmt::format("[{}]", number.substr(1));
+    auto message = expected(digits, "a name after `.`");
+    message.help(fmt::format("an element of a list is `{}{}`", tokens_.written(i_ - 1), element));
+    fix(message, false, span, element);
+    return true;
+  }
+
+  /// `new diffuse(…)`
+  bool new_value() {
+    const bool is_new = tokens_.is(i_, "new") && i_ > 0 && tokens_.wants_operand(i_ - 1) &&
+                        tokens_.holds_arguments(i_ + 2) && tokens_.is_joined(i_ + 2);
+    if (!is_new) return false;
+    auto message = report(diag::foreign, span_of(i_), "new");
+    message.help("a call makes its value");
+    fix(message, true, {tokens_[i_].begin, tokens_[i_ + 1].begin}, "");
+    return true;
+  }
+
+  /// A string whose closing quote is in the next line.
+  bool string_of_two_lines() {
+    const auto is_unclosed = [&](std::size_t i) {
+      return tokens_.is_string(i) && (tokens_.written(i).size() < 2 || content(i).empty()) &&
+             !tokens_.written(i).ends_with("\"\"");
+    };
+    if (!is_unclosed(i_)) return false;
+    std::size_t end = i_ + 1;
+    while (end < tokens_.size() && tokens_[end].line <= tokens_[i_].line + 1 &&
+           !tokens_.is_string(end)) {
+      ++end;
+    }
+    const bool is_next = is_unclosed(end) && tokens_[end].line == tokens_[i_].line + 1 &&
+                         tokens_.is_joined(end) && tokens_.is(end - 1, TokenClass::Value);
+    if (!is_next) return false;
+    const std::uint32_t begin = tokens_[i_].begin;
+    report(diag::unclosed, {begin, begin + 1}, "\"")
+        .help("a string ends in the line that it begins in");
+    const auto line_end = static_cast<std::uint32_t>(tokens_.text().find('\n', begin));
+    const bool has_return = tokens_.text()[line_end - 1] == '\r';
+    edit({line_end - has_return, line_end + 1}, " ");
+    skip_to(end);
+    return true;
+  }
+
+  std::size_t i_ = 0, line_ = 0;  ///< the token, and the first of its line
+  bool is_skipped_ = false;       ///< the token ends a phrase of several
+  std::string open_;              ///< the brackets around it
+  std::vector<Edit> block_ends_;  ///< of indented blocks, the outer ones first
+  std::set<std::string> told_words_;
+  int dashed_ = 0;  ///< names declared with dashes
+};
+
+}  // namespace
+
+std::vector<Edit> repair_phrases(const SourceFile& file, const TokenList& tokens,
+                                 RepairedText& text, DiagnosticSink& sink) {
+  return Phrases(file, tokens, text, sink).run();
+}
+
+}  // namespace sdlc::lang
