@@ -1,7 +1,7 @@
 #pragma once
 
-/// The groups of benchmarks. Each adds its own to those that Google Benchmark runs, one for each
-/// kernel, instruction set and precision that this machine has.
+/// Registers the groups of benchmarks with Google Benchmark, one per kernel, instruction set and
+/// precision that this machine has.
 namespace sdlc::bench {
 
 void register_intersection_benchmarks();

@@ -19,9 +19,9 @@
 #include "bench/sphere_field.hpp"
 #include "lang/compile/compile.hpp"
 
-// How fast texts become scenes for the renderer, and in how much memory. The measure of a megabyte
-// is what nlohmann::json takes to parse the same JSON to its tree. One thread; what is compared is
-// measured in turns, and medians are told.
+// Speed and memory of compiling texts to scenes for the renderer. The baseline for a megabyte is
+// the time of nlohmann::json to parse the same JSON to its tree. Single-threaded; competitors run
+// interleaved, and medians are reported.
 namespace sdlc::bench {
 namespace {
 
@@ -42,7 +42,7 @@ lang::LoweredScene compile(const lang::SourceFile& file, int spheres) {
   return std::move(*scene);
 }
 
-/// A number of bytes that the system tells of this process, such as VmHWM, its peak so far.
+/// A number of bytes that the system reports for this process, such as VmHWM, its peak memory.
 double process_bytes(const std::string& key) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
@@ -51,9 +51,9 @@ double process_bytes(const std::string& key) {
   throw std::runtime_error("/proc/self/status has no " + key);
 }
 
-/// The most memory that making a text and compiling it takes, in sizes of that text. In a process
-/// of its own, since memory that an earlier compilation gave back would not count. Call it before
-/// the process has used any.
+/// The peak memory of making and compiling a text, in multiples of that text. Runs in a separate
+/// process, because memory freed by an earlier compilation would not count. Call it before the
+/// process has allocated any.
 double measure_memory(const std::string& name, std::string (*make_text)(int), int spheres) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe");
@@ -76,7 +76,7 @@ double measure_memory(const std::string& name, std::string (*make_text)(int), in
   return multiple;
 }
 
-/// How long it takes to make something; not how long to take it down.
+/// The time to construct something, without the time to destroy it.
 template <typename Make>
 double seconds_to(const Make& make) {
   const auto begin = std::chrono::steady_clock::now();
@@ -90,7 +90,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// The medians of what the functions return, which are called in turns.
+/// The medians of the functions' results; the functions are called interleaved.
 std::vector<double> measure_in_turns(int repeats,
                                      const std::vector<std::function<double()>>& functions) {
   std::vector<std::vector<double>> results(functions.size());

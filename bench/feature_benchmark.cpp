@@ -10,9 +10,9 @@
 #include "bench/benchmarks.hpp"
 #include "bench/renders.hpp"
 
-// What a feature costs: nine matt spheres under a constant sky, and the same with the feature. The
-// two are rendered in turns; the counters are medians. A feature changes which rays there are, so
-// their number is told too: a path that a lamp ends is shorter, and cheaper for it.
+// The cost of a feature: nine matt spheres under a constant sky, with and without the feature,
+// rendered interleaved; the counters are medians. A feature changes which rays exist, so their
+// number is reported too: a path that ends at a lamp is shorter, and cheaper for it.
 namespace sdlc::bench {
 namespace {
 
@@ -65,8 +65,8 @@ void register_feature(const std::string& name, Scene with, const Form& form) {
                                  for (auto _ : state) {
                                    plain = time_render(scenes->first, form, 16);
                                    timing = time_render(scenes->second, form, 16);
-                                   plain_times.push_back(plain.nanoseconds_a_ray());
-                                   times.push_back(timing.nanoseconds_a_ray());
+                                   plain_times.push_back(plain.nanoseconds_per_ray());
+                                   times.push_back(timing.nanoseconds_per_ray());
                                    ratios.push_back(times.back() / plain_times.back());
                                    state.SetIterationTime(timing.seconds);
                                  }
@@ -80,7 +80,7 @@ void register_feature(const std::string& name, Scene with, const Form& form) {
                                  state.counters["%_rays"] = 100 * (rays - 1);
                                })
       ->UseManualTime()
-      ->MinTime(0.4)  // medians of less say little
+      ->MinTime(0.4)  // shorter measurements are too noisy
       ->Unit(benchmark::kMillisecond);
 }
 
@@ -88,7 +88,7 @@ void register_feature(const std::string& name, Scene with, const Form& form) {
 
 void register_feature_benchmarks() {
   const std::pair<const char*, Scene> features[] = {
-      {"nothing", eight_on_ground()},  // what the others are to be believed to
+      {"nothing", eight_on_ground()},  // the noise floor of the other results
       {"motion", with_motion()},
       {"transmissive",
        with_material(

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""How the time of commands that repair or rewrite text grows with the number of mistakes.
+"""Measures how the time of commands that repair or rewrite text grows with the number of mistakes.
 
 fix_growth.py SDLC [--counts 5000,20000,80000] [--only NAME]
 
-Prints a table in Markdown: seconds of processor time, which should grow as the counts do.
+Prints a Markdown table of CPU seconds, which should grow in proportion to the counts.
 """
 
 import argparse

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""How cost grows with the number of spheres: sdlc and Embree in turns on the same fields of spheres.
+"""Measures how cost grows with the number of spheres, for sdlc and Embree on the same scenes, interleaved.
 
 growth.py SDLC PEERS [--counts 10,100,...] [--repeats 3] [--threads 2] [--chart FILE.svg]
 
-PEERS is a folder with gen_scene.py and embree_pt.cpp, which is compiled here. Prints a table in
-Markdown and laws fitted to the time of a ray by least squares, with their residuals, and draws both
-as a chart: a + b n where rays are held against all spheres, a + b log2 n where they go through a
-hierarchy. Paths of Embree have as many rays as ours, on average. Medians of the repeats.
+PEERS is a folder with gen_scene.py and embree_pt.cpp, which is compiled here. Prints a Markdown table
+and least-squares fits of the time per ray with their residuals, and draws both as a chart: a + b n
+if rays are tested with all spheres, a + b log2 n if they use a BVH. Paths of Embree are assumed to
+have as many rays as ours, on average. All figures are medians of the repeats.
 """
 
 import argparse
@@ -23,7 +23,7 @@ HEIGHT = WIDTH * 9 // 16
 
 
 def samples_for(count):
-    """Paths a pixel, so that a run takes about a second."""
+    """Paths per pixel for a run of about a second."""
     return 64 if count <= 1000 else 24 if count <= 100_000 else 8
 
 
@@ -52,7 +52,7 @@ def run_embree(embree, scene, samples, threads, folder):
 def series_of(kernel):
     if kernel.startswith("wide"):
         return "sdlc, all spheres"
-    return "sdlc, hierarchy, double" if kernel.endswith("double") else "sdlc, hierarchy"
+    return "sdlc, BVH, double" if kernel.endswith("double") else "sdlc, BVH"
 
 
 def median_of(runs, field):
@@ -60,7 +60,7 @@ def median_of(runs, field):
 
 
 class Law:
-    """a + b f(n), every point weighted by 1 / y²; `error` is the residual in per cent."""
+    """The fit a + b f(n), with every point weighted by 1 / y²; `error` is the residual in per cent."""
 
     def __init__(self, points, is_linear):
         self.counts = [n for n, _ in points]
@@ -82,25 +82,25 @@ class Law:
         return f"{self.start:.1f} + {self.slope:.2g} {self.term}, to {self.error:.0f} %"
 
 
-COLORS = {"sdlc, all spheres": "#56b4e9", "sdlc, hierarchy": "#0072b2",
-          "sdlc, hierarchy, double": "#009e73", "Embree": "#d55e00"}
+COLORS = {"sdlc, all spheres": "#56b4e9", "sdlc, BVH": "#0072b2",
+          "sdlc, BVH, double": "#009e73", "Embree": "#d55e00"}
 
 
 def chart(series, laws):
-    """An SVG of the time of a ray over the number of spheres, both axes logarithmic."""
+    """Returns an SVG of the time per ray over the number of spheres, with logarithmic axes."""
     width, height, left, bottom = 640, 360, 60, 40
     counts = [n for points in series.values() for n, _ in points]
     times = [y for points in series.values() for _, y in points]
     low, high = math.floor(math.log10(min(times))), math.ceil(math.log10(max(times)))
-    most = math.log10(max(counts))
+    largest = math.log10(max(counts))
 
     def place(n, y):
-        x = left + (math.log10(n) - 1) / (most - 1) * (width - left - 20)
+        x = left + (math.log10(n) - 1) / (largest - 1) * (width - left - 20)
         return x, 20 + (high - math.log10(y)) / (high - low) * (height - bottom - 20)
 
     parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" '
              'font-family="sans-serif" font-size="12" fill="#767676">']
-    for power in range(1, math.floor(most) + 1):
+    for power in range(1, math.floor(largest) + 1):
         x, _ = place(10**power, 10**low)
         parts.append(f'<path d="M{x:.1f} 20V{height - bottom}" stroke="#76767640"/>'
                      f'<text x="{x:.1f}" y="{height - bottom + 16}" text-anchor="middle">10'
@@ -110,7 +110,7 @@ def chart(series, laws):
         parts.append(f'<path d="M{left} {y:.1f}H{width - 20}" stroke="#76767640"/>'
                      f'<text x="{left - 6}" y="{y + 4:.1f}" text-anchor="end">{10**power:g}</text>')
     parts.append(f'<text x="{width - 20}" y="{height - 6}" text-anchor="end">spheres</text>'
-                 f'<text x="{left}" y="12">nanoseconds a ray</text>')
+                 f'<text x="{left}" y="12">nanoseconds per ray</text>')
     for name, points in series.items():
         if not points:
             continue
@@ -124,7 +124,7 @@ def chart(series, laws):
             x, y = place(n, y)
             parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{color}"/>')
         x, y = place(*points[-1])
-        below = {"Embree": -10, "sdlc, hierarchy, double": 32}.get(name, 20)
+        below = {"Embree": -10, "sdlc, BVH, double": 32}.get(name, 20)
         parts.append(f'<text x="{x:.1f}" y="{y + below:.1f}" text-anchor="end" '
                      f'fill="{color}">{name}</text>')
     return "\n".join(parts) + "\n</svg>\n"
@@ -146,7 +146,7 @@ def main():
         subprocess.run(["g++", "-O3", "-march=native", "-std=c++17", "-ffp-contract=fast",
                         options.peers / "embree_pt.cpp", "-o", embree, "-lembree3", "-lpthread"],
                        check=True)
-        print("| spheres | sdlc, build | bytes a sphere | million paths/s | kernel | rays a path "
+        print("| spheres | sdlc, build | bytes per sphere | million paths/s | kernel | rays per path "
               "| Embree, build | million paths/s | ratio |")
         print("| ---: | ---: | ---: | ---: | --- | ---: | ---: | ---: | ---: |")
         series = {name: [] for name in COLORS}
@@ -173,7 +173,7 @@ def main():
         laws = {name: Law(points, "all spheres" in name)
                 for name, points in series.items() if len(points) > 1}
         for name, law in laws.items():
-            print(f"\n{name}: {law} nanoseconds a ray")
+            print(f"\n{name}: {law} nanoseconds per ray")
         if options.chart:
             options.chart.write_text(chart(series, laws), encoding="utf-8")
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""What scenes that were made to use up time and memory cost each command, within the limits.
+"""Measures what scenes designed to use up time and memory cost each command, within the limits.
 
 hostile.py SDLC [--only WORD] [--commands lint,render] [--timeout 60] [--all]
 
-Prints a table in Markdown: of each scene and command the seconds of processor time, the peak of resident
-memory and the exit status. Rows above 10 seconds or 1.5 GiB are marked with `!`, and are 2 GiB where
-a file is as long as it may be. Without --all only the costliest command of each scene is shown.
+Prints a Markdown table with the CPU seconds, the peak resident memory and the exit status of each scene
+and command. Rows above 10 seconds or 1.5 GiB (2 GiB for files of the maximum size) are marked with `!`.
+Without --all only the costliest command of each scene is shown.
 """
 
 import argparse
@@ -41,7 +41,7 @@ def text(body):
 
 @scene
 def lets_that_are_loops():
-    """6 KB: the body of a loop is free of turns and calls."""
+    """6 KB: a loop whose body has no further loops and calls."""
     return text("for i in range(99000000) {\n" +
                 "".join(f"let a{k} = sin(i * {k}deg) + cos(i * 3deg) * i ^ 0.3\n"
                         for k in range(120)) + "}\n")
@@ -192,7 +192,7 @@ def heavy_spheres():
 
 @scene
 def work_before_findings():
-    """Work, and then spheres whose findings have to be traced back to their places."""
+    """Work, followed by spheres whose findings have to be traced back to the source."""
     return {"main.scene": "scene 1\nanimation { frames: 1 .. 100, fps: 24 }\n" + CAMERA + LIGHT +
             'render { width: 8, samples: 1, output: "a.####.png" }\n' +
             "for i in range(11000000) { let a = sin(i * 1deg) + time / 1s }\n" +
@@ -630,9 +630,9 @@ def main():
                     continue
                 rows.append((command, *measure(words, folder, options.timeout)))
             worst = max(rows, key=lambda row: max(row[1] / 10, row[2] / 1536))
-            most = 2048 if "limit" in name else 1536
+            limit = 2048 if "limit" in name else 1536
             for row in rows if options.all else [worst]:
-                mark = " !" if row[1] > 10 or row[2] > most or row[3] not in (0, 1, 2) else ""
+                mark = " !" if row[1] > 10 or row[2] > limit or row[3] not in (0, 1, 2) else ""
                 print(f"| {name} | {row[0]} | {row[1]:.1f} | {row[2]:.0f} | {row[3]}{mark} | {row[4]} |", flush=True)
     return 0
 

@@ -6,15 +6,15 @@
 #include "bench/benchmarks.hpp"
 #include "bench/renders.hpp"
 
-// What it costs to find the nearest of n spheres. The wide kernel's search cannot be called alone,
-// so pictures are made whose time is that search and little else: the growth with n is the search,
-// what is left at small n the path around it. "camera" has camera rays only, which lanes have side
-// by side; "scattered" has paths of matt spheres, whose rays go everywhere. The number of
-// spheres from which on a hierarchy is taken follows from such numbers.
+// The cost of finding the nearest of n spheres. The wide kernel's search cannot be called alone, so
+// this renders pictures whose time is almost only that search: the growth with n is the search, the
+// rest at small n is the path around it. "camera" has only camera rays, which are coherent across
+// lanes; "scattered" has paths of matt spheres, whose rays are incoherent. The number of spheres
+// above which a BVH is used follows from these numbers.
 namespace sdlc::bench {
 namespace {
 
-/// `count` spheres in a cube, none of which touches another.
+/// `count` spheres in a cube; none touches another.
 render::Scene cube_of_spheres(int count, const render::Material& material) {
   render::Scene scene = empty_scene();
   const int side = static_cast<int>(std::ceil(std::cbrt(count)));

@@ -4,7 +4,7 @@
 #include "bench/benchmarks.hpp"
 #include "bench/renders.hpp"
 
-// What a ray costs where all spheres, the ground too, are of one material.
+// The cost of a ray if all spheres, including the ground, have one material.
 namespace sdlc::bench {
 
 void register_material_benchmarks() {

@@ -41,8 +41,8 @@ std::vector<Form> hierarchy_forms() {
 }
 
 Timing time_render(const render::Scene& scene, const Form& form, int depth) {
-  // The wide kernel wants many blocks of samples a lane, lest their ends count; the scalar one is
-  // slow, and does not care.
+  // The wide kernel needs many blocks of samples per lane, so that their ends do not matter; the
+  // scalar one is slow, and needs fewer.
   const bool is_scalar = form.request.kind == render::KernelKind::Scalar;
   const render::RenderSettings settings{.width = is_scalar ? 64 : 256,
                                         .height = is_scalar ? 36 : 144,

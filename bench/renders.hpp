@@ -9,21 +9,19 @@
 #include "render/scene/scene.hpp"
 #include "render/tiles/kernel.hpp"
 
-/// What the benchmarks of the renderer share. They time whole renders on one thread, from the first
-/// path to the last, in CPU time: what a ray costs is what is left of a picture when it is divided
-/// by its rays.
+/// Shared by the benchmarks of the renderer. They time whole renders on one thread, from the first
+/// path to the last, in CPU time; the cost of a ray is that time divided by the number of rays.
 namespace sdlc::bench {
 
-/// A kernel in one of the forms that this machine can run. "float" is mixed where a scene asks for
-/// that.
+/// A kernel configuration that this machine can run. "float" is mixed if a scene requires it.
 struct Form {
   std::string name;  ///< "scalar" or "avx2/float"
   render::KernelRequest request;
 };
 
-/// The scalar kernel, then the wide one in each instruction set and precision.
+/// The scalar kernel, then the wide one with each instruction set and precision.
 std::vector<Form> forms();
-/// The wide kernel's paths with a hierarchy: "bvh/avx2/float".
+/// The wide kernel with a BVH: "bvh/avx2/float".
 std::vector<Form> hierarchy_forms();
 
 struct Timing {
@@ -32,22 +30,22 @@ struct Timing {
   std::uint64_t paths = 0;
   render::Precision precision = render::Precision::Double;
 
-  double nanoseconds_a_ray() const { return seconds * 1e9 / static_cast<double>(rays); }
+  double nanoseconds_per_ray() const { return seconds * 1e9 / static_cast<double>(rays); }
 };
 
-/// Renders once, without building and choosing the kernel in the time. `depth` counts the rays of a
-/// path. Throws if the form does not take the scene.
+/// Renders once; the time excludes building and choosing the kernel. `depth` counts the rays of a
+/// path. Throws if the configuration cannot render the scene.
 Timing time_render(const render::Scene& scene, const Form& form, int depth);
 
-/// A benchmark that renders `scene` again and again and reports the time of a ray, and how many
-/// rays a path has.
+/// Registers a benchmark that renders `scene` repeatedly and reports the time per ray and the rays
+/// per path.
 void register_render(const std::string& name, render::Scene scene, const Form& form,
                      int depth = 16);
 
 /// A scene without spheres, seen from above.
 render::Scene empty_scene();
 /// A ground of radius `ground`, and eight spheres close above it and to each other. The scene has
-/// one material for each sphere, that of the ground first, all of them matt.
+/// one matt material per sphere, that of the ground first.
 render::Scene eight_on_ground(double ground = 100);
 
 }  // namespace sdlc::bench

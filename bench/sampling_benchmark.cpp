@@ -2,7 +2,7 @@
 #define HWY_TARGET_INCLUDE "bench/sampling_benchmark.cpp"
 #include <hwy/foreach_target.h>
 
-// Random numbers, and directions made of them, one at a time and in every lane of a vector.
+// Random numbers and the directions made from them, for the scalar and the wide kernels.
 
 #if HWY_TARGET != HWY_STATIC_TARGET
 #include "render/wide/path_kernel-inl.h"
@@ -10,8 +10,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
-/// Calls `draw` with the samplers of many paths, a vector of them at a time, and adds up what it
-/// returns, so that none of it can be left out. `count`: of paths, whole vectors.
+/// Calls `draw` with the samplers of many paths, one vector at a time, and sums the results, so
+/// that the compiler cannot remove the work. `count`: number of paths, a multiple of the vector
+/// size.
 template <typename T, typename Draw>
 HWY_INLINE double sum_over_paths(SamplerKind kind, std::uint32_t count, const Draw& draw) {
   const hn::ScalableTag<T> d;

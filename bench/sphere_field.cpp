@@ -10,7 +10,7 @@
 namespace sdlc::bench {
 namespace {
 
-constexpr std::size_t kBytesPerSphere = 160;  // at most: a text that grows would show in the peak
+constexpr std::size_t kBytesPerSphere = 160;  // upper bound: reallocation would count in the peak
 
 enum class Kind { Matt, Metal, Glass };
 

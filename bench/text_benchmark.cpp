@@ -12,7 +12,7 @@
 #include "lang/format/format.hpp"
 #include "lang/lint/lint.hpp"
 
-// What `sdlc fmt` and `sdlc lint` do with large files, without reading and writing them.
+// `sdlc fmt` and `sdlc lint` on large files, without file I/O.
 namespace sdlc::bench {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "render/film/film.hpp"
-#include "render/scene/choices.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -21,14 +21,14 @@ std::string scarce_light(const render::RenderSettings& settings,
   const bool is_one = emitters.size() == 1;
   const auto fewest = std::ranges::min_element(
       emitters, {}, [](const render::ReachedEmitter& emitter) { return emitter.paths; });
-  const char* way_out = settings.light_sampling == render::LightSampling::On
-                            ? "more samples find it, if it is not hidden"
-                            : "more samples, or --light-sampling on, find it, if it is not hidden";
+  const char* hint = settings.light_sampling == render::LightSampling::On
+                         ? "more samples find it, if it is not hidden"
+                         : "more samples, or --light-sampling on, find it, if it is not hidden";
   return fmt::format(
       "{} emissive sphere{} reached by fewer than {} paths, {}by {}: {} light may be missing in "
       "the picture and in its error; {}",
       emitters.size(), is_one ? " was" : "s were", render::EmitterTally::kEnough,
-      is_one ? "" : "one of them ", fewest->paths, is_one ? "its" : "their", way_out);
+      is_one ? "" : "one of them ", fewest->paths, is_one ? "its" : "their", hint);
 }
 
 std::string_view words_of(render::LightPath kind) {
@@ -69,7 +69,7 @@ std::string describe_error(const render::RenderResult& result) {
   if (result.error) {
     text += fmt::format(", error {} % ({} to {} %)", percent(result.error->relative_error),
                         percent(result.error->interval.from), percent(result.error->interval.to));
-  } else if (result.least_samples >= render::kLeastReplicatedSamples) {
+  } else if (result.least_samples >= render::kMinReplicatedSamples) {
     text += ", error unknown";
   }
   const double cut = static_cast<double>(result.truncated_paths) /
@@ -95,7 +95,7 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
   }
   if (!result.rare_paths.empty()) warnings.push_back(rare_light(result.rare_paths));
   // A picture of fewer samples is a draft that claims nothing of its error.
-  const bool claims_error = result.least_samples >= render::kLeastReplicatedSamples;
+  const bool claims_error = result.least_samples >= render::kMinReplicatedSamples;
   if (claims_error && !result.scarce_emitters.empty()) {
     warnings.push_back(scarce_light(settings, result.scarce_emitters));
   }
@@ -108,11 +108,11 @@ std::vector<std::pair<std::string, std::string>> picture_metadata(
   std::vector<std::pair<std::string, std::string>> entries{
       {"sdlc:samples", result.least_samples == result.most_samples
                            ? fmt::to_string(result.most_samples)
-                           : fmt::format("{}-{}", result.least_samples, result.most_samples)},
-      {"sdlc:depth", fmt::to_string(settings.depth)},
-      {"sdlc:seed", fmt::to_string(settings.seed)},
-      {"sdlc:sampler", std::string(name_of(settings.sampler))},
-      {"sdlc:light_sampling", std::string(name_of(settings.light_sampling))}};
+                           : fmt::format("{}-{}", result.least_samples, result.most_samples)}};
+  render::for_each_setting([&](const auto& setting) {
+    entries.emplace_back(fmt::format("sdlc:{}", setting.name),
+                         fmt::format("{}", render::shown(settings.*setting.member)));
+  });
   entries.emplace_back("sdlc:truncated_paths", fmt::to_string(result.truncated_paths));
   entries.emplace_back("sdlc:scarce_emitters", fmt::to_string(result.scarce_emitters.size()));
   if (tone) entries.emplace_back("sdlc:tone", name_of(*tone));

@@ -18,15 +18,15 @@
 namespace sdlc::cli {
 namespace {
 
-/// A number and what stands right behind it.
+/// A number and the unit directly after it.
 struct Amount {
   double number;
   std::string_view digits, unit;
 };
 
-/// Nothing where the text does not begin with a number that is above 0 and finite.
+/// nullopt if the text does not begin with a positive finite number.
 std::optional<Amount> read_amount(std::string_view text) {
-  // from_chars reads signs and words too.
+  // from_chars also accepts signs and words.
   if (text.empty() || !(lang::is_ascii_digit(text[0]) || text[0] == '.')) return std::nullopt;
   Amount amount{};
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), amount.number);
@@ -45,7 +45,7 @@ std::optional<double> read_share(std::string_view text) {
 
 struct TimeUnit {
   std::string_view name;
-  double factor, divisor;  // one of them 1, so that there is one rounding
+  double factor, divisor;  // one of them is 1, so that there is a single rounding
 };
 
 constexpr std::array kTimeUnits{TimeUnit{"ms", 1, 1000}, TimeUnit{"s", 1, 1},
@@ -60,13 +60,13 @@ std::optional<double> read_duration(std::string_view text) {
   return seconds > 0 && std::isfinite(seconds) ? std::optional(seconds) : std::nullopt;
 }
 
-std::string without_blanks(std::string_view text) {
+std::string without_spaces(std::string_view text) {
   std::string joined;
   std::ranges::copy_if(text, std::back_inserter(joined), [](char c) { return c != ' '; });
   return joined;
 }
 
-/// The unit that begins like this word: "s" for "seconds".
+/// The unit that begins like the word: "s" for "seconds".
 std::string_view nearest_unit(std::string_view word) {
   struct Beginning {
     std::string_view text, unit;
@@ -82,13 +82,13 @@ std::string_view nearest_unit(std::string_view word) {
   return found == kBeginnings.end() ? std::string_view() : found->unit;
 }
 
-/// `text` with the sign or unit that it seems to lack; perhaps no better.
-std::string mend_share(std::string_view text) {
-  const std::string joined = without_blanks(text);
+/// Guesses the intended share by adding the missing `%`; the result may still be invalid.
+std::string repair_share(std::string_view text) {
+  const std::string joined = without_spaces(text);
   return read_share(joined) ? joined : joined + "%";
 }
-std::string mend_duration(std::string_view text) {
-  const std::string joined = without_blanks(text);
+std::string repair_duration(std::string_view text) {
+  const std::string joined = without_spaces(text);
   const std::optional<Amount> amount = read_amount(joined);
   if (!amount) return joined;
   return fmt::format("{}{}", amount->digits, nearest_unit(amount->unit));
@@ -96,12 +96,12 @@ std::string mend_duration(std::string_view text) {
 
 double parse_amount(const std::string& flag, const std::string& text, std::string_view wanted,
                     std::optional<double> (*read)(std::string_view),
-                    std::string (*mend)(std::string_view)) {
+                    std::string (*repair)(std::string_view)) {
   if (const auto amount = read(text)) return *amount;
-  const std::string mended = mend(text);
+  const std::string repaired = repair(text);
   throw CLI::ValidationError(
       flag, fmt::format("takes {}, not `{}`{}", wanted, lang::printable(text),
-                        read(mended) ? fmt::format(" (did you mean `{}`?)", mended) : ""));
+                        read(repaired) ? fmt::format(" (did you mean `{}`?)", repaired) : ""));
 }
 
 std::optional<double> read_finite(const std::string& text) {
@@ -122,7 +122,7 @@ std::optional<double> read_finite(const std::string& text) {
 
 double parse_share(const std::string& flag, const std::string& text) {
   return parse_amount(flag, text, "a share above 0 and at most 100%, such as `3%` or `0.03`",
-                      read_share, mend_share);
+                      read_share, repair_share);
 }
 
 double parse_ratio(const std::string& flag, const std::string& text) {
@@ -135,13 +135,13 @@ double parse_ratio(const std::string& flag, const std::string& text) {
 double parse_duration(const std::string& flag, const std::string& text) {
   return parse_amount(flag, text,
                       "a time above 0 with its unit, such as `10s`, `500ms`, `2min` or `1h`",
-                      read_duration, mend_duration);
+                      read_duration, repair_duration);
 }
 
-double parse_number(const std::string& flag, const std::string& text, double least) {
+double parse_number(const std::string& flag, const std::string& text, double min) {
   const auto number = read_finite(text);
-  if (number && *number >= least) return *number;
-  refuse_number(flag, text, fmt::format("a number from {} on, such as `{}`", least, least + 0.5));
+  if (number && *number >= min) return *number;
+  refuse_number(flag, text, fmt::format("a number from {} on, such as `{}`", min, min + 0.5));
 }
 
 double parse_signed_number(const std::string& flag, const std::string& text) {

@@ -39,12 +39,12 @@ void add_aov_option(CLI::App& command, Aovs& aovs) {
               aovs.*kMembers[static_cast<std::size_t>(found - kWords.begin())] = true;
             }
           },
-          "Further channels in .exr outputs, with commas between them (may be repeated)")
+          "Additional channels in .exr outputs, comma-separated (may be repeated)")
       ->check(one_of(kWords))
       ->delimiter(',')
       ->take_all()
       ->expected(1)
-      ->allow_extra_args(false);  // FILE may stand behind it
+      ->allow_extra_args(false);  // FILE may follow
 }
 
 void check_aovs(const Aovs& aovs, const std::vector<Output>& outputs, const render::Scene& scene,
@@ -55,28 +55,27 @@ void check_aovs(const Aovs& aovs, const std::vector<Output>& outputs, const rend
   };
   if (std::ranges::none_of(outputs, is_exr)) {
     throw UsageError(
-        "--aov: only .exr files have room for further channels, and no output is one; add one, "
-        "such as -o picture.exr");
+        "--aov: only .exr files can store additional channels, and there is no .exr output; add "
+        "one, such as -o picture.exr");
   }
-  const auto least = static_cast<int>(render::kLeastReplicatedSamples);
-  if (aovs.variance && settings.samples < least) {
-    throw UsageError(fmt::format(
-        "--aov: `variance` takes at least {0} samples a pixel, and this render has {1}; raise "
-        "them, such as --samples {0}, or leave `variance` out",
-        least, settings.samples));
+  const auto min_samples = static_cast<int>(render::kMinReplicatedSamples);
+  if (aovs.variance && settings.samples < min_samples) {
+    throw UsageError(
+        fmt::format("--aov: `variance` takes at least {0} samples per pixel, and this render has "
+                    "{1}; use more, such as --samples {0}, or omit `variance`",
+                    min_samples, settings.samples));
   }
   if (!aovs.has_first_hits() || scene.instances.empty()) return;
-  if (const std::uint64_t spheres = count_spheres(scene); spheres > render::kMostUninstanced) {
+  if (const std::uint64_t spheres = count_spheres(scene); spheres > render::kMaxExpandedSpheres) {
     throw UsageError(
-        fmt::format("--aov: `normal`, `depth` and `albedo` hold each sphere of an instance by "
-                    "itself, which is done up to {} spheres, and this scene has {}; `variance` and "
-                    "`samples` can be had of it",
-                    format_whole(render::kMostUninstanced), format_whole(spheres)));
+        fmt::format("--aov: `normal`, `depth` and `albedo` expand instances, which is limited to "
+                    "{} spheres, and this scene has {}; `variance` and `samples` are possible",
+                    format_whole(render::kMaxExpandedSpheres), format_whole(spheres)));
   }
 }
 
 std::size_t aov_bytes(const Aovs& aovs, std::size_t pixels) noexcept {
-  // Each channel, and its part of the encoded file.
+  // Each channel, plus its part of the encoded file.
   const std::size_t channels = aovs.channels() * 2 * sizeof(float);
   return pixels * (channels + (aovs.variance ? sizeof(render::LinearRgb) : 0));
 }
@@ -84,7 +83,7 @@ std::size_t aov_bytes(const Aovs& aovs, std::size_t pixels) noexcept {
 void add_picture_layers(const Aovs& aovs, const render::RenderSettings& settings,
                         const render::RenderResult& result, std::vector<render::Layer>& layers,
                         std::ostream& err) {
-  // Only a render with a goal counts the samples of each pixel.
+  // Only a render with a goal counts the samples per pixel.
   const bool is_counted = result.is_complete || settings.has_goal();
   std::vector<std::string_view> missing;
   if (aovs.has_first_hits() && layers.empty()) {
@@ -110,8 +109,8 @@ void add_picture_layers(const Aovs& aovs, const render::RenderSettings& settings
   if (missing.empty()) return;
   const std::string reason =
       result.is_complete
-          ? fmt::format("it takes at least {} samples a pixel, and there was time for {}",
-                        render::kLeastReplicatedSamples, result.least_samples)
+          ? fmt::format("it takes at least {} samples per pixel, and there was time for {}",
+                        render::kMinReplicatedSamples, result.least_samples)
           : "the render was interrupted";
   err << fmt::format("warning: --aov: without {}, as {}\n", fmt::join(missing, ", "), reason);
 }

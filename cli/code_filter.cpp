@@ -12,7 +12,7 @@
 namespace sdlc::cli {
 namespace {
 
-/// The length of the longest beginning of `code` among `beginnings`; 0 where there is none.
+/// The length of the longest prefix of `code` in `beginnings`; 0 if there is none.
 std::size_t longest(const std::vector<std::string>& beginnings, std::string_view code) {
   std::size_t size = 0;
   for (const std::string& beginning : beginnings) {
@@ -46,7 +46,7 @@ void add_codes(CLI::App& command, const std::string& flag, std::vector<std::stri
       ->delimiter(',')
       ->take_all()
       ->expected(1)
-      ->allow_extra_args(false);  // FILE may stand behind it
+      ->allow_extra_args(false);  // FILE may follow
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ std::string parse_code(std::string text) {
   if (!text.empty() && fits_some_code(text)) return text;
   std::vector<std::string_view> codes;
   for (const lang::DiagnosticInfo* info : lang::all_diagnostics()) codes.push_back(info->code);
-  throw std::invalid_argument(fmt::format("no diagnostic has a code that begins with `{}`{}",
+  throw std::invalid_argument(fmt::format("no diagnostic code begins with `{}`{}",
                                           lang::printable(text), did_you_mean(text, codes)));
 }
 
@@ -68,8 +68,8 @@ std::optional<bool> CodeFilter::answer(std::string_view code) const {
 
 void add_code_filter(CLI::App& command, CodeFilter& filter) {
   add_codes(command, "--select", filter.selected,
-            "Only diagnostics with these codes or beginnings of codes, such as E104,W4");
-  add_codes(command, "--ignore", filter.ignored, "All but these");
+            "Only diagnostics with these codes or prefixes, such as E104,W4");
+  add_codes(command, "--ignore", filter.ignored, "All except these");
 }
 
 }  // namespace sdlc::cli

@@ -11,24 +11,24 @@
 
 namespace sdlc::cli {
 
-/// Which diagnostics are wanted, by codes (`E104`) or the beginnings of codes (`E1`). Of several
-/// that fit a code the longest decides.
+/// Selects diagnostics by codes (`E104`) or prefixes of codes (`E1`). If several match, the longest
+/// decides.
 struct CodeFilter {
   std::vector<std::string> selected;  ///< empty: all
   std::vector<std::string> ignored;
 
-  /// Nothing where neither list says anything about the code.
+  /// nullopt if neither list matches the code.
   std::optional<bool> answer(std::string_view code) const;
   bool wants(std::string_view code) const { return answer(code).value_or(true); }
   bool wants(const lang::DiagnosticInfo& info) const { return wants(info.code); }
 };
 
-/// The code or beginning of a code, in upper case. Throws std::invalid_argument, with a message for
-/// the user, where it fits no diagnostic.
+/// Returns the code or prefix in upper case. Throws std::invalid_argument, with a message for the
+/// user, if it matches no diagnostic.
 std::string parse_code(std::string text);
 
-/// --select and --ignore: lists with commas, which may be repeated. A code that fits no diagnostic
-/// is refused.
+/// --select and --ignore: comma-separated lists, which may be repeated. A code that matches no
+/// diagnostic is rejected.
 void add_code_filter(CLI::App& command, CodeFilter& filter);
 
 }  // namespace sdlc::cli

@@ -42,34 +42,35 @@ double parse_limit(const std::string& flag, const std::string& text) {
   return parse_number(flag, text, 0);
 }
 
-/// A gate that the command line can set.
+/// A gate that can be set on the command line.
 struct GateKind {
   const char* flag;
   const char* quantity;
   const char* help;
   double (*parse)(const std::string& flag, const std::string& text);
-  bool is_least;
+  bool is_minimum;
   double (*value)(const CompareReport&);
 };
 
 constexpr std::array kGates{
-    GateKind{"max-rmse", "the RMSE", "Highest RMSE", parse_limit, false,
+    GateKind{"max-rmse", "the RMSE", "Max RMSE", parse_limit, false,
              [](const CompareReport& report) { return report.difference.rmse; }},
     GateKind{"max-relative-error", "the relative error",
-             "Highest RMSE relative to the mean of B: 3%, 0.03, 250%", parse_ratio, false,
+             "Max RMSE relative to the mean of B: 3%, 0.03, 250%", parse_ratio, false,
              [](const CompareReport& report) { return report.difference.relative_error; }},
-    GateKind{"max-relative-mse", "the relative MSE", "Highest relative MSE, untrimmed", parse_limit,
+    GateKind{"max-relative-mse", "the relative MSE", "Max relative MSE, untrimmed", parse_limit,
              false, [](const CompareReport& report) { return report.difference.relative_mse; }},
-    GateKind{"max-flip", "FLIP", "Highest mean of FLIP, which is from 0 to 1", parse_limit, false,
+    GateKind{"max-flip", "FLIP", "Max mean FLIP, from 0 to 1", parse_limit, false,
              [](const CompareReport& report) { return report.flip.mean; }},
     GateKind{"max-difference", "the largest difference",
-             "Highest difference of a value, in either direction; 0: equal", parse_limit, false,
+             "Max difference of a value, in either direction; 0: equal", parse_limit, false,
              [](const CompareReport& report) { return std::abs(report.difference.largest.value); }},
-    GateKind{"min-psnr", "the PSNR", "Lowest PSNR, in decibels", parse_signed_number, true,
+    GateKind{"min-psnr", "the PSNR", "Min PSNR, in decibels", parse_signed_number, true,
              [](const CompareReport& report) { return report.difference.psnr; }},
     GateKind{"max-z", "z",
-             "Highest z of the z-test, of means and of noise; over 4 is hardly chance", parse_limit,
-             false, [](const CompareReport& report) { return report.z_test->largest(); }},
+             "Max z of the z-test, of means and of noise; above 4 is unlikely to be chance",
+             parse_limit, false,
+             [](const CompareReport& report) { return report.z_test->largest(); }},
 };
 constexpr std::size_t kMaxZ = kGates.size() - 1;
 
@@ -84,7 +85,7 @@ struct CompareOptions {
   bool quiet = false;
 };
 
-/// Codes as the linear values behind them, for FLIP.
+/// Decodes codes to linear values, for FLIP.
 render::Picture to_linear(const render::Picture& picture, render::Tone tone) {
   render::Picture linear = picture;
   if (tone == render::Tone::Linear) return linear;
@@ -104,7 +105,7 @@ class CompareJob {
     report.pair = read_pair(options_.picture, options_.reference);
     if (options_.limits[kMaxZ] && !report.pair.has_variance) {
       throw UsageError(
-          "--max-z takes two .exr files with a variance, of `sdlc render --aov variance`");
+          "--max-z needs two .exr files with a variance, from `sdlc render --aov variance`");
     }
     measure(report);
     set_gates(report);
@@ -118,7 +119,7 @@ class CompareJob {
     } else if (!options_.quiet) {
       env_.out << (options_.format == "concise" ? to_concise_text(report) : to_text(report));
     }
-    const bool is_broken = tell_broken_gates(report);
+    const bool is_broken = report_broken_gates(report);
     if (interrupted.load()) {
       env_.err << fmt::format("interrupted; {} was finished\n", lang::printable(options_.output));
       return ExitCode::Interrupted;
@@ -127,27 +128,26 @@ class CompareJob {
   }
 
  private:
-  /// What is known to fail before anything is read.
+  /// Reports errors that are known before anything is read.
   void check_output() {
     if (options_.output.empty()) {
       if (options_.top || options_.what != kMaps[0]) {
         throw UsageError(
-            fmt::format("{} is of the picture that -o writes; name one, such as -o "
-                        "diff.png",
+            fmt::format("{} applies to the picture that -o writes; name one, such as -o diff.png",
                         options_.top ? "--top" : "--what"));
       }
       return;
     }
     if (options_.output == kStandardStream) {
-      throw UsageError("-o -: standard output has the report; name a file, such as -o diff.png");
+      throw UsageError("-o -: standard output is for the report; name a file, such as -o diff.png");
     }
     format_ = picture_format(options_.output, "write");
     if (format_ == render::ImageFormat::Hdr) {
       throw render::IoError("write", options_.output,
-                            "Radiance HDR holds no negative values; .exr does");
+                            "Radiance HDR cannot store negative values; use .exr");
     }
     if (options_.top && is_linear_output()) {
-      throw UsageError("--top is for the colours of a .png and the like; .exr holds the values");
+      throw UsageError("--top is for colour maps such as .png; .exr stores the values");
     }
     if (InputSet({options_.picture, options_.reference}).contains(options_.output)) {
       throw render::IoError("write", options_.output, "it is one of the pictures to compare");
@@ -177,7 +177,7 @@ class CompareJob {
                               .quantity = kGates[i].quantity,
                               .limit = *options_.limits[i],
                               .value = kGates[i].value(report),
-                              .is_least = kGates[i].is_least});
+                              .is_minimum = kGates[i].is_minimum});
     }
   }
 
@@ -197,13 +197,13 @@ class CompareJob {
     render::Picture values = values_to_write(report);
     report.output = {.path = options_.output, .what = options_.what, .top = {}};
     if (!is_linear_output()) {
-      std::vector<float> sizes;  // of the difference in each pixel
+      std::vector<float> sizes;  // magnitude of the difference per pixel
       float largest = 0;
       for (const render::LinearRgb c : values.pixels) {
         sizes.push_back(static_cast<float>(std::sqrt((c.r * c.r + c.g * c.g + c.b * c.b) / 3)));
         largest = std::max(largest, sizes.back());
       }
-      // FLIP has a largest value of its own.
+      // FLIP has a fixed maximum.
       const double top = options_.what == "flip" ? 1 : largest;
       report.output->top = options_.top.value_or(top);
       values = render::color_mapped(sizes, values.width, values.height, *report.output->top);
@@ -213,13 +213,13 @@ class CompareJob {
                    .metadata = {.software = fmt::format("sdlc {}", kVersion), .entries = {}}});
   }
 
-  bool tell_broken_gates(const CompareReport& report) {
+  bool report_broken_gates(const CompareReport& report) {
     bool is_any = false;
     for (const Gate& gate : report.gates) {
       if (gate.passes()) continue;
       is_any = true;
       env_.err << fmt::format("error: {} is {:.6g}, {} than the {:.6g} of --{}\n", gate.quantity,
-                              gate.value, gate.is_least ? "less" : "more", gate.limit, gate.name);
+                              gate.value, gate.is_minimum ? "less" : "more", gate.limit, gate.name);
     }
     return is_any;
   }
@@ -248,18 +248,19 @@ void add_gates(CLI::App& command, CompareOptions& options) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, Dispatcher& dispatcher) {
-  // Farther away than any display, and a filter of some hundred pixels.
-  constexpr double kLeastPixelsPerDegree = 1, kMostPixelsPerDegree = 1000;
+  // Beyond this range the picture is smaller than on any display, or the filter has hundreds of
+  // pixels.
+  constexpr double kMinPixelsPerDegree = 1, kMaxPixelsPerDegree = 1000;
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand(
-      "compare", "Measure how far a picture is from another, and fail where it is too far");
+      "compare", "Compare a picture with a reference, and fail if they differ too much");
   command->add_option("A", options->picture, "The picture")->required();
   command->add_option("B", options->reference, "The reference, of the same size and kind")
       ->required();
   add_gates(*command, *options);
   command->add_option("-o,--output", options->output,
                       "Write the difference: as colours, or signed, A - B, to an .exr");
-  command->add_option("--what", options->what, "What -o shows: the difference, or the FLIP map")
+  command->add_option("--what", options->what, "Contents of -o: the difference, or the FLIP map")
       ->check(one_of(kMaps));
   add_number(*command, "--top", "X",
              "Value of the brightest colour of -o; default: the largest, 1 for FLIP",
@@ -267,27 +268,28 @@ void add_compare_command(CLI::App& app, Dispatcher& dispatcher) {
                options->top = parse_positive_number("--top", text);
              });
   add_number(*command, "--pixels-per-degree", "X",
-             "Of the viewer's sight, for FLIP: 1 to 1000; default 67.0206",
+             "Resolution of the viewer, for FLIP: 1 to 1000; default 67.0206",
              [options = options.get()](const std::string& text) {
-               const double v = parse_number("--pixels-per-degree", text, kLeastPixelsPerDegree);
-               if (v > kMostPixelsPerDegree) {
+               const double v = parse_number("--pixels-per-degree", text, kMinPixelsPerDegree);
+               if (v > kMaxPixelsPerDegree) {
                  throw CLI::ValidationError("--pixels-per-degree", "takes a number up to 1000");
                }
                options->pixels_per_degree = v;
              });
-  command->add_option("--format", options->format, "How the report is printed")
-      ->check(one_of(kFormats));
-  command->add_flag("--quiet", options->quiet, "No report, but for --format json");
+  command->add_option("--format", options->format, "Format of the report")->check(one_of(kFormats));
+  command->add_flag("--quiet", options->quiet, "No report, except with --format json");
   command->footer(
       "Examples:\n"
       "  sdlc compare new.exr reference.exr                     all measures\n"
       "  sdlc compare new.png old.png --max-difference 0        fails unless they are equal\n"
-      "  sdlc compare new.exr old.exr --max-relative-error 2%   a gate for CI; any number of them\n"
+      "  sdlc compare new.exr old.exr --max-relative-error 2%   a gate for CI; may be combined\n"
       "  sdlc compare a.exr b.exr --max-z 4                     with --aov variance in both\n"
-      "  sdlc compare new.png old.png -o diff.png --top 0.1     where they differ, as colours\n"
-      "  sdlc compare new.png old.png --format json | jq .flip\n\n"
-      "docs/compare.md tells what each measure means. Exit status: 0 no gate is broken, 1 one is, "
-      "2 a file cannot be\nread or written, or the two cannot be compared.");
+      "  sdlc compare new.png old.png -o diff.png --top 0.1     the difference as colours\n"
+      "  sdlc compare new.png old.png --format json | jq .flip\n"
+      "\n"
+      "docs/compare.md explains each measure. Exit status: 0 all limits hold, 1 one is exceeded, 2 "
+      "a file cannot be\n"
+      "read or written, or the two cannot be compared.");
   dispatcher.on(command, [options](Environment& env) { return CompareJob(*options, env).run(); });
 }
 

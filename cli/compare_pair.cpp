@@ -24,7 +24,7 @@ using render::IoError;
 using render::LinearRgb;
 using render::PictureFile;
 
-/// Throws where a value is not wanted, and says where the first of them is.
+/// Throws at the first value that is not wanted, with its position.
 template <typename IsWanted>
 void check_values(const std::string& name, const render::Picture& picture, std::string_view what,
                   std::string_view fault, IsWanted is_wanted) {
@@ -48,7 +48,8 @@ void check_values(const std::string& name, const render::Picture& picture, std::
 
 PictureFile read(const std::string& name) {
   if (name == kStandardStream) {
-    throw UsageError("pictures are not read from standard input: their names tell the format");
+    throw UsageError(
+        "pictures cannot be read from standard input: the format follows from the name");
   }
   picture_format(name, "read");
   PictureFile file = render::read_picture_file(name);
@@ -61,7 +62,7 @@ PictureFile read(const std::string& name) {
   return file;
 }
 
-/// Nothing if the file does not tell.
+/// nullopt if the file does not record it.
 std::optional<render::Tone> tone_in(const PictureFile& file) {
   const auto word = file.find_metadata("sdlc:tone");
   return word ? render::tone_of(*word) : std::nullopt;
@@ -73,14 +74,14 @@ void check_match(const ComparedPair& pair) {
   const std::string b_name = lang::printable(pair.reference_name);
   if (a.picture.width != b.picture.width || a.picture.height != b.picture.height) {
     throw UsageError(fmt::format(
-        "`{}` has {} x {} pixels and `{}` {} x {}; only pictures of one size can be compared",
+        "`{}` has {} x {} pixels and `{}` {} x {}; only pictures of the same size can be compared",
         a_name, a.picture.width, a.picture.height, b_name, b.picture.width, b.picture.height));
   }
   if (a.is_linear != b.is_linear) {
-    throw UsageError(fmt::format(
-        "`{}` holds linear radiance and `{}` the codes of a tone curve; compare two files of one "
-        "kind, such as two .exr or two .png",
-        a.is_linear ? a_name : b_name, a.is_linear ? b_name : a_name));
+    throw UsageError(
+        fmt::format("`{}` holds linear radiance and `{}` the codes of a tone curve; compare two "
+                    "files of the same kind, such as two .exr or two .png",
+                    a.is_linear ? a_name : b_name, a.is_linear ? b_name : a_name));
   }
   if (a.is_grey != b.is_grey) {
     throw UsageError(fmt::format("`{}` is grey and `{}` has colours; make both the same",
@@ -102,10 +103,10 @@ void choose_tone(ComparedPair& pair) {
   }
   const auto a_tone = tone_in(pair.picture), b_tone = tone_in(pair.reference);
   if (a_tone || b_tone) pair.tone = a_tone ? *a_tone : *b_tone;
-  // What nearly every picture follows needs no word.
+  // Do not mention sRGB, the usual case.
   if (pair.tone == render::Tone::Srgb || (a_tone && b_tone)) return;
   pair.notes.push_back(fmt::format(
-      "{} does not tell its tone, which is taken for that of the other, {}",
+      "{} does not record its tone; assuming that of the other, {}",
       lang::printable(a_tone ? pair.reference_name : pair.picture_name), name_of(pair.tone)));
 }
 
@@ -118,7 +119,7 @@ void note_others(const std::string& name, const PictureFile& file,
                   lang::printable(name)));
 }
 
-/// Pictures of one seed have the same noise where they trace the same paths.
+/// Pictures with the same seed share the noise of the paths that they have in common.
 void note_shared_noise(ComparedPair& pair) {
   const auto seed = pair.picture.find_metadata("sdlc:seed");
   const auto sampler = pair.picture.find_metadata("sdlc:sampler");
@@ -127,8 +128,8 @@ void note_shared_noise(ComparedPair& pair) {
     return;
   }
   pair.notes.push_back(
-      fmt::format("both are of seed {}: they share noise, of which the z-test knows nothing, and "
-                  "it finds too little; give one of them another --seed",
+      fmt::format("both have seed {}: they share noise, so the z-test is less sensitive; render "
+                  "one of them with another --seed",
                   lang::printable(*seed)));
 }
 

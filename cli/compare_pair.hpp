@@ -10,20 +10,21 @@
 
 namespace sdlc::cli {
 
-/// Two pictures that can be held against each other: of one size and kind, with finite values.
+/// Two comparable pictures: of the same size and kind, with finite values.
 struct ComparedPair {
-  std::string picture_name, reference_name;  ///< as the user named them
+  std::string picture_name, reference_name;  ///< as given by the user
   render::PictureFile picture, reference;
-  render::Tone tone = render::Tone::Srgb;  ///< of the codes; where values are linear, Linear
-  /// Both have a variance, of which all values are finite and not negative.
+  render::Tone tone = render::Tone::Srgb;  ///< of the codes; Linear for linear values
+  /// Both have a variance, whose values are all finite and not negative.
   bool has_variance = false;
-  std::vector<std::string> notes;  ///< what is in the files and is not compared, or was assumed
+  std::vector<std::string> notes;  ///< what the files contain but is not compared, or was assumed
 
   /// "linear radiance" or "codes / 255".
   std::string values() const;
 };
 
-/// Reads both and refuses what cannot be compared. Throws UsageError and render::IoError.
+/// Reads both pictures and rejects those that are not comparable. Throws UsageError and
+/// render::IoError.
 ComparedPair read_pair(const std::string& picture, const std::string& reference);
 
 }  // namespace sdlc::cli

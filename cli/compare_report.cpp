@@ -14,10 +14,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Four significant digits tell pictures apart; JSON has them all.
+/// Four significant digits are enough to distinguish pictures; JSON has all digits.
 std::string number(double v) { return fmt::format("{:.4g}", v); }
 
-/// JSON knows no infinity.
+/// JSON has no infinity.
 Json finite_or_null(double v) { return std::isfinite(v) ? Json(v) : Json(); }
 
 std::string line(std::string_view name, const std::string& value, std::string_view remark = {}) {
@@ -133,7 +133,7 @@ std::string to_json(const CompareReport& report) {
                       {"what", report.output->what},
                       {"top", report.output->top ? Json(*report.output->top) : Json()}};
   }
-  // File names may be any bytes; JSON may not.
+  // File names may contain any bytes, JSON only UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

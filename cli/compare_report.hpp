@@ -13,25 +13,25 @@
 
 namespace sdlc::cli {
 
-/// What was asked for: not more, or for the PSNR not less, than the limit.
+/// A condition on a measure: at most the limit, or for the PSNR at least the limit.
 struct Gate {
   std::string name;      ///< of the flag: "max-rmse"
   std::string quantity;  ///< in words: "the RMSE"
   double limit = 0;
   double value = 0;
-  bool is_least = false;  ///< the limit is the least value, not the largest
+  bool is_minimum = false;  ///< the limit is a minimum, not a maximum
 
-  bool passes() const noexcept { return is_least ? value >= limit : value <= limit; }
+  bool passes() const noexcept { return is_minimum ? value >= limit : value <= limit; }
 };
 
-/// The picture of -o.
+/// The picture written by -o.
 struct DifferencePicture {
   std::string path;
   std::string what;           ///< "difference" or "flip"
-  std::optional<double> top;  ///< value of the brightest colour; nothing where there are no colours
+  std::optional<double> top;  ///< value of the brightest colour; nullopt without colours
 };
 
-/// All that `sdlc compare` tells.
+/// The complete result of `sdlc compare`.
 struct CompareReport {
   ComparedPair pair;
   render::Difference difference;
@@ -41,12 +41,12 @@ struct CompareReport {
   std::vector<Gate> gates;
   std::optional<DifferencePicture> output;
 
-  /// "red", or "grey" where there are no colours.
+  /// "red", or "grey" for pictures without colours.
   std::string_view channel_name() const noexcept;
 };
 
 std::string to_text(const CompareReport& report);
-/// One line of `name=value`.
+/// One line of `name=value` pairs.
 std::string to_concise_text(const CompareReport& report);
 std::string to_json(const CompareReport& report);
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "lang/object/object.hpp"
+#include "lang/object/check.hpp"
 #include "lang/schema/schema.hpp"
 
 namespace sdlc::cli {
@@ -59,9 +59,9 @@ Json number(lang::Range range) {
 Json whole_number(lang::Range range) {
   Json schema{{"type", "integer"}};
   add_range(schema, range);
-  constexpr auto kMost = static_cast<std::int64_t>(lang::kMaxWholeNumber);
-  if (!schema.contains("minimum")) schema["minimum"] = -kMost;
-  if (!schema.contains("maximum")) schema["maximum"] = kMost;
+  constexpr auto kMax = static_cast<std::int64_t>(lang::kMaxWholeNumber);
+  if (!schema.contains("minimum")) schema["minimum"] = -kMax;
+  if (!schema.contains("maximum")) schema["maximum"] = kMax;
   return schema;
 }
 
@@ -87,7 +87,7 @@ Json value_schema(const lang::JsonKey& key, lang::Range range) {
     case lang::JsonType::Degrees: return number(range);
     case lang::JsonType::WholeNumber: return whole_number(range);
     case lang::JsonType::Bool: return {{"type", "boolean"}};
-    // No file has a name with a NUL character in it.
+    // File names cannot contain NUL.
     case lang::JsonType::String: return {{"type", "string"}, {"pattern", "^[^\\u0000]*$"}};
     case lang::JsonType::Triple:
     case lang::JsonType::Color: return numbers(3, range);
@@ -100,7 +100,7 @@ Json value_schema(const lang::JsonKey& key, lang::Range range) {
   return {};
 }
 
-/// What an editor shows of the key.
+/// The description that editors show for the key.
 std::string description(const lang::JsonKey& key) {
   const bool has_target = key.target != nullptr;
   return std::string(!key.doc.empty() || !has_target ? key.doc
@@ -154,7 +154,7 @@ Json materials() {
   return {{"oneOf", std::move(alternatives)}};
 }
 
-/// A config is a scene or, where it has an `image`, a plain picture.
+/// A config is a scene or, if it has an `image`, a plain picture.
 void add_alternatives(Json& schema) {
   const std::string image = "image", saving = "saving";
   Json& properties = schema["properties"];

@@ -4,8 +4,8 @@
 
 namespace sdlc::cli {
 
-/// A JSON Schema (2020-12) of the JSON config format, made from the tables of keys: what it accepts
-/// has no error that concerns one key alone.
+/// A JSON Schema (2020-12) of the JSON config format, generated from the tables of keys. A config
+/// that it accepts has no errors that concern a single key.
 nlohmann::ordered_json config_schema();
 
 }  // namespace sdlc::cli

@@ -24,7 +24,7 @@
 #include "cli/words.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/convert/convert.hpp"
-#include "lang/object/object.hpp"
+#include "lang/object/check.hpp"
 #include "lang/report/report.hpp"
 #include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"
@@ -55,10 +55,11 @@ struct ConvertCommandOptions {
   DiagnosticsOptions diagnostics;
 };
 
-/// A text to be converted.
+/// A file to convert.
 struct Input {
-  std::string name;                ///< `-`: standard input
-  std::optional<fs::path> folder;  ///< that it was found in, if only its folder was named
+  std::string name;                ///< `-` for standard input
+  std::optional<fs::path> folder;  ///< the folder in which it was found, if only the folder was
+                                   ///< named
 };
 
 std::vector<Input> find_inputs(const std::vector<std::string>& arguments, const Environment& env,
@@ -92,10 +93,10 @@ class ConvertJob {
                      (!is_one_file || options.output.ends_with('/') ||
                       fs::is_directory(options.output, ignored));
     if (options.output == kStandardStream && inputs_.size() > 1) {
-      throw UsageError("-o -: several texts would run into each other; name a folder");
+      throw UsageError("-o -: several texts cannot share standard output; name a folder");
     }
     for (const Input& input : inputs_) {
-      // One that is of the wanted format already is passed over, and may be replaced.
+      // Skip files that already have the target format; they may be replaced.
       const bool is_done =
           input.folder && fs::path(input.name).extension() == fmt::format(".{}", options.to);
       if (!is_done) read_.add(input.name);
@@ -111,7 +112,7 @@ class ConvertJob {
       }
     }
     writer_->finish(counts_);
-    if (inputs_.size() > 1 && tells_progress()) {
+    if (inputs_.size() > 1 && reports_progress()) {
       env_.err << fmt::format("{} of {} converted\n", converted_,
                               converted_ + refused_ + unusable_);
     }
@@ -119,9 +120,11 @@ class ConvertJob {
   }
 
  private:
-  bool tells_progress() const { return !options_.quiet && options_.diagnostics.format == "human"; }
+  bool reports_progress() const {
+    return !options_.quiet && options_.diagnostics.format == "human";
+  }
 
-  /// What has nothing to do with the text: a file cannot be read or written.
+  /// Reports a failure to read or write a file.
   void fail(std::string_view reason) {
     ++unusable_;
     env_.err << fmt::format("error: {}\n", lang::printable(reason));
@@ -133,7 +136,8 @@ class ConvertJob {
     const lang::SourceFile file(
         shown, read_text(input.name, shown, env_, options_.reading.limits.any_file()));
     if (name_of(file.format()) == options_.to) {
-      if (!input.folder) fail(fmt::format("`{}` is one already: --to {}", shown, options_.to));
+      if (!input.folder)
+        fail(fmt::format("`{}` already has the format of --to {}", shown, options_.to));
       return;
     }
 
@@ -143,13 +147,13 @@ class ConvertJob {
     if (!text) {
       ++refused_;
     } else if (read_.contains(target ? target->string() : kStandardStream)) {
-      fail(fmt::format("`{}` is a file that is read, and would be overwritten",
+      fail(fmt::format("`{}` is an input file and would be overwritten",
                        target ? target->string() : "standard output"));
     } else if (target) {
       const render::ParentFolders folders(*target);
       render::write_file_atomically(*target, std::as_bytes(std::span(*text)));
       ++converted_;
-      if (tells_progress()) {
+      if (reports_progress()) {
         env_.err << fmt::format("{} -> {}\n", lang::printable(shown),
                                 lang::printable(target->string()));
       }
@@ -171,12 +175,12 @@ class ConvertJob {
     counts_ += findings.counts;
     const std::size_t avoidable = findings.counts.warnings - conversion.forced_warnings();
     if (!text || !options_.is_strict || avoidable == 0) return text;
-    env_.err << fmt::format("error: {} has warnings, and --strict takes them for errors\n",
+    env_.err << fmt::format("error: {} has warnings, which --strict treats as errors\n",
                             lang::printable(file.name()));
     return std::nullopt;
   }
 
-  /// Where the converted text goes; nothing: to standard output.
+  /// The output file; nullopt for standard output.
   std::optional<fs::path> target_of(const Input& input, lang::SourceFormat format) const {
     const bool is_stdin = input.name == kStandardStream;
     if (options_.output == kStandardStream) return std::nullopt;
@@ -197,15 +201,15 @@ class ConvertJob {
     const bool is_wrong_name = !options_.output.empty() && !writes_folder_ &&
                                target.extension() == fmt::format(".{}", name_of(source));
     if (is_wrong_name) {
-      fail(fmt::format("`{}` has the extension of the format that is converted from", shown));
+      fail(fmt::format("`{}` has the extension of the input format", shown));
       return false;
     }
-    // Beside a scene of somebody else there may be links of theirs.
+    // The folder of an untrusted scene may contain untrusted links.
     if (options_.reading.is_sandboxed && options_.output.empty() &&
         !lang::Sandbox(env_.files, target).resolve(target)) {
       fail(
-          fmt::format("`{}` leads out of the scene's folder, which --sandbox refuses; -o names "
-                      "another place",
+          fmt::format("`{}` is outside the scene's folder, which --sandbox refuses; use -o to "
+                      "choose another place",
                       shown));
       return false;
     }
@@ -213,9 +217,10 @@ class ConvertJob {
       fail(fmt::format("`{}` would be written twice", shown));
       return false;
     }
-    // What -o names is meant to be replaced; a file that happens to stand beside is not.
+    // A file named by -o may be replaced; other existing files may not.
     if (options_.output.empty() && !options_.overwrites && fs::exists(target)) {
-      fail(fmt::format("`{}` is there already; --overwrite replaces it, -o names another", shown));
+      fail(fmt::format("`{}` exists already; use --overwrite to replace it, or -o for another name",
+                       shown));
       return false;
     }
     return true;
@@ -230,16 +235,16 @@ class ConvertJob {
   std::set<std::string> targets_;
   InputSet read_;
   std::size_t converted_ = 0;
-  std::size_t refused_ = 0;   // errors in the text, or nothing that the other format could hold
-  std::size_t unusable_ = 0;  // files
+  std::size_t refused_ = 0;   // texts with errors, or that the other format cannot represent
+  std::size_t unusable_ = 0;  // files that could not be read or written
 };
 
 void add_choice_options(CLI::App& command, lang::ConvertOptions& options) {
   const auto properties = lang::kind_info(lang::ObjectKind::Render).properties;
-  command.add_option("--camera", options.camera, "The camera to convert, where there are several");
+  command.add_option("--camera", options.camera, "The camera to convert, if there are several");
   command
       .add_option("--tone", options.tone,
-                  "In place of the scene's own; a config has sqrt and linear")
+                  "Replaces the scene's own; a config supports sqrt and linear")
       ->check(one_of(properties[lang::render_property::kTone].words));
   add_whole_number(
       command, "--frame", {.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber)},
@@ -252,37 +257,38 @@ void add_choice_options(CLI::App& command, lang::ConvertOptions& options) {
 void add_convert_command(CLI::App& app, Dispatcher& dispatcher) {
   auto options = std::make_shared<ConvertCommandOptions>();
   CLI::App* command =
-      app.add_subcommand("convert", "Turn JSON configs into scenes, and scenes into configs");
+      app.add_subcommand("convert", "Convert JSON configs to scenes, and scenes to configs");
   command
       ->add_option("IN", options->inputs,
-                   "Scenes, JSON configs, folders of them; `-` reads standard input")
+                   "Scenes, JSON configs, or folders of them; `-` reads standard input")
       ->required();
   command->add_option("-o,--output", options->output,
-                      "The file; the folder for several, where the tree is mirrored; `-`: standard "
-                      "output. Default: beside IN, with the other extension");
+                      "Output file; for several inputs a folder, which mirrors the tree; `-`: "
+                      "standard output. Default: beside IN, with the other extension");
   command->add_option("--to", options->to, "The format to convert to; default: the other one")
       ->check(one_of(kFormats));
   command->add_flag(
       "--strict", options->is_strict,
-      "Write nothing where there are warnings, but for those of keys that configs must have");
+      "Write nothing if there are warnings, except those about keys that configs must have");
   command->add_flag("--overwrite", options->overwrites,
-                    "Replace files that are there, although -o does not name them");
+                    "Replace existing files that -o does not name");
   add_choice_options(*command, options->conversion);
   add_set_option(*command, options->sets);
   add_reading_options(*command, options->reading);
   add_diagnostics_options(*command, options->diagnostics);
-  command->add_flag("--quiet", options->quiet, "Nothing on standard error but diagnostics");
+  command->add_flag("--quiet", options->quiet, "Only diagnostics on standard error");
   command->footer(
       "Examples:\n"
       "  sdlc convert old.json                    to old.scene\n"
       "  sdlc convert old.json -o -               to standard output\n"
-      "  sdlc convert configs/ -o scenes/         all that is in a folder, at any depth\n"
-      "  sdlc convert ring.scene --tone sqrt      to ring.json, if it can be said there\n"
-      "  sdlc convert film.scene --frame 12 -o frame.json\n\n"
-      "Both render to the same picture. docs/convert.md tells what becomes of what. Exit status: 0 "
-      "all converted,\n"
-      "1 a text has errors or cannot be written in the other format, 2 a file cannot be read or "
-      "written.");
+      "  sdlc convert configs/ -o scenes/         everything in a folder, recursively\n"
+      "  sdlc convert ring.scene --tone sqrt      to ring.json, if the format supports it\n"
+      "  sdlc convert film.scene --frame 12 -o frame.json\n"
+      "\n"
+      "Both render to the same picture. docs/convert.md has the details. Exit status: 0 all "
+      "converted,\n"
+      "1 a file has errors or cannot be represented in the other format, 2 a file cannot be read "
+      "or written.");
   dispatcher.on(command, [options](Environment& env) { return ConvertJob(*options, env).run(); });
 }
 

@@ -17,10 +17,10 @@ namespace {
 struct NamedFormat {
   std::string_view name;
   lang::MessageFormat format;
-  bool is_document;  ///< it says something when there is nothing to report, too
+  bool is_document;  ///< written even if there is nothing to report
 };
 
-/// Those that a command may answer in come first.
+/// Those that a command may use for its own output come first.
 constexpr std::array<NamedFormat, 7> kFormats{{
     {"human", lang::MessageFormat::Human, false},
     {"concise", lang::MessageFormat::Concise, false},
@@ -46,8 +46,7 @@ const NamedFormat& format_of(const DiagnosticsOptions& options) {
 
 void add_options(CLI::App& command, DiagnosticsOptions& options,
                  std::span<const std::string_view> formats) {
-  command.add_option("--format", options.format, "How diagnostics are printed")
-      ->check(one_of(formats));
+  command.add_option("--format", options.format, "Format of diagnostics")->check(one_of(formats));
   command.add_option("--color", options.color, "Colours in diagnostics")->check(one_of(kColors));
 }
 
@@ -68,7 +67,7 @@ bool wants_color(const DiagnosticsOptions& options, bool is_terminal, const Envi
 std::unique_ptr<lang::DiagnosticWriter> make_writer(const DiagnosticsOptions& options,
                                                     std::ostream& out, bool is_terminal,
                                                     const Environment& env) {
-  std::error_code no_folder;  // names stay as they are then
+  std::error_code no_folder;  // on failure names stay unchanged
   return lang::make_diagnostic_writer({.format = format_of(options).format,
                                        .color = wants_color(options, is_terminal, env),
                                        .facts = {.version = kVersion,

@@ -21,13 +21,13 @@ struct DiagnosticsOptions {
 
 void add_diagnostics_options(CLI::App& command, DiagnosticsOptions& options);
 
-/// The same for a command whose own answer has the format asked for: human, concise or json.
+/// The same for a command whose own output also has the chosen format: human, concise or json.
 void add_answer_options(CLI::App& command, DiagnosticsOptions& options);
 
-/// Whether --color, NO_COLOR and where the output goes ask for colours.
+/// Whether to use colours, from --color, NO_COLOR and the kind of output.
 bool wants_color(const DiagnosticsOptions& options, bool is_terminal, const Environment& env);
 
-/// Writes to `out`, which must outlive it, in the format asked for.
+/// Writes to `out`, which must outlive the writer, in the chosen format.
 std::unique_ptr<lang::DiagnosticWriter> make_writer(const DiagnosticsOptions& options,
                                                     std::ostream& out, bool is_terminal,
                                                     const Environment& env);

@@ -10,7 +10,7 @@
 
 namespace sdlc::cli {
 
-/// Remembers which command the arguments name.
+/// Selects the command that the arguments name.
 class Dispatcher {
  public:
   using Command = std::function<ExitCode(Environment&)>;
@@ -24,7 +24,7 @@ class Dispatcher {
   Command chosen_;
 };
 
-// One function a subcommand, in NAME_command.cpp.
+// One function per subcommand, in NAME_command.cpp.
 void add_compare_command(CLI::App& app, Dispatcher& dispatcher);
 void add_convert_command(CLI::App& app, Dispatcher& dispatcher);
 void add_explain_command(CLI::App& app, Dispatcher& dispatcher);

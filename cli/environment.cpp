@@ -30,7 +30,7 @@ std::size_t resident_bytes() {
 std::size_t peak_resident_bytes() {
   struct rusage usage {};
   if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts it in KiB
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
 void release_freed_memory() {

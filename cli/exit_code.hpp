@@ -5,16 +5,16 @@
 
 namespace sdlc::cli {
 
-/// What the program's exit status says; scripts depend on it.
+/// The exit status of the program; scripts depend on the values.
 enum class ExitCode : int {
   Success = 0,
   Findings = 1,  ///< the scene has errors
   Usage = 2,     ///< wrong usage, or a file cannot be read or written
-  Defect = 3,    ///< a fault of sdlc itself
+  Defect = 3,    ///< a bug in sdlc
   Interrupted = 130,
 };
 
-/// The graver of two, where a command does several things.
+/// The more severe of two, for commands that do several things.
 constexpr ExitCode graver(ExitCode a, ExitCode b) {
   constexpr std::array kAscending{ExitCode::Success, ExitCode::Findings, ExitCode::Interrupted,
                                   ExitCode::Usage, ExitCode::Defect};

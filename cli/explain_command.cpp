@@ -28,13 +28,13 @@ struct ExplainOptions {
   DiagnosticsOptions diagnostics;
 };
 
-/// What one argument asks for: a page, or the list of those whose codes begin so.
+/// What one argument selects: a page, or the list of codes with a prefix.
 struct Topic {
   Diagnostics diagnostics;
   bool is_list = false;
 };
 
-/// As names are written in the table: "unknown_property" of "Unknown property".
+/// Converts a title to the name in the table: "unknown_property" for "Unknown property".
 std::string as_name(std::string_view text) {
   std::string name = lang::lower_case(text);
   std::ranges::replace_if(
@@ -53,7 +53,7 @@ Topic find_topic(const std::string& text) {
     known.push_back(info->name);
   }
   if (!beginning.empty()) return {.diagnostics = std::move(beginning), .is_list = true};
-  throw UsageError(fmt::format("there is no diagnostic `{}`{}; `sdlc explain` lists all",
+  throw UsageError(fmt::format("unknown diagnostic `{}`{}; `sdlc explain` lists all",
                                lang::printable(text), did_you_mean(name, known)));
 }
 
@@ -117,21 +117,22 @@ ExitCode run_explain(const ExplainOptions& options, Environment& env) {
 
 void add_explain_command(CLI::App& app, Dispatcher& dispatcher) {
   auto options = std::make_shared<ExplainOptions>();
-  CLI::App* command = app.add_subcommand(
-      "explain", "Tell what a diagnostic means, with an example and its mending");
+  CLI::App* command =
+      app.add_subcommand("explain", "Explain a diagnostic, with an example and its fix");
   command->add_option(
       "CODE", options->topics,
-      "A code, the name of a diagnostic, or how codes begin; default: all, as a list");
+      "A code, the name of a diagnostic, or a prefix of codes; default: a list of all");
   add_answer_options(*command, options->diagnostics);
   command->get_option("--format")
-      ->description("human: the page; concise: one line a code; json: the page as Markdown");
+      ->description("human: the page; concise: one line per code; json: the page as Markdown");
   command->get_option("--color")->description("Bold headings");
   command->footer(
       "Examples:\n"
-      "  sdlc explain E104                what the code of a message means\n"
-      "  sdlc explain unknown_property    the same by its name\n"
-      "  sdlc explain W4                  all codes that begin so\n"
-      "  sdlc explain                     all codes\n\n"
+      "  sdlc explain E104                the meaning of a code\n"
+      "  sdlc explain unknown_property    the same by name\n"
+      "  sdlc explain W4                  all codes with this prefix\n"
+      "  sdlc explain                     all codes\n"
+      "\n"
       "E0 syntax, E1 names, E2 types and values, E3 limits and files, W4 warnings, S6 style.");
   dispatcher.on(command, [options](Environment& env) { return run_explain(*options, env); });
 }

@@ -50,7 +50,7 @@ lang::LineRange parse_lines(const std::string& text) {
   };
   const lang::LineRange lines{line(text.substr(0, colon)), line(text.substr(colon + 1))};
   if (lines.first > lines.last) {
-    throw CLI::ValidationError("--range", "the first line comes before the last");
+    throw CLI::ValidationError("--range", "the first line must not be after the last");
   }
   return lines;
 }
@@ -65,7 +65,7 @@ class FmtJob {
 
   ExitCode run() {
     if (options_.lines && names_.size() > 1) {
-      throw UsageError("--range: lines of one file only can be asked for");
+      throw UsageError("--range: only possible for a single file");
     }
     for (const std::string& name : names_) refuse_json(name, name, {});
     for (const std::string& name : names_) visit(name);
@@ -73,12 +73,12 @@ class FmtJob {
     env_.out.flush();
     if (!options_.quiet) conclude();
     if (unreadable_ > 0) return ExitCode::Usage;
-    return counts_.errors > 0 || (changed_ > 0 && only_tells()) ? ExitCode::Findings
-                                                                : ExitCode::Success;
+    return counts_.errors > 0 || (changed_ > 0 && only_reports()) ? ExitCode::Findings
+                                                                  : ExitCode::Success;
   }
 
  private:
-  bool only_tells() const { return options_.checks || options_.shows_diff; }
+  bool only_reports() const { return options_.checks || options_.shows_diff; }
 
   static void refuse_json(const std::string& name, const std::string& shown,
                           std::string_view text) {
@@ -94,7 +94,7 @@ class FmtJob {
       const std::string shown =
           !is_stdin ? name
                     : (options_.stdin_filename.empty() ? "<stdin>" : options_.stdin_filename);
-      if (!only_tells()) refuse_special(name, env_);
+      if (!only_reports()) refuse_special(name, env_);
       const std::string text = read_text(name, shown, env_, options_.limits.file);
       refuse_json(name, shown, text);
       lang::DiagnosticSink sink;
@@ -159,9 +159,9 @@ class FmtJob {
 
   void conclude() {
     for (const std::string& name : left_alone_) {
-      env_.err << fmt::format("left alone for its errors: {}\n", lang::printable(name));
+      env_.err << fmt::format("unchanged because of errors: {}\n", lang::printable(name));
     }
-    if (only_tells() && changed_ > 0) {
+    if (only_reports() && changed_ > 0) {
       env_.err << fmt::format("{} file{} would be formatted\n", changed_, changed_ == 1 ? "" : "s");
     }
   }
@@ -180,33 +180,35 @@ class FmtJob {
 
 void add_fmt_command(CLI::App& app, Dispatcher& dispatcher) {
   auto options = std::make_shared<FmtOptions>();
-  CLI::App* command = app.add_subcommand("fmt", "Give scenes the one layout that all scenes have");
+  CLI::App* command = app.add_subcommand("fmt", "Format scenes in the canonical layout");
   command
       ->add_option("FILE", options->arguments,
                    "Scenes and folders of them; `-` formats standard input to standard output")
       ->required();
   command->add_flag("--check", options->checks, "Only list the files that would change");
   command->add_flag("--diff", options->shows_diff,
-                    "Only show what would change, as a patch, with --check in place of the list");
+                    "Only show the changes, as a patch; replaces the list of --check");
   command
       ->add_option_function<std::string>(
           "--range", [options](const std::string& text) { options->lines = parse_lines(text); },
-          "Format the statements that touch these lines, counted from 1, and nothing else")
+          "Only format the statements that touch these lines, counted from 1")
       ->type_name("FIRST:LAST");
   command->add_option("--stdin-filename", options->stdin_filename,
-                      "What a scene from standard input is called in messages");
+                      "Name of a scene from standard input in messages");
   add_limit_option(*command, options->limits);
   add_diagnostics_options(*command, options->diagnostics);
-  command->add_flag("--quiet", options->quiet, "Nothing on standard error but errors");
+  command->add_flag("--quiet", options->quiet, "Only errors on standard error");
   command->footer(
       "Examples:\n"
       "  sdlc fmt ball.scene\n"
       "  sdlc fmt scenes/ --check\n"
       "  sdlc fmt scenes/ --diff | patch -p0\n"
-      "  sdlc fmt - --range 12:20 --stdin-filename ball.scene <ball.scene\n\n"
-      "Files are written whole or not at all, and only those that change. One with syntax errors "
-      "is\n"
-      "left alone. docs/format.md describes the layout. Exit status: 0 done, or nothing to do;\n"
+      "  sdlc fmt - --range 12:20 --stdin-filename ball.scene <ball.scene\n"
+      "\n"
+      "Files are written completely or not at all, and only if they change. Files with syntax "
+      "errors are\n"
+      "left unchanged. docs/format.md describes the layout. Exit status: 0 done, or nothing to "
+      "do;\n"
       "1 syntax errors, or with --check and --diff files that would change; 2 a file cannot be "
       "read\n"
       "or written.");

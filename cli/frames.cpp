@@ -8,7 +8,7 @@
 namespace sdlc::cli {
 namespace {
 
-/// Takes a number off the front of the text.
+/// Removes a number from the front of the text.
 std::optional<int> take_number(std::string_view& text) {
   int number = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -19,8 +19,8 @@ std::vector<std::string> parts_of(std::string_view path) {
   return parts;
 }
 
-/// The size of the `[…]` at the beginning of the text; nothing where it is not closed. A `]` that
-/// comes first is one of the characters.
+/// The length of the `[…]` at the beginning of the text; nullopt if it is not closed. A `]` in the
+/// first position is one of the characters.
 std::optional<std::size_t> set_size(std::string_view text) {
   const std::size_t first = text.substr(0, 2) == "[!" ? 2 : 1;
   const std::size_t end = text.find(']', first + 1);
@@ -28,7 +28,7 @@ std::optional<std::size_t> set_size(std::string_view text) {
   return end + 1;
 }
 
-/// Whether the character is in the set, `[…]`.
+/// Whether the character matches the set `[…]`.
 bool is_in_set(std::string_view set, char c) {
   const bool is_negated = set[1] == '!';
   const std::string_view members =
@@ -43,7 +43,7 @@ bool is_in_set(std::string_view set, char c) {
   return is_member != is_negated;
 }
 
-/// The size of what stands for one character at the beginning of the pattern.
+/// The length of the element at the beginning of the pattern that matches one character.
 std::size_t unit_size(std::string_view pattern) {
   return pattern.front() == '[' ? set_size(pattern).value() : 1;
 }
@@ -53,15 +53,15 @@ bool unit_matches(std::string_view unit, char c) {
   return unit.size() == 1 ? unit[0] == c : is_in_set(unit, c);
 }
 
-/// Whether a name is as a pattern without slashes says. After a mismatch the last `*` takes one
-/// character more; earlier ones need not be looked at again.
+/// Whether a name matches a pattern without slashes. After a mismatch the last `*` takes one more
+/// character; earlier ones need not be retried.
 bool name_matches(std::string_view pattern, std::string_view name) {
   std::size_t p = 0, n = 0;
-  std::optional<std::size_t> behind_star;
-  std::size_t star_end = 0;  // of what the last `*` has taken
+  std::optional<std::size_t> after_star;
+  std::size_t star_end = 0;  // end of the text that the last `*` has taken
   while (n < name.size()) {
     if (p < pattern.size() && pattern[p] == '*') {
-      behind_star = ++p;
+      after_star = ++p;
       star_end = n;
       continue;
     }
@@ -69,8 +69,8 @@ bool name_matches(std::string_view pattern, std::string_view name) {
     if (size > 0 && unit_matches(pattern.substr(p, size), name[n])) {
       p += size;
       ++n;
-    } else if (behind_star) {
-      p = *behind_star;
+    } else if (after_star) {
+      p = *after_star;
       n = ++star_end;
     } else {
       return false;
@@ -80,11 +80,12 @@ bool name_matches(std::string_view pattern, std::string_view name) {
 }
 
 void check_part(std::string_view part) {
-  if (part.empty()) throw std::invalid_argument("has an empty name between its slashes");
+  if (part.empty()) throw std::invalid_argument("has an empty part between slashes");
   if (part == "." || part == "..") throw std::invalid_argument("has `.` or `..` in it");
   if (part == kAnyFolders) return;
   if (part.find(kAnyFolders) != std::string_view::npos) {
-    throw std::invalid_argument("has `**` beside other characters; between slashes it is alone");
+    throw std::invalid_argument(
+        "has `**` next to other characters; it must be a complete part between slashes");
   }
   for (std::size_t i = 0; i < part.size(); ++i) {
     if (part[i] != '[') continue;
@@ -99,7 +100,8 @@ void check_part(std::string_view part) {
 Glob::Glob(std::string_view pattern) {
   if (pattern.empty()) throw std::invalid_argument("is empty");
   if (pattern.starts_with('/')) {
-    throw std::invalid_argument("begins with a slash; it is relative to the folder of this file");
+    throw std::invalid_argument(
+        "begins with a slash; patterns are relative to the folder of this file");
   }
   if (pattern.find('\\') != std::string_view::npos) {
     throw std::invalid_argument("has a backslash; folders are separated by slashes");
@@ -117,7 +119,7 @@ Glob::Glob(std::string_view pattern) {
 
 bool Glob::matches(std::string_view path) const {
   const std::vector<std::string> names = parts_of(path);
-  // fits[n]: the parts looked at so far match the first n names.
+  // fits[n]: the parts so far match the first n names.
   std::vector<bool> fits(names.size() + 1, false);
   fits[0] = true;
   for (const std::string& part : parts_) {

@@ -6,13 +6,13 @@
 
 namespace sdlc::cli {
 
-/// A pattern of paths, relative to some folder, with slashes: `*` is any text and `?` any character
-/// but a slash, `[a-z]` and `[!a-z]` one of or none of these, `**` by itself between slashes any
-/// number of folders. One without a slash is about names, at any depth; one that ends in a slash is
-/// about all that is in the folder.
+/// A pattern for paths, relative to some folder, with slashes: `*` matches any text and `?` any
+/// character except a slash, `[a-z]` and `[!a-z]` a character in or not in a set, `**` as a
+/// complete part any number of folders. A pattern without a slash matches names, at any depth; one
+/// that ends in a slash matches everything in the folder.
 class Glob {
  public:
-  /// Throws std::invalid_argument with what is wrong with it.
+  /// Throws std::invalid_argument with a description of the mistake.
   explicit Glob(std::string_view pattern);
 
   bool matches(std::string_view path) const;

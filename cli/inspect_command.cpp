@@ -21,7 +21,7 @@
 #include "cli/whole_number.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
-#include "lang/object/object.hpp"
+#include "lang/object/check.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/scene/instances.hpp"
 

@@ -7,8 +7,8 @@
 #include "cli/kernel_options.hpp"
 #include "cli/precision_json.hpp"
 #include "render/image/tone.hpp"
-#include "render/scene/choices.hpp"
 #include "render/scene/instances.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -91,19 +91,19 @@ Json camera_json(const lang::LoweredScene& lowered) {
 Json picture_json(const InspectReport& report) {
   const render::RenderSettings& settings = report.lowered.settings;
   const bool is_size_known = settings.width > 0;
-  return {{"width", is_size_known ? Json(settings.width) : Json()},
-          {"height", is_size_known ? Json(settings.height) : Json()},
-          {"samples", settings.samples},
-          {"depth", settings.depth},
-          {"seed", settings.seed},
-          {"sampler", name_of(settings.sampler)},
-          {"light_sampling", name_of(settings.light_sampling)},
-          {"error", number_or_null(settings.error)},
-          {"seconds", number_or_null(settings.seconds)},
-          {"adaptive", settings.is_adaptive},
-          {"threads", settings.threads},
-          {"tone", name_of(report.lowered.output.tone)},
-          {"output", report.output ? Json(*report.output) : Json()}};
+  Json json{{"width", is_size_known ? Json(settings.width) : Json()},
+            {"height", is_size_known ? Json(settings.height) : Json()},
+            {"samples", settings.samples}};
+  render::for_each_setting([&](const auto& setting) {
+    json[std::string(setting.name)] = render::shown(settings.*setting.member);
+  });
+  json.update({{"error", number_or_null(settings.error)},
+               {"seconds", number_or_null(settings.seconds)},
+               {"adaptive", settings.is_adaptive},
+               {"threads", settings.threads},
+               {"tone", name_of(report.lowered.output.tone)},
+               {"output", report.output ? Json(*report.output) : Json()}});
+  return json;
 }
 
 Json memory_json(const InspectReport& report) {

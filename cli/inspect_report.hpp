@@ -9,7 +9,7 @@
 #include "cli/scene_figures.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/eval/eval.hpp"
-#include "lang/lower/scene_builder.hpp"
+#include "lang/lower/lowered_scene.hpp"
 #include "render/tiles/render.hpp"
 
 /// What `sdlc inspect` prints.

@@ -1,4 +1,8 @@
 #include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,8 +14,8 @@
 #include "lang/report/report.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/tone.hpp"
-#include "render/scene/choices.hpp"
 #include "render/scene/instances.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -162,6 +166,19 @@ std::string describe_goals(const render::RenderSettings& settings) {
                      settings.is_adaptive ? ", more samples where there is more noise" : "");
 }
 
+/// The settings that are numbers and those that are choices: "depth 16, seed 0", "sobol, light
+/// sampling auto".
+std::array<std::string, 2> describe_settings(const render::RenderSettings& settings) {
+  std::array<std::vector<std::string>, 2> parts;
+  render::for_each_setting([&]<typename T>(const render::Setting<T>& setting) {
+    const std::string_view space = setting.label.empty() ? "" : " ";
+    parts[render::Choice<T>].push_back(
+        fmt::format("{}{}{}", setting.label, space, render::shown(settings.*setting.member)));
+  });
+  return {fmt::format("{}", fmt::join(parts[0], ", ")),
+          fmt::format("{}", fmt::join(parts[1], ", "))};
+}
+
 void write_picture(const InspectReport& report, Sheet& sheet) {
   const render::Background& background = report.lowered.scene.background;
   sheet.row("background", background.is_constant()
@@ -173,12 +190,11 @@ void write_picture(const InspectReport& report, Sheet& sheet) {
                                ? fmt::format("{} x {} pixels", settings.width, settings.height)
                                : "of unknown size";
   const bool has_goal = settings.error || settings.seconds;
-  sheet.row("picture",
-            fmt::format("{}, {}{}, depth {}, seed {}, tone {}", size, has_goal ? "at most " : "",
-                        plural(static_cast<std::size_t>(settings.samples), "sample"),
-                        settings.depth, settings.seed, name_of(report.lowered.output.tone)));
-  sheet.detail("sampling", fmt::format("{}, light sampling {}", name_of(settings.sampler),
-                                       name_of(settings.light_sampling)));
+  const auto [numbers, choices] = describe_settings(settings);
+  sheet.row("picture", fmt::format("{}, {}{}, {}, tone {}", size, has_goal ? "at most " : "",
+                                   plural(static_cast<std::size_t>(settings.samples), "sample"),
+                                   numbers, name_of(report.lowered.output.tone)));
+  sheet.detail("sampling", choices);
   if (has_goal) sheet.detail("until", describe_goals(settings));
   sheet.detail("output",
                report.output ? lang::printable(*report.output) : "no name: `render` needs -o OUT");

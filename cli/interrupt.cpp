@@ -9,7 +9,7 @@ namespace sdlc::cli {
 namespace {
 
 std::atomic<InterruptGuard*> innermost{nullptr};
-std::atomic<int> handlers{0};  // that run, on whatever threads
+std::atomic<int> handlers{0};  // running handlers, on any thread
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler writes it");
 static_assert(std::atomic<InterruptGuard*>::is_always_lock_free, "a signal handler reads it");
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler writes it");
@@ -21,7 +21,7 @@ struct SignalHandler {
     handlers.fetch_add(1);
     bool is_first = false;
     for (InterruptGuard* guard = innermost.load(); guard != nullptr; guard = guard->outer_) {
-      is_first = !guard->flag_.exchange(true);  // decided by the outermost
+      is_first = !guard->flag_.exchange(true);  // the outermost guard decides
     }
     handlers.fetch_sub(1);
     if (is_first) return;
@@ -45,13 +45,13 @@ void handle_signals() {
 
 InterruptGuard::InterruptGuard(std::atomic<bool>& flag) : flag_(flag), outer_(innermost.load()) {
   innermost.store(this);
-  // A signal just before has set the outer flag alone.
+  // A signal just before set only the outer flag.
   if (outer_ != nullptr && outer_->flag_.load()) flag_.store(true);
 }
 
 InterruptGuard::~InterruptGuard() {
   innermost.store(outer_);
-  while (handlers.load() > 0) std::this_thread::yield();  // one may hold this guard
+  while (handlers.load() > 0) std::this_thread::yield();  // a handler may use this guard
 }
 
 }  // namespace sdlc::cli

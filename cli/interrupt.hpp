@@ -4,12 +4,12 @@
 
 namespace sdlc::cli {
 
-/// Makes SIGINT, SIGTERM and SIGHUP end the process only after its temporary files are removed. A
-/// signal that is ignored (nohup, a shell's background job) stays so.
+/// Installs handlers for SIGINT, SIGTERM and SIGHUP that remove the temporary files before the
+/// process ends. An ignored signal (nohup, a shell's background job) stays ignored.
 void handle_signals();
 
-/// While it lives, the first of these signals sets `flag` instead of ending the process; the second
-/// ends it. One inside another sets the flags of both; they live in one thread.
+/// During its lifetime, the first of these signals sets `flag` instead of ending the process; the
+/// second ends it. Nested guards set the flags of both; they belong to one thread.
 class InterruptGuard {
  public:
   explicit InterruptGuard(std::atomic<bool>& flag);

@@ -23,8 +23,8 @@ using render::KernelKind;
 constexpr std::string_view kAuto = "auto";
 constexpr std::array kKinds{KernelKind::Scalar, KernelKind::Wide, KernelKind::Bvh};
 
-/// The option's words are `auto` and the names of `choices`; the one given is what `chosen`
-/// becomes.
+/// Adds an option with the values `auto` and the names of `choices`; the given one is stored in
+/// `chosen`.
 template <typename T, std::size_t N>
 void add_choice(CLI::App& command, const char* flag, const std::array<T, N>& choices,
                 std::optional<T>& chosen, const char* help) {
@@ -43,18 +43,17 @@ void add_choice(CLI::App& command, const char* flag, const std::array<T, N>& cho
 }  // namespace
 
 void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
-  add_choice(
-      command, "--kernel", kKinds, request.kind,
-      "How paths are traced: one at a time, or one in every lane of a vector; a ray against every "
-      "sphere, or through a hierarchy");
+  add_choice(command, "--kernel", kKinds, request.kind,
+             "How paths are traced: one at a time, or one per vector lane; with all spheres tested "
+             "per ray, or with a BVH");
   add_choice(command, "--isa", render::kIsas, request.isa,
-             "The instruction set of the wide kernel; auto: the best of the machine");
+             "The instruction set of the wide kernels; auto: the best available");
 }
 
 lang::Instancing instancing_for(const render::KernelRequest& flags,
                                 const lang::Overrides& overrides) {
   const bool takes_them = flags.kind.value_or(KernelKind::Bvh) == KernelKind::Bvh &&
-                          overrides.precision.value_or("auto") != "float";
+                          overrides.word(lang::render_property::kPrecision) != "float";
   if (overrides.instancing == lang::Instancing::Auto && !takes_them) {
     return lang::Instancing::Never;
   }
@@ -66,7 +65,7 @@ render::Kernel choose_kernel(const render::KernelRequest& flags, const lang::Ove
   render::KernelRequest request = flags;
   request.precision = lowered.precision;
   // What the scene says is a wish, what a flag says is an order.
-  request.may_take_double = !overrides.precision;
+  request.may_take_double = !overrides.has(lang::render_property::kPrecision);
   render::Kernel kernel = render::choose_kernel(lowered.scene, lowered.settings, request);
   // That there are instances was no wish, and many scenes can do without.
   constexpr std::uint64_t kMostPlainSpheres = 100'000'000;

@@ -48,7 +48,8 @@ struct LintOptions {
   bool fixes_unsafe = false;  // --unsafe-fixes
   bool shows_diff = false;    // --diff
   LintConfigOptions config;
-  std::optional<std::uint64_t> most_warnings;  // of all files; else each config has its own limit
+  std::optional<std::uint64_t> max_warnings;  // over all files; otherwise each config has its own
+                                              // limit
   bool quiet = false;
 };
 
@@ -101,7 +102,7 @@ class LintJob {
         names_(find_scene_files(options.arguments, env, SceneFiles::ScenesAndConfigs,
                                 options.reading.is_sandboxed)),
         configs_(options.config, env),
-        // The mended text of standard input goes where the findings would.
+        // Fixed text of standard input goes where the findings would go.
         out_(writes_text_to_stdout() ? env.err : env.out),
         writer_(make_writer(options.diagnostics, out_,
                             writes_text_to_stdout() ? env.err_is_terminal : env.out_is_terminal,
@@ -114,9 +115,9 @@ class LintJob {
     if (!options_.shows_diff) writer_->finish(counts_);
     out_.flush();
     if (!options_.quiet) conclude();
-    refuse_wrong_configs();  // of files that were imported
+    refuse_wrong_configs();  // for configs of imported files
     if (unreadable_ > 0) return ExitCode::Usage;
-    if (options_.shows_diff) return mended_ == 0 ? ExitCode::Success : ExitCode::Findings;
+    if (options_.shows_diff) return fixed_ == 0 ? ExitCode::Success : ExitCode::Findings;
     return is_clean() ? ExitCode::Success : ExitCode::Findings;
   }
 
@@ -138,7 +139,7 @@ class LintJob {
     throw UsageError(fmt::format("{}", fmt::join(configs_.errors(), "\nerror: ")));
   }
 
-  /// Flags decide before configs. `scene` is what reads the file `place`.
+  /// Flags take precedence over configs. `scene` is the file that reads `place`.
   bool wants(const lang::DiagnosticInfo& info, const std::string& place, const std::string& scene) {
     if (const auto answer = options_.filter.answer(info.code)) return *answer;
     return configs_.of(place, scene)
@@ -170,7 +171,7 @@ class LintJob {
       if (!options_.shows_diff) writer_->enter(shown_name(name));
       const std::unique_ptr<lang::CheckedText> result =
           applies_fixes() ? fix(name, std::move(text)) : linted(name, std::move(text));
-      if (!options_.shows_diff) print(*result, shown_name(name));
+      if (!options_.shows_diff) report(*result, shown_name(name));
     } catch (const render::IoError& error) {
       ++unreadable_;
       if (!options_.shows_diff) writer_->fail(shown_name(name), error.what());
@@ -192,9 +193,9 @@ class LintJob {
       render::write_file_atomically(name, std::as_bytes(std::span(fixed)));
     }
     if (!options_.quiet) print_guesses(shown_name(name), result.guesses);
-    mended_ += result.applied;
+    fixed_ += result.applied;
     refused_ += result.refused;
-    if (result.applied > 0) ++mended_files_;
+    if (result.applied > 0) ++fixed_files_;
     return std::move(result.checked);
   }
 
@@ -206,14 +207,14 @@ class LintJob {
   }
 
   /// Prints each finding once, even if several of the files read its text.
-  void print(const lang::CheckedText& linted, const std::string& place) {
+  void report(const lang::CheckedText& linted, const std::string& place) {
     lang::DiagnosticCounts counts = linted.findings().counts;
     std::size_t other_warnings = counts.warnings;  // those not shown
     lang::DiagnosticCounts shown;
     for (const lang::Diagnostic* diagnostic : linted.findings().shown) {
       const bool is_error = diagnostic->info->severity == lang::Severity::Error;
       if (!is_error) --other_warnings;
-      if (!printed_.insert(identity(*diagnostic)).second) {
+      if (!reported_.insert(identity(*diagnostic)).second) {
         --(is_error ? counts.errors : counts.warnings);
         continue;
       }
@@ -235,12 +236,12 @@ class LintJob {
     const LintConfig& config = configs_.of(place, scene);
     WarningCount& warnings = warnings_[&config];
     warnings.found += count;
-    warnings.allowed = config.most_warnings.value_or(0);
+    warnings.allowed = config.max_warnings.value_or(0);
   }
 
   bool is_clean() const {
     if (counts_.errors > 0) return false;
-    if (options_.most_warnings) return counts_.warnings <= *options_.most_warnings;
+    if (options_.max_warnings) return counts_.warnings <= *options_.max_warnings;
     return std::ranges::all_of(
         warnings_, [](const auto& each) { return each.second.found <= each.second.allowed; });
   }
@@ -259,13 +260,13 @@ class LintJob {
   }
 
   void conclude() {
-    if (mended_ > 0) {
-      env_.err << fmt::format("{} {} in {}\n", options_.shows_diff ? "would mend" : "mended",
-                              plural(mended_, "finding"), plural(mended_files_, "file"));
+    if (fixed_ > 0) {
+      env_.err << fmt::format("{} {} in {}\n", options_.shows_diff ? "would fix" : "fixed",
+                              plural(fixed_, "finding"), plural(fixed_files_, "file"));
     }
     if (refused_ > 0) {
       env_.err << fmt::format(
-          "{} not applied: more errors would be left, or a string or comment would change\n",
+          "{} not applied: there would be more errors, or a string or comment would change\n",
           plural(refused_, "fix", "fixes"));
     }
     if (options_.shows_diff || options_.diagnostics.format != "human") return;
@@ -273,10 +274,10 @@ class LintJob {
       env_.err << fmt::format("{} checked, nothing found\n", plural(names_.size(), "file"));
     }
     if (safe_fixes_ > 0 && !applies_fixes()) {
-      env_.err << fmt::format("{} can be mended with --fix\n", plural(safe_fixes_, "finding"));
+      env_.err << fmt::format("{} can be fixed with --fix\n", plural(safe_fixes_, "finding"));
     }
     if (unsafe_fixes_ > 0 && !options_.fixes_unsafe) {
-      env_.err << fmt::format("{} can be mended with --unsafe-fixes; look at the outcome\n",
+      env_.err << fmt::format("{} can be fixed with --unsafe-fixes; check the result\n",
                               plural(unsafe_fixes_, "finding"));
     }
   }
@@ -287,13 +288,13 @@ class LintJob {
   LintConfigs configs_;
   std::ostream& out_;
   std::unique_ptr<lang::DiagnosticWriter> writer_;
-  std::unordered_set<std::string> printed_;
+  std::unordered_set<std::string> reported_;
   lang::DiagnosticCounts counts_;
   std::map<const LintConfig*, WarningCount> warnings_;
   std::size_t unreadable_ = 0;
-  std::size_t mended_ = 0, mended_files_ = 0;
+  std::size_t fixed_ = 0, fixed_files_ = 0;
   std::size_t refused_ = 0;                        // fixes
-  std::size_t safe_fixes_ = 0, unsafe_fixes_ = 0;  // of what is still there
+  std::size_t safe_fixes_ = 0, unsafe_fixes_ = 0;  // of the remaining findings
 };
 
 }  // namespace
@@ -304,30 +305,30 @@ void add_lint_command(CLI::App& app, Dispatcher& dispatcher) {
       app.add_subcommand("lint", "Report mistakes in scenes without rendering them");
   command
       ->add_option("FILE", options->arguments,
-                   "Scenes, JSON configs, folders of them; `-` reads standard input")
+                   "Scenes, JSON configs, or folders of them; `-` reads standard input")
       ->required();
   add_reading_options(*command, options->reading);
   add_diagnostics_options(*command, options->diagnostics);
   add_code_filter(*command, options->filter);
   command->add_flag("--fix", options->fixes,
-                    "Apply the fixes that leave no doubt, and tell what is left; the text of "
-                    "standard input goes to standard output");
+                    "Apply the safe fixes, and report what is left; fixed standard input goes to "
+                    "standard output");
   command->add_flag("--unsafe-fixes", options->fixes_unsafe,
-                    "Apply those that are guesses too, such as the nearest name");
+                    "Also apply guesses, such as the nearest name");
   command->add_flag("--diff", options->shows_diff,
-                    "Write nothing; show as a patch what --fix or --unsafe-fixes would change");
+                    "Write nothing; show the changes of --fix or --unsafe-fixes as a patch");
   add_whole_number(
       *command, "--max-warnings", {},
-      [options](std::uint64_t count) { options->most_warnings = count; },
-      "So many warnings are no failure; default: none");
+      [options](std::uint64_t count) { options->max_warnings = count; },
+      "Succeed with up to this many warnings; default: 0");
   CLI::Option* config =
       command
           ->add_option("--config", options->config.file,
-                       "The settings of all files; default: the nearest .sdlc.toml of each")
+                       "Settings for all files; default: the nearest .sdlc.toml of each")
           ->type_name("FILE");
-  command->add_flag("--no-config", options->config.is_unused, "Look for no .sdlc.toml")
+  command->add_flag("--no-config", options->config.is_unused, "Ignore .sdlc.toml files")
       ->excludes(config);
-  command->add_flag("--quiet", options->quiet, "Nothing but findings");
+  command->add_flag("--quiet", options->quiet, "Only findings");
   command->footer(
       "Examples:\n"
       "  sdlc lint ball.scene\n"
@@ -335,13 +336,14 @@ void add_lint_command(CLI::App& app, Dispatcher& dispatcher) {
       "  sdlc lint ball.scene --fix\n"
       "  sdlc lint scenes/ --fix --diff\n"
       "  sdlc lint scenes/ --select E --ignore E213\n"
-      "  cat ball.scene | sdlc lint - --stdin-filename ball.scene --format json\n\n"
-      "Findings go to standard output. In folders it looks at .scene files and at .json files that "
-      "look like\n"
-      "configs. A file without a camera, background or settings is taken as a part of others. "
+      "  cat ball.scene | sdlc lint - --stdin-filename ball.scene --format json\n"
+      "\n"
+      "Findings go to standard output. In folders it checks .scene files and .json files that look "
+      "like\n"
+      "configs. A file without a camera, background or settings is treated as a part of others. "
       "`sdlc explain CODE`\n"
-      "tells all about a finding. Exit status: 0 nothing found, 1 findings, 2 a file cannot be "
-      "read or written.");
+      "explains a finding. Exit status: 0 nothing found, 1 findings, 2 a file cannot be read or "
+      "written.");
   dispatcher.on(command, [options](Environment& env) {
     options->config.is_sandboxed = options->reading.is_sandboxed;
     return LintJob(*options, env).run();

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-// The library's own binary would be one more to load at each start.
+// Header-only: the library's binary would have to be loaded at each start.
 #define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "an array", as it is called in messages.
+/// The name of the type in messages, such as "an array".
 std::string_view describe(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table: return "a table";
@@ -54,7 +54,7 @@ class ConfigReader {
     } catch (const toml::parse_error& error) {
       report(error.source(), error.description());
     }
-    // The library keeps keys in the order of the alphabet.
+    // The library sorts keys alphabetically.
     std::ranges::stable_sort(found_,
                              [](const Mistake& a, const Mistake& b) { return a.where < b.where; });
     for (const Mistake& mistake : found_) errors_.push_back(mistake.text);
@@ -94,7 +94,7 @@ class ConfigReader {
       } else if (key.str() == "ignore") {
         config.filter.ignored = read_codes(key.str(), entry);
       } else if (key.str() == "max-warnings") {
-        config.most_warnings = read_count(key.str(), entry);
+        config.max_warnings = read_count(key.str(), entry);
       } else if (key.str() == "overrides") {
         read_overrides(entry, config);
       } else {
@@ -166,7 +166,7 @@ class ConfigReader {
     return globs;
   }
 
-  /// Hands each string to `take`; what that throws is reported at the string.
+  /// Passes each string to `take`; exceptions are reported at the string.
   template <typename Take>
   void read_strings(std::string_view key, const toml::node& value, std::string_view wanted,
                     Take take) {
@@ -195,7 +195,7 @@ fs::path folder_of(const fs::path& file) {
   return fs::absolute(file).lexically_normal().parent_path();
 }
 
-/// As it is printed: from the working folder.
+/// The path relative to the working folder, for messages.
 std::string shown_name(const fs::path& path) {
   std::error_code no_folder;
   const fs::path shown = path.lexically_proximate(fs::current_path(no_folder));
@@ -256,20 +256,20 @@ const LintConfig& LintConfigs::in_folder(const fs::path& folder, const fs::path&
 }
 
 std::optional<LintConfig> LintConfigs::read(const fs::path& path) {
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 20;
+  constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 20;
   if (searches_ && is_sandboxed_ && !lang::Sandbox(env_.files, path).resolve(path)) {
     throw render::IoError("read", shown_name(path),
-                          "it leads out of its folder, which --sandbox refuses");
+                          "it is outside its folder, which --sandbox refuses");
   }
   const bool is_searched = path.filename() == kLintConfigName;
   if (is_searched && env_.files.is_special(path)) {
-    throw render::IoError("read", shown_name(path), "it is no regular file");
+    throw render::IoError("read", shown_name(path), "it is not a regular file");
   }
   std::error_code error;
-  const std::optional<std::string> text = env_.files.read(path, kMost, error);
-  if (text && text->size() > kMost) {
+  const std::optional<std::string> text = env_.files.read(path, kMaxBytes, error);
+  if (text && text->size() > kMaxBytes) {
     throw render::IoError("read", shown_name(path),
-                          fmt::format("it has more than {} bytes", kMost));
+                          fmt::format("it has more than {} bytes", kMaxBytes));
   }
   if (!text) {
     if (error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory) {

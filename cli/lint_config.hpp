@@ -18,7 +18,7 @@ namespace sdlc::cli {
 
 inline constexpr const char* kLintConfigName = ".sdlc.toml";
 
-/// What a `.sdlc.toml` says about some of its files.
+/// The settings of a `.sdlc.toml` for some of its files.
 struct LintOverride {
   std::vector<Glob> files;
   CodeFilter filter;
@@ -26,47 +26,46 @@ struct LintOverride {
 
 /// A `.sdlc.toml`.
 struct LintConfig {
-  std::filesystem::path folder = {};  ///< its own, absolute; globs are relative to it
+  std::filesystem::path folder = {};  ///< its folder, absolute; globs are relative to it
   CodeFilter filter = {};
-  std::optional<std::uint64_t> most_warnings = {};
+  std::optional<std::uint64_t> max_warnings = {};
   std::vector<LintOverride> overrides = {};
 
-  /// Whether it wants a diagnostic in the file, whose absolute path is given. Later overrides
-  /// decide first, then earlier ones, then `[lint]`; who says nothing about a code leaves it to the
-  /// next.
+  /// Whether a diagnostic is wanted in the file, given by its absolute path. Checks the overrides
+  /// from the last to the first, then `[lint]`; the first that matches the code decides.
   bool wants(std::string_view code, const std::filesystem::path& file) const;
 };
 
-/// The text of a `.sdlc.toml` in `folder`. What is wrong with it goes to `errors`, one text each
-/// with `name`, line and column before it.
+/// Parses a `.sdlc.toml` in `folder`. Mistakes are appended to `errors`, each prefixed with `name`,
+/// line and column.
 LintConfig parse_lint_config(std::string_view text, const std::string& name,
                              const std::filesystem::path& folder, std::vector<std::string>& errors);
 
-/// Where configs come from.
+/// The source of configs.
 struct LintConfigOptions {
-  std::string file;        ///< --config: this one for all files
+  std::string file;        ///< --config: use this one for all files
   bool is_unused = false;  ///< --no-config
-  /// --sandbox: only those in the folder of the scene and below.
+  /// --sandbox: only configs in the folder of the scene and below
   bool is_sandboxed = false;
 };
 
-/// Finds the config of each file: the nearest `.sdlc.toml` from its folder upwards, as far as the
-/// first folder that has a `.git`. Each is read once.
+/// Finds the config of each file: the nearest `.sdlc.toml` from its folder upwards, up to the first
+/// folder with a `.git`. Each is read once.
 class LintConfigs {
  public:
-  /// Throws render::IoError where the file of --config cannot be read.
+  /// Throws render::IoError if the file of --config cannot be read.
   LintConfigs(const LintConfigOptions& options, const Environment& env);
 
-  /// That of a file, as the user named it; one that says nothing where there is none. `scene`: the
+  /// The config of a file, given as the user named it; an empty one if there is none. `scene`: the
   /// file itself, or the scene that reads it. The reference stays valid. Throws render::IoError for
   /// a config that cannot be read.
   const LintConfig& of(const std::string& file, const std::string& scene);
 
-  /// What is wrong with those that were found so far.
+  /// The mistakes in all configs found so far.
   const std::vector<std::string>& errors() const noexcept { return errors_; }
 
  private:
-  /// `last`: the folder above which it does not look; empty: none.
+  /// `last`: the topmost folder to search; empty for no limit.
   const LintConfig& in_folder(const std::filesystem::path& folder,
                               const std::filesystem::path& last);
   std::optional<LintConfig> read(const std::filesystem::path& path);
@@ -74,9 +73,9 @@ class LintConfigs {
   const Environment& env_;
   bool searches_ = true;
   bool is_sandboxed_ = false;
-  LintConfig common_;                                // of --config, or one that says nothing
-  std::map<std::filesystem::path, LintConfig> own_;  // by their folders
-  /// Of each folder that was asked for, and the last one.
+  LintConfig common_;                                // from --config, or empty
+  std::map<std::filesystem::path, LintConfig> own_;  // by folder
+  /// By the folder of a query and its topmost folder.
   std::map<std::pair<std::filesystem::path, std::filesystem::path>, const LintConfig*> nearest_;
   std::vector<std::string> errors_;
 };

@@ -6,7 +6,8 @@
 
 namespace sdlc::cli {
 
-/// What times depend on: "processor", "cores", "memory", "system", as far as the system tells.
+/// The machine properties that affect times: "processor", "cores", "memory", "system", as far as
+/// they are known.
 std::vector<std::pair<std::string, std::string>> describe_machine();
 
 }  // namespace sdlc::cli

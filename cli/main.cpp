@@ -18,19 +18,20 @@
 
 namespace {
 
-/// Has the standard streams take their numbers where the process was started without them: a file
-/// would be opened under the number, and get what is meant for the stream. Opened the wrong way
-/// round, so that using one is still an error.
+/// Opens the standard streams if the process was started without them: otherwise the next opened
+/// file would get their number, and receive their output. They are opened in the wrong direction,
+/// so that using one is still an error.
 void open_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) >= 0) continue;
     const int mode = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
-    // The lowest free number is that of the stream. A system without /dev has a root.
+    // open() returns the lowest free number, that of the stream. A system without /dev still has a
+    // root.
     if (::open("/dev/null", mode) < 0) ::open("/", O_RDONLY | O_DIRECTORY);
   }
 }
 
-/// Of exceptions in threads of libraries too, which nobody can catch.
+/// Also called for exceptions in threads of libraries, which nobody can catch.
 [[noreturn]] void on_terminate() noexcept {
   sdlc::render::remove_unfinished_files();
   if (const std::exception_ptr thrown = std::current_exception()) {
@@ -39,8 +40,8 @@ void open_closed_streams() {
     } catch (const std::exception& error) {
       if (sdlc::render::is_thread_shortage(error)) {
         std::fputs(
-            "error: a thread cannot be started: the user or the container has too many "
-            "(`ulimit -u`); --threads asks for fewer\n",
+            "error: a thread cannot be started: the limit of the user or the container is reached "
+            "(`ulimit -u`); use fewer --threads\n",
             stderr);
         std::_Exit(static_cast<int>(sdlc::cli::ExitCode::Usage));
       }
@@ -55,14 +56,13 @@ void open_closed_streams() {
 
 int main(int argc, char** argv) {
   open_closed_streams();
-  // A closed pipe or a limit on file sizes is an error of the write that meets it, not the end of
-  // the process.
+  // A closed pipe or a limit on file sizes is an error of the write, not the end of the process.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   sdlc::cli::handle_signals();
   std::set_terminate(on_terminate);
-  // Else OpenImageIO starts one for each core, only to end them again. Here there are no others yet
-  // that may look into the environment.
+  // Otherwise OpenImageIO starts a thread per core, only to end them again. No other threads exist
+  // yet that may read the environment.
   ::setenv("OPENIMAGEIO_THREADS", "1", 0);
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   int status = 0;

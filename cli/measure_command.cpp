@@ -39,14 +39,14 @@
 #include "cli/words.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
-#include "lang/object/object.hpp"
+#include "lang/object/check.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
 #include "render/measure/study.hpp"
-#include "render/scene/choices.hpp"
 #include "render/scene/digest.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -75,23 +75,18 @@ render::GivenFlags given_flags(const CLI::App& command) {
   static constexpr std::array<std::string_view, 12> kOwn{
       "FILE",      "--help", "--format", "--color",   "--output", "--budget",
       "--against", "--work", "--quiet",  "--samples", "--error",  "--stdin-filename"};
-  static constexpr std::array<std::pair<std::string_view, bool render::GivenFlags::*>, 4> kOfWay{{
-      {"--sampler", &render::GivenFlags::sampler},
-      {"--light-sampling", &render::GivenFlags::light_sampling},
-      {"--precision", &render::GivenFlags::precision},
-      {"--depth", &render::GivenFlags::depth},
-  }};
+  std::vector<std::string> flags_of_way;
   render::GivenFlags given;
+  render::for_each_way_setting([&](const auto& setting) {
+    const std::string flag = render::flag_of(setting.name);
+    flags_of_way.push_back(flag);
+    if (command.count(flag) > 0) given.of_way.emplace_back(setting.name);
+  });
   const auto is_given = [](const CLI::Option* option) { return option->count() > 0; };
   for (const CLI::Option* option : command.get_options(is_given)) {
     const std::string name =
         option->get_lnames().empty() ? "FILE" : "--" + option->get_lnames().front();
-    if (std::ranges::count(kOwn, name)) continue;
-    const auto of_way = std::ranges::find(kOfWay, name, [](const auto& row) { return row.first; });
-    if (of_way != kOfWay.end()) {
-      given.*(of_way->second) = true;
-      continue;
-    }
+    if (std::ranges::count(kOwn, name) || std::ranges::count(flags_of_way, name)) continue;
     const bool has_value = option->get_items_expected_max() > 0;
     for (const std::string& value : option->results()) {
       if (!given.others.empty()) given.others += ' ';
@@ -164,11 +159,11 @@ void check_supported(const MeasureOptions& options) {
 /// Refuses what would not fit before anything is rendered.
 void check_memory(const render::RenderSettings& settings) {
   // Three pictures, the reference's spread, FLIP's colours of two, and the report's maps.
-  constexpr std::size_t kBytesAPixel =
+  constexpr std::size_t kBytesPerPixel =
       3 * sizeof(render::LinearRgb) + 2 * sizeof(render::PixelSpread) + 24 * sizeof(float);
   const auto pixels =
       static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
-  if (pixels * kBytesAPixel > physical_memory_bytes()) throw std::bad_alloc();
+  if (pixels * kBytesPerPixel > physical_memory_bytes()) throw std::bad_alloc();
 }
 
 /// Tells what is done, one thing after the other, on standard error.
@@ -262,7 +257,7 @@ class MeasureJob {
       const render::Kernel kernel = choose_kernel(options_.kernel, overrides, *lowered, *compiler_);
       request_ = options_.kernel;
       request_.precision = lowered->precision;
-      request_.may_take_double = !overrides.precision;
+      request_.may_take_double = !overrides.has(lang::render_property::kPrecision);
       print_findings(select_unallowed(sink_), options_.scene.diagnostics, env_.err,
                      env_.err_is_terminal, env_);
       check_not_refused(kernel);
@@ -301,13 +296,12 @@ class MeasureJob {
         {"width", settings.width},
         {"height", settings.height},
         {"samples", settings.samples},
-        {"depth", settings.depth},
-        {"seed", settings.seed},
         {"threads", settings.threads},
-        {"sampler", name_of(settings.sampler)},
-        {"light sampling", name_of(settings.light_sampling)},
         {"tone", name_of(lowered.output.tone)},
         {"precision", request_.precision ? std::string(name_of(*request_.precision)) : "auto"}};
+    render::for_each_setting([&](const auto& setting) {
+      json[std::string(setting.name)] = render::shown(settings.*setting.member);
+    });
     for (const auto& [name, value] : machine_) json[name] = value;
     return json;
   }

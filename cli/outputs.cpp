@@ -24,15 +24,15 @@ std::string numbered(const std::string& name, std::optional<int> frame) {
   return frame ? name_of_frame(name, *frame) : name;
 }
 
-/// The file behind a name that is a regular one; those alone are replaced when they are written.
+/// The identity of a regular file; only regular files are replaced when written.
 std::optional<std::pair<dev_t, ino_t>> regular_file(const fs::path& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   return std::pair(status.st_dev, status.st_ino);
 }
 
-/// The folder of a file that is written, whatever it is called, and the name in it; `target`: with
-/// links followed.
+/// Identifies a file by its folder and its name in it, independent of spelling; `target` has its
+/// links resolved.
 std::string place_of(const fs::path& target) {
   struct stat folder {};
   const bool is_there = ::stat(target.parent_path().c_str(), &folder) == 0;
@@ -41,7 +41,7 @@ std::string place_of(const fs::path& target) {
              : target.string();
 }
 
-/// Has room for the output of all.
+/// /dev/null can receive any number of outputs.
 bool is_null_device(const fs::path& target) { return target == "/dev/null"; }
 
 [[noreturn]] void throw_two_outputs(const std::string& name) {
@@ -63,7 +63,7 @@ std::vector<Output> name_outputs(const OutputRequest& request, std::optional<int
   }
   if (!outputs.empty()) return outputs;
   const auto name = default_picture(request.of_scene, request.input, frame);
-  if (!name) throw UsageError("a scene from `-` needs -o OUT or --stdin-filename NAME");
+  if (!name) throw UsageError("a scene from `-` requires -o OUT or --stdin-filename NAME");
   return {{.path = *name,
            .format = picture_format(*name, "write"),
            .may_make_folders = !request.of_scene.empty()}};
@@ -71,7 +71,7 @@ std::vector<Output> name_outputs(const OutputRequest& request, std::optional<int
 
 void check_absent(const fs::path& path) {
   std::error_code error;
-  // A link that leads nowhere is there too.
+  // A dangling link also exists.
   if (fs::exists(fs::symlink_status(path, error))) {
     throw render::IoError("write", path, "the file exists and --no-clobber was given");
   }
@@ -129,24 +129,23 @@ bool InputSet::contains(const std::string& name) const {
 void InputSet::check_not_in(const std::string& name) const {
   if (!contains(name)) return;
   throw UsageError(
-      fmt::format("`{}` is a file that is read, and would be overwritten", lang::printable(name)));
+      fmt::format("`{}` is an input file and would be overwritten", lang::printable(name)));
 }
 
 namespace {
 
-/// By the text of the name and of links inside. Asks the file system about nothing outside.
+/// Checks the text of the name and links inside. Does not access the file system outside.
 void check_sandbox(const OutputRequest& request, const fs::path& name) {
   if (request.sandbox == nullptr || !request.pictures.empty()) return;
   if (request.sandbox->resolve(name)) return;
-  throw UsageError(
-      fmt::format("`{}` leads out of the scene's folder, which --sandbox refuses; -o names "
-                  "another place",
-                  lang::printable(name.string())));
+  throw UsageError(fmt::format(
+      "`{}` is outside the scene's folder, which --sandbox refuses; use -o to choose another place",
+      lang::printable(name.string())));
 }
 
-/// What a frame writes when it is interrupted. `all`: everything that is written otherwise.
+/// Checks the names of unfinished pictures. `all`: all other outputs.
 void check_partial_names(const std::vector<Output>& outputs, const OutputSet& all) {
-  OutputSet partial;  // of one frame: no more than one is interrupted
+  OutputSet partial;  // of one frame: at most one is interrupted
   for (const Output& output : outputs) {
     if (output.is_stdout) continue;
     const std::string name = partial_name(output.path).string();
@@ -155,7 +154,7 @@ void check_partial_names(const std::vector<Output>& outputs, const OutputSet& al
   }
 }
 
-/// Of all frames, before the first one is rendered.
+/// Checks the names for all frames, before the first one is rendered.
 void check_names(const OutputRequest& request) {
   const InputSet inputs(request.inputs);
   OutputSet all;
@@ -207,7 +206,7 @@ std::vector<Output> plan_outputs(const OutputRequest& request) {
 }
 
 fs::path partial_name(const fs::path& path) {
-  constexpr std::size_t kLongestName = 255;  // bytes, of every file system in common use
+  constexpr std::size_t kLongestName = 255;  // bytes; the limit of every common file system
   const std::string ending = ".partial" + path.extension().string();
   std::string stem = path.stem().string();
   const std::size_t room = kLongestName - std::min(kLongestName, ending.size());

@@ -4,19 +4,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <functional>
 #include <string>
 #include <string_view>
-#include <type_traits>
-
-#include <fmt/format.h>
 
 #include "cli/amounts.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
 #include "cli/words.hpp"
-#include "lang/object/object.hpp"
+#include "lang/object/check.hpp"
 #include "lang/schema/schema.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -25,29 +23,31 @@ const lang::Property& render_property(std::size_t index) {
   return lang::kind_info(lang::ObjectKind::Render).properties[index];
 }
 
-/// `--light-sampling` of `light_sampling`.
-std::string flag_of(const lang::Property& property) {
-  std::string flag = fmt::format("--{}", property.name);
-  std::ranges::replace(flag, '_', '-');
-  return flag;
-}
-
 /// A flag for a property that is a word or a name.
-void add_override(CLI::App& command, std::size_t index, std::optional<std::string>& value) {
+void add_word(CLI::App& command, std::size_t index, lang::Overrides& overrides) {
   const lang::Property& property = render_property(index);
-  CLI::Option* option = command.add_option(flag_of(property), value, std::string(property.doc));
+  CLI::Option* option = command.add_option_function<std::string>(
+      render::flag_of(property.name),
+      [index, &overrides](const std::string& word) { overrides.render.emplace_back(index, word); },
+      std::string(property.doc));
   if (!property.words.empty()) option->check(one_of(property.words));
 }
 
 /// A flag for a property that is a whole number.
-template <typename T>
-void add_override(CLI::App& command, std::size_t index, std::optional<T>& value) {
+void add_number(CLI::App& command, std::size_t index, lang::Overrides& overrides) {
   const lang::Property& property = render_property(index);
+  const bool is_seed = index == lang::render_property::kSeed;
   WholeNumbers range{.lowest = property.range == lang::Range::AtLeastOne ? 1u : 0u};
-  if (std::is_same_v<T, int>) range.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber);
+  if (!is_seed) range.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber);
   add_whole_number(
-      command, flag_of(property), range,
-      [&value](std::uint64_t number) { value = static_cast<T>(number); },
+      command, render::flag_of(property.name), range,
+      [=, &overrides](std::uint64_t number) {
+        if (is_seed) {
+          overrides.seed = number;
+        } else {
+          overrides.render.emplace_back(index, static_cast<double>(number));
+        }
+      },
       std::string(property.doc));
 }
 
@@ -67,23 +67,28 @@ void add_instances(CLI::App& command, lang::Instancing& instancing) {
       ->check(one_of(kWords));
 }
 
-/// A flag whose value is an amount that `parse` reads.
-void add_amount(CLI::App& command, const std::string& flag, std::optional<double>& value,
+/// A flag whose value is an amount that `parse` reads; `take` is called with it.
+void add_amount(CLI::App& command, const std::string& flag,
                 double (*parse)(const std::string& flag, const std::string& text),
-                const std::string& type, const std::string& doc) {
+                const std::function<void(double)>& take, const std::string& type,
+                const std::string& doc) {
   command
       .add_option_function<std::string>(
-          flag, [flag, parse, &value](const std::string& text) { value = parse(flag, text); }, doc)
+          flag, [=](const std::string& text) { take(parse(flag, text)); }, doc)
       ->type_name(type);
 }
 
 void add_goals(CLI::App& command, lang::Overrides& overrides) {
   const lang::Property& error = render_property(lang::render_property::kError);
-  add_amount(command, flag_of(error), overrides.error, parse_share, "E", std::string(error.doc));
-  add_amount(command, "--time", overrides.seconds, parse_duration, "T",
-             "Go on until so much time has passed, such as `10s`, `500ms`, `2min` or `1h`. --error "
-             "and --time take the place of the scene's samples and error; with both, whichever is "
-             "reached first ends it; --samples: the most of them");
+  add_amount(
+      command, render::flag_of(error.name), parse_share,
+      [&](double share) { overrides.render.emplace_back(lang::render_property::kError, share); },
+      "E", std::string(error.doc));
+  add_amount(
+      command, "--time", parse_duration, [&](double seconds) { overrides.seconds = seconds; }, "T",
+      "Go on until so much time has passed, such as `10s`, `500ms`, `2min` or `1h`. --error "
+      "and --time take the place of the scene's samples and error; with both, whichever is "
+      "reached first ends it; --samples: the most of them");
   command.add_flag("--adaptive", overrides.is_adaptive,
                    "More samples where there is more noise, up to the error to reach");
 }
@@ -92,17 +97,12 @@ void add_goals(CLI::App& command, lang::Overrides& overrides) {
 
 void add_override_options(CLI::App& command, lang::Overrides& overrides) {
   using namespace lang::render_property;
-  add_override(command, kWidth, overrides.width);
-  add_override(command, kHeight, overrides.height);
-  add_override(command, kSamples, overrides.samples);
-  add_override(command, kDepth, overrides.depth);
-  add_override(command, kSeed, overrides.seed);
-  add_override(command, kThreads, overrides.threads);
-  add_override(command, kTone, overrides.tone);
-  add_override(command, kCamera, overrides.camera);
-  add_override(command, kPrecision, overrides.precision);
-  add_override(command, kSampler, overrides.sampler);
-  add_override(command, kLightSampling, overrides.light_sampling);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (render_property(i).type == lang::Type::WholeNumber) add_number(command, i, overrides);
+  }
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (render_property(i).type == lang::Type::Word) add_word(command, i, overrides);
+  }
   add_goals(command, overrides);
   add_instances(command, overrides.instancing);
 }

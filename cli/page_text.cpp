@@ -17,7 +17,7 @@ constexpr std::size_t kColumns = 80;
 constexpr std::string_view kFence = "```";
 constexpr std::string_view kItem = "* ";
 
-/// The text with `[words](address)` as the words alone.
+/// Replaces `[words](address)` by the words.
 std::string without_links(const std::string& text) {
   std::string result;
   std::size_t rest = 0;
@@ -30,7 +30,7 @@ std::string without_links(const std::string& text) {
   }
 }
 
-/// The words of a paragraph; what stands in backticks is one.
+/// The words of a paragraph; text in backticks is a single word.
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
   std::istringstream in(text);
@@ -74,7 +74,7 @@ class PageWriter {
   }
 
  private:
-  /// What the words of a fence say: LANGUAGE KIND [NAME [FLAG…]].
+  /// Writes a caption from the words of a fence: LANGUAGE KIND [NAME [FLAG…]].
   void write_caption(const std::string& fence) {
     const std::vector<std::string> words = words_of(fence);
     const bool is_message = words.size() > 1 && words[1] == "message";
@@ -108,7 +108,7 @@ class PageWriter {
   }
 
   bool has_color_;
-  bool is_inside_ = false;  // a block of code
+  bool is_inside_ = false;  // inside a code block
   std::string paragraph_;
   std::string out_;
 };

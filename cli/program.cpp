@@ -49,7 +49,7 @@ std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) 
   return names;
 }
 
-/// What to say of arguments that do not parse.
+/// The message for arguments that do not parse.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error,
                         std::span<const std::string> arguments) {
   const auto all_commands = app.get_subcommands([](const CLI::App*) { return true; });
@@ -70,7 +70,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error,
     const std::string flag = extra.substr(0, extra.find('='));
     const std::vector<std::string> known = flags_of(command);
     if (has_command && std::find(known.begin(), known.end(), flag) != known.end()) {
-      return fmt::format("`{}` belongs behind `{}`", flag, command.get_name());
+      return fmt::format("`{}` belongs after `{}`", flag, command.get_name());
     }
     return fmt::format("unknown flag `{}`{}", flag, suggestion(flag, known));
   }
@@ -83,18 +83,18 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
       "Examples:\n"
       "  sdlc render ball.scene                  renders to ball.png\n"
       "  sdlc render old.json -o old.exr         a JSON config, to linear radiance\n"
-      "  sdlc lint scenes/                       what is wrong, without rendering\n"
-      "  sdlc fmt scenes/                        the one layout for all of them\n"
+      "  sdlc lint scenes/                       checks without rendering\n"
+      "  sdlc fmt scenes/                        formats them\n"
       "  sdlc convert old.json                   a JSON config as a scene, or a scene as a config\n"
-      "  sdlc inspect ball.scene                 what the scene lowers to and requires\n"
-      "  sdlc measure ball.scene                 what error it has after what time\n"
-      "  sdlc compare new.exr reference.exr      how far a picture is from another\n"
-      "  sdlc explain E104                       what a message means\n"
-      "  sdlc render --help                      all about one command\n\n"
+      "  sdlc inspect ball.scene                 size, memory and precision of a scene\n"
+      "  sdlc measure ball.scene                 error against render time\n"
+      "  sdlc compare new.exr reference.exr      difference between two pictures\n"
+      "  sdlc explain E104                       explains a message\n"
+      "  sdlc render --help                      help for one command\n"
+      "\n"
       "Exit status: 0 done, 1 the scene has errors or findings, 2 wrong usage or a file cannot be "
-      "read or "
-      "written,\n"
-      "3 a defect in sdlc, 130 interrupted.");
+      "read or written,\n"
+      "3 a bug in sdlc, 130 interrupted.");
   bool wants_version = false;
   app.add_flag("--version", wants_version, "Print version, commit and instruction sets");
   app.require_subcommand(0, 1);
@@ -110,7 +110,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
   add_schema_command(app, dispatcher);
 
   try {
-    // CLI11 takes its arguments last first.
+    // CLI11 takes its arguments in reverse order.
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::CallForHelp&) {
     const bool has_command = !app.get_subcommands().empty();
@@ -118,7 +118,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
     return ExitCode::Success;
   } catch (const CLI::ParseError& error) {
     env.err << fmt::format("error: {}\n", usage_error(app, error, arguments))
-            << "`sdlc --help` and `sdlc COMMAND --help` tell what there is.\n";
+            << "See `sdlc --help` and `sdlc COMMAND --help`.\n";
     return ExitCode::Usage;
   }
   if (wants_version) {

@@ -8,10 +8,9 @@
 
 namespace sdlc::cli {
 
-/// The whole program: parses the arguments (without the program's own name), runs the command they
-/// name and says how it ended. What goes wrong is told on env.err. Throws only where a thread could
-/// not be started (render::is_thread_shortage): libraries that meet this cannot even end in good
-/// order.
+/// The whole program: parses the arguments (without the program's own name), runs the command and
+/// returns its status. Errors are printed on env.err. Throws only if a thread could not be started
+/// (render::is_thread_shortage): libraries cannot even shut down properly in that state.
 ExitCode run_program(std::span<const std::string> arguments, Environment& env);
 
 }  // namespace sdlc::cli

@@ -26,7 +26,7 @@ ProgressReporter::ProgressReporter(ProgressStyle style, const render::RenderMoni
   try {
     thread_ = std::thread([this] { run(); });
   } catch (const std::system_error&) {
-    // The picture matters more than how far it is.
+    // Continue without progress.
   }
 }
 

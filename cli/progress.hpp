@@ -14,12 +14,12 @@ namespace sdlc::cli {
 
 enum class ProgressStyle : std::uint8_t { None, Line, Plain, Json };
 
-/// Of all pixels, without a goal.
+/// Over all pixels, without a goal.
 std::uint64_t total_samples(const render::RenderSettings& settings);
 
-/// Tells how far a render is, from a thread of its own, until it is destroyed. Line rewrites one
-/// line of a terminal ten times a second; Plain adds a line every 10 seconds or 5 %, whichever is
-/// later; Json an object a second.
+/// Reports the progress of a render, on its own thread, until it is destroyed. Line rewrites one
+/// line of a terminal ten times per second; Plain adds a line every 10 seconds or 5 %, whichever is
+/// later; Json an object per second.
 class ProgressReporter {
  public:
   ProgressReporter(ProgressStyle style, const render::RenderMonitor& monitor,
@@ -34,11 +34,11 @@ class ProgressReporter {
 
   ProgressStyle style_;
   const render::RenderMonitor& monitor_;
-  bool has_goal_;  // and no number of samples that is known
+  bool has_goal_;  // and the number of samples is unknown
   double total_;
   std::ostream& err_;
-  double next_fraction_ = 0.05;  // of Plain
-  double next_seconds_ = 0;      // of Plain and Json
+  double next_fraction_ = 0.05;  // for Plain
+  double next_seconds_ = 0;      // for Plain and Json
   bool has_line_ = false;
 
   std::mutex mutex_;

@@ -34,7 +34,7 @@
 #include "cli/words.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
-#include "lang/lower/scene_builder.hpp"
+#include "lang/lower/lowered_scene.hpp"
 #include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/aov/aov.hpp"
@@ -67,15 +67,15 @@ struct RenderOptions {
   bool quiet = false;
 };
 
-/// Refuses a picture that the machine cannot hold before any of it is allocated.
+/// Rejects a picture that does not fit into memory, before it is allocated.
 void check_memory(const render::RenderSettings& settings, const render::Aovs& aovs) {
   const auto pixels =
       static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
-  // The picture, its 32-bit copy and the encoded file, and what is kept of its error; with a goal
-  // the sums of all samples too.
+  // The picture, its 32-bit copy, the encoded file, and the error estimates; with a goal also the
+  // sums of all samples.
   std::size_t pixel_bytes =
       sizeof(render::LinearRgb) + 2 * 3 * sizeof(float) + sizeof(render::PixelSpread);
-  if (settings.has_goal()) pixel_bytes += render::Film::kBytesAPixel;
+  if (settings.has_goal()) pixel_bytes += render::Film::kBytesPerPixel;
   const std::size_t bytes = pixels * pixel_bytes + aov_bytes(aovs, pixels);
   if (bytes > physical_memory_bytes()) throw std::bad_alloc();
 }
@@ -100,14 +100,13 @@ void write_to_stdout(const render::Picture& picture, const render::WriteOptions&
   if (!env.out.flush()) throw render::IoError("write", "standard output", "the write failed");
 }
 
-/// What was written, and what came of the rest.
+/// The written files, and the status.
 struct Written {
-  std::vector<std::string> names;  ///< as they are printed
+  std::vector<std::string> names;  ///< as printed
   ExitCode code = ExitCode::Success;
 };
 
-/// Runs `write`; what the world refuses it is reported, and does not keep others from being
-/// written.
+/// Runs `write`; an I/O failure is reported, and does not prevent other outputs.
 template <typename Write>
 void try_to_write(ExitCode& code, Environment& env, Write write) {
   try {
@@ -158,30 +157,30 @@ void write_stats(const std::string& path, const std::string& lines, Environment&
   }
 }
 
-/// The first pass is finished anyhow.
-constexpr double kLeastSecondsToTrace = 1e-3;
+/// The first pass is finished in any case.
+constexpr double kMinSecondsToTrace = 1e-3;
 
-/// What is left for tracing of the time that a picture may take, once it is read and until it is
-/// written.
+/// The part of a picture's time limit that is left for tracing, after reading and before writing.
 double seconds_to_trace(const render::RenderSettings& settings, std::size_t outputs, double spent) {
-  // PNG, the slowest of those that are common, takes some 60 ns a pixel.
-  constexpr double kSecondsAPixel = 60e-9, kSecondsAFile = 0.02;
+  // PNG, the slowest common format, takes about 60 ns per pixel.
+  constexpr double kSecondsPerPixel = 60e-9, kSecondsPerFile = 0.02;
   const double pixels = static_cast<double>(settings.width) * settings.height;
-  const double to_write = (pixels * kSecondsAPixel + kSecondsAFile) * static_cast<double>(outputs);
-  return std::max(*settings.seconds - spent - to_write, kLeastSecondsToTrace);
+  const double to_write =
+      (pixels * kSecondsPerPixel + kSecondsPerFile) * static_cast<double>(outputs);
+  return std::max(*settings.seconds - spent - to_write, kMinSecondsToTrace);
 }
 
-/// Traces with progress; Ctrl-C ends it early. Takes the scene's spheres, and adds what --aov asks
-/// of the first surfaces to `layers`.
+/// Traces with progress; Ctrl-C ends it early. Moves the scene's spheres away, and appends the
+/// first-hit channels of --aov to `layers`.
 render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
                            const RenderOptions& options, RenderStatistics& statistics,
                            std::vector<render::Layer>& layers, Environment& env) {
   render::RenderMonitor monitor;
   monitor.on_tracing = [&] {
-    // Of ten million spheres, what was compiled and what the hierarchy was built from leave 140 MB
-    // behind, as long as the tracing takes.
+    // For ten million spheres, freed memory of the compiler and the BVH builder would keep 140 MB
+    // resident during tracing.
     release_freed_memory();
-    statistics.render_rss_bytes = resident_bytes();  // before the codec adds its own
+    statistics.render_rss_bytes = resident_bytes();  // before the codec allocates its own
     render::preload_image_codec();
   };
   const InterruptGuard interrupt(monitor.cancel);
@@ -189,14 +188,14 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
     const auto start = std::chrono::steady_clock::now();
     layers = first_hit_layers(lowered.scene, lowered.settings, options.aovs, monitor.cancel);
     if (auto& seconds = lowered.settings.seconds) {
-      *seconds = std::max(*seconds - seconds_since(start), kLeastSecondsToTrace);
+      *seconds = std::max(*seconds - seconds_since(start), kMinSecondsToTrace);
     }
   }
   const ProgressReporter progress(progress_style(options, env), monitor, lowered.settings, env.err);
   return render::render(std::move(kernel), std::move(lowered.scene), lowered.settings, monitor);
 }
 
-/// The closing line, and how the command ends.
+/// Prints the final line and returns the status of the command.
 ExitCode conclude(const RenderOptions& options, const render::RenderSettings& settings,
                   const render::RenderResult& result, const Written& written, Environment& env) {
   if (result.nonfinite_samples > 0) {
@@ -208,9 +207,10 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
         settings.has_goal()
             ? ""
             : fmt::format(" of {}", format_count(static_cast<double>(total_samples(settings))));
-    const std::string saved = written.names.empty() ? "nothing was saved"
-                                                    : fmt::format("what there is was saved as {}",
-                                                                  fmt::join(written.names, ", "));
+    const std::string saved =
+        written.names.empty()
+            ? "nothing was saved"
+            : fmt::format("the partial picture was saved as {}", fmt::join(written.names, ", "));
     env.err << fmt::format("interrupted after {}{} samples; {}\n",
                            format_count(static_cast<double>(result.camera_samples)), of, saved);
     return graver(ExitCode::Interrupted, written.code);
@@ -248,13 +248,15 @@ class RenderJob {
       if (code != ExitCode::Success || interrupted_.load()) break;
       code = render_frame(frames_[i], i + 1 == frames_.size());
     }
-    return interrupted_.load() && finished_ > 0 ? tell_interrupted(code) : code;
+    return interrupted_.load() && finished_ > 0 ? report_interrupted(code) : code;
   }
 
  private:
-  /// Of an interruption that found a picture finished.
-  ExitCode tell_interrupted(ExitCode code) {
-    if (code == ExitCode::Interrupted) return code;  // within a picture, which has been reported
+  /// Reports an interruption after a finished picture.
+  ExitCode report_interrupted(ExitCode code) {
+    if (code == ExitCode::Interrupted)
+      return code;  // interrupted within a picture, which has been
+                    // reported
     env_.err << fmt::format("interrupted; {}\n", frames_.size() == 1
                                                      ? "the picture was finished"
                                                      : fmt::format("{} of {} frames were finished",
@@ -265,7 +267,7 @@ class RenderJob {
   void choose_frames() {
     const std::optional<lang::Animation> animation = compiler_->animation();
     if (!animation && options_.frames && !sink_.has_errors()) {
-      throw UsageError("--frames: the scene has no `animation`, so that all frames are the same");
+      throw UsageError("--frames: the scene has no `animation`, so all frames are the same");
     }
     if (!animation) {
       frames_ = {std::nullopt};
@@ -282,14 +284,14 @@ class RenderJob {
     }
   }
 
-  /// A frame's scene, and how it is traced.
+  /// A frame's scene, and its kernel.
   struct LoweredFrame {
     lang::LoweredScene lowered;
-    render::Kernel kernel;  ///< perhaps refused
+    render::Kernel kernel;  ///< may be refused
     double choice_seconds = 0;
   };
 
-  /// Compiles the scene at this frame and prints its new diagnostics; nothing when it has errors.
+  /// Compiles the scene at this frame and prints its new diagnostics; nullopt if it has errors.
   std::optional<LoweredFrame> lower(std::optional<int> frame, RenderStatistics& statistics) {
     lang::Overrides overrides = options_.overrides;
     overrides.instancing = instancing_for(options_.kernel, overrides);
@@ -332,18 +334,18 @@ class RenderJob {
     if (frame == frames_.front()) {
       request.all_frames = frames_;
     } else {
-      request.stats.clear();  // those of earlier frames are there by now
+      request.stats.clear();  // the file of earlier frames exists by now
     }
     if (sandbox_) request.sandbox = &*sandbox_;
     return request;
   }
 
-  /// Before text and tree are gone.
+  /// Called before text and tree are freed.
   void find_inputs(const lang::LoweredScene& lowered) {
     inputs_ = {options_.scene.file};
     for (const fs::path& part : compiler_->dependencies()) inputs_.push_back(part.string());
     if (!options_.scene.reading.is_sandboxed) return;
-    // The default's folder is ours, its file may be a link of the scene's.
+    // The default folder is ours, but the file in it may be a link made by the scene's author.
     sandbox_.emplace(env_.files, lowered.output.output.empty() ? "" : options_.scene.name());
   }
 
@@ -355,7 +357,7 @@ class RenderJob {
     auto& [lowered, kernel, choice_seconds] = *lowered_frame;
     if (interrupted_.load()) return ExitCode::Success;  // between two frames
     find_inputs(lowered);
-    if (is_last) {  // text and tree make room for the tracing
+    if (is_last) {  // free text and tree before tracing
       compiler_.reset();
       source_.reset();
     }
@@ -370,7 +372,7 @@ class RenderJob {
     if (settings.seconds) {
       lowered.settings.seconds = seconds_to_trace(settings, outputs.size(), seconds_since(start));
     }
-    // Until here there is nothing to save, and a signal ends the process.
+    // Until here there is nothing to save, and a signal may end the process.
     if (!guard_) guard_.emplace(interrupted_);
     std::vector<render::Layer> layers;
     render::RenderResult result =
@@ -378,7 +380,7 @@ class RenderJob {
     result.build_seconds += choice_seconds;
     if (!result.is_complete) {
       if (result.camera_samples == 0) return conclude(options_, settings, result, {}, env_);
-      env_.err << "interrupted; saving what there is" << std::endl;
+      env_.err << "interrupted; saving the partial picture" << std::endl;
     }
     add_picture_layers(options_.aovs, settings, result, layers, env_.err);
     const auto write_start = std::chrono::steady_clock::now();
@@ -400,9 +402,9 @@ class RenderJob {
   std::optional<lang::SourceFile> source_;
   std::optional<lang::Compiler> compiler_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::vector<std::optional<int>> frames_;  // nothing: a scene without an animation
+  std::vector<std::optional<int>> frames_;  // nullopt for a scene without an animation
   double read_seconds_ = 0;
-  std::string stats_;  // of the frames so far, one a line
+  std::string stats_;  // of the frames so far, one per line
   std::vector<std::string> inputs_;
   std::optional<lang::Sandbox> sandbox_;
   std::size_t finished_ = 0;  // frames
@@ -424,21 +426,21 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
   command
       ->add_option("-o,--output", options->outputs,
                    "A picture to write, by its extension (may be repeated; `-`: PNG to standard "
-                   "output). Default: the scene's own, else FILE's stem with .png")
+                   "output). Default: that of the scene, otherwise FILE's stem with .png")
       ->take_all()
       ->expected(1)
-      ->allow_extra_args(false);  // FILE may stand behind it
+      ->allow_extra_args(false);  // FILE may follow
   add_override_options(*command, options->overrides);
   add_kernel_options(*command, options->kernel);
   add_aov_option(*command, options->aovs);
   command->add_flag("--ppm-text", options->ppm_text, "Write PPM as decimal numbers");
   command->add_flag("--no-clobber,!--overwrite", options->keeps_existing,
                     "Refuse to replace files");
-  command->add_option("--progress", options->progress, "How progress is told, on standard error")
+  command->add_option("--progress", options->progress, "Format of the progress on standard error")
       ->check(one_of(kProgressWords));
   command->add_option("--stats", options->stats,
-                      "Write figures about the render to this file, as JSON; `-`: standard output");
-  command->add_flag("--quiet", options->quiet, "Nothing on standard error but diagnostics");
+                      "Write statistics to this file, as JSON; `-`: standard output");
+  command->add_flag("--quiet", options->quiet, "Only diagnostics on standard error");
   command
       ->add_option_function<std::string>(
           "--frames",
@@ -449,7 +451,7 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
                 "--frames", fmt::format("takes A, A-B or A-BxS with whole numbers, not `{}`",
                                         lang::printable(text)));
           },
-          "The frames to render, every S-th of A to B; default: those of the scene's animation")
+          "The frames to render, every S-th from A to B; default: those of the scene's animation")
       ->type_name("A-B[xS]");
   command->footer(
       "Examples:\n"
@@ -460,14 +462,15 @@ void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
       "  sdlc render ball.scene --time 10s --samples 4096\n"
       "  sdlc render ball.scene -o ball.exr --aov normal,depth,albedo\n"
       "  cat ball.scene | sdlc render - -o - > ball.png\n"
-      "  sdlc render ring.scene --set count=200 --frames 1-24 -o ring.####.png\n\n"
-      "#### in an output's name is the number of the frame.\n"
+      "  sdlc render ring.scene --set count=200 --frames 1-24 -o ring.####.png\n"
+      "\n"
+      "#### in an output's name is replaced by the frame number.\n"
       "png jpg tiff webp ppm gif hold 8-bit codes after the scene's tone curve; exr and hdr hold "
       "linear\n"
       "radiance. --width or --height alone keeps the aspect, both together set a new one. Ctrl-C "
-      "saves what\n"
-      "there is as NAME.partial.EXT, or lets a finished picture be written; a second one ends at "
-      "once.");
+      "saves the\n"
+      "partial picture as NAME.partial.EXT, or lets a finished picture be written; a second one "
+      "ends at once.");
   dispatcher.on(command, [options](Environment& env) { return run_render(*options, env); });
 }
 

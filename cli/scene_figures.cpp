@@ -20,7 +20,7 @@ Vec3 upper_corner(Vec3 a, Vec3 b) {
   return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
-/// What all instances of a prototype have in common.
+/// The figures that all instances of a prototype share.
 struct PrototypeFigures {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;  // radii
   std::uint64_t spheres = 0, moving = 0;
@@ -39,7 +39,7 @@ PrototypeFigures measure_prototype(const render::Prototype& prototype) {
   return figures;
 }
 
-/// Adds those of instances; `add(center, radius)` widens bounds and extent.
+/// Adds the figures of instances; `add(center, radius)` extends bounds and extent.
 template <typename Add>
 void measure_instances(const render::Scene& scene, const Add& add, SphereFigures& figures) {
   std::vector<PrototypeFigures> prototypes;
@@ -132,8 +132,9 @@ std::optional<SphereFigures> measure_spheres(const render::Scene& scene) {
     const Vec3 reach{radius, radius, radius};
     figures.low = lower_corner(figures.low, center - reach);
     figures.high = upper_corner(figures.high, center + reach);
-    const Vec3 way = center - scene.camera.from;
-    figures.extent = std::max(figures.extent, std::hypot(way.x, way.y, way.z) + radius);
+    const Vec3 to_center = center - scene.camera.from;
+    figures.extent =
+        std::max(figures.extent, std::hypot(to_center.x, to_center.y, to_center.z) + radius);
   };
   for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
     const auto& [center, radius, material] = scene.spheres[i];

@@ -15,57 +15,58 @@
 /// Figures about a scene, each from one pass over its spheres.
 namespace sdlc::cli {
 
-/// The type as the language writes it.
+/// The type in the spelling of the language.
 std::string_view material_name(render::MaterialType type) noexcept;
 
-/// How much of a scene is of one type of material.
+/// Statistics of one type of material.
 struct MaterialFigures {
   render::MaterialType type;
-  std::size_t materials = 0;  ///< distinct ones that a sphere has
+  std::size_t materials = 0;  ///< distinct materials in use
   std::uint64_t spheres = 0;
 };
 
-/// One row for each type, in a fixed order.
+/// One row per type, in a fixed order.
 using MaterialCounts = std::array<MaterialFigures, 5>;
 MaterialCounts count_materials(const render::Scene& scene);
 
-/// What this scene asks of the renderer: "motion", "gradient" and the material types it uses, in a
-/// fixed order.
+/// The renderer features that a scene uses: "motion", "gradient" and its material types, in a fixed
+/// order.
 std::vector<std::string> required_features(const render::Scene& scene,
                                            const MaterialCounts& materials);
 
-/// Where the spheres are and how large. Lengths may be infinite where a double cannot hold them.
+/// Position and size of the spheres. Lengths may be infinite if a double cannot hold them.
 struct SphereFigures {
   /// A sphere by its index in the scene.
   struct Radius {
-    std::optional<std::uint32_t> sphere;  ///< nothing: one of an instance
+    std::optional<std::uint32_t> sphere;  ///< nullopt for a sphere of an instance
     double radius = 0;
   };
 
-  /// Corners of the box around all spheres, over the whole shutter; of balls around instances.
+  /// Corners of the bounding box of all spheres, over the whole shutter; for instances, of their
+  /// bounding spheres.
   render::Vec3 low, high;
-  Radius smallest, largest;  ///< of several the first
+  Radius smallest, largest;  ///< the first one if there are several
   double extent = 0;         ///< from the camera to the far side of the farthest sphere
   std::uint64_t moving = 0;
 
   double radius_ratio() const noexcept { return largest.radius / smallest.radius; }
-  /// What the precision of numbers has to span.
+  /// The range that the precision has to resolve.
   double scale_ratio() const noexcept { return extent / smallest.radius; }
 };
 
-/// Nothing for a scene without spheres.
+/// nullopt for a scene without spheres.
 std::optional<SphereFigures> measure_spheres(const render::Scene& scene);
 
-/// Bytes that a scene and its picture take.
+/// Memory of a scene and its picture, in bytes.
 struct MemoryFigures {
   std::size_t spheres = 0, motion = 0, instances = 0, materials = 0;
-  std::size_t bvh = 0;  ///< estimated: nothing is built
+  std::size_t bvh = 0;  ///< estimated, without building it
   std::size_t picture = 0;
 
   std::size_t total() const noexcept {
     return spheres + motion + instances + materials + bvh + picture;
   }
-  /// What each sphere takes.
+  /// Bytes per sphere.
   double per_sphere(std::uint64_t count) const noexcept {
     return static_cast<double>(spheres + motion + instances + bvh) / static_cast<double>(count);
   }

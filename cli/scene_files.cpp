@@ -18,13 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether two keys of the format stand in the text: a config with mistakes in it is one too, and
-/// other JSON is left alone.
+/// Whether the text contains two keys of the format: this accepts configs with mistakes, and
+/// excludes other JSON.
 bool looks_like_config(const fs::path& path, const Environment& env) {
-  constexpr std::uint64_t kMostConfig = lang::Limits().config;
+  constexpr std::uint64_t kMaxConfig = lang::Limits().config;
   std::error_code error;
-  const std::optional<std::string> text = env.files.read(path, kMostConfig, error);
-  if (!text) return true;  // whoever reads it says why it cannot be read
+  const std::optional<std::string> text = env.files.read(path, kMaxConfig, error);
+  if (!text) return true;  // the reader will report why it cannot be read
   const auto is_there = [&](const lang::JsonKey& key) {
     return text->find(fmt::format("\"{}\"", key.key)) != std::string::npos;
   };
@@ -40,7 +40,7 @@ bool is_wanted(const fs::path& path, const Environment& env, SceneFiles wanted) 
 std::vector<std::string> scenes_in(const fs::path& folder, const Environment& env,
                                    SceneFiles wanted, bool is_sandboxed) {
   std::vector<std::string> names;
-  // Asked before anything else: the others follow a link.
+  // Checked first, because the other checks follow links.
   const auto leads_out = [&](const fs::directory_entry& entry) {
     return is_sandboxed && entry.is_symlink() &&
            !lang::Sandbox(env.files, entry.path()).resolve(entry.path());
@@ -73,7 +73,7 @@ std::vector<std::string> find_scene_files(const std::vector<std::string>& argume
     }
     const std::vector<std::string> found = scenes_in(argument, env, wanted, is_sandboxed);
     if (found.empty()) {
-      throw UsageError(fmt::format("there are no scenes in `{}`", lang::printable(argument)));
+      throw UsageError(fmt::format("no scenes in `{}`", lang::printable(argument)));
     }
     names.insert(names.end(), found.begin(), found.end());
   }

@@ -19,7 +19,7 @@
 namespace sdlc::cli {
 namespace {
 
-/// The two sides of NAME=VALUE.
+/// Splits NAME=VALUE.
 std::pair<std::string, std::string> split_pair(const std::string& flag, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
@@ -29,7 +29,7 @@ std::pair<std::string, std::string> split_pair(const std::string& flag, const st
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-/// `4096`, `64MiB`
+/// Parses `4096` or `64MiB`.
 std::optional<std::uint64_t> read_limit(std::string_view text) {
   std::uint64_t number = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -51,14 +51,13 @@ void set_limit(const std::string& text, lang::Limits& limits) {
   if (found == lang::kLimits.end()) {
     std::vector<std::string_view> names;
     for (const lang::LimitInfo& limit : lang::kLimits) names.push_back(limit.name);
-    throw CLI::ValidationError(
-        "--limit",
-        fmt::format("there is no limit `{}`{}", lang::printable(name), did_you_mean(name, names)));
+    throw CLI::ValidationError("--limit", fmt::format("unknown limit `{}`{}", lang::printable(name),
+                                                      did_you_mean(name, names)));
   }
   const std::optional<std::uint64_t> number = read_limit(value);
   if (!number) {
     throw CLI::ValidationError(
-        "--limit", fmt::format("{} takes a whole number, perhaps with KiB, MiB or GiB, not `{}`",
+        "--limit", fmt::format("{} takes a whole number, optionally with KiB, MiB or GiB, not `{}`",
                                name, lang::printable(value)));
   }
   limits.*(found->limit) = *number;
@@ -78,20 +77,20 @@ void add_limit_option(CLI::App& command, lang::Limits& limits) {
           [&limits](const std::vector<std::string>& pairs) {
             for (const std::string& pair : pairs) set_limit(pair, limits);
           },
-          "Change what a scene may use up: " + all)
+          "Change the resource limits of a scene: " + all)
       ->type_name("NAME=N")
       ->take_all()
       ->expected(1)
-      ->allow_extra_args(false);  // FILE may stand behind it
+      ->allow_extra_args(false);  // FILE may follow
 }
 
 void add_reading_options(CLI::App& command, ReadingOptions& options) {
-  command.add_flag(
-      "--sandbox", options.is_sandboxed,
-      "Read no file outside the scene's folder, and write none there that the scene names");
+  command.add_flag("--sandbox", options.is_sandboxed,
+                   "Refuse to read files outside the scene's folder, and to write files there that "
+                   "the scene names");
   add_limit_option(command, options.limits);
   command.add_option("--stdin-filename", options.stdin_filename,
-                     "What a scene from standard input is called in messages");
+                     "Name of a scene from standard input in messages");
 }
 
 std::string stdin_name(const ReadingOptions& options) {
@@ -99,16 +98,16 @@ std::string stdin_name(const ReadingOptions& options) {
 }
 
 std::string read_text(const std::string& path, const std::string& name, const Environment& env,
-                      std::uint64_t most) {
+                      std::uint64_t max_bytes) {
   std::error_code error;
-  std::optional<std::string> text = env.files.read(path, most, error);
+  std::optional<std::string> text = env.files.read(path, max_bytes, error);
   if (!text) throw render::IoError("read", name, error.message());
   return std::move(*text);
 }
 
 void refuse_special(const std::string& path, const Environment& env) {
   if (path == kStandardStream || !env.files.is_special(path)) return;
-  throw render::IoError("replace", path, "it is no regular file");
+  throw render::IoError("replace", path, "it is not a regular file");
 }
 
 lang::ProgramOptions program_options(const ReadingOptions& options, const Environment& env) {
@@ -136,11 +135,11 @@ void add_set_option(CLI::App& command, std::vector<lang::SetOption>& sets) {
               sets.push_back({.name = std::move(name), .value = std::move(value)});
             }
           },
-          "Give a param of the scene another value (may be repeated)")
+          "Set a param of the scene (may be repeated)")
       ->type_name("NAME=VALUE")
       ->take_all()
       ->expected(1)
-      ->allow_extra_args(false);  // FILE may stand behind it
+      ->allow_extra_args(false);  // FILE may follow
 }
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {

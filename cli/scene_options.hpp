@@ -25,24 +25,24 @@ void add_limit_option(CLI::App& command, lang::Limits& limits);
 
 void add_reading_options(CLI::App& command, ReadingOptions& options);
 
-/// What a scene from standard input is called in messages.
+/// The name of a scene from standard input in messages.
 std::string stdin_name(const ReadingOptions& options);
 
-/// The text of `path`, which messages call `name`; of one of more than `most` bytes the first
-/// `most` + 1. Throws render::IoError.
+/// Reads `path`, called `name` in messages; returns at most the first `max_bytes` + 1 bytes. Throws
+/// render::IoError.
 std::string read_text(const std::string& path, const std::string& name, const Environment& env,
-                      std::uint64_t most = lang::Limits().any_file());
+                      std::uint64_t max_bytes = lang::Limits().any_file());
 
 lang::ProgramOptions program_options(const ReadingOptions& options, const Environment& env);
 
-/// What a command that reads one scene is told of it.
+/// Options of a command that reads one scene.
 struct SceneOptions {
   std::string file;
   std::vector<lang::SetOption> sets;
   ReadingOptions reading;
   DiagnosticsOptions diagnostics;
 
-  /// What the scene is called in messages, and where its own files are looked for.
+  /// The name of the scene in messages; relative files are looked up from it.
   std::string name() const;
   /// The same; empty for standard input without --stdin-filename.
   std::string given_name() const;
@@ -53,10 +53,10 @@ void add_set_option(CLI::App& command, std::vector<lang::SetOption>& sets);
 
 void add_scene_options(CLI::App& command, SceneOptions& options);
 
-/// Throws render::IoError where the file is a pipe, a device or the like, which cannot be replaced.
+/// Throws render::IoError for a pipe, a device or the like, which cannot be replaced.
 void refuse_special(const std::string& path, const Environment& env);
 
-/// The scene's text. Throws render::IoError.
+/// Reads the scene's text. Throws render::IoError.
 lang::SourceFile read_source(const SceneOptions& options, const Environment& env);
 lang::ProgramOptions program_options(const SceneOptions& options, const Environment& env);
 

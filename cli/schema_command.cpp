@@ -13,15 +13,16 @@ void add_schema_command(CLI::App& app, Dispatcher& dispatcher) {
   CLI::App* command =
       app.add_subcommand("schema", "Print the JSON Schema of configs, or the language's tables");
   command->add_flag("--language", *is_language,
-                    "The kinds, properties, materials, functions, types, limits, colours and "
+                    "Print the kinds, properties, materials, functions, types, limits, colours and "
                     "diagnostics of the language instead, as JSON");
-  // All commands take it; this one has nothing else to say.
+  // Accepted because all commands have it; without effect here.
   command->add_flag("--quiet")->description("Has no effect here");
   command->footer(
       "Examples:\n"
       "  sdlc schema > sdlc-config.schema.json\n"
-      "  sdlc schema --language | jq '.functions[].signature'\n\n"
-      "The schema is of draft 2020-12. docs/json-config.md tells how an editor uses it.");
+      "  sdlc schema --language | jq '.functions[].signature'\n"
+      "\n"
+      "The schema is of draft 2020-12. docs/json-config.md explains how to use it in an editor.");
   dispatcher.on(command, [is_language](Environment& env) {
     env.out << (*is_language ? language_tables() : config_schema()).dump(2) << '\n';
     return ExitCode::Success;

@@ -5,7 +5,7 @@
 
 namespace sdlc::cli {
 
-/// The argument as a POSIX shell takes it: as it is where that is safe, else in single quotes.
+/// Quotes an argument for a POSIX shell: unchanged if that is safe, otherwise in single quotes.
 std::string shell_quoted(std::string_view argument);
 
 }  // namespace sdlc::cli

@@ -8,7 +8,7 @@
 namespace sdlc::cli {
 namespace {
 
-// What Linux gives a process unless the user says otherwise.
+// The default stack size of Linux.
 constexpr std::size_t kStackBytes = std::size_t{8} << 20;
 
 void* call(void* function) {
@@ -28,7 +28,7 @@ bool run_on_large_stack(std::function<void()> function) {
   pthread_attr_init(&attributes);
   pthread_attr_setstacksize(&attributes, kStackBytes);
 #ifdef __GLIBC__
-  pthread_setattr_default_np(&attributes);  // of threads that others start
+  pthread_setattr_default_np(&attributes);  // for threads that libraries start
 #endif
   pthread_t thread{};
   const bool is_started = pthread_create(&thread, &attributes, call, &function) == 0;

@@ -4,9 +4,9 @@
 
 namespace sdlc::cli {
 
-/// Calls the function where the stack is large enough for all that files may nest: on a thread of
-/// its own where that of the process is smaller. Threads that start later have as much. False, with
-/// nothing done, where there is no such stack.
+/// Runs the function with a stack that is large enough for the max nesting of files: on a new
+/// thread if that of the process is smaller. Threads started later have the same size. Returns
+/// false, without running it, if no such stack is available.
 [[nodiscard]] bool run_on_large_stack(std::function<void()> function);
 
 }  // namespace sdlc::cli

@@ -5,7 +5,7 @@
 #include "cli/environment.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/precision_json.hpp"
-#include "render/scene/choices.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -36,17 +36,15 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
     return result.render_seconds > 0 ? static_cast<double>(count) / result.render_seconds : 0;
   };
   const render::RenderSettings& settings = statistics.settings;
-  const nlohmann::ordered_json json{
-      {"scene", statistics.scene},
-      {"spheres", statistics.spheres},
-      {"instances", statistics.instances},
-      {"width", settings.width},
-      {"height", settings.height},
-      {"samples", mean_samples(result, settings)},
-      {"depth", settings.depth},
-      {"seed", settings.seed},
-      {"sampler", name_of(settings.sampler)},
-      {"light_sampling", name_of(settings.light_sampling)},
+  nlohmann::ordered_json json{
+      {"scene", statistics.scene},         {"spheres", statistics.spheres},
+      {"instances", statistics.instances}, {"width", settings.width},
+      {"height", settings.height},         {"samples", mean_samples(result, settings)},
+  };
+  render::for_each_setting([&](const auto& setting) {
+    json[std::string(setting.name)] = render::shown(settings.*setting.member);
+  });
+  json.update({
       {"threads", result.threads},
       {"instruction_set", instruction_set(result.kernel)},
       {"precision", name_of(result.kernel.precision)},
@@ -79,7 +77,7 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"sampled_lights", result.sampled_lights},
       {"scarce_emitters", result.scarce_emitters.size()},
       {"nonfinite_samples", result.nonfinite_samples},
-  };
+  });
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

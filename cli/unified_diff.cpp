@@ -32,11 +32,11 @@ struct Stretch {
   std::size_t a_begin = 0, a_end = 0, b_begin = 0, b_end = 0;
 };
 
-/// Pairs of equal lines, both in rising order.
+/// Pairs of equal lines, both ascending.
 using Matches = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// Finds the lines that stay, by Cohen's patience diff: the lines that each text has once are
-/// anchors, as many of them as keep their order, and what is between two anchors is compared alike.
+/// Finds unchanged lines by Cohen's patience diff: lines that occur once in each text are anchors,
+/// as long as they keep their order, and the text between two anchors is compared in the same way.
 class Matcher {
  public:
   Matcher(const Lines& a, const Lines& b) : a_(a), b_(b) {}
@@ -60,7 +60,7 @@ class Matcher {
   }
 
  private:
-  /// Matches the lines that both begin or end with.
+  /// Matches the lines at both ends.
   void trim(Stretch& s) {
     while (s.a_begin < s.a_end && s.b_begin < s.b_end && a_[s.a_begin] == b_[s.b_begin]) {
       matches_.emplace_back(s.a_begin++, s.b_begin++);
@@ -91,9 +91,9 @@ class Matcher {
     return longest_rising(unique);
   }
 
-  /// The longest subsequence whose second numbers rise.
+  /// The longest subsequence with ascending second numbers.
   static Matches longest_rising(const Matches& pairs) {
-    std::vector<std::size_t> ends;  // of the best sequence of each length, its last pair
+    std::vector<std::size_t> ends;  // last pair of the best sequence of each length
     std::vector<std::size_t> before(pairs.size());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto at = std::ranges::lower_bound(ends, pairs[i].second, {},
@@ -122,7 +122,7 @@ class Matcher {
     todo.push_back({a, s.a_end, b, s.b_end});
   }
 
-  /// A longest common subsequence by the textbook's table, where that is small.
+  /// Longest common subsequence by dynamic programming, if the table is small.
   void match_few(const Stretch& s) {
     constexpr std::size_t kLargestTable = 1'000'000;
     const std::size_t rows = s.a_end - s.a_begin, columns = s.b_end - s.b_begin;
@@ -154,7 +154,7 @@ class Matcher {
   Matches matches_;
 };
 
-/// The stretches that differ, in their order.
+/// The differing runs, in order.
 std::vector<Stretch> changes_between(const Lines& a, const Lines& b) {
   Matches matches = Matcher(a, b).run();
   matches.emplace_back(a.size(), b.size());
@@ -173,14 +173,15 @@ void append_line(std::string& out, char mark, std::string_view line) {
   if (!line.ends_with('\n')) out += "\n\\ No newline at end of file\n";
 }
 
-/// A range of a hunk's head: its first line, and how many there are unless it is one. An empty one
-/// stands behind the line that it names.
+/// A range in the head of a hunk: its first line, and the number of lines unless it is one. An
+/// empty range is after the line that it names.
 std::string range_text(std::size_t begin, std::size_t end) {
   if (end - begin == 1) return fmt::format("{}", begin + 1);
   return fmt::format("{},{}", end == begin ? begin : begin + 1, end - begin);
 }
 
-/// The changes from `first` to `last`, which are near each other, with the lines around them.
+/// Appends the changes from `first` to `last`, which are near each other, with the lines around
+/// them.
 void append_hunk(std::string& out, const Lines& a, const Lines& b, const Stretch* first,
                  const Stretch* last) {
   const std::size_t lead = std::min(kContext, first->a_begin);
@@ -197,8 +198,8 @@ void append_hunk(std::string& out, const Lines& a, const Lines& b, const Stretch
   for (; at < a_end; ++at) append_line(out, ' ', a[at]);
 }
 
-/// The name as `patch` and `git apply` read it: one with a blank ends at a tab, as GNU diff writes
-/// it, and one that would end elsewhere is quoted, as git writes it.
+/// The name as `patch` and `git apply` read it: a name with a space is terminated by a tab, as in
+/// GNU diff, and one that would end early is quoted, as in git.
 std::string shown_name(std::string_view name) {
   const auto is_plain = [](unsigned char c) {
     return c >= ' ' && c != 0x7F && c != '"' && c != '\\';

@@ -4,7 +4,7 @@
 
 namespace sdlc::cli {
 
-/// Arguments that are each well formed but do not make a command together.
+/// Arguments that are valid individually but not in combination.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

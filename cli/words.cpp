@@ -18,7 +18,7 @@ std::string did_you_mean(std::string_view name, std::span<const std::string_view
 CLI::Validator one_of(std::span<const std::string_view> words) {
   const auto check = [words](std::string& text) -> std::string {
     if (std::find(words.begin(), words.end(), text) != words.end()) return {};
-    return fmt::format("`{}` is none of {}{}", text, fmt::join(words, ", "),
+    return fmt::format("`{}` is not one of {}{}", text, fmt::join(words, ", "),
                        did_you_mean(text, words));
   };
   return CLI::Validator(check, fmt::format("{}", fmt::join(words, "|")));

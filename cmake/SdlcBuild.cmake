@@ -20,10 +20,10 @@ set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# The same picture from every compiler and optimisation level: a product and a sum are two roundings
-# unless the code asks for std::fma, and the value of an expression does not depend on the flags.
+# The same picture with every compiler and optimisation level: no contraction of products and sums (the
+# code calls std::fma explicitly), and no value-changing optimisations.
 add_compile_options(-ffp-contract=off -fno-fast-math)
-# g++ 12 warns of overlapping copies inside std::string where there are none (GCC bug 105329): -Wno-restrict.
+# g++ 12 warns about overlapping copies inside std::string where there are none (GCC bug 105329): -Wno-restrict.
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 if(SDLC_WERROR)
@@ -36,7 +36,7 @@ endif()
 if(SDLC_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
-# A checked build of the standard library finds out-of-range indices at their place.
+# The checked standard library reports out-of-range indices where they happen.
 add_compile_definitions($<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 
 find_program(CCACHE ccache)

@@ -1,8 +1,8 @@
 # sdlc_embed_pages(TARGET VARIABLE FOLDER)
 #
-# Compiles the Markdown pages of a folder, but for its README.md, into the target as
+# Compiles the Markdown pages of a folder, except its README.md, into the target as
 #   extern const std::span<const sdlc::lang::Page> VARIABLE
-# in the order of their names. An edited page is embedded anew by the next build, and so is a new one.
+# in the order of their names. The next build embeds edited and new pages.
 #
 # As a script (cmake -DOUTPUT=… -DVARIABLE=… -DPAGES=… -P SdlcEmbed.cmake) this file writes the source.
 function(sdlc_embed_pages target variable folder)

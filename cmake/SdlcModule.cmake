@@ -1,9 +1,9 @@
 # sdlc_module(NAME [PUBLIC target...] [PRIVATE target...] [EXCLUDE file...])
 #
 # The library of the current folder: target sdlc_NAME, known as sdlc::NAME, from every .cpp and .hpp in the
-# folder itself but the excluded ones. Includes are written from the root of the repository. A folder without .cpp files becomes an
-# interface library. Each call is recorded in the global property SDLC_MODULES, from which a test checks that
-# the #include lines of a folder name only modules that it declares here.
+# folder itself except the excluded ones. Includes are written from the root of the repository. A folder
+# without .cpp files becomes an interface library. Each call is recorded in the global property SDLC_MODULES;
+# a test uses it to check that a folder includes only modules that it declares here.
 function(sdlc_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PUBLIC;PRIVATE;EXCLUDE")
   if(arg_UNPARSED_ARGUMENTS)

@@ -2,32 +2,20 @@
 
 #include <tao/pegtl.hpp>
 
+#include "grammar/scene_tokens.hpp"
+
 /// The scene language as PEGTL rules, without actions: scene.ebnf, rule by rule, with the same
-/// names in the same order. A rule that is not in the EBNF is a part of the one whose name it
-/// begins with: a token, a commit point (the operand of `must`: whoever parses with this grammar
-/// owes its user the words for it), or what lies inside a bracket.
+/// names in the same order. The lexical rules (from `literal` on) are in scene_tokens.hpp. A rule
+/// that is not in the EBNF is a part of the one whose name it begins with: a token, a commit point
+/// (the operand of `must`: whoever parses with this grammar owes its user the words for it), or the
+/// inside of a bracket.
 ///
-/// A syntactic rule eats the space behind it; a lexical one (from `label` on) eats none, and
-/// `token` makes a syntactic one of it. Every way for rules to recur is through a rule of `nesting`
-/// at the end of this file: whoever limits the depth of those has limited the depth of all.
+/// A syntactic rule consumes the space after it; a lexical one does not, and `token` makes a
+/// syntactic one of it. All recursion goes through a rule of `nesting` at the end of this file:
+/// whoever limits the depth of those has limited the depth of all.
 namespace sdlc::grammar {
 
-using tao::pegtl::at;
-using tao::pegtl::digit;
 using tao::pegtl::eof;
-using tao::pegtl::must;
-using tao::pegtl::not_at;
-using tao::pegtl::not_one;
-using tao::pegtl::one;
-using tao::pegtl::opt;
-using tao::pegtl::plus;
-using tao::pegtl::ranges;
-using tao::pegtl::rep;
-using tao::pegtl::seq;
-using tao::pegtl::sor;
-using tao::pegtl::star;
-using tao::pegtl::until;
-using tao::pegtl::xdigit;
 
 struct statement;
 struct import_;
@@ -63,35 +51,12 @@ struct reference;
 struct path;
 struct parenthesis;
 struct list;
-struct literal;
-struct label;
-struct name;
-struct identifier;
-struct reserved;
-struct number;
-struct digits;
-struct unit;
-struct color;
-struct idchar;
-struct string;
-struct character;
-struct escape;
-struct space;
-struct comment;
-struct doc;
 
-/// A lexical rule with the space behind it.
+/// A lexical rule with the space after it.
 template <typename Rule>
 struct token : seq<Rule, space> {};
-/// These characters. Unlike pegtl::string this compares one by one, since nearly always the first
-/// differs.
-template <char... C>
-struct text : seq<one<C>...> {};
 template <char... C>
 struct mark : seq<one<C>..., space> {};
-/// A word that ends where no letter, digit or `_` follows.
-template <char... C>
-struct word : seq<one<C>..., not_at<idchar>> {};
 
 // clang-format off
 struct and_word     : token<word<'a', 'n', 'd'>> {};
@@ -300,65 +265,6 @@ struct list_end    : mark<']'> {};
 struct list_inside : seq<opt<expression, star<mark<','>, expression>, opt<mark<','>>>,
                          must<list_end>> {};
 struct list        : seq<mark<'['>, list_inside> {};
-
-// Tokens
-
-struct literal_true  : word<'t', 'r', 'u', 'e'> {};
-struct literal_false : word<'f', 'a', 'l', 's', 'e'> {};
-struct literal       : sor<number, string, color, literal_true, literal_false> {};
-
-struct label : seq<identifier> {};
-struct name  : seq<not_at<reserved>, identifier> {};
-
-struct identifier : seq<ranges<'a', 'z', 'A', 'Z', '_'>, star<idchar>> {};
-
-// The first letter decides: most names need one comparison, not sixteen.
-struct reserved : seq<at<one<'a', 'd', 'e', 'f', 'i', 'l', 'n', 'o', 'p', 't'>>,
-                      sor<word<'a', 'n', 'd'>, word<'a', 's', 's', 'e', 'r', 't'>,
-                          word<'d', 'e', 'f'>, word<'e', 'l', 's', 'e'>,
-                          word<'f', 'a', 'l', 's', 'e'>, word<'f', 'n'>,
-                          word<'f', 'o', 'r'>, word<'i', 'f'>, word<'i', 'm', 'p', 'o', 'r', 't'>,
-                          word<'i', 'n', 'c', 'l', 'u', 'd', 'e'>, word<'l', 'e', 't'>,
-                          word<'n', 'o', 't'>, word<'o', 'r'>, word<'p', 'a', 'r', 'a', 'm'>,
-                          word<'t', 'h', 'e', 'n'>, word<'t', 'r', 'u', 'e'>>> {};
-
-struct number_fraction : seq<one<'.'>, digits> {};
-struct number_exponent : seq<one<'e', 'E'>, opt<one<'+', '-'>>, digits> {};
-struct number_end      : not_at<sor<idchar, one<'%'>, seq<one<'.'>, not_at<one<'.'>>>>> {};
-struct number          : seq<sor<seq<digits, opt<number_fraction>>, number_fraction>,
-                             opt<number_exponent>, opt<unit>, number_end> {};
-
-struct digits : seq<plus<digit>, star<one<'_'>, plus<digit>>> {};
-
-struct unit : seq<at<one<'%', 'd', 'r', 't', 'm', 'c', 'k', 's'>>,
-                  sor<one<'%'>, text<'d', 'e', 'g'>, text<'r', 'a', 'd'>, text<'t', 'u', 'r', 'n'>,
-                      text<'m', 'm'>, text<'m', 's'>, text<'c', 'm'>, text<'k', 'm'>, one<'m'>,
-                      one<'s'>>> {};
-
-struct color : seq<one<'#'>, plus<idchar>> {};
-
-struct idchar : ranges<'a', 'z', 'A', 'Z', '0', '9', '_'> {};
-
-struct string : seq<one<'"'>, star<sor<plus<character>, escape>>, one<'"'>> {};
-
-struct character : seq<not_at<ranges<'\0', '\x1F'>>, not_one<'"', '\\'>> {};
-
-struct escape : seq<one<'\\'>,
-                    sor<one<'"', '\\', '/', 'b', 'f', 'n', 'r', 't'>,
-                        seq<one<'u'>, rep<4, xdigit>>>> {};
-
-struct space_blank : sor<one<' ', '\n', '\t'>, text<'\r', '\n'>> {};
-struct space       : seq<star<space_blank>, star<comment, star<space_blank>>> {};
-
-struct comment_line         : seq<text<'/', '/'>, star<not_one<'\n', '\r'>>> {};
-struct comment_block;
-struct comment_block_text   : sor<comment_block, seq<not_at<text<'*', '/'>>, tao::pegtl::any>> {};
-struct comment_block_end    : text<'*', '/'> {};
-struct comment_block_inside : seq<star<comment_block_text>, must<comment_block_end>> {};
-struct comment_block        : seq<text<'/', '*'>, comment_block_inside> {};
-struct comment              : seq<at<one<'/'>>, sor<doc, comment_line, comment_block>> {};
-
-struct doc : seq<text<'/', '/', '/'>, not_at<one<'/'>>, star<not_one<'\n', '\r'>>> {};
 // clang-format on
 
 /// Through these rules, entered behind an opening bracket or a prefix, all recursion goes.

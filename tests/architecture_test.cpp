@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-// The layout of the code is checked, not only described: what a folder includes is what its
-// CMakeLists.txt declares, and the arrows between folders point one way.
+// Checks the layout of the code: a folder declares what it includes in its CMakeLists.txt, and
+// dependencies between folders point one way.
 namespace sdlc::test {
 namespace {
 
@@ -22,8 +22,7 @@ struct Module {
   std::set<std::string> links;
 };
 
-/// The modules as CMake knows them; each line is "sdlc::name folder : public links : private
-/// links".
+/// The modules known to CMake, one per line: "sdlc::name folder : public links : private links".
 std::map<std::string, Module> read_modules() {
   std::map<std::string, Module> modules;
   std::ifstream file(SDLC_MODULES_FILE);
@@ -106,7 +105,7 @@ TEST(Architecture, EachLibraryIsUsedInOnePlace) {
       {"<OpenImageIO/", {"render/image/openimageio"}},
       {"<CLI/", {"cli"}},
       {"<hwy/", {"render/wide"}},
-      {"<tao/", {"grammar", "lang/json", "lang/syntax"}},
+      {"<tao/", {"grammar", "lang/json", "lang/syntax", "lang/token"}},
   };
   for (const char* area : {"grammar", "lang", "render", "cli"}) {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(SDLC_SOURCE_DIR) / area)) {
@@ -126,7 +125,8 @@ TEST(Architecture, EachLibraryIsUsedInOnePlace) {
   }
 }
 
-/// Two classes of one name share their inline members, whichever of them the linker finds first.
+/// Two classes with the same name share their inline members: the linker keeps the first that it
+/// finds.
 TEST(Architecture, NoClassHasTheNameOfAnother) {
   const std::regex class_head(R"(^(?:struct|class) (?:alignas\(\w+\) )?(\w+)\b(?!::)[^;<>(]*\{)");
   std::map<std::string, std::string> headers;
@@ -152,7 +152,7 @@ TEST(Architecture, NoClassHasTheNameOfAnother) {
 
 TEST(Architecture, ArrowsNeverFormACycle) {
   const auto modules = read_modules();
-  std::map<std::string, int> state;  // 1: on the way, 2: done
+  std::map<std::string, int> state;  // 1: in progress, 2: done
   const auto visit = [&](const auto& self, const std::string& name) -> void {
     state[name] = 1;
     for (const std::string& link : modules.at(name).links) {

@@ -15,14 +15,14 @@ render::Comparison compare_with_earlier(
   std::vector<std::string>& notes = comparison.notes;
   if (!is_same_machine) {
     notes.emplace_back(
-        "it is of another machine, kernel or number of threads: times are not compared");
+        "it was made with another machine, kernel or number of threads: times are not compared");
   }
   if (!earlier.is_complete) notes.emplace_back("it was interrupted, and holds only some points");
-  if (earlier.seed != measurement.seed) notes.emplace_back("its seed is another");
+  if (earlier.seed != measurement.seed) notes.emplace_back("it has a different seed");
   if (comparison.points.empty()) {
-    notes.emplace_back("it has no point that this one has; a larger --budget gives more of them");
+    notes.emplace_back("the two have no point in common; a larger --budget gives more of them");
   } else if (!comparison.time_ratio && is_same_machine) {
-    notes.emplace_back("fewer than three points are in both: times are not compared");
+    notes.emplace_back("fewer than three common points: times are not compared");
   }
   return comparison;
 }

@@ -9,8 +9,8 @@
 
 namespace sdlc::cli {
 
-/// A measurement of this machine held against an earlier one of the same scene and size, with what
-/// a reader has to know of it.
+/// Compares a measurement of this machine with an earlier one of the same scene and size; includes
+/// notes for the reader.
 render::Comparison compare_with_earlier(
     const render::Measurement& measurement,
     const std::vector<std::pair<std::string, std::string>>& machine,

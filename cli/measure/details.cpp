@@ -11,11 +11,12 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/report/figures.hpp"
 #include "render/compare/color_map.hpp"
 #include "render/image/image.hpp"
-#include "render/scene/choices.hpp"
+#include "render/measure/way.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -26,7 +27,7 @@ using render::Picture;
 constexpr int kCropWidth = 96, kCropHeight = 72;
 constexpr int kMapWidth = 240, kThumbnailWidth = 400;
 
-/// The root of the mean over the channels of the squared difference, of each pixel.
+/// The root mean square of the difference over the channels, per pixel.
 std::vector<float> errors_of(const Picture& picture, const Picture& reference) {
   std::vector<float> errors;
   errors.reserve(picture.pixels.size());
@@ -45,22 +46,22 @@ Picture cropped(const Picture& picture, const Window& window) {
   return crop;
 }
 
-/// Which whole pixels of `count` become the pixel `i` of `fewer`.
-std::pair<int, int> pixels_behind(int i, int fewer, int count) {
+/// The range of pixels out of `count` that are averaged into pixel `i` of `fewer`.
+std::pair<int, int> pixels_of(int i, int fewer, int count) {
   const auto edge = [&](int at) {
     return static_cast<int>(static_cast<long long>(at) * count / fewer);
   };
   return {edge(i), std::max(edge(i + 1), edge(i) + 1)};
 }
 
-/// `value(x, y)` averaged over the pixels behind each of a smaller picture.
+/// `value(x, y)` averaged over the source pixels of each pixel of a smaller picture.
 template <typename T, typename Value>
 std::vector<T> shrunk(int width, int height, int from_width, int from_height, Value value) {
   std::vector<T> values;
   for (int v = 0; v < height; ++v) {
-    const auto [top, bottom] = pixels_behind(v, height, from_height);
+    const auto [top, bottom] = pixels_of(v, height, from_height);
     for (int u = 0; u < width; ++u) {
-      const auto [left, right] = pixels_behind(u, width, from_width);
+      const auto [left, right] = pixels_of(u, width, from_width);
       auto sum = value(left, top) * 0.0;
       for (int y = top; y < bottom; ++y) {
         for (int x = left; x < right; ++x) sum = sum + value(x, y);
@@ -71,13 +72,13 @@ std::vector<T> shrunk(int width, int height, int from_width, int from_height, Va
   return values;
 }
 
-/// A size of at most `most_width` and of the same shape.
-std::pair<int, int> smaller_size(int width, int height, int most_width) {
-  const int smaller = std::min(width, most_width);
+/// A size of at most `max_width` with the same shape.
+std::pair<int, int> smaller_size(int width, int height, int max_width) {
+  const int smaller = std::min(width, max_width);
   return {smaller, std::max(1, static_cast<int>(static_cast<long long>(height) * smaller / width))};
 }
 
-/// Of pictures of this size.
+/// Reads a window within pictures of this size.
 Window window_of(const Json& json, int width, int height) {
   Window window{.title = field<std::string>(json, "title"),
                 .x = whole_field(json, "x", 0, width - 1),
@@ -87,11 +88,11 @@ Window window_of(const Json& json, int width, int height) {
   return window;
 }
 
-/// Of something smaller than pictures of this size.
+/// Reads a size that is at most that of the pictures.
 std::pair<int, int> size_of(const Json& json, const std::string& name, int width, int height) {
   const Json& size = any_field(json, name);
   if (!size.is_array() || size.size() != 2) {
-    throw std::invalid_argument(fmt::format("its `{}` is no list of two", name));
+    throw std::invalid_argument(fmt::format("its `{}` is not a list of two", name));
   }
   return {static_cast<int>(whole_of(size[0], name, 1, width)),
           static_cast<int>(whole_of(size[1], name, 1, height))};
@@ -100,17 +101,18 @@ std::pair<int, int> size_of(const Json& json, const std::string& name, int width
 }  // namespace
 
 std::string Details::key_of(const render::Way& way, int samples) {
-  return fmt::format("{}-lights-{}-{}-depth-{}-samples-{}", name_of(way.sampler),
-                     name_of(way.light_sampling), name_of(way.precision), way.depth, samples);
+  std::string key = fmt::format("{}-samples-{}", fmt::join(render::parts_of(way), "-"), samples);
+  std::ranges::replace(key, ' ', '-');
+  return key;
 }
 
 void Details::choose_windows(const Picture& picture, const render::ReferencePicture& reference) {
   const std::vector<float> errors = errors_of(picture, reference.picture);
   mean_ = render::mean_radiance(reference.picture);
-  // Four times the error of the whole, so that the maps of better pictures are not black.
+  // Four times the overall error, so that the maps of better pictures are not black.
   constexpr double kBrightest = 4;
   top_ = kBrightest * render::error_against(picture, reference).value * mean_;
-  if (!(top_ > 0)) top_ = 1;  // without noise all is black
+  if (!(top_ > 0)) top_ = 1;  // without noise everything is black
   std::tie(map_width_, map_height_) = smaller_size(picture.width, picture.height, kMapWidth);
   std::tie(thumbnail_width_, thumbnail_height_) =
       smaller_size(picture.width, picture.height, kThumbnailWidth);
@@ -123,7 +125,7 @@ void Details::choose_windows(const Picture& picture, const render::ReferencePict
       double sum = 0;
       for (int v = y; v < y + height; ++v) {
         const auto row = errors.begin() + static_cast<std::ptrdiff_t>(v) * picture.width + x;
-        // Of roots, so that a few bright pixels do not decide.
+        // Square roots, so that a few bright pixels do not dominate.
         for (int u = 0; u < width; ++u) sum += std::sqrt(static_cast<double>(row[u]));
       }
       places.push_back({sum, {.x = x, .y = y, .width = width, .height = height}});
@@ -136,8 +138,8 @@ void Details::choose_windows(const Picture& picture, const render::ReferencePict
         fmt::format("{} ({} × {} pixels from {}, {})", title, width, height, window.x, window.y);
     windows_.push_back(window);
   };
-  add("The noisiest place", 0);
-  if (places.size() > 4) add("A place of medium noise", places.size() / 2);
+  add("The noisiest area", 0);
+  if (places.size() > 4) add("An area of medium noise", places.size() / 2);
 }
 
 std::string Details::png(const Picture& picture) const {
@@ -171,7 +173,7 @@ std::string Details::add(const render::Way& way, int samples, const Picture& pic
   if (windows_.empty()) choose_windows(picture, reference);
   if (!pictures_.contains(kReferenceKey)) {
     PictureDetails details = details_of(reference.picture, nullptr);
-    // In the place of its error, the whole of it.
+    // The whole reference takes the place of its error map.
     Picture small(thumbnail_width_, thumbnail_height_);
     small.pixels = shrunk<LinearRgb>(small.width, small.height, picture.width, picture.height,
                                      [&](int x, int y) { return reference.picture.at(x, y); });
@@ -220,18 +222,18 @@ void Details::fill(Report& report) const {
     own.push_back(
         {fmt::format("{} samples, error {}", point.samples, percent(point.error.value)), key});
   }
-  // Four of them at most, from the first to the last.
-  constexpr std::size_t kMost = 4;
+  // At most four, from the first to the last.
+  constexpr std::size_t kMaxCount = 4;
   std::vector<Shown> shown;
-  for (std::size_t i = 0; i < std::min(own.size(), kMost); ++i) {
-    const std::size_t steps = std::min(own.size(), kMost) - 1;
+  for (std::size_t i = 0; i < std::min(own.size(), kMaxCount); ++i) {
+    const std::size_t steps = std::min(own.size(), kMaxCount) - 1;
     shown.push_back(own[steps == 0 ? 0 : i * (own.size() - 1) / steps]);
   }
   if (shown.empty()) return;
   shown.push_back({"reference", kReferenceKey});
-  add_rows(report, "More and more samples", shown);
+  add_rows(report, "Increasing samples", shown);
 
-  // All ways with as many samples as all have.
+  // All configurations that have a point with this number of samples.
   constexpr int kSamples = 64;
   std::vector<Shown> ways;
   for (const render::Point& point : measurement.points) {
@@ -243,7 +245,7 @@ void Details::fill(Report& report) const {
   }
   if (ways.size() < 2) return;
   ways.push_back({"reference", kReferenceKey});
-  add_rows(report, fmt::format("Every way with {} samples", kSamples), ways);
+  add_rows(report, fmt::format("Every configuration with {} samples", kSamples), ways);
 }
 
 std::vector<std::string> Details::keys() const {
@@ -269,7 +271,7 @@ void Details::read_frame(const Json& json, int width, int height) {
   if (json.is_null()) return;
   windows_ = list_field(json, "windows",
                         [&](const Json& window) { return window_of(window, width, height); });
-  if (windows_.empty()) throw std::invalid_argument("its `windows` are none");
+  if (windows_.empty()) throw std::invalid_argument("its `windows` are empty");
   top_ = positive_field(json, "top");
   mean_ = field<double>(json, "mean");
   std::tie(map_width_, map_height_) = size_of(json, "map", width, height);

@@ -13,10 +13,10 @@
 
 namespace sdlc::cli {
 
-/// The PNG files that a report shows of one picture.
+/// The PNG files that a report shows for one picture.
 struct PictureDetails {
-  std::vector<std::string> crops;  ///< one a window
-  std::string error_map;           ///< of the reference all of it, small
+  std::vector<std::string> crops;  ///< one per window
+  std::string error_map;           ///< for the reference the whole picture, reduced
 };
 
 /// A part of a picture, in pixels from its top left.
@@ -25,29 +25,28 @@ struct Window {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// What can be seen of a measurement: the same places in each picture, enlarged, and maps of where
-/// its error is.
+/// The visual part of a measurement: the same details of each picture, enlarged, and error maps.
 class Details {
  public:
   explicit Details(render::Tone tone) : tone_(tone) {}
 
-  /// The first picture decides which places, and how bright errors are, for all that follow. The
-  /// key under which it is kept.
+  /// Adds a picture and returns its key. The first picture determines the windows and the
+  /// brightness of error maps.
   std::string add(const render::Way& way, int samples, const render::Picture& picture,
                   const render::ReferencePicture& reference);
 
-  /// Puts the pictures of a measurement's points into rows.
+  /// Arranges the pictures of a measurement's points in rows.
   void fill(Report& report) const;
 
   const PictureDetails& at(const std::string& key) const { return pictures_.at(key); }
   const std::vector<Window>& windows() const noexcept { return windows_; }
   std::vector<std::string> keys() const;
 
-  /// The windows and what goes with them, but no pictures; null before the first.
+  /// The windows and related data, without pictures; null before the first picture.
   Json frame_json() const;
-  /// Takes it over for pictures of this size; throws as json_types.hpp says.
+  /// Restores frame_json() for pictures of this size; throws like the functions of json_types.hpp.
   void read_frame(const Json& json, int width, int height);
-  /// Takes over what was kept under one of keys().
+  /// Restores a picture that was saved under one of keys().
   void restore(const std::string& key, PictureDetails details) {
     pictures_[key] = std::move(details);
   }

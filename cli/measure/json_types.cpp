@@ -10,25 +10,26 @@
 
 #include <fmt/format.h>
 
-#include "render/scene/choices.hpp"
+#include "render/measure/way.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
 namespace {
-
-constexpr std::array kPrecisions{render::Precision::Float, render::Precision::Mixed,
-                                 render::Precision::Double};
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
   throw std::invalid_argument(fmt::format("its `{}` is {}", name, what));
 }
 
-template <typename T, std::size_t N>
-T named(const std::array<T, N>& choices, const Json& json, const std::string& name) {
+void read_setting(const Json& json, const std::string& name, int& value) {
+  value = whole_field(json, name, 1);
+}
+
+template <render::Choice T>
+void read_setting(const Json& json, const std::string& name, T& value) {
   const std::string word = field<std::string>(json, name);
-  for (const T choice : choices) {
-    if (name_of(choice) == word) return choice;
-  }
-  refuse(name, fmt::format("`{}`, which there is not", word));
+  const auto choice = render::choice_named<T>(word);
+  if (!choice) refuse(name, fmt::format("`{}`, which is unknown", word));
+  value = *choice;
 }
 
 // JSON has no infinity.
@@ -43,7 +44,7 @@ Json parse_json(std::string_view text) {
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
-    throw std::invalid_argument(fmt::format("it is no JSON from its byte {} on", error.byte));
+    throw std::invalid_argument(fmt::format("it is not valid JSON from byte {} on", error.byte));
   } catch (const Json::exception&) {
     throw std::invalid_argument("it has a number that is too large");
   }
@@ -51,7 +52,7 @@ Json parse_json(std::string_view text) {
 
 const Json& any_field(const Json& json, const std::string& name) {
   if (!json.is_object()) {
-    throw std::invalid_argument(fmt::format("there is no object that has `{}`", name));
+    throw std::invalid_argument(fmt::format("no object has `{}`", name));
   }
   const auto found = json.find(name);
   if (found == json.end()) refuse(name, "missing");
@@ -61,24 +62,24 @@ const Json& any_field(const Json& json, const std::string& name) {
 double number_of(const Json& json, const std::string& name) {
   if (!json.is_number()) refuse(name, "no number");
   const double number = json.get<double>();
-  if (!std::isfinite(number)) refuse(name, "no finite number");
+  if (!std::isfinite(number)) refuse(name, "not a finite number");
   return number;
 }
 
-std::int64_t whole_of(const Json& json, const std::string& name, std::int64_t least,
-                      std::int64_t most) {
-  // Numbers with a point or an exponent are none, and those beyond 64 bits are read as such.
+std::int64_t whole_of(const Json& json, const std::string& name, std::int64_t min,
+                      std::int64_t max) {
+  // Rejects numbers with a point or an exponent; integers beyond 64 bits are parsed as such.
   const bool is_in_range = json.is_number_unsigned()
-                               ? std::cmp_less_equal(json.get<std::uint64_t>(), most) &&
-                                     std::cmp_greater_equal(json.get<std::uint64_t>(), least)
-                               : json.is_number_integer() && json.get<std::int64_t>() >= least &&
-                                     json.get<std::int64_t>() <= most;
-  if (!is_in_range) refuse(name, fmt::format("no whole number from {} to {}", least, most));
+                               ? std::cmp_less_equal(json.get<std::uint64_t>(), max) &&
+                                     std::cmp_greater_equal(json.get<std::uint64_t>(), min)
+                               : json.is_number_integer() && json.get<std::int64_t>() >= min &&
+                                     json.get<std::int64_t>() <= max;
+  if (!is_in_range) refuse(name, fmt::format("not a whole number from {} to {}", min, max));
   return json.get<std::int64_t>();
 }
 
 std::uint64_t natural_of(const Json& json, const std::string& name) {
-  if (!json.is_number_unsigned()) refuse(name, "no whole number from 0 on");
+  if (!json.is_number_unsigned()) refuse(name, "not a whole number from 0 on");
   return json.get<std::uint64_t>();
 }
 
@@ -92,8 +93,8 @@ bool bool_of(const Json& json, const std::string& name) {
   return json.get<bool>();
 }
 
-int whole_field(const Json& json, const std::string& name, int least, int most) {
-  return static_cast<int>(whole_of(any_field(json, name), name, least, most));
+int whole_field(const Json& json, const std::string& name, int min, int max) {
+  return static_cast<int>(whole_of(any_field(json, name), name, min, max));
 }
 
 double positive_field(const Json& json, const std::string& name) {
@@ -103,17 +104,19 @@ double positive_field(const Json& json, const std::string& name) {
 }
 
 Json way_json(const render::Way& way) {
-  return {{"sampler", name_of(way.sampler)},
-          {"light_sampling", name_of(way.light_sampling)},
-          {"precision", name_of(way.precision)},
-          {"depth", way.depth}};
+  Json json;
+  render::for_each_way_setting([&](const auto& setting) {
+    json[std::string(setting.name)] = render::shown(way.*setting.member);
+  });
+  return json;
 }
 
 render::Way way_of(const Json& json) {
-  return {.sampler = named(render::kSamplerKinds, json, "sampler"),
-          .light_sampling = named(render::kLightSamplings, json, "light_sampling"),
-          .precision = named(kPrecisions, json, "precision"),
-          .depth = whole_field(json, "depth", 1)};
+  render::Way way;
+  render::for_each_way_setting([&](const auto& setting) {
+    read_setting(json, std::string(setting.name), way.*setting.member);
+  });
+  return way;
 }
 
 void put(Json& json, const std::string& name, const render::Measured& measured) {
@@ -125,7 +128,7 @@ void put(Json& json, const std::string& name, const render::Measured& measured) 
 render::Measured measured_of(const Json& json, const std::string& name) {
   const std::string both = name + "_interval";
   const Json& interval = any_field(json, both);
-  if (!interval.is_array() || interval.size() != 2) refuse(both, "no list of two");
+  if (!interval.is_array() || interval.size() != 2) refuse(both, "not a list of two");
   return {number_or(INFINITY, any_field(json, name), name),
           {number_or(INFINITY, interval[0], both), number_or(INFINITY, interval[1], both)}};
 }
@@ -149,7 +152,7 @@ render::Difference difference_of(const Json& json) {
   const std::string name = field<std::string>(largest, "channel");
   const auto channel = std::ranges::find(render::kChannelNames, name);
   if (channel == render::kChannelNames.end())
-    refuse("channel", fmt::format("`{}`, which there is not", name));
+    refuse("channel", fmt::format("`{}`, which is unknown", name));
   const auto number_or_infinity = [&](const char* field) {
     return number_or(INFINITY, any_field(json, field), field);
   };

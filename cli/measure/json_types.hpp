@@ -16,8 +16,8 @@
 #include "render/compare/difference.hpp"
 #include "render/measure/measurement.hpp"
 
-/// The small types of a measurement as JSON, both ways. Files are edited and cut short: what reads
-/// throws std::invalid_argument, which says in words which field is wrong.
+/// Conversion of the small types of a measurement to and from JSON. Files may be edited or
+/// truncated: the readers throw std::invalid_argument with a message that names the invalid field.
 namespace sdlc::cli {
 
 using Json = nlohmann::ordered_json;
@@ -29,18 +29,18 @@ Json array_json(const std::vector<T>& items, Convert convert) {
   return array;
 }
 
-/// The text as JSON.
+/// Parses JSON.
 Json parse_json(std::string_view text);
 
-/// The field of this name, whatever it holds.
+/// The field of this name, of any type.
 const Json& any_field(const Json& json, const std::string& name);
 
-/// What `json` holds, which is called `name` in messages: a number is finite, a whole one from
-/// `least` to `most`. Getting it from nlohmann::json would convert, which is undefined for numbers
-/// that do not fit.
+/// The value of `json`, called `name` in messages: a finite number, or an integer from `min` to
+/// `max`. Reading it with nlohmann::json would convert it, which is undefined for numbers that do
+/// not fit.
 double number_of(const Json& json, const std::string& name);
-std::int64_t whole_of(const Json& json, const std::string& name, std::int64_t least,
-                      std::int64_t most);
+std::int64_t whole_of(const Json& json, const std::string& name, std::int64_t min,
+                      std::int64_t max);
 std::uint64_t natural_of(const Json& json, const std::string& name);
 std::string string_of(const Json& json, const std::string& name);
 bool bool_of(const Json& json, const std::string& name);
@@ -61,17 +61,17 @@ T field(const Json& json, const std::string& name) {
   }
 }
 
-/// A whole number of at least `least`.
-int whole_field(const Json& json, const std::string& name, int least,
-                int most = std::numeric_limits<int>::max());
+/// A whole number of at least `min`.
+int whole_field(const Json& json, const std::string& name, int min,
+                int max = std::numeric_limits<int>::max());
 /// A number above 0.
 double positive_field(const Json& json, const std::string& name);
 
-/// The field of this name, a list, each of its items converted.
+/// A list field, with each of its items converted.
 template <typename Convert>
 auto list_field(const Json& json, const std::string& name, Convert convert) {
   const Json& list = any_field(json, name);
-  if (!list.is_array()) throw std::invalid_argument(fmt::format("its `{}` is no list", name));
+  if (!list.is_array()) throw std::invalid_argument(fmt::format("its `{}` is not a list", name));
   std::vector<decltype(convert(list))> items;
   for (const Json& item : list) {
     try {
@@ -84,14 +84,14 @@ auto list_field(const Json& json, const std::string& name, Convert convert) {
   return items;
 }
 
-/// The most samples that any render of a measurement has, the reference included.
-inline constexpr int kMostMeasuredSamples = 1 << 27;
+/// The max number of samples of any render of a measurement, including the reference.
+inline constexpr int kMaxMeasuredSamples = 1 << 27;
 
 Json way_json(const render::Way& way);
 render::Way way_of(const Json& json);
 
-/// Adds "NAME" and "NAME_interval"; null where they are no finite numbers, which is read as
-/// infinite.
+/// Adds "NAME" and "NAME_interval"; null for numbers that are not finite, which are read back as
+/// infinity.
 void put(Json& json, const std::string& name, const render::Measured& measured);
 render::Measured measured_of(const Json& json, const std::string& name);
 

@@ -31,12 +31,12 @@ Json task_json(const StudyTask& task) {
 }
 
 int samples_of(const Json& json, const std::string& name) {
-  return whole_field(json, name, 1, kMostMeasuredSamples);
+  return whole_field(json, name, 1, kMaxMeasuredSamples);
 }
 
 StudyTask task_of(const Json& json) {
   const auto kind = std::ranges::find(kKinds, field<std::string>(json, "kind"));
-  if (kind == kKinds.end()) throw std::invalid_argument("it is of no known kind");
+  if (kind == kKinds.end()) throw std::invalid_argument("its kind is unknown");
   const auto what = static_cast<StudyTask::Kind>(kind - kKinds.begin());
   return {.kind = what,
           .way = way_of(any_field(json, "way")),
@@ -47,14 +47,14 @@ StudyTask task_of(const Json& json) {
 Json cost_json(const render::WayCost& cost) {
   return {{"way", way_json(cost.way)},
           {"build_seconds", cost.build_seconds},
-          {"seconds_a_sample", cost.seconds_a_sample},
+          {"seconds_a_sample", cost.seconds_per_sample},
           {"refusal", cost.refusal}};
 }
 
 render::WayCost cost_of(const Json& json) {
   return {.way = way_of(any_field(json, "way")),
           .build_seconds = field<double>(json, "build_seconds"),
-          .seconds_a_sample = field<double>(json, "seconds_a_sample"),
+          .seconds_per_sample = field<double>(json, "seconds_a_sample"),
           .refusal = field<std::string>(json, "refusal")};
 }
 
@@ -175,18 +175,18 @@ render::PrecisionProbe precision_of(const Json& json) {
 
 [[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument(what); }
 
-/// A plan that the study can follow.
+/// Checks that the study can follow the plan.
 void check(const render::StudyPlan& plan) {
   using Kind = StudyTask::Kind;
   if (std::int64_t{plan.width} * plan.height > render::kMaxPicturePixels) {
     refuse(fmt::format("its picture has more than {} pixels", render::kMaxPicturePixels));
   }
-  if (plan.costs.empty()) refuse("its `costs` are none");
+  if (plan.costs.empty()) refuse("its `costs` are empty");
   const render::Way& own = plan.costs.front().way;
-  if (!plan.costs.front().refusal.empty()) refuse("the scene's own way is refused in it");
+  if (!plan.costs.front().refusal.empty()) refuse("it refuses the scene's own configuration");
   for (const render::WayCost& cost : plan.costs) {
-    if (cost.build_seconds < 0 || cost.seconds_a_sample < 0)
-      refuse("one of its `costs` is below 0");
+    if (cost.build_seconds < 0 || cost.seconds_per_sample < 0)
+      refuse("one of its `costs` is negative");
   }
   if (!std::ranges::is_sorted(plan.depths, std::less_equal())) refuse("its `depths` do not ascend");
   if (!std::ranges::count(plan.depths, own.depth)) refuse("its `depths` lack that of the scene");
@@ -201,19 +201,19 @@ void check(const render::StudyPlan& plan) {
   if (compares_precisions && !has_other) refuse("its `costs` lack the other precision");
 }
 
-/// Depths of one seed are held against each other: where one is, all are.
+/// Depths of one seed are compared with each other, so they must be complete.
 void check_depths(const render::StudyPlan& plan, const std::vector<render::DepthProbe>& probes) {
   std::map<int, std::vector<int>> rounds;
   for (const render::DepthProbe& probe : probes) rounds[probe.round].push_back(probe.depth);
   for (auto& [round, depths] : rounds) {
     std::ranges::sort(depths);
     if (depths != plan.depths) {
-      refuse(fmt::format("its `depths` of round {} are not those of the plan", round));
+      refuse(fmt::format("its `depths` of round {} differ from the plan", round));
     }
   }
 }
 
-/// A ledger that was damaged or edited must not go unnoticed, let alone be read beyond its ends.
+/// A damaged or edited ledger must be detected, and must not cause out-of-range access.
 void check(const render::StudyLedger& ledger) {
   if (!ledger.plan) {
     const bool is_empty = !ledger.reference && ledger.renders.empty() &&
@@ -232,7 +232,7 @@ void check(const render::StudyLedger& ledger) {
       return done.way == evaluation.way && done.samples == evaluation.samples;
     };
     if (std::ranges::count_if(ledger.evaluations, is_of_same) > 1) {
-      refuse("one of its `evaluations` is there twice");
+      refuse("one of its `evaluations` is duplicated");
     }
     if (std::ranges::none_of(ledger.renders, is_of_same)) {
       refuse("one of its `evaluations` was never timed");
@@ -267,7 +267,7 @@ render::StudyLedger read_ledger(std::string_view text) {
                              .other_seconds = field<double>(json, "other_seconds"),
                              .spent_seconds = field<double>(json, "spent_seconds"),
                              .nonfinite_samples = field<std::uint64_t>(json, "nonfinite_samples")};
-  if (ledger.other_seconds < 0 || ledger.spent_seconds < 0) refuse("a time in it is below 0");
+  if (ledger.other_seconds < 0 || ledger.spent_seconds < 0) refuse("one of its times is negative");
   const Json &plan = any_field(json, "plan"), &reference = any_field(json, "reference");
   if (!plan.is_null()) ledger.plan = plan_of(plan);
   if (!reference.is_null()) ledger.reference = reference_of(reference);

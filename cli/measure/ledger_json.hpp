@@ -7,11 +7,10 @@
 
 namespace sdlc::cli {
 
-/// What a study has done so far, as text that read_ledger reads back to the same numbers.
+/// The results of a study so far, as text; read_ledger restores the exact numbers.
 std::string to_json(const render::StudyLedger& ledger);
 
-/// Throws std::invalid_argument with the reason where the text is no such thing, or where what it
-/// says does not go together.
+/// Throws std::invalid_argument with the reason if the text is not a ledger, or is inconsistent.
 render::StudyLedger read_ledger(std::string_view text);
 
 }  // namespace sdlc::cli

@@ -6,12 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "render/scene/choices.hpp"
+#include "render/measure/way.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
 namespace {
 
-/// All digits; nothing where it is no finite number.
+/// All digits; empty if not finite.
 std::string number(double value) { return std::isfinite(value) ? fmt::to_string(value) : ""; }
 
 struct Column {
@@ -19,15 +20,8 @@ struct Column {
   std::string (*text)(const render::Point& point);
 };
 
-// What no cell holds is a comma, a quote or the end of a line, so that none has to be quoted.
+// No cell contains a comma, a quote or a line end, so none has to be quoted.
 constexpr std::array kColumns{
-    Column{"samples", [](const render::Point& p) { return fmt::to_string(p.samples); }},
-    Column{"sampler", [](const render::Point& p) { return std::string(name_of(p.way.sampler)); }},
-    Column{"light_sampling",
-           [](const render::Point& p) { return std::string(name_of(p.way.light_sampling)); }},
-    Column{"precision",
-           [](const render::Point& p) { return std::string(name_of(p.way.precision)); }},
-    Column{"depth", [](const render::Point& p) { return fmt::to_string(p.way.depth); }},
     Column{"seconds", [](const render::Point& p) { return number(p.seconds.value); }},
     Column{"seconds_from", [](const render::Point& p) { return number(p.seconds.interval.from); }},
     Column{"seconds_to", [](const render::Point& p) { return number(p.seconds.interval.to); }},
@@ -56,22 +50,23 @@ constexpr std::array kColumns{
     Column{"cut_paths", [](const render::Point& p) { return number(p.cut_share); }},
     Column{"scarce_emitters",
            [](const render::Point& p) { return fmt::to_string(p.scarce_emitters); }},
-    Column{"standing", [](const render::Point& p) { return std::string(name_of(p.standing)); }},
+    Column{"standing", [](const render::Point& p) { return std::string(name_of(p.dominance)); }},
 };
 
 }  // namespace
 
 std::string to_csv(const render::Measurement& measurement) {
   constexpr const char* kEnd = "\r\n";
-  std::string text;
-  const auto add = [&](std::size_t column, const std::string& cell) {
-    if (column > 0) text += ',';
-    text += cell;
-  };
-  for (std::size_t i = 0; i < kColumns.size(); ++i) add(i, kColumns[i].name);
+  std::string text = "samples";
+  const auto add = [&](const auto& cell) { text += fmt::format(",{}", cell); };
+  render::for_each_way_setting([&](const auto& setting) { add(setting.name); });
+  for (const Column& column : kColumns) add(column.name);
   text += kEnd;
   for (const render::Point& point : measurement.points) {
-    for (std::size_t i = 0; i < kColumns.size(); ++i) add(i, kColumns[i].text(point));
+    text += fmt::to_string(point.samples);
+    render::for_each_way_setting(
+        [&](const auto& setting) { add(render::shown(point.way.*setting.member)); });
+    for (const Column& column : kColumns) add(column.text(point));
     text += kEnd;
   }
   return text;

@@ -6,7 +6,7 @@
 
 namespace sdlc::cli {
 
-/// The points as comma-separated values (RFC 4180), one a line below a line of names.
+/// The points as comma-separated values (RFC 4180): a header line, then one line per point.
 std::string to_csv(const render::Measurement& measurement);
 
 }  // namespace sdlc::cli

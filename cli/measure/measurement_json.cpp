@@ -24,7 +24,7 @@ Json point_json(const render::Point& point) {
   put(json, "seconds", point.seconds);
   json["samples_per_second"] = point.samples_per_second;
   json["rays_per_second"] = point.rays_per_second;
-  // By the reference's own noise, unlike that of the difference.
+  // Relative to the reference's own noise, unlike the error of the difference.
   Json difference = difference_json(point.difference);
   difference.erase("relative_error");
   put(json, "relative_error", point.error);
@@ -33,14 +33,14 @@ Json point_json(const render::Point& point) {
   json["flip"] = point.flip;
   json["cut_paths"] = point.cut_share;
   json["scarce_emitters"] = point.scarce_emitters;
-  json["standing"] = name_of(point.standing);
+  json["standing"] = name_of(point.dominance);
   return json;
 }
 
 render::Point point_of(const Json& json) {
   render::Point point{
       .way = way_of(json),
-      .samples = whole_field(json, "samples", 1, kMostMeasuredSamples),
+      .samples = whole_field(json, "samples", 1, kMaxMeasuredSamples),
       .timings = list_field(json, "timings",
                             [](const Json& seconds) { return number_of(seconds, "timings"); }),
       .seconds = measured_of(json, "seconds"),
@@ -49,7 +49,7 @@ render::Point point_of(const Json& json) {
   const bool is_timed =
       point.seconds.value > 0 && std::ranges::all_of(point.timings, [](double s) { return s > 0; });
   if (!is_timed) throw std::invalid_argument("it took no time");
-  if (!(point.error.value >= 0)) throw std::invalid_argument("its `relative_error` is no error");
+  if (!(point.error.value >= 0)) throw std::invalid_argument("its `relative_error` is invalid");
   return point;
 }
 
@@ -187,11 +187,11 @@ std::string to_json(const Report& report, const std::string& scene_digest) {
 EarlierMeasurement read_measurement(std::string_view text) {
   const Json json = parse_json(text);
   if (!json.is_object() || !json.contains("format") || json.at("format") != kFormat) {
-    throw std::invalid_argument("it is no report of `sdlc measure` in JSON");
+    throw std::invalid_argument("it is not a JSON report of `sdlc measure`");
   }
   if (const int version = whole_field(json, "format_version", 1); version != kFormatVersion) {
     throw std::invalid_argument(fmt::format(
-        "it is of version {} of the format, and this sdlc reads {}", version, kFormatVersion));
+        "it has version {} of the format, and this sdlc reads {}", version, kFormatVersion));
   }
   EarlierMeasurement earlier{.version = field<std::string>(json, "version"),
                              .scene_digest = field<std::string>(json, "scene_digest"),
@@ -203,7 +203,7 @@ EarlierMeasurement read_measurement(std::string_view text) {
                              .threads = whole_field(json, "threads", 1),
                              .is_complete = field<bool>(json, "is_complete")};
   const Json& machine = any_field(json, "machine");
-  if (!machine.is_object()) throw std::invalid_argument("its `machine` is no object");
+  if (!machine.is_object()) throw std::invalid_argument("its `machine` is not an object");
   for (const auto& [name, value] : machine.items()) {
     earlier.machine.emplace_back(name, string_of(value, name));
   }

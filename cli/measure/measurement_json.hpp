@@ -13,15 +13,15 @@
 
 namespace sdlc::cli {
 
-/// A measurement as JSON; docs/measure.md has the fields. `scene_digest`: of the scene that was
-/// measured.
+/// A measurement as JSON; docs/measure.md lists the fields. `scene_digest` is that of the measured
+/// scene.
 std::string to_json(const Report& report, const std::string& scene_digest);
 
-/// What of an earlier measurement a later one is held against.
+/// The parts of an earlier measurement that are needed for a comparison.
 struct EarlierMeasurement {
   std::string version;
   std::string scene_digest;
-  int width = 0, height = 0;  ///< that were measured
+  int width = 0, height = 0;  ///< measured size
   int full_width = 0, full_height = 0;
   std::uint64_t seed = 0;
   int threads = 0;
@@ -30,8 +30,8 @@ struct EarlierMeasurement {
   std::vector<render::Point> points{};
 };
 
-/// Reads what to_json wrote. Throws std::invalid_argument with the reason where the text is no
-/// such thing.
+/// Reads the output of to_json. Throws std::invalid_argument with the reason if the text is
+/// something else.
 EarlierMeasurement read_measurement(std::string_view text);
 
 }  // namespace sdlc::cli

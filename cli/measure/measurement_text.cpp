@@ -17,7 +17,7 @@ namespace {
 using render::Measured;
 using render::Measurement;
 
-/// Spaces that do not break are for pages.
+/// Replaces no-break spaces, which are only for HTML.
 std::string plain(std::string text) {
   constexpr std::string_view kNoBreak = "\u00a0";
   for (std::size_t at = text.find(kNoBreak); at != std::string::npos; at = text.find(kNoBreak)) {
@@ -30,7 +30,7 @@ std::string reading(const Measured& measured, FigureText* as) {
   return plain(read(measured, as).text());
 }
 
-/// Rows of cells, in columns as wide as they need; the first row names them.
+/// Rows of cells, in columns as wide as necessary; the first row is the header.
 class Table {
  public:
   using Row = std::vector<std::string>;
@@ -62,17 +62,16 @@ class Table {
 };
 
 std::string points_text(const Measurement& measurement) {
-  constexpr std::array<const char*, 3> kStandings{"best in its time", "not distinguished from it",
-                                                  ""};
+  constexpr std::array<const char*, 3> kDominance{"on the front", "not distinguishable", ""};
   Table table;
-  table.add({"samples", "time", "error", "FLIP", "way", ""});
+  table.add({"samples", "time", "error", "FLIP", "configuration", ""});
   for (const render::Series& series : measurement.series) {
     for (const std::size_t i : series.points) {
       const render::Point& point = measurement.points[i];
       table.add({fmt::to_string(point.samples), reading(point.seconds, duration),
                  reading(point.error, percent), figure(point.flip, 2),
                  plain(describe_way(measurement, point.way)),
-                 kStandings[static_cast<std::size_t>(point.standing)]});
+                 kDominance[static_cast<std::size_t>(point.dominance)]});
     }
   }
   return table.text();
@@ -83,7 +82,7 @@ std::string slopes_text(const Measurement& measurement) {
   const auto exponent = [](double value) { return figure(value, 2); };
   for (const render::Series& series : measurement.series) {
     if (!series.slope) continue;
-    text += fmt::format("  {}: error in proportion to samples to the power of {}\n",
+    text += fmt::format("  {}: error proportional to samples to the power of {}\n",
                         describe_way(measurement, series.way), reading(*series.slope, exponent));
   }
   return text;
@@ -91,9 +90,9 @@ std::string slopes_text(const Measurement& measurement) {
 
 std::string depths_text(const Measurement& measurement) {
   if (measurement.depths.empty()) return {};
-  std::string text = fmt::format("\nDepth: light that is lost, against depth {}{}\n",
-                                 measurement.depths.back().depth,
-                                 measurement.depths_have_converged ? "" : "; a lower bound");
+  std::string text =
+      fmt::format("\nDepth: light lost, relative to depth {}{}\n", measurement.depths.back().depth,
+                  measurement.depths_have_converged ? "" : "; a lower bound");
   Table table;
   for (const render::DepthLoss& depth : measurement.depths) {
     table.add({fmt::format("depth {}", depth.depth), reading(depth.loss, percent),
@@ -107,10 +106,12 @@ std::string precision_text(const Measurement& measurement) {
   if (!measurement.precision) return {};
   const render::PrecisionDifference& precision = *measurement.precision;
   if (!precision.refusal.empty()) {
-    return fmt::format("\nPrecision: {} is taken; {} cannot be: {}\n", name_of(precision.taken),
-                       name_of(precision.other), precision.refusal);
+    return fmt::format(
+        "\n"
+        "Precision: {} is used; {} is not possible: {}\n",
+        name_of(precision.taken), name_of(precision.other), precision.refusal);
   }
-  return plain(fmt::format("\nPrecision: the mean in {} less that in {} is {}; {} takes {}\n",
+  return plain(fmt::format("\nPrecision: the mean in {} minus that in {} is {}; {} takes {}\n",
                            name_of(precision.taken), name_of(precision.other),
                            reading(precision.mean_difference, percent), name_of(precision.other),
                            times(precision.seconds)));
@@ -122,7 +123,7 @@ std::string against_text(const Report& report) {
   constexpr std::array<const char*, 3> kVerdicts{"not distinguished", "better", "WORSE"};
   std::string text = fmt::format("\nAgainst {}\n", against.earlier);
   Table table;
-  table.add({"samples", "error before", "error now", "", "way"});
+  table.add({"samples", "error before", "error now", "", "configuration"});
   for (const render::PointChange& point : against.points) {
     table.add({fmt::to_string(point.samples), reading(point.error_before, percent),
                reading(point.error_after, percent),
@@ -131,8 +132,9 @@ std::string against_text(const Report& report) {
   }
   if (!against.points.empty()) text += table.text();
   if (against.time_ratio) {
-    text += fmt::format("  times, now to then: {}: {}\n", reading(*against.time_ratio, times),
-                        kVerdicts[static_cast<std::size_t>(against.time)]);
+    text +=
+        fmt::format("  times, now relative to then: {}: {}\n", reading(*against.time_ratio, times),
+                    kVerdicts[static_cast<std::size_t>(against.time)]);
   }
   for (const std::string& note : against.notes) text += fmt::format("  {}\n", note);
   return text;
@@ -158,7 +160,7 @@ std::string recommendation_text(const Measurement& measurement, const std::strin
                            reading(recommendation.error, percent)));
 }
 
-/// The last thing that is told: what to render with.
+/// The last part of the output: the recommendations.
 std::string recommendations_text(const Measurement& measurement) {
   std::string text;
   if (measurement.as_it_is) {
@@ -171,7 +173,7 @@ std::string recommendations_text(const Measurement& measurement) {
     text += recommendation_text(measurement, what, recommendation);
   }
   if (measurement.recommendations.empty()) {
-    text += "nothing can be recommended: too little was measured\n";
+    text += "no recommendation: too little was measured\n";
   }
   return text;
 }
@@ -184,8 +186,8 @@ std::string to_text(const Report& report) {
                                  measurement.height);
   if (measurement.width != measurement.full_width ||
       measurement.height != measurement.full_height) {
-    text += fmt::format(" (of {} × {}, for which the time was too short)", measurement.full_width,
-                        measurement.full_height);
+    text += fmt::format(" (instead of {} × {}, for which the time was too short)",
+                        measurement.full_width, measurement.full_height);
   }
   text += "\n";
   if (measurement.reference) {

@@ -6,7 +6,7 @@
 
 namespace sdlc::cli {
 
-/// What a report says, for a terminal: the recommendations last, where they are seen.
+/// A report for a terminal, with the recommendations last, where they stay visible.
 std::string to_text(const Report& report);
 
 }  // namespace sdlc::cli

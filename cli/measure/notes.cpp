@@ -11,18 +11,17 @@ namespace sdlc::cli {
 std::vector<std::string> notes_of(const render::Measurement& measurement) {
   std::vector<std::string> notes;
   if (measurement.nonfinite_samples > 0) {
-    notes.push_back(fmt::format("{} samples were not finite and were left out: a defect of sdlc.",
+    notes.push_back(fmt::format("{} samples were not finite and were left out: a bug in sdlc.",
                                 measurement.nonfinite_samples));
   }
   if (!measurement.reference) return notes;
   if (measurement.points.empty()) {
-    notes.emplace_back(
-        "There was no time for any point beside the reference. A longer --budget has some.");
+    notes.emplace_back("There was only time for the reference. A longer --budget measures points.");
   }
   if (const std::uint64_t scarce = measurement.reference->scarce_emitters; scarce > 0) {
     notes.push_back(fmt::format(
-        "{} emissive sphere{} hardly reached by the reference's own paths: light may be missing "
-        "in it, and every error too small. A longer --budget finds it, if it is not hidden.",
+        "{} emissive sphere{} reached by very few paths of the reference: light may be missing in "
+        "it, and all errors too small. A longer --budget finds the light, unless it is hidden.",
         scarce, scarce == 1 ? " was" : "s were"));
   }
   const bool has_unclear = std::ranges::any_of(measurement.points, [](const render::Point& point) {
@@ -30,8 +29,8 @@ std::vector<std::string> notes_of(const render::Measurement& measurement) {
   });
   if (has_unclear) {
     notes.emplace_back(
-        "Some errors are not told from none: the reference is too rough for them. A longer "
-        "--budget makes a better one.");
+        "Some errors cannot be distinguished from 0: the reference is not accurate enough. A "
+        "longer --budget makes a better one.");
   }
   if (!measurement.depths.empty() && !measurement.depths_have_converged) {
     notes.push_back(fmt::format(
@@ -43,10 +42,10 @@ std::vector<std::string> notes_of(const render::Measurement& measurement) {
       measurement.recommendations,
       [&](const render::Recommendation& any) { return any.goal == measurement.goal; });
   if (measurement.goal && !has_goal) {
-    notes.push_back(fmt::format(
-        "No number of samples is known for the error of {} that was asked for: it is too far "
-        "from all that was measured. A longer --budget gets nearer.",
-        percent(*measurement.goal)));
+    notes.push_back(
+        fmt::format("No number of samples can be predicted for the requested error of {}: it is "
+                    "too far from the measured points. A longer --budget gets nearer.",
+                    percent(*measurement.goal)));
   }
   return notes;
 }

@@ -7,7 +7,7 @@
 
 namespace sdlc::cli {
 
-/// What a reader has to know before anything that a measurement says, in sentences.
+/// Warnings that a reader has to know before reading a measurement, as sentences.
 std::vector<std::string> notes_of(const render::Measurement& measurement);
 
 }  // namespace sdlc::cli

@@ -44,7 +44,7 @@ void write_file(const fs::path& path, std::string_view bytes) {
   render::write_file_atomically(path, std::as_bytes(std::span(bytes)));
 }
 
-/// Values that a reference has a pixel: red, green, blue, and the two of its noise.
+/// Values per pixel of a reference: red, green, blue, and two for its noise.
 constexpr std::size_t kValues = 5;
 
 std::string reference_bytes(const render::ReferencePicture& reference) {
@@ -59,7 +59,7 @@ std::string reference_bytes(const render::ReferencePicture& reference) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
 }
 
-/// Nothing where the file is not of a picture of this size.
+/// nullopt if the file does not hold a picture of this size.
 std::optional<render::ReferencePicture> reference_of(const std::string& bytes, int width,
                                                      int height) {
   render::ReferencePicture reference{.picture = render::Picture(width, height)};
@@ -88,7 +88,7 @@ std::string digest_of(std::string_view bytes) {
 }
 
 [[noreturn]] void refuse_to_go_on(const fs::path& folder, const std::string& reason) {
-  throw render::IoError("go on with", folder, reason + "; remove the folder to begin anew");
+  throw render::IoError("resume", folder, reason + "; remove the folder to start again");
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ FileLock::FileLock(const fs::path& file, const fs::path& folder)
   const int error = errno;
   ::close(descriptor_);
   if (error != EWOULDBLOCK) fail(file, error);
-  throw render::IoError("work in", folder, "another sdlc is measuring in it");
+  throw render::IoError("work in", folder, "another sdlc is using it");
 }
 
 FileLock::~FileLock() { ::close(descriptor_); }
@@ -114,8 +114,8 @@ WorkFolder::WorkFolder(fs::path folder, Json identity)
   fs::create_directories(folder_, error);
   if (error) throw render::IoError("make", folder_, error.message());
   render::check_writable(folder_ / kStudyName);
-  // Nothing is put into a folder of somebody else, not even a lock; and one that is locked may be
-  // in the middle of anything.
+  // Write nothing into a folder of somebody else, not even a lock; a locked folder may be in any
+  // state.
   if (!fs::exists(folder_ / kLockName, error)) check_only_ours();
   lock_.emplace(folder_ / kLockName, folder_);
   check_only_ours();
@@ -139,11 +139,10 @@ void WorkFolder::check_identity(const Json& kept) const {
     const auto text = [](const Json& json) {
       return json.is_string() ? json.get<std::string>() : json.dump();
     };
-    throw render::IoError(
-        "go on with", folder_,
-        fmt::format("its measurement has another {} ({}, now {}); name another folder, or remove "
-                    "this one to begin anew",
-                    name, text(was), text(value)));
+    throw render::IoError("resume", folder_,
+                          fmt::format("its measurement has another {} ({}, now {}); name another "
+                                      "folder, or remove this one to start again",
+                                      name, text(was), text(value)));
   }
 }
 
@@ -151,7 +150,7 @@ void WorkFolder::read_study(const std::string& text, render::StudyLedger& ledger
                             std::vector<std::string>& keys) {
   const Json json = parse_json(text);
   if (field<std::string>(json, "format") != kFormat) {
-    throw std::invalid_argument("it is no measurement");
+    throw std::invalid_argument("it is not a measurement");
   }
   check_identity(any_field(json, "identity"));
   ledger = read_ledger(any_field(json, "ledger").dump());
@@ -162,7 +161,7 @@ void WorkFolder::read_study(const std::string& text, render::StudyLedger& ledger
     throw std::invalid_argument("it has `pictures` but no `windows`");
   }
   const Json& digests = any_field(json, "digests");
-  if (!digests.is_object()) throw std::invalid_argument("its `digests` is no object");
+  if (!digests.is_object()) throw std::invalid_argument("its `digests` is not an object");
   for (const auto& [name, digest] : digests.items()) digests_[name] = string_of(digest, name);
 }
 
@@ -178,7 +177,7 @@ bool WorkFolder::load(render::StudyLedger& ledger,
   }
   if (ledger.reference) {
     reference = reference_of(read_whole(kReferenceName), ledger.plan->width, ledger.plan->height);
-    if (!reference) refuse_to_go_on(folder_, "its reference.f32 is of another size");
+    if (!reference) refuse_to_go_on(folder_, "its reference.f32 has a different size");
   }
   const std::size_t crops = details.windows().size();
   for (const std::string& key : keys) {
@@ -194,7 +193,7 @@ bool WorkFolder::load(render::StudyLedger& ledger,
 
 std::string WorkFolder::read_whole(const std::string& name) const {
   const auto digest = digests_.find(name);
-  // A name that was not written here may lead anywhere.
+  // A name that was not written by us could be any path.
   if (digest == digests_.end()) {
     refuse_to_go_on(folder_, fmt::format("its study.json has no digest of {}", name));
   }

@@ -13,12 +13,11 @@
 
 namespace sdlc::cli {
 
-/// Holds a file's lock for as long as it lives; the system lets go of it too when the process ends,
-/// however it does.
+/// Holds a file lock during its lifetime; the system also releases it when the process ends.
 class FileLock {
  public:
-  /// Makes the file where there is none. Throws render::IoError; `folder`: what is in use where
-  /// another process holds it.
+  /// Creates the file if necessary. Throws render::IoError; `folder` is named as in use if another
+  /// process holds the lock.
   FileLock(const std::filesystem::path& file, const std::filesystem::path& folder);
   ~FileLock();
   FileLock(const FileLock&) = delete;
@@ -28,21 +27,21 @@ class FileLock {
   int descriptor_;
 };
 
-/// A folder in which a measurement keeps all that it has done, each thing as soon as it is there,
-/// so that the same command goes on where it was stopped. Nobody else can as long as this lives.
-/// Functions throw render::IoError.
+/// The folder of a measurement, which stores each result immediately, so that the same command can
+/// resume. Locked against other processes during its lifetime. Functions throw render::IoError.
 class WorkFolder {
  public:
-  /// What says what the others are; it is written last.
+  /// The index of the other files; it is written last.
   static constexpr const char* kStudyName = "study.json";
 
-  /// `identity`: what has to be the same for the measurement to be gone on with, as JSON with names
-  /// that users know. Makes the folder where there is none, and refuses one with other files.
+  /// `identity`: values that must be unchanged to resume the measurement, as JSON with names that
+  /// users know. Creates the folder if necessary, and rejects one with other files.
   WorkFolder(std::filesystem::path folder, Json identity);
 
-  /// What is there of an earlier run; false if that is nothing. Throws IoError too where it is of
-  /// something else, damaged or not readable, and says what. Pictures and a reference that
-  /// study.json does not name are of a run that ended before it was written, and count for nothing.
+  /// Loads the results of an earlier run; returns false if there are none. Throws IoError if they
+  /// are of another measurement, damaged or unreadable, with the reason. Pictures and references
+  /// that study.json does not list belong to a run that ended before it was written, and are
+  /// ignored.
   bool load(render::StudyLedger& ledger, std::optional<render::ReferencePicture>& reference,
             Details& details);
 
@@ -56,15 +55,15 @@ class WorkFolder {
   void check_only_ours() const;
   void read_study(const std::string& text, render::StudyLedger& ledger, Details& details,
                   std::vector<std::string>& keys);
-  /// A file that study.json names, just as it was written.
+  /// Reads a file listed in study.json and verifies its digest.
   std::string read_whole(const std::string& name) const;
-  /// Writes it and remembers its digest for study.json.
+  /// Writes a file and records its digest for study.json.
   void write(const std::string& name, std::string_view bytes);
 
   std::filesystem::path folder_;
   Json identity_;
   std::optional<FileLock> lock_;
-  std::map<std::string, std::string> digests_;  ///< of all files but study.json, by name
+  std::map<std::string, std::string> digests_;  ///< of all files except study.json, by name
 };
 
 }  // namespace sdlc::cli

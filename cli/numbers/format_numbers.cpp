@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "lang/object/object.hpp"
+#include "lang/object/value.hpp"
 
 namespace sdlc::cli {
 namespace {
 
-/// Three digits with the largest unit that leaves at least 1; the first unit stands for 1.
+/// Three digits with the largest unit that leaves at least 1; the first unit has the factor 1.
 template <std::size_t N>
 std::string with_unit(double amount, double step, const char* const (&units)[N]) {
   std::size_t unit = 0;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-/// Numbers as people read them.
+/// Numbers formatted for people.
 namespace sdlc::cli {
 
 /// "0.15 ms", "850 ms", "12.3 s", "4 min 05 s", "2 h 10 min".
@@ -14,7 +14,7 @@ std::string format_count(double count);
 std::string format_whole(std::uint64_t number);
 /// "512 B", "38.1 MiB".
 std::string format_bytes(std::uint64_t bytes);
-/// At most six digits, as the language spells numbers: "-0.333333", "1e9".
+/// At most six digits, in the spelling of the language: "-0.333333", "1e9".
 std::string format_rounded(double number);
 
 }  // namespace sdlc::cli

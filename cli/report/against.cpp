@@ -27,15 +27,15 @@ std::string against_section(const Report& report) {
   std::string html =
       fmt::format("<p>The earlier measurement was made by {}.</p>\n", escaped(against.earlier));
   html += against.time_ratio
-              ? fmt::format("<p>A render takes <strong>{}</strong> as long as then: {}.</p>\n",
+              ? fmt::format("<p>A render takes <strong>{}</strong> as long as before: {}.</p>\n",
                             read(*against.time_ratio, times).text(), name_of(against.time))
               : std::string("<p>Times are not compared.</p>\n");
   for (const std::string& note : against.notes) {
     html += callout(note);
   }
   if (against.points.empty()) return html + "<p>The two have no render in common.</p>\n";
-  HtmlTable table("Renders that both measured",
-                  "#Samples|Way|#Error then|#Error now|Error|#Time then|#Time now");
+  HtmlTable table("Renders in both measurements",
+                  "#Samples|Configuration|#Error before|#Error now|Error|#Time before|#Time now");
   for (const render::PointChange& change : against.points) {
     const Reading error_before = read(change.error_before, percent),
                   error_after = read(change.error_after, percent),

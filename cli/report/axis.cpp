@@ -13,7 +13,7 @@ constexpr std::array kOneThree{1.0, 3.0};
 constexpr std::array kOneTwoFive{1.0, 2.0, 5.0};
 constexpr std::array kAll{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0};
 
-/// Those multiples of every `step`th power of ten that lie within.
+/// The multiples of every `step`th power of ten within the range.
 std::vector<double> multiples_within(double from, double to, std::span<const double> multiples,
                                      int step = 1) {
   std::vector<double> values;
@@ -22,7 +22,7 @@ std::vector<double> multiples_within(double from, double to, std::span<const dou
   for (int exponent = first; exponent <= last; ++exponent) {
     if (exponent % step != 0) continue;
     for (const double multiple : multiples) {
-      // Divided by a whole power, so that 0.2 is the nearest number to it.
+      // Divided by an integer power, so that 0.2 is correctly rounded.
       const double value =
           exponent < 0 ? multiple / std::pow(10.0, -exponent) : multiple * std::pow(10.0, exponent);
       if (value >= from && value <= to) values.push_back(value);
@@ -33,8 +33,8 @@ std::vector<double> multiples_within(double from, double to, std::span<const dou
 
 /// Even steps of 1, 2 or 5 times a power of ten: three to seven of them.
 std::vector<double> even_steps(double from, double to) {
-  constexpr int kMost = 6;
-  const double rough = (to - from) / kMost;
+  constexpr int kMaxLabels = 6;
+  const double rough = (to - from) / kMaxLabels;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   double step = 10 * power;
   for (const double multiple : {5.0, 2.0}) {
@@ -45,11 +45,11 @@ std::vector<double> even_steps(double from, double to) {
   return values;
 }
 
-std::vector<double> labelled_values(double from, double to, std::size_t most) {
+std::vector<double> labelled_values(double from, double to, std::size_t max_count) {
   std::vector<double> values = multiples_within(from, to, kOneTwoFive);
   if (values.size() < 3) return even_steps(from, to);
-  if (values.size() > most) values = multiples_within(from, to, kOneThree);
-  for (int step = 1; values.size() > most; ++step) {
+  if (values.size() > max_count) values = multiples_within(from, to, kOneThree);
+  for (int step = 1; values.size() > max_count; ++step) {
     values = multiples_within(from, to, kOnes, step);
   }
   return values;
@@ -58,20 +58,20 @@ std::vector<double> labelled_values(double from, double to, std::size_t most) {
 }  // namespace
 
 LogAxis LogAxis::covering(std::span<const double> values) {
-  double least = std::numeric_limits<double>::infinity(), largest = 0;
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   for (const double value : values) {
     if (!(value > 0) || !std::isfinite(value)) continue;
-    least = std::min(least, value);
+    smallest = std::min(smallest, value);
     largest = std::max(largest, value);
   }
-  if (largest == 0) least = largest = 1;
-  // Of a range that a double cannot hold the ends stay as they are.
-  constexpr double kLeastSpan = 1.5, kMargin = 0.04;
-  double from = least, to = largest;
-  if (to / from < kLeastSpan) {
+  if (largest == 0) smallest = largest = 1;
+  // If the range is beyond a double, keep its ends.
+  constexpr double kMinSpan = 1.5, kMargin = 0.04;
+  double from = smallest, to = largest;
+  if (to / from < kMinSpan) {
     const double middle = std::sqrt(from) * std::sqrt(to);
-    from = middle / std::sqrt(kLeastSpan);
-    to = std::min(middle * std::sqrt(kLeastSpan), std::numeric_limits<double>::max());
+    from = middle / std::sqrt(kMinSpan);
+    to = std::min(middle * std::sqrt(kMinSpan), std::numeric_limits<double>::max());
   }
   const double margin = std::pow(to / from, kMargin);
   if (std::isfinite(margin) && std::isfinite(to * margin) && from / margin > 0) {
@@ -87,12 +87,11 @@ double LogAxis::share(double value) const noexcept {
   return (std::log(value) - std::log(from_)) / (std::log(to_) - std::log(from_));
 }
 
-std::vector<Tick> LogAxis::ticks(std::size_t most_labels) const {
+std::vector<Tick> LogAxis::ticks(std::size_t max_labels) const {
   std::vector<Tick> ticks;
-  for (const double value : labelled_values(from_, to_, most_labels))
-    ticks.push_back({value, true});
-  constexpr double kMostForMinor = 1e5;
-  if (to_ / from_ > kMostForMinor) return ticks;
+  for (const double value : labelled_values(from_, to_, max_labels)) ticks.push_back({value, true});
+  constexpr double kMaxForMinor = 1e5;
+  if (to_ / from_ > kMaxForMinor) return ticks;
   for (const double value : multiples_within(from_, to_, kAll)) {
     if (std::ranges::find(ticks, value, &Tick::value) == ticks.end())
       ticks.push_back({value, false});

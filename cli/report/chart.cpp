@@ -18,16 +18,16 @@ namespace {
 constexpr double kWidth = 600, kHeight = 420;
 constexpr double kLeft = 72, kRight = 24, kTop = 66, kBottom = 50;
 constexpr double kRadius = 5, kFadedRadius = 3.6, kTargetRadius = 11;
-constexpr double kZeroLane = 22;  // below the plot, for what a logarithmic axis has no place for
+constexpr double kZeroLane = 22;  // below the plot, for values that a logarithmic axis cannot show
 
 bool has_place(const ChartPoint& point) noexcept {
   return std::isfinite(point.x.value) && std::isfinite(point.y.value);
 }
 
-/// Ends farther than this from their value would squeeze everything else together.
+/// Ends farther than this factor from their value would compress everything else.
 constexpr double kFarthestEnd = 10;
 
-/// What the axis has to cover for the value: it and its ends.
+/// Collects the values that the axis has to cover: the value and its ends.
 void collect(const render::Measured& measured, std::vector<double>& values) {
   values.push_back(measured.value);
   if (!has_interval(measured)) return;
@@ -43,17 +43,17 @@ LogAxis axis_over(const Chart& chart, render::Measured ChartPoint::*coordinate,
       if (has_place(point)) collect(point.*coordinate, values);
     }
   }
-  // A level far below is left out rather than all else squeezed into the upper half.
+  // A level far below is left out, because it would compress everything else into the upper half.
   constexpr double kWorthShowing = 20;
-  double least = std::numeric_limits<double>::infinity();
+  double smallest = std::numeric_limits<double>::infinity();
   for (const double value : values) {
-    if (value > 0) least = std::min(least, value);
+    if (value > 0) smallest = std::min(smallest, value);
   }
-  if (level && level->y.value * kWorthShowing > least) collect(level->y, values);
+  if (level && level->y.value * kWorthShowing > smallest) collect(level->y, values);
   return LogAxis::covering(values);
 }
 
-/// The plot's rectangle and where coordinates lie in it.
+/// The plot's rectangle and the mapping of coordinates to it.
 class Plot {
  public:
   explicit Plot(const Chart& chart)
@@ -73,12 +73,12 @@ class Plot {
   double right() const noexcept { return kWidth - kRight; }
   double top() const noexcept { return kTop; }
   double bottom() const noexcept { return kHeight - kBottom - (has_zeros_ ? kZeroLane : 0); }
-  /// Of the drawing's frame, with the lane of zeros.
+  /// The lower edge of the frame, including the lane of zeros.
   double floor() const noexcept { return kHeight - kBottom; }
   bool has_zeros() const noexcept { return has_zeros_; }
 
   double x(double value) const noexcept { return left() + (right() - left()) * x_.share(value); }
-  /// Of 0 the middle of the lane.
+  /// 0 is in the centre of the lane.
   double y(double value) const noexcept {
     if (!(value > 0) && has_zeros_) return (bottom() + floor()) / 2;
     return bottom() + (top() - bottom()) * y_.share(value);
@@ -103,16 +103,16 @@ std::string label(std::string_view of, double x, double y, std::string_view anch
 }
 
 std::string draw_grid(const Plot& plot, const Chart& chart) {
-  constexpr std::size_t kMostAcross = 8, kMostUp = 9;
+  constexpr std::size_t kMaxAcross = 8, kMaxUp = 9;
   constexpr double kGap = 8, kBelow = 18;
   std::string svg;
-  for (const Tick& tick : plot.x_axis().ticks(kMostAcross)) {
+  for (const Tick& tick : plot.x_axis().ticks(kMaxAcross)) {
     const double x = plot.x(tick.value);
     svg += line(tick.is_labelled ? "major" : "minor", x, plot.top(), x, plot.floor());
     if (!tick.is_labelled) continue;
     svg += label("tick", x, plot.floor() + kBelow, "middle", chart.x.tick(tick.value));
   }
-  for (const Tick& tick : plot.y_axis().ticks(kMostUp)) {
+  for (const Tick& tick : plot.y_axis().ticks(kMaxUp)) {
     const double y = plot.y(tick.value);
     svg += line(tick.is_labelled ? "major" : "minor", plot.left(), y, plot.right(), y);
     if (!tick.is_labelled) continue;
@@ -157,7 +157,8 @@ std::string draw_front(const Plot& plot, const Chart& chart) {
   return fmt::format("<path class=\"front\" d=\"{}H{:.1f}\"/>\n", path, plot.right());
 }
 
-/// From mark to mark, or straight: through the middle of the marks in logarithms, with the slope.
+/// From mark to mark, or a straight line with the slope through the centre of the marks in
+/// logarithms.
 std::string draw_line(const Plot& plot, const ChartSeries& series) {
   std::string path;
   if (series.is_joined) {
@@ -191,7 +192,7 @@ std::string draw_line(const Plot& plot, const ChartSeries& series) {
                      series.style % kSeriesStyles, dashes(series.style), path);
 }
 
-/// An error bar along one axis; the cap is left out where the interval goes on beyond the plot.
+/// An error bar along one axis; without a cap where the interval extends beyond the plot.
 std::string draw_bar(const Plot& plot, const ChartPoint& point) {
   constexpr double kCap = 3.5;
   std::string path;
@@ -227,7 +228,7 @@ std::string_view class_of(MarkLook look) {
   }
 }
 
-/// The figures of a point stand above the plot, where they hide no other.
+/// The figures of a point are above the plot, where they hide no other.
 std::string draw_reading(const ChartSeries& series, const ChartPoint& point,
                          std::string_view title) {
   const std::string key = series.key.empty() ? "" : series.key + "\u2002";
@@ -253,7 +254,7 @@ std::string draw_point(const Plot& plot, const ChartSeries& series, const ChartP
          draw_reading(series, point, title) + "</g>\n";
 }
 
-/// The letters of the series beside their last marks, pushed apart where these lie close together.
+/// The letters of the series next to their last marks, moved apart if they overlap.
 std::string draw_keys(const Plot& plot, const Chart& chart) {
   struct Key {
     double x, y;
@@ -296,7 +297,7 @@ std::string draw(const Chart& chart) {
       kWidth, kHeight, chart.id, chart.id, chart.id, escaped(chart.title), chart.id,
       escaped(chart.description));
   svg += draw_grid(plot, chart);
-  svg += label("hint", 4, 15, "start", "Point at a mark, or go to it with Tab, for its figures.");
+  svg += label("hint", 4, 15, "start", "Point at a mark, or focus it with Tab, for its figures.");
   if (chart.level) svg += draw_level(plot, *chart.level);
   svg += draw_front(plot, chart);
   for (const ChartSeries& series : chart.series) svg += draw_line(plot, series);

@@ -11,7 +11,7 @@ namespace {
 
 std::string plain_tick(double number) { return figure(number, 6); }
 
-/// `y` takes what is drawn from a depth.
+/// `y` maps a depth to the plotted value.
 template <typename Y>
 Chart chart_over_depth(const render::Measurement& measurement, Chart chart, Y&& y) {
   chart.x = {"depth", plain_tick};
@@ -30,7 +30,7 @@ Chart chart_over_depth(const render::Measurement& measurement, Chart chart, Y&& 
 }
 
 std::string depth_table(const render::Measurement& measurement) {
-  HtmlTable table("What each depth loses and costs",
+  HtmlTable table("Loss and cost of each depth",
                   measurement.depths_have_converged
                       ? "#Depth|#Light lost|#Paths cut|#Time, relative"
                       : "#Depth|#Light lost, at least|#Paths cut|#Time, relative");
@@ -56,7 +56,7 @@ std::string depth_section(const Report& report) {
       {.id = "depth-loss",
        .title = measurement.depths_have_converged ? "Light lost by depth"
                                                   : "Light lost by depth: a lower bound",
-       .description = "The share of the mean radiance that each depth cuts off.",
+       .description = "The share of the mean radiance that each depth loses.",
        .x = {},
        .y = {"light lost", percent_tick},
        .series = {},
@@ -78,11 +78,10 @@ std::string depth_section(const Report& report) {
       });
   return "<div class=\"charts\">\n" +
          chart_figure(loss,
-                      "The same paths with each depth and with the greatest one here. What a "
-                      "depth loses is missing however many samples there are.") +
+                      "The same paths with each depth and with the greatest one measured. The "
+                      "light that a depth loses is missing with any number of samples.") +
          chart_figure(cost,
-                      "Paths mostly end by themselves, so that depth is cheap where light "
-                      "can get out.") +
+                      "Most paths end by themselves, so depth is cheap if light can escape.") +
          "</div>\n" + depth_table(measurement);
 }
 

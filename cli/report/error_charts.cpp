@@ -20,15 +20,15 @@ std::string seconds_tick(double seconds) {
 }
 std::string samples_tick(double samples) { return figure(samples, 6); }
 
-MarkLook look_of(render::Standing standing) {
-  switch (standing) {
-    case render::Standing::Front: return MarkLook::Filled;
-    case render::Standing::NotDistinguished: return MarkLook::Hollow;
+MarkLook look_of(render::Dominance dominance) {
+  switch (dominance) {
+    case render::Dominance::Front: return MarkLook::Filled;
+    case render::Dominance::NotDistinguished: return MarkLook::Hollow;
     default: return MarkLook::Faded;
   }
 }
 
-/// The series with the error of each point over what `x` takes from it.
+/// The series with the error of each point over `x` of the point.
 template <typename X>
 std::vector<ChartSeries> series_over(const render::Measurement& measurement, X&& x) {
   std::vector<ChartSeries> all;
@@ -44,11 +44,11 @@ std::vector<ChartSeries> series_over(const render::Measurement& measurement, X&&
       drawn.points.push_back(
           {.x = x(point),
            .y = point.error,
-           .look = look_of(point.standing),
+           .look = look_of(point.dominance),
            .reading = fmt::format(
                "{}, {}, error {}", count_of(static_cast<std::uint64_t>(point.samples), "sample"),
                read(point.seconds, duration).text(), read(point.error, percent).text()),
-           .remark = std::string(words_of(point.standing))});
+           .remark = std::string(words_of(point.dominance))});
     }
     all.push_back(std::move(drawn));
   }
@@ -67,8 +67,8 @@ Chart error_against_time(const render::Measurement& measurement) {
       .id = "error-time",
       .title = "Error against time",
       .description =
-          "The error of each render over the seconds that it took, one mark a "
-          "render. All figures are in the table of all renders.",
+          "The error of each render over its time in seconds, one mark per render. All figures are "
+          "in the table of all renders.",
       .x = {"time of a render", seconds_tick},
       .y = {"error", percent_tick},
       .series = series_over(measurement, [](const render::Point& point) { return point.seconds; }),
@@ -76,7 +76,7 @@ Chart error_against_time(const render::Measurement& measurement) {
       .level = reference_level(measurement)};
   for (ChartSeries& series : chart.series) series.is_joined = true;
   for (const render::Point& point : measurement.points) {
-    if (point.standing != render::Standing::Front) continue;
+    if (point.dominance != render::Dominance::Front) continue;
     chart.front.emplace_back(point.seconds.value, point.error.value);
   }
   std::ranges::sort(chart.front);
@@ -87,9 +87,9 @@ Chart error_against_samples(const render::Measurement& measurement) {
   Chart chart{.id = "error-samples",
               .title = "Error against samples",
               .description =
-                  "The error of each render over its samples a pixel, with a straight "
-                  "line for each way of three renders or more.",
-              .x = {"samples a pixel", samples_tick},
+                  "The error of each render over its samples per pixel, with a straight line for "
+                  "each configuration with three or more renders.",
+              .x = {"samples per pixel", samples_tick},
               .y = {"error", percent_tick},
               .series = series_over(measurement,
                                     [](const render::Point& point) {
@@ -126,16 +126,16 @@ std::string missing_points(const render::Measurement& measurement) {
     return !std::isfinite(point.error.value) || !std::isfinite(point.seconds.value);
   });
   if (count == 0) return "";
-  return fmt::format(" {} {} missing, as error or time is unknown.",
+  return fmt::format(" {} {} missing, because error or time is unknown.",
                      count_of(static_cast<std::uint64_t>(count), "render"),
                      count == 1 ? "is" : "are");
 }
 
 std::string looks() {
   return fmt::format(
-      "{} on the front: no other render is both faster and nearer to the reference. {} not "
-      "distinguished from the front: some render is faster and nearer, but their intervals "
-      "overlap. {} dominated: some render is faster and nearer beyond all doubt of the intervals.",
+      "{} on the Pareto front: no other render is both faster and more accurate. {} not "
+      "distinguishable from the front: another render is faster and more accurate, but their "
+      "intervals overlap. {} dominated: another render is clearly faster and more accurate.",
       look_sample(MarkLook::Filled), look_sample(MarkLook::Hollow), look_sample(MarkLook::Faded));
 }
 
@@ -155,15 +155,15 @@ std::string error_charts_section(const Report& report) {
   const std::string missing = missing_points(measurement);
   return legend(measurement) + "<div class=\"charts\">\n" +
          chart_figure(by_time,
-                      "Lower and further left is better. The stepped line is the front: the least "
-                      "error that was reached within a time. " +
+                      "Lower and further left is better. The stepped line is the front: the "
+                      "smallest error reached within a time. " +
                           looks() + missing) +
-         chart_figure(by_samples,
-                      "The lines are straight fits; their slopes stand in the key above. At "
-                      "−0.5, which independent samples have, half the error takes four times "
-                      "the samples; at −1 twice. A line that flattens out has met what its depth "
-                      "or precision lacks." +
-                          missing) +
+         chart_figure(
+             by_samples,
+             "The lines are straight fits; their slopes are in the key above. At −0.5, the slope "
+             "of independent samples, half the error takes four times the samples; at −1 twice. A "
+             "line that flattens out has reached the bias of its depth or precision." +
+                 missing) +
          "</div>\n";
 }
 

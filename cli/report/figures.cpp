@@ -38,7 +38,7 @@ std::string figure(double number, int digits) {
   if (!std::isfinite(number)) return std::string(kUnknown);
   if (number == 0) return "0";
   const std::string sign = number < 0 ? "−" : "";
-  // Rounded first: 9.996 has an exponent of 1.
+  // Round first: 9.996 has the exponent 1.
   const std::string rounded = fmt::format("{:.{}e}", std::abs(number), digits - 1);
   const std::size_t mark = rounded.find('e');
   const int exponent = std::atoi(rounded.c_str() + mark + 1);
@@ -56,14 +56,14 @@ std::string percent(double share) {
 }
 
 std::string percent_tick(double share) {
-  constexpr int kDigits = 6;  // more than any tick has: it hides what rounding left of 0.07 * 100
+  constexpr int kDigits = 6;  // more than any tick has; hides the rounding error of 0.07 * 100
   return fmt::format("{}{}%", figure(100 * share, kDigits), kSpace);
 }
 
 std::string duration(double seconds) {
-  constexpr double kLongest = 1e12;  // beyond any whole number of seconds that is worth reading
+  constexpr double kLongest = 1e12;  // beyond any useful number of seconds
   if (!(seconds >= 0 && seconds < kLongest)) return std::string(kUnknown);
-  // With one decimal an interval of a few seconds often has two equal ends.
+  // With one decimal the ends of an interval of a few seconds are often equal.
   if (seconds >= 1 && seconds < 60) return fmt::format("{}{}s", figure(seconds), kSpace);
   std::string text;
   for (const char c : format_seconds(seconds)) text += c == ' ' ? kSpace : std::string_view(&c, 1);

@@ -3,32 +3,31 @@
 #include <string>
 #include <string_view>
 
-/// The few pieces that the page is made of. It is XML too: every element is closed, so that a
-/// test can hold tags against each other.
+/// Building blocks of the page. The page is also valid XML: every element is closed, so that a test
+/// can check that tags match.
 namespace sdlc::cli {
 
-/// Text from outside, for element content and attribute values: what means something in HTML is
-/// written as an entity, control characters become pictures of themselves, what is not UTF-8
-/// U+FFFD.
+/// Escapes text for element content and attribute values: HTML special characters become entities,
+/// control characters become visible symbols, invalid UTF-8 becomes U+FFFD.
 std::string escaped(std::string_view text);
 
 /// RFC 4648, section 4, with padding.
 std::string base64(std::string_view bytes);
 
-/// A table that scrolls by itself where the page is too narrow. Cells are HTML.
+/// A table that scrolls if the page is too narrow. Cells are HTML.
 class HtmlTable {
  public:
-  /// `columns` are headings, divided by `|`; those that begin with `#` are over numbers, which are
-  /// flush right.
+  /// `columns` are headings, separated by `|`; those that begin with `#` are for numbers, which are
+  /// right-aligned.
   HtmlTable(std::string_view caption, std::string_view columns);
 
-  /// A heading over the rows that follow.
+  /// A heading above the following rows.
   void group(std::string_view html);
 
-  /// One row: cells are added from left to right, the first is its heading.
+  /// Starts a row: cells are added from left to right, the first is its heading.
   HtmlTable& row();
   HtmlTable& cell(std::string_view html);
-  /// A figure and, small below it, what is said of it.
+  /// A figure with a small remark below it.
   HtmlTable& cell(std::string_view html, std::string_view small);
 
   std::string finish() &&;

@@ -14,7 +14,8 @@ struct Corner {
   double x, y;
 };
 
-/// Corners at equal angles from the top on; of a star every second is `inner` from the middle.
+/// Corners at equal angles, starting at the top; with `inner`, every second corner is at that
+/// distance (a star).
 std::vector<Corner> corners(int count, double turn, double outer = 1, double inner = 1) {
   std::vector<Corner> all;
   for (int i = 0; i < count; ++i) {
@@ -25,7 +26,7 @@ std::vector<Corner> corners(int count, double turn, double outer = 1, double inn
   return all;
 }
 
-/// All of about the same area, so that none looks weightier than the others.
+/// All have about the same area, so that none stands out.
 std::vector<Corner> shape(std::size_t style) {
   constexpr double kArm = 0.38;
   switch (style % kSeriesStyles) {
@@ -33,7 +34,7 @@ std::vector<Corner> shape(std::size_t style) {
     case 1: return corners(4, 0.5, 1.25, 1.25);  // a square
     case 2: return corners(3, 0, 1.35, 1.35);    // a triangle
     case 3: return corners(4, 0, 1.3, 1.3);      // a diamond
-    case 4: return corners(3, 1.5, 1.35, 1.35);  // a triangle on its head
+    case 4: return corners(3, 1.5, 1.35, 1.35);  // a triangle upside down
     case 5: return corners(10, 0, 1.5, 0.65);    // a star
     case 6:                                      // a cross
       return {{-kArm, -1.2}, {kArm, -1.2}, {kArm, -kArm}, {1.2, -kArm},

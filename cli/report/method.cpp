@@ -8,7 +8,7 @@
 namespace sdlc::cli {
 namespace {
 
-/// Terms and what is said of them, side by side.
+/// A list of terms and their descriptions.
 class Facts {
  public:
   void add(std::string_view term, std::string_view html) {
@@ -27,7 +27,7 @@ std::string describe_reference(const render::Reference& reference) {
                   describe_way(reference.way), reference.seed, duration(reference.seconds),
                   read(reference.error, percent).text(), figure(reference.mean_radiance));
   if (reference.scarce_emitters > 0) {
-    text += fmt::format("; {} hardly reached by its paths, so that light may be missing in it",
+    text += fmt::format("; {} reached by very few of its paths, so that light may be missing",
                         count_of(reference.scarce_emitters, "emitter"));
   }
   return text;
@@ -50,19 +50,18 @@ std::string method_section(const Report& report) {
   facts.add("Time spent", fmt::format("{} of a budget of {}", duration(measurement.spent_seconds),
                                       duration(measurement.budget_seconds)));
   facts.add("Reading and writing",
-            fmt::format("{} of a picture of full size; part of the times to render with",
+            fmt::format("{} for a picture of full size; part of the recommended times",
                         duration(measurement.other_seconds)));
   facts.add("Version", escaped(report.provenance.version));
   facts.add("Command", fmt::format("<code>{}</code>", escaped(report.provenance.command)));
   std::string html =
-      "<p>Each render was timed and its picture held against one long reference. The error is the "
+      "<p>Each render was timed and its picture compared with one long reference. The error is the "
       "root mean square difference over all pixels and channels, in linear radiance, divided by "
-      "the mean radiance: 1 % is next to invisible, 5 % is fine grain, 20 % is a draft. Behind "
-      "each "
-      "figure stands its interval of 95 %: of a hundred such intervals about ninety-five hold the "
-      "true value. Where intervals of two renders overlap, this measurement cannot tell which one "
-      "is better, and says so. Times are medians of what this machine took for building and "
-      "tracing.</p>\n";
+      "the mean radiance: 1 % is almost invisible, 5 % is fine grain, 20 % is a draft. Each figure "
+      "has a 95 % confidence interval: of a hundred such intervals about ninety-five cover the "
+      "true value. If the intervals of two renders overlap, this measurement cannot decide which "
+      "one is better, and says so. Times are medians for building and tracing on this "
+      "machine.</p>\n";
   html += facts.finish();
   if (report.provenance.machine.empty()) return html;
   Facts machine;

@@ -19,7 +19,7 @@ std::string picture_row(const ReportRow& row, const char* of) {
   return html + "</div>\n";
 }
 
-/// From no error to the largest that has a colour of its own.
+/// From zero error to the brightest colour.
 std::string color_bar(double top) {
   constexpr int kStops = 16;
   std::string stops;

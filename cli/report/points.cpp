@@ -33,12 +33,12 @@ void write_point(const render::Point& point, HtmlTable& table) {
   const std::string scarce =
       point.scarce_emitters == 0
           ? ""
-          : fmt::format("{} hardly reached", count_of(point.scarce_emitters, "emitter"));
+          : fmt::format("{} rarely reached", count_of(point.scarce_emitters, "emitter"));
   table.row()
       .cell(format_whole(static_cast<std::uint64_t>(point.samples)))
       .cell(seconds.value, seconds.interval)
       .cell(error.value, error.interval)
-      .cell(words_of(point.standing), scarce)
+      .cell(words_of(point.dominance), scarce)
       .cell(rate(point.samples_per_second))
       .cell(rate(point.rays_per_second))
       .cell(figure(point.difference.rmse))
@@ -50,9 +50,9 @@ void write_point(const render::Point& point, HtmlTable& table) {
 }
 
 std::string points_table(const render::Measurement& measurement) {
-  HtmlTable table("All renders, by way and samples",
-                  "#Samples|#Time|#Error|Standing|#Samples/s|#Rays/s|#RMSE|#relMSE|"
-                  "#relMSE, trimmed (descriptive)|#FLIP|#Largest difference|#Paths cut");
+  HtmlTable table("All renders, by configuration and samples",
+                  "#Samples|#Time|#Error|Status|#Samples/s|#Rays/s|#RMSE|#relMSE|#relMSE, trimmed "
+                  "(descriptive)|#FLIP|#Largest difference|#Paths cut");
   for (std::size_t i = 0; i < measurement.series.size(); ++i) {
     const render::Series& series = measurement.series[i];
     table.group(fmt::format(
@@ -77,10 +77,10 @@ std::string left_out_table(const render::Measurement& measurement) {
 
 }  // namespace
 
-std::string_view words_of(render::Standing standing) {
-  switch (standing) {
-    case render::Standing::Front: return "on the front";
-    case render::Standing::NotDistinguished: return "not distinguished";
+std::string_view words_of(render::Dominance dominance) {
+  switch (dominance) {
+    case render::Dominance::Front: return "on the front";
+    case render::Dominance::NotDistinguished: return "not distinguishable";
     default: return "dominated";
   }
 }
@@ -94,12 +94,11 @@ std::string points_section(const Report& report) {
     html = points_table(measurement);
     html +=
         "<p class=\"fine\">RMSE: root mean square difference from the reference, in linear "
-        "radiance. "
-        "relMSE: mean of the squared difference over the squared reference plus 0.01; trimmed, "
-        "without the hundredth of the pixels that have the most of it, it describes most of the "
-        "picture and decides nothing. FLIP: how strongly somebody who flips between the two "
-        "pictures sees a difference, from 0 to 1. Largest difference: in one channel of one pixel, "
-        "counted from the top left. Paths cut: by the depth, in percent of all.</p>\n";
+        "radiance. relMSE: mean of the squared difference over the squared reference plus 0.01; "
+        "trimmed, without the 1 % of pixels with the largest terms: it describes most of the "
+        "picture, and is not used for decisions. FLIP: how strongly a person who flips between the "
+        "two pictures sees a difference, from 0 to 1. Largest difference: in one channel of one "
+        "pixel, counted from the top left. Paths cut: by the depth limit, in percent of all.</p>\n";
   }
   if (!measurement.left_out.empty()) html += left_out_table(measurement);
   return html;

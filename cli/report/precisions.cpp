@@ -11,11 +11,11 @@
 namespace sdlc::cli {
 namespace {
 
-/// Whether float and double differ, as the interval has it.
+/// Whether float and double differ, according to the interval.
 std::string_view verdict_of(const render::Measured& difference) {
-  if (!has_interval(difference)) return "whether that is chance cannot be told";
+  if (!has_interval(difference)) return "it may be chance";
   const auto [from, to] = difference.interval;
-  return from <= 0 && to >= 0 ? "not distinguished" : "a difference beyond chance";
+  return from <= 0 && to >= 0 ? "not distinguished" : "a significant difference";
 }
 
 std::string capitalized(std::string_view word) {
@@ -33,9 +33,9 @@ std::string precision_section(const Report& report) {
   std::string html;
   if (precision.refusal.empty()) {
     html = fmt::format(
-        "<p>Along the same paths, {} less {}: {} of the mean radiance: <strong>{}</strong>. "
-        "The two pictures differ by {} (root mean square, like an error), mostly where rounding "
-        "sent single paths elsewhere. {} takes {} the time.</p>\n",
+        "<p>Along the same paths, {} minus {}: {} of the mean radiance: <strong>{}</strong>. The "
+        "two pictures differ by {} (root mean square, like an error), mostly where rounding made "
+        "single paths diverge. {} takes {} the time.</p>\n",
         taken, other, read(precision.mean_difference, percent).text(),
         verdict_of(precision.mean_difference), percent(precision.rms_difference),
         capitalized(other), times(precision.seconds));
@@ -44,7 +44,7 @@ std::string precision_section(const Report& report) {
                        escaped(precision.refusal));
   }
   if (!precision.bound.empty()) {
-    html += fmt::format("<p>By itself the scene is traced in {}: {}.</p>\n", taken,
+    html += fmt::format("<p>By default the scene is traced in {}: {}.</p>\n", taken,
                         escaped(precision.bound));
   }
   return html;

@@ -18,40 +18,46 @@ struct Section {
 };
 
 constexpr std::array kSections{
-    Section{"recommendation", "What to render with", recommendation_section},
-    Section{"charts", "What a second buys", error_charts_section},
+    Section{"recommendation", "Recommended settings", recommendation_section},
+    Section{"charts", "Error and render time", error_charts_section},
     Section{"depth", "Depth", depth_section},
     Section{"precision", "Precision", precision_section},
     Section{"pictures", "Pictures", pictures_section},
     Section{"renders", "All renders", points_section},
-    Section{"against", "Against an earlier measurement", against_section},
+    Section{"against", "Comparison with an earlier measurement", against_section},
     Section{"method", "How it was measured", method_section},
 };
 
-/// Nothing may be loaded, and no script run, whatever a scene is called.
+/// Nothing is loaded, and no script runs, whatever a scene is called.
 constexpr std::string_view kPolicy = "default-src 'none'; img-src data:; style-src 'unsafe-inline'";
 
 std::string head(const Report& report) {
   return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+      "<!DOCTYPE html>\n"
+      "<html lang=\"en\">\n"
+      "<head>\n"
+      "<meta charset=\"utf-8\"/>\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
       "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
       "<link rel=\"icon\" href=\"data:,\"/>\n"
-      "<title>{}: what a second buys</title>\n<style>\n{}</style>\n</head>\n",
+      "<title>{}: error and render time</title>\n"
+      "<style>\n"
+      "{}</style>\n"
+      "</head>\n",
       kPolicy, escaped(report.provenance.scene), style_sheet());
 }
 
-/// "6 renders in 2 ways, each held against …"
+/// "6 renders in 2 configurations; compared with …"
 std::string subtitle(const render::Measurement& measurement) {
-  std::string text =
-      fmt::format("{} in {}, {} × {} pixels, {}, {}", count_of(measurement.points.size(), "render"),
-                  count_of(measurement.series.size(), "way"), measurement.width, measurement.height,
-                  count_of(static_cast<std::uint64_t>(measurement.threads), "thread"),
-                  duration(measurement.spent_seconds));
+  std::string text = fmt::format(
+      "{} in {}, {} × {} pixels, {}, {}", count_of(measurement.points.size(), "render"),
+      count_of(measurement.series.size(), "configuration"), measurement.width, measurement.height,
+      count_of(static_cast<std::uint64_t>(measurement.threads), "thread"),
+      duration(measurement.spent_seconds));
   if (!measurement.reference) return text + "; there is no reference.";
   return text + fmt::format(
-                    "; held against a reference of {}.",
+                    "; compared with a reference of {}.",
                     count_of(static_cast<std::uint64_t>(measurement.reference->samples), "sample"));
 }
 

@@ -11,11 +11,11 @@
 
 namespace sdlc::cli {
 
-/// Where a measurement comes from, as the page says at its end.
+/// The origin of a measurement, shown at the end of the page.
 struct Provenance {
   std::string scene;    ///< name of the file
   std::string version;  ///< of sdlc, with its commit
-  std::string command;  ///< with which it was made, as a shell takes it
+  std::string command;  ///< the command line, quoted for a shell
   /// "processor", "cores", "memory", "system", "instruction set" …, with their values.
   std::vector<std::pair<std::string, std::string>> machine{};
 };
@@ -27,7 +27,7 @@ struct ReportImage {
   int width = 0, height = 0;
 };
 
-/// Pictures that belong side by side: the same place with more and more samples.
+/// Pictures shown side by side: the same detail with increasing samples.
 struct ReportRow {
   std::string title;
   std::vector<ReportImage> images{};
@@ -36,26 +36,27 @@ struct ReportRow {
 struct Report {
   const render::Measurement& measurement;
   Provenance provenance{};
-  ReportImage picture{};           ///< the reference, small
-  std::vector<ReportRow> crops{};  ///< details; the reference is the last of each
+  ReportImage picture{};           ///< the reference, reduced
+  std::vector<ReportRow> crops{};  ///< details; the last one of each row is the reference
   std::vector<ReportRow> error_maps{};
   double error_map_top = 0;  ///< the error of the brightest colour, relative to the mean
   std::optional<render::Comparison> against{};
-  std::vector<std::string> notes{};  ///< what a reader has to know first: warnings, in sentences
+  std::vector<std::string> notes{};  ///< what a reader has to know first: warnings, as sentences
 };
 
-/// The flags of `sdlc render` for a way and samples: those that differ from the scene's own, and
-/// those that were given, without which it would be another picture.
+/// The flags of `sdlc render` for a configuration and samples: those that differ from the scene's
+/// own, and those that were given and affect the picture.
 std::string render_flags(const render::Measurement& measurement, const render::Way& way,
                          int samples);
 
 /// "Sobol', light sampling on, float, depth 16".
 std::string describe_way(const render::Way& way);
 
-/// The same without what all series of the measurement share; all of it where nothing is left.
+/// The same without the parts that all series of the measurement share; complete if nothing would
+/// be left.
 std::string describe_way(const render::Measurement& measurement, const render::Way& way);
 
-/// The page: HTML of its own, without scripts and without a network.
+/// The page: self-contained HTML, without scripts and network access.
 std::string html_report(const Report& report);
 
 }  // namespace sdlc::cli

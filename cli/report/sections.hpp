@@ -6,10 +6,10 @@
 
 #include "cli/report/report.hpp"
 
-/// The parts of the page, as HTML. One that has nothing to say is empty.
+/// The parts of the page, as HTML. A part without content is empty.
 namespace sdlc::cli {
 
-/// What has to be known before all else: warnings, what is missing, another size.
+/// What a reader has to know first: warnings, missing points, a different size.
 std::string callouts(const Report& report);
 
 std::string recommendation_section(const Report& report);
@@ -22,15 +22,15 @@ std::string against_section(const Report& report);
 std::string method_section(const Report& report);
 
 /// "on the front".
-std::string_view words_of(render::Standing standing);
+std::string_view words_of(render::Dominance dominance);
 
 /// The letter of a series in charts and tables: A to Z, then A1.
 std::string series_key(std::size_t index);
 
-/// A sentence, which is text, with a frame that strikes the eye.
+/// A highlighted sentence; `text` is plain text.
 std::string callout(std::string_view text);
 
-/// The picture as an element that holds its bytes; empty without any.
+/// The picture as an element with embedded data; empty without a picture.
 std::string picture_element(const ReportImage& image);
 
 }  // namespace sdlc::cli

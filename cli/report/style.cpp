@@ -3,7 +3,7 @@
 namespace sdlc::cli {
 
 // The colours of the series are those of Okabe and Ito, "Color Universal Design", 2008, made darker
-// or lighter until each has a contrast of 3 to 1 with the page; that of the text is 4.5 to 1.
+// or lighter until each has a contrast of 3:1 with the page; that of the text is 4.5:1.
 std::string_view style_sheet() noexcept {
   return R"(:root {
   color-scheme: light dark;

@@ -12,7 +12,7 @@
 namespace sdlc::cli {
 namespace {
 
-/// The flags as they are typed; a line may end between two of them only.
+/// The flags as typed; a line may only break between flags.
 std::string flags_element(const render::Measurement& measurement,
                           const render::Recommendation& choice) {
   const std::string flags = render_flags(measurement, choice.way, choice.samples);
@@ -29,8 +29,8 @@ std::string flags_element(const render::Measurement& measurement,
 std::string lead(const render::Measurement& measurement, const render::Recommendation& choice) {
   const std::string how =
       choice.is_measured
-          ? "This very render was measured."
-          : "It was not rendered here: its figures follow from the renders of that way.";
+          ? "Exactly this render was measured."
+          : "It was not rendered here: its figures follow from the renders of that configuration.";
   return fmt::format(
       "<p class=\"lead\">{}: {}, about {}; error {}.</p>\n"
       "<p>Add the flags to <code>sdlc render</code>. {}</p>\n",
@@ -40,17 +40,17 @@ std::string lead(const render::Measurement& measurement, const render::Recommend
       read(choice.error, percent).text(), how);
 }
 
-/// What the scene asks for now, where that was measured.
+/// The scene's current settings, if they were measured.
 std::string as_it_is(const render::Measurement& measurement) {
   if (!measurement.as_it_is) return {};
   const render::Recommendation& render = *measurement.as_it_is;
-  return fmt::format("<p>As the scene is, with {} samples: about {}; error {}.</p>\n",
+  return fmt::format("<p>The scene's own settings, with {} samples: about {}; error {}.</p>\n",
                      render.samples, read(render.seconds, duration).text(),
                      read(render.error, percent).text());
 }
 
 std::string recommendation_table(const render::Measurement& measurement) {
-  HtmlTable table("What to render with, for each goal", "Goal|Flags|#Error|#Time|Known");
+  HtmlTable table("Recommended settings, for each goal", "Goal|Flags|#Error|#Time|Known");
   for (const render::Recommendation& choice : measurement.recommendations) {
     const Reading error = read(choice.error, percent), seconds = read(choice.seconds, duration);
     table.row()
@@ -61,9 +61,8 @@ std::string recommendation_table(const render::Measurement& measurement) {
         .cell(choice.is_measured ? "measured" : "by the line");
   }
   return std::move(table).finish() +
-         "<p class=\"fine\">Measured: rendered with these samples. By the line: told from the "
-         "straight "
-         "line through the renders of that way.</p>\n";
+         "<p class=\"fine\">Measured: rendered with these samples. By the line: predicted from the "
+         "straight line through the renders of that configuration.</p>\n";
 }
 
 }  // namespace
@@ -77,13 +76,13 @@ std::string callouts(const Report& report) {
   std::string html;
   for (const std::string& note : report.notes) html += callout(note);
   if (!measurement.is_complete) {
-    html += callout("interrupted: some of what was planned is missing here.");
+    html += callout("interrupted: some planned renders are missing.");
   }
   if (measurement.width != measurement.full_width ||
       measurement.height != measurement.full_height) {
     html += callout(fmt::format(
-        "measured at {} × {} pixels, while the scene asks for {} × {}: errors are about the same, "
-        "times grow with the number of pixels.",
+        "measured at {} × {} pixels, while the scene has {} × {}: errors are about the same, times "
+        "grow with the number of pixels.",
         measurement.width, measurement.height, measurement.full_width, measurement.full_height));
   }
   return html;
@@ -93,7 +92,7 @@ std::string recommendation_section(const Report& report) {
   const render::Measurement& measurement = report.measurement;
   std::string html = "<div class=\"beside\"><div>\n";
   if (measurement.recommendations.empty()) {
-    html += "<p class=\"lead\">Nothing can be recommended: too little was measured.</p>\n";
+    html += "<p class=\"lead\">No recommendation: too little was measured.</p>\n";
   } else {
     const std::size_t main =
         std::min(measurement.main_recommendation, measurement.recommendations.size() - 1);

@@ -9,6 +9,7 @@
 #include "lang/syntax/syntax.hpp"
 #include "lang/text/ascii.hpp"
 #include "lang/text/nearest_name.hpp"
+#include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -21,44 +22,29 @@ bool is_statement(SyntaxKind kind) {
   return kind >= SyntaxKind::Property && kind <= SyntaxKind::Object;
 }
 
-/// Reads a comment from left to right.
-class Scanner {
- public:
-  Scanner(std::string_view text, Span span) : text_(text), at_(span.begin), end_(span.end) {}
+/// The tokens of a line comment after its `//`.
+TokenReader content_of(std::string_view text, Span comment) {
+  return TokenReader(text.substr(0, comment.end), comment.begin + 2);
+}
 
-  void skip_blanks() {
-    while (at_ < end_ && is_blank(text_[at_])) ++at_;
-  }
-  bool take(std::string_view expected) {
-    skip_blanks();
-    if (!text_.substr(at_, end_ - at_).starts_with(expected)) return false;
-    at_ += static_cast<std::uint32_t>(expected.size());
-    return true;
-  }
-  Span take_word() {
-    skip_blanks();
-    const std::uint32_t begin = at_;
-    while (at_ < end_ && (is_ascii_letter(text_[at_]) || is_ascii_digit(text_[at_]))) ++at_;
-    return {begin, at_};
-  }
-
- private:
-  std::string_view text_;
-  std::uint32_t at_, end_;
-};
+/// Takes `sdlc:`, which begins an allowance.
+bool take_mark(TokenReader& tokens) {
+  return tokens.text(tokens.next_in_line()) == "sdlc" && tokens.text(tokens.next()) == ":";
+}
 
 /// The codes of `// sdlc: allow(W402, W4) reason`; empty where it cannot be read so.
-std::vector<Span> read_codes(std::string_view text, Span comment) {
-  Scanner scanner(text, comment);
-  if (!scanner.take("//") || !scanner.take(kMark) || !scanner.take("allow") || !scanner.take("(")) {
-    return {};
-  }
+std::vector<Span> read_codes(TokenReader tokens) {
+  const auto next = [&] { return tokens.text(tokens.next_in_line()); };
+  if (!take_mark(tokens) || next() != "allow" || next() != "(") return {};
   std::vector<Span> codes;
+  std::string_view separator;
   do {
-    codes.push_back(scanner.take_word());
-    if (codes.back().size() == 0) return {};
-  } while (scanner.take(","));
-  return scanner.take(")") ? codes : std::vector<Span>();
+    const Token code = tokens.next_in_line();
+    if (code.kind != TokenKind::Name && code.kind != TokenKind::Number) return {};
+    codes.push_back(code.span);
+    separator = next();
+  } while (separator == ",");
+  return separator == ")" ? codes : std::vector<Span>();
 }
 
 /// The code as the table has it: in capitals.
@@ -177,9 +163,10 @@ Allowances::FileAllowances Allowances::read(const SourceFile& file) {
   std::vector<std::optional<Span>> places;  // of each allowance
   for (std::size_t i = 0; i < tree.comments().size(); ++i) {
     const Comment& comment = tree.comments()[i];
-    Scanner scanner(file.text(), comment.span);
-    if (comment.kind != CommentKind::Line || !scanner.take("//") || !scanner.take(kMark)) continue;
-    const std::vector<Span> codes = read_codes(file.text(), comment.span);
+    if (comment.kind != CommentKind::Line) continue;
+    const TokenReader content = content_of(file.text(), comment.span);
+    if (TokenReader tokens = content; !take_mark(tokens)) continue;
+    const std::vector<Span> codes = read_codes(content);
     if (codes.empty()) result.unreadable.push_back(comment.span);
     for (std::uint32_t k = 0; k < codes.size(); ++k) {
       result.list.push_back({.code = codes[k],

@@ -36,6 +36,11 @@ inline std::string_view declared_name(Node statement) {
   return name ? name->text() : std::string_view();
 }
 
+/// Where the inside of a block or an object ends: at its closing brace, if it has one.
+inline std::uint32_t end_of_inside(Node node) {
+  return node.span().end - (node.text().ends_with('}') ? 1 : 0);
+}
+
 /// The expression of a let, param, fn or parameter.
 inline std::optional<Node> expression_of(Node node) {
   std::optional<Node> found;

@@ -8,7 +8,7 @@
 
 #include "lang/ast/ast.hpp"
 #include "lang/json/json.hpp"
-#include "lang/program/resolver.hpp"
+#include "lang/resolve/resolver.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -146,8 +146,8 @@ std::uint64_t Compiler::read(ObjectSink& objects, DiagnosticSink& sink,
     if (check_file_size(file_, options_.limits, sink)) read_config(file_, objects, sink);
     return 0;
   }
-  Evaluation evaluation(*program_, {.frame = frame_, .camera = overrides_.camera, .steps = steps},
-                        sink);
+  const auto camera = overrides_.word(render_property::kCamera);
+  Evaluation evaluation(*program_, {.frame = frame_, .camera = camera, .steps = steps}, sink);
   evaluation.run(objects);
   return evaluation.steps();
 }
@@ -196,7 +196,9 @@ void Compiler::check(const std::function<void(const LoweredScene&)>& look) {
 }
 
 LoweredScene Compiler::check_view(std::optional<int> frame, std::optional<std::string> camera) {
-  return build({.camera = std::move(camera)}, frame, Purpose::Check);
+  Overrides overrides;
+  if (camera) overrides.render.emplace_back(render_property::kCamera, std::move(*camera));
+  return build(overrides, frame, Purpose::Check);
 }
 
 void Compiler::check_output(const LoweredScene& lowered, Purpose purpose) {
@@ -261,7 +263,7 @@ void Compiler::warn_of_precision(const LoweredScene& lowered, render::Precision 
   // A wish for float that was not granted is not to blame.
   const bool is_granted =
       lowered.precision != render::Precision::Float || taken != render::Precision::Double;
-  const bool is_to_blame = is_granted && !overrides_.precision;
+  const bool is_to_blame = is_granted && !overrides_.has(render_property::kPrecision);
   report_fault(*fault, is_to_blame ? lowered.places.precision : Location{});
 }
 

@@ -74,6 +74,8 @@ class Compiler {
 
   /// The text's statements; null of a config.
   const Program* program() const noexcept { return program_.get(); }
+  /// What the names of the text mean. Precondition: it is no config.
+  const SymbolTable& names() { return program_->names_of(Program::kRoot); }
   const ProgramOptions& options() const noexcept { return options_; }
 
   /// Reads the files that could be included whatever the values are, without evaluating anything.

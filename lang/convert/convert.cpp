@@ -10,6 +10,7 @@
 #include "lang/eval/eval.hpp"
 #include "lang/format/format.hpp"
 #include "lang/json/json.hpp"
+#include "lang/lower/scene_builder.hpp"
 #include "lang/syntax/syntax.hpp"
 
 namespace sdlc::lang {
@@ -124,7 +125,9 @@ bool Conversion::may_be_read(const SourceFile& scene, const LoweredScene& lowere
 }
 
 std::optional<std::string> Conversion::to_config(const ConvertOptions& options) {
-  const Overrides overrides{.tone = options.tone, .camera = options.camera, .names_output = true};
+  Overrides overrides{.names_output = true};
+  if (options.tone) overrides.render.emplace_back(render_property::kTone, *options.tone);
+  if (options.camera) overrides.render.emplace_back(render_property::kCamera, *options.camera);
   DiagnosticSink reading(sink_.stop_token());
   SceneBuilder builder(file_, options_.limits, reading, Purpose::Picture, Instancing::Never);
   ConfigWriter writer(builder, options.camera,

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/lower/scene_builder.hpp"
+#include "lang/lower/lowered_scene.hpp"
 #include "lang/program/program.hpp"
 #include "lang/source/source.hpp"
 

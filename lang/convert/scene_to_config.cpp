@@ -64,9 +64,9 @@ bool is_converted_otherwise(const Object& object, std::size_t property) {
 }
 
 bool is_default(const Property& property, const Value& value) {
-  const auto* number = get_if<double>(&value);
+  const auto number = value_as<double>(value);
   const auto* usual = std::get_if<double>(&property.default_value);
-  if (number != nullptr && usual != nullptr) return *number == *usual;
+  if (number && usual != nullptr) return *number == *usual;
   const auto* word = get_if<Word>(&value);
   const auto* usual_word = std::get_if<std::string_view>(&property.default_value);
   return word != nullptr && usual_word != nullptr && word->text == *usual_word;

@@ -8,8 +8,8 @@
 
 #include "lang/convert/convert.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/lower/lowered_scene.hpp"
 #include "lang/lower/placement.hpp"
-#include "lang/lower/scene_builder.hpp"
 #include "lang/object/counted_bytes.hpp"
 #include "lang/object/object.hpp"
 #include "lang/source/source.hpp"

@@ -21,14 +21,14 @@ struct Animation {
 
 struct EvaluationOptions {
   std::optional<int> frame = {};            ///< default: the first of the animation
-  std::optional<std::string> camera = {};   ///< chosen in place of what the file chooses
-  std::optional<std::uint64_t> steps = {};  ///< at most, in place of the program's limit
+  std::optional<std::string> camera = {};   ///< overrides the choice of the file
+  std::optional<std::uint64_t> steps = {};  ///< overrides the program's limit
 };
 
 /// One evaluation of a program: at one frame, with one shutter. Every object goes to an ObjectSink,
 /// its properties checked: first the cameras, the background and the settings, then the rest in the
 /// order of the file. What is wrong is reported; an object with a mistake in it is passed too, with
-/// what is right of it. A camera's shutter is passed in absolute times.
+/// its correct properties. A camera's shutter is passed in absolute times.
 class Evaluation {
  public:
   Evaluation(Program& program, const EvaluationOptions& options, DiagnosticSink& sink);
@@ -36,14 +36,14 @@ class Evaluation {
 
   const std::optional<Animation>& animation() const;
   void run(ObjectSink& objects);
-  /// Steps that were taken, but for those that spheres allow for.
+  /// Steps taken beyond those that spheres allow for.
   std::uint64_t steps() const noexcept;
 
  private:
   std::unique_ptr<class Evaluator> evaluator_;
 };
 
-/// Reads and evaluates a file that needs no other.
+/// Reads and evaluates a file that needs no other files.
 void evaluate(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

@@ -7,7 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "lang/program/resolver.hpp"
+#include "lang/resolve/resolver.hpp"
+#include "lang/schema/find_kind.hpp"
 #include "lang/value/literals.hpp"
 #include "lang/value/logic.hpp"
 
@@ -16,7 +17,7 @@
 namespace sdlc::lang {
 namespace {
 
-constexpr std::uint64_t kMostSteps = std::uint64_t{1} << 62;
+constexpr std::uint64_t kMaxSteps = std::uint64_t{1} << 62;
 
 /// The expression that code of one object gives a property; kNothing where it is not written.
 std::uint32_t expression_of(const Code& code, const Statement& statement, std::size_t property) {
@@ -31,10 +32,8 @@ std::uint32_t expression_of(const Code& code, const Statement& statement, std::s
 bool is_setting(const Module& file, ast::Node statement) {
   if (!statement.is(SyntaxKind::Object)) return false;
   const std::string_view name = ast::Object{statement}.kind();
-  const auto kinds = all_kinds();
-  return !file.def_names.contains(name) &&
-         std::any_of(kinds.begin(), kinds.end(),
-                     [&](const Kind& kind) { return kind.is_setting && kind.name == name; });
+  const Kind* kind = find_kind(name);
+  return !file.def_names.contains(name) && kind != nullptr && kind->is_setting;
 }
 
 bool is_declaration(SyntaxKind kind) noexcept {
@@ -49,7 +48,7 @@ Evaluator::Evaluator(Program& program, const EvaluationOptions& options, Diagnos
     : program_(program),
       options_(options),
       sink_(sink),
-      most_steps_(std::min(options.steps.value_or(program.limits().steps), kMostSteps)) {
+      most_steps_(std::min(options.steps.value_or(program.limits().steps), kMaxSteps)) {
   sink_.set_chain(this);
   find_settings();
   evaluate_all_globals(Globals::TimeFree);
@@ -99,7 +98,7 @@ std::vector<ChainLink> Evaluator::chain() const {
         link.where = node.location();
         break;
       case Step::Turn: {
-        const Computed& value = locals_[step->local].values[0];
+        const Value& value = locals_[step->local].values[0];
         const auto* number = get_if<Scalar>(&value);
         link.message = number != nullptr
                            ? fmt::format("with {} = {}", step->name, to_text(number->value))
@@ -196,8 +195,8 @@ void Evaluator::find_shutter() {
     const auto own_name = setting.node.name();
     if (name && (!own_name || own_name->text() != *name)) continue;
     const Value shutter = setting_value(setting, camera_property::kShutter);
-    const auto* interval = get_if<render::Interval>(&shutter);
-    if (interval == nullptr) return;
+    const auto interval = value_as<render::Interval>(shutter);
+    if (!interval) return;
     const double time = times_[0];
     times_ = {time + interval->from, time + interval->to};
     is_open_ = true;
@@ -213,8 +212,8 @@ void Evaluator::run_settings() {
     read_object(code, statement, *setting.kind, code.operands_of(statement));
     Slot& shutter = object_.slots[camera_property::kShutter];
     if (setting.kind->id == ObjectKind::Camera && shutter_ &&
-        holds_alternative<render::Interval>(shutter.value)) {
-      shutter.value = *shutter_;
+        holds_alternative<Bounds>(shutter.value)) {
+      shutter.value = Bounds{shutter_->from, shutter_->to, Unit::Time};
     }
     objects_->add(object_);
   }
@@ -237,7 +236,7 @@ void Evaluator::evaluate_globals(std::uint32_t module, Globals which) {
   done[module] = true;
   const Module& file = program_.module(module);
   for (const auto& [name, import] : file.imports) {
-    if (import != kNothing) evaluate_globals(import, which);
+    if (import.module != kNothing) evaluate_globals(import.module, which);
   }
   if (globals_.size() <= module) globals_.resize(module + 1);
   if (globals_[module].empty()) {
@@ -258,7 +257,7 @@ Evaluator::Varying Evaluator::evaluate_global(std::uint32_t module, std::uint32_
   const Global& global = file.globals[index];
   if (global.value == kNothing) return {};
   Varying value = evaluate_over_shutter(file.code, global.value);
-  for (Computed& moment : value.values) {
+  for (Value& moment : value.values) {
     moment = check_type(file, global.name, global.type, global.node, std::move(moment),
                         place(file.code, global.value));
   }
@@ -270,7 +269,7 @@ Evaluator::Varying Evaluator::with_setting(std::uint32_t index, Varying value) {
   const std::optional<ParamSetting> setting = program_.setting_of(index);
   if (!setting) return value;
   const Global& global = program_.module(Program::kRoot).globals[index];
-  const Computed& original = value.values[0];
+  const Value& original = value.values[0];
   const bool is_text = holds_alternative<std::string>(original) ||
                        (global.type != nullptr && global.type->name == "string");
   const Location whole{setting->file,
@@ -287,17 +286,17 @@ Evaluator::Varying Evaluator::with_setting(std::uint32_t index, Varying value) {
   std::uint32_t expression = kNothing;
   const Code& code = program_.resolve_setting(*setting, expression, sink_);
   reads_time_ = false;
-  Computed computed = evaluate(code, expression);
+  Value given = evaluate(code, expression);
   if (reads_time_) {
     sink_.report(diag::depends_on_time, whole, global.name);
     return {};
   }
-  if (has_failed(computed) || has_failed(original)) return {.values = {computed}};
+  if (is_nothing(given) || is_nothing(original)) return {.values = {given}};
   const bool fits =
-      global.type != nullptr ? global.type->holds(computed) : are_of_one_type(original, computed);
-  if (fits) return {.values = {computed}};
+      global.type != nullptr ? global.type->holds(given) : are_of_one_type(original, given);
+  if (fits) return {.values = {given}};
   const ast::Node statement(program_.module(Program::kRoot).tree, global.node);
-  sink_.report(diag::set_type, whole, global.name, describe(original), describe(computed))
+  sink_.report(diag::set_type, whole, global.name, describe(original), describe(given))
       .label(statement.first(SyntaxKind::Name)->location(), "declared here");
   return {};
 }

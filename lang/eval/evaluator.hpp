@@ -16,9 +16,9 @@
 #include "lang/eval/instance_memo.hpp"
 #include "lang/object/counted_bytes.hpp"
 #include "lang/object/object.hpp"
+#include "lang/object/value.hpp"
 #include "lang/program/program.hpp"
 #include "lang/schema/schema.hpp"
-#include "lang/value/computed.hpp"
 #include "lang/value/constructors.hpp"
 
 namespace sdlc::lang {
@@ -40,7 +40,7 @@ class Evaluator final : public ChainSource {
  private:
   /// A value at the opening and, where the time matters and the shutter is open, at the closing.
   struct Varying {
-    std::array<Computed, 2> values = {};
+    std::array<Value, 2> values = {};
     bool reads_time = false;  ///< depends on the time
     bool varies = false;      ///< and the shutter is open: the second value holds
   };
@@ -106,33 +106,33 @@ class Evaluator final : public ChainSource {
   bool may_nest(const Code& code, NodeIndex node);
 
   // Expressions
-  Computed evaluate(const Code& code, std::uint32_t expression);
+  Value evaluate(const Code& code, std::uint32_t expression);
   /// The same where a number is likely: the value if it is one; else kNoNumber, with the value in
   /// `other`. Numbers stay in registers on their way through arithmetic.
-  Scalar evaluate_number(const Code& code, std::uint32_t expression, Computed& other);
-  Scalar evaluate_chain(const Code& code, const Expression& e, Computed& other);
-  Computed evaluate_operation(const Code& code, const Expression& e);
-  Computed evaluate_power(const Code& code, const Expression& e);
-  Computed combine(const Code& code, const Computed& left, std::uint32_t left_index,
-                   const Computed& right, std::uint32_t right_index);
-  Computed evaluate_triple(const Code& code, const Expression& e);
-  Computed evaluate_interval(const Code& code, const Expression& e);
-  Computed evaluate_list(const Code& code, const Expression& e);
-  Computed evaluate_logic(const Code& code, const Expression& e);
-  Computed evaluate_conditional(const Code& code, const Expression& e);
-  Computed evaluate_member(const Code& code, const Expression& e);
-  Computed evaluate_index(const Code& code, const Expression& e);
-  Computed evaluate_function(const Code& code, const Expression& e);
-  Computed evaluate_builtin(const Code& code, const Expression& e);
-  Computed evaluate_constructor(const Code& code, const Expression& e);
+  Scalar evaluate_number(const Code& code, std::uint32_t expression, Value& other);
+  Scalar evaluate_chain(const Code& code, const Expression& e, Value& other);
+  Value evaluate_operation(const Code& code, const Expression& e);
+  Value evaluate_power(const Code& code, const Expression& e);
+  Value combine(const Code& code, const Value& left, std::uint32_t left_index, const Value& right,
+                std::uint32_t right_index);
+  Value evaluate_triple(const Code& code, const Expression& e);
+  Value evaluate_interval(const Code& code, const Expression& e);
+  Value evaluate_list(const Code& code, const Expression& e);
+  Value evaluate_logic(const Code& code, const Expression& e);
+  Value evaluate_conditional(const Code& code, const Expression& e);
+  Value evaluate_member(const Code& code, const Expression& e);
+  Value evaluate_index(const Code& code, const Expression& e);
+  Value evaluate_function(const Code& code, const Expression& e);
+  Value evaluate_builtin(const Code& code, const Expression& e);
+  Value evaluate_constructor(const Code& code, const Expression& e);
   std::optional<bool> evaluate_condition(const Code& code, std::uint32_t expression,
                                          std::string_view word);
-  const Computed& read(const Varying& variable);
+  const Value& read(const Varying& variable);
   void check_defaults();
   void check_default(const Module& file, const Parameter& parameter);
   /// The value if it is of the declared type; else that is reported, and it has failed.
-  Computed check_type(const Module& module, std::string_view name, const TypeInfo* type,
-                      NodeIndex declaration, Computed value, Location where);
+  Value check_type(const Module& module, std::string_view name, const TypeInfo* type,
+                   NodeIndex declaration, Value value, Location where);
   /// Errors and warnings that have been told so far.
   std::size_t report_count() const { return sink_.error_count() + sink_.warning_count(); }
   /// Counts steps; false, once reported, when there are too many, or the values take too much
@@ -152,12 +152,10 @@ class Evaluator final : public ChainSource {
   void end_call();
 
   // Properties
-  /// The value in the place of a property or argument: of its type and in its range, or monostate.
+  /// The value in the place of a property or argument: of its type and in its range, or Nothing.
   Value property_value(const Code& code, const Property& property, std::uint32_t expression);
   /// The same of a property that must not depend on the time.
   Value timeless_value(const Code& code, const Property& property, std::uint32_t expression);
-  /// Nothing where no property of any type takes it, or the tag of its unit is another.
-  static Value to_value(const Property& property, const Computed& computed);
 
   ast::Node node(const Code& code, std::uint32_t expression) const {
     return {*code.tree, code.expressions[expression].node};

@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint64_t kPowerSteps = 100, kStringSteps = 4;
 
 /// Of looking at all of a value.
-std::uint64_t steps_to_read(const Computed& value) noexcept {
+std::uint64_t steps_to_read(const Value& value) noexcept {
   if (const auto* list = get_if<ListValue>(&value)) return list->weight();
   if (const auto* text = get_if<std::string>(&value)) return text->size() / work::kBytes;
   return 0;
@@ -64,7 +64,7 @@ Scalar combine_numbers(Scalar a, Operator op, Scalar b) noexcept {
 
 }  // namespace
 
-const Computed& Evaluator::read(const Varying& variable) {
+const Value& Evaluator::read(const Varying& variable) {
   if (variable.reads_time) reads_time_ = true;
   return variable.values[variable.varies ? moment_ : 0];
 }
@@ -148,9 +148,9 @@ std::optional<std::size_t> Evaluator::open_frame(const Code& code, NodeIndex nod
   return base;
 }
 
-Scalar Evaluator::evaluate_number(const Code& code, std::uint32_t index, Computed& other) {
+Scalar Evaluator::evaluate_number(const Code& code, std::uint32_t index, Value& other) {
   const Expression& e = code.expressions[index];
-  const Computed* value = &other;
+  const Value* value = &other;
   switch (e.op) {
     case Op::Number: return {code.numbers[e.first], static_cast<Unit>(e.detail)};
     case Op::Local: value = &read(locals_[frame_ + e.first]); break;
@@ -174,7 +174,7 @@ Scalar Evaluator::evaluate_number(const Code& code, std::uint32_t index, Compute
   return kNoNumber;
 }
 
-Computed Evaluator::evaluate(const Code& code, std::uint32_t index) {
+Value Evaluator::evaluate(const Code& code, std::uint32_t index) {
   const Expression& e = code.expressions[index];
   switch (e.op) {
     case Op::Number: return Scalar{code.numbers[e.first], static_cast<Unit>(e.detail)};
@@ -187,21 +187,21 @@ Computed Evaluator::evaluate(const Code& code, std::uint32_t index) {
     }
     default: break;
   }
-  if (!may_nest(code, e.node)) return Failed{};
+  if (!may_nest(code, e.node)) return Nothing{};
   ++steps_;
   ++depth_;
-  Computed value = evaluate_operation(code, e);
+  Value value = evaluate_operation(code, e);
   --depth_;
   return value;
 }
 
-Computed Evaluator::evaluate_operation(const Code& code, const Expression& e) {
+Value Evaluator::evaluate_operation(const Code& code, const Expression& e) {
   switch (e.op) {
     case Op::Sum:
     case Op::Product: {
-      Computed other;
+      Value other;
       const Scalar number = evaluate_chain(code, e, other);
-      return is_number(number) ? Computed(number) : other;
+      return is_number(number) ? Value(number) : other;
     }
     case Op::Power: return evaluate_power(code, e);
     case Op::Builtin: return evaluate_builtin(code, e);
@@ -213,14 +213,14 @@ Computed Evaluator::evaluate_operation(const Code& code, const Expression& e) {
                                ast::Node(*code.tree, e.node).location(), sink_);
     case Op::Not: {
       const auto operand = evaluate_condition(code, code.operands_of(e)[0], "not");
-      return operand ? Computed(!*operand) : Failed{};
+      return operand ? Value(!*operand) : Nothing{};
     }
     case Op::And:
     case Op::Or: return evaluate_logic(code, e);
     case Op::Comparison: {
       const auto operands = code.operands_of(e);
-      const Computed left = evaluate(code, operands[0]);
-      if (!take_steps(code, e.node, steps_to_read(left))) return Failed{};
+      const Value left = evaluate(code, operands[0]);
+      if (!take_steps(code, e.node, steps_to_read(left))) return Nothing{};
       return evaluate_comparison(left, code.expressions[operands[1]].before,
                                  evaluate(code, operands[1]),
                                  ast::Node(*code.tree, e.node).location(), sink_);
@@ -232,15 +232,15 @@ Computed Evaluator::evaluate_operation(const Code& code, const Expression& e) {
     case Op::Index: return evaluate_index(code, e);
     default:
       for (const std::uint32_t operand : code.operands_of(e)) evaluate(code, operand);
-      return Failed{};
+      return Nothing{};
   }
 }
 
 std::optional<bool> Evaluator::evaluate_condition(const Code& code, std::uint32_t expression,
                                                   std::string_view word) {
-  const Computed value = evaluate(code, expression);
+  const Value value = evaluate(code, expression);
   if (const auto* flag = get_if<bool>(&value)) return *flag;
-  if (!has_failed(value)) {
+  if (!is_nothing(value)) {
     auto report =
         sink_.report(diag::not_a_condition, place(code, expression), word, describe(value));
     if (holds_alternative<Scalar>(value)) report.help("compare it, as in `x > 0`");
@@ -250,8 +250,8 @@ std::optional<bool> Evaluator::evaluate_condition(const Code& code, std::uint32_
 
 // Arithmetic
 
-Computed Evaluator::combine(const Code& code, const Computed& left, std::uint32_t left_index,
-                            const Computed& right, std::uint32_t right_index) {
+Value Evaluator::combine(const Code& code, const Value& left, std::uint32_t left_index,
+                         const Value& right, std::uint32_t right_index) {
   const Operator op = code.expressions[right_index].before;
   const auto* text = get_if<std::string>(&left);
   const auto* more = get_if<std::string>(&right);
@@ -264,13 +264,13 @@ Computed Evaluator::combine(const Code& code, const Computed& left, std::uint32_
       check_string_size(bytes, program_.limits(), place(code, right_index), sink_) &&
       take_steps(code, node(code, right_index).index(), kStringSteps + bytes / work::kBytes) &&
       may_take_memory(code, node(code, right_index).index(), bytes);
-  return is_good ? Computed(*text + *more) : Failed{};
+  return is_good ? Value(*text + *more) : Nothing{};
 }
 
-Computed Evaluator::evaluate_power(const Code& code, const Expression& e) {
+Value Evaluator::evaluate_power(const Code& code, const Expression& e) {
   const auto operands = code.operands_of(e);
-  const Computed base = evaluate(code, operands[0]);
-  const Computed exponent = evaluate(code, operands[1]);
+  const Value base = evaluate(code, operands[0]);
+  const Value exponent = evaluate(code, operands[1]);
   const auto* power = get_if<Scalar>(&exponent);
   const bool is_product = power != nullptr && (power->value == 2 || power->value == 3);
   if (!is_product) steps_ += kPowerSteps;
@@ -278,12 +278,12 @@ Computed Evaluator::evaluate_power(const Code& code, const Expression& e) {
                               sink_);
 }
 
-Scalar Evaluator::evaluate_chain(const Code& code, const Expression& e, Computed& other) {
+Scalar Evaluator::evaluate_chain(const Code& code, const Expression& e, Value& other) {
   const std::uint32_t* operands = code.operands.data() + e.first;
   steps_ += e.count;
   Scalar left = evaluate_number(code, operands[0], other);
   for (std::uint32_t i = 1; i < e.count; ++i) {
-    Computed right_other;
+    Value right_other;
     const Scalar right = evaluate_number(code, operands[i], right_other);
     const Scalar result = combine_numbers(left, code.expressions[operands[i]].before, right);
     if (is_number(result)) {
@@ -300,42 +300,42 @@ Scalar Evaluator::evaluate_chain(const Code& code, const Expression& e, Computed
   return left;
 }
 
-Computed Evaluator::evaluate_logic(const Code& code, const Expression& e) {
+Value Evaluator::evaluate_logic(const Code& code, const Expression& e) {
   // No more operands are evaluated than it needs.
   const bool is_and = e.op == Op::And;
   for (const std::uint32_t operand : code.operands_of(e)) {
     const auto value = evaluate_condition(code, operand, is_and ? "and" : "or");
-    if (!value) return Failed{};
+    if (!value) return Nothing{};
     if (*value != is_and) return *value;
   }
   return is_and;
 }
 
-Computed Evaluator::evaluate_conditional(const Code& code, const Expression& e) {
+Value Evaluator::evaluate_conditional(const Code& code, const Expression& e) {
   const auto operands = code.operands_of(e);
   std::size_t i = 0;
   for (; i + 1 < operands.size(); i += 2) {
     const auto holds = evaluate_condition(code, operands[i], "if");
-    if (!holds) return Failed{};
+    if (!holds) return Nothing{};
     if (*holds) return evaluate(code, operands[i + 1]);
   }
-  return i < operands.size() ? evaluate(code, operands[i]) : Failed{};
+  return i < operands.size() ? evaluate(code, operands[i]) : Nothing{};
 }
 
-Computed Evaluator::evaluate_triple(const Code& code, const Expression& e) {
+Value Evaluator::evaluate_triple(const Code& code, const Expression& e) {
   std::array<double, 3> components{};
   Unit unit = Unit::None;
   std::size_t count = 0, angles = 0;
   bool has_failed_component = false;
   std::uint32_t first_number = kNothing;
   for (const std::uint32_t operand : code.operands_of(e)) {
-    Computed value;
+    Value value;
     const Scalar scalar = evaluate_number(code, operand, value);
     if (is_number(scalar)) {
       if (first_number == kNothing) first_number = operand;
       if (!are_compatible(unit, scalar.unit)) {
-        sink_.report(diag::mixed_triple, place(code, operand), describe(Computed(Scalar{0, unit})),
-                     describe(Computed(scalar)));
+        sink_.report(diag::mixed_triple, place(code, operand), describe(Value(Scalar{0, unit})),
+                     describe(Value(scalar)));
         has_failed_component = true;
       }
       if (scalar.unit != Unit::None) unit = scalar.unit;
@@ -344,14 +344,14 @@ Computed Evaluator::evaluate_triple(const Code& code, const Expression& e) {
       components[count] = angle->degrees;
       ++angles;
     } else {
-      if (!has_failed(value)) {
+      if (!is_nothing(value)) {
         sink_.report(diag::wrong_component, place(code, operand), describe(value));
       }
       has_failed_component = true;
     }
     ++count;
   }
-  if (has_failed_component || count != components.size()) return Failed{};
+  if (has_failed_component || count != components.size()) return Nothing{};
 
   const render::Vec3 value{components[0], components[1], components[2]};
   if (angles == 3) return AngleTriple{value};
@@ -361,13 +361,13 @@ Computed Evaluator::evaluate_triple(const Code& code, const Expression& e) {
     const std::uint32_t end = node(code, first_number).span().end;
     report.unsafe_fix(code.tree->location({end, end}), "deg");
   }
-  return Failed{};
+  return Nothing{};
 }
 
-Computed Evaluator::evaluate_interval(const Code& code, const Expression& e) {
+Value Evaluator::evaluate_interval(const Code& code, const Expression& e) {
   const auto operands = code.operands_of(e);
-  const Computed from = evaluate(code, operands[0]), to = evaluate(code, operands[1]);
-  if (has_failed(from) || has_failed(to)) return Failed{};
+  const Value from = evaluate(code, operands[0]), to = evaluate(code, operands[1]);
+  if (is_nothing(from) || is_nothing(to)) return Nothing{};
   const auto* a = get_if<Scalar>(&from);
   const auto* b = get_if<Scalar>(&to);
   if (a != nullptr && b != nullptr && are_compatible(a->unit, b->unit)) {
@@ -375,21 +375,21 @@ Computed Evaluator::evaluate_interval(const Code& code, const Expression& e) {
   }
   sink_.report(diag::wrong_operands, ast::Node(*code.tree, e.node).location(), "..", describe(from),
                describe(to));
-  return Failed{};
+  return Nothing{};
 }
 
 // Lists and members
 
-Computed Evaluator::evaluate_list(const Code& code, const Expression& e) {
-  const std::uint64_t bytes = std::uint64_t{e.count} * sizeof(Computed);
+Value Evaluator::evaluate_list(const Code& code, const Expression& e) {
+  const std::uint64_t bytes = std::uint64_t{e.count} * sizeof(Value);
   if (!take_steps(code, e.node, work::kList + e.count) || !may_take_memory(code, e.node, bytes))
-    return Failed{};
-  std::vector<Computed> values;
+    return Nothing{};
+  std::vector<Value> values;
   values.reserve(e.count);
   bool is_broken = false;
   for (const std::uint32_t operand : code.operands_of(e)) {
-    Computed value = evaluate(code, operand);
-    if (has_failed(value)) {
+    Value value = evaluate(code, operand);
+    if (is_nothing(value)) {
       is_broken = true;
     } else if (values.empty() || are_of_one_type(values.front(), value)) {
       values.push_back(std::move(value));
@@ -399,13 +399,13 @@ Computed Evaluator::evaluate_list(const Code& code, const Expression& e) {
       is_broken = true;
     }
   }
-  if (is_broken) return Failed{};
+  if (is_broken) return Nothing{};
   return ListValue(std::move(values));
 }
 
-Computed Evaluator::evaluate_member(const Code& code, const Expression& e) {
-  const Computed value = evaluate(code, code.operands_of(e)[0]);
-  if (has_failed(value)) return Failed{};
+Value Evaluator::evaluate_member(const Code& code, const Expression& e) {
+  const Value value = evaluate(code, code.operands_of(e)[0]);
+  if (is_nothing(value)) return Nothing{};
   const auto component = [&](render::Vec3 v) {
     return e.detail == 'x' ? v.x : e.detail == 'y' ? v.y : v.z;
   };
@@ -423,50 +423,50 @@ Computed Evaluator::evaluate_member(const Code& code, const Expression& e) {
   if (holds_alternative<ListValue>(value)) {
     report.help("`len(list)` is how many elements it has, and `list[0]` the first of them");
   }
-  return Failed{};
+  return Nothing{};
 }
 
-Computed Evaluator::evaluate_index(const Code& code, const Expression& e) {
+Value Evaluator::evaluate_index(const Code& code, const Expression& e) {
   const auto operands = code.operands_of(e);
-  const Computed value = evaluate(code, operands[0]), position = evaluate(code, operands[1]);
-  if (has_failed(value) || has_failed(position)) return Failed{};
+  const Value value = evaluate(code, operands[0]), position = evaluate(code, operands[1]);
+  if (is_nothing(value) || is_nothing(position)) return Nothing{};
   const auto* list = get_if<ListValue>(&value);
   if (list == nullptr) {
     auto report = sink_.report(diag::wrong_operand, ast::Node(*code.tree, e.node).location(), "[ ]",
                                describe(value));
     if (holds_alternative<Triple>(value)) report.help("its members are `.x`, `.y` and `.z`");
-    return Failed{};
+    return Nothing{};
   }
   const Location where = place(code, operands[1]);
   const auto* number = get_if<Scalar>(&position);
   if (number == nullptr || number->unit != Unit::None) {
     sink_.report(diag::wrong_argument, where, "[ ]", "a whole number", describe(position));
-    return Failed{};
+    return Nothing{};
   }
   if (number->value != std::floor(number->value)) {
     sink_.report(diag::not_whole, where, "[ ]", to_text(number->value))
         .help("round it with `floor(…)` or `round(…)`");
-    return Failed{};
+    return Nothing{};
   }
   if (number->value < 0 || number->value >= static_cast<double>(list->size())) {
     sink_.report(diag::index_out_of_range, where, to_text(number->value), list->size())
         .help("the first element has index 0");
-    return Failed{};
+    return Nothing{};
   }
   return (*list)[static_cast<std::size_t>(number->value)];
 }
 
 // Calls
 
-Computed Evaluator::evaluate_builtin(const Code& code, const Expression& e) {
+Value Evaluator::evaluate_builtin(const Code& code, const Expression& e) {
   const auto operands = code.operands_of(e);
   const Builtin& builtin = all_builtins()[operands[0]];
   constexpr std::size_t kFew = 4;
-  std::array<Computed, kFew> few;
-  std::vector<Computed> many;
+  std::array<Value, kFew> few;
+  std::vector<Value> many;
   const std::size_t count = operands.size() - 1;
   if (count > kFew) many.resize(count);
-  const std::span<Computed> arguments(count > kFew ? many.data() : few.data(), count);
+  const std::span<Value> arguments(count > kFew ? many.data() : few.data(), count);
   bool is_broken = false;
   for (std::size_t i = 0; i < count; ++i) {
     const Scalar number = evaluate_number(code, operands[i + 1], arguments[i]);
@@ -474,12 +474,12 @@ Computed Evaluator::evaluate_builtin(const Code& code, const Expression& e) {
       arguments[i] = number;
       continue;
     }
-    is_broken = is_broken || has_failed(arguments[i]);
+    is_broken = is_broken || is_nothing(arguments[i]);
     const bool is_read = builtin.steps > 0;
-    if (is_read && !take_steps(code, e.node, steps_to_read(arguments[i]))) return Failed{};
+    if (is_read && !take_steps(code, e.node, steps_to_read(arguments[i]))) return Nothing{};
   }
   if (is_broken || !take_steps(code, e.node, builtin.steps + count)) {
-    return Failed{};
+    return Nothing{};
   }
   if (builtin.more_steps != nullptr) steps_ += builtin.more_steps(arguments);
   return builtin.evaluate({.name = builtin.name,
@@ -488,7 +488,7 @@ Computed Evaluator::evaluate_builtin(const Code& code, const Expression& e) {
                            .sink = sink_});
 }
 
-Computed Evaluator::evaluate_constructor(const Code& code, const Expression& e) {
+Value Evaluator::evaluate_constructor(const Code& code, const Expression& e) {
   const auto operands = code.operands_of(e);
   const Constructor& constructor = all_constructors()[operands[0]];
   ConstructorArguments arguments;
@@ -500,46 +500,46 @@ Computed Evaluator::evaluate_constructor(const Code& code, const Expression& e) 
       arguments[i] = default_of(parameter);
     } else {
       arguments[i] = property_value(code, parameter, operand);
-      is_broken = is_broken || holds_alternative<std::monostate>(arguments[i]);
+      is_broken = is_broken || is_nothing(arguments[i]);
     }
   }
-  if (is_broken) return Failed{};
+  if (is_broken) return Nothing{};
   steps_ += constructor.steps(arguments);
   return constructor.construct(constructor, arguments);
 }
 
-Computed Evaluator::check_type(const Module& module, std::string_view name, const TypeInfo* type,
-                               NodeIndex declaration, Computed value, Location where) {
-  if (type == nullptr || has_failed(value) || type->holds(value)) return value;
+Value Evaluator::check_type(const Module& module, std::string_view name, const TypeInfo* type,
+                            NodeIndex declaration, Value value, Location where) {
+  if (type == nullptr || is_nothing(value) || type->holds(value)) return value;
   auto report = sink_.report(diag::declared_type, where, name, type->name, describe(value));
   const ast::Node statement(module.tree, declaration);
   if (const auto written = statement.first(SyntaxKind::TypeName)) {
     report.label(written->location(), "declared here");
   }
-  return Failed{};
+  return Nothing{};
 }
 
-Computed Evaluator::evaluate_function(const Code& code, const Expression& e) {
+Value Evaluator::evaluate_function(const Code& code, const Expression& e) {
   const auto operands = code.operands_of(e);
   const Module& module = program_.module(operands[0]);
   const Definition& function = module.functions[operands[1]];
   const auto arguments = operands.subspan(2);
-  if (!take_steps(code, e.node, work::kCall + arguments.size())) return Failed{};
-  if (!may_call(code, e.node)) return Failed{};
+  if (!take_steps(code, e.node, work::kCall + arguments.size())) return Nothing{};
+  if (!may_call(code, e.node)) return Nothing{};
 
   const auto opened = open_frame(code, e.node, function.frame_size);
-  if (!opened) return Failed{};
+  if (!opened) return Nothing{};
   const std::size_t base = *opened;
   bool is_broken = function.body == kNothing;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i] == kNothing) continue;
     const Parameter& parameter = function.parameters[i];
-    Computed value = check_type(module, parameter.name, parameter.type, parameter.node,
-                                evaluate(code, arguments[i]), place(code, arguments[i]));
-    is_broken = is_broken || has_failed(value);
+    Value value = check_type(module, parameter.name, parameter.type, parameter.node,
+                             evaluate(code, arguments[i]), place(code, arguments[i]));
+    is_broken = is_broken || is_nothing(value);
     locals_[base + i].values[0] = std::move(value);
   }
-  Computed result = Failed{};
+  Value result = Nothing{};
   if (!is_broken) {
     const Nested step(*this,
                       {.kind = Step::Call, .code = &code, .node = e.node, .name = function.name});
@@ -553,7 +553,7 @@ Computed Evaluator::evaluate_function(const Code& code, const Expression& e) {
           check_type(module, parameter.name, parameter.type, parameter.node,
                      evaluate(module.code, parameter.default_value),
                      place(module.code, parameter.default_value));
-      is_broken = is_broken || has_failed(locals_[base + i].values[0]);
+      is_broken = is_broken || is_nothing(locals_[base + i].values[0]);
     }
     if (!is_broken) result = evaluate(module.code, function.body);
     end_call();

@@ -7,16 +7,15 @@
 namespace sdlc::lang {
 namespace {
 
-// A lookup costs about as much as evaluating one sphere, and is told as little as that.
-constexpr std::uint64_t kMostHeavy = 64;  // elements of a list
-constexpr std::size_t kMostText = 1024;   // bytes of a string
+// A lookup costs about as much as evaluating one sphere. Keys stay short enough for that.
+constexpr std::uint64_t kMaxHeavy = 64;  // elements of a list
+constexpr std::size_t kMaxText = 1024;   // bytes of a string
 
-// A def of which so many instances were new, and not one in kLeastFound an old one, is hardly
-// called with equal arguments at all.
-constexpr std::uint64_t kMostMissed = 16'384, kLeastFound = 16;
+// After so many misses, and fewer than one hit in kMinFound lookups, a def is no longer looked up.
+constexpr std::uint64_t kMaxMissed = 16'384, kMinFound = 16;
 
-// All arguments together, with what a table entry takes beside them.
-constexpr std::size_t kMostBytes = std::size_t{64} << 20, kBytesBeside = 64;
+// Of all keys together, with the memory of a table entry beside its key.
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20, kBytesBeside = 64;
 
 void append(std::uint64_t word, std::string& to) {
   to.append(reinterpret_cast<const char*>(&word), sizeof word);
@@ -35,7 +34,7 @@ void append(std::string_view text, std::string& to) {
 
 }  // namespace
 
-bool append_identity(const Computed& value, std::string& identity) {
+bool append_identity(const Value& value, std::string& identity) {
   const auto begin = [&](char tag, Unit unit = Unit::None) {
     identity += tag;
     identity += static_cast<char>(unit);
@@ -74,21 +73,21 @@ bool append_identity(const Computed& value, std::string& identity) {
   } else if (holds_alternative<None>(value)) {
     begin('n');
   } else if (const auto* text = get_if<std::string>(&value)) {
-    if (text->size() > kMostText) return false;
+    if (text->size() > kMaxText) return false;
     begin('"');
     append(std::string_view(*text), identity);
   } else if (const auto* word = get_if<Word>(&value)) {
     begin('w');
     append(std::string_view(word->text), identity);
   } else if (const auto* list = get_if<ListValue>(&value)) {
-    if (list->weight() > kMostHeavy) return false;
+    if (list->weight() > kMaxHeavy) return false;
     begin('l');
     append(std::uint64_t{list->size()}, identity);
     for (std::size_t i = 0; i < list->size(); ++i) {
       if (!append_identity((*list)[i], identity)) return false;
     }
   } else {
-    return false;  // it has failed
+    return false;  // Nothing
   }
   return true;
 }
@@ -97,7 +96,7 @@ bool InstanceMemo::is_worthwhile(Def def) const {
   const auto found = of_def_.find(key(def));
   if (found == of_def_.end()) return true;
   const Instances& instances = found->second;
-  return instances.missed < kMostMissed + kLeastFound * instances.found;
+  return instances.missed < kMaxMissed + kMinFound * instances.found;
 }
 
 InstanceMemo::Contents InstanceMemo::look_up(Def def, const std::string& arguments) {
@@ -108,7 +107,7 @@ InstanceMemo::Contents InstanceMemo::look_up(Def def, const std::string& argumen
     return {.number = found->second.number, .is_new = false, .height = found->second.height};
   }
   ++instances.missed;
-  if (bytes_ + arguments.size() + kBytesBeside > kMostBytes) return {};
+  if (bytes_ + arguments.size() + kBytesBeside > kMaxBytes) return {};
   bytes_ += arguments.size() + kBytesBeside;
   instances.known.emplace(arguments, Known{.number = ++last_number_, .height = 0});
   return {.number = last_number_, .is_new = true, .height = 0};

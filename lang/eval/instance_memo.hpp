@@ -8,43 +8,42 @@
 #include <unordered_map>
 #include <vector>
 
-#include "lang/value/computed.hpp"
+#include "lang/object/value.hpp"
 
 namespace sdlc::lang {
 
-/// Appends what tells `value` from every value that is not the very same, bit for bit. False where
-/// looking at all of it would take too long, as of long lists and strings.
-bool append_identity(const Computed& value, std::string& identity);
+/// Appends a key of `value` that only values with the same bits share. False if reading all of it
+/// would take too long, as for long lists and strings.
+bool append_identity(const Value& value, std::string& identity);
 
-/// Remembers what each instance of a def held, so that one with equal arguments need not be
-/// evaluated again: a def depends on nothing else but the file's globals and the time, which stand
-/// still while a frame is evaluated.
+/// Memoization of the instances of a def: one with equal arguments is not evaluated again. A def
+/// depends on its arguments, the file's globals and the time, and these do not change during the
+/// evaluation of a frame.
 class InstanceMemo {
  public:
   /// The def of an instance.
   struct Def {
     std::uint32_t module = 0, index = 0;
   };
-  /// `number`: the same for all instances with the same contents, from 1 on.
-  /// 0: they are not remembered. `height`: instances inside each other that were evaluated for it.
+  /// `number`: from 1, the same for all instances with the same contents; 0: not remembered.
+  /// `height`: the depth of nested instances that were evaluated for it.
   struct Contents {
     std::uint32_t number = 0;
     bool is_new = false;
     int height = 0;
   };
 
-  /// Whether instances of the def are still looked up: not after many of which hardly any was like
-  /// an earlier one.
+  /// Whether instances of the def are still looked up: not after many misses and few hits.
   bool is_worthwhile(Def def) const;
 
-  /// The contents of an instance; `arguments` tells its arguments, and whatever else matters, from
-  /// all others.
+  /// The contents of an instance; `arguments` is the key of its arguments and of whatever else
+  /// matters.
   Contents look_up(Def def, const std::string& arguments);
 
-  /// Says of a new one how high it is.
+  /// Sets the height of new contents.
   void set_height(Def def, const std::string& arguments, int height);
 
-  /// That of a new one was not to be remembered, as what is wrong with it has to be told each time.
+  /// Forgets new contents: something is wrong with them, which each instance has to report.
   void forget(Def def, const std::string& arguments);
 
  private:

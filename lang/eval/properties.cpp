@@ -2,6 +2,8 @@
 
 #include "lang/eval/evaluator.hpp"
 #include "lang/eval/type_hints.hpp"
+#include "lang/object/check.hpp"
+#include "lang/value/logic.hpp"
 
 // Values in the place of properties: what each type takes, and what changes with the time.
 namespace sdlc::lang {
@@ -17,49 +19,23 @@ bool is_timeless(const Kind& kind) noexcept {
 
 Value Evaluator::property_value(const Code& code, const Property& property,
                                 std::uint32_t expression) {
-  const Computed computed = evaluate(code, expression);
-  if (has_failed(computed)) return {};
+  Value value = evaluate(code, expression);
+  if (is_nothing(value)) return {};
   const ast::Node written = node(code, expression);
-  Value value = to_value(property, computed);
   const bool is_none = property.reads_none && holds_alternative<None>(value);
   if (!is_none && !has_type(property.type, value)) {
     auto report = sink_.report(diag::wrong_type, written.location(), property.name,
-                               describe(property.type), describe(computed));
-    add_type_hint(report, property, computed, written);
+                               describe(property.type), describe(value));
+    add_type_hint(report, property, value, written);
     return {};
   }
-  return check_property(property, value, written.location(), sink_) ? std::move(value) : Value{};
-}
-
-Value Evaluator::to_value(const Property& property, const Computed& computed) {
-  if (const auto* scalar = get_if<Scalar>(&computed)) {
-    const bool takes_unit = scalar->unit == Unit::None ||
-                            (scalar->unit == Unit::Length && property.type == Type::Length);
-    return takes_unit ? Value(scalar->value) : Value{};
-  }
-  if (const auto* triple = get_if<Triple>(&computed)) {
-    return triple->unit != Unit::Time ? Value(triple->value) : Value{};
-  }
-  if (const auto* bounds = get_if<Bounds>(&computed)) {
-    const bool takes_unit = bounds->unit == Unit::None ||
-                            (bounds->unit == Unit::Time && property.type == Type::Interval);
-    return takes_unit ? Value(render::Interval{bounds->from, bounds->to}) : Value{};
-  }
-  if (const auto* flag = get_if<bool>(&computed)) return *flag;
-  if (const auto* angle = get_if<Angle>(&computed)) return *angle;
-  if (const auto* angles = get_if<AngleTriple>(&computed)) return *angles;
-  if (const auto* color = get_if<render::LinearRgb>(&computed)) return *color;
-  if (const auto* material = get_if<MaterialValue>(&computed)) return *material;
-  if (const auto* motion = get_if<MotionValue>(&computed)) return *motion;
-  if (const auto* word = get_if<Word>(&computed)) return *word;
-  if (holds_alternative<None>(computed)) return None{};
-  if (const auto* text = get_if<std::string>(&computed)) return *text;
-  return {};
+  if (!check_property(property, value, written.location(), sink_)) return {};
+  return value;
 }
 
 Value Evaluator::timeless_value(const Code& code, const Property& property,
                                 std::uint32_t expression) {
-  const Computed computed = evaluate(code, expression);
+  evaluate(code, expression);
   if (!reads_time_) return property_value(code, property, expression);
   reads_time_ = false;
   sink_.report(diag::depends_on_time, place(code, expression), property.name);
@@ -105,12 +81,12 @@ void Evaluator::read_changing(const Code& code, std::size_t property, std::uint3
   if (is_center) center_reads_time_ = true;
   const Value& opening = object_.slots[property].value;
   const bool is_shutter = kind.id == ObjectKind::Camera && property == camera_property::kShutter;
-  if (!is_open_ || is_shutter || holds_alternative<std::monostate>(opening)) return;
+  if (!is_open_ || is_shutter || is_nothing(opening)) return;
 
   moment_ = 1;
   Value closing = property_value(code, info, expression);
   moment_ = 0;
-  if (holds_alternative<std::monostate>(closing) || closing == opening) return;
+  if (is_nothing(closing) || are_equal(closing, opening).value_or(false)) return;
   if (may_move) {
     object_.closing.push_back({property, std::move(closing)});
   } else {
@@ -123,7 +99,7 @@ Evaluator::Varying Evaluator::evaluate_over_shutter(const Code& code, std::uint3
   Varying result;
   result.values[0] = evaluate(code, expression);
   result.reads_time = reads_time_;
-  result.varies = reads_time_ && is_open_ && !has_failed(result.values[0]);
+  result.varies = reads_time_ && is_open_ && !is_nothing(result.values[0]);
   if (result.varies) {
     moment_ = 1;
     result.values[1] = evaluate(code, expression);

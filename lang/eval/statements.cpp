@@ -28,8 +28,8 @@ std::string as_range(ast::Node interval, const Bounds& bounds) {
 /// would never end if they allowed for steps.
 bool is_visible_sphere(const Object& object) {
   if (object.kind->id != ObjectKind::Sphere) return false;
-  const auto* radius = get_if<double>(&object.slots[sphere_property::kRadius].value);
-  return radius != nullptr && *radius > 0;
+  const auto* radius = get_if<Scalar>(&object.slots[sphere_property::kRadius].value);
+  return radius != nullptr && radius->value > 0;
 }
 
 /// Hands the objects of a config on, which are spheres, and counts the visible ones.
@@ -80,7 +80,7 @@ void Evaluator::run_for(const Code& code, const Statement& statement) {
   const auto operands = code.operands_of(statement);
   const std::uint32_t slot = operands[0], expression = operands[1];
   const Varying lists = evaluate_over_shutter(code, expression);
-  if (has_failed(lists.values[0])) return;
+  if (is_nothing(lists.values[0])) return;
   const auto* list = get_if<ListValue>(&lists.values[0]);
   if (list == nullptr) {
     const Location where = place(code, expression);
@@ -151,11 +151,11 @@ void Evaluator::run_assert(const Code& code, const Statement& statement) {
   const auto operands = code.operands_of(statement);
   const auto holds = evaluate_condition(code, operands[0], "assert");
   if (!holds || *holds) return;
-  const Computed text = evaluate(code, operands[1]);
+  const Value text = evaluate(code, operands[1]);
   if (const auto* words = get_if<std::string>(&text)) {
     if (!take_steps(code, statement.node, words->size())) return;
     sink_.report(diag::failed_assertion, place(code, operands[0]), *words);
-  } else if (!has_failed(text)) {
+  } else if (!is_nothing(text)) {
     sink_.report(diag::wrong_argument, place(code, operands[1]), "assert", "a string",
                  describe(text));
   }
@@ -213,11 +213,11 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
   const auto take = [&](std::size_t i, const Code& from, std::uint32_t expression) {
     const Parameter& parameter = def.parameters[i];
     Varying value = evaluate_over_shutter(from, expression);
-    for (Computed& moment : value.values) {
+    for (Value& moment : value.values) {
       moment = check_type(module, parameter.name, parameter.type, parameter.node, std::move(moment),
                           place(from, expression));
     }
-    is_broken = is_broken || has_failed(value.values[0]);
+    is_broken = is_broken || is_nothing(value.values[0]);
     locals_[base + i] = std::move(value);
   };
   for (std::size_t i = 0; i < arguments.size(); ++i) {

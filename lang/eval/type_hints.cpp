@@ -22,7 +22,7 @@ bool is_literal_number(ast::Node node) {
   return operand && operand->is(SyntaxKind::Number);
 }
 
-void hint_angle(DiagnosticBuilder& report, const Computed& given, ast::Node written) {
+void hint_angle(DiagnosticBuilder& report, const Value& given, ast::Node written) {
   if (!holds_alternative<Scalar>(given)) return;
   if (is_literal_number(written)) {
     report.unsafe_fix(behind(written), "deg");
@@ -31,7 +31,7 @@ void hint_angle(DiagnosticBuilder& report, const Computed& given, ast::Node writ
   }
 }
 
-void hint_angles(DiagnosticBuilder& report, const Computed& given, ast::Node written) {
+void hint_angles(DiagnosticBuilder& report, const Value& given, ast::Node written) {
   report.help("these are three angles, about x, y and z: `(0deg, 30deg, 0deg)`");
   if (!holds_alternative<Triple>(given) || !written.is(SyntaxKind::Triple)) return;
   for (const ast::Node component : written.children()) {
@@ -54,7 +54,7 @@ bool is_word(std::string_view text) {
          std::isdigit(static_cast<unsigned char>(text[0])) == 0;
 }
 
-void hint_color(DiagnosticBuilder& report, const Computed& given, ast::Node written) {
+void hint_color(DiagnosticBuilder& report, const Value& given, ast::Node written) {
   if (const auto* text = get_if<std::string>(&given)) {
     const bool is_written = written.is(SyntaxKind::String) && is_color(*text);
     if (is_written) {
@@ -70,7 +70,7 @@ void hint_color(DiagnosticBuilder& report, const Computed& given, ast::Node writ
   report.help("a colour is `#ff8000`, `rgb(255, 128, 0)` or a name of CSS such as `tomato`");
 }
 
-void hint_material(DiagnosticBuilder& report, const Computed& given, ast::Node written) {
+void hint_material(DiagnosticBuilder& report, const Value& given, ast::Node written) {
   if (holds_alternative<render::LinearRgb>(given)) {
     report.unsafe_fix(written.location(), fmt::format("diffuse(color: {})", written.text()));
   } else {
@@ -79,7 +79,7 @@ void hint_material(DiagnosticBuilder& report, const Computed& given, ast::Node w
   }
 }
 
-void hint_triple(DiagnosticBuilder& report, const Computed& given, ast::Node written) {
+void hint_triple(DiagnosticBuilder& report, const Value& given, ast::Node written) {
   const auto* list = get_if<ListValue>(&given);
   const bool is_point = list != nullptr && list->size() == 3 && written.is(SyntaxKind::List);
   if (!is_point) return;
@@ -94,7 +94,7 @@ void hint_interval(DiagnosticBuilder& report, Type wanted) {
 
 }  // namespace
 
-void add_type_hint(DiagnosticBuilder& report, const Property& property, const Computed& given,
+void add_type_hint(DiagnosticBuilder& report, const Property& property, const Value& given,
                    ast::Node written) {
   const Type wanted = property.type;
   const auto* text = get_if<std::string>(&given);

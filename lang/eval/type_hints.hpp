@@ -2,14 +2,14 @@
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/object/value.hpp"
 #include "lang/schema/schema.hpp"
-#include "lang/value/computed.hpp"
 
 namespace sdlc::lang {
 
-/// Adds to a report of a value of the wrong type what to write instead. `written` is where the
-/// value stands.
-void add_type_hint(DiagnosticBuilder& report, const Property& property, const Computed& given,
+/// Adds to a report about a value of the wrong type what to write instead. `written` is the
+/// expression of the value.
+void add_type_hint(DiagnosticBuilder& report, const Property& property, const Value& given,
                    ast::Node written);
 
 }  // namespace sdlc::lang

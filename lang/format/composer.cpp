@@ -11,7 +11,7 @@ namespace sdlc::lang {
 void Composer::comment() {
   const PlacedComment comment = tokens_.take_comment();
   if (comment.breaks_before > 1) layout_.blank_line();
-  if (comment.kind == CommentKind::Block) {
+  if (comment.is_block) {
     layout_.block_comment(comment.span, comment.has_own_line(), comment.ends_line);
   } else {
     layout_.line_comment(comment.span, comment.has_own_line());
@@ -85,7 +85,7 @@ void Composer::operator_and_line() {
     layout_.line();
     token();
   } else {
-    const Token op = tokens_.lift();
+    const PlacedToken op = tokens_.lift();
     trailing_comments();
     layout_.line();
     if (tokens_.ends_with_line_end()) {

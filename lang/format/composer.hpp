@@ -8,7 +8,7 @@
 #include "lang/ast/ast.hpp"
 #include "lang/format/format.hpp"
 #include "lang/format/layout.hpp"
-#include "lang/format/tokens.hpp"
+#include "lang/format/placed_tokens.hpp"
 #include "lang/syntax/syntax.hpp"
 
 namespace sdlc::lang {
@@ -22,7 +22,7 @@ class Composer {
   /// `depth`: of the blocks that the statements stand in.
   Composer(const SyntaxTree& tree, std::uint32_t depth)
       : tree_(tree),
-        tokens_(tree),
+        tokens_(tree.file().text()),
         layout_(tree.file().text()),
         printer_(tree.file().text(), depth * kFormatIndent) {}
 
@@ -94,7 +94,7 @@ class Composer {
   std::uint32_t skip_blanks(std::uint32_t at) const noexcept;
 
   const SyntaxTree& tree_;
-  TokenReader tokens_;
+  PlacedTokens tokens_;
   Layout layout_;
   LayoutPrinter printer_;
 };

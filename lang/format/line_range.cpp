@@ -40,7 +40,7 @@ class LineFormatter {
 
   /// The lines of a statement, with the comments that belong to it.
   LineRange lines_of(ast::Node statement, std::uint32_t gap_begin) const {
-    TokenReader tokens(tree_);
+    PlacedTokens tokens(text());
     tokens.seek(gap_begin);
     while (tokens.has_comments() && !tokens.peek_comment().has_own_line()) tokens.take_comment();
     const std::uint32_t begin =
@@ -55,7 +55,7 @@ class LineFormatter {
   }
 
   std::uint32_t end_of(ast::Node statement) const {
-    TokenReader tokens(tree_);
+    PlacedTokens tokens(text());
     tokens.seek(statement.span().end);
     return tokens.peek_text() == "," ? tokens.peek().span.end : statement.span().end;
   }
@@ -112,7 +112,7 @@ class LineFormatter {
       if (!child.is(SyntaxKind::Name)) inside.nodes.push_back(child);
     }
     if (inside.nodes.empty()) return;
-    TokenReader tokens(tree_);
+    PlacedTokens tokens(text());
     tokens.seek(block.is(SyntaxKind::Object) ? name_end(block) : block.span().begin);
     inside.begin = tokens.take().span.end;
     const std::uint32_t first = line_of(inside.begin), last = line_of(block.span().end - 1);

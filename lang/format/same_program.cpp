@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lang/format/format.hpp"
-#include "lang/format/tokens.hpp"
+#include "lang/format/placed_tokens.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -37,7 +37,7 @@ bool is_operator(std::string_view token) {
 /// The tokens of a tree without its commas.
 class ProgramReader {
  public:
-  explicit ProgramReader(const SyntaxTree& tree) : tree_(tree), tokens_(tree) {}
+  explicit ProgramReader(const SyntaxTree& tree) : tree_(tree), tokens_(tree.file().text()) {}
 
   /// Empty at the end.
   std::string_view next() {
@@ -56,7 +56,7 @@ class ProgramReader {
 
  private:
   const SyntaxTree& tree_;
-  TokenReader tokens_;
+  PlacedTokens tokens_;
   std::size_t count_ = 0;
   std::vector<CountedComment> comments_;
 };

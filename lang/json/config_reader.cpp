@@ -59,7 +59,7 @@ void ConfigReader::take_element(const Tape& tape, std::uint32_t element) {
     Slot& slot = sphere_.slots[key.property];
     slot.is_written = has_value(tape, members, row);
     if (!slot.is_written) {
-      slot.value = std::monostate();
+      slot.value = Nothing();
       continue;
     }
     const std::uint32_t value = members.value(row);
@@ -205,7 +205,7 @@ void ConfigReader::set_tone() {
   tone.span = gamma_correct_.span;
   const auto* is_corrected = get_if<bool>(&gamma_correct_.value);
   if (is_corrected == nullptr) {
-    tone.value = std::monostate();
+    tone.value = Nothing();
   } else if (*is_corrected) {
     tone.value = Word{"sqrt"};
   }
@@ -216,7 +216,7 @@ void ConfigReader::set_threads() {
   threads = number_cores_;
   const auto* is_parallel = get_if<bool>(&in_parallel_.value);
   const bool is_serial = is_parallel != nullptr && !*is_parallel;
-  if (is_serial) threads = {.value = 1.0, .span = in_parallel_.span, .is_written = true};
+  if (is_serial) threads = {.value = Scalar{1}, .span = in_parallel_.span, .is_written = true};
 }
 
 void read_config(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "lang/text/ascii.hpp"
+#include "lang/token/token_reader.hpp"
 
 /// Looking at a config that is no JSON, without the grammar: where things end, in other languages'
 /// spellings too.
@@ -30,7 +31,7 @@ class ConfigScan {
   std::uint32_t skip_blanks(std::uint32_t i) const noexcept;
   std::uint32_t skip_lines(std::uint32_t i) const noexcept;
   bool ends_line(std::uint32_t i) const noexcept;
-  /// Bytes of the blank at `i` that JSON does not know, such as a no-break space; 0: none.
+  /// Bytes of the space at `i` that JSON does not have, such as a no-break space; 0: none.
   std::uint32_t foreign_blank(std::uint32_t i) const noexcept;
 
   /// Whether a string begins here, in straight, single or curly quotes.
@@ -54,7 +55,7 @@ class ConfigScan {
 
  private:
   bool is_curly(std::uint32_t i) const noexcept;
-  std::uint32_t end_of_curly(std::uint32_t i) const noexcept;
+  Token token_at(std::uint32_t i) const noexcept { return json_token(text_, i); }
 
   std::string_view text_;
 };

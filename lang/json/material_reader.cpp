@@ -72,8 +72,8 @@ Value MaterialReader::read(const Tape& tape, std::uint32_t node, Location where)
     const Value value = values_.read(key, argument.range, tape, members.value(row));
     if (const auto* color = get_if<render::LinearRgb>(&value)) {
       material.color = *color;
-    } else if (const auto* parameter = get_if<double>(&value)) {
-      material.parameter = *parameter;
+    } else if (const auto* parameter = get_if<Scalar>(&value)) {
+      material.parameter = parameter->value;
     } else {
       is_good = false;
     }

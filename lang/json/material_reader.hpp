@@ -17,7 +17,7 @@ class MaterialReader {
  public:
   MaterialReader(const SourceFile& file, DiagnosticSink& sink);
 
-  /// The material in tape[node]; monostate if anything of it is wrong. `where` is its key.
+  /// The material in tape[node]; Nothing if anything of it is wrong. `where` is its key.
   Value read(const Tape& tape, std::uint32_t node, Location where);
 
  private:

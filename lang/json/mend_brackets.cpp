@@ -9,114 +9,85 @@
 
 #include "lang/source/limits.hpp"
 #include "lang/text/brackets.hpp"
+#include "lang/token/lines.hpp"
+#include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
 namespace {
 
-bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-
-/// Splits a config into tokens, comments left out.
-class Scanner {
+/// Classifies the tokens of a config by their role in its layout; trivia is left out.
+class Classifier {
  public:
-  explicit Scanner(std::string_view text) : text_(text) {}
+  explicit Classifier(std::string_view text) : text_(text), reader_(text, 0, SourceFormat::Json) {}
 
   std::vector<LayoutToken> run() {
-    while (skip_space()) read();
-    // Where a quote or the end of a comment is missing no one knows which brackets are text.
-    if (has_open_text_ || tokens_.empty() || tokens_[0].bracket != '{') return {};
+    for (Token token = reader_.next(); token.kind != TokenKind::End; token = reader_.next()) {
+      // Where a quote or the end of a comment is missing no one knows which brackets are text.
+      const bool is_open =
+          token.kind == TokenKind::UnclosedComment || (is_quote(token) && !is_closed(token));
+      if (is_open) return {};
+      is_trivia(token.kind) ? skip(token) : read(token);
+    }
+    if (tokens_.empty() || tokens_[0].bracket != '{') return {};
     deepen_members();
     mark();
     return std::move(tokens_);
   }
 
  private:
-  char at(std::size_t i) const { return i < text_.size() ? text_[i] : '\0'; }
+  bool is_quote(const Token& token) const { return text_[token.span.begin] == '"'; }
+  static bool is_closed(const Token& token) { return token.kind == TokenKind::String; }
+  bool is_mark(const Token& token) const {
+    return std::string_view("{}[],:").find(text_[token.span.begin]) != std::string_view::npos;
+  }
 
-  bool skip_space() {
-    while (at_ < text_.size()) {
-      if (text_[at_] == '\n') {
-        begin_line();
-      } else if (is_blank(text_[at_])) {
-        ++at_;
-      } else if (at(at_) == '#' || (at(at_) == '/' && at(at_ + 1) == '/')) {
-        skip_to(text_.find('\n', at_));
-      } else if (at(at_) == '/' && at(at_ + 1) == '*') {
-        const std::size_t end = text_.find("*/", at_ + 2);
-        has_open_text_ = has_open_text_ || end == std::string_view::npos;
-        skip_to(end == std::string_view::npos ? end : end + 2);
-      } else {
-        return true;
-      }
+  void skip(const Token& trivia) {
+    if (trivia.kind == TokenKind::LineEnd) {
+      ++line_;
+      indent_ = skip_blanks(text_, trivia.span.end) - trivia.span.end;
+      is_first_ = true;
+    } else if (trivia.kind == TokenKind::BlockComment) {
+      const std::string_view comment = reader_.text(trivia);
+      line_ += static_cast<std::uint32_t>(std::count(comment.begin(), comment.end(), '\n'));
     }
-    return false;
   }
 
-  void begin_line() {
-    ++line_;
-    ++at_;
-    is_first_ = true;
-    std::uint32_t end = at_;
-    while (at(end) == ' ' || at(end) == '\t') ++end;
-    indent_ = end - at_;
-  }
-
-  void skip_to(std::size_t end) {
-    end = std::min(end, text_.size());
-    line_ += static_cast<std::uint32_t>(
-        std::count(text_.begin() + at_, text_.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
-    at_ = static_cast<std::uint32_t>(end);
-  }
-
-  void read() {
-    const char c = text_[at_];
-    const std::uint32_t begin = at_;
+  void read(const Token& token) {
+    const char c = text_[token.span.begin];
     const bool opens = c == '{' || c == '[', closes = c == '}' || c == ']';
     if (opens || closes || c == ',') {
-      add(begin, at_ + 1,
-          opens    ? LayoutKind::Open
-          : closes ? LayoutKind::Close
-                   : LayoutKind::Comma);
+      add(token.span, opens ? LayoutKind::Open : closes ? LayoutKind::Close : LayoutKind::Comma);
       if (c != ',') tokens_.back().bracket = c;
       return;
     }
-    std::uint32_t end = c == '"' ? end_of_string() : end_of_word();
-    const std::uint32_t colon = skip_blanks(end);
-    const bool is_label = at(colon) == ':';
-    add(begin, is_label ? colon + 1 : std::max(end, begin + 1),
+    if (c == ':') return add(token.span, LayoutKind::Label);
+    const std::uint32_t end = is_quote(token) ? token.span.end : end_of_run();
+    const std::uint32_t colon = skip_blanks(text_, end);
+    const bool is_label = colon < text_.size() && text_[colon] == ':';
+    add({token.span.begin, is_label ? colon + 1 : end},
         is_label ? LayoutKind::Label : LayoutKind::Value);
   }
 
-  std::uint32_t skip_blanks(std::uint32_t from) const {
-    while (at(from) == ' ' || at(from) == '\t') ++from;
-    return from;
-  }
-  /// A string that is never closed ends with its line.
-  std::uint32_t end_of_string() {
-    std::uint32_t end = at_ + 1;
-    while (end < text_.size() && text_[end] != '"' && text_[end] != '\n') {
-      end += text_[end] == '\\' && at(end + 1) != '\n' ? 2 : 1;
-    }
-    has_open_text_ = has_open_text_ || at(end) != '"';
-    return std::min(end + (at(end) == '"' ? 1 : 0), static_cast<std::uint32_t>(text_.size()));
-  }
-  std::uint32_t end_of_word() const {
-    std::uint32_t end = at_;
-    while (end < text_.size() && !is_blank(text_[end]) &&
-           std::string_view("{}[],:\"").find(text_[end]) == std::string_view::npos) {
-      ++end;
+  /// Words, numbers and signs with nothing between them are one value.
+  std::uint32_t end_of_run() const {
+    TokenReader ahead = reader_;
+    std::uint32_t end = ahead.at();
+    for (Token token = ahead.next(); token.kind != TokenKind::End; token = ahead.next()) {
+      if (is_trivia(token.kind) || is_mark(token) || is_quote(token)) break;
+      end = token.span.end;
     }
     return end;
   }
 
-  void add(std::uint32_t begin, std::uint32_t end, LayoutKind kind) {
-    tokens_.push_back({.begin = begin,
-                       .end = end,
+  void add(Span span, LayoutKind kind) {
+    tokens_.push_back({.begin = span.begin,
+                       .end = span.end,
                        .line = line_,
                        .indent = indent_,
                        .kind = kind,
                        .is_first = is_first_});
     is_first_ = false;
-    at_ = end;
+    reader_.seek(span.end);
   }
 
   /// Members that stand below the config's bracket, not further in, are inside all the same.
@@ -147,10 +118,10 @@ class Scanner {
   }
 
   std::string_view text_;
+  TokenReader reader_;
   std::vector<LayoutToken> tokens_;
-  std::uint32_t at_ = 0, line_ = 0, indent_ = 0;
+  std::uint32_t line_ = 0, indent_ = 0;
   bool is_first_ = true;
-  bool has_open_text_ = false;
 };
 
 class Report {
@@ -314,7 +285,7 @@ std::optional<MendedText> mend_brackets(const SourceFile& file, std::optional<st
                                         DiagnosticSink& sink) {
   const std::string_view text = mended ? std::string_view(*mended) : file.text();
   if (text.size() > kMaxMendedText) return std::nullopt;
-  const std::vector<LayoutToken> tokens = Scanner(text).run();
+  const std::vector<LayoutToken> tokens = Classifier(text).run();
   if (has_matching_brackets(tokens) || is_too_deep(tokens)) return std::nullopt;
 
   Report report(file, tokens, sink);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "lang/object/check.hpp"
 #include "render/math/color.hpp"
 #include "render/math/interval.hpp"
 #include "render/math/vec3.hpp"
@@ -42,7 +43,7 @@ Value ValueReader::read(const JsonKey& key, Range range, const Tape& tape, std::
   switch (key.type) {
     case JsonType::Number: {
       const auto number = read_number(key.key, describe(key.type), range, node);
-      return number ? Value(*number) : Value();
+      return number ? Value(Scalar{*number}) : Value();
     }
     case JsonType::WholeNumber: return read_whole_number(key, range, node);
     case JsonType::Bool: return read_bool(key.key, node);
@@ -103,7 +104,7 @@ bool ValueReader::read_numbers(std::string_view key, JsonType type, Range range,
 Value ValueReader::read_whole_number(const JsonKey& key, Range range, const JsonNode& node) {
   const auto number = read_number(key.key, describe(JsonType::WholeNumber), Range::Any, node);
   if (!number || !check_whole_number(key.key, range, *number, at(node.span), *sink_)) return {};
-  return *number;
+  return Scalar{*number};
 }
 
 Value ValueReader::read_bool(std::string_view key, const JsonNode& node) {
@@ -130,7 +131,7 @@ std::optional<std::string> ValueReader::read_string(std::string_view key, const 
 Value ValueReader::read_triple(const JsonKey& key, const Tape& tape, std::uint32_t node) {
   std::array<double, 3> v{};
   if (!read_numbers(key.key, JsonType::Triple, Range::Any, tape, node, v)) return {};
-  return render::Vec3{v[0], v[1], v[2]};
+  return Triple{{v[0], v[1], v[2]}};
 }
 
 Value ValueReader::read_color(const JsonKey& key, Range range, const Tape& tape,
@@ -149,7 +150,7 @@ Value ValueReader::read_degrees(const JsonKey& key, Range range, const JsonNode&
 Value ValueReader::read_interval(const JsonKey& key, const Tape& tape, std::uint32_t node) {
   std::array<double, 2> ends{};
   if (!read_numbers(key.key, JsonType::Interval, Range::Any, tape, node, ends)) return {};
-  return render::Interval{std::min(ends[0], ends[1]), std::max(ends[0], ends[1])};
+  return Bounds{std::min(ends[0], ends[1]), std::max(ends[0], ends[1])};
 }
 
 Value ValueReader::read_movement(std::string_view key, const Tape& tape, std::uint32_t index) {

@@ -19,7 +19,7 @@ class ValueReader {
  public:
   ValueReader(const SourceFile& file, DiagnosticSink& sink) : file_(&file), sink_(&sink) {}
 
-  /// The value of a key of any type but Object, Material and Spheres; monostate if it is wrong.
+  /// The value of a key of any type but Object, Material and Spheres; Nothing if it is wrong.
   Value read(const JsonKey& key, Range range, const Tape& tape, std::uint32_t node);
 
   std::optional<std::string> read_string(std::string_view key, const Tape& tape,

@@ -11,7 +11,8 @@
 
 #include "lang/compile/compile.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/lower/scene_builder.hpp"
+#include "lang/lower/lowered_scene.hpp"
+#include "lang/resolve/symbol_table.hpp"
 #include "lang/source/source.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "render/scene/scene.hpp"
@@ -62,6 +63,8 @@ class LintContext {
   const SourceFile& file() const noexcept { return file_; }
   /// Of the root; null of a config.
   const SyntaxTree* tree() const noexcept { return tree_; }
+  /// What the names of the root mean. Precondition: it is no config.
+  const SymbolTable& names() { return compiler_.names(); }
   const LoweredScene& lowered() const noexcept { return lowered_; }
   const render::Scene& scene() const noexcept { return lowered_.scene; }
   std::span<const render::Sphere> spheres() const noexcept { return lowered_.scene.spheres; }

@@ -9,7 +9,8 @@
 #include <fmt/format.h>
 
 #include "lang/diagnostics/fixes.hpp"
-#include "lang/syntax/scan.hpp"
+#include "lang/token/name_characters.hpp"
+#include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -20,10 +21,9 @@ using Selection = std::vector<const Diagnostic*>;
 class OpaqueSpans {
  public:
   explicit OpaqueSpans(std::string_view text) : text_(text) {
-    for (std::uint32_t at = 0; at < text.size();) {
-      const std::uint32_t end = end_of_opaque(text, at);
-      if (end > at) spans_.push_back({at, end});
-      at = std::max(end, at + 1);
+    TokenReader tokens(text);
+    for (Token token = tokens.next(); token.kind != TokenKind::End; token = tokens.next()) {
+      if (is_comment(token.kind) || lang::is_string(token.kind)) spans_.push_back(token.span);
     }
   }
 

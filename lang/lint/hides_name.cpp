@@ -1,18 +1,19 @@
 #include "lang/lint/context.hpp"
-#include "lang/lint/names.hpp"
 
 namespace sdlc::lang {
 
 /// A let, loop variable or parameter has the name of a value of the file that is visible there too,
-/// and from there on means the inner one. Names of the language are hidden without a word, so that
-/// new ones break no file (ruling 10); so are names that begin with `_`.
+/// and hides it from there on. Names of the language are hidden without a warning, so that new ones
+/// break no file (ruling 10); so are names that begin with `_`.
 void check_hides_name(LintContext& context) {
-  const FileNames names(*context.tree());
-  for (const DeclaredName& declared : names.declared()) {
-    if (!declared.hides || declared.name.starts_with('_')) continue;
+  const SymbolTable& names = context.names();
+  for (const Symbol& symbol : names.symbols()) {
+    if (symbol.hides == kNothing || symbol.name.starts_with('_')) continue;
+    const Location where = names.tree().location(symbol.where);
+    const Location hidden = names.tree().location(names.find(symbol.hides)->where);
     Finding& finding =
-        context.add(diag::hides_name, LintPlace::of(declared.where), declared.name, declared.name);
-    finding.labels.push_back({LintPlace::of(*declared.hides), "which is declared here"});
+        context.add(diag::hides_name, LintPlace::of(where), symbol.name, symbol.name);
+    finding.labels.push_back({LintPlace::of(hidden), "which is declared here"});
   }
 }
 

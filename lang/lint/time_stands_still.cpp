@@ -2,7 +2,7 @@
 
 #include "lang/ast/ast.hpp"
 #include "lang/lint/context.hpp"
-#include "lang/lint/names.hpp"
+#include "lang/resolve/builtin_symbols.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -28,9 +28,12 @@ bool is_film(const SyntaxTree& tree) {
 void check_time_stands_still(LintContext& context) {
   if (context.tree() == nullptr || context.is_part() || is_film(*context.tree())) return;
   if (std::ranges::any_of(context.lowered().checked_cameras, is_open)) return;
-  const auto time = FileNames(*context.tree()).time();
-  if (!time) return;
-  Finding& finding = context.add(diag::time_stands_still, LintPlace::of(*time));
+  const auto names = context.names().occurrences();
+  const SymbolId time = find_builtin_symbol(SymbolKind::BuiltinValue, "time");
+  const auto first = std::ranges::find(names, time, &Occurrence::symbol);
+  if (first == names.end()) return;
+  Finding& finding =
+      context.add(diag::time_stands_still, LintPlace::of(context.tree()->location(first->where)));
   finding.help.push_back(
       "the file has no `animation { frames: …, fps: … }`, and no camera a `shutter: … .. …`");
 }

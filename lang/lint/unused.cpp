@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "lang/lint/context.hpp"
-#include "lang/lint/names.hpp"
-#include "lang/syntax/scan.hpp"
+#include "lang/token/lines.hpp"
+#include "lang/token/name_characters.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -20,16 +20,9 @@ bool has_objects(const SyntaxTree& tree) {
   return false;
 }
 
-/// What a message calls it; empty where it may be unused.
-std::string_view describe(const DeclaredName& declared) {
-  switch (declared.kind) {
-    case DeclaredName::Let: return "value";
-    case DeclaredName::Param: return "param";
-    case DeclaredName::Import: return "import";
-    case DeclaredName::Fn: return "function";
-    case DeclaredName::Def: return "kind";
-    default: return "";
-  }
+bool may_be_unused(const Symbol& symbol) {
+  return symbol.kind == SymbolKind::Parameter || symbol.kind == SymbolKind::LoopVariable ||
+         symbol.name.starts_with('_');
 }
 
 /// Where the doc comments begin that stand in the lines above; else `line`, the line's own begin.
@@ -65,14 +58,15 @@ void check_unused(LintContext& context) {
   const SyntaxTree& tree = *context.tree();
   if (context.is_part() || !has_objects(tree)) return;
   const std::string_view text = context.file().text();
-  const FileNames names(tree);
-  for (const DeclaredName& declared : names.declared()) {
-    const std::string_view what = describe(declared);
-    if (declared.is_used || declared.name.starts_with('_') || what.empty()) continue;
-    Finding& finding =
-        context.add(diag::unused, LintPlace::of(declared.where), what, declared.name);
-    finding.help.push_back(fmt::format("if it shall stay, call it `_{}`", declared.name));
-    if (const auto lines = lines_of(tree, text, tree[declared.statement].span())) {
+  const std::span<const Symbol> symbols = context.names().symbols();
+  const std::vector<std::uint32_t> uses = context.names().count_uses(false);
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const Symbol& symbol = symbols[i];
+    if (uses[i] > 0 || may_be_unused(symbol)) continue;
+    Finding& finding = context.add(diag::unused, LintPlace::of(tree.location(symbol.where)),
+                                   describe(symbol.kind), symbol.name);
+    finding.help.push_back(fmt::format("if it shall stay, call it `_{}`", symbol.name));
+    if (const auto lines = lines_of(tree, text, tree[symbol.node].span())) {
       finding.fixes.push_back({tree.location(*lines), "", false});
     }
   }

@@ -1,8 +1,14 @@
 #include "lang/lower/camera.hpp"
 
 #include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "lang/schema/schema.hpp"
+#include "lang/text/nearest_name.hpp"
 #include "render/math/interval.hpp"
 #include "render/math/power_of_two.hpp"
 #include "render/math/sincos.hpp"
@@ -17,7 +23,7 @@ double tan_half(Angle angle) {
 }
 
 /// Of a view plane at distance 1: squares of longer sides could overflow.
-constexpr double kLargestPlane = 1e100;
+constexpr double kMaxPlane = 1e100;
 
 bool is_along(render::Vec3 a, render::Vec3 b) {
   // Below this the cross product, and with it the picture's horizon, is rounding error.
@@ -27,7 +33,49 @@ bool is_along(render::Vec3 a, render::Vec3 b) {
   return length(cross(a, b)) <= kSine * length(a) * length(b);
 }
 
+void report_unknown_camera(const WantedSettings& wanted, const std::string& name,
+                           std::span<const Object> cameras) {
+  std::vector<std::string_view> names;
+  for (const Object& camera : cameras) names.push_back(camera.name);
+  const auto nearest = nearest_name(name, names);
+  std::erase(names, "");
+  const std::string all =
+      names.empty() ? "" : fmt::format("cameras of the scene: {}", fmt::join(names, ", "));
+  // A name on the command line has no place in a file.
+  const bool is_by_flag = wanted.overrides.has(render_property::kCamera);
+  const Location where = is_by_flag ? Location{} : wanted.place(render_property::kCamera);
+  auto report = wanted.sink.report(diag::unknown_camera, where, name);
+  if (is_by_flag) {
+    if (nearest) report.help(fmt::format("did you mean `{}`?", *nearest));
+    report.help_if(all);
+    return;
+  }
+  report.suggest(nearest).help_if(all);
+  if (!nearest) return;
+  const auto named = std::ranges::find(cameras, *nearest, &Object::name);
+  report.label(named->where, fmt::format("`{}` is declared here", *nearest));
+}
+
 }  // namespace
+
+const Object* choose_camera(const WantedSettings& wanted, std::span<const Object> cameras,
+                            bool takes_any) {
+  using render_property::kCamera;
+  const auto named = wanted.get<Word>(kCamera);
+  if (!named && wanted.is_written(kCamera)) return nullptr;  // it is wrong, which was reported
+  if (named && !named->text.empty()) {
+    const auto found = std::ranges::find(cameras, named->text, &Object::name);
+    if (found != cameras.end()) return &*found;
+    report_unknown_camera(wanted, named->text, cameras);
+    return nullptr;
+  }
+  if (cameras.empty()) return nullptr;
+  if (cameras.size() == 1 || takes_any) return &cameras.front();
+  wanted.sink.report(diag::ambiguous_camera, cameras[1].where, static_cast<int>(cameras.size()))
+      .label(cameras[0].where, "the first camera")
+      .help("choose one with --camera NAME or `render { camera: NAME }`");
+  return nullptr;
+}
 
 std::optional<LoweredCamera> lower_camera(const Object& object, SourceFormat format,
                                           DiagnosticSink& sink) {
@@ -63,7 +111,7 @@ std::optional<LoweredCamera> lower_camera(const Object& object, SourceFormat for
   }
   if (!has_view || !up || !fov || !view_height || !aspect) return std::nullopt;
   const double plane_height = *view_height * tan_half(*fov);
-  if (!(plane_height * std::max(1.0, *aspect) <= kLargestPlane)) {
+  if (!(plane_height * std::max(1.0, *aspect) <= kMaxPlane)) {
     sink.report(diag::beyond_numbers, object.where, "the width or height of the view plane");
     return std::nullopt;
   }

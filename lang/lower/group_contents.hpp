@@ -13,22 +13,22 @@
 
 namespace sdlc::lang {
 
-/// What groups do to what is inside them: one group, or several inside each other.
+/// The effect of a group, or of several nested ones, on their contents.
 struct Placing {
   std::array<render::Placement, 2> placements;  ///< at the opening and the closing of the shutter
   bool is_moving = false;
-  std::optional<render::Material> material;  ///< of what is inside and has none of its own
+  std::optional<render::Material> material;  ///< of spheres inside without one of their own
 
-  /// This placing of what stands inside `inner`.
+  /// The placing of what is inside a group with the placing `inner`, inside this one.
   Placing around(const Placing& inner) const;
-  /// Whether all that is inside moves alike.
+  /// Whether everything inside moves by the same vector.
   bool keeps_shape() const noexcept;
 };
 
 /// Spheres in the order in which they were added.
 struct PlacedSpheres {
   std::vector<render::Sphere> spheres;
-  std::vector<render::Vec3> shifts;  ///< of the first spheres; empty: none has one
+  std::vector<render::Vec3> shifts;  ///< of the first spheres; the others do not move
 
   void add(const render::Sphere& sphere, render::Vec3 shift);
   void shrink_to(std::size_t count);
@@ -38,44 +38,42 @@ struct PlacedSpheres {
 struct InnerSphere {
   render::Vec3 center, closing;           ///< at the opening and the closing, in the group
   double radius = 0;                      ///< in the group
-  std::optional<std::uint32_t> material;  ///< index in the MaterialTable; nothing: the group's
+  std::optional<std::uint32_t> material;  ///< index in the MaterialTable; nullopt: the group's
   bool is_moving = false;                 ///< without the group
 
-  /// Adds it to `to` where `placing` puts it, with the material of that index. False, with nothing
-  /// added, where its numbers are beyond double there.
+  /// Adds it to `to`, where `placing` puts it, with the given material. False, with nothing added,
+  /// if its numbers there are beyond double.
   bool add_to(PlacedSpheres& to, const Placing& placing, std::uint32_t material_there) const;
 };
 
-/// All that a group holds, kept to be added again elsewhere. Groups in it have numbers from 1 on, 0
-/// is the group itself.
+/// The recorded contents of a group. The groups in it have numbers from 1; 0 is the group itself.
 class GroupContents {
  public:
   /// Another group's contents, inside a group of these.
   struct Reference {
     std::uint32_t group;
     std::uint32_t contents;
-    std::size_t before;  ///< so many spheres come first
+    std::size_t before;  ///< number of spheres before it
   };
 
   std::uint32_t add_group(std::uint32_t parent, Placing placing);
-  /// Takes the last ones away, in which nothing is.
+  /// Removes the groups from this number on, which are empty.
   void remove_groups_from(std::uint32_t group);
   void add_sphere(std::uint32_t group, const InnerSphere& sphere);
   void add_reference(std::uint32_t group, std::uint32_t number, const GroupContents& contents);
 
-  /// With those of references, each as often as it stands there; 2^64 - 1 where there are more.
+  /// Spheres with those of references, each as often as it occurs; at most 2^64 - 1.
   std::uint64_t count() const noexcept { return count_; }
-  /// Whether a sphere gets its material from outside.
+  /// Whether any sphere has its material from outside.
   bool inherits() const noexcept { return inherits_; }
   const std::vector<Reference>& references() const noexcept { return references_; }
-  /// Spheres that are not those of references.
+  /// Spheres without those of references.
   std::size_t own_count() const noexcept { return spheres_.size(); }
   /// Spheres and references.
   std::size_t parts() const noexcept { return spheres_.size() + references_.size(); }
 
-  /// Calls, in their order, `on_sphere(sphere, placing)` with each InnerSphere and what the groups
-  /// around it in here and `outside` do to it, and `on_reference(reference, placing)`, until one is
-  /// false: then that is the result.
+  /// Calls `on_sphere(sphere, placing)` and `on_reference(reference, placing)` in order, with the
+  /// placing in the world, until a call returns false; then that is the result.
   template <typename OnSphere, typename OnReference>
   bool for_each(const Placing& outside, const OnSphere& on_sphere,
                 const OnReference& on_reference) const {

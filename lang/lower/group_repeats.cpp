@@ -10,14 +10,14 @@
 namespace sdlc::lang {
 namespace {
 
-// What is recorded may be in vain. Larger contents are rarely all of one def, which may be
-// evaluated again.
-constexpr std::size_t kMostRecordedBytes = std::size_t{96} << 20;
+// A recording may never be used. Larger contents are rarely those of one def; they are evaluated
+// again instead.
+constexpr std::size_t kMaxRecordedBytes = std::size_t{96} << 20;
 
-// Slots of spheres have 32 bits in the tables that they are traced from, some of them empty.
-constexpr std::uint64_t kMostPrototypeSlots = std::uint64_t{1} << 31;
+// The tables that spheres are traced from have slots of 32 bits, and some stay empty.
+constexpr std::uint64_t kMaxPrototypeSlots = std::uint64_t{1} << 31;
 
-/// At most: no leaf is emptier than one of two on average.
+/// An upper bound: on average leaves are at least half full.
 std::uint64_t slots_of(std::uint64_t spheres) { return 2 * ((spheres + 15) / 16 * 16); }
 
 std::uint32_t material_of(const InnerSphere& sphere, const Placing& placing,
@@ -88,9 +88,9 @@ void GroupRepeats::charge(std::size_t bytes) {
   if (current == nullptr || current->is_spoilt) return;
   current->bytes += bytes;
   recorded_bytes_ += bytes;
-  if (recorded_bytes_ <= kMostRecordedBytes) return;
+  if (recorded_bytes_ <= kMaxRecordedBytes) return;
   drop_unused();
-  is_full_ = recorded_bytes_ > kMostRecordedBytes / 2;
+  is_full_ = recorded_bytes_ > kMaxRecordedBytes / 2;
   if (is_full_) spoil();
 }
 
@@ -164,7 +164,7 @@ GroupRepeats::Outcome GroupRepeats::repeat(std::uint32_t contents, const Placing
   const bool may_be_instance = record.contents.count() > kSpheresPerInstance;
   const Identity identity = may_be_instance ? identity_of(contents, record, in_world) : Identity{};
   if (may_be_instance && places_.contains(identity)) {
-    // Duplicates of plain spheres are found, and told of, one by one.
+    // Duplicates of plain spheres are found and reported one by one.
     if (stays_plain(record.contents, in_world, world)) return Outcome::Unknown;
     skip(record.contents.count(), world);
     return Outcome::Duplicate;
@@ -196,7 +196,7 @@ bool GroupRepeats::place(Record& record, const Placing& placing, const World& wo
   const GroupContents& contents = record.contents;
   if (stays_plain(contents, placing, world)) {
     const std::uint64_t objects = objects_in(world);
-    if (objects > world.most_objects || contents.count() > world.most_objects - objects) {
+    if (objects > world.max_objects || contents.count() > world.max_objects - objects) {
       return false;
     }
     return add_spheres(contents, placing, world.spheres, world.materials);
@@ -212,7 +212,7 @@ bool GroupRepeats::place(Record& record, const Placing& placing, const World& wo
   return contents.for_each(
       placing,
       [&](const InnerSphere& sphere, const Placing& there) {
-        return objects_in(world) < world.most_objects &&
+        return objects_in(world) < world.max_objects &&
                sphere.add_to(world.spheres, there, material_of(sphere, there, world.materials));
       },
       [&](const GroupContents::Reference& reference, const Placing& there) {
@@ -222,27 +222,27 @@ bool GroupRepeats::place(Record& record, const Placing& placing, const World& wo
 
 bool GroupRepeats::stays_plain(const GroupContents& contents, const Placing& placing,
                                const World& world) const {
-  // What turns while the shutter is open moves each sphere along a line of its own.
+  // A rotation while the shutter is open moves each sphere along a line of its own.
   if (instancing_ == Instancing::Never || !placing.keeps_shape()) return true;
   if (instancing_ == Instancing::Always) return false;
   const std::size_t plain = world.spheres.spheres.size();
   if (contents.count() <= kSpheresPerInstance) return true;
-  if (plain <= kMostPlainSpheres && contents.count() <= kMostPlainSpheres - plain) return true;
-  // Instances make plain spheres half as large again, in double: few of them are not worth it.
+  if (plain <= kMaxPlainSpheres && contents.count() <= kMaxPlainSpheres - plain) return true;
+  // With instances, plain spheres take half as much memory again: few repetitions do not pay.
   const std::uint64_t repeated =
       repeated_spheres_ + std::min(contents.count(), std::uint64_t{1} << 62);
   return 3 * repeated < plain;
 }
 
-/// Whether a prototype of all of it takes less memory than its parts, placed one by one, have taken
-/// so far and would take now: at most twice what is best in the end.
+/// Ski rental: a prototype is made once it takes less memory than the parts that were placed one by
+/// one so far. At most twice the memory of the best choice.
 bool GroupRepeats::wants_prototype(const GroupContents& contents, Use& use,
                                    const World& world) const {
   const std::uint64_t objects = objects_in(world);
-  const bool may_be = contents.count() <= kMostPrototypeSlots &&
-                      slots_of(contents.count()) <= kMostPrototypeSlots - prototype_slots_ &&
-                      objects <= world.most_objects &&
-                      contents.count() <= world.most_objects - objects;
+  const bool may_be = contents.count() <= kMaxPrototypeSlots &&
+                      slots_of(contents.count()) <= kMaxPrototypeSlots - prototype_slots_ &&
+                      objects <= world.max_objects &&
+                      contents.count() <= world.max_objects - objects;
   if (instancing_ == Instancing::Always) return may_be;
   std::uint64_t parts = contents.own_count();
   for (const GroupContents::Reference& reference : contents.references()) {
@@ -263,7 +263,7 @@ std::optional<std::uint32_t> GroupRepeats::make_prototype(
   render::Prototype prototype{.spheres = std::move(placed.spheres),
                               .shifts = std::move(placed.shifts)};
   render::remove_coincident(render::find_coincident(prototype.spheres, prototype.shifts),
-                            prototype.spheres, prototype.shifts);  // told of the first ones
+                            prototype.spheres, prototype.shifts);  // the first were reported
   prototype.spheres.shrink_to_fit();
   prototype.shifts.shrink_to_fit();
   const auto smallest = std::ranges::min_element(prototype.spheres, {}, &render::Sphere::radius);
@@ -276,7 +276,7 @@ std::optional<std::uint32_t> GroupRepeats::make_prototype(
 
 bool GroupRepeats::add_instance(const GroupContents& contents, std::uint32_t prototype,
                                 const Placing& placing, const World& world) {
-  if (objects_in(world) + kSpheresPerInstance > world.most_objects) return false;
+  if (objects_in(world) + kSpheresPerInstance > world.max_objects) return false;
   const auto& [opening, closing] = placing.placements;
   const render::Instance instance{
       .prototype = prototype, .placement = opening, .shift = closing.translate - opening.translate};

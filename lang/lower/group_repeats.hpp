@@ -17,33 +17,33 @@
 
 namespace sdlc::lang {
 
-/// Whether groups that hold the same are held once, as instances of a prototype, or each with
-/// spheres of its own, which are faster to trace.
+/// Whether groups with equal contents share a prototype, or each has spheres of its own, which are
+/// faster to trace.
 enum class Instancing : std::uint8_t {
-  Auto,    ///< instances where a scene has more spheres than kMostPlainSpheres and they save memory
-  Always,  ///< wherever they can be
+  Auto,    ///< in scenes of more than kMaxPlainSpheres spheres, where instances save memory
+  Always,  ///< wherever possible
   Never,
 };
 
-/// So many spheres a scene may have before any are made instances: rays take 1.4 to 1.7 times as
-/// long with them, and a million fits every machine.
-inline constexpr std::size_t kMostPlainSpheres = std::size_t{1} << 20;
+/// The number of spheres up to which none are made instances: rays take 1.4 to 1.7 times as long
+/// with instances, and a million spheres fit every machine.
+inline constexpr std::size_t kMaxPlainSpheres = std::size_t{1} << 20;
 
-/// So many spheres take as much memory as an instance, 264 bytes against 96, and as the node, the
-/// leaf and the lists of a prototype beside its spheres, some 2 KB.
+/// Memory of an instance (264 bytes) and of a prototype beside its spheres (a node, a leaf and
+/// lists, some 2 KB) in spheres of 96 bytes.
 inline constexpr std::uint64_t kSpheresPerInstance = 3, kSpheresPerPrototype = 20;
 
-/// Records what groups hold while it is added for the first time, and adds it again from that.
+/// Records the contents of groups when they are added for the first time, and repeats them later.
 class GroupRepeats {
  public:
-  /// The scene that is being made.
+  /// The scene under construction.
   struct World {
     PlacedSpheres& spheres;
     MaterialTable& materials;
-    std::uint64_t most_objects;  ///< spheres and instances
+    std::uint64_t max_objects;  ///< spheres and instances
   };
-  /// Spheres of instances, which stand before the plain sphere of this index in the order in which
-  /// all were added.
+  /// Spheres of instances: in the order in which all were added, they come before the plain sphere
+  /// of index `before`.
   struct Run {
     std::size_t before;
     std::uint64_t count;
@@ -51,35 +51,34 @@ class GroupRepeats {
 
   explicit GroupRepeats(Instancing instancing) : instancing_(instancing) {}
 
-  // What is added in the usual way, as far as it is to be recorded: groups as they stand in the
-  // group around them.
+  // Called for what is added in the usual way, to record it. A group's placing is relative to the
+  // group around it.
   void enter(const Placing& group);
   void leave();
-  /// The group entered just now, which stands so in the world, is the first with the contents of
-  /// this number.
+  /// The group entered just now, which has this placing in the world, is the first with these
+  /// contents.
   void begin(std::uint32_t contents, const Placing& in_world);
   void add_sphere(const InnerSphere& sphere);
-  /// Something was added that cannot be added again from a record.
+  /// Something was added that cannot be repeated from a record.
   void spoil();
-  /// Contents of this number will not be repeated.
+  /// These contents will not be repeated.
   void forget(std::uint32_t contents);
 
   enum class Outcome : std::uint8_t {
     Added,
-    Duplicate,  ///< nothing done: an equal one stands in the very place
-    Unknown,  ///< nothing done: it was not recorded, or something is wrong with it there, which is
-              ///< to be found by adding it in the usual way
+    Duplicate,  ///< nothing done: an equal group is in the same place
+    Unknown,    ///< nothing done: it was not recorded, or something is wrong with it there; adding
+                ///< it in the usual way will report that
   };
-  /// Adds to the world a group with contents of this number: `group` as it stands in the group
-  /// around it, `in_world` as it stands there.
+  /// Adds a group with these contents to the world. `group` is its placing in the group around it.
   Outcome repeat(std::uint32_t contents, const Placing& group, const Placing& in_world,
                  const World& world);
 
-  /// Spheres of prototypes, and instances in spheres' stead.
+  /// Spheres of prototypes, plus instances counted as spheres by the memory they take.
   std::uint64_t object_count() const noexcept {
     return prototype_spheres_ + kSpheresPerInstance * instances_.size();
   }
-  /// What all of it takes, records aside.
+  /// Memory of all of it, records aside.
   std::size_t bytes() const noexcept {
     return prototype_spheres_ * sizeof(render::Sphere) +
            instances_.size() * sizeof(render::Instance) + places_.size() * kBytesOfPlace +
@@ -87,14 +86,14 @@ class GroupRepeats {
   }
   /// By Run::before.
   const std::vector<Run>& runs() const noexcept { return runs_; }
-  /// Hands them over; what was recorded is forgotten.
+  /// Hands them over and forgets all records.
   std::vector<render::Prototype> take_prototypes();
   std::vector<render::Instance> take_instances() { return std::move(instances_); }
 
  private:
-  /// What is being recorded.
+  /// A recording in progress.
   struct Recording {
-    /// A group that is open, and how much came before it.
+    /// A group that was entered and not left, and the number of parts before it.
     struct Open {
       std::uint32_t group = 0;
       std::size_t parts = 0;
@@ -107,31 +106,31 @@ class GroupRepeats {
     std::size_t bytes = 0;
     bool is_spoilt = false;
   };
-  /// What was repeated with one material for what inherits one.
+  /// The repetitions with one inherited material.
   struct Use {
-    std::uint64_t added = 0;  ///< in spheres: memory that repetitions took without a prototype
+    std::uint64_t added = 0;  ///< memory of repetitions without a prototype, in spheres
     std::optional<std::uint32_t> prototype;
   };
   struct Record {
     GroupContents contents;
     std::size_t bytes = 0;
-    bool is_used = false;  ///< repeated, or a part of others
+    bool is_used = false;  ///< repeated, or a part of other contents
     std::map<std::optional<std::uint32_t>, Use> uses;
   };
-  /// A group in its place, told from others by 128 bits.
+  /// A hash of 128 bits of a group in its place.
   using Identity = std::array<std::uint64_t, 2>;
   static constexpr std::size_t kBytesOfPlace = 48;  // in a table
   struct IdentityHash {
     std::size_t operator()(const Identity& identity) const noexcept { return identity[0]; }
   };
 
-  /// Of the scene's spheres and instances.
+  /// The number of the scene's spheres and instances.
   std::uint64_t objects_in(const World& world) const noexcept {
     return world.spheres.spheres.size() + object_count();
   }
   Recording* recording() { return recordings_.empty() ? nullptr : &recordings_.back(); }
   void finish_recording();
-  /// Counts what is recorded; the recording is given up where there is too much.
+  /// Counts recorded bytes; gives the recording up if there are too many.
   void charge(std::size_t bytes);
   /// Forgets records that nothing has repeated.
   void drop_unused();
@@ -139,15 +138,15 @@ class GroupRepeats {
   bool place(Record& record, const Placing& placing, const World& world);
   bool stays_plain(const GroupContents& contents, const Placing& placing, const World& world) const;
   bool wants_prototype(const GroupContents& contents, Use& use, const World& world) const;
-  /// Nothing where its numbers are beyond double.
+  /// nullopt if its numbers are beyond double.
   std::optional<std::uint32_t> make_prototype(const GroupContents& contents,
                                               const std::optional<render::Material>& material,
                                               MaterialTable& materials);
   bool add_instance(const GroupContents& contents, std::uint32_t prototype, const Placing& placing,
                     const World& world);
-  /// Counts spheres that are none of the world's own.
+  /// Counts spheres of instances, which the world does not hold.
   void skip(std::uint64_t spheres, const World& world);
-  /// All of it as spheres.
+  /// Adds all contents as spheres.
   bool add_spheres(const GroupContents& contents, const Placing& placing, PlacedSpheres& to,
                    MaterialTable& materials) const;
 
@@ -155,13 +154,13 @@ class GroupRepeats {
   std::vector<Recording> recordings_;  // the innermost last
   std::unordered_map<std::uint32_t, Record> records_;
   std::size_t recorded_bytes_ = 0;  // of records and recordings
-  bool is_full_ = false;            // of records that are in use
+  bool is_full_ = false;            // records in use take too much memory
   std::unordered_set<Identity, IdentityHash> places_;
-  std::uint64_t repeated_spheres_ = 0;  // that stand in the world as plain ones
+  std::uint64_t repeated_spheres_ = 0;  // plain ones in the world
   std::vector<render::Prototype> prototypes_;
-  /// Of each prototype, what says whether it is within numbers in some place.
+  /// What decides whether the numbers of a placed prototype are within double.
   struct Reach {
-    render::Ball ball;
+    render::Ball ball;  ///< bounding sphere
     double smallest_radius;
   };
   std::vector<Reach> reaches_;

@@ -1,5 +1,6 @@
 #include "lang/lower/material_table.hpp"
 
+#include <array>
 #include <bit>
 #include <utility>
 
@@ -19,6 +20,17 @@ std::uint32_t hash(const render::Material& material) {
 }
 
 }  // namespace
+
+render::Material lower_material(const MaterialValue& value) noexcept {
+  using render::MaterialType;
+  static constexpr std::array kTypes{MaterialType::Diffuse, MaterialType::Specular,
+                                     MaterialType::Transmissive, MaterialType::Emissive,
+                                     MaterialType::Unlit};
+  return {.color = value.color,
+          .parameter = value.parameter,
+          .type = kTypes[static_cast<std::size_t>(value.kind)],
+          .fresnel = value.exact_fresnel ? render::Fresnel::Exact : render::Fresnel::Schlick};
+}
 
 bool has_finite_light(const render::Material& material) noexcept {
   return material.type != render::MaterialType::Emissive ||

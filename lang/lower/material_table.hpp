@@ -3,11 +3,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "lang/object/object.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::lang {
 
-/// Whether all the light that it gives off is a number.
+/// The renderer's material for a checked value.
+render::Material lower_material(const MaterialValue& value) noexcept;
+
+/// Whether the radiance that it emits is finite.
 bool has_finite_light(const render::Material& material) noexcept;
 
 /// The materials of a scene, each once: spheres with equal materials share it.
@@ -24,8 +28,8 @@ class MaterialTable {
   std::vector<render::Material> take() { return std::move(materials_); }
 
  private:
-  /// The hash stands beside the index, so that a material is looked at only when it is most likely
-  /// the one, and never when the table grows: each look is a cache miss in large scenes.
+  /// The hash is stored, so that a material is compared only if it is most likely equal, and never
+  /// when the table grows: each comparison is a cache miss in large scenes.
   struct Slot {
     std::uint32_t hash = 0;
     std::uint32_t index = kEmpty;

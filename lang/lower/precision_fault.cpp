@@ -91,11 +91,11 @@ std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,
 }
 
 std::size_t cameras_to_judge(std::size_t cameras, std::size_t spheres) noexcept {
-  constexpr std::size_t kMostLooks = 2'000'000;
+  constexpr std::size_t kMaxCost = 2'000'000;
   // A pair of spheres takes half as long as a sphere; the search for near ones as ten.
   const std::size_t pairs = spheres <= render::kFewSpheres ? spheres * spheres / 2 : 10 * spheres;
-  const std::size_t looks = 1 + spheres + pairs;
-  return std::min(cameras, std::max<std::size_t>(1, kMostLooks / looks));
+  const std::size_t cost = 1 + spheres + pairs;
+  return std::min(cameras, std::max<std::size_t>(1, kMaxCost / cost));
 }
 
 }  // namespace sdlc::lang

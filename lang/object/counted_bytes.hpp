@@ -4,8 +4,8 @@
 
 namespace sdlc::lang {
 
-/// Bytes that something takes as long as this lives, in the sum of its thread: strings, lists and
-/// whatever else a scene can have any number of. It is what the limit on memory is held against.
+/// Counts bytes in a sum of the thread as long as this lives: those of strings, lists and whatever
+/// else a scene can have any number of. The limit on memory is compared with the sum.
 class CountedBytes {
  public:
   CountedBytes() = default;
@@ -18,7 +18,7 @@ class CountedBytes {
     sum_ += bytes - bytes_;  // modulo 2^64
     bytes_ = bytes;
   }
-  /// Of all that live.
+  /// The bytes of all that live.
   static std::size_t sum() noexcept { return sum_; }
 
  private:

@@ -3,77 +3,22 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/object/variant.hpp"
+#include "lang/object/value.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/source/source.hpp"
 #include "render/math/color.hpp"
-#include "render/math/interval.hpp"
 #include "render/math/vec3.hpp"
 
-/// The validated form that both formats are read into: values that have met their property's type
-/// and range, each with its place in the text.
+/// The validated form that both formats are read into: objects whose values have the type and the
+/// range of their property, each with its place in the text.
 namespace sdlc::lang {
-
-struct Angle {
-  double degrees = 0;
-
-  friend bool operator==(const Angle&, const Angle&) = default;
-};
-
-/// Angles about the three axes.
-struct AngleTriple {
-  render::Vec3 degrees;
-
-  friend bool operator==(const AngleTriple&, const AngleTriple&) = default;
-};
-
-/// A name that stands for itself: `tone: sqrt`.
-struct Word {
-  std::string text;
-
-  friend bool operator==(const Word&, const Word&) = default;
-};
-
-/// The word `none`, where a property reads it.
-struct None {
-  friend bool operator==(const None&, const None&) = default;
-};
-
-/// A material constructor with its arguments filled in.
-struct MaterialValue {
-  MaterialKind kind = MaterialKind::Diffuse;
-  render::LinearRgb color;
-  double parameter = 0;        ///< fuzz, ior or intensity, as the kind has it
-  bool exact_fresnel = false;  ///< of transmissive
-
-  friend bool operator==(const MaterialValue&, const MaterialValue&) = default;
-};
-
-/// Straight motion of a centre: at its own place at time over.from, at `to` at time over.to,
-/// extrapolated.
-struct MotionValue {
-  render::Vec3 to;
-  render::Interval over;  ///< seconds; the ends differ
-
-  friend bool operator==(const MotionValue&, const MotionValue&) = default;
-};
-
-/// monostate: nothing is written, or what is written was wrong and has been reported.
-using Value =
-    Variant<std::monostate, double, bool, render::Vec3, Angle, AngleTriple, render::LinearRgb,
-            render::Interval, None, MaterialValue, MotionValue, std::string, Word>;
-
-/// "a number", "a colour": what a message calls the value.
-std::string_view describe(const Value& value) noexcept;
-/// The value as the language spells it, for messages ("-1", "40deg").
-std::string to_text(const Value& value);
-/// The shortest spelling that reads back as the same number.
-std::string to_text(double number);
 
 /// One property of an object as it was written.
 struct Slot {
@@ -92,10 +37,9 @@ struct ClosingValue {
 /// kind's table.
 struct Object {
   const Kind* kind = nullptr;
-  Location
-      where;  ///< of what names it in messages: the kind's name, or the object's first character
-  std::string name;        ///< `main` of `camera main`; empty where there is none
-  bool is_broken = false;  ///< something of it could not be read: what is missing may be that
+  Location where;          ///< of the kind's name, or of the first character of a JSON object
+  std::string name;        ///< `main` of `camera main`; empty if there is none
+  bool is_broken = false;  ///< a part could not be read, which may be the part that is missing
   std::array<Slot, kMaxProperties> slots;
   /// What changes while the shutter is open, as it is at the closing; `slots` hold the opening.
   /// Only centres of spheres and translations and rotations of groups can (ruling 29).
@@ -111,7 +55,7 @@ struct Object {
   template <typename T>
   std::optional<T> get_closing(std::size_t property) const {
     for (const ClosingValue& changed : closing) {
-      if (changed.property == property) return lang::get<T>(changed.value);
+      if (changed.property == property) return value_as<T>(changed.value);
     }
     return get<T>(property);
   }
@@ -122,62 +66,34 @@ class ObjectSink {
  public:
   virtual ~ObjectSink() = default;
 
-  /// There may be so many objects to come, not more: room for them need not be moved later.
+  /// An upper bound of the objects to come, for reserving memory.
   virtual void expect(std::size_t /*objects*/) {}
 
-  /// An object of any kind. Its written values have passed check_value or are monostate; what it
+  /// An object of any kind. Its written values have passed check_value or are Nothing; what it
   /// lacks has been reported.
   virtual void add(const Object& object) = 0;
 
-  /// Whether nothing more is of use, as what is wrong with it has been reported.
+  /// Whether a limit is exceeded, which has been reported: no more objects are needed.
   virtual bool is_full() const { return false; }
 
-  /// What is added until leave() stands inside this group.
+  /// What is added until leave() is inside this group.
   virtual void enter(const Object& /*group*/) {}
   virtual void leave() {}
 
-  /// Whether it is of use to know which groups hold the same.
+  /// Whether the sink uses the knowledge of which groups have equal contents.
   virtual bool wants_contents() const { return false; }
-  /// The group entered just now is the first that holds the contents of this number.
+  /// The group entered just now is the first with the contents of this number.
   virtual void begin_contents(std::uint32_t /*contents*/) {}
-  /// Those of this number will not be repeated.
+  /// These contents will not be repeated.
   virtual void forget_contents(std::uint32_t /*contents*/) {}
-  /// Does for `group` what enter(), all that the contents of this number were and leave() would do.
-  /// False where it cannot, and has done nothing: they are then added once more.
+  /// Adds `group` with these contents, as enter(), adding them and leave() would. False, with
+  /// nothing done, if it cannot: the caller then adds them.
   virtual bool repeat(const Object& /*group*/, std::uint32_t /*contents*/) { return false; }
 };
 
-/// The largest whole number of a property without Range::NonNegativeExact: such values count
-/// pixels, samples, rays and threads, and fit an int.
-inline constexpr double kMaxWholeNumber = 1e9;
-
-/// Whether the number is in the range; if not, that is reported at `where` under the name `name`.
-bool check_range(std::string_view name, Range range, double number, Location where,
-                 DiagnosticSink& sink);
-
-/// Whether the number is whole, in the range and at most kMaxWholeNumber (but for
-/// NonNegativeExact); what is wrong is reported.
-bool check_whole_number(std::string_view name, Range range, double number, Location where,
-                        DiagnosticSink& sink);
-
-/// Whether the value is of the C++ type that stands for the type of the table; its range aside.
-bool has_type(Type type, const Value& value) noexcept;
-
-/// Whether `value` has the property's type and is in its range; what is wrong is reported at
-/// `where` under the name `name` (the JSON format has other names). A number serves as a length, a
-/// whole number must be whole. monostate is wrong silently: it has been reported. None is never
-/// right here: see check_property.
-bool check_value(std::string_view name, Type type, Range range, const Value& value, Location where,
-                 DiagnosticSink& sink);
-
-/// The same by the property's row in its table, which also says whether `none` is a value and which
-/// words are.
-bool check_property(const Property& property, const Value& value, Location where,
-                    DiagnosticSink& sink);
-
 template <typename T>
 std::optional<T> Object::get(std::size_t property) const {
-  if (const T* value = get_if<T>(&slots[property].value)) return *value;
+  if (auto value = value_as<T>(slots[property].value)) return value;
   if (slots[property].is_written) return std::nullopt;
   const Default& fallback = kind->properties[property].default_value;
   if constexpr (std::is_same_v<T, double> || std::is_same_v<T, bool>) {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "lang/object/object.hpp"
+#include "lang/object/value.hpp"
 
 namespace sdlc::lang {
 
@@ -37,8 +37,8 @@ std::string to_text(render::LinearRgb c) {
                      lang::to_text(c.b));
 }
 
-std::string to_text(render::Interval interval) {
-  return fmt::format("{} .. {}", lang::to_text(interval.from), lang::to_text(interval.to));
+std::string to_text(double from, double to) {
+  return fmt::format("{} .. {}", lang::to_text(from), lang::to_text(to));
 }
 
 std::string string_literal(std::string_view text) {
@@ -72,21 +72,31 @@ std::string to_text(const MaterialValue& material) {
   return text += ')';
 }
 
+std::string_view suffix_of(Unit unit) noexcept {
+  return unit == Unit::Length ? "m" : unit == Unit::Time ? "s" : "";
+}
+
 struct Writer {
-  std::string operator()(std::monostate) const { return "nothing"; }
-  std::string operator()(double number) const { return lang::to_text(number); }
+  std::string operator()(Nothing) const { return "nothing"; }
+  std::string operator()(Scalar scalar) const {
+    return fmt::format("{}{}", lang::to_text(scalar.value), suffix_of(scalar.unit));
+  }
   std::string operator()(bool value) const { return value ? "true" : "false"; }
   std::string operator()(const std::string& text) const { return string_literal(text); }
+  std::string operator()(const Triple& triple) const { return to_text(triple.value); }
   std::string operator()(Angle angle) const { return lang::to_text(angle.degrees) + "deg"; }
   std::string operator()(const AngleTriple& angles) const {
     const auto [x, y, z] = angles.degrees;
     return fmt::format("({}deg, {}deg, {}deg)", lang::to_text(x), lang::to_text(y),
                        lang::to_text(z));
   }
+  std::string operator()(const Bounds& bounds) const { return to_text(bounds.from, bounds.to); }
   std::string operator()(const Word& word) const { return word.text; }
   std::string operator()(None) const { return "none"; }
+  std::string operator()(const ListValue&) const { return "[…]"; }  // may have any length
   std::string operator()(const MotionValue& motion) const {
-    return fmt::format("line(to: {}, over: {})", to_text(motion.to), to_text(motion.over));
+    return fmt::format("line(to: {}, over: {})", to_text(motion.to),
+                       to_text(motion.over.from, motion.over.to));
   }
   template <typename T>
   std::string operator()(const T& value) const {
@@ -95,19 +105,31 @@ struct Writer {
 };
 
 struct Describer {
-  std::string_view operator()(std::monostate) const { return "nothing"; }
-  std::string_view operator()(double) const { return "a number"; }
+  std::string_view operator()(Nothing) const { return "nothing"; }
+  std::string_view operator()(Scalar scalar) const {
+    switch (scalar.unit) {
+      case Unit::None: return "a number";
+      case Unit::Length: return "a length";
+      case Unit::Time: return "a time";
+    }
+    return "";
+  }
   std::string_view operator()(bool) const { return "true or false"; }
   std::string_view operator()(const std::string&) const { return "a string"; }
-  std::string_view operator()(render::Vec3) const { return "a point (x, y, z)"; }
+  std::string_view operator()(const Triple& triple) const {
+    return triple.unit == Unit::Time ? "three times" : "a point (x, y, z)";
+  }
   std::string_view operator()(Angle) const { return "an angle"; }
   std::string_view operator()(const AngleTriple&) const { return "three angles"; }
   std::string_view operator()(render::LinearRgb) const { return "a colour"; }
-  std::string_view operator()(render::Interval) const { return "an interval"; }
-  std::string_view operator()(const Word&) const { return "a word"; }
-  std::string_view operator()(None) const { return "none"; }
+  std::string_view operator()(const Bounds& bounds) const {
+    return bounds.unit == Unit::Length ? "an interval of lengths" : "an interval a .. b";
+  }
   std::string_view operator()(const MaterialValue&) const { return "a material"; }
   std::string_view operator()(const MotionValue&) const { return "a motion"; }
+  std::string_view operator()(const Word&) const { return "a word"; }
+  std::string_view operator()(None) const { return "`none`"; }
+  std::string_view operator()(const ListValue&) const { return "a list"; }
 };
 
 }  // namespace

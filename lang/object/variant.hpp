@@ -13,18 +13,18 @@
 
 namespace sdlc::lang {
 
-/// Bytes of the value beside its own size, where it does not count them itself.
+/// Bytes that the value allocates and does not count itself.
 template <typename T>
 std::size_t heap_bytes(const T& /*value*/) noexcept {
   return 0;
 }
 inline std::size_t heap_bytes(const std::string& text) noexcept { return text.capacity(); }
 
-/// One of several types, like std::variant, for values that are copied all the time: a copy is some
-/// words and one comparison (std::variant makes a call through a table of every copy, move and end
-/// of life, which was half of the time of evaluation). What is not trivially copyable lives in a
-/// box that copies share and no one changes; such types come last. A box is not for several
-/// threads.
+/// One of several types, like std::variant, for values that are copied often: a copy takes a few
+/// words and one comparison (std::variant calls through a table for every copy, move and
+/// destruction, which was half of the time of evaluation). A type that is not trivially copyable is
+/// kept in a reference-counted box that copies share and nobody changes; such types come last. The
+/// count is not atomic.
 template <typename... Ts>
 class Variant {
   template <typename T>
@@ -59,7 +59,7 @@ class Variant {
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
-// An empty value's storage is copied as it is; no one looks into it.
+// The storage of an empty value is copied uninitialized, and never read.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
   Variant(const Variant& other) noexcept : storage_(other.storage_), index_(other.index_) {
@@ -103,7 +103,7 @@ class Variant {
     }
   }
 
-  /// The boxed value if this is its only user: whoever takes it apart harms no one.
+  /// The boxed value if this is its only user, who may change it.
   template <typename T>
   requires(kIsBoxed<T>) T* get_if_unshared() noexcept {
     if (index_ != index_of<T>() || box()->uses != 1) return nullptr;
@@ -142,7 +142,7 @@ class Variant {
   std::uint8_t index_;
 };
 
-// The names of std::variant, found by their arguments.
+// The functions of std::variant, found by argument-dependent lookup.
 
 template <typename T, typename... Ts>
 const T* get_if(const Variant<Ts...>* variant) noexcept {

@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "lang/program/resolver.hpp"
+#include "lang/resolve/record_symbols.hpp"
+#include "lang/resolve/resolver.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "lang/value/literals.hpp"
 
@@ -40,6 +41,13 @@ Program::Program(const SourceFile& root, const ProgramOptions& options, Diagnost
   }
   add_module(root, std::move(path), kNothing, sink);
   for (const SetOption& option : options_.sets) add_setting(option, sink);
+}
+
+const SymbolTable& Program::names_of(std::uint32_t module) {
+  const auto known = names_.find(module);
+  if (known != names_.end()) return known->second;
+  return names_.emplace(module, record_symbols(*this, module, SymbolDetail::Declared))
+      .first->second;
 }
 
 void Program::add_setting(const SetOption& option, DiagnosticSink& sink) {
@@ -126,7 +134,7 @@ std::optional<std::string> Program::read(const fs::path& path, ast::Node name,
 
 std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
                             DiagnosticSink& sink) {
-  const Computed value = evaluate_string(name, sink);
+  const Value value = evaluate_string(name, sink);
   const auto* written = get_if<std::string>(&value);
   if (written == nullptr) return kNothing;
   const fs::path path = (modules_[from]->path.parent_path() / *written).lexically_normal();

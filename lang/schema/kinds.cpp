@@ -1,14 +1,13 @@
 #include <array>
 
 #include "lang/schema/schema.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::lang {
 namespace {
 
 constexpr std::array<std::string_view, 3> kToneWords{"srgb", "sqrt", "linear"};
 constexpr std::array<std::string_view, 3> kPrecisionWords{"auto", "float", "double"};
-constexpr std::array<std::string_view, 2> kSamplerWords{"sobol", "independent"};
-constexpr std::array<std::string_view, 3> kLightSamplingWords{"auto", "on", "off"};
 constexpr std::array<std::string_view, 2> kFresnelWords{"schlick", "exact"};
 
 constexpr auto kCameraProperties = std::to_array<Property>({
@@ -149,14 +148,14 @@ constexpr auto kRenderProperties = std::to_array<Property>({
      .type = Type::Word,
      .default_value = std::string_view("sobol"),
      .default_text = "sobol",
-     .words = kSamplerWords,
+     .words = render::kWords<render::SamplerKind>,
      .doc = "Where random numbers come from; sobol: points that fill space evenly, with less noise"
             " for as many samples; independent: each number by itself."},
     {.name = "light_sampling",
      .type = Type::Word,
      .default_value = std::string_view("auto"),
      .default_text = "auto",
-     .words = kLightSamplingWords,
+     .words = render::kWords<render::LightSampling>,
      .doc = "Whether matt surfaces look for lamps by themselves, with less noise where these are"
             " small; auto: where it pays. Never changes what is drawn but for its noise."},
     {.name = "error",

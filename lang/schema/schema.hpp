@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +13,7 @@
 /// it.
 namespace sdlc::lang {
 
-/// What a value is, to the checker and to the reader of a message.
+/// The type of a value, for checks and messages.
 enum class Type : std::uint8_t {
   Number,
   WholeNumber,
@@ -47,11 +48,11 @@ enum class Range : std::uint8_t {
   BetweenZeroAndHalfTurn,  ///< both ends excluded
 };
 
-/// "greater than 0": what a message says of the range.
+/// "greater than 0": what a message calls the range.
 std::string_view describe(Range range) noexcept;
 
-/// What stands where nothing is written; monostate where there is no such value.
-/// A triple serves as a vector and as a linear colour.
+/// The value if nothing is written; monostate if there is none. A triple is a vector or a linear
+/// colour.
 using Default = std::variant<std::monostate, double, bool, std::string_view, std::array<double, 3>>;
 
 enum class Presence : std::uint8_t { Optional, Required };
@@ -63,7 +64,7 @@ struct Property {
   Range range = Range::Any;
   Presence presence = Presence::Optional;
   Default default_value = {};
-  std::string_view default_text = {};  ///< as the language spells it; empty where there is none
+  std::string_view default_text = {};            ///< as the language spells it; empty: no default
   std::span<const std::string_view> words = {};  ///< of Type::Word; empty: any name
   bool reads_none = false;                       ///< the word `none` is a value too
   std::string_view doc;
@@ -133,7 +134,9 @@ enum : std::size_t { kTranslate, kRotate, kScale, kMaterial, kCount };
 namespace animation_property {
 enum : std::size_t { kFrames, kFps, kStep, kCount };
 }
-inline constexpr std::size_t kMaxProperties = 13;
+inline constexpr std::size_t kMaxProperties = std::max<std::size_t>(
+    {camera_property::kCount, background_property::kCount, sphere_property::kCount,
+     render_property::kCount, group_property::kCount, animation_property::kCount});
 
 /// The shape of a value in the JSON config format.
 enum class JsonType : std::uint8_t {
@@ -155,7 +158,7 @@ std::string_view describe(JsonType type) noexcept;
 
 struct JsonObject;
 
-/// What a key means to the reader of configs where it stands for no single property.
+/// The meaning of a key that is not a single property.
 enum class JsonSetting : std::uint8_t { None, GammaCorrect, InParallel, NumberCores };
 
 /// One key of an object of the JSON config format.
@@ -181,7 +184,7 @@ struct JsonObject {
 /// The whole config. `camera`, `rendering` and `saving` are required unless there is an `image`.
 const JsonObject& json_config() noexcept;
 const JsonObject& json_sphere() noexcept;
-/// The key that stands for a property of the language; empty where the format has none.
+/// The key of a property of the language; empty if the format has none.
 std::string_view json_key_of(const Kind& kind, std::size_t property) noexcept;
 /// The keys of a material of this kind beside `type`: one per argument that the format has.
 std::span<const JsonKey> json_material_keys(MaterialKind kind) noexcept;

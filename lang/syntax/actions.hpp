@@ -9,8 +9,9 @@
 #include "grammar/scene.hpp"
 #include "lang/syntax/expected.hpp"
 #include "lang/syntax/recovery.hpp"
-#include "lang/syntax/scan.hpp"
 #include "lang/syntax/tree_builder.hpp"
+#include "lang/token/lines.hpp"
+#include "lang/token/name_characters.hpp"
 
 /// What happens where a rule of the grammar matches (Build) and where it must and does not
 /// (Control). Included by parse.cpp alone: the grammar is compiled once.

@@ -5,8 +5,10 @@
 
 #include "lang/schema/schema.hpp"
 #include "lang/syntax/recovery.hpp"
-#include "lang/syntax/scan.hpp"
 #include "lang/syntax/vocabulary.hpp"
+#include "lang/token/lines.hpp"
+#include "lang/token/name_characters.hpp"
+#include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
 namespace {

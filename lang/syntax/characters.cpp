@@ -7,7 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "lang/syntax/scan.hpp"
+#include "lang/token/name_characters.hpp"
+#include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -78,7 +79,7 @@ std::uint32_t next_special(std::string_view text, std::uint32_t at) noexcept {
 class CharacterCheck {
  public:
   CharacterCheck(const SourceFile& file, DiagnosticSink& sink)
-      : file_(file), text_(file.text()), sink_(sink) {}
+      : file_(file), text_(file.text()), sink_(sink), tokens_(text_) {}
 
   std::optional<std::string> run() {
     if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")) {
@@ -151,19 +152,16 @@ class CharacterCheck {
 
   /// Whether `at` lies in a comment or string. Asked in the order of the text.
   bool is_opaque(std::uint32_t at) {
-    while (scanned_ <= at) {
-      opaque_end_ = end_of_opaque(text_, scanned_);
-      scanned_ = std::max(opaque_end_, scanned_ + 1);
-    }
-    return at < opaque_end_;
+    while (token_.span.end <= at) token_ = tokens_.next();
+    return is_comment(token_.kind) || is_string(token_.kind);
   }
 
   const SourceFile& file_;
   std::string_view text_;
   DiagnosticSink& sink_;
   std::optional<std::string> mended_;
-  std::uint32_t scanned_ = 0;     ///< comments and strings have been found up to here
-  std::uint32_t opaque_end_ = 0;  ///< of the last one
+  TokenReader tokens_;
+  Token token_;  ///< the last one that was read
   bool has_lone_return_ = false;
 };
 

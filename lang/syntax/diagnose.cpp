@@ -12,11 +12,14 @@
 #include "lang/syntax/foreign_signs.hpp"
 #include "lang/syntax/foreign_words.hpp"
 #include "lang/syntax/recovery.hpp"
-#include "lang/syntax/scan.hpp"
 #include "lang/syntax/tree_builder.hpp"
 #include "lang/syntax/vocabulary.hpp"
 #include "lang/text/ascii.hpp"
 #include "lang/text/nearest_name.hpp"
+#include "lang/token/brackets.hpp"
+#include "lang/token/lines.hpp"
+#include "lang/token/name_characters.hpp"
+#include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
 namespace {

@@ -10,10 +10,10 @@
 #include "lang/schema/type_names.hpp"
 #include "lang/syntax/certainty.hpp"
 #include "lang/syntax/foreign_words.hpp"
-#include "lang/syntax/scan.hpp"
 #include "lang/syntax/token_editor.hpp"
 #include "lang/syntax/vocabulary.hpp"
 #include "lang/text/ascii.hpp"
+#include "lang/token/name_characters.hpp"
 
 namespace sdlc::lang {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "lang/syntax/foreign_signs.hpp"
 #include "lang/syntax/foreign_words.hpp"
-#include "lang/syntax/layout_scanner.hpp"
-#include "lang/syntax/scan.hpp"
+#include "lang/syntax/layout_tokens.hpp"
 #include "lang/syntax/vocabulary.hpp"
 #include "lang/syntax/wrong_pairs.hpp"
+#include "lang/token/name_characters.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -387,7 +387,7 @@ class Marker {
 }  // namespace
 
 TokenLayout scan_layout(std::string_view text) {
-  TokenLayout layout{.tokens = scan_tokens(text), .foreign = {}};
+  TokenLayout layout{.tokens = layout_tokens(text), .foreign = {}};
   layout.foreign = mark_foreign_phrases(text, layout.tokens);
   mark_wrong_pairs(text, layout.tokens);
   Marker(text, layout.tokens).run();

@@ -5,10 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "lang/syntax/scan.hpp"
 #include "lang/syntax/tree_builder.hpp"
 #include "lang/syntax/vocabulary.hpp"
 #include "lang/text/nearest_name.hpp"
+#include "lang/token/name_characters.hpp"
+#include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -119,16 +120,7 @@ NumberFault number_fault(std::string_view text) {
 
 std::uint32_t diagnose_number(TreeBuilder& builder, std::uint32_t begin) {
   const std::string_view text = builder.text();
-  std::uint32_t end = begin;
-  while (is_idchar(char_at(text, end)) || char_at(text, end) == '%' ||
-         (char_at(text, end) == '.' && char_at(text, end + 1) != '.')) {
-    ++end;
-    const bool is_exponent = (text[end - 1] == 'e' || text[end - 1] == 'E') &&
-                             (is_digit(char_at(text, end - 2)) || char_at(text, end - 2) == '.');
-    const char sign = char_at(text, end);
-    if (is_exponent && (sign == '+' || sign == '-')) ++end;
-  }
-
+  const std::uint32_t end = token_at(text, begin).end;
   const std::string_view number = text.substr(begin, end - begin);
   const NumberFault fault = number_fault(number);
   const Location where = builder.location({begin, end});
@@ -175,7 +167,7 @@ std::uint32_t diagnose_string(TreeBuilder& builder, std::uint32_t begin) {
     }
     if (escape == '\0' || escape == '\n') break;
     if (!is_known) {
-      end = std::max(end, token_at(text, at + 1).begin + token_at(text, at + 1).size());
+      end = std::max(end, token_at(text, at + 1).end);
       if (escape != 'u') end = at + 2;
       const std::string_view spelled = text.substr(at, end - at);
       auto report = wrong(at, end, fmt::format("the unknown escape `{}`", spelled));
@@ -193,7 +185,7 @@ std::uint32_t diagnose_string(TreeBuilder& builder, std::uint32_t begin) {
   builder.sink()
       .report(diag::unclosed, builder.location({begin, begin + 1}), "\"")
       .help("a string ends in the line that it begins in");
-  return end_of_unclosed_string(text, begin);
+  return end_of_unclosed_string(text, token_at(text, begin));
 }
 
 bool check_color(TreeBuilder& builder, Span color) {

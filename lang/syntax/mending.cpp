@@ -14,20 +14,20 @@
 #include "lang/syntax/foreign_words.hpp"
 #include "lang/syntax/layout.hpp"
 #include "lang/syntax/missing_marks.hpp"
-#include "lang/syntax/scan.hpp"
 #include "lang/syntax/vocabulary.hpp"
+#include "lang/token/name_characters.hpp"
+#include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
 namespace {
 
 bool ends_in_comment(std::string_view text) {
-  for (std::uint32_t at = 0; at < text.size();) {
-    const std::uint32_t behind = end_of_opaque(text, at);
-    const bool is_block = text[at] == '/' && char_at(text, at + 1) == '*';
-    if (is_block && behind == text.size()) return !text.ends_with("*/");
-    at = std::max(behind, at + 1);
+  TokenReader tokens(text);
+  Token token = tokens.next();
+  while (token.kind != TokenKind::End && token.kind != TokenKind::UnclosedComment) {
+    token = tokens.next();
   }
-  return false;
+  return token.kind == TokenKind::UnclosedComment;
 }
 
 /// Whether the token, a closing bracket, stands where a value should.

@@ -132,37 +132,4 @@ SyntaxTree parse(const SourceFile& file, DiagnosticSink& sink);
 /// Reads a text that is one expression: the only child of the File.
 SyntaxTree parse_expression(const SourceFile& file, DiagnosticSink& sink);
 
-/// What a run of bytes of the text is.
-enum class PieceKind : std::uint8_t {
-  Leaf,  ///< a node without children, or the head of one that has children
-  Word,  ///< a keyword
-  Punctuation,
-  Blank,
-  Comment,
-  Skipped,  ///< inside an Error
-};
-
-struct Piece {
-  Span span;
-  PieceKind kind;
-  NodeIndex node = 0;  ///< of a Leaf: whose
-};
-
-/// The pieces of a tree's text, in order and without gaps.
-class PieceReader {
- public:
-  explicit PieceReader(const SyntaxTree& tree) : tree_(&tree) {}
-
-  /// The next piece; false at the end.
-  bool next(Piece& piece);
-
- private:
-  Span next_leaf(NodeIndex& node);
-
-  const SyntaxTree* tree_;
-  std::uint32_t at_ = 0;
-  NodeIndex node_ = 0;       ///< the next node that is not yet passed
-  std::size_t comment_ = 0;  ///< the next comment
-};
-
 }  // namespace sdlc::lang

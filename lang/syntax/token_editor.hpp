@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "lang/syntax/foreign_phrases.hpp"
-#include "lang/syntax/scan.hpp"
 #include "lang/syntax/vocabulary.hpp"
+#include "lang/token/name_characters.hpp"
 
 namespace sdlc::lang {
 

@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
-#include "lang/syntax/scan.hpp"
 #include "lang/syntax/vocabulary.hpp"
 #include "lang/text/brackets.hpp"
+#include "lang/token/name_characters.hpp"
 
 namespace sdlc::lang {
 namespace {

@@ -23,7 +23,7 @@ std::string_view spelling(Operator op) noexcept {
 }
 
 /// The numbers of a value of any type that computes componentwise.
-bool is_finite(const Computed& value) noexcept {
+bool is_finite(const Value& value) noexcept {
   if (const auto* scalar = get_if<Scalar>(&value)) return std::isfinite(scalar->value);
   if (const auto* triple = get_if<Triple>(&value)) return render::is_finite(triple->value);
   if (const auto* angle = get_if<Angle>(&value)) return std::isfinite(angle->degrees);
@@ -34,18 +34,18 @@ bool is_finite(const Computed& value) noexcept {
 
 class Operation {
  public:
-  Operation(const Computed& left, Operator op, const Computed& right, const OperatorPlace& where,
+  Operation(const Value& left, Operator op, const Value& right, const OperatorPlace& where,
             DiagnosticSink& sink)
       : left_(left), op_(op), right_(right), where_(where), sink_(sink) {}
 
-  Computed run() {
-    if (has_failed(left_) || has_failed(right_)) return Failed{};
-    const Computed result = op_ == Operator::Add || op_ == Operator::Subtract ? sum()
-                            : op_ == Operator::Multiply                       ? product()
-                                                                              : quotient();
+  Value run() {
+    if (is_nothing(left_) || is_nothing(right_)) return Nothing{};
+    const Value result = op_ == Operator::Add || op_ == Operator::Subtract ? sum()
+                         : op_ == Operator::Multiply                       ? product()
+                                                                           : quotient();
     if (is_finite(result)) return result;
     sink_.report(diag::overflow, where_.location(), spelling(op_));
-    return Failed{};
+    return Nothing{};
   }
 
  private:
@@ -58,10 +58,10 @@ class Operation {
     return get_if<T>(&right_);
   }
 
-  Computed wrong_types() {
+  Value wrong_types() {
     sink_.report(diag::wrong_operands, where_.location(), spelling(op_), describe(left_),
                  describe(right_));
-    return Failed{};
+    return Nothing{};
   }
 
   template <typename T>
@@ -71,13 +71,13 @@ class Operation {
 
   /// A plain number takes the other's unit; metres and seconds do not add up (ruling 20).
   template <typename T>
-  Computed tagged_sum(const T& a, const T& b) {
+  Value tagged_sum(const T& a, const T& b) {
     const bool agree = a.unit == b.unit || a.unit == Unit::None || b.unit == Unit::None;
     if (!agree) return wrong_types();
     return T{add(a.value, b.value), a.unit == Unit::None ? b.unit : a.unit};
   }
 
-  Computed sum() {
+  Value sum() {
     if (left<Scalar>() && right<Scalar>()) return tagged_sum(*left<Scalar>(), *right<Scalar>());
     if (left<Triple>() && right<Triple>()) return tagged_sum(*left<Triple>(), *right<Triple>());
     if (left<Angle>() && right<Angle>()) {
@@ -97,7 +97,7 @@ class Operation {
     return b == Unit::None ? a : Unit::None;
   }
 
-  static Computed scaled(const Computed& value, Scalar factor) {
+  static Value scaled(const Value& value, Scalar factor) {
     if (const auto* scalar = get_if<Scalar>(&value)) {
       return Scalar{scalar->value * factor.value, product_unit(scalar->unit, factor.unit)};
     }
@@ -109,25 +109,25 @@ class Operation {
       return AngleTriple{angles->degrees * factor.value};
     }
     if (const auto* color = get_if<LinearRgb>(&value)) return *color * factor.value;
-    return Failed{};
+    return Nothing{};
   }
 
-  Computed product() {
+  Value product() {
     if (left<LinearRgb>() && right<LinearRgb>()) return *left<LinearRgb>() * *right<LinearRgb>();
-    Computed result;
+    Value result;
     if (right<Scalar>())
       result = scaled(left_, *right<Scalar>());
     else if (left<Scalar>())
       result = scaled(right_, *left<Scalar>());
-    return has_failed(result) ? wrong_types() : result;
+    return is_nothing(result) ? wrong_types() : result;
   }
 
-  Computed by_zero() {
+  Value by_zero() {
     sink_.report(diag::division_by_zero, where_.location());
-    return Failed{};
+    return Nothing{};
   }
 
-  Computed quotient() {
+  Value quotient() {
     if (left<Angle>() && right<Angle>()) {
       if (right<Angle>()->degrees == 0) return by_zero();
       return Scalar{left<Angle>()->degrees / right<Angle>()->degrees};
@@ -152,9 +152,9 @@ class Operation {
     return *left<LinearRgb>() / divisor;
   }
 
-  const Computed& left_;
+  const Value& left_;
   Operator op_;
-  const Computed& right_;
+  const Value& right_;
   const OperatorPlace& where_;
   DiagnosticSink& sink_;
 };
@@ -171,45 +171,45 @@ Location OperatorPlace::location() const {
   return tree.location(span);
 }
 
-Computed evaluate_operation(const Computed& left, Operator op, const Computed& right,
-                            const OperatorPlace& where, DiagnosticSink& sink) {
+Value evaluate_operation(const Value& left, Operator op, const Value& right,
+                         const OperatorPlace& where, DiagnosticSink& sink) {
   return Operation(left, op, right, where, sink).run();
 }
 
-Computed evaluate_power(const Computed& base, const Computed& exponent, const OperatorPlace& where,
-                        DiagnosticSink& sink) {
-  if (has_failed(base) || has_failed(exponent)) return Failed{};
+Value evaluate_power(const Value& base, const Value& exponent, const OperatorPlace& where,
+                     DiagnosticSink& sink) {
+  if (is_nothing(base) || is_nothing(exponent)) return Nothing{};
   const auto* x = get_if<Scalar>(&base);
   const auto* y = get_if<Scalar>(&exponent);
   if (!x || !y || y->unit != Unit::None) {
     sink.report(diag::wrong_operands, where.location(), "^", describe(base), describe(exponent));
-    return Failed{};
+    return Nothing{};
   }
 
   const std::optional<double> result = raise(x->value, y->value);
   if (!result && x->value == 0) {
     sink.report(diag::division_by_zero, where.location());
-    return Failed{};
+    return Nothing{};
   }
   if (!result) {
     sink.report(diag::no_real_result, where.location(), "^",
                 "a negative number and a broken exponent");
-    return Failed{};
+    return Nothing{};
   }
   if (!std::isfinite(*result)) {
     sink.report(diag::overflow, where.location(), "^");
-    return Failed{};
+    return Nothing{};
   }
   return Scalar{*result, y->value == 1 ? x->unit : Unit::None};
 }
 
-Computed evaluate_negative(const Computed& operand, Location where, DiagnosticSink& sink) {
+Value evaluate_negative(const Value& operand, Location where, DiagnosticSink& sink) {
   if (const auto* scalar = get_if<Scalar>(&operand)) return Scalar{-scalar->value, scalar->unit};
   if (const auto* triple = get_if<Triple>(&operand)) return Triple{-triple->value, triple->unit};
   if (const auto* angle = get_if<Angle>(&operand)) return Angle{-angle->degrees};
   if (const auto* angles = get_if<AngleTriple>(&operand)) return AngleTriple{-angles->degrees};
-  if (!has_failed(operand)) sink.report(diag::wrong_operand, where, "-", describe(operand));
-  return Failed{};
+  if (!is_nothing(operand)) sink.report(diag::wrong_operand, where, "-", describe(operand));
+  return Nothing{};
 }
 
 }  // namespace sdlc::lang

@@ -2,7 +2,7 @@
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/value/computed.hpp"
+#include "lang/object/value.hpp"
 
 namespace sdlc::lang {
 
@@ -15,10 +15,10 @@ struct OperatorPlace {
 
 /// `left op right` for + - * /. What is wrong (types, units, division by zero, a result beyond the
 /// largest number) is reported at the operator.
-Computed evaluate_operation(const Computed& left, Operator op, const Computed& right,
-                            const OperatorPlace& where, DiagnosticSink& sink);
-Computed evaluate_power(const Computed& base, const Computed& exponent, const OperatorPlace& where,
-                        DiagnosticSink& sink);
-Computed evaluate_negative(const Computed& operand, Location where, DiagnosticSink& sink);
+Value evaluate_operation(const Value& left, Operator op, const Value& right,
+                         const OperatorPlace& where, DiagnosticSink& sink);
+Value evaluate_power(const Value& base, const Value& exponent, const OperatorPlace& where,
+                     DiagnosticSink& sink);
+Value evaluate_negative(const Value& operand, Location where, DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

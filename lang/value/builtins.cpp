@@ -28,7 +28,7 @@ using render::Vec3;
 constexpr std::string_view kAngle = "an angle";
 constexpr std::size_t kAnyNumber = static_cast<std::size_t>(-1);
 
-Computed wrong_argument(const BuiltinCall& call, std::size_t i, std::string_view wanted) {
+Value wrong_argument(const BuiltinCall& call, std::size_t i, std::string_view wanted) {
   const Location where = call.place(i);
   auto report =
       call.sink.report(diag::wrong_argument, where, call.name, wanted, describe(call.arguments[i]));
@@ -38,7 +38,7 @@ Computed wrong_argument(const BuiltinCall& call, std::size_t i, std::string_view
   } else if (wanted == kAngle && holds_alternative<Scalar>(call.arguments[i])) {
     report.help("a number becomes an angle by `x * 1deg`");
   }
-  return Failed{};
+  return Nothing{};
 }
 
 template <typename T>
@@ -46,22 +46,22 @@ const T* argument(const BuiltinCall& call, std::size_t i) noexcept {
   return get_if<T>(&call.arguments[i]);
 }
 
-Computed no_result(const BuiltinCall& call, std::string_view argument) {
+Value no_result(const BuiltinCall& call, std::string_view argument) {
   call.sink.report(diag::no_real_result, call.where(), call.name, argument);
-  return Failed{};
+  return Nothing{};
 }
 
 /// A number that has no unit, or every number where the unit is kept.
-Computed finite(const BuiltinCall& call, Scalar result) {
+Value finite(const BuiltinCall& call, Scalar result) {
   if (std::isfinite(result.value)) return result;
   call.sink.report(diag::overflow, call.where(), call.name);
-  return Failed{};
+  return Nothing{};
 }
 
-// Of one number
+// Functions of one number
 
 template <double (*function)(double) noexcept>
-Computed keeping_unit(const BuiltinCall& call) {
+Value keeping_unit(const BuiltinCall& call) {
   const auto* x = argument<Scalar>(call, 0);
   if (x == nullptr) return wrong_argument(call, 0, "a number");
   return Scalar{function(x->value), x->unit};
@@ -71,64 +71,64 @@ double absolute(double x) noexcept { return std::fabs(x); }
 double round_down(double x) noexcept { return std::floor(x); }
 double round_up(double x) noexcept { return std::ceil(x); }
 
-Computed evaluate_abs(const BuiltinCall& call) {
+Value evaluate_abs(const BuiltinCall& call) {
   if (const auto* angle = argument<Angle>(call, 0)) return Angle{std::fabs(angle->degrees)};
   return keeping_unit<absolute>(call);
 }
 
-Computed evaluate_sqrt(const BuiltinCall& call) {
+Value evaluate_sqrt(const BuiltinCall& call) {
   const auto* x = argument<Scalar>(call, 0);
   if (x == nullptr) return wrong_argument(call, 0, "a number");
   if (x->value < 0) return no_result(call, "a negative number");
   return Scalar{std::sqrt(x->value)};
 }
 
-Computed evaluate_exp(const BuiltinCall& call) {
+Value evaluate_exp(const BuiltinCall& call) {
   const auto* x = argument<Scalar>(call, 0);
   return x == nullptr ? wrong_argument(call, 0, "a number") : finite(call, {exp(x->value)});
 }
 
-Computed evaluate_log(const BuiltinCall& call) {
+Value evaluate_log(const BuiltinCall& call) {
   const auto* x = argument<Scalar>(call, 0);
   if (x == nullptr) return wrong_argument(call, 0, "a number");
   const std::optional<double> result = log(x->value);
-  return result ? Computed(Scalar{*result}) : no_result(call, "a number that is not positive");
+  return result ? Value(Scalar{*result}) : no_result(call, "a number that is not positive");
 }
 
 // Trigonometry: angles in, or angles out
 
 template <double (*function)(double) noexcept>
-Computed of_angle(const BuiltinCall& call) {
+Value of_angle(const BuiltinCall& call) {
   const auto* x = argument<Angle>(call, 0);
   return x == nullptr ? wrong_argument(call, 0, kAngle) : Scalar{function(x->degrees)};
 }
 
-Computed evaluate_tan(const BuiltinCall& call) {
+Value evaluate_tan(const BuiltinCall& call) {
   const auto* x = argument<Angle>(call, 0);
   if (x == nullptr) return wrong_argument(call, 0, kAngle);
   const std::optional<double> result = tan_degrees(x->degrees);
-  return result ? Computed(Scalar{*result}) : no_result(call, "an odd multiple of 90deg");
+  return result ? Value(Scalar{*result}) : no_result(call, "an odd multiple of 90deg");
 }
 
 template <std::optional<double> (*function)(double) noexcept>
-Computed arc(const BuiltinCall& call) {
+Value arc(const BuiltinCall& call) {
   const auto* x = argument<Scalar>(call, 0);
   if (x == nullptr || x->unit != Unit::None) return wrong_argument(call, 0, "a number");
   const std::optional<double> result = function(x->value);
-  return result ? Computed(Angle{*result}) : no_result(call, "a number beyond -1 and 1");
+  return result ? Value(Angle{*result}) : no_result(call, "a number beyond -1 and 1");
 }
 
-Computed evaluate_atan2(const BuiltinCall& call) {
+Value evaluate_atan2(const BuiltinCall& call) {
   const auto *y = argument<Scalar>(call, 0), *x = argument<Scalar>(call, 1);
   if (y == nullptr) return wrong_argument(call, 0, "a number");
   if (x == nullptr) return wrong_argument(call, 1, "a number");
   const std::optional<double> result = atan2_degrees(y->value, x->value);
-  return result ? Computed(Angle{*result}) : no_result(call, "0, 0");
+  return result ? Value(Angle{*result}) : no_result(call, "0, 0");
 }
 
-// Of several values of one type
+// Functions of several values of one type
 
-bool is_less(const Computed& a, const Computed& b) {
+bool is_less(const Value& a, const Value& b) {
   if (const auto* x = get_if<Scalar>(&a)) return x->value < get<Scalar>(b).value;
   return get<Angle>(a).degrees < get<Angle>(b).degrees;
 }
@@ -141,14 +141,14 @@ class Comparable {
       : call_(call), list_(call.arguments.size() == 1 ? argument<ListValue>(call, 0) : nullptr) {}
 
   std::size_t size() const { return list_ != nullptr ? list_->size() : call_.arguments.size(); }
-  Computed operator[](std::size_t i) const {
+  Value operator[](std::size_t i) const {
     return list_ != nullptr ? (*list_)[i] : call_.arguments[i];
   }
   /// Whether they are some numbers, or some angles; if not, that is reported.
   bool check() const {
-    const Computed first = size() > 0 ? (*this)[0] : Computed();
+    const Value first = size() > 0 ? (*this)[0] : Value();
     for (std::size_t i = 0; i < size(); ++i) {
-      const Computed value = (*this)[i];
+      const Value value = (*this)[i];
       const bool is_ordered = holds_alternative<Scalar>(value) || holds_alternative<Angle>(value);
       if (is_ordered && are_of_one_type(first, value)) continue;
       wrong_argument(call_, list_ != nullptr ? 0 : i, "numbers, or angles, of one unit");
@@ -163,38 +163,38 @@ class Comparable {
   const ListValue* list_;
 };
 
-Computed evaluate_min(const BuiltinCall& call) {
+Value evaluate_min(const BuiltinCall& call) {
   const Comparable values(call);
-  if (!values.check()) return Failed{};
-  Computed least = values[0];
+  if (!values.check()) return Nothing{};
+  Value least = values[0];
   for (std::size_t i = 1; i < values.size(); ++i) {
     if (is_less(values[i], least)) least = values[i];
   }
   return least;
 }
 
-Computed evaluate_max(const BuiltinCall& call) {
+Value evaluate_max(const BuiltinCall& call) {
   const Comparable values(call);
-  if (!values.check()) return Failed{};
-  Computed greatest = values[0];
+  if (!values.check()) return Nothing{};
+  Value greatest = values[0];
   for (std::size_t i = 1; i < values.size(); ++i) {
     if (is_less(greatest, values[i])) greatest = values[i];
   }
   return greatest;
 }
 
-Computed evaluate_clamp(const BuiltinCall& call) {
+Value evaluate_clamp(const BuiltinCall& call) {
   const Comparable values(call);
-  if (!values.check()) return Failed{};
-  const Computed x = values[0], low = values[1], high = values[2];
+  if (!values.check()) return Nothing{};
+  const Value x = values[0], low = values[1], high = values[2];
   if (is_less(high, low)) return no_result(call, "a low end above the high one");
   return is_less(x, low) ? low : is_less(high, x) ? high : x;
 }
 
 /// The remainder of numbers far apart is found bit by bit.
-std::uint64_t steps_of_mod(std::span<const Computed> arguments) {
+std::uint64_t steps_of_mod(std::span<const Value> arguments) {
   constexpr int kBits = 4;  // in a step
-  const auto exponent = [](const Computed& value) {
+  const auto exponent = [](const Value& value) {
     if (const auto* number = get_if<Scalar>(&value)) return std::ilogb(number->value);
     const auto* angle = get_if<Angle>(&value);
     return angle != nullptr ? std::ilogb(angle->degrees) : 0;
@@ -203,17 +203,17 @@ std::uint64_t steps_of_mod(std::span<const Computed> arguments) {
   return apart > 0 ? static_cast<std::uint64_t>(std::fmin(apart, 3000)) / kBits : 0;
 }
 
-Computed evaluate_mod(const BuiltinCall& call) {
+Value evaluate_mod(const BuiltinCall& call) {
   const Comparable values(call);
-  if (!values.check()) return Failed{};
-  const Computed a = values[0], b = values[1];
+  if (!values.check()) return Nothing{};
+  const Value a = values[0], b = values[1];
   const auto* number = get_if<Scalar>(&a);
   const double x = number != nullptr ? number->value : get<Angle>(a).degrees;
   const double y = number != nullptr ? get<Scalar>(b).value : get<Angle>(b).degrees;
   const std::optional<double> result = modulo(x, y);
   if (!result) {
     call.sink.report(diag::division_by_zero, call.where());
-    return Failed{};
+    return Nothing{};
   }
   if (number != nullptr) return Scalar{*result, number->unit};
   return Angle{*result};
@@ -221,38 +221,36 @@ Computed evaluate_mod(const BuiltinCall& call) {
 
 // Lists and strings
 
-Computed evaluate_sum(const BuiltinCall& call) {
+Value evaluate_sum(const BuiltinCall& call) {
   const auto* list = argument<ListValue>(call, 0);
   if (list == nullptr) return wrong_argument(call, 0, "a list");
   if (list->size() == 0) return Scalar{};
-  Computed sum = (*list)[0];
+  Value sum = (*list)[0];
   const ast::Node place = *call.node.child(0);
-  for (std::size_t i = 1; i < list->size() && !has_failed(sum); ++i) {
+  for (std::size_t i = 1; i < list->size() && !is_nothing(sum); ++i) {
     sum = evaluate_operation(sum, Operator::Add, (*list)[i], {place, place}, call.sink);
   }
   return sum;
 }
 
-Computed evaluate_len(const BuiltinCall& call) {
+Value evaluate_len(const BuiltinCall& call) {
   const auto* list = argument<ListValue>(call, 0);
   if (list == nullptr) return wrong_argument(call, 0, "a list");
   return Scalar{static_cast<double>(list->size())};
 }
 
-Computed evaluate_str(const BuiltinCall& call) {
+Value evaluate_str(const BuiltinCall& call) {
   if (const auto* text = argument<std::string>(call, 0)) return *text;
-  if (const auto* flag = argument<bool>(call, 0)) return to_text(Value(*flag));
-  if (const auto* x = argument<Scalar>(call, 0)) {
-    return to_text(x->value) + (x->unit == Unit::Length ? "m" : x->unit == Unit::Time ? "s" : "");
-  }
-  if (const auto* angle = argument<Angle>(call, 0)) return to_text(Value(*angle));
-  if (const auto* v = argument<Triple>(call, 0)) return to_text(Value(v->value));
-  if (const auto* angles = argument<AngleTriple>(call, 0)) return to_text(Value(*angles));
-  if (const auto* color = argument<LinearRgb>(call, 0)) return to_text(Value(*color));
+  const Value& value = call.arguments[0];
+  const bool has_text = holds_alternative<bool>(value) || holds_alternative<Scalar>(value) ||
+                        holds_alternative<Angle>(value) || holds_alternative<Triple>(value) ||
+                        holds_alternative<AngleTriple>(value) ||
+                        holds_alternative<LinearRgb>(value);
+  if (has_text) return to_text(value);
   return wrong_argument(call, 0, "a number, angle, point, colour, string, true or false");
 }
 
-Computed evaluate_range(const BuiltinCall& call) {
+Value evaluate_range(const BuiltinCall& call) {
   std::array<double, 3> numbers{0, 0, 1};
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
     const auto* x = argument<Scalar>(call, i);
@@ -260,7 +258,7 @@ Computed evaluate_range(const BuiltinCall& call) {
     if (x->value != std::floor(x->value) || std::fabs(x->value) > 0x1p53) {
       call.sink.report(diag::not_whole, call.place(i), call.name, to_text(x->value))
           .help("round it with `floor(…)` or `round(…)`");
-      return Failed{};
+      return Nothing{};
     }
     // range(n) counts to n, range(a, b, step) from a to b.
     numbers[call.arguments.size() == 1 ? 1 : i] = x->value;
@@ -273,21 +271,21 @@ Computed evaluate_range(const BuiltinCall& call) {
 
 // Vectors and colours
 
-Computed evaluate_dot(const BuiltinCall& call) {
+Value evaluate_dot(const BuiltinCall& call) {
   const auto *a = argument<Triple>(call, 0), *b = argument<Triple>(call, 1);
   if (a == nullptr) return wrong_argument(call, 0, "a vector");
   if (b == nullptr) return wrong_argument(call, 1, "a vector");
   return finite(call, {dot(a->value, b->value)});
 }
 
-Computed evaluate_cross(const BuiltinCall& call) {
+Value evaluate_cross(const BuiltinCall& call) {
   const auto *a = argument<Triple>(call, 0), *b = argument<Triple>(call, 1);
   if (a == nullptr) return wrong_argument(call, 0, "a vector");
   if (b == nullptr) return wrong_argument(call, 1, "a vector");
   const Vec3 result = cross(a->value, b->value);
   if (is_finite(result)) return Triple{result};
   call.sink.report(diag::overflow, call.where(), call.name);
-  return Failed{};
+  return Nothing{};
 }
 
 /// The length without overflow on the way.
@@ -297,20 +295,20 @@ double length_of(Vec3 v) noexcept {
   return std::ldexp(render::length(render::scaled_by_power_of_two(v, -e)), e);
 }
 
-Computed evaluate_length(const BuiltinCall& call) {
+Value evaluate_length(const BuiltinCall& call) {
   const auto* v = argument<Triple>(call, 0);
   return v == nullptr ? wrong_argument(call, 0, "a vector")
                       : finite(call, {length_of(v->value), v->unit});
 }
 
-Computed evaluate_normalize(const BuiltinCall& call) {
+Value evaluate_normalize(const BuiltinCall& call) {
   const auto* v = argument<Triple>(call, 0);
   if (v == nullptr) return wrong_argument(call, 0, "a vector");
   if (v->value == Vec3{}) return no_result(call, "the zero vector");
   return Triple{render::unit(render::with_moderate_length(v->value))};
 }
 
-Computed evaluate_mix(const BuiltinCall& call) {
+Value evaluate_mix(const BuiltinCall& call) {
   const auto* t = argument<Scalar>(call, 2);
   if (t == nullptr || t->unit != Unit::None) return wrong_argument(call, 2, "a number");
   if (!are_of_one_type(call.arguments[0], call.arguments[1])) {
@@ -322,9 +320,9 @@ Computed evaluate_mix(const BuiltinCall& call) {
     return finite(call, {mixed(a->value, b->value), a->unit == Unit::None ? b->unit : a->unit});
   }
   const auto checked = [&](auto result, bool is_finite) {
-    if (is_finite) return Computed(result);
+    if (is_finite) return Value(result);
     call.sink.report(diag::overflow, call.where(), call.name);
-    return Computed(Failed{});
+    return Value(Nothing{});
   };
   if (const auto* a = argument<Triple>(call, 0)) {
     const auto* b = argument<Triple>(call, 1);
@@ -344,7 +342,7 @@ Computed evaluate_mix(const BuiltinCall& call) {
 
 // Randomness
 
-Computed evaluate_random(const BuiltinCall& call) {
+Value evaluate_random(const BuiltinCall& call) {
   RandomHash hash;
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
     if (const auto* number = argument<Scalar>(call, i)) {
@@ -364,7 +362,7 @@ Computed evaluate_random(const BuiltinCall& call) {
   return Scalar{hash.uniform()};
 }
 
-Computed evaluate_noise(const BuiltinCall& call) {
+Value evaluate_noise(const BuiltinCall& call) {
   const auto* p = argument<Triple>(call, 0);
   return p == nullptr ? wrong_argument(call, 0, "a vector") : Scalar{noise(p->value)};
 }

@@ -7,18 +7,18 @@
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/value/computed.hpp"
+#include "lang/object/value.hpp"
 
 namespace sdlc::lang {
 
-/// A call of a built-in function with arguments none of which has failed.
+/// A call of a built-in function; no argument is Nothing.
 struct BuiltinCall {
   std::string_view name;
-  std::span<const Computed> arguments;
-  ast::Node node;  ///< of the call; looked at only for places
+  std::span<const Value> arguments;
+  ast::Node node;  ///< of the call; read only for places in reports
   DiagnosticSink& sink;
 
-  /// Of the name: what is wrong with the result is reported there.
+  /// The place of the name, for reports about the result.
   Location where() const { return node.head_location(); }
   Location place(std::size_t argument) const { return node.child(argument)->location(); }
 };
@@ -29,13 +29,13 @@ struct Builtin {
   std::string_view name;
   std::string_view signature;  ///< as the reference shows it: "clamp(x, low, high)"
   std::size_t least, most;     ///< numbers of arguments
-  Computed (*evaluate)(const BuiltinCall& call);
+  Value (*evaluate)(const BuiltinCall& call);
   std::string_view topic;  ///< under which the reference lists it: "numbers"
   std::string_view doc;
-  /// Steps beside those of reading its arguments (see limits.hpp); 0: it does not look at them.
+  /// Steps beside those of reading its arguments (see limits.hpp); 0: it does not read them.
   std::uint64_t steps = 3;
-  /// Those that depend on the arguments.
-  std::uint64_t (*more_steps)(std::span<const Computed> arguments) = nullptr;
+  /// Additional steps that depend on the arguments.
+  std::uint64_t (*more_steps)(std::span<const Value> arguments) = nullptr;
 
   std::size_t index() const noexcept;  ///< in all_builtins()
 };

@@ -71,46 +71,46 @@ constexpr auto kLine = std::to_array<Property>({
 });
 
 double number(const ConstructorArguments& arguments, std::size_t i) {
-  return get<double>(arguments[i]);
+  return get<Scalar>(arguments[i]).value;
 }
 
-Computed make_rgb(const Constructor& /*self*/, const ConstructorArguments& in) {
+Value make_rgb(const Constructor& /*self*/, const ConstructorArguments& in) {
   return render::LinearRgb{decode_srgb(number(in, 0)), decode_srgb(number(in, 1)),
                            decode_srgb(number(in, 2))};
 }
 
 std::uint64_t steps_of_hsl(const ConstructorArguments& /*in*/) { return 350; }
 
-Computed make_linear(const Constructor& /*self*/, const ConstructorArguments& in) {
+Value make_linear(const Constructor& /*self*/, const ConstructorArguments& in) {
   return render::LinearRgb{number(in, 0), number(in, 1), number(in, 2)};
 }
 
-Computed make_linear255(const Constructor& /*self*/, const ConstructorArguments& in) {
+Value make_linear255(const Constructor& /*self*/, const ConstructorArguments& in) {
   return render::LinearRgb{number(in, 0) / 255, number(in, 1) / 255, number(in, 2) / 255};
 }
 
-Computed make_hsl(const Constructor& /*self*/, const ConstructorArguments& in) {
+Value make_hsl(const Constructor& /*self*/, const ConstructorArguments& in) {
   return decode_hsl(get<Angle>(in[0]).degrees, number(in, 1), number(in, 2));
 }
 
-Computed make_kelvin(const Constructor& /*self*/, const ConstructorArguments& in) {
+Value make_kelvin(const Constructor& /*self*/, const ConstructorArguments& in) {
   return color_of_temperature(number(in, 0));
 }
 
-Computed make_line(const Constructor& /*self*/, const ConstructorArguments& in) {
-  return MotionValue{get<render::Vec3>(in[0]), get<render::Interval>(in[1])};
+Value make_line(const Constructor& /*self*/, const ConstructorArguments& in) {
+  return MotionValue{get<Triple>(in[0]).value, *value_as<render::Interval>(in[1])};
 }
 
-Computed make_material(const Constructor& self, const ConstructorArguments& in) {
+Value make_material(const Constructor& self, const ConstructorArguments& in) {
   const auto materials = all_materials();
   const auto info = std::find_if(materials.begin(), materials.end(), [&](const MaterialInfo& m) {
     return m.arguments.data() == self.parameters.data();
   });
   MaterialValue material{.kind = info->id, .color = {}, .parameter = 0, .exact_fresnel = false};
-  // A material has at most one argument of each type, so the type tells where the value goes.
+  // A material has at most one argument of each type, so the type decides.
   for (const Value& value : in) {
     if (const auto* color = get_if<render::LinearRgb>(&value)) material.color = *color;
-    if (const auto* parameter = get_if<double>(&value)) material.parameter = *parameter;
+    if (const auto* parameter = get_if<Scalar>(&value)) material.parameter = parameter->value;
     if (const auto* word = get_if<Word>(&value)) material.exact_fresnel = word->text == "exact";
   }
   return material;
@@ -158,7 +158,7 @@ const Constructor* find_constructor(std::string_view name) noexcept {
 }
 
 Value default_of(const Property& parameter) {
-  if (const auto* number = get_if<double>(&parameter.default_value)) return *number;
+  if (const auto* number = get_if<double>(&parameter.default_value)) return Scalar{*number};
   if (const auto* word = get_if<std::string_view>(&parameter.default_value))
     return Word{std::string(*word)};
   if (const auto* triple = get_if<std::array<double, 3>>(&parameter.default_value)) {

@@ -6,13 +6,12 @@
 #include <span>
 #include <string_view>
 
-#include "lang/object/object.hpp"
+#include "lang/object/value.hpp"
 #include "lang/schema/schema.hpp"
-#include "lang/value/computed.hpp"
 
 namespace sdlc::lang {
 
-/// At most this many arguments has a constructor.
+/// The largest number of arguments that a constructor has.
 inline constexpr std::size_t kMaxArguments = 3;
 
 /// The arguments of a constructor, by parameter: each of its type and in its range, written or by
@@ -25,7 +24,7 @@ struct Constructor {
   std::string_view name;
   std::span<const Property> parameters;
   std::string_view doc;
-  Computed (*construct)(const Constructor& constructor, const ConstructorArguments& arguments);
+  Value (*construct)(const Constructor& constructor, const ConstructorArguments& arguments);
   /// Steps that it takes: see limits.hpp.
   std::uint64_t (*steps)(const ConstructorArguments& arguments) = [](const auto&) {
     return std::uint64_t{4};
@@ -37,7 +36,7 @@ struct Constructor {
 std::span<const Constructor> all_constructors() noexcept;
 const Constructor* find_constructor(std::string_view name) noexcept;
 
-/// The default of a parameter; monostate where it has none.
+/// The default of a parameter; Nothing if it has none.
 Value default_of(const Property& parameter);
 
 }  // namespace sdlc::lang

@@ -36,7 +36,7 @@ constexpr auto kUnits = std::to_array<UnitInfo>({
     {.name = "s", .measure = Measure::Time},
 });
 
-/// Where the unit begins: behind the last character that is a digit, with `%` and letters after it.
+/// The offset of the unit: `%` and letters after the last digit.
 /// An `e` of the exponent is followed by digits.
 std::size_t begin_of_unit(std::string_view text) {
   std::size_t at = text.size();
@@ -104,7 +104,7 @@ char32_t parse_hex(std::string_view digits) {
 
 }  // namespace
 
-Computed evaluate_number(ast::Node node, DiagnosticSink& sink) {
+Value evaluate_number(ast::Node node, DiagnosticSink& sink) {
   const std::string_view text = node.text();
   const std::size_t unit_begin = begin_of_unit(text);
   const std::optional<double> number = parse_digits(text.substr(0, unit_begin));
@@ -118,7 +118,7 @@ Computed evaluate_number(ast::Node node, DiagnosticSink& sink) {
   const double value = number.value_or(HUGE_VAL) * unit.factor / unit.divisor;
   if (!std::isfinite(value)) {
     sink.report(diag::number_too_large, node.location(), text.size() <= 40 ? text : "this number");
-    return Failed{};
+    return Nothing{};
   }
   switch (unit.measure) {
     case Measure::Plain: return Scalar{value};
@@ -126,10 +126,10 @@ Computed evaluate_number(ast::Node node, DiagnosticSink& sink) {
     case Measure::Time: return Scalar{value, Unit::Time};
     case Measure::Angle: return Angle{value};
   }
-  return Failed{};
+  return Nothing{};
 }
 
-Computed evaluate_string(ast::Node node, DiagnosticSink& sink) {
+Value evaluate_string(ast::Node node, DiagnosticSink& sink) {
   const Span inside{node.span().begin + 1, node.span().end - 1};
   const std::string_view text = node.tree().text(inside);
   std::string value;
@@ -164,7 +164,7 @@ Computed evaluate_string(ast::Node node, DiagnosticSink& sink) {
           };
           sink.report(diag::bad_string, node.tree().location({at(begin), at(i)}),
                       "half of a surrogate pair");
-          return Failed{};
+          return Nothing{};
         }
         append_utf8(value, c);
         break;

@@ -5,17 +5,17 @@
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/object/value.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/source/source.hpp"
-#include "lang/value/computed.hpp"
 
 namespace sdlc::lang {
 
 /// A Number: correctly rounded, then divided or multiplied once by its unit. Reports what is too
 /// large.
-Computed evaluate_number(ast::Node node, DiagnosticSink& sink);
+Value evaluate_number(ast::Node node, DiagnosticSink& sink);
 /// A String without its quotes and escapes. Reports halves of surrogate pairs.
-Computed evaluate_string(ast::Node node, DiagnosticSink& sink);
+Value evaluate_string(ast::Node node, DiagnosticSink& sink);
 
 /// Whether a string may be this long; if not, that is reported at `where`.
 bool check_string_size(std::uint64_t bytes, const Limits& limits, Location where,

@@ -9,7 +9,7 @@ namespace {
 
 bool agree(Unit a, Unit b) noexcept { return a == b || a == Unit::None || b == Unit::None; }
 
-std::optional<Unit> unit_of(const Computed& value) noexcept {
+std::optional<Unit> unit_of(const Value& value) noexcept {
   if (const auto* scalar = get_if<Scalar>(&value)) return scalar->unit;
   if (const auto* triple = get_if<Triple>(&value)) return triple->unit;
   if (const auto* bounds = get_if<Bounds>(&value)) return bounds->unit;
@@ -20,7 +20,7 @@ bool are_lists_equal(const ListValue& a, const ListValue& b);
 
 /// Equality of two values of one alternative.
 struct Equal {
-  bool operator()(Failed, Failed) const { return true; }
+  bool operator()(Nothing, Nothing) const { return true; }
   bool operator()(Scalar a, Scalar b) const { return a.value == b.value; }
   bool operator()(Triple a, Triple b) const { return a.value == b.value; }
   bool operator()(AngleTriple a, AngleTriple b) const { return a.degrees == b.degrees; }
@@ -32,7 +32,7 @@ struct Equal {
   bool operator()(const ListValue& a, const ListValue& b) const { return are_lists_equal(a, b); }
 };
 
-/// Lists may stand in lists as deep as a file is long: a loop, where a comparison would recur.
+/// A loop instead of recursion: lists may be nested as deeply as the file is long.
 bool are_lists_equal(const ListValue& a, const ListValue& b) {
   std::vector<std::pair<ListValue, ListValue>> waiting{{a, b}};
   while (!waiting.empty()) {
@@ -40,7 +40,7 @@ bool are_lists_equal(const ListValue& a, const ListValue& b) {
     waiting.pop_back();
     if (left.size() != right.size()) return false;
     for (std::size_t i = 0; i < left.size(); ++i) {
-      const Computed x = left[i], y = right[i];
+      const Value x = left[i], y = right[i];
       const auto* inner = get_if<ListValue>(&x);
       const auto* other = get_if<ListValue>(&y);
       if (inner != nullptr && other != nullptr) {
@@ -74,25 +74,25 @@ std::string_view spelling(Operator op) noexcept {
 
 }  // namespace
 
-bool are_of_one_type(const Computed& a, const Computed& b) noexcept {
+bool are_of_one_type(const Value& a, const Value& b) noexcept {
   if (a.index() != b.index()) return false;
   const auto left = unit_of(a), right = unit_of(b);
   return !left || agree(*left, *right);
 }
 
-std::optional<bool> are_equal(const Computed& a, const Computed& b) {
+std::optional<bool> are_equal(const Value& a, const Value& b) {
   if (!are_of_one_type(a, b)) return std::nullopt;
   return visit([&]<typename T>(const T& value) { return Equal()(value, get<T>(b)); }, a);
 }
 
-Computed evaluate_comparison(const Computed& left, Operator op, const Computed& right,
-                             Location where, DiagnosticSink& sink) {
-  if (has_failed(left) || has_failed(right)) return Failed{};
+Value evaluate_comparison(const Value& left, Operator op, const Value& right, Location where,
+                          DiagnosticSink& sink) {
+  if (is_nothing(left) || is_nothing(right)) return Nothing{};
   if (op == Operator::Equal || op == Operator::NotEqual) {
     const std::optional<bool> equal = are_equal(left, right);
     if (equal) return *equal == (op == Operator::Equal);
     sink.report(diag::different_types, where, describe(left), describe(right));
-    return Failed{};
+    return Nothing{};
   }
   if (are_of_one_type(left, right)) {
     if (const auto* a = get_if<Scalar>(&left)) {
@@ -103,7 +103,7 @@ Computed evaluate_comparison(const Computed& left, Operator op, const Computed& 
     }
   }
   sink.report(diag::wrong_operands, where, spelling(op), describe(left), describe(right));
-  return Failed{};
+  return Nothing{};
 }
 
 }  // namespace sdlc::lang

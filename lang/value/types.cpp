@@ -9,7 +9,7 @@ namespace sdlc::lang {
 namespace {
 
 template <typename T>
-bool is(const Computed& value) {
+bool is(const Value& value) {
   return holds_alternative<T>(value);
 }
 

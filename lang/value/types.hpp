@@ -3,14 +3,14 @@
 #include <span>
 #include <string_view>
 
-#include "lang/value/computed.hpp"
+#include "lang/object/value.hpp"
 
 namespace sdlc::lang {
 
 /// A name of a type, as `param` and parameters write it.
 struct TypeInfo {
   std::string_view name;
-  bool (*holds)(const Computed& value);
+  bool (*holds)(const Value& value);
   std::string_view doc;
 };
 

@@ -7,9 +7,10 @@
 namespace sdlc::render {
 namespace {
 
-/// The squared errors that pixels are taken to have: the mean of 5 × 5 without the pixel itself,
-/// and a tenth of the mean of all. A path that finds a light by chance, in one pixel of many, would
-/// otherwise leave the others with too few samples to find it in.
+/// The expected squared error of each pixel: nine tenths of the mean over its 5 × 5 neighbourhood,
+/// without the pixel itself, plus a tenth of the mean over the picture. Without the second term,
+/// one pixel where a path found a light by chance would leave the pixels around it with too few
+/// samples to find that light.
 std::vector<double> expected_errors(std::span<const PixelSpread> spreads, int width) {
   constexpr std::ptrdiff_t kRadius = 2;
   constexpr double kShareOfAll = 0.1;
@@ -49,21 +50,21 @@ std::vector<double> expected_errors(std::span<const PixelSpread> spreads, int wi
 std::vector<std::uint32_t> adaptive_samples(std::span<const PixelSpread> pilot,
                                             const ErrorEstimate& estimate, int width, double error,
                                             SamplerKind sampler, std::uint32_t pilot_samples,
-                                            std::uint64_t most_samples) {
-  // The exponent of Sobol' points on scenes with edges and several bounces.
+                                            std::uint64_t max_samples) {
+  // The exponent measured for Sobol' points on scenes with edges and several bounces.
   const double b = sampler == SamplerKind::Sobol ? 1.15 : 1;
   const std::vector<double> variances = expected_errors(pilot, width);
   const double root = error * estimate.mean;
   const double goal = root * root * 3 * static_cast<double>(pilot.size());
 
-  // n / pilot = max(1, k · v^(1 / (1 + b))): the left side of Σ v (n / pilot)^−b = goal falls with
-  // k.
+  // n / pilot = max(1, k · v^(1 / (1 + b))). Bisection for k: Σ v (n / pilot)^−b falls with k and
+  // has to reach `goal`.
   std::vector<double> shares(variances.size());
   std::ranges::transform(variances, shares.begin(),
                          [&](double v) { return std::pow(v, 1 / (1 + b)); });
-  const double most = static_cast<double>(most_samples) / pilot_samples;
+  const double max_growth = static_cast<double>(max_samples) / pilot_samples;
   const auto growth = [&](std::size_t i, double k) {
-    return std::clamp(k * shares[i], 1.0, std::max(1.0, most));
+    return std::clamp(k * shares[i], 1.0, std::max(1.0, max_growth));
   };
   const auto left = [&](double k) {
     double sum = 0;
@@ -73,18 +74,18 @@ std::vector<std::uint32_t> adaptive_samples(std::span<const PixelSpread> pilot,
     return sum;
   };
   const double largest = *std::ranges::max_element(shares);
-  double low = 0, high = largest > 0 ? most / largest : 0;
+  double low = 0, high = largest > 0 ? max_growth / largest : 0;
   for (int i = 0; i < 8 && left(high) > goal; ++i) high *= 16;
   for (int i = 0; i < 40; ++i) {
-    const double middle = low + (high - low) / 2;
-    (left(middle) > goal ? low : high) = middle;
+    const double mid = low + (high - low) / 2;
+    (left(mid) > goal ? low : high) = mid;
   }
   std::vector<std::uint32_t> samples;
   samples.reserve(shares.size());
   for (std::size_t i = 0; i < shares.size(); ++i) {
     const double wanted = growth(i, high) * pilot_samples / kReplicates;
     const std::uint64_t whole = static_cast<std::uint64_t>(std::ceil(wanted)) * kReplicates;
-    samples.push_back(static_cast<std::uint32_t>(std::min(whole, most_samples)));
+    samples.push_back(static_cast<std::uint32_t>(std::min(whole, max_samples)));
   }
   return samples;
 }

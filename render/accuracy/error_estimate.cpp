@@ -10,7 +10,7 @@ namespace sdlc::render {
 
 std::optional<ErrorEstimate> estimate_error(const Picture& picture,
                                             std::span<const PixelSpread> spreads) {
-  // Numbers far from 1 would overflow where they are squared twice.
+  // Scale to avoid overflow: values far from 1 are squared twice below.
   double largest = 0;
   for (const PixelSpread& spread : spreads) {
     if (!std::isfinite(spread.squared_error)) return std::nullopt;
@@ -36,7 +36,7 @@ std::optional<ErrorEstimate> estimate_error(const Picture& picture,
   const double mean_half_width = of_mean.half_width() * unit / pixels;
   estimate.mean_interval = {estimate.mean - mean_half_width, estimate.mean + mean_half_width};
   if (estimate.mean == 0) return estimate;
-  constexpr double kMinMean = 1e-140;  // below, squares of differences are no numbers
+  constexpr double kMinMean = 1e-140;  // below this, squares of differences underflow
   if (estimate.mean < kMinMean) return std::nullopt;
   const auto relative = [&](double squares) {
     return std::sqrt(std::max(0.0, squares) / values) * unit / estimate.mean;
@@ -45,7 +45,7 @@ std::optional<ErrorEstimate> estimate_error(const Picture& picture,
   estimate.relative_error = relative(squared_error);
   estimate.interval = {relative(squared_error - half_width), relative(squared_error + half_width)};
   const double sum = squared_error + half_width + estimate.mean + mean_half_width;
-  // Radiance whose squares are no numbers.
+  // The squares overflowed.
   if (!std::isfinite(sum) || !std::isfinite(unit)) return std::nullopt;
   return estimate;
 }

@@ -22,16 +22,16 @@ double usual_growth(double part) noexcept { return std::pow(part, -1 / 0.57); }
 
 std::uint64_t ErrorGoal::first_samples() const noexcept {
   constexpr std::uint64_t kFirst = 32;
-  return std::min(kFirst, most_samples_);
+  return std::min(kFirst, max_samples_);
 }
 
 std::optional<std::uint64_t> ErrorGoal::next_samples(std::uint64_t samples,
                                                      const ErrorEstimate& estimate) {
-  is_reached_ = samples >= kLeastReplicatedSamples && estimate.interval.to <= error_;
-  if (is_reached_ || samples >= most_samples_) return std::nullopt;
+  is_reached_ = samples >= kMinReplicatedSamples && estimate.interval.to <= error_;
+  if (is_reached_ || samples >= max_samples_) return std::nullopt;
 
   const auto now = static_cast<double>(samples);
-  if (samples >= 2 * earlier_samples_) {  // less far apart, noise would be a slope
+  if (samples >= 2 * earlier_samples_) {  // over a shorter distance the slope is mostly noise
     const double slope = std::log(estimate.relative_error / earlier_error_) /
                          std::log(now / static_cast<double>(earlier_samples_));
     if (earlier_samples_ > 0 && std::isfinite(slope)) {
@@ -42,11 +42,12 @@ std::optional<std::uint64_t> ErrorGoal::next_samples(std::uint64_t samples,
     earlier_error_ = estimate.relative_error;
   }
   const double wanted = now * std::pow(error_ / estimate.interval.to, 1 / slope_);
-  const std::uint64_t most =
-      std::min(samples + std::max<std::uint64_t>(samples / 4, kReplicates), most_samples_);
-  if (!(wanted < static_cast<double>(most))) return std::min(whole_replicates(most), most_samples_);
+  const std::uint64_t limit =
+      std::min(samples + std::max<std::uint64_t>(samples / 4, kReplicates), max_samples_);
+  if (!(wanted < static_cast<double>(limit)))
+    return std::min(whole_replicates(limit), max_samples_);
   return std::min(whole_replicates(std::max(static_cast<std::uint64_t>(wanted), samples + 1)),
-                  most_samples_);
+                  max_samples_);
 }
 
 }  // namespace sdlc::render

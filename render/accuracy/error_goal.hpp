@@ -7,36 +7,36 @@
 
 namespace sdlc::render {
 
-/// What an error comes down to at best with so many times the samples, and how many times it takes,
-/// usually, to bring it down to a part: it falls as a power of the samples, at best that of Sobol'
-/// points on plain edges.
+/// The error falls as a power of the number of samples. least_error() is the smallest error to hope
+/// for with `more_samples` times as many samples (Sobol' points, plain edges); usual_growth() is
+/// the usual factor in samples for multiplying the error by `part`.
 double least_error(double error, double more_samples) noexcept;
 double usual_growth(double part) noexcept;
 
-/// Decides after each pass over a picture how many samples come next until its error is known to be
-/// small enough.
+/// Decides after each pass over a picture how many samples to take next, until the error is known
+/// to be small enough.
 class ErrorGoal {
  public:
-  /// `error`: what the upper end of the interval of the relative error has to come down to.
-  ErrorGoal(double error, std::uint64_t most_samples)
-      : error_(error), most_samples_(most_samples) {}
+  /// The goal is reached when the upper end of the confidence interval of the relative error is at
+  /// most `error`.
+  ErrorGoal(double error, std::uint64_t max_samples) : error_(error), max_samples_(max_samples) {}
 
-  /// What a goal takes at least: of fewer samples all replicates may miss the same highlight.
+  /// The minimum for any goal: with fewer samples all replicates may miss the same highlight.
   std::uint64_t first_samples() const noexcept;
 
-  /// The samples a pixel to be reached by the next pass, of those before and what they came to;
-  /// nothing once the goal, or the most samples, is reached. A pass adds a quarter at most: fewer
-  /// where by the slope of the error so far it is enough.
+  /// Returns the samples per pixel to reach with the next pass, given the samples so far and the
+  /// estimate from them; nullopt once the goal or the maximum is reached. A pass adds at most a
+  /// quarter, and less where the slope of the error so far says that less is enough.
   std::optional<std::uint64_t> next_samples(std::uint64_t samples, const ErrorEstimate& estimate);
 
   bool is_reached() const noexcept { return is_reached_; }
 
  private:
   double error_;
-  std::uint64_t most_samples_;
+  std::uint64_t max_samples_;
   bool is_reached_ = false;
-  // The error falls as a power of the samples; until it is known, one between those of independent
-  // samples and of the best that Sobol' points do.
+  // The exponent with which the error falls. The initial value lies between independent samples
+  // (-0.5) and the best case of Sobol' points.
   double slope_ = -0.6;
   std::uint64_t earlier_samples_ = 0;
   double earlier_error_ = 0;

@@ -19,11 +19,11 @@
 namespace sdlc::render {
 namespace {
 
-// As many streams as a picture of 8 samples a pixel or more has, and the first samples of each.
+// The same streams as a picture of 8 or more samples per pixel, and the first samples of each.
 constexpr std::uint32_t kStreams = 4;
-constexpr std::uint32_t kSamplesAStream = 4;
+constexpr std::uint32_t kSamplesPerStream = 4;
 
-/// The means over one pixel.
+/// Means over one pixel.
 struct PixelFeatures {
   Vec3 normal;
   double depth = 0;
@@ -36,7 +36,7 @@ PixelFeatures trace_pixel(const FirstHits& hits, const RenderSettings& settings,
   const auto x = static_cast<double>(pixel % width);
   const auto row = static_cast<double>(settings.height) - 1 - static_cast<double>(pixel / width);
   const std::uint32_t streams = settings.is_centred() ? 1 : kStreams;
-  const std::uint32_t samples = settings.is_centred() ? 1 : kSamplesAStream;
+  const std::uint32_t samples = settings.is_centred() ? 1 : kSamplesPerStream;
   PixelFeatures sum;
   int met = 0;
   for (std::uint32_t stream = 0; stream < streams; ++stream) {
@@ -56,7 +56,7 @@ PixelFeatures trace_pixel(const FirstHits& hits, const RenderSettings& settings,
   const double share = 1.0 / (streams * samples);
   sum.normal = sum.normal * share;
   sum.albedo = sum.albedo * share;
-  // Distances alone know no value for the sky that could be mixed in.
+  // Only hits count: there is no depth of the sky to average with.
   sum.depth = met > 0 ? hits.depth_in_scene(sum.depth / met) : kNoDepth;
   return sum;
 }

@@ -10,8 +10,7 @@
 #include "render/image/picture.hpp"
 #include "render/scene/scene.hpp"
 
-/// Auxiliary channels: what is known of a picture beside its colours. docs/aov.md says what each
-/// means, and why it is so.
+/// Auxiliary channels (arbitrary output variables) of a picture. docs/aov.md explains each.
 namespace sdlc::render {
 
 struct Aovs {
@@ -26,24 +25,24 @@ struct Aovs {
   }
 };
 
-/// Depth where no ray of a pixel meets a surface, as Cycles has it.
+/// Depth where no ray of a pixel hits a surface; the same value as in Cycles.
 inline constexpr double kNoDepth = 1e10;
 
-/// The most spheres of a scene with instances that first_hit_layers() is to be called with: it
-/// holds each by itself.
-inline constexpr std::uint64_t kMostUninstanced = 10'000'000;
+/// The max number of spheres of an instanced scene for first_hit_layers(), which expands the
+/// instances.
+inline constexpr std::uint64_t kMaxExpandedSpheres = 10'000'000;
 
-/// Of the normal, depth and albedo those that are asked for: means over the pixel, of 16 rays in
-/// places where the picture's own first samples are; of a picture of one sample a pixel that very
-/// ray. Traced in double on all threads of `settings`; the same bytes whatever their number. Empty
-/// once `cancel` is set.
+/// Returns the layers among normal, depth and albedo that `aovs` asks for. Each value is the mean
+/// over 16 rays of the pixel, at the positions of the picture's own first samples; with one sample
+/// per pixel, of exactly that ray. Traced in double precision on all threads of `settings`; the
+/// result does not depend on the number of threads. Empty once `cancel` is set.
 std::vector<Layer> first_hit_layers(Scene scene, const RenderSettings& settings, const Aovs& aovs,
                                     const std::atomic<bool>& cancel);
 
 /// RenderResult::variance as channels.
 std::vector<Layer> variance_layers(const Picture& variance);
 
-/// RenderResult::samples_of_pixels as a channel, or `uniform` in all `pixels` of them if that is
+/// RenderResult::samples_of_pixels as a channel; `uniform` in each of `pixels` pixels if it is
 /// empty.
 Layer samples_layer(std::span<const std::uint32_t> samples_of_pixels, std::uint64_t uniform,
                     std::size_t pixels);

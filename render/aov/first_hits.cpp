@@ -10,8 +10,8 @@
 namespace sdlc::render {
 namespace {
 
-/// The colour of a surface whatever light falls on it; of one that shines, its light. Open Image
-/// Denoise wants no more than 1.
+/// The colour of a surface independent of its lighting; for an emitter its light. Clamped to 1, the
+/// maximum that Open Image Denoise accepts.
 LinearRgb albedo_of(const Material& material) noexcept {
   const LinearRgb color = material.type == MaterialType::Emissive
                               ? material.color * material.parameter

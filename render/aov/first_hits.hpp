@@ -16,29 +16,29 @@ namespace sdlc::render {
 
 /// The first surface on a camera ray.
 struct FirstHit {
-  bool is_hit = false;  ///< else all is 0
-  Vec3 normal;          ///< of length 1, to the side that the camera is on
-  double depth = 0;     ///< along the view, in the unit of the rebased scene
+  bool is_hit = false;  ///< otherwise all members are 0
+  Vec3 normal;          ///< unit length, facing the camera
+  double depth = 0;     ///< along the view direction, in units of the rebased scene
   LinearRgb albedo;     ///< each component in [0, 1]
 };
 
-/// Camera rays through a scene, one at a time.
+/// Traces camera rays through a scene, one at a time.
 class FirstHits {
  public:
   /// `scene` is in world coordinates, checked, and without instances.
   explicit FirstHits(Scene scene);
 
-  /// Through the place (s, t) of the picture, as PathIntegrator::sample.
+  /// Traces the ray through (s, t) in the image plane, as PathIntegrator::sample does.
   FirstHit trace(double s, double t, const PathSampler& sampler) const noexcept;
 
-  /// A depth in the unit of the scene as it came.
+  /// Converts a depth to units of the original scene.
   double depth_in_scene(double depth) const noexcept { return rebase_.length_in_scene(depth); }
 
  private:
-  /// A sphere on whose surface the camera stands, which is met again only from inside, and is not
-  /// in the hierarchy.
+  /// A sphere whose surface contains the camera. Rays can hit it only from inside; it is not in the
+  /// BVH.
   struct CameraSurface {
-    Vec3 normal;  ///< outward, where the camera stands
+    Vec3 normal;  ///< outward, at the camera
     double radius = 0;
     LinearRgb albedo;
   };
@@ -52,7 +52,7 @@ class FirstHits {
   bool has_motion_;
   Rebase rebase_;
   Bvh bvh_;
-  std::vector<LinearRgb> albedos_;  // of the slots of the hierarchy
+  std::vector<LinearRgb> albedos_;  // by slot of the BVH
   std::vector<CameraSurface> camera_surfaces_;
 };
 

@@ -6,7 +6,7 @@
 #include "render/math/box.hpp"
 
 namespace sdlc::render {
-/// Builds the nodes top-down over an array of references that it sorts in place.
+/// Builds the nodes top-down over an array of references, which it sorts in place.
 class BvhBuilder {
  public:
   BvhBuilder(Bvh& bvh, std::span<const Sphere> spheres, std::span<const Vec3> shifts)
@@ -22,17 +22,21 @@ class BvhBuilder {
  private:
   static constexpr std::size_t kBins = 16;
   static constexpr std::size_t kMaxLeaf = 8;
-  // Of visiting a node, in units of testing a sphere. Of .5 to 6, tried on scenes of 20, 485 and
-  // 10^5 spheres, 3 and 6 were 2 to 12 % faster than 1 everywhere.
+  // The cost of visiting a node, in units of a sphere test. Of .5 to 6, tried on scenes of 20, 485
+  // and 10^5 spheres, 3 and 6 were 2 to 12 % faster than 1 everywhere.
   static constexpr double kNodeCost = 3.0;
-  // Deeper than this the surface area heuristic gives way to halving, so that kMaxDepth holds.
+  // Below this depth nodes are split in halves instead of by the surface area heuristic, so that
+  // kMaxDepth holds.
   static constexpr int kMaxSahDepth = 60;
 
   struct Reference {
     Box bounds;
     std::uint32_t index;
 
-    double middle(std::size_t axis) const noexcept { return bounds.low[axis] + bounds.high[axis]; }
+    /// Twice the centroid.
+    double centroid(std::size_t axis) const noexcept {
+      return bounds.low[axis] + bounds.high[axis];
+    }
   };
 
   struct Split {
@@ -41,12 +45,12 @@ class BvhBuilder {
     std::size_t bin = 0;  // spheres of bins up to this one go to the first child
   };
 
-  /// Maps a middle to a bin; the middles of a group lie between `low` and `low + size`.
+  /// Maps a centroid to a bin; the centroids of the range are in [low, low + size].
   struct Bins {
     double low = 0, scale = 0;
 
-    std::size_t operator()(double middle) const noexcept {
-      const auto bin = static_cast<std::size_t>((middle - low) * scale);
+    std::size_t operator()(double centroid) const noexcept {
+      const auto bin = static_cast<std::size_t>((centroid - low) * scale);
       return std::min(bin, kBins - 1);
     }
   };
@@ -65,7 +69,7 @@ class BvhBuilder {
                                  .count = static_cast<std::uint32_t>(count)};
     if (count == 1) return leaf;
 
-    std::size_t middle = begin + count / 2;
+    std::size_t mid = begin + count / 2;
     if (depth < kMaxSahDepth) {
       std::array<Bins, 3> bins;
       const Split split = best_split(begin, end, bins);
@@ -74,19 +78,19 @@ class BvhBuilder {
         const auto first = references_.begin() + static_cast<std::ptrdiff_t>(begin);
         const auto last = references_.begin() + static_cast<std::ptrdiff_t>(end);
         const auto cut = std::partition(first, last, [&](const Reference& r) {
-          return bins[split.axis](r.middle(split.axis)) <= split.bin;
+          return bins[split.axis](r.centroid(split.axis)) <= split.bin;
         });
-        middle = static_cast<std::size_t>(cut - references_.begin());
-      }  // else all middles are in one place: any halves will do
+        mid = static_cast<std::size_t>(cut - references_.begin());
+      }  // otherwise all centroids coincide, and any halves will do
     } else if (count <= kMaxLeaf) {
       return leaf;
     }
 
     const auto node = static_cast<std::uint32_t>(bvh_.nodes_.size());
     bvh_.nodes_.emplace_back();
-    const Box first_bounds = bounds(begin, middle), second_bounds = bounds(middle, end);
-    const Bvh::Child first = build_child(begin, middle, depth + 1);
-    const Bvh::Child second = build_child(middle, end, depth + 1);
+    const Box first_bounds = bounds(begin, mid), second_bounds = bounds(mid, end);
+    const Bvh::Child first = build_child(begin, mid, depth + 1);
+    const Bvh::Child second = build_child(mid, end, depth + 1);
     store_node(bvh_.nodes_[node], first_bounds, second_bounds);
     bvh_.nodes_[node].children = {first, second};
     return {.first = node, .count = 0};
@@ -98,17 +102,17 @@ class BvhBuilder {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       double low = Box::kInfinity, high = -Box::kInfinity;
       for (std::size_t i = begin; i < end; ++i) {
-        low = std::min(low, references_[i].middle(axis));
-        high = std::max(high, references_[i].middle(axis));
+        low = std::min(low, references_[i].centroid(axis));
+        high = std::max(high, references_[i].centroid(axis));
       }
       if (!(high > low)) continue;
       bins[axis] = {.low = low, .scale = kBins / (high - low)};
-      if (!std::isfinite(bins[axis].scale)) continue;  // middles a subnormal distance apart
+      if (!std::isfinite(bins[axis].scale)) continue;  // centroids a subnormal distance apart
 
       std::array<Box, kBins> bin_bounds;
       std::array<std::size_t, kBins> counts{};
       for (std::size_t i = begin; i < end; ++i) {
-        const std::size_t bin = bins[axis](references_[i].middle(axis));
+        const std::size_t bin = bins[axis](references_[i].centroid(axis));
         bin_bounds[bin].add(references_[i].bounds);
         ++counts[bin];
       }
@@ -142,9 +146,8 @@ class BvhBuilder {
     return all;
   }
 
-  /// Boxes are wider than their spheres by more than the rounding errors of both tests, so that no
-  /// box misses what the test of a sphere inside would hit. The extent of a rebased scene is at
-  /// most 2.
+  /// Widens the boxes by more than the rounding errors of both tests, so that a ray which hits a
+  /// sphere also hits its box. The extent of a rebased scene is at most 2.
   static void store_node(Bvh::Node& node, const Box& first, const Box& second) {
     constexpr double kMargin = 0x1p-44;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -181,8 +184,8 @@ std::size_t Bvh::memory_bytes() const noexcept {
 }
 
 std::size_t Bvh::estimated_bytes(std::size_t spheres, bool is_moving) noexcept {
-  // Leaves hold several spheres: .14 to .40 nodes a sphere were counted, on scenes from spheres of
-  // one centre to sparse ones; the vector of nodes has grown by doubling.
+  // Leaves hold several spheres: between .14 and .40 nodes per sphere were counted, on scenes from
+  // concentric to sparse spheres. The vector of nodes grows by doubling.
   constexpr std::size_t kSpheresPerNode = 3;
   return spheres / kSpheresPerNode * sizeof(Node) +
          spheres * (sizeof(BvhSphere) + sizeof(std::uint32_t) + (is_moving ? sizeof(Vec3) : 0));

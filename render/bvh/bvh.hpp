@@ -13,10 +13,10 @@
 
 namespace sdlc::render {
 
-/// What a ray meets first.
+/// The nearest hit of a ray.
 struct BvhHit {
   double t = kNoHit;                 ///< distance along the ray
-  std::uint32_t sphere = kNoSphere;  ///< slot in the hierarchy's own order
+  std::uint32_t sphere = kNoSphere;  ///< slot in the BVH's own order
 };
 
 /// A sphere as the kernel reads it: 32 bytes, two to a cache line.
@@ -25,19 +25,19 @@ struct BvhSphere {
   double radius = 0;
 };
 
-/// A bounding volume hierarchy over the spheres of a rebased scene (their extent is at most 2),
-/// built by the surface area heuristic over 16 bins, after Wald, "On fast construction of SAH-based
-/// bounding volume hierarchies", 2007. Two children a node; their boxes stand side by side, so that
-/// both are tested at once. Boxes cover the whole shutter.
+/// A bounding volume hierarchy (BVH) over the spheres of a rebased scene, whose extent is at most
+/// 2. Built by the surface area heuristic over 16 bins (Wald, "On fast construction of SAH-based
+/// bounding volume hierarchies", 2007). Each node has two children whose boxes are stored
+/// interleaved, so that both are tested at once. Boxes cover the whole shutter interval.
 ///
-/// The hierarchy holds the spheres in an order of its own: a "slot" is a place in it.
+/// The BVH stores the spheres in its own order; a "slot" is an index into it.
 class Bvh {
  public:
   Bvh() = default;
   Bvh(std::span<const Sphere> spheres, std::span<const Vec3> shifts);
 
-  /// The nearest sphere that the ray meets at t > 0; of several at one distance the one with the
-  /// lowest index in the scene. The sphere the ray departs from is met again only from inside.
+  /// Returns the nearest hit at t > 0; at equal distances, the sphere with the lowest index in the
+  /// scene. The sphere of departure can be hit only from inside.
   template <bool kMoving>
   BvhHit intersect(const Ray& ray, const Departure& departure) const noexcept;
 
@@ -50,16 +50,16 @@ class Bvh {
     return spheres_[slot].center;
   }
   std::size_t memory_bytes() const noexcept;
-  /// What memory_bytes() will be, without building anything: from half to twice as much, for a
-  /// thousand spheres or more.
+  /// Predicts memory_bytes() without building anything, within a factor of 2 for a thousand spheres
+  /// or more.
   static std::size_t estimated_bytes(std::size_t spheres, bool is_moving) noexcept;
 
  private:
   friend class BvhBuilder;
 
-  using Pair = double __attribute__((vector_size(16)));  // one number for each child
+  using Pair = double __attribute__((vector_size(16)));  // one value per child
 
-  /// A child: an inner node when `count` is 0, else the spheres [first, first + count).
+  /// An inner node if `count` is 0, otherwise the spheres [first, first + count).
   struct Child {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
@@ -76,7 +76,7 @@ class Bvh {
 
   std::vector<Node> nodes_;
   std::vector<BvhSphere> spheres_;
-  std::vector<Vec3> shifts_;  // empty when nothing moves
+  std::vector<Vec3> shifts_;  // empty if nothing moves
   std::vector<std::uint32_t> indices_;
   Child root_;
 };
@@ -123,8 +123,8 @@ BvhHit Bvh::intersect(const Ray& ray, const Departure& departure) const noexcept
       const Node& node = nodes_[current.first];
       Pair enter = pair(0), leave = pair(hit.t);
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        // 0 · ∞ is no number when the ray runs inside a side of the box; the comparison then keeps
-        // the other operand, as if the side were not there.
+        // A ray within a side of the box gives 0 · ∞ = NaN. The comparison then keeps the other
+        // operand, as if the side were not there.
         const Pair t0 = (node.bounds[axis][near[axis]] - origin[axis]) * scale[axis];
         const Pair t1 = (node.bounds[axis][1 - near[axis]] - origin[axis]) * scale[axis];
         enter = t0 > enter ? t0 : enter;

@@ -6,7 +6,7 @@
 
 namespace sdlc::render {
 
-/// The directions that a camera's picture is made of.
+/// The view directions of a camera: maps points of the image plane to rays.
 class Pinhole {
  public:
   explicit Pinhole(const Camera& camera) noexcept {
@@ -16,15 +16,15 @@ class Pinhole {
     upwards_ = cross(right, forward_) * camera.plane_height;
   }
 
-  /// From the camera to the place (s, t) of the picture, on the view plane at distance 1: (0, 0) is
-  /// its lower left corner, (1, 1) its upper right one.
+  /// The vector from the camera to (s, t) on the image plane at distance 1: (0, 0) is the lower
+  /// left corner of the picture, (1, 1) the upper right one.
   Vec3 place(double s, double t) const noexcept {
     return forward_ + across_ * (s - 0.5) + upwards_ * (t - 0.5);
   }
-  /// Unit direction through the same place.
+  /// The unit direction through the same point.
   Vec3 direction(double s, double t) const noexcept { return unit(place(s, t)); }
 
-  /// The picture's lower side and its left one.
+  /// The vectors along the lower edge and the left edge of the picture.
   Vec3 across() const noexcept { return across_; }
   Vec3 upwards() const noexcept { return upwards_; }
 

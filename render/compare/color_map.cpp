@@ -37,8 +37,8 @@ struct Oklch {
   double l, c, h;
 };
 
-/// The way: each as colourful as the display allows with some room to spare.
-constexpr std::array kWay{
+/// Control points of the colour map. Each is as colourful as a display allows, with some margin.
+constexpr std::array kControlPoints{
     Oklch{0.12, 0.020, 270},  // nearly black
     Oklch{0.27, 0.130, 276},  // blue
     Oklch{0.41, 0.180, 315},  // violet
@@ -54,7 +54,7 @@ Oklab to_oklab(Oklch c) noexcept {
   return {c.l, c.c * std::cos(hue), c.c * std::sin(hue)};
 }
 
-/// The point `t` of the way from `b` to `c` on a smooth curve through all four (Catmull and Rom).
+/// Catmull-Rom spline: the point at `t` between `b` and `c` on the smooth curve through all four.
 Oklab between(Oklab a, Oklab b, Oklab c, Oklab d, double t) noexcept {
   const Oklab tangent_b = 0.5 * (c + -1 * a), tangent_c = 0.5 * (d + -1 * b);
   const double t2 = t * t, t3 = t2 * t;
@@ -62,19 +62,19 @@ Oklab between(Oklab a, Oklab b, Oklab c, Oklab d, double t) noexcept {
          (t3 - t2) * tangent_c;
 }
 
-/// The curve through kWay in short pieces.
+/// The spline through kControlPoints, sampled finely.
 std::vector<Oklab> curve() {
-  constexpr int kPieces = 256;  // between two colours of the way
-  std::vector<Oklab> way;
-  std::ranges::transform(kWay, std::back_inserter(way), to_oklab);
-  // Straight on beyond either end.
-  way.insert(way.begin(), 2 * way[0] + -1 * way[1]);
-  way.push_back(2 * way.back() + -1 * way[way.size() - 2]);
-  std::vector<Oklab> points{way[1]};
-  for (std::size_t i = 1; i + 2 < way.size(); ++i) {
+  constexpr int kPieces = 256;  // between two control points
+  std::vector<Oklab> controls;
+  std::ranges::transform(kControlPoints, std::back_inserter(controls), to_oklab);
+  // Extrapolate linearly beyond both ends.
+  controls.insert(controls.begin(), 2 * controls[0] + -1 * controls[1]);
+  controls.push_back(2 * controls.back() + -1 * controls[controls.size() - 2]);
+  std::vector<Oklab> points{controls[1]};
+  for (std::size_t i = 1; i + 2 < controls.size(); ++i) {
     for (int k = 1; k <= kPieces; ++k) {
-      points.push_back(
-          between(way[i - 1], way[i], way[i + 1], way[i + 2], static_cast<double>(k) / kPieces));
+      points.push_back(between(controls[i - 1], controls[i], controls[i + 1], controls[i + 2],
+                               static_cast<double>(k) / kPieces));
     }
   }
   return points;
@@ -83,7 +83,7 @@ std::vector<Oklab> curve() {
 constexpr std::size_t kSteps = 256;
 using Table = std::array<Oklab, kSteps + 1>;
 
-/// The curve in steps of one length.
+/// Resamples the curve at equal arc lengths.
 Table make_table() {
   const std::vector<Oklab> points = curve();
   std::vector<double> length{0};
@@ -105,7 +105,7 @@ Table make_table() {
 
 LinearRgb mapped_color(double share) noexcept {
   static const Table table = make_table();
-  // Written so that a NaN has the first colour.
+  // Written so that NaN gets the first colour.
   const double place = share > 0 ? std::min(share, 1.0) * kSteps : 0;
   const std::size_t step = std::min(static_cast<std::size_t>(place), kSteps - 1);
   const double t = place - static_cast<double>(step);

@@ -7,12 +7,12 @@
 
 namespace sdlc::render {
 
-/// A colour for a share from 0 (nearly black) to 1 (nearly white), linear: a path through blue,
-/// red and yellow along which equal steps look equally large, with lightness that only rises, so
-/// that it reads in grey and for the colour-blind too. Shares beyond the ends have the end's.
+/// Maps [0, 1] to linear colours from nearly black to nearly white, through blue, red and yellow.
+/// Equal steps look equally large, and lightness rises monotonically, so the map also works in
+/// greyscale and for colour-blind readers. Values outside [0, 1] are clamped.
 LinearRgb mapped_color(double share) noexcept;
 
-/// Each value as the colour of its share of `top`, row by row.
+/// Maps each value divided by `top` to its colour; row by row.
 Picture color_mapped(std::span<const float> values, int width, int height, double top);
 
 }  // namespace sdlc::render

@@ -12,10 +12,10 @@
 namespace sdlc::render {
 namespace {
 
-/// Keeps pixels that are nearly black from having all the say, as the paper does.
-constexpr double kLeastSquare = 0.01;
+/// Keeps nearly black pixels from dominating the mean, as in the paper.
+constexpr double kMinSquare = 0.01;
 
-/// Without the largest hundredth, which `values` are put out of order for.
+/// The mean without the largest 1 % of values. Takes `values` by value because it reorders them.
 double trimmed_mean(std::vector<double> values) {
   const std::size_t kept = values.size() - values.size() / 100;
   const auto end = values.begin() + static_cast<std::ptrdiff_t>(kept);
@@ -31,7 +31,7 @@ Difference measure_difference(const Picture& picture, const Picture& reference) 
   const std::size_t pixels = picture.pixels.size();
   const double values = 3 * static_cast<double>(pixels);
   double squares = 0, reference_sum = 0;
-  std::vector<double> relative(pixels);  // the mean over the channels of each pixel
+  std::vector<double> relative(pixels);  // per pixel: mean over the channels
   LargestDifference largest;
   for (std::size_t i = 0; i < pixels; ++i) {
     const LinearRgb p = picture.pixels[i], r = reference.pixels[i];
@@ -41,7 +41,7 @@ Difference measure_difference(const Picture& picture, const Picture& reference) 
     for (std::size_t c = 0; c < 3; ++c) {
       const double square = differences[c] * differences[c];
       squares += square;
-      relative[i] += square / (references[c] * references[c] + kLeastSquare) / 3;
+      relative[i] += square / (references[c] * references[c] + kMinSquare) / 3;
       reference_sum += references[c];
       if (std::abs(differences[c]) > std::abs(largest.value)) {
         largest = {.value = differences[c],

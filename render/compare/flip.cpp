@@ -14,21 +14,20 @@
 
 #include "render/math/color.hpp"
 
-// The names of constants are those of the paper and its supplement; the published program, version
-// 1.x, settles what they leave open: borders repeat, filters end at three standard deviations and
-// are normalised there, and the largest colour difference is that of green and blue.
+// Constants are named as in the paper and its supplement. Where these are ambiguous, this follows
+// the published program, version 1.x: borders repeat, filters are cut at three standard deviations
+// and normalised there, and the largest colour difference is the one between green and blue.
 namespace sdlc::render {
 namespace {
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-/// Linear sRGB to XYZ of the D65 white, as exact fractions.
+/// Linear sRGB to XYZ with the D65 white point, as exact fractions.
 constexpr Matrix kRgbToXyz{{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
                             {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
                             {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
 
-/// XYZ of white red, green and blue together, each row divided by its sum: white is (1, 1, 1), and
-/// every later step is relative to white anyhow.
+/// Divides each row by its sum, so that white is (1, 1, 1). Every later step is relative to white.
 constexpr Matrix relative_to_white(Matrix m) noexcept {
   for (auto& row : m) {
     const double white = row[0] + row[1] + row[2];
@@ -58,7 +57,7 @@ constexpr std::array<double, 3> times(const Matrix& m, double a, double b, doubl
           m[2][0] * a + m[2][1] * b + m[2][2] * c};
 }
 
-/// The opponent space YCxCz without its scale, which a linear filter does not notice.
+/// The opponent space YCxCz without its scale, which linear filters do not depend on.
 struct Opponent {
   double luminance, red_green, blue_yellow;  // y, x - y, y - z
 };
@@ -70,7 +69,7 @@ Opponent to_opponent(LinearRgb c) noexcept {
   return {y, x - y, y - z};
 }
 
-/// CIELAB with the Hunt effect: colours of dark places count for less.
+/// CIELAB with the Hunt effect: dark colours count less.
 struct HuntLab {
   double l, a, b;
 };
@@ -86,7 +85,7 @@ HuntLab to_hunt_lab(double red, double green, double blue) noexcept {
   return {l, 0.01 * l * 500 * (fx - fy), 0.01 * l * 200 * (fy - fz)};
 }
 
-/// A filtered colour may lie outside what a display shows and is cut off there.
+/// A filtered colour can be outside the gamut of a display; it is clamped.
 HuntLab to_hunt_lab(const Opponent& c) noexcept {
   const double y = c.luminance;
   const auto [r, g, b] = times(kFromXyz, y + c.red_green, y, y - c.blue_yellow);
@@ -98,7 +97,8 @@ double hyab(const HuntLab& p, const HuntLab& q) noexcept {
   return std::abs(p.l - q.l) + std::sqrt(a * a + b * b);
 }
 
-/// A colour difference as a share of the largest; small ones get most of the range.
+/// A colour difference relative to the largest one, compressed so that small differences get most
+/// of the range.
 class ColorDifference {
  public:
   ColorDifference() : max_(std::pow(hyab(to_hunt_lab(0, 1, 0), to_hunt_lab(0, 0, 1)), kQc)) {}
@@ -117,7 +117,7 @@ class ColorDifference {
   double max_;
 };
 
-/// The weights of a filter of one dimension, the one in the middle for the place itself.
+/// The weights of a one-dimensional filter; the middle one applies to the pixel itself.
 struct Taps {
   std::vector<double> weights;
 
@@ -137,8 +137,8 @@ Taps with_sum_one(Taps taps) {
   return taps;
 }
 
-/// Positive weights have the sum 1, negative ones -1. Their signs do not depend on the other
-/// dimension, so that this is the normalisation in two dimensions.
+/// Scales the weights so that the positive ones sum to 1 and the negative ones to -1. The signs do
+/// not depend on the other dimension, so this is also the normalisation in two dimensions.
 Taps with_balanced_sums(Taps taps) {
   double positive = 0, negative = 0;
   for (const double w : taps.weights) (w > 0 ? positive : negative) += std::abs(w);
@@ -146,12 +146,13 @@ Taps with_balanced_sums(Taps taps) {
   return taps;
 }
 
-/// All filters, each a product of two of one dimension.
+/// All filters. Each is separable: a product of two one-dimensional filters.
 struct Filters {
-  // Contrast sensitivity: Gaussians for luminance and red-green, a sum of two for blue-yellow.
+  // Contrast sensitivity: a Gaussian each for luminance and red-green, a sum of two for
+  // blue-yellow.
   Taps luminance, red_green, blue_yellow_wide, blue_yellow_narrow;
-  double wide_share = 0;  ///< of the wide one in that sum
-  // Features: a Gaussian, its first derivative (edges) and its second one (points).
+  double wide_share = 0;  ///< of the wide Gaussian in that sum
+  // Feature detection: a Gaussian, its first derivative (edges) and its second one (points).
   Taps smooth, edge, point;
 
   explicit Filters(double pixels_per_degree) {
@@ -169,7 +170,7 @@ struct Filters {
         return std::exp(-kPi2 * x * x / g.b);
       });
     };
-    // What a Gaussian has in two dimensions, before the sum is normalised.
+    // The integral of a Gaussian in two dimensions, before the sum is normalised.
     const auto mass = [&](Gaussian g, const Taps& taps) {
       const double sum = std::accumulate(taps.weights.begin(), taps.weights.end(), 0.0);
       return g.a * std::sqrt(std::numbers::pi / g.b) * sum * sum;
@@ -196,7 +197,7 @@ struct Filters {
   int radius() const noexcept { return std::max(luminance.radius(), smooth.radius()); }
 };
 
-/// Some rows of one value a pixel.
+/// Several rows with one value per pixel.
 class Rows {
  public:
   Rows(int width, int height)
@@ -213,7 +214,7 @@ class Rows {
   std::vector<double> values_;
 };
 
-/// `padded` has `margin` values more than `result` on either side.
+/// `padded` has `margin` more values than `result` on either side.
 void filter_across(std::span<const double> padded, int margin, const Taps& taps,
                    std::span<double> result) noexcept {
   std::ranges::fill(result, 0);
@@ -233,10 +234,10 @@ void filter_down(const Rows& rows, int y, const Taps& taps, std::span<double> re
   }
 }
 
-/// What the eye makes of some rows of a picture.
+/// A band of rows of a picture after the filters of human vision.
 class BandView {
  public:
-  /// Of the rows [begin, end).
+  /// Covers the rows [begin, end).
   BandView(const Picture& picture, const Filters& filters, int begin, int end)
       : filters_(filters),
         margin_(filters.radius()),
@@ -269,7 +270,7 @@ class BandView {
     }
   }
 
-  /// One row of what is seen: colours, and the strength of edges and of points.
+  /// One filtered row: colours, and the strength of edges and points.
   struct Row {
     explicit Row(int width)
         : values(width, 8),
@@ -282,18 +283,18 @@ class BandView {
     std::vector<double> edges, points;
   };
 
-  /// The row `y` of the band.
+  /// Computes row `y` of the band.
   void see(int y, Row& row) const noexcept {
-    const int middle = y + margin_;
+    const int center = y + margin_;
     Rows& v = row.values;
-    filter_down(luminance_, middle, filters_.luminance, v[0]);
-    filter_down(red_green_, middle, filters_.red_green, v[1]);
-    filter_down(wide_, middle, filters_.blue_yellow_wide, v[2]);
-    filter_down(narrow_, middle, filters_.blue_yellow_narrow, v[3]);
-    filter_down(edge_, middle, filters_.smooth, v[4]);
-    filter_down(smooth_, middle, filters_.edge, v[5]);
-    filter_down(point_, middle, filters_.smooth, v[6]);
-    filter_down(smooth_, middle, filters_.point, v[7]);
+    filter_down(luminance_, center, filters_.luminance, v[0]);
+    filter_down(red_green_, center, filters_.red_green, v[1]);
+    filter_down(wide_, center, filters_.blue_yellow_wide, v[2]);
+    filter_down(narrow_, center, filters_.blue_yellow_narrow, v[3]);
+    filter_down(edge_, center, filters_.smooth, v[4]);
+    filter_down(smooth_, center, filters_.edge, v[5]);
+    filter_down(point_, center, filters_.smooth, v[6]);
+    filter_down(smooth_, center, filters_.point, v[7]);
     const double share = filters_.wide_share;
     for (std::size_t x = 0; x < row.colors.size(); ++x) {
       row.colors[x] = to_hunt_lab({v[0][x], v[1][x], share * v[2][x] + (1 - share) * v[3][x]});
@@ -304,14 +305,15 @@ class BandView {
 
  private:
   const Filters& filters_;
-  int margin_;  // rows above and below the band that filters reach
-  Rows luminance_, red_green_, wide_, narrow_, smooth_, edge_, point_;  // filtered across
+  int margin_;  // rows above and below the band that the filters need
+  Rows luminance_, red_green_, wide_, narrow_, smooth_, edge_, point_;  // filtered horizontally
 };
 
 }  // namespace
 
 FlipMap flip(const Picture& picture, const Picture& reference, double pixels_per_degree) {
-  // Rows that are filtered together: more have less margin, fewer share the work better.
+  // Rows that are filtered together: larger bands waste less on margins, smaller ones balance
+  // better.
   constexpr int kBand = 32;
   const Filters filters(pixels_per_degree);
   const ColorDifference color_difference;
@@ -330,7 +332,7 @@ FlipMap flip(const Picture& picture, const Picture& reference, double pixels_per
           map.values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
       for (std::size_t x = 0; x < row.colors.size(); ++x) {
         const double color = color_difference(row.colors[x], other_row.colors[x]);
-        // The exponent of the paper, 0.5, is a root.
+        // The exponent of the paper, 0.5, is a square root.
         const double feature = std::sqrt(std::max(std::abs(row.edges[x] - other_row.edges[x]),
                                                   std::abs(row.points[x] - other_row.points[x])) /
                                          std::numbers::sqrt2);
@@ -342,7 +344,7 @@ FlipMap flip(const Picture& picture, const Picture& reference, double pixels_per
   tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1), [&](const tbb::blocked_range<int>& some) {
     for (int band = some.begin(); band < some.end(); ++band) compare_band(band * kBand);
   });
-  // One after another, so that the number of threads does not decide how it is rounded.
+  // Sum sequentially, so that rounding does not depend on the number of threads.
   map.mean = std::accumulate(map.values.begin(), map.values.end(), 0.0) /
              static_cast<double>(map.values.size());
   return map;

@@ -8,12 +8,12 @@
 namespace sdlc::render {
 namespace {
 
-/// `sum` in units of the root of `variance`; where there is no variance, infinite or 0.
+/// `sum` divided by the root of `variance`; without variance, ±infinity or 0.
 double z_of(double sum, double variance) noexcept {
   return sum == 0 ? 0 : sum / std::sqrt(variance);
 }
 
-/// That a standard normal variable is larger.
+/// P(Z > z) for a standard normal Z.
 double upper_tail(double z) noexcept { return 0.5 * std::erfc(z / std::numbers::sqrt2); }
 
 double sum_of(LinearRgb c) noexcept { return c.r + c.g + c.b; }

@@ -5,32 +5,34 @@
 
 namespace sdlc::render {
 
-/// A picture of means, and the variance of each of these means.
+/// A picture of means, with the variance of each mean.
 struct NoisyPicture {
   const Picture& mean;
   const Picture& variance;
 };
 
-/// Whether two pictures differ by more than their noise. H0: every value of both has the same
-/// expectation. The noise of all values is independent, with the variance that is estimated
-/// without bias; no distribution is assumed, but that many pixels are summed up.
+/// Tests whether two pictures differ by more than their noise. H0: every value has the same
+/// expectation in both. Assumes that the noise of all values is independent and that its variance
+/// was estimated without bias. No distribution is assumed, only that many pixels are summed.
 struct ZTest {
-  /// Of the means of the pictures, channel by channel: Σ(a − b) / √Σ(va + vb), standard normal
-  /// under H0. Finds light that is missing or added, however little a pixel has of it.
+  /// Tests the means of the pictures per channel: Σ(a − b) / √Σ(va + vb), standard normal under H0.
+  /// Finds missing or surplus light, however little each pixel has of it.
   LinearRgb mean_z;
-  double mean_p = 1;  ///< two-sided, of the three channels together (Bonferroni)
-  /// Of the squared differences: D = Σ over channels of (a − b)² − va − vb has the expectation 0
-  /// under H0 in each pixel, and the sum of all D divided by the root of the sum of their squares
-  /// is about standard normal. Finds what differs in place while the mean stays.
+  double mean_p = 1;  ///< two-sided, for the three channels together (Bonferroni)
+  /// Tests the squared differences: D = Σ over channels of (a − b)² − va − vb has expectation 0
+  /// under H0 in each pixel. The sum of all D divided by the root of the sum of their squares is
+  /// approximately standard normal. Finds local differences that leave the mean unchanged.
   double noise_z = 0;
-  double noise_p = 1;  ///< one-sided: less than noise is no difference
+  double noise_p = 1;  ///< one-sided: less difference than the noise predicts is not evidence
+                       ///< against H0
 
-  /// The largest of the |mean_z| and noise_z.
+  /// The largest of |mean_z| and noise_z.
   double largest() const noexcept;
 };
 
-/// Precondition: all four are of one size, with at least one pixel and finite values; variances
-/// are not negative. A sum of differences where there is no variance at all has an infinite z.
+/// Precondition: all four pictures have the same size, at least one pixel and finite values;
+/// variances are not negative. If the pictures differ where the variance is zero everywhere, z is
+/// infinite.
 ZTest z_test(const NoisyPicture& a, const NoisyPicture& b);
 
 }  // namespace sdlc::render

@@ -14,8 +14,8 @@ double grey(LinearRgb c) noexcept { return (c.r + c.g + c.b) / 3; }
 Film::Film(std::uint64_t first, std::size_t pixels)
     : first_(first), counts_(pixels * kReplicates), values_(pixels * kReplicates) {}
 
-void Film::reserve(std::uint32_t samples_a_replicate) {
-  const std::size_t stride = SampleSum::storage_for(samples_a_replicate);
+void Film::reserve(std::uint32_t samples_per_replicate) {
+  const std::size_t stride = SampleSum::storage_for(samples_per_replicate);
   if (stride <= stride_) return;
   std::vector<LinearRgb> values(counts_.size() * stride);
   for (std::size_t slot = 0; slot < counts_.size(); ++slot) {
@@ -26,13 +26,13 @@ void Film::reserve(std::uint32_t samples_a_replicate) {
   stride_ = stride;
 }
 
-void Film::plan(std::size_t pixel, const Target& target, std::uint32_t most_blocks,
+void Film::plan(std::size_t pixel, const Target& target, std::uint32_t max_blocks,
                 std::vector<SampleRun>& runs) const {
   for (std::uint32_t replicate = 0; replicate < kReplicates; ++replicate) {
     const std::size_t slot = pixel * kReplicates + replicate;
     std::uint32_t next = counts_[slot];
     SampleRun run{.pixel = first_ + pixel, .replicate = replicate, .sum = sum(slot).open_block()};
-    for (std::uint32_t i = 0; i < most_blocks && next < target[replicate]; ++i) {
+    for (std::uint32_t i = 0; i < max_blocks && next < target[replicate]; ++i) {
       const std::uint32_t end = (next / SampleSum::kBlock + 1) * SampleSum::kBlock;
       run.first = next;
       run.count = std::min(end, target[replicate]) - next;
@@ -97,10 +97,11 @@ PixelSpread Film::spread(std::size_t pixel) const noexcept {
   const double share = 1 / ((kReplicates - 1) * static_cast<double>(samples(pixel)));
   spread.squared_error *= share;
   spread.grey_variance *= share;
-  // Unbiased for tr Σ² where the means are normal, of any covariance: with the sample covariance S
-  // of R means, E tr S² = tr Σ² + (tr Σ² + (tr Σ)²) / ν and E (tr S)² = (tr Σ)² + 2 tr Σ² / ν with
-  // ν = R − 1 = 3. Of rare and large samples too much, by 0.15 of their means' excess kurtosis.
-  // In units of the largest square, as fourth powers overflow, or vanish, long before squares do.
+  // Unbiased for tr Σ² if the means are normal, for any covariance. With the sample covariance S of
+  // R means and ν = R − 1 = 3: E tr S² = tr Σ² + (tr Σ² + (tr Σ)²) / ν and E (tr S)² = (tr Σ)² + 2
+  // tr Σ² / ν. For rare bright samples it is too large, by 0.15 times the excess kurtosis of the
+  // means. Computed in units of the largest square, because fourth powers overflow or underflow
+  // long before squares do.
   double unit = 0;
   for (const LinearRgb& value : x) unit = std::max(unit, dot(value - mean, value - mean));
   if (!(unit > 0)) return spread;

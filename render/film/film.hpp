@@ -12,58 +12,60 @@
 
 namespace sdlc::render {
 
-/// The replicates of a picture: its samples are in so many parts that are scrambled independently
-/// of each other, and what the parts differ by says how large its error is.
+/// The number of replicates of a picture: its samples are split into this many parts that are
+/// scrambled independently. The differences between the parts give an estimate of the error.
 inline constexpr std::uint32_t kReplicates = 4;
-/// From so many samples a pixel on there are replicates; fewer are one part, without an error.
-inline constexpr std::uint64_t kLeastReplicatedSamples = 8;
+/// The minimum number of samples per pixel for replicates; pictures with fewer have one part and no
+/// error estimate.
+inline constexpr std::uint64_t kMinReplicatedSamples = 8;
 
-/// Of `samples` a pixel those in the replicate `index`: a quarter each, the first ones one more.
+/// How many of `samples` samples per pixel belong to replicate `index`: a quarter each, the
+/// remainder going to the first replicates.
 constexpr std::uint32_t samples_in_replicate(std::uint64_t samples, std::uint32_t index) noexcept {
   return static_cast<std::uint32_t>(samples / kReplicates + (index < samples % kReplicates));
 }
 
-/// What the replicates of one pixel differ by. See ErrorEstimate.
+/// How much the replicates of one pixel differ. See ErrorEstimate.
 struct PixelSpread {
-  /// Estimate of the squared error of the pixel's mean, summed over the channels.
+  /// Estimate of the squared error of the pixel's mean, summed over channels.
   double squared_error = 0;
-  /// Root of an estimate of tr Σ², with the covariance matrix Σ of the mean of one replicate; its
-  /// square is unbiased for normal means, and too large for means with heavier tails.
+  /// Root of an estimate of tr Σ², where Σ is the covariance matrix of the mean of one replicate.
+  /// Its square is unbiased for normal means, and too large for means with heavier tails.
   double covariance = 0;
-  /// Estimate of the variance of the mean of the channels of the pixel's mean.
+  /// Estimate of the variance of the grey value (the mean of the channels) of the pixel's mean.
   double grey_variance = 0;
 };
 
-/// The sums of the samples of some consecutive pixels. Different pixels may be worked on by
-/// different threads at a time.
+/// The sums of the samples of a range of consecutive pixels. Different threads may work on
+/// different pixels at the same time.
 class Film {
  public:
-  /// Up to 64 samples a replicate; later 96 more for each factor of 2.
-  static constexpr std::size_t kBytesAPixel =
+  /// Valid up to 64 samples per replicate; each further factor of 2 adds 96 bytes.
+  static constexpr std::size_t kBytesPerPixel =
       kReplicates * (2 * sizeof(LinearRgb) + sizeof(std::uint32_t));
 
-  /// Of `pixels` pixels from `first` on, counted row by row from the top left of the picture.
+  /// Covers `pixels` pixels from index `first`, row by row from the top left of the picture.
   Film(std::uint64_t first, std::size_t pixels);
 
   std::size_t size() const noexcept { return counts_.size() / kReplicates; }
 
-  /// Makes room for so many samples in each replicate; not while others use the film.
-  void reserve(std::uint32_t samples_a_replicate);
+  /// Reserves memory for this many samples in each replicate. Not thread-safe.
+  void reserve(std::uint32_t samples_per_replicate);
 
-  /// The runs that come next on the way to `target` samples of each replicate: up to `most_blocks`
-  /// blocks. Appends nothing when it is there.
+  /// Appends the next runs towards `target` samples per replicate: at most `max_blocks` blocks,
+  /// nothing once the target is reached.
   using Target = std::array<std::uint32_t, kReplicates>;
-  void plan(std::size_t pixel, const Target& target, std::uint32_t most_blocks,
+  void plan(std::size_t pixel, const Target& target, std::uint32_t max_blocks,
             std::vector<SampleRun>& runs) const;
-  /// Takes over a run once it is traced; those of a replicate in their order.
+  /// Adds a run after it is traced. Runs of one replicate must come in order.
   void add(const SampleRun& run) noexcept;
 
   std::uint64_t samples(std::size_t pixel) const noexcept;
-  /// Black where there is no sample.
+  /// Black if there is no sample.
   LinearRgb mean(std::size_t pixel) const noexcept;
   /// Precondition: each replicate has a sample.
   PixelSpread spread(std::size_t pixel) const noexcept;
-  /// The same for each channel: estimates of the variance of the pixel's mean.
+  /// Per-channel estimates of the variance of the pixel's mean.
   LinearRgb variance(std::size_t pixel) const noexcept;
 
  private:
@@ -76,8 +78,8 @@ class Film {
   std::array<LinearRgb, kReplicates> means(std::size_t pixel) const noexcept;
 
   std::uint64_t first_;
-  std::size_t stride_ = 1;             // numbers a sum
-  std::vector<std::uint32_t> counts_;  // samples of each replicate of each pixel
+  std::size_t stride_ = 1;             // values per sum
+  std::vector<std::uint32_t> counts_;  // number of samples, per replicate of each pixel
   std::vector<LinearRgb> values_;
 };
 

@@ -6,14 +6,14 @@
 
 namespace sdlc::render {
 
-/// Consecutive samples of one replicate of one pixel, in one block of its SampleSum: what one lane,
-/// or one call, traces from the first to the last.
+/// Consecutive samples of one replicate of one pixel, within one block of its SampleSum. One lane,
+/// or one call, traces all of them in order.
 struct SampleRun {
   std::uint64_t pixel = 0;  ///< row by row from the top left of the picture
   std::uint32_t replicate = 0;
   std::uint32_t first = 0;  ///< index of the first sample in the replicate
   std::uint32_t count = 0;
-  LinearRgb sum;  ///< of the block so far; after tracing, with these samples
+  LinearRgb sum;  ///< sum of the block before tracing; afterwards with these samples included
 };
 
 }  // namespace sdlc::render

@@ -9,30 +9,30 @@
 
 namespace sdlc::render {
 
-/// The sum of the samples of one stream in an order that is fixed by their indices: one after
-/// another inside aligned blocks of 64, then a binary tree over the blocks. Whoever computes whole
-/// blocks, in whatever order, can join them to the same bits; and the rounding error stays that of
-/// a pairwise sum. The numbers are kept elsewhere: a picture has millions of such sums.
+/// Sums the samples of one stream in an order that depends on their indices only: sequentially
+/// within aligned blocks of 64, then as a binary tree over the blocks. Whole blocks can therefore
+/// be computed anywhere in any order and give the same bits, and the rounding error is that of
+/// pairwise summation. The storage is external, because a picture has millions of such sums.
 class SampleSum {
  public:
   static constexpr std::uint32_t kBlock = 64;
 
-  /// How many numbers the sum of so many samples is kept in.
+  /// The number of values that the sum of this many samples needs.
   static constexpr std::size_t storage_for(std::uint64_t samples) noexcept {
     return 1 + static_cast<std::size_t>(std::bit_width(samples / kBlock));
   }
 
-  /// The sum of the first `count` samples, in `storage`, which has room for all that are to come;
-  /// all 0 for count 0.
+  /// The sum of the first `count` samples, in `storage`, which must have room for all future ones;
+  /// all 0 if count is 0.
   SampleSum(std::span<LinearRgb> storage, std::uint64_t count) noexcept
       : storage_(storage), count_(count) {}
 
   std::uint64_t count() const noexcept { return count_; }
 
-  /// The sum of the last block so far, which the next samples go on with.
+  /// The partial sum of the last block, which the next samples continue.
   LinearRgb open_block() const noexcept { return storage_[0]; }
 
-  /// `samples` more of the last block, whose sum they make `block`.
+  /// Adds `samples` samples to the last block, whose new sum is `block`.
   void extend(LinearRgb block, std::uint32_t samples) noexcept {
     storage_[0] = block;
     count_ += samples;
@@ -48,8 +48,8 @@ class SampleSum {
   }
 
  private:
-  /// A binary counter: storage_[1 + k] holds the sum of 2^k blocks while bit k of the number of
-  /// blocks is set.
+  /// A binary counter: storage_[1 + k] holds the sum of 2^k blocks if bit k of the number of blocks
+  /// is set.
   void close_block() noexcept {
     const std::uint64_t blocks = count_ / kBlock;
     LinearRgb sum = storage_[0];

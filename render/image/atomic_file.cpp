@@ -31,8 +31,8 @@
 
 namespace sdlc::render {
 
-/// At a fixed address: a signal handler may not wait for a lock, or look into a string that
-/// another thread is about to free.
+/// At a fixed address: a signal handler may not take a lock, or read a string that another thread
+/// is about to free.
 struct UnfinishedPath {
   std::atomic<bool> is_taken{false};
   std::atomic<bool> is_there{false};
@@ -43,8 +43,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMaxLinks = 40;            // as the kernel counts them
-constexpr int kMaxTemporaryNames = 100;  // each collides with a chance of 2^-32
+constexpr int kMaxLinks = 40;            // the same limit as in the kernel
+constexpr int kMaxTemporaryNames = 100;  // each collides with probability 2^-32
 
 std::array<UnfinishedPath, 32> unfinished_paths;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler reads it");
@@ -53,7 +53,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler reads it
   throw IoError("write", path, std::generic_category().message(error));
 }
 
-/// An open file, closed with its scope.
+/// Owns a file descriptor.
 class FileDescriptor {
  public:
   explicit FileDescriptor(int fd) noexcept : fd_(fd) {}
@@ -68,7 +68,7 @@ class FileDescriptor {
   /// Closes and returns 0 or the error: network file systems report a full disk only now.
   int close() noexcept {
     const int result = ::close(std::exchange(fd_, -1));
-    // After EINTR Linux has closed the descriptor all the same.
+    // After EINTR Linux has closed the descriptor anyway.
     return result == 0 || errno == EINTR ? 0 : errno;
   }
 
@@ -76,7 +76,8 @@ class FileDescriptor {
   int fd_;
 };
 
-/// A temporary file that is removed with its scope, unless it has taken its final name.
+/// A temporary file that is removed at the end of its scope, unless it was renamed to its final
+/// name.
 class TemporaryName {
  public:
   explicit TemporaryName(fs::path path) : path_(std::move(path)), by_signals_(path_) {}
@@ -107,8 +108,8 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// The file that a chain of symbolic links ends at, whether it exists or not. Unlike
-/// std::filesystem::canonical this follows a link to a file that is yet to be made.
+/// The file at the end of a chain of symbolic links, whether it exists or not. Unlike
+/// std::filesystem::canonical this follows a link to a file that does not exist yet.
 fs::path follow_links(const fs::path& path) {
   fs::path target = path;
   std::error_code error;
@@ -140,8 +141,8 @@ void write_directly(const fs::path& path, std::span<const std::byte> bytes) {
   if (const int error = file.close()) throw_write_error(path, error);
 }
 
-/// What the names of this machine's temporary files begin with. Several machines may share the
-/// folder, and a process number means nothing on another one.
+/// The prefix of the names of this machine's temporary files. Machines may share the folder, and
+/// process numbers are only valid on their own machine.
 const std::string& temporary_prefix() {
   static const std::string prefix = [] {
     std::array<char, HOST_NAME_MAX + 1> host{};
@@ -153,7 +154,7 @@ const std::string& temporary_prefix() {
   return prefix;
 }
 
-/// The process in the name of a temporary file of this machine; 0 where it is not of that form.
+/// The process number in the name of a temporary file of this machine; 0 for any other name.
 pid_t process_of(std::string_view name) {
   constexpr std::string_view kEnding = ".tmp";
   const std::string& prefix = temporary_prefix();
@@ -171,9 +172,10 @@ pid_t process_of(std::string_view name) {
 
 bool is_dead(pid_t process) noexcept { return ::kill(process, 0) != 0 && errno == ESRCH; }
 
-/// Removes what processes left behind that were killed while they wrote to the folder. A file goes
-/// only if it is the user's own, its process is not there, and nobody holds its lock: a process in
-/// another container may have the same machine name and a number that is not seen here.
+/// Removes the temporary files of processes that were killed while writing to the folder. A file is
+/// removed only if it belongs to the user, its process does not exist, and nobody holds its lock: a
+/// process in another container may have the same machine name and a number that is not visible
+/// here.
 void remove_abandoned_files(const fs::path& folder) {
   static std::mutex mutex;
   static std::set<fs::path> known;  // once per process is enough
@@ -187,7 +189,7 @@ void remove_abandoned_files(const fs::path& folder) {
   while (const dirent* entry = ::readdir(stream.get())) {
     const pid_t process = process_of(entry->d_name);
     if (process == 0 || !is_dead(process)) continue;
-    // To be written: over NFS only such a file can be locked.
+    // Opened for writing: NFS only locks writable files.
     const FileDescriptor file(
         ::openat(place, entry->d_name, O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     struct stat status {};
@@ -197,30 +199,30 @@ void remove_abandoned_files(const fs::path& folder) {
   }
 }
 
-/// A new file in `folder` under a name nobody has. The name does not contain the target's, which
-/// may already be as long as the file system allows.
+/// Creates a new file in `folder` under an unused name. The name does not contain the target's,
+/// which may already be as long as the file system allows.
 std::pair<FileDescriptor, TemporaryName> create_temporary(const fs::path& folder,
                                                           const fs::path& shown) {
   remove_abandoned_files(folder);
   std::random_device random;
   for (int attempt = 0; attempt < kMaxTemporaryNames; ++attempt) {
-    // Registered before it is there: a signal in between would leave it behind.
+    // Register before creating: a signal in between would leave the file there.
     TemporaryName name(folder /
                        fmt::format("{}{}-{:08x}.tmp", temporary_prefix(), ::getpid(), random()));
     const int fd = ::open(name.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     const int error = errno;
     if (fd >= 0) {
-      ::flock(fd, LOCK_EX | LOCK_NB);  // best effort: some file systems have none
+      ::flock(fd, LOCK_EX | LOCK_NB);  // best effort: some file systems have no locks
       return {std::piecewise_construct, std::forward_as_tuple(fd),
               std::forward_as_tuple(std::move(name))};
     }
-    name.release();  // it is another's, or not there
+    name.release();  // it is another process's file, or was not created
     if (error != EEXIST) throw_write_error(shown, error);
   }
   throw_write_error(shown, EEXIST);
 }
 
-/// The names of a file's extended attributes, access control lists among them.
+/// The names of a file's extended attributes, including access control lists.
 std::vector<std::string> attributes_of(const fs::path& path) {
   std::string names(XATTR_LIST_MAX, '\0');
   const ssize_t size = ::listxattr(path.c_str(), names.data(), names.size());
@@ -232,43 +234,42 @@ std::vector<std::string> attributes_of(const fs::path& path) {
   return each;
 }
 
-/// Gives `fd` the extended attributes of the file it will replace. Those that only the system may
-/// set, and those that describe the old bytes, are left to the system. Best effort: no attribute
-/// is worth the loss of the file's bytes.
+/// Copies to `fd` the extended attributes of the file it will replace, except those that only the
+/// system may set and those that describe the old bytes. Best effort: no attribute is worth losing
+/// the contents.
 void copy_attributes(int fd, const fs::path& path) {
   constexpr const char* kAccess = "system.posix_acl_access";
   const auto is_of_system = [](const std::string& name) {
     return name.starts_with("security.") && name != "security.selinux";
   };
-  ::fremovexattr(fd, kAccess);  // that of the folder's default
+  ::fremovexattr(fd, kAccess);  // inherited from the folder's default
   std::string value(XATTR_SIZE_MAX, '\0');
   for (const std::string& name : attributes_of(path)) {
     if (is_of_system(name)) continue;
     const ssize_t size = ::getxattr(path.c_str(), name.c_str(), value.data(), value.size());
-    if (size < 0) continue;  // gone by now, or not for us to see
+    if (size < 0) continue;  // gone by now, or not readable for us
     ::fsetxattr(fd, name.c_str(), value.data(), static_cast<std::size_t>(size), 0);
   }
 }
 
-/// Gives `fd` the attributes, the permissions and, where that is allowed, the owner of the file it
-/// will replace.
+/// Copies to `fd` the attributes, the permissions and, if permitted, the owner of the file it will
+/// replace.
 int copy_ownership(int fd, const fs::path& path, const struct stat& old) {
-  // Only root may give files away; for anyone else the new file is their own, which is what they
-  // want.
+  // Only root may give files away; for anyone else the new file belongs to its writer, as intended.
   if (::fchown(fd, old.st_uid, old.st_gid) != 0 && errno != EPERM && errno != EINVAL) return errno;
   copy_attributes(fd, path);
   // After fchown, which clears the set-user-ID bits.
   return ::fchmod(fd, old.st_mode & 07777) == 0 ? 0 : errno;
 }
 
-/// Makes the new name survive a power cut. Best effort: some file systems cannot, and the file
-/// itself is whole either way.
+/// Makes the rename survive a power cut. Best effort: some file systems cannot sync folders, and
+/// the file is complete in either case.
 void sync_folder(const fs::path& folder) noexcept {
   const FileDescriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (file.is_open()) ::fsync(file.get());
 }
 
-/// May the process, with the rights it acts with, use the file this way? Returns 0 or the error.
+/// Checks access with the effective rights of the process. Returns 0 or the error.
 int access_error(const fs::path& path, int mode) noexcept {
   return ::faccessat(AT_FDCWD, path.c_str(), mode, AT_EACCESS) == 0 ? 0 : errno;
 }
@@ -315,7 +316,7 @@ void RemovedBySignals::release() noexcept {
 }
 
 void remove_unfinished_files() noexcept {
-  // The last made first: a file before the folder that was made for it.
+  // In reverse order of creation: a file before the folder that was made for it.
   for (auto each = unfinished_paths.rbegin(); each != unfinished_paths.rend(); ++each) {
     if (!each->is_there) continue;
     ::unlink(each->name.data());
@@ -338,7 +339,7 @@ void check_writable(const fs::path& path) {
   }
   if (!path.has_filename()) throw IoError("write", path, "it names a folder; name a file in it");
   if (old) {
-    // A rename could replace a write-protected file, but whoever protected it did not mean that.
+    // A rename could replace a write-protected file, which its owner does not expect.
     if (const int error = access_error(path, W_OK)) throw_write_error(path, error);
     if (!S_ISREG(old->st_mode)) return;
   } else if (errno == ENAMETOOLONG || errno == ELOOP) {
@@ -359,7 +360,7 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> byte
     if (const int error = copy_ownership(file.get(), path, *old)) throw_write_error(path, error);
   }
   if (const int error = write_all(file.get(), bytes)) throw_write_error(path, error);
-  // Before the rename: otherwise a power cut could leave the name on a file without its bytes.
+  // Sync before the rename: otherwise a power cut could leave the new name on an incomplete file.
   if (::fsync(file.get()) != 0) throw_write_error(path, errno);
   if (const int error = file.close()) throw_write_error(path, error);
   if (::rename(temporary.path().c_str(), target.c_str()) != 0) throw_write_error(path, errno);
@@ -378,7 +379,8 @@ void check_creatable(const fs::path& path) {
   check_folder(existing, path);
 }
 
-// Delegating: once the other constructor is done, the destructor runs even if this one throws.
+// Delegating: after the other constructor has returned, the destructor runs even if this one
+// throws.
 ParentFolders::ParentFolders(const fs::path& path) : ParentFolders() {
   std::vector<fs::path> missing;
   for (fs::path folder = folder_of(path); !status_of(folder) && errno == ENOENT;

@@ -21,12 +21,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kModuleName = "sdlc_image_codec.so";
-/// Seen from the folder of the program, in an installation as in a build tree.
+/// Relative to the folder of the program, both installed and in a build tree.
 constexpr const char* kModuleFolder = "../lib/sdlc";
 constexpr const char* kModulePathVariable = "SDLC_MODULE_PATH";
 
-/// The folder that holds the module: the one the environment names, else the one beside the program
-/// that is running (its real place, so that a link to it in /usr/local/bin works too).
+/// The folder of the module: the one that the environment names, otherwise the one beside the
+/// running program (its resolved path, so that a link in /usr/local/bin works too).
 fs::path module_folder() {
   if (const char* folder = std::getenv(kModulePathVariable); folder != nullptr && *folder != '\0') {
     return folder;
@@ -46,27 +46,27 @@ fs::path find_module() {
   std::error_code error;
   if (!fs::is_regular_file(module, error)) {
     throw IoError("load", module,
-                  fmt::format("pictures are read and written by this module, and it is not there; "
-                              "install it or set {} to its folder",
+                  fmt::format("this module, which reads and writes pictures, is missing; install "
+                              "it or set {} to its folder",
                               kModulePathVariable));
   }
   return module;
 }
 
-/// Throws IoError where the module cannot be loaded in good order.
+/// Throws IoError if the system cannot start the threads that loading the module needs.
 void check_threads(const fs::path& module) {
   const int startable = startable_threads(kCodecThreads);
   if (startable == kCodecThreads) return;
   throw IoError("load", module,
-                fmt::format("its libraries start threads, and the system lets {} more start where "
-                            "{} are needed (`ulimit -u`, or a limit of the container)",
+                fmt::format("its libraries need {1} threads, and only {0} more can be started "
+                            "(`ulimit -u`, or a limit of the container)",
                             startable, kCodecThreads));
 }
 
 /// Loads the module for the rest of the process: OpenImageIO keeps threads and plugins that do not
-/// survive an unloading.
+/// survive unloading.
 ImageCodec* load_codec(const fs::path& module) {
-  // Local: the 260 libraries behind it lend their symbols to nobody else.
+  // RTLD_LOCAL: the 260 libraries it depends on must not export symbols to the program.
   void* library = ::dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) throw IoError("load", module, ::dlerror());
   void* symbol = ::dlsym(library, kImageCodecSymbol);
@@ -80,7 +80,7 @@ ImageCodec* load_codec(const fs::path& module) {
   return entry.codec;
 }
 
-/// Loads once, in the thread that comes first or in the background.
+/// Loads the codec once, in the first thread that needs it or in the background.
 class Loader {
  public:
   ImageCodec& codec() {
@@ -99,8 +99,8 @@ class Loader {
     return *loading.get();
   }
 
-  /// Waits a little, or until the module is wanted: loading takes a quarter of a second of a core,
-  /// which a picture that takes no longer is better traced with.
+  /// Loads after two seconds, or as soon as the codec is needed: loading takes a quarter of a
+  /// second of one core, which a quick render uses better for tracing.
   void start() {
     const std::lock_guard lock(mutex_);
     if (loading_.valid()) return;
@@ -116,7 +116,7 @@ class Loader {
     try {
       loading_ = std::async(std::launch::async, wait_and_load).share();
     } catch (const std::system_error&) {
-      // There is no further thread: it is loaded when it is wanted.
+      // No thread is available: load on first use.
     }
   }
 

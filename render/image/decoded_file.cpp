@@ -22,12 +22,12 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<std::byte> read_file(const fs::path& path) {
-  // A stream opens a folder without complaint and fails only later, without saying why.
+  // A stream opens a folder without an error and fails only later, without a reason.
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) throw IoError("read", path, "it is a folder");
-  // A pipe may keep us waiting, and a device has no end.
+  // A pipe may block, and a device has no end.
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) {
-    throw IoError("read", path, "it is no regular file");
+    throw IoError("read", path, "it is not a regular file");
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError("read", path, std::generic_category().message(errno));
@@ -37,7 +37,7 @@ std::vector<std::byte> read_file(const fs::path& path) {
   return {first, first + bytes.size()};
 }
 
-/// The format that the first bytes of a file belong to.
+/// Detects the format from the first bytes of a file.
 std::optional<ImageFormat> format_by_content(std::span<const std::byte> file) {
   using namespace std::string_view_literals;
   struct Beginning {
@@ -53,7 +53,7 @@ std::optional<ImageFormat> format_by_content(std::span<const std::byte> file) {
   for (const Beginning& beginning : kBeginnings) {
     if (text.starts_with(beginning.bytes)) return beginning.format;
   }
-  // P1 to P6: colours, grey and black and white, as text and as bytes.
+  // P1 to P6: colour, grey, and black and white, each as text and as bytes.
   if (text.size() >= 2 && text[0] == 'P' && text[1] >= '1' && text[1] <= '6') {
     return ImageFormat::Ppm;
   }
@@ -78,7 +78,7 @@ DecodedFile decode_file(const fs::path& path) {
   const std::optional<ImageFormat> format = image_format_of(path);
   if (!format) {
     throw IoError("read", path,
-                  fmt::format("its extension names no picture format; known are {}",
+                  fmt::format("its extension is not that of a picture format; known are {}",
                               fmt::join(image_extensions(), ", ")));
   }
   DecodedFile decoded{.format = *format, .image = {}};
@@ -100,7 +100,7 @@ Picture picture_of(const DecodedImage& image, const std::array<int, 3>& channels
   Picture picture(image.width, image.height);
   const float* value = image.values.data();
   for (LinearRgb& pixel : picture.pixels) {
-    // Divided as doubles: code / 255 is then the nearest double to it.
+    // Divide as doubles: code / 255 is then correctly rounded.
     pixel = LinearRgb(value[channels[0]], value[channels[1]], value[channels[2]]) / image.white;
     value += image.channels.size();
   }
@@ -108,11 +108,11 @@ Picture picture_of(const DecodedImage& image, const std::array<int, 3>& channels
 }
 
 Picture rgb_of(const DecodedImage& image) {
-  // EXR keeps its channels in alphabetical order of any names.
+  // EXR stores its channels in alphabetical order.
   const std::array named{channel_index(image, "R"), channel_index(image, "G"),
                          channel_index(image, "B")};
   if (std::ranges::find(named, -1) == named.end()) return picture_of(image, named);
-  // Grey, with or without an opacity, is the same value three times.
+  // Grey, with or without alpha: the same value three times.
   if (image.channels.size() < 3) return picture_of(image, {0, 0, 0});
   return picture_of(image, {0, 1, 2});
 }

@@ -16,17 +16,17 @@ struct DecodedFile {
   DecodedImage image;
 };
 
-/// Throws IoError when `path` cannot be read, or its content is not what its extension says.
+/// Throws IoError if `path` cannot be read, or its content does not match its extension.
 DecodedFile decode_file(const std::filesystem::path& path);
 
-/// The index of the channel of that name, -1 if there is none.
+/// The index of the channel with this name, -1 if there is none.
 int channel_index(const DecodedImage& image, std::string_view name) noexcept;
 
-/// The channels of these indices as a picture.
+/// The channels with these indices as a picture.
 Picture picture_of(const DecodedImage& image, const std::array<int, 3>& channels);
 
-/// R, G and B where there are channels of these names, else the first three, else the first as
-/// grey.
+/// R, G and B if there are channels with these names, otherwise the first three, otherwise the
+/// first as grey.
 Picture rgb_of(const DecodedImage& image);
 
 }  // namespace sdlc::render

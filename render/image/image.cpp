@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 /// Near the largest value that the shared exponent of the HDR format can express, 2^127.
 constexpr double kMaxHdrValue = 1e38;
 
-/// `convert` of every component, in the order of the file.
+/// `convert` applied to every component, in file order.
 template <typename Value, typename Convert>
 std::vector<Value> components(const Picture& picture, Convert convert) {
   std::vector<Value> values;
@@ -30,7 +30,7 @@ std::vector<Value> components(const Picture& picture, Convert convert) {
 }
 
 float to_hdr(double v) noexcept {
-  if (!(v > 0)) return 0;  // a NaN goes this way
+  if (!(v > 0)) return 0;  // NaN takes this branch
   return static_cast<float>(std::min(v, kMaxHdrValue));
 }
 
@@ -39,8 +39,9 @@ std::vector<EncodeChannel> channels_of(std::span<const Layer> layers, const Pict
   std::vector<EncodeChannel> channels;
   for (const Layer& layer : layers) {
     if (layer.values.size() != picture.pixels.size()) {
-      throw IoError("write", shown,
-                    fmt::format("`{}` has another number of pixels than the picture", layer.name));
+      throw IoError(
+          "write", shown,
+          fmt::format("`{}` has a different number of pixels than the picture", layer.name));
     }
     channels.push_back({.name = layer.name, .values = layer.values});
   }
@@ -65,7 +66,7 @@ std::vector<std::byte> encode_picture(const Picture& picture, const WriteOptions
   check_picture_size(picture.width, picture.height, options.format, shown);
   if (picture.pixels.size() !=
       static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height)) {
-    throw IoError("write", shown, "the picture has another number of pixels than its size says");
+    throw IoError("write", shown, "the number of pixels does not match the size");
   }
   EncodeRequest request{.format = options.format,
                         .width = picture.width,

@@ -15,12 +15,12 @@
 
 namespace sdlc::render {
 
-/// What a picture file says about itself, as far as its format can: all of it in EXR, PNG as text,
-/// only `software` in TIFF and JPEG, nothing in the others. No time of day is ever written: the
-/// same picture is the same bytes.
+/// Metadata of a picture file, as far as the format supports it: all of it in EXR, as text in PNG,
+/// only `software` in TIFF and JPEG, none in the others. No time stamp is ever written, so equal
+/// pictures give equal bytes.
 struct Metadata {
   std::string software = "sdlc";
-  /// Keys carry a prefix: "sdlc:seed".
+  /// Keys have a prefix: "sdlc:seed".
   std::vector<std::pair<std::string, std::string>> entries = {};
 };
 
@@ -29,21 +29,20 @@ struct WriteOptions {
   Tone tone = Tone::Srgb;  ///< for formats that are not linear
   bool ppm_text = false;   ///< PPM as decimal numbers (P3), not bytes (P6)
   Metadata metadata = {};
-  /// Further channels, in EXR alone: the other formats have no room for them and hold the picture.
-  /// Borrowed; their names differ from each other and from R, G and B.
+  /// Further channels; only EXR supports them, the other formats ignore them. Borrowed; the names
+  /// must be unique and differ from R, G and B.
   std::span<const Layer> layers = {};
 };
 
-/// Throws the IoError that encode_picture would for a picture of this size.
+/// Throws the IoError that encode_picture would throw for a picture of this size.
 void check_picture_size(int width, int height, ImageFormat format,
                         const std::filesystem::path& shown);
 
-/// The file, as it would be written to `shown`, which only names the picture in errors.
-/// EXR holds the linear values as 32-bit floats, at most the largest one; HDR holds them with one
-/// exponent a pixel and without what it cannot express: negative values and NaN become 0, infinity
-/// the largest value. The other formats hold to_code8 of each value, JPEG, WebP and GIF then lose a
-/// little of it. Throws IoError when the picture is empty or too large for the format, or the codec
-/// fails.
+/// Returns the contents of the file; `shown` only names the picture in errors. EXR stores the
+/// linear values as 32-bit floats, clamped to the largest one. HDR stores them with a shared
+/// exponent per pixel: negative values and NaN become 0, infinity the largest value. The other
+/// formats store to_code8 of each value; JPEG, WebP and GIF are lossy. Throws IoError if the
+/// picture is empty or too large for the format, or if the codec fails.
 std::vector<std::byte> encode_picture(const Picture& picture, const WriteOptions& options,
                                       const std::filesystem::path& shown = "picture");
 
@@ -51,14 +50,14 @@ std::vector<std::byte> encode_picture(const Picture& picture, const WriteOptions
 void write_picture(const std::filesystem::path& path, const Picture& picture,
                    const WriteOptions& options);
 
-/// The picture in a file whose extension names its format. Linear formats give linear radiance, the
-/// others code / 255 (their tone curve is not undone: the file does not say which it was). One
-/// channel is taken as grey; beside red, green and blue others are dropped. Throws IoError; a file
-/// cut short is an error.
+/// Reads a file whose extension names its format. Linear formats give linear radiance, the others
+/// code / 255 (the tone curve is not undone, because the file does not name it). A single channel
+/// is read as grey; channels other than red, green and blue are dropped. Throws IoError; a
+/// truncated file is an error.
 Picture read_picture(const std::filesystem::path& path);
 
-/// Starts to load the codec in the background, so that it is ready when the first picture is.
-/// Throws IoError at once when it is not installed.
+/// Starts to load the codec in the background, so that it is ready for the first picture. Throws
+/// IoError immediately if it is not installed.
 void preload_image_codec();
 
 }  // namespace sdlc::render

@@ -14,7 +14,7 @@ namespace {
 constexpr int kUnlimited = std::numeric_limits<int>::max();
 
 constexpr std::array kFormats{
-    ImageFormatInfo{ImageFormat::Png, "PNG", {"png"}, false, 1000000},  // of libpng,
+    ImageFormatInfo{ImageFormat::Png, "PNG", {"png"}, false, 1000000},  // the limit of libpng
     ImageFormatInfo{ImageFormat::Exr, "OpenEXR", {"exr"}, true, kUnlimited},
     ImageFormatInfo{ImageFormat::Hdr, "Radiance HDR", {"hdr"}, true, kUnlimited},
     ImageFormatInfo{ImageFormat::Tiff, "TIFF", {"tiff", "tif"}, false, kUnlimited},
@@ -32,7 +32,7 @@ constexpr bool is_indexed_by_format() {
 }
 static_assert(is_indexed_by_format());
 
-/// ASCII only, so that the locale of the user does not decide what a file is.
+/// ASCII only, so that the format of a file does not depend on the user's locale.
 char lower(char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 }  // namespace
@@ -55,7 +55,7 @@ std::optional<ImageFormat> image_format_of(const std::filesystem::path& path) {
 }
 
 std::string refusal_of_name(const std::filesystem::path& path) {
-  constexpr std::size_t kMaxName = 255;  // bytes, of every file system in common use
+  constexpr std::size_t kMaxName = 255;  // bytes; the limit of every common file system
   if (path.empty()) return "the name is empty";
   const std::string name = path.filename().string();
   if (name.empty() || name == "." || name == "..") return "it names a folder";

@@ -6,12 +6,11 @@
 
 namespace sdlc::render {
 
-/// The world said no: a file that cannot be read or written, a codec that is missing or refuses.
-/// The message reads "cannot write `out/a.png`: No space left on device".
+/// An I/O failure: a file that cannot be read or written, a codec that is missing or fails. The
+/// message reads "cannot write `out/a.png`: No space left on device".
 class IoError : public std::runtime_error {
  public:
-  /// `action` is the verb of the message ("write"), `cause` its last part: no capital is added, no
-  /// full stop expected.
+  /// `action` is the verb of the message ("write"), `cause` its last part, used verbatim.
   IoError(const std::string& action, const std::filesystem::path& path, const std::string& cause)
       : std::runtime_error("cannot " + action + " `" + path.string() + "`: " + cause),
         path_(path),

@@ -8,7 +8,7 @@
 
 namespace sdlc::render {
 
-/// The largest picture that is rendered, read or written, in pixels.
+/// The maximum size of a picture that is rendered, read or written, in pixels.
 inline constexpr std::int64_t kMaxPicturePixels = std::int64_t{1} << 28;
 
 /// A picture of linear RGB radiance: `width` × `height` pixels, row by row from the top, left to
@@ -16,7 +16,7 @@ inline constexpr std::int64_t kMaxPicturePixels = std::int64_t{1} << 28;
 struct Picture {
   int width = 0;
   int height = 0;
-  std::vector<LinearRgb> pixels;  ///< width · height of them
+  std::vector<LinearRgb> pixels;  ///< width · height elements
 
   Picture() = default;
   Picture(int w, int h, LinearRgb fill = LinearRgb{})

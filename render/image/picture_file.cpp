@@ -24,21 +24,20 @@ std::array<int, 3> indices_of(const DecodedImage& image, const Names& names) {
 
 void check_is_one_picture(const DecodedImage& image, const std::filesystem::path& path) {
   if (image.pictures > 1) {
-    throw IoError(
-        "read", path,
-        fmt::format("it holds {} pictures; take the one that is meant out of it", image.pictures));
+    throw IoError("read", path,
+                  fmt::format("it holds {} pictures; extract the one to use", image.pictures));
   }
   if (image.data != image.display) {
     throw IoError(
         "read", path,
-        fmt::format("it holds {} x {} pixels at ({}, {}) of a picture of {} x {} at "
-                    "({}, {}), a crop; write all of the picture",
+        fmt::format("it holds {} x {} pixels at ({}, {}) of a picture of {} x {} at ({}, {}), a "
+                    "crop; write the complete picture",
                     image.data.width, image.data.height, image.data.x, image.data.y,
                     image.display.width, image.display.height, image.display.x, image.display.y));
   }
 }
 
-/// An opacity that is the same everywhere has nothing to tell.
+/// A constant alpha of 1 carries no information.
 bool is_opaque(const DecodedImage& image, std::size_t channel) {
   for (std::size_t i = channel; i < image.values.size(); i += image.channels.size()) {
     if (image.values[i] != image.white) return false;
@@ -61,11 +60,11 @@ void take_exr_channels(const DecodedImage& image, const std::filesystem::path& p
   if (missing == 0) file.variance = picture_of(image, variances);
   if (missing == 1 || missing == 2) {
     throw IoError("read", path,
-                  fmt::format("of {} it has some but not all", fmt::join(kVariances, ", ")));
+                  fmt::format("it has some but not all of {}", fmt::join(kVariances, ", ")));
   }
 }
 
-/// Names the channels that nothing was made of.
+/// Lists the channels that were not used.
 void name_others(const DecodedImage& image, PictureFile& file) {
   const auto is_taken = [&](std::size_t channel) {
     const std::string_view name = image.channels[channel];
@@ -105,8 +104,8 @@ PictureFile read_picture_file(const std::filesystem::path& path) {
   if (!file.is_linear) {
     if (!image.has_codes) {
       throw IoError("read", path,
-                    fmt::format("its values are no codes of 8 or 16 bits, and {} does not tell "
-                                "what they are; write them as .exr",
+                    fmt::format("its values are not codes of 8 or 16 bits, and {} does not define "
+                                "their meaning; write them as .exr",
                                 describe(file.format).name));
     }
     file.largest_code = static_cast<int>(image.white);

@@ -12,14 +12,14 @@
 namespace sdlc::render {
 namespace {
 
-/// Threads of this process; 0 where that is not known.
+/// The number of threads of this process; 0 if unknown.
 std::ptrdiff_t living_threads() {
   std::error_code error;
   std::filesystem::directory_iterator tasks("/proc/self/task", error);
   return error ? 0 : std::distance(begin(tasks), end(tasks));
 }
 
-/// A thread that has been joined is counted by the system for some microseconds more.
+/// The system still counts a joined thread for some microseconds.
 void wait_for_threads(std::ptrdiff_t left) {
   constexpr int kPatience = 1000;
   for (int i = 0; i < kPatience && living_threads() > left; ++i) {
@@ -38,7 +38,7 @@ int startable_threads(int count) {
     while (static_cast<int>(threads.size()) < count) {
       threads.emplace_back([&end] { end.wait(); });
     }
-  } catch (const std::system_error&) {  // no further one
+  } catch (const std::system_error&) {  // the limit is reached
   }
   end.count_down();
   for (std::thread& thread : threads) thread.join();

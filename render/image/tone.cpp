@@ -17,7 +17,7 @@ double decode_srgb(double v) noexcept {
 }  // namespace
 
 double encode_tone(Tone tone, double v) noexcept {
-  // Written so that a NaN takes the first way out: every comparison with it is false.
+  // Written so that NaN takes this branch: every comparison with it is false.
   if (!(v > 0)) return 0;
   if (v >= 1) return 1;
   switch (tone) {

@@ -9,14 +9,14 @@ namespace sdlc::render {
 /// The transfer curve from linear radiance to the codes of a display-referred picture.
 enum class Tone : std::uint8_t { Srgb, Sqrt, Linear };
 
-/// Encoded value in [0, 1] of the linear value `v`: clamped to [0, 1] first, NaN counts as 0.
-/// Srgb is the curve of IEC 61966-2-1; Sqrt the square root (the JSON format's `gamma_correct`).
+/// Encodes the linear value `v` to [0, 1]. `v` is clamped to [0, 1] first; NaN counts as 0. Srgb is
+/// the curve of IEC 61966-2-1; Sqrt the square root (the JSON format's `gamma_correct`).
 double encode_tone(Tone tone, double v) noexcept;
 
-/// The linear value in [0, 1] that encode_tone makes `encoded`, from 0 to 1, of.
+/// The inverse of encode_tone, for `encoded` in [0, 1].
 double decode_tone(Tone tone, double encoded) noexcept;
 
-/// As scenes spell it: "srgb", "sqrt" or "linear".
+/// The spelling in scenes: "srgb", "sqrt" or "linear".
 std::string_view name_of(Tone tone) noexcept;
 std::optional<Tone> tone_of(std::string_view name) noexcept;
 

@@ -7,17 +7,19 @@
 
 namespace sdlc::render {
 
-/// What connections to lights are worth, by 2048 paths: each relative to plain paths. They pay where
-/// variance × work is below 1.
+/// The estimated value of connections to lights, relative to plain paths. Connections pay off if
+/// variance × work < 1.
 struct LightPilot {
-  double variance = 1;            ///< of a path
-  double work = 1;                ///< time of a path, by a model of rays and choices
-  std::uint64_t connections = 0;  ///< that found their light; few of them prove nothing
+  double variance = 1;            ///< variance per path
+  double work = 1;                ///< time per path, from a model of rays and light choices
+  std::uint64_t connections = 0;  ///< unoccluded ones; the estimates are unreliable if there are
+                                  ///< few
 };
 
-/// Traces paths with connections to `lights`, always the same ones. It is not blind to light that
-/// scattering hardly ever finds: what plain paths would do is computed from connections too
-/// (PlainPaths). The scene is one without instances; it is copied and put into a hierarchy.
+/// Traces 2048 paths with connections to `lights`; the paths are always the same. Light that
+/// scattering almost never finds is included, because the result of plain paths is computed from
+/// connections too (PlainPaths). The scene must have no instances; it is copied and gets its own
+/// BVH.
 LightPilot run_light_pilot(Scene scene, const RenderSettings& settings,
                            std::span<const std::uint32_t> lights);
 

@@ -15,7 +15,8 @@ namespace {
 
 double mean_square(LinearRgb c) noexcept { return (c.r * c.r + c.g * c.g + c.b * c.b) / 3; }
 
-/// A path ends with `arriving`, of which a plain one would bring all.
+/// Ends a path with the radiance `arriving`, weighted by `weight`; a plain path would get all of
+/// it.
 LinearRgb end_with(LinearRgb arriving, double weight, PlainPaths* plain) noexcept {
   if (plain != nullptr) plain->squares += mean_square(arriving) * weight;
   return arriving * weight;
@@ -63,8 +64,8 @@ LinearRgb PathIntegrator::sample(double s, double t, const PathSampler& sampler,
   return li<true>(ray, sampler, counts, cancel, plain);
 }
 
-/// The first hit of a camera ray when the camera stands on several surfaces at once: each of them
-/// is met as by a ray that leaves it.
+/// The first hit of a camera ray if the camera is on several surfaces at once: each is treated as a
+/// surface that the ray departs from.
 template <bool kMoving>
 BvhHit PathIntegrator::first_hit_from_surfaces(const Ray& ray) const noexcept {
   BvhHit nearest;
@@ -85,8 +86,9 @@ LinearRgb PathIntegrator::background(Vec3 direction) const noexcept {
   return background_.bottom * (1 - t) + background_.top * t;
 }
 
-/// What arrives, times `beta` and cos/π over the densities of both techniques, from one light that
-/// is chosen for the place on a diffuse surface where `ray` begins; its direction does not matter.
+/// Next event estimation: the contribution of one light, chosen for the diffuse surface point at
+/// the origin of `ray` (its direction is not used). Includes `beta` and cos/π divided by the
+/// densities of both techniques.
 template <bool kMoving>
 LinearRgb PathIntegrator::direct_light(const Ray& ray, const Departure& departure, Vec3 facing,
                                        const PathSampler& sampler, int vertex, LinearRgb beta,
@@ -100,7 +102,8 @@ LinearRgb PathIntegrator::direct_light(const Ray& ray, const Departure& departur
   if (plain != nullptr) ++plain->shadow_rays;
   const Ray towards{.origin = ray.origin, .direction = connection->direction, .u = ray.u};
   const BvhHit hit = bvh_.intersect<kMoving>(towards, departure);
-  // Where the light's own surface is met, or just missed, rounding decides: both count as seen.
+  // If the ray hits or just misses the light's own surface, rounding decides; both count as
+  // visible.
   const bool is_hidden = hit.sphere != kNoSphere && hit.t < connection->distance &&
                          bvh_.index_in_scene(hit.sphere) != connection->sphere;
   if (is_hidden) return LinearRgb{};
@@ -116,12 +119,12 @@ LinearRgb PathIntegrator::direct_light(const Ray& ray, const Departure& departur
 template <bool kMoving>
 LinearRgb PathIntegrator::li(Ray ray, const PathSampler& sampler, PathCounts& counts,
                              const std::atomic<bool>* cancel, PlainPaths* plain) const noexcept {
-  constexpr int kRaysBetweenLooks = 4096;  // a walk may be a thousand million rays long
+  constexpr int kRaysBetweenLooks = 4096;  // a walk may have 1e9 rays
   LinearRgb beta{1};                       // throughput of the walk so far
-  LinearRgb gathered;                      // what connections to lights have brought
+  LinearRgb gathered;                      // radiance from connections to lights
   Departure departure;
   Vec3 facing;
-  bool left_diffuse = false;  // the surface before, and lights were looked for there
+  bool left_diffuse = false;  // the previous surface was diffuse, and a light was sampled there
   PathHistory history;
   for (int depth = 0; depth < max_depth_; ++depth) {
     if (depth % kRaysBetweenLooks == kRaysBetweenLooks - 1 && cancel != nullptr &&
@@ -158,7 +161,7 @@ LinearRgb PathIntegrator::li(Ray ray, const PathSampler& sampler, PathCounts& co
     }
 
     const Vec3 center = bvh_.center<kMoving>(hit.sphere, ray.u);
-    // From the centre, never from the point in the world: the distance to the origin cancels.
+    // Relative to the centre, not in world coordinates: the distance to the origin cancels.
     const Vec3 outward = hit.sphere == departure.sphere
                              ? rehit_normal(ray.direction, departure.normal)
                              : unit((ray.origin - center) + ray.direction * hit.t);

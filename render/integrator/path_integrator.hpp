@@ -18,7 +18,7 @@
 
 namespace sdlc::render {
 
-/// What happened to paths, for the statistics of a picture.
+/// Statistics about paths.
 struct PathCounts {
   std::uint64_t rays = 0;
   std::uint64_t truncated_paths = 0;  ///< cut off by the depth limit, counted as black
@@ -30,34 +30,34 @@ struct PathCounts {
   }
 };
 
-/// What paths that look for lights say of the same paths without that; added up over paths.
+/// Estimates, from paths with connections to lights, what the same paths without connections would
+/// give; summed over paths.
 struct PlainPaths {
-  /// An unbiased estimate of the square of what the plain path brings, the mean over channels; of
-  /// paths that end where the camera ray does nothing, as Sobol' points make short work of them. A
-  /// connection stands for the scattered rays that would have hit its light: with L the radiance,
-  /// both count as L² times their weight in the balance heuristic, so light that scattering
-  /// hardly ever finds counts in full.
+  /// An unbiased estimate of the squared contribution of a plain path, as a mean over channels.
+  /// Paths that end at the first hit are excluded, because Sobol' points integrate them well. A
+  /// connection represents the scattered rays that would have hit its light: with L the radiance,
+  /// both count as L² times their weight in the balance heuristic, so light that scattering almost
+  /// never finds is fully included.
   double squares = 0;
   std::uint64_t shadow_rays = 0;
-  std::uint64_t connections = 0;  ///< shadow rays that found their light
-  std::uint64_t choices = 0;      ///< surfaces at which a light was looked for
+  std::uint64_t connections = 0;  ///< shadow rays that reached their light
+  std::uint64_t choices = 0;      ///< surfaces at which a light was chosen
 };
 
 /// Estimates radiance by random walks from the camera: no recursion, no state between paths. It
-/// owns what a scene becomes for tracing (rebased to the camera, in a hierarchy) and is read by all
-/// threads.
+/// owns the traceable form of a scene (rebased to the camera, with a BVH), which all threads read.
 class PathIntegrator {
  public:
-  /// `scene` is in world coordinates and already checked. `max_depth` counts the rays of a path,
-  /// the camera's included; at least 1.
-  /// `near_pairs`: PrecisionBounds::near_pairs in double, if they are known; `lights`: the spheres
-  /// of choose_lights(); `emitters`: where to count what paths reach, if at all.
+  /// `scene` is in world coordinates and already checked. `max_depth` counts the rays of a path
+  /// including the camera ray; at least 1. `near_pairs` is PrecisionBounds::near_pairs in double,
+  /// if known. `lights` are the spheres from choose_lights(). `emitters` counts reached emitters;
+  /// may be null.
   PathIntegrator(Scene scene, int max_depth,
                  std::optional<std::span<const SpherePair>> near_pairs = {},
                  std::span<const std::uint32_t> lights = {}, EmitterTally* emitters = nullptr);
 
-  /// One path through the place (s, t) of the picture, (0, 0) its lower left corner: linear RGB.
-  /// Once `cancel` is set a long path ends soon, with a value that means nothing.
+  /// Traces one path through (s, t) of the image plane, where (0, 0) is the lower left corner;
+  /// returns linear RGB. Once `cancel` is set a long path ends soon, with a meaningless value.
   LinearRgb sample(double s, double t, const PathSampler& sampler, PathCounts& counts,
                    const std::atomic<bool>* cancel = nullptr,
                    PlainPaths* plain = nullptr) const noexcept;
@@ -91,7 +91,7 @@ class PathIntegrator {
   EmitterTally* emitters_;
   std::vector<Material> materials_;
   std::vector<std::uint32_t> material_of_slot_;
-  std::vector<Departure> camera_surfaces_;  // spheres on whose surface the camera stands
+  std::vector<Departure> camera_surfaces_;  // spheres whose surface contains the camera
 };
 
 }  // namespace sdlc::render

@@ -12,9 +12,10 @@
 namespace sdlc::render {
 namespace {
 
-constexpr double kLargestShare = 0.25;  // of what scatters, for an emitter to be sampled
-constexpr std::size_t kMostReceivers = 256, kFewestReceivers = 16;
-constexpr std::size_t kMostPairs = std::size_t{1} << 22;  // of receivers and emitters
+constexpr double kLargestShare = 0.25;  // share of the scattered directions that an emitter may
+                                        // cover to be sampled
+constexpr std::size_t kMaxReceivers = 256, kMinReceivers = 16;
+constexpr std::size_t kMaxPairs = std::size_t{1} << 22;  // of receivers and emitters
 
 double brightness(LinearRgb c) noexcept { return c.r / 3 + c.g / 3 + c.b / 3; }
 
@@ -33,15 +34,16 @@ std::vector<std::uint32_t> emitters_of(const Scene& scene) {
   return emitters;
 }
 
-/// A place where light lands, with the weight of what the camera sees of its sphere.
+/// A point that receives light, weighted by the apparent size of its sphere.
 struct Receiver {
   Vec3 place;
   double weight = 0;
 };
 
-/// The places nearest to the camera on those diffuse spheres that look the largest, of equal ones
-/// the first. Coordinates are rebased.
-std::vector<Receiver> receivers_of(const Scene& scene, const Rebase& rebase, std::size_t most) {
+/// The points nearest to the camera on the diffuse spheres with the largest apparent size; ties go
+/// to the first in the scene. Coordinates are rebased.
+std::vector<Receiver> receivers_of(const Scene& scene, const Rebase& rebase,
+                                   std::size_t max_count) {
   std::vector<Receiver> receivers;
   const auto is_larger = [](const Receiver& a, const Receiver& b) { return a.weight > b.weight; };
   for (const Sphere& from : scene.spheres) {
@@ -51,18 +53,18 @@ std::vector<Receiver> receivers_of(const Scene& scene, const Rebase& rebase, std
     const Vec3 to_camera = distance > 0 ? sphere.center / -distance : Vec3{0, 0, 1};
     const double size = distance > sphere.radius ? sphere.radius / distance : 1;
     receivers.push_back({sphere.center + to_camera * sphere.radius, size * size});
-    // Cut back now and then, so that no list of all spheres exists.
-    if (receivers.size() == 16 * most) {
+    // Trim occasionally, to avoid a list of all spheres.
+    if (receivers.size() == 16 * max_count) {
       std::ranges::stable_sort(receivers, is_larger);
-      receivers.resize(most);
+      receivers.resize(max_count);
     }
   }
   std::ranges::stable_sort(receivers, is_larger);
-  if (receivers.size() > most) receivers.resize(most);
+  if (receivers.size() > max_count) receivers.resize(max_count);
   return receivers;
 }
 
-/// Whether something opaque is all around the camera.
+/// Whether an opaque sphere encloses the camera.
 bool is_closed_in(const Scene& scene, const Rebase& rebase) {
   return std::ranges::any_of(scene.spheres, [&](const Sphere& from) {
     if (scene.materials[from.material].type == MaterialType::Transmissive) return false;
@@ -80,9 +82,9 @@ double share_of(const Sphere& emitter, Vec3 place) noexcept {
 std::vector<std::uint32_t> chosen_by_geometry(const Scene& scene,
                                               const std::vector<std::uint32_t>& emitters) {
   const Rebase rebase(scene);
-  const std::size_t most =
-      std::clamp(kMostPairs / emitters.size(), kFewestReceivers, kMostReceivers);
-  const std::vector<Receiver> receivers = receivers_of(scene, rebase, most);
+  const std::size_t max_count =
+      std::clamp(kMaxPairs / emitters.size(), kMinReceivers, kMaxReceivers);
+  const std::vector<Receiver> receivers = receivers_of(scene, rebase, max_count);
   double weights = 0;
   for (const Receiver& receiver : receivers) weights += receiver.weight;
   if (!(weights > 0)) return {};

@@ -12,7 +12,7 @@
 namespace sdlc::render {
 namespace {
 
-/// What a surface emits, black if it scatters.
+/// The radiance that a surface emits; black if it scatters.
 LinearRgb radiance_of(const Material& material) noexcept {
   if (material.type == MaterialType::Unlit) return material.color;
   if (material.type == MaterialType::Emissive) return material.color * material.parameter;
@@ -20,41 +20,41 @@ LinearRgb radiance_of(const Material& material) noexcept {
 }
 
 double root_mean_square(LinearRgb c) noexcept {
-  // Radiance may be beyond all numbers whose squares are numbers.
+  // The radiance may be so large that its square overflows.
   const double largest = std::fmin(std::fmax(c.r, std::fmax(c.g, c.b)), 1e150);
   if (!(largest > 0)) return 0;
   const LinearRgb unit{c.r / largest, c.g / largest, c.b / largest};
   return largest * std::sqrt((unit.r * unit.r + unit.g * unit.g + unit.b * unit.b) / 3);
 }
 
-/// The kinds of path that the surfaces of a scene and its limit on depth allow.
+/// The kinds of path that are possible with the scene's surfaces and depth limit.
 struct Surfaces {
   bool diffuse = false;
-  bool specular = false;  // mirrors and glass
+  bool specular = false;  // mirrors or glass
 
   explicit Surfaces(const Scene& scene) {
-    const auto look_at = [&](const Sphere& sphere) {
+    const auto add = [&](const Sphere& sphere) {
       const Material& material = scene.materials[sphere.material];
       if (sphere.radius <= 0 || is_black(material.color)) return;
       diffuse |= material.type == MaterialType::Diffuse;
       specular |=
           material.type == MaterialType::Specular || material.type == MaterialType::Transmissive;
     };
-    std::ranges::for_each(scene.spheres, look_at);
+    std::ranges::for_each(scene.spheres, add);
     for (const Prototype& prototype : scene.prototypes) {
-      std::ranges::for_each(prototype.spheres, look_at);
+      std::ranges::for_each(prototype.spheres, add);
     }
   }
 };
 
-/// The pyramid of directions that are in the picture.
+/// The pyramid of view directions.
 class ViewPyramid {
  public:
   explicit ViewPyramid(const Camera& camera) {
     const Pinhole pinhole(camera);
     const Vec3 forward = pinhole.place(0.5, 0.5);
     const Vec3 right = pinhole.across() / 2, up = pinhole.upwards() / 2;
-    // Normals of its sides, outward, and of the plane through the camera.
+    // The outward normals of its sides, and of the plane through the camera.
     const auto side = [&](Vec3 edge) { return unit(edge - forward * length_squared(edge)); };
     normals_ = {side(right), side(-right), side(up), side(-up), -forward};
   }
@@ -70,8 +70,8 @@ class ViewPyramid {
   std::array<Vec3, 5> normals_;
 };
 
-/// The upper limit of 95 % for the mean of a Poisson distribution of which n were seen, by Wilson
-/// and Hilferty's approximation of the χ² distribution (1931).
+/// The 95 % upper confidence limit for the mean of a Poisson distribution after n events, by the
+/// Wilson-Hilferty approximation of the χ² distribution (1931).
 double poisson_limit(double n) noexcept {
   constexpr double kNormalQuantile = 1.645;
   const double k = n + 1;
@@ -100,7 +100,7 @@ void EmitterTally::classify(const Scene& scene, std::span<const std::uint32_t> l
                             int max_depth) {
   classes_of_spheres_.assign(scene.spheres.size(), kNoClass);
   const Surfaces surfaces(scene);
-  // Without them every path is a camera ray, and unlit spheres are plain pixels.
+  // Without scattering surfaces every path is a camera ray, and unlit spheres are plain pixels.
   if (!surfaces.diffuse && !surfaces.specular && paths_.empty()) return;
 
   double brightest = 0;
@@ -109,7 +109,7 @@ void EmitterTally::classify(const Scene& scene, std::span<const std::uint32_t> l
   }
   if (!(brightest > 0)) return;
 
-  constexpr int kOctaves = 64;  // below the brightest; the last holds all that is darker
+  constexpr int kOctaves = 64;  // below the brightest; the last class includes everything darker
   std::array<std::uint8_t, 2 * kOctaves> class_of_octave;
   class_of_octave.fill(kNoClass);
   const ViewPyramid view(scene.camera);
@@ -130,11 +130,11 @@ void EmitterTally::classify(const Scene& scene, std::span<const std::uint32_t> l
     c.radiance = std::fmax(c.radiance, radiance);
     const Sphere sphere = rebase.sphere(scene.spheres[i]);
     const Vec3 shift = scene.shifts.empty() ? Vec3{} : rebase.shift(scene.shifts[i]);
-    // Around the sphere and all of its way.
+    // A bounding sphere of the sphere's whole motion.
     c.kinds[index_of(LightPath::Visible)] |=
         view.may_show(sphere.center + shift / 2, sphere.radius + moderate_length(shift) / 2);
     c.kinds[index_of(LightPath::Reflected)] = surfaces.specular && max_depth >= 2;
-    // Connections bring little each, and the noise of what they bring is seen.
+    // Each connection contributes little, and its noise shows up in the replicates.
     c.kinds[index_of(LightPath::Direct)] = surfaces.diffuse && !is_sampled && max_depth >= 2;
     c.kinds[index_of(LightPath::Caustic)] = surfaces.diffuse && surfaces.specular && max_depth >= 3;
   }

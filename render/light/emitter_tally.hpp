@@ -19,21 +19,21 @@ struct ReachedEmitter {
   friend bool operator==(const ReachedEmitter&, const ReachedEmitter&) = default;
 };
 
-/// How a path reaches a sphere that shines. In Heckbert's notation, with E the eye, L the light, D
-/// a diffuse and S any other scattering:
+/// How a path reaches an emitter. In Heckbert's notation, with E the eye, L the light, D a diffuse
+/// and S any other scattering:
 enum class LightPath : std::uint8_t {
   Visible,    ///< EL
   Reflected,  ///< E S+ L
   Direct,     ///< E … D L, by scattering or by a connection
-  Caustic,    ///< E … D S+ L: no connection finds it
+  Caustic,    ///< E … D S+ L: connections cannot find it
 };
 inline constexpr std::size_t kLightPaths = 4;
 
-/// What a path met before it reached a sphere that shines.
+/// What a path hit before it reached an emitter.
 struct PathHistory {
   bool has_scattered = false;
   bool has_met_diffuse = false;
-  bool leaves_diffuse = false;  ///< its last scattering was diffuse
+  bool leaves_diffuse = false;  ///< the last scattering was diffuse
 };
 constexpr LightPath light_path(PathHistory history) noexcept {
   if (!history.has_scattered) return LightPath::Visible;
@@ -41,43 +41,44 @@ constexpr LightPath light_path(PathHistory history) noexcept {
   return history.leaves_diffuse ? LightPath::Direct : LightPath::Caustic;
 }
 
-/// A kind of path that the scene makes possible and that was found too rarely (EmitterTally) to
-/// know what replicates lack of it.
+/// A kind of path that is possible in the scene but was found too rarely (EmitterTally) for the
+/// replicates to show its noise.
 struct RarePath {
   LightPath kind;
-  std::uint32_t paths;   ///< that were found
-  std::uint32_t sphere;  ///< one that shines and that they lead to: the first of its class
-  double radiance;       ///< of the brightest: root mean square over channels
+  std::uint32_t paths;   ///< found so far
+  std::uint32_t sphere;  ///< the first sphere of the emitter class
+  double radiance;       ///< of the brightest emitter: root mean square over channels
 };
 
-/// Counts the paths that reach spheres that shine, up to as many as matter. Spheres of prototypes
-/// are not counted. Any thread may count; totals do not depend on their order.
+/// Counts the paths that reach emitters, up to the numbers that matter. Spheres of prototypes are
+/// not counted. Any thread may count; totals do not depend on the order.
 ///
-/// Emissive spheres are counted one by one, whatever the kind of path. Kinds of path are counted by
-/// class: emissive and unlit spheres whose radiance is the same to a factor of 2, and of which all
-/// or none are sampled lights.
+/// Emissive spheres are counted individually, over all kinds of path. Kinds of path are counted per
+/// class. A class consists of emissive and unlit spheres whose radiance agrees to a factor of 2,
+/// and of which all or none are sampled lights.
 class EmitterTally {
  public:
-  /// So many paths say that an emitter's light is no accident.
+  /// An emitter found by this many paths was not found by accident.
   static constexpr std::uint8_t kEnough = 30;
-  /// From two paths of a kind on replicates differ, by so much that the interval of the error holds
-  /// the rest: with n paths of the same weight its upper end is 1 + 3.2/√n times their squares.
+  /// From two paths of a kind on, replicates differ enough for the confidence interval of the error
+  /// to cover the rest: with n paths of equal weight its upper end is 1 + 3.2/√n times their
+  /// squares.
   static constexpr std::uint8_t kWitnesses = 2;
-  /// Where camera rays meet a light, by themselves or by mirrors and glass, Sobol' points spread
-  /// evenly over the pixel: each replicate may meet one smaller than a pixel as often as the
-  /// others, and still be off by a path. After so many paths that has no chance to go unseen.
+  /// Where camera rays reach a light, directly or by mirrors and glass, Sobol' points spread evenly
+  /// over the pixel. Each replicate may then hit a light smaller than a pixel equally often, and
+  /// still be off by one path. After this many paths that error cannot go unnoticed.
   static constexpr std::uint8_t kEvenWitnesses = 255;
 
-  /// `lights`: spheres of choose_lights(), for which Direct paths are found by connections.
+  /// `lights`: the spheres from choose_lights(), for which Direct paths are found by connections.
   EmitterTally(const Scene& scene, std::span<const std::uint32_t> lights, int max_depth);
 
-  /// Whether some count still matters. Once it does not, count() need not be called any more.
+  /// Whether some count still matters. Afterwards count() need not be called.
   bool is_counting() const noexcept {
     return scarce_.load(std::memory_order_relaxed) > 0 || open_.load(std::memory_order_relaxed) > 0;
   }
 
-  /// A path has reached a sphere, which may be none that shines. Precondition: is_counting() was
-  /// true.
+  /// Records that a path has reached a sphere, which need not be an emitter. Precondition:
+  /// is_counting() was true.
   void count(std::uint32_t sphere, LightPath kind) noexcept {
     if (!paths_.empty()) add(paths_[sphere], kEnough, scarce_);
     const std::uint8_t of = classes_of_spheres_[sphere];
@@ -85,7 +86,7 @@ class EmitterTally {
     add(found_[of][index_of(kind)], witnesses(kind), open_);
   }
 
-  /// Emissive spheres that fewer than kEnough paths reached, in the order of the scene.
+  /// Emissive spheres that fewer than kEnough paths reached, in scene order.
   std::vector<ReachedEmitter> scarce() const;
   std::vector<RarePath> rare() const;
 
@@ -96,7 +97,7 @@ class EmitterTally {
   struct Class {
     std::uint32_t sphere = 0;  // the first of the class
     double radiance = 0;
-    std::array<bool, kLightPaths> kinds{};  // those to count
+    std::array<bool, kLightPaths> kinds{};  // the kinds to count
   };
 
   static constexpr std::uint8_t witnesses(LightPath kind) noexcept {
@@ -106,7 +107,7 @@ class EmitterTally {
   static constexpr std::size_t index_of(LightPath kind) noexcept {
     return static_cast<std::size_t>(kind);
   }
-  /// Counts up to `enough`, and one less of `left` when it gets there.
+  /// Increments `count` up to `enough`, and decrements `left` when it gets there.
   static void add(Count& count, std::uint8_t enough, std::atomic<std::size_t>& left) noexcept {
     std::uint8_t before = count.load(std::memory_order_relaxed);
     while (before < enough) {
@@ -119,24 +120,25 @@ class EmitterTally {
   void count_emitters(const Scene& scene);
   void classify(const Scene& scene, std::span<const std::uint32_t> lights, int max_depth);
 
-  std::vector<Count> paths_;  // kEnough: or no emitter; empty: there are none
+  std::vector<Count> paths_;  // kEnough for non-emitters; empty if there are no emitters
   std::atomic<std::size_t> scarce_{0};
 
   std::vector<Class> classes_;
-  std::vector<std::uint8_t> classes_of_spheres_;  // empty: nothing shines
+  std::vector<std::uint8_t> classes_of_spheres_;  // empty if nothing emits
   std::vector<std::array<Count, kLightPaths>> found_;
-  std::atomic<std::size_t> open_{0};  // kinds of classes of which too few were found
+  std::atomic<std::size_t> open_{0};  // number of (class, kind) pairs with too few paths
 };
 
-/// An upper limit of 95 % for what rare paths may add to the relative error of a picture, in units
-/// of it, although none of their noise was seen.
+/// A 95 % upper limit for the relative error that rare paths may add to a picture, although their
+/// noise was not seen.
 ///
-/// A path that scattering finds brings at most the radiance L of what it reaches. Where n were
-/// found, with 95 % confidence fewer than λ(n) were to be expected (the limit of the Poisson
-/// distribution; λ(0) = 3); from two on a path more or less remains, λ = 1. At worst all of them
-/// belong to one pixel, which then lacks L λ / samples; spread over more they make less error. The
-/// square of that is divided by the number of pixels, those of kinds add up, and the root is
-/// divided by the picture's mean radiance. Infinity of a black picture with rare paths.
+/// A path found by scattering contributes at most the radiance L of its emitter. After n such
+/// paths, with 95 % confidence fewer than λ(n) were to be expected (the confidence limit of the
+/// Poisson distribution; λ(0) = 3); from two paths on, an error of one path remains, λ = 1. In the
+/// worst case all of them belong to one pixel, which then lacks L λ / samples; spread over more
+/// pixels they make less error. The squares, divided by the number of pixels, are summed over
+/// kinds, and the root is divided by the picture's mean radiance. Infinity for a black picture with
+/// rare paths.
 double unseen_error(std::span<const RarePath> rare, double mean_radiance, std::size_t pixels,
                     std::uint64_t samples) noexcept;
 

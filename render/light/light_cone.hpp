@@ -7,20 +7,20 @@
 #include "render/math/vec3.hpp"
 #include "render/sampler/sampler.hpp"
 
-/// The cone of directions in which a sphere is seen, after Shirley, Wang, Zimmerman, "Monte Carlo
-/// techniques for direct lighting calculations", 1996, 3.2. A wide kernel has the same formulas in
-/// render/wide/light_connections-inl.h.
+/// The cone of directions in which a sphere is seen (Shirley, Wang, Zimmerman, "Monte Carlo
+/// techniques for direct lighting calculations", 1996, 3.2). The wide kernel has the same formulas
+/// in render/wide/light_connections-inl.h.
 namespace sdlc::render {
 
-/// Where the square of the sine of the half angle is not below this, half the sky is full of the
-/// light, or the place is inside it: scattering finds it by itself.
+/// From this sin² of the half angle on, the light fills half the sky or contains the point:
+/// scattering finds it anyway.
 inline constexpr double kLargestLightSine2 = 0.9;
 
 struct LightCone {
   Vec3 to_center;
   double distance = 0;  ///< to the centre
-  /// 1 − cos of the half angle, by which the solid angle is 2π times as large; 0: there is no cone
-  /// to take directions from.
+  /// 1 − cos of the half angle; the solid angle is 2π times this. 0 means that there is no cone to
+  /// sample.
   double height = 0;
 };
 
@@ -28,11 +28,11 @@ inline LightCone light_cone(Vec3 to_center, double radius) noexcept {
   const double distance_squared = dot(to_center, to_center);
   const double sine_squared = radius * radius / distance_squared;
   if (!(sine_squared < kLargestLightSine2)) return {};
-  // 1 − √(1 − s) would have no digits left for small lights.
+  // 1 − √(1 − s) would cancel for small lights.
   return {to_center, std::sqrt(distance_squared), sine_squared / (1 + std::sqrt(1 - sine_squared))};
 }
 
-/// A direction that is uniform in the cone, and how far away the sphere is in it.
+/// A direction that is uniform in the cone, and the distance to the sphere along it.
 struct LightDirection {
   Vec3 direction;
   double distance = 0;
@@ -42,8 +42,8 @@ inline LightDirection sample_cone(const LightCone& cone, double radius,
                                   UniformPair random) noexcept {
   const double below = random.first * cone.height;  // 1 − cos θ
   const double cosine = 1 - below, sine_squared = below * (2 - below);
-  // Of the axis z; two directions across it by Duff et al., "Building an orthonormal basis,
-  // revisited", 2017.
+  // With z as the axis; two perpendicular directions by Duff et al., "Building an orthonormal
+  // basis, revisited", 2017.
   const Vec3 z = cone.to_center / cone.distance;
   const double sign = std::copysign(1.0, z.z);
   const double a = -1 / (sign + z.z), b = z.x * z.y * a;
@@ -58,11 +58,11 @@ inline LightDirection sample_cone(const LightCone& cone, double radius,
 }
 
 /// The balance heuristic (Veach, "Robust Monte Carlo methods for light transport simulation", 1997,
-/// 9.2.2) of a diffuse scattering against "choose the light with this probability, and a direction
-/// in its cone": cos/π over the sum of cos/π and probability over solid angle. A scattered ray that
-/// hits the light counts with this weight. A connection, too, counts as its radiance times this:
-/// the weight of its own technique times cos/π over its own density is the same number. `cosine`:
-/// of direction and normal, not negative.
+/// 9.2.2) for diffuse scattering versus sampling the light (chosen with this probability, with a
+/// direction in its cone): cos/π divided by the sum of cos/π and probability over solid angle. A
+/// scattered ray that hits the light has this weight. A connection also counts as its radiance
+/// times this: the weight of its own technique times cos/π over its own density is the same number.
+/// `cosine` is between direction and normal, not negative.
 inline double scattering_weight(double probability, const LightCone& cone, double cosine) noexcept {
   if (!(probability > 0 && cone.height > 0)) return 1;
   const double scattered = 2 * cone.height * cosine;

@@ -31,59 +31,60 @@ int longest_axis(Vec3 size) noexcept {
 
 }  // namespace
 
-LightTree::LightTree(const std::vector<LightBall>& balls) {
-  if (balls.empty()) return;
-  levels_ = static_cast<int>(std::bit_width(balls.size() - 1));
+LightTree::LightTree(const std::vector<LightSphere>& lights) {
+  if (lights.empty()) return;
+  levels_ = static_cast<int>(std::bit_width(lights.size() - 1));
   const std::size_t leaves = std::size_t{1} << levels_;
   nodes_.resize(2 * leaves);
-  balls_of_leaves_.assign(leaves, kNoLight);
-  std::vector<std::uint32_t> order(balls.size());
+  lights_of_leaves_.assign(leaves, kNoLight);
+  std::vector<std::uint32_t> order(lights.size());
   std::iota(order.begin(), order.end(), 0U);
-  build(balls, order.data(), order.data() + order.size(), 1, levels_);
+  build(lights, order.data(), order.data() + order.size(), 1, levels_);
 }
 
-void LightTree::build(const std::vector<LightBall>& balls, std::uint32_t* first,
+void LightTree::build(const std::vector<LightSphere>& lights, std::uint32_t* first,
                       std::uint32_t* last, std::size_t node, int levels_below) {
   if (first == last) return;
   Box ends, centers;
   for (const std::uint32_t* i = first; i != last; ++i) {
-    const LightBall& ball = balls[*i];
-    const Vec3 end = ball.center + ball.shift;
-    const Vec3 size{ball.radius, ball.radius, ball.radius};
-    for (const Vec3 c : {ball.center, end}) {
+    const LightSphere& light = lights[*i];
+    const Vec3 end = light.center + light.shift;
+    const Vec3 size{light.radius, light.radius, light.radius};
+    for (const Vec3 c : {light.center, end}) {
       ends.add(c - size);
       ends.add(c + size);
     }
-    centers.add((ball.center + end) * 0.5);
+    centers.add((light.center + end) * 0.5);
   }
   Node& here = nodes_[node];
   here.center = (ends.low + ends.high) * 0.5;
   for (const std::uint32_t* i = first; i != last; ++i) {
-    const LightBall& ball = balls[*i];
-    for (const Vec3 c : {ball.center, ball.center + ball.shift}) {
-      here.radius = std::fmax(here.radius, length(c - here.center) + ball.radius);
+    const LightSphere& light = lights[*i];
+    for (const Vec3 c : {light.center, light.center + light.shift}) {
+      here.radius = std::fmax(here.radius, length(c - here.center) + light.radius);
     }
-    here.power += ball.power;
+    here.power += light.power;
   }
   if (levels_below == 0) {
-    balls_of_leaves_[node - nodes_.size() / 2] = *first;
+    lights_of_leaves_[node - nodes_.size() / 2] = *first;
     return;
   }
   const int axis = longest_axis(centers.high - centers.low);
   const auto place = [&](std::uint32_t i) {
-    return along(balls[i].center * 2 + balls[i].shift, axis);
+    return along(lights[i].center * 2 + lights[i].shift, axis);
   };
-  std::uint32_t* middle = first + (last - first + 1) / 2;
-  std::nth_element(first, middle, last, [&](std::uint32_t a, std::uint32_t b) {
+  std::uint32_t* mid = first + (last - first + 1) / 2;
+  std::nth_element(first, mid, last, [&](std::uint32_t a, std::uint32_t b) {
     const double of_a = place(a), of_b = place(b);
     return of_a != of_b ? of_a < of_b : a < b;
   });
-  build(balls, first, middle, 2 * node, levels_below - 1);
-  build(balls, middle, last, 2 * node + 1, levels_below - 1);
+  build(lights, first, mid, 2 * node, levels_below - 1);
+  build(lights, mid, last, 2 * node + 1, levels_below - 1);
 }
 
-/// What of a node's light may arrive, but for a factor: at most power · cos θ / d², the cosine that
-/// of the place of the ball that is highest above the horizon, and 0 where all of it is below.
+/// An upper bound, up to a constant factor, on the light that a node sends to `x`: power · cos θ /
+/// d². The cosine is that of the highest point of the bounding sphere above the horizon; the bound
+/// is 0 if all of it is below.
 double LightTree::importance(std::size_t node, Vec3 x, Vec3 normal) const noexcept {
   const Node& of = nodes_[node];
   const Vec3 to_center = of.center - x;
@@ -96,11 +97,11 @@ LightTree::Choice LightTree::choose(Vec3 x, Vec3 normal, UniformPair random) con
   std::size_t node = 1;
   double probability = 1, u = random.first;
   for (int level = 0; level < levels_; ++level) {
-    if (level == kLevelsANumber) u = random.second;
+    if (level == kLevelsPerNumber) u = random.second;
     const double left = importance(2 * node, x, normal);
     const double right = importance(2 * node + 1, x, normal);
     const double total = left + right;
-    // Nothing arrives of either; or x is so near that numbers do not tell.
+    // No light arrives from either child; or x is so near that the bounds overflow.
     if (!(total > 0 && total < std::numeric_limits<double>::infinity())) return {};
     const double share_left = left / total, share_right = right / total;
     const bool goes_left = u < share_left;

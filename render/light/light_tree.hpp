@@ -9,63 +9,63 @@
 
 namespace sdlc::render {
 
-/// The place of a light among the leaves of a tree.
+/// Marks a leaf of the tree without a light.
 inline constexpr std::uint32_t kNoLight = 0xFFFFFFFF;
 
-/// A sphere that shines, as the tree sees it.
-struct LightBall {
-  Vec3 center;  ///< at the opening of the shutter
-  Vec3 shift;   ///< up to its closing
+/// An emissive sphere as the tree sees it.
+struct LightSphere {
+  Vec3 center;  ///< at shutter opening
+  Vec3 shift;   ///< displacement until the shutter closes
   double radius = 0;
-  double power = 0;  ///< relative to that of others, finite and not negative
+  double power = 0;  ///< relative to the others, finite and not negative
 };
 
-/// Chooses one of many lights at random, the sooner the more of its light may arrive at a place: a
-/// binary tree of balls around lights, gone down with one random number (Conty Estevez, Kulla,
-/// "Importance sampling of many lights with adaptive tree splitting", 2018, without splitting). All
-/// leaves are on one level, so that wide kernels need no test for them, and those to spare, on the
-/// right of every node, hold nothing.
+/// Chooses one of many lights at random, with a probability that grows with the light it may send
+/// to a point: a binary tree of bounding spheres, descended with one random number (Conty Estevez,
+/// Kulla, "Importance sampling of many lights with adaptive tree splitting", 2018, without
+/// splitting). All leaves are on one level, so wide kernels need no leaf test; unused leaves, on
+/// the right of every node, are empty.
 ///
 /// Nodes are numbered as in a heap: the root is 1, the children of i are 2i and 2i + 1, and leaf j
-/// is node 2^levels + j: its bits are the way to it.
+/// is node 2^levels + j, so the bits of j are the path to it.
 class LightTree {
  public:
   LightTree() = default;
-  /// O(n log n) time. `balls` in a frame of moderate numbers, as of rebase_to_camera().
-  explicit LightTree(const std::vector<LightBall>& balls);
+  /// O(n log n) time. Coordinates have to be moderate, as after rebase_to_camera().
+  explicit LightTree(const std::vector<LightSphere>& lights);
 
   struct Choice {
     std::uint32_t leaf = 0;
     double probability = 0;  ///< 0: no light
   };
-  /// One of the lights for the place `x`, which light reaches from the side of the unit vector
-  /// `normal` alone.
+  /// Chooses one of the lights for the point `x`, which light reaches only on the side of the unit
+  /// vector `normal`.
   Choice choose(Vec3 x, Vec3 normal, UniformPair random) const noexcept;
   /// Choice::probability of a leaf.
   double probability(std::uint32_t leaf, Vec3 x, Vec3 normal) const noexcept;
 
-  /// The first random number is asked on so many levels, and the second below: a float has no
-  /// digits for more.
-  static constexpr int kLevelsANumber = 12;
+  /// The first random number is used for this many levels, the second one below: a float has no
+  /// more digits.
+  static constexpr int kLevelsPerNumber = 12;
 
-  /// A ball around all lights below a node, over the whole shutter, and what they shine together.
+  /// The bounding sphere of all lights below a node, over the whole shutter, and their total power.
   struct Node {
     Vec3 center;
     double radius = 0;
     double power = 0;
   };
-  const std::vector<Node>& nodes() const noexcept { return nodes_; }  ///< the first is none
+  const std::vector<Node>& nodes() const noexcept { return nodes_; }  ///< index 0 is unused
   int levels() const noexcept { return levels_; }
-  /// Which of the balls is a leaf; kNoLight: none.
-  const std::vector<std::uint32_t>& balls_of_leaves() const noexcept { return balls_of_leaves_; }
+  /// The index of the light of each leaf; kNoLight if it is empty.
+  const std::vector<std::uint32_t>& lights_of_leaves() const noexcept { return lights_of_leaves_; }
 
  private:
-  void build(const std::vector<LightBall>& balls, std::uint32_t* first, std::uint32_t* last,
+  void build(const std::vector<LightSphere>& lights, std::uint32_t* first, std::uint32_t* last,
              std::size_t node, int levels_below);
   double importance(std::size_t node, Vec3 x, Vec3 normal) const noexcept;
 
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> balls_of_leaves_;
+  std::vector<std::uint32_t> lights_of_leaves_;
   int levels_ = 0;
 };
 

@@ -8,7 +8,7 @@
 namespace sdlc::render {
 namespace {
 
-// Radiance may be beyond all numbers; the tree needs some.
+// The radiance may overflow in sums; the tree needs finite numbers.
 constexpr double kBrightest = 1e300;
 
 double brightness(LinearRgb radiance) noexcept {
@@ -19,8 +19,8 @@ double brightness(LinearRgb radiance) noexcept {
 
 Lights::Lights(const Scene& scene, std::span<const std::uint32_t> spheres) {
   if (spheres.empty()) return;
-  std::vector<LightBall> balls;
-  balls.reserve(spheres.size());
+  std::vector<LightSphere> tree_lights;
+  tree_lights.reserve(spheres.size());
   double brightest = 0;
   for (const std::uint32_t i : spheres) {
     const Material& material = scene.materials[scene.spheres[i].material];
@@ -37,21 +37,21 @@ Lights::Lights(const Scene& scene, std::span<const std::uint32_t> spheres) {
   };
   for (const std::uint32_t i : spheres) {
     const Light of = light(i);
-    balls.push_back({.center = of.center,
-                     .shift = of.shift,
-                     .radius = of.radius,
-                     .power = brightness(of.radiance) / brightest * of.radius * of.radius});
+    tree_lights.push_back({.center = of.center,
+                           .shift = of.shift,
+                           .radius = of.radius,
+                           .power = brightness(of.radiance) / brightest * of.radius * of.radius});
   }
-  tree_ = LightTree(balls);
-  leaves_.reserve(tree_.balls_of_leaves().size());
+  tree_ = LightTree(tree_lights);
+  leaves_.reserve(tree_.lights_of_leaves().size());
   leaves_of_spheres_.reserve(spheres.size());
-  for (const std::uint32_t ball : tree_.balls_of_leaves()) {
-    if (ball == kNoLight) {
+  for (const std::uint32_t index : tree_.lights_of_leaves()) {
+    if (index == kNoLight) {
       leaves_.emplace_back();
       continue;
     }
-    leaves_of_spheres_.emplace_back(spheres[ball], static_cast<std::uint32_t>(leaves_.size()));
-    leaves_.push_back(light(spheres[ball]));
+    leaves_of_spheres_.emplace_back(spheres[index], static_cast<std::uint32_t>(leaves_.size()));
+    leaves_.push_back(light(spheres[index]));
   }
   std::ranges::sort(leaves_of_spheres_);
 }

@@ -13,49 +13,51 @@
 
 namespace sdlc::render {
 
-/// A sphere that diffuse surfaces look for by themselves.
+/// A sphere that diffuse surfaces sample directly.
 struct Light {
-  Vec3 center;  ///< at the opening of the shutter
-  Vec3 shift;   ///< up to its closing
+  Vec3 center;  ///< at shutter opening
+  Vec3 shift;   ///< displacement until the shutter closes
   double radius = 0;
   LinearRgb radiance;
-  std::uint32_t sphere = kNoLight;  ///< index in the scene; kNoLight: a leaf of the tree to spare
+  std::uint32_t sphere = kNoLight;  ///< index in the scene; kNoLight for an unused leaf of the tree
 
   Vec3 center_at(double u) const noexcept { return center + shift * u; }
 };
 
-/// The emissive spheres for which diffuse surfaces take directions of their own, beside those in
-/// which they scatter, and how much of the light each of the two techniques accounts for. The two
-/// together have the expectation of scattering alone, path length by path length.
+/// The emissive spheres that diffuse surfaces sample directly, in addition to scattering, and the
+/// weight of the two techniques (multiple importance sampling). Their combination has the same
+/// expectation as scattering alone, path length by path length.
 class Lights {
  public:
   Lights() = default;
-  /// `scene` is rebased; `spheres` are emissive ones of it, as choose_lights() chooses them.
+  /// `scene` is rebased; `spheres` are its emissive spheres from choose_lights().
   Lights(const Scene& scene, std::span<const std::uint32_t> spheres);
 
   bool empty() const noexcept { return leaves_.empty(); }
   const LightTree& tree() const noexcept { return tree_; }
-  const std::vector<Light>& leaves() const noexcept { return leaves_; }  ///< as the tree has them
+  const std::vector<Light>& leaves() const noexcept {
+    return leaves_;
+  }  ///< in the order of the tree
   /// The leaf of a sphere, or kNoLight.
   std::uint32_t leaf_of(std::uint32_t sphere) const noexcept;
 
-  /// A place on a diffuse surface. `normal` is on the side from which the path came.
+  /// A point on a diffuse surface. `normal` is on the side from which the path came.
   struct Place {
     Vec3 x, normal;
-    double u = 0;  ///< in the shutter
+    double u = 0;  ///< time within the shutter
   };
-  /// A ray that may find a light.
+  /// A shadow ray towards a light.
   struct Connection {
     Vec3 direction;
-    double distance = 0;   ///< what it meets before that hides the light
-    LinearRgb radiance;    ///< what it brings, times the attenuation of the surface
-    double weight = 0;     ///< the part of the light's radiance that this is
+    double distance = 0;   ///< an occluder is nearer than this
+    LinearRgb radiance;    ///< contribution if unoccluded, times the attenuation of the surface
+    double weight = 0;     ///< share of the light's radiance in this contribution
     std::uint32_t sphere;  ///< the light
   };
-  /// Nothing where no light may be seen.
+  /// nullopt if no light can be visible.
   std::optional<Connection> connect(const Place& at, UniformPair choice,
                                     UniformPair direction) const noexcept;
-  /// Of a ray scattered there, with `cosine` to the normal, that hits a sphere.
+  /// The weight of a ray scattered there, with `cosine` to the normal, that hits the sphere.
   double weight_of_hit(std::uint32_t sphere, const Place& at, double cosine) const noexcept;
 
  private:

@@ -4,9 +4,10 @@
 
 namespace sdlc::render {
 
-/// Share of light reflected by Schlick's approximation ("An inexpensive BRDF model for
-/// physically-based rendering", 1994). `cosine` is the incident one on either side, as in the JSON
-/// format's model; `eta` the index on the incident side over the one beyond.
+/// The share of reflected light by Schlick's approximation ("An inexpensive BRDF model for
+/// physically-based rendering", 1994). `cosine` is the cosine of the incident angle on either side,
+/// as in the JSON format's model; `eta` is the refractive index on the incident side divided by
+/// that on the other side.
 inline double fresnel_schlick(double cosine, double eta) noexcept {
   const double root = (1 - eta) / (1 + eta);
   const double straight = root * root;
@@ -15,8 +16,8 @@ inline double fresnel_schlick(double cosine, double eta) noexcept {
   return straight + (1 - straight) * (m2 * m2 * m);
 }
 
-/// Share of unpolarised light reflected by Fresnel's equations. Precondition: no total reflection,
-/// eta² (1 − cosine²) ≤ 1.
+/// The share of unpolarised light that is reflected, by Fresnel's equations. Precondition: no total
+/// reflection, eta² (1 − cosine²) ≤ 1.
 inline double fresnel_exact(double cosine, double eta) noexcept {
   const double beyond = std::sqrt(std::fmax(0.0, 1 - eta * eta * (1 - cosine * cosine)));
   if (cosine + beyond == 0) return 1;  // grazing on both sides

@@ -9,8 +9,8 @@
 #include "render/sampler/sampler.hpp"
 #include "render/scene/scene.hpp"
 
-/// How a path goes on from a surface. Directions in and out have length 1; a surface that ends the
-/// path is the integrator's affair.
+/// Scattering at surfaces. Directions in and out have length 1. Surfaces that end the path are
+/// handled by the integrator.
 namespace sdlc::render {
 
 /// The random numbers of one vertex of a path.
@@ -26,9 +26,9 @@ class VertexSampler {
   int vertex_;
 };
 
-/// Uniform on the unit sphere. The radius of the circle of latitude comes from 2√(u(1 − u)), not
-/// from √(1 − z²), which loses its digits at the poles. Turns begin at −x, where wide kernels save
-/// an instruction.
+/// Uniform on the unit sphere. The radius of the circle of latitude is 2√(u(1 − u)), not √(1 − z²),
+/// which loses its digits at the poles. Angles start at −x, which saves an instruction in the wide
+/// kernels.
 inline Vec3 sample_unit_sphere(const VertexSampler& sample) noexcept {
   const auto [u, turn] = sample(kDirection);
   const SinCos around = sincos_turns(turn);
@@ -49,16 +49,16 @@ inline Vec3 reflect(Vec3 direction, Vec3 normal) noexcept {
 /// incoming ray.
 inline Vec3 scatter_diffuse(Vec3 facing, const VertexSampler& sample) noexcept {
   const Vec3 direction = facing + sample_unit_sphere(sample);
-  // Next to −n the sum has no digits left; probability 2.5e-13.
+  // Near −n the sum has no digits left; probability 2.5e-13.
   return length_squared(direction) < 1e-12 ? facing : unit(direction);
 }
 
-/// The mirrored direction, moved within a ball of radius `fuzz`. What then points into the surface
-/// is absorbed: false, and `out` is not set.
+/// The mirrored direction, perturbed within a ball of radius `fuzz`. A result that points into the
+/// surface is absorbed: returns false and does not set `out`.
 inline bool scatter_specular(Vec3 direction, Vec3 facing, double fuzz, const VertexSampler& sample,
                              Vec3& out) noexcept {
   Vec3 mirrored = reflect(direction, facing);
-  if (fuzz > 1) {  // only the direction counts: divided by fuzz, it cannot overflow
+  if (fuzz > 1) {  // divided by fuzz, so that it cannot overflow; only the direction matters
     mirrored = mirrored / fuzz + sample_unit_ball(sample);
   } else if (fuzz > 0) {
     mirrored = mirrored + sample_unit_ball(sample) * fuzz;
@@ -68,16 +68,17 @@ inline bool scatter_specular(Vec3 direction, Vec3 facing, double fuzz, const Ver
   return true;
 }
 
-/// Reflects with the probability of the Fresnel term, else refracts by Snell's law. `outward` is
-/// the sphere's outward normal; `ior` the index inside over the one outside.
+/// Reflects with the probability of the Fresnel term, otherwise refracts by Snell's law. `outward`
+/// is the sphere's outward normal; `ior` the index inside divided by the one outside.
 inline Vec3 scatter_transmissive(Vec3 direction, Vec3 outward, double ior, Fresnel fresnel,
                                  const VertexSampler& sample) noexcept {
   const bool enters = dot(direction, outward) <= 0;
   const Vec3 facing = enters ? outward : -outward;
-  const double eta = enters ? 1 / ior : ior;  // index on this side over the one beyond
+  const double eta = enters ? 1 / ior : ior;  // index on this side divided by that on the other
+                                              // side
   const double cosine = std::min(-dot(direction, facing), 1.0);
   const double sine_beyond_squared = eta * eta * (1 - cosine * cosine);
-  // Total reflection; no number comes of an index whose inverse overflows, and of no sine.
+  // Total reflection. The negated comparison includes NaN, from an index whose inverse overflows.
   if (!(sine_beyond_squared <= 1)) return unit(reflect(direction, facing));
 
   const double reflected =

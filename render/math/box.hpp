@@ -9,7 +9,7 @@
 
 namespace sdlc::render {
 
-/// An axis-aligned box, at first around nothing.
+/// An axis-aligned box, initially empty.
 struct Box {
   std::array<double, 3> low{kInfinity, kInfinity, kInfinity};
   std::array<double, 3> high{-kInfinity, -kInfinity, -kInfinity};

@@ -5,8 +5,8 @@
 
 namespace sdlc::render {
 
-/// The 64-bit FNV-1a hash of the bytes that were added: finds damage and tells things apart, but
-/// guards against no one who means harm.
+/// The 64-bit FNV-1a hash of the added bytes. It detects damage and distinguishes data, but is not
+/// cryptographic.
 class Fnv1a {
  public:
   constexpr void add_byte(std::uint8_t byte) noexcept { hash_ = (hash_ ^ byte) * 0x100000001B3u; }

@@ -2,8 +2,8 @@
 
 namespace sdlc::render {
 
-/// Two ends of something measured along one axis: times of a shutter, distances along a ray.
-/// The ends may be equal or in either order where the user of the interval says so.
+/// Two ends of a range along one axis: shutter times, distances along a ray. The ends may be equal
+/// or in either order if the user of the interval says so.
 struct Interval {
   double from = 0, to = 0;
 

@@ -4,8 +4,8 @@
 
 namespace sdlc::render {
 
-/// Where a group puts what is inside it: p' = translate + scale · (rotation of p), a similarity
-/// that keeps the orientation.
+/// The transformation of a group: p' = translate + scale · (rotation of p), a similarity that
+/// preserves orientation.
 struct Placement {
   Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};  ///< columns of scale times rotation
   Vec3 translate;
@@ -13,7 +13,7 @@ struct Placement {
 
   constexpr Vec3 turn(Vec3 v) const noexcept { return x * v.x + y * v.y + z * v.z; }
   constexpr Vec3 apply(Vec3 p) const noexcept { return translate + turn(p); }
-  /// This placement of what stands inside `inner`.
+  /// Composition: this placement applied after `inner`.
   constexpr Placement around(const Placement& inner) const noexcept {
     return {.x = turn(inner.x),
             .y = turn(inner.y),

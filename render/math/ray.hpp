@@ -4,7 +4,7 @@
 
 namespace sdlc::render {
 
-/// A half-line. `direction` has length 1; `u` is the place in the shutter, from 0 (opening) to 1
+/// A half-line. `direction` has length 1; `u` is the time within the shutter, from 0 (opening) to 1
 /// (closing).
 struct Ray {
   Vec3 origin;

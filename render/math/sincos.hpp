@@ -6,14 +6,14 @@ struct SinCos {
   double sin, cos;
 };
 
-/// Sine and cosine of `v` turns, 0 ≤ v < 1, to about one unit in the last place. Only + − × on
-/// doubles: the same bits on every machine, which the C library's functions do not promise.
+/// Sine and cosine of `v` turns, 0 ≤ v < 1, to about one unit in the last place. Uses only + − × on
+/// doubles, so results are bit-identical on every machine, which the C library does not guarantee.
 inline SinCos sincos_turns(double v) noexcept {
   constexpr double kHalfPi = 1.57079632679489661923;
   const int quadrant = static_cast<int>(v * 4 + 0.5);  // nearest quarter turn, 0 … 4
   const double x = (v * 4 - quadrant) * kHalfPi;       // |x| ≤ π/4; the difference is exact
   const double y = x * x;
-  // Taylor series; at π/4 the first terms left out are below 5e-17.
+  // Taylor series; at π/4 the first omitted terms are below 5e-17.
   const double s =
       x * (1 + y * (-1.0 / 6 +
                     y * (1.0 / 120 +

@@ -26,14 +26,15 @@ constexpr Vec3 cross(Vec3 a, Vec3 b) noexcept {
 constexpr double length_squared(Vec3 a) noexcept { return dot(a, a); }
 inline double length(Vec3 a) noexcept { return std::sqrt(length_squared(a)); }
 
-/// `a` scaled to length 1. Precondition: the square of `a`'s length neither overflows nor vanishes.
+/// `a` scaled to length 1. Precondition: the square of `a`'s length neither overflows nor
+/// underflows.
 inline Vec3 unit(Vec3 a) noexcept { return a / length(a); }
 
 inline bool is_finite(Vec3 a) noexcept {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
-/// The largest magnitude of a component.
+/// The largest absolute component.
 inline double max_abs(Vec3 a) noexcept {
   return std::fmax(std::fabs(a.x), std::fmax(std::fabs(a.y), std::fabs(a.z)));
 }

@@ -15,7 +15,7 @@ constexpr double kLevel = 0.05;
 constexpr double kDrift = 0.05;
 constexpr double kNormalQuantile = 1.96;
 
-/// Of the error of any picture of a point, whatever its seed.
+/// The variance of the error of a point's pictures over seeds, plus that of its measurement.
 double squared_deviation(const Measured& error, double spread) {
   const double of_interval = (error.interval.to - error.interval.from) / (2 * kNormalQuantile);
   return of_interval * of_interval + spread * spread;
@@ -36,19 +36,19 @@ Verdict judge_error(const Point& now, const Point& before, std::size_t tests) {
   return difference > 0 ? Verdict::Worse : Verdict::Better;
 }
 
-/// Shorter ones are those of starting threads.
-constexpr double kLeastSeconds = 0.005;
+/// Shorter times are dominated by starting threads.
+constexpr double kMinSeconds = 0.005;
 
-/// `sigma`: the noise of one time, of both measurements together. All times of a measurement share
-/// what its machine was like meanwhile, so that it counts in full, however many points there are.
+/// `sigma`: the noise of one time, from both measurements. All times of a measurement share the
+/// state of the machine, so this term does not shrink with the number of points.
 std::optional<Measured> mean_ratio(const std::vector<PointChange>& points, double sigma) {
   std::vector<double> ratios;
   for (const PointChange& point : points) {
-    if (point.seconds_before.value < kLeastSeconds) continue;
+    if (point.seconds_before.value < kMinSeconds) continue;
     ratios.push_back(std::log(point.seconds_after.value / point.seconds_before.value));
   }
-  constexpr std::size_t kLeastPoints = 3;
-  if (ratios.size() < kLeastPoints) return std::nullopt;
+  constexpr std::size_t kMinPoints = 3;
+  if (ratios.size() < kMinPoints) return std::nullopt;
   const auto n = static_cast<double>(ratios.size());
   double mean = 0, squares = 0;
   for (const double ratio : ratios) mean += ratio / n;
@@ -61,7 +61,7 @@ std::optional<Measured> mean_ratio(const std::vector<PointChange>& points, doubl
 double noise_of(const std::vector<Point>& points) {
   std::vector<std::vector<double>> timings;
   for (const Point& point : points) {
-    if (point.seconds.value >= kLeastSeconds) timings.push_back(point.timings);
+    if (point.seconds.value >= kMinSeconds) timings.push_back(point.timings);
   }
   return NoiseOfTime(timings).sigma();
 }

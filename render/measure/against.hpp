@@ -15,7 +15,7 @@ enum class Verdict : std::uint8_t { NotDistinguished, Better, Worse };
 /// "not distinguished", "better", "worse".
 std::string_view name_of(Verdict verdict) noexcept;
 
-/// A point that an earlier measurement of the same scene has too.
+/// A point that is also in an earlier measurement of the same scene.
 struct PointChange {
   Way way{};
   int samples = 0;
@@ -24,25 +24,23 @@ struct PointChange {
   Verdict error = Verdict::NotDistinguished;  ///< at 95 % for all points together
 };
 
-/// What changed since an earlier measurement.
+/// Changes since an earlier measurement.
 struct Comparison {
-  std::string earlier{};  ///< the version that made it
+  std::string earlier{};  ///< version of the program that made it
   std::vector<PointChange> points{};
-  /// Times now to those then, over all points; nothing where they cannot be held against each
-  /// other.
+  /// Mean ratio of the times, now to then, over all points; nullopt if they are not comparable.
   std::optional<Measured> time_ratio{};
   Verdict time = Verdict::NotDistinguished;
-  std::vector<std::string>
-      notes;  ///< what differs beside: "another machine: times are not compared"
+  std::vector<std::string> notes;  ///< other differences: "another machine: times are not compared"
 };
 
-/// Holds the points that both have against each other. An error has changed where the difference is
-/// beyond what the intervals and the spread from seed to seed make likely, at 5 % for all points
-/// together (Bonferroni). Times where, over three points or more of 5 ms or longer, the interval of
-/// their mean ratio lies beyond 1 and the 5 % by which one and the same machine drifts from day to
-/// day. That interval is at least as long as that of one time of each measurement, however many
-/// points there are: they share what the machine was like. `has_comparable_times`: they are of the
-/// same machine and number of threads.
+/// Compares the points that both measurements have. An error has changed if the difference exceeds
+/// what the confidence intervals and the spread over seeds explain, at 5 % for all points together
+/// (Bonferroni). The times have changed if the confidence interval of their mean ratio, over at
+/// least three points of at least 5 ms, excludes 1 by more than the 5 % by which one machine drifts
+/// from day to day. That interval is never shorter than that of a single time per measurement,
+/// because all points share the state of the machine. `has_comparable_times`: both were made on the
+/// same machine with the same number of threads.
 Comparison compare_measurements(const std::vector<Point>& now, const std::vector<Point>& before,
                                 bool has_comparable_times);
 

@@ -12,7 +12,7 @@
 namespace sdlc::render {
 namespace {
 
-/// The mean of a few values and its interval, by Student's t.
+/// The mean of a few values with its 95 % interval, by Student's t distribution.
 Measured mean_of(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
   double mean = 0, squares = 0;
@@ -44,7 +44,7 @@ std::vector<Point> points_of(const StudyLedger& ledger) {
     }
     points.push_back(std::move(point));
   }
-  // Those of the scene's own way first, each way's in the order of their samples.
+  // Points of the scene's own configuration first; per configuration in ascending order of samples.
   const auto rank = [&](const Point& point) {
     const auto& costs = ledger.plan->costs;
     return std::ranges::find(costs, point.way, &WayCost::way) - costs.begin();
@@ -113,7 +113,7 @@ std::optional<PrecisionDifference> precision_of(const StudyLedger& ledger) {
   return difference;
 }
 
-/// What of the plan there was no time for, what was not planned, and what cannot be rendered.
+/// The points that are missing: no time was left, not planned, or impossible to render.
 std::vector<LeftOut> left_out_of(const StudyLedger& ledger, const std::vector<Point>& points,
                                  int own_samples) {
   std::vector<LeftOut> left_out;
@@ -134,8 +134,8 @@ std::vector<LeftOut> left_out_of(const StudyLedger& ledger, const std::vector<Po
   return left_out;
 }
 
-/// The one that is told first: that of the error that was asked for, else of 1 % or the nearest to
-/// it, of what was rendered if anything was.
+/// The recommendation to show first: the one for the requested error; otherwise the one nearest to
+/// 1 %, preferring measured points.
 std::size_t main_of(const std::vector<Recommendation>& all, std::optional<double> goal) {
   constexpr double kUsual = 0.01;
   const double wanted = goal.value_or(kUsual);
@@ -147,8 +147,8 @@ std::size_t main_of(const std::vector<Recommendation>& all, std::optional<double
   return static_cast<std::size_t>(best - all.begin());
 }
 
-/// Figures of a render at the scene's own size, with reading and writing, of those that it has as
-/// it was measured: only tracing depends on the size.
+/// Scales the figures of a measured render to the scene's own size, including reading and writing.
+/// Only the tracing time depends on the size.
 class FullSize {
  public:
   FullSize(const StudyLedger& ledger, const RenderSettings& settings)
@@ -161,7 +161,7 @@ class FullSize {
   Measured seconds(const Way& way, const Measured& measured) const {
     const double building = ledger_.plan->cost_of(way).build_seconds;
     const double tracing = std::max(measured.value - building, 0.0) * area_ + building;
-    // How long it takes to load what writes pictures is known to a half only.
+    // The time to load the picture codec is known only to within 50 %.
     constexpr double kOfOther = 1.5;
     const double other = ledger_.other_seconds;
     return {tracing + other,
@@ -188,7 +188,7 @@ std::optional<Recommendation> as_it_is(const Measurement& measurement, const Noi
   return std::nullopt;
 }
 
-/// Of a picture without noise any number of samples does: the fewest.
+/// For a picture without noise any number of samples is enough, so recommend the fewest.
 std::optional<Recommendation> without_noise(const Measurement& measurement,
                                             const NoiseOfTime& noise) {
   for (const Point& point : measurement.points) {
@@ -209,7 +209,7 @@ std::vector<Recommendation> recommendations_of(const Measurement& measurement,
   for (const double goal : worthwhile_goals(points, measurement.goal)) {
     std::optional<Recommendation> found = recommend(goal, measurement.series, points, noise);
     if (!found) continue;
-    // What does for less error does for more: one line for both.
+    // If one configuration is enough for both goals, report it once, for the smaller error.
     const bool is_same = !all.empty() && all.back().way == found->way &&
                          all.back().samples == found->samples &&
                          all.back().goal != measurement.goal;
@@ -249,7 +249,7 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
     point.samples_per_second /= point.seconds.value;
     point.rays_per_second /= point.seconds.value;
   }
-  mark_standings(points);
+  mark_dominance(points);
   measurement.series = group_by_way(points);
   measurement.depths = losses_of(ledger, measurement.own.depth);
   measurement.depths_have_converged = depths_have_converged(ledger.depths);

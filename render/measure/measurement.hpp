@@ -9,145 +9,137 @@
 
 #include "render/compare/difference.hpp"
 #include "render/math/interval.hpp"
+#include "render/measure/way.hpp"
 #include "render/scene/precision.hpp"
-#include "render/scene/scene.hpp"
 
-/// What a second buys: a scene rendered in many ways, each held against one long reference. All
-/// intervals are of 95 %. Errors are relative errors as ErrorEstimate has them, from 0; times are
-/// in seconds.
+/// How error depends on render time: a scene is rendered with many configurations, each compared
+/// with one long reference render. All intervals are 95 % confidence intervals. Errors are relative
+/// errors as in ErrorEstimate, where 1 is 100 %; times are in seconds.
 namespace sdlc::render {
-
-/// A way to render a scene.
-struct Way {
-  SamplerKind sampler = SamplerKind::Sobol;
-  LightSampling light_sampling = LightSampling::Auto;
-  Precision precision = Precision::Float;  ///< that is taken; Mixed counts as asked for by Float
-  int depth = 16;
-
-  friend bool operator==(const Way&, const Way&) = default;
-};
 
 struct Measured {
   double value = 0;
   Interval interval;
 };
 
-/// How a point stands among all others, in time and error together.
-enum class Standing : std::uint8_t {
-  Front,             ///< nearer than all that is as quick
-  NotDistinguished,  ///< some other may be better: their intervals overlap
-  Dominated,         ///< some other is, beyond the intervals
+/// A point's status compared with all others in time and error.
+enum class Dominance : std::uint8_t {
+  Front,             ///< no other point is better: on the Pareto front
+  NotDistinguished,  ///< another point may be better: their intervals overlap
+  Dominated,         ///< another point is better beyond the intervals
 };
 
 /// "front", "not distinguished", "dominated".
-std::string_view name_of(Standing standing) noexcept;
+std::string_view name_of(Dominance dominance) noexcept;
 
-/// One render that was timed and held against the reference.
+/// A render that was timed and compared with the reference.
 struct Point {
   Way way{};
   int samples = 0;
-  std::vector<double> timings{};  ///< of building and tracing, once each time it was rendered
-  Measured seconds{};             ///< their median
+  std::vector<double> timings{};  ///< building and tracing, per repetition
+  Measured seconds{};             ///< median
   double samples_per_second = 0, rays_per_second = 0;
-  Measured error{};  ///< of this very picture, what its depth and precision lack included
-  /// The standard deviation of the error from seed to seed, which pictures have by their pixels.
+  Measured error{};  ///< of this very picture, including the bias of its depth and precision
+  /// The standard deviation of the error over seeds, estimated from the pixels.
   double error_spread = 0;
-  Difference difference{};  ///< plain, with what noise the reference has
+  Difference difference{};  ///< includes the noise of the reference
   double flip = 0;
   std::uint64_t scarce_emitters = 0;  ///< RenderResult::scarce_emitters
-  double cut_share = 0;               ///< of its paths, by the depth
-  Standing standing = Standing::Front;
+  double cut_share = 0;               ///< of its paths, cut off by the depth limit
+  Dominance dominance = Dominance::Front;
 };
 
-/// The points of one way, with more and more samples.
+/// The points of one configuration, with increasing numbers of samples.
 struct Series {
   Way way{};
-  std::vector<std::size_t> points{};  ///< by index, ascending in samples
-  /// The error falls as samples to the power of this, by the line through all points; -1/2 for
-  /// independent samples. Nothing of fewer than two points.
+  std::vector<std::size_t> points{};  ///< indices, ascending in samples
+  /// The exponent with which the error falls with the samples, from a line fit; -1/2 for
+  /// independent samples. nullopt for fewer than two points.
   std::optional<Measured> slope{};
 };
 
-/// The light that a depth cuts off: the same paths with that depth and with the greatest here. A
-/// lower bound where Measurement::depths_have_converged is false.
+/// The light that a depth limit loses: the same paths with that depth and with the greatest depth
+/// measured. A lower bound if Measurement::depths_have_converged is false.
 struct DepthLoss {
   int depth = 0;
   Measured loss{};       ///< share of the mean radiance
-  double seconds = 0;    ///< of a render, relative to that of the scene's own depth
+  double seconds = 0;    ///< of a render, relative to the scene's own depth
   double cut_share = 0;  ///< of all paths
 };
 
 /// The same paths in two precisions.
 struct PrecisionDifference {
-  Precision taken = Precision::Float;  ///< by itself
+  Precision taken = Precision::Float;  ///< the automatic choice
   Precision other = Precision::Double;
-  std::string refusal{};       ///< why the other cannot be had; then the figures are 0
-  Measured mean_difference{};  ///< of the mean radiance, taken less other, as a share of it
-  double rms_difference = 0;   ///< of the pictures, relative like an error: mostly paths that part
-  double seconds = 0;          ///< of the other, relative to the one that is taken
-  std::string bound{};         ///< what decided, in words
+  std::string refusal{};       ///< why the other precision is impossible; the figures are then 0
+  Measured mean_difference{};  ///< (taken − other) mean radiance, relative
+  double rms_difference = 0;   ///< of the pictures, relative like an error; mostly from paths that
+                               ///< diverge
+  double seconds = 0;          ///< of the other precision, relative to the one taken
+  std::string bound{};         ///< the deciding criterion, in words
 };
 
-/// What everything is held against.
+/// The reference that all pictures are compared with.
 struct Reference {
   Way way{};
   int samples = 0;
   std::uint64_t seed = 0;
   double seconds = 0;
-  Measured error{};  ///< infinite where RenderResult::error is unknown
+  Measured error{};  ///< infinite if RenderResult::error is unknown
   double mean_radiance = 0;
   std::uint64_t scarce_emitters = 0;
 };
 
-/// What to render with to come down to an error.
+/// The settings recommended for reaching an error.
 struct Recommendation {
   double goal = 0;  ///< relative error
   Way way{};
   int samples = 0;
-  bool is_measured = false;  ///< these very samples were rendered; else by the line of the series
-  Measured error{};          ///< to be expected, or measured
-  Measured seconds{};        ///< of the next `sdlc render` on this machine, reading and writing too
+  bool is_measured = false;  ///< this number of samples was rendered; otherwise extrapolated along
+                             ///< the series
+  Measured error{};          ///< expected or measured
+  Measured seconds{};  ///< of the next `sdlc render` on this machine, including reading and writing
 };
 
 struct LeftOut {
   Way way{};
-  int samples = 0;  ///< 0: of any number
+  int samples = 0;  ///< 0: any number
   std::string reason{};
 };
 
 /// The flags of the command line that the picture depends on, and that a recommendation repeats.
 struct GivenFlags {
-  bool sampler = false, light_sampling = false, precision = false, depth = false;
-  std::string others{};  ///< as they are typed: "--width 320 --seed 7"
+  std::vector<std::string> of_way{};  ///< names in kWaySettings
+  std::string others{};               ///< as they are typed: "--width 320 --seed 7"
 };
 
 struct Measurement {
   // The scene's own settings.
   Way own{};
-  int width = 0, height = 0;  ///< that were measured
+  int width = 0, height = 0;  ///< the measured size
   int full_width = 0, full_height = 0;
   int own_samples = 0;
   std::uint64_t seed = 0;
   int threads = 0;
   double budget_seconds = 0;
   double spent_seconds = 0;
-  double other_seconds = 0;  ///< of a render beside building and tracing: reading and writing
+  double other_seconds = 0;  ///< of a render apart from building and tracing: reading and writing
 
   std::optional<Reference> reference{};
   std::vector<Point> points{};
   std::vector<Series> series{};
   std::vector<DepthLoss> depths{};     ///< ascending
-  bool depths_have_converged = false;  ///< deeper paths than the last of them carry no light
+  bool depths_have_converged = false;  ///< paths deeper than the last entry carry no light
   std::optional<PrecisionDifference> precision{};
-  std::optional<double> goal{};  ///< an error that was asked for
-  /// The scene as it is, `goal` being 0, if its samples were measured.
+  std::optional<double> goal{};  ///< requested error
+  /// The scene with its own settings, if they were measured; `goal` is 0.
   std::optional<Recommendation> as_it_is{};
-  std::vector<Recommendation> recommendations{};  ///< from the largest error to the least
+  std::vector<Recommendation> recommendations{};  ///< from the largest error to the smallest
   std::size_t main_recommendation = 0;
   std::vector<LeftOut> left_out{};
-  std::uint64_t nonfinite_samples = 0;  ///< of all renders; a defect if not 0
+  std::uint64_t nonfinite_samples = 0;  ///< of all renders; not 0 indicates a defect
   GivenFlags given{};
-  bool is_complete = false;  ///< nothing of the plan is missing but what time left out
+  bool is_complete = false;  ///< the plan is finished, except for what time ruled out
 };
 
 }  // namespace sdlc::render

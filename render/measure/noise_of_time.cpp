@@ -8,8 +8,9 @@
 namespace sdlc::render {
 namespace {
 
-// Of a machine that nobody else uses. Where nothing was repeated, that of a shared one is assumed.
-constexpr double kLeastSigma = 0.01, kUsualSigma = 0.05;
+// For an otherwise idle machine; without repetitions, the usual noise of a shared machine is
+// assumed.
+constexpr double kMinSigma = 0.01, kUsualSigma = 0.05;
 constexpr double kUsualDegrees = 3;
 
 double median(std::vector<double> values) {
@@ -30,7 +31,7 @@ NoiseOfTime::NoiseOfTime(std::span<const std::vector<double>> timings) {
     for (const double seconds : repeats) squares += std::pow(std::log(seconds) - mean, 2);
     degrees_ += static_cast<double>(repeats.size() - 1);
   }
-  sigma_ = degrees_ > 0 ? std::max(std::sqrt(squares / degrees_), kLeastSigma) : kUsualSigma;
+  sigma_ = degrees_ > 0 ? std::max(std::sqrt(squares / degrees_), kMinSigma) : kUsualSigma;
   degrees_ = std::max(degrees_, kUsualDegrees);
 }
 
@@ -41,7 +42,8 @@ Measured NoiseOfTime::around(double seconds, double standard_errors) const {
 
 Measured NoiseOfTime::typical(std::vector<double> timings) const {
   const auto repeats = static_cast<double>(timings.size());
-  // The median of three has 1.35 times the variance of their mean; of more, up to π/2.
+  // The median of three values has 1.35 times the variance of their mean; for more values, up to
+  // π/2.
   const double of_median = timings.size() > 2 ? std::sqrt(1.35) : 1;
   return around(median(std::move(timings)), of_median / std::sqrt(repeats));
 }

@@ -8,19 +8,19 @@
 
 namespace sdlc::render {
 
-/// How much the time of one and the same render differs on this machine: the standard deviation of
-/// its logarithm, from renders that were made again and again over the whole measurement.
+/// The noise of render times on this machine: the standard deviation of the logarithm of the time,
+/// from renders repeated over the whole measurement.
 class NoiseOfTime {
  public:
-  /// `timings`: of each render the seconds of its repeats; those of one repeat say nothing.
+  /// `timings`: per render, the seconds of its repetitions; renders without repetition are ignored.
   explicit NoiseOfTime(std::span<const std::vector<double>> timings);
 
   double sigma() const noexcept { return sigma_; }
 
-  /// The median of some repeats, and the interval of the time that many repeats would have as
-  /// theirs.
+  /// The median of some repetitions, with the confidence interval of the true median.
   Measured typical(std::vector<double> timings) const;
-  /// The interval of the next time, of a render that is expected to take `seconds` by `repeats`.
+  /// The prediction interval of the next time, for a render that took `seconds` in `repeats`
+  /// repetitions.
   Measured next(double seconds, std::size_t repeats) const;
 
  private:

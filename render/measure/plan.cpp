@@ -9,50 +9,50 @@
 #include <fmt/format.h>
 
 #include "render/film/film.hpp"
-#include "render/scene/choices.hpp"
 
 namespace sdlc::render {
 namespace {
 
-constexpr int kFirstSamples = static_cast<int>(kLeastReplicatedSamples);
-constexpr int kLeastMostSamples = 64, kMostMostSamples = 1 << 16;
-/// Holding a picture against the reference, its FLIP above all, and making details of it: of one
-/// pixel.
+constexpr int kFirstSamples = static_cast<int>(kMinReplicatedSamples);
+constexpr int kMinLadderEnd = 64, kMaxLadderEnd = 1 << 16;
+/// Seconds per pixel to compare a picture with the reference, mostly for FLIP, and to extract
+/// details.
 constexpr double kComparingSeconds = 1.5e-6;
-/// Of the budget, the rest being for what trials foretell badly, and for the recommendation.
+/// The share of the budget that is planned; the rest covers errors of the predictions, and
+/// recommended renders.
 constexpr double kPlannedShare = 0.85;
 
-/// 2, 4, 8, … to twice the scene's own, and that.
+/// 2, 4, 8, … up to twice the scene's own depth, plus that depth.
 std::vector<int> depths_around(int own) {
-  constexpr int kMostDepth = 128;
+  constexpr int kMaxDepth = 128;
   std::vector<int> depths;
-  for (int depth = 2; depth <= std::min(2 * own, kMostDepth); depth *= 2) depths.push_back(depth);
+  for (int depth = 2; depth <= std::min(2 * own, kMaxDepth); depth *= 2) depths.push_back(depth);
   depths.push_back(own);
   std::ranges::sort(depths);
   depths.erase(std::ranges::unique(depths).begin(), depths.end());
   return depths;
 }
 
-/// How much is rendered. Every render builds its hierarchy anew, as one of `sdlc render` does; of a
-/// million spheres that takes longer than a small picture.
+/// How much is rendered. Every render rebuilds its BVH, as `sdlc render` does; for a million
+/// spheres that takes longer than tracing a small picture.
 enum class Extent : std::uint8_t {
-  Whole,
-  Lean,   ///< two points of the scene's own way, one of each other
-  Least,  ///< the scene's own way alone
+  Full,
+  Reduced,  ///< two points of the scene's own configuration, one of each other
+  Minimal,  ///< only the scene's own configuration
 };
 
-/// The plan whose own ladder ends at `most`, whatever it takes.
+/// Builds the plan whose ladder for the own configuration ends at `max_samples`, whatever its cost.
 class PlanBuilder {
  public:
-  PlanBuilder(const StudyRequest& request, Extent extent, int width, int height, int most)
-      : settings_(request.settings), extent_(extent), most_(most) {
+  PlanBuilder(const StudyRequest& request, Extent extent, int width, int height, int max_samples)
+      : settings_(request.settings), extent_(extent), max_samples_(max_samples) {
     plan_.width = width;
     plan_.height = height;
     plan_.costs = request.costs;
     plan_.reference_way = request.reference_way;
-    plan_.reference_samples = 4 * most;
+    plan_.reference_samples = 4 * max_samples;
     plan_.depths = depths_around(request.settings.depth);
-    plan_.probe_samples = std::max(kFirstSamples, most / 32);
+    plan_.probe_samples = std::max(kFirstSamples, max_samples / 32);
     repeat_below_ = request.budget_seconds / 60;
   }
 
@@ -61,17 +61,18 @@ class PlanBuilder {
     plan_.tasks.push_back({.kind = StudyTask::Kind::Reference,
                            .way = plan_.reference_way,
                            .samples = plan_.reference_samples});
-    const int step = extent_ == Extent::Whole ? 2 : 4;
-    for (int samples = most_; samples >= kFirstSamples; samples /= step) add_point(own, samples);
+    const int step = extent_ == Extent::Full ? 2 : 4;
+    for (int samples = max_samples_; samples >= kFirstSamples; samples /= step)
+      add_point(own, samples);
     std::ranges::reverse(plan_.tasks.begin() + 1, plan_.tasks.end());
-    // What the scene asks for now is the first thing to know.
-    if (settings_.samples <= 4 * most_) add_point(own, settings_.samples);
-    if (extent_ == Extent::Least) return std::move(plan_);
+    // The scene's current settings come first.
+    if (settings_.samples <= 4 * max_samples_) add_point(own, settings_.samples);
+    if (extent_ == Extent::Minimal) return std::move(plan_);
     for (const WayCost& cost : plan_.costs) {
       if (cost.way == own || !cost.refusal.empty()) continue;
       add_others(cost.way, own);
     }
-    if (extent_ == Extent::Lean) return std::move(plan_);
+    if (extent_ == Extent::Reduced) return std::move(plan_);
     for (int seed = 0; seed < kProbeSeeds; ++seed) {
       plan_.tasks.push_back(
           {.kind = StudyTask::Kind::Depths, .samples = plan_.probe_samples, .round = seed});
@@ -91,12 +92,12 @@ class PlanBuilder {
   }
 
   void add_others(const Way& way, const Way& own) {
-    // What differs in depth alone is off by what that loses, whatever its samples.
-    if (way.depth != own.depth || extent_ == Extent::Lean)
-      return add_point(way, std::min(most_, kLeastMostSamples));
-    // Another precision has nearly the same error, and only its time is of interest.
+    // If only the depth differs, its bias dominates, whatever the samples.
+    if (way.depth != own.depth || extent_ == Extent::Reduced)
+      return add_point(way, std::min(max_samples_, kMinLadderEnd));
+    // Another precision has nearly the same error; only its time matters.
     const bool is_whole = way.precision == own.precision;
-    const int last = is_whole ? most_ : most_ / 4;
+    const int last = is_whole ? max_samples_ : max_samples_ / 4;
     int samples = 2 * kFirstSamples;
     for (; samples <= last; samples *= 4) add_point(way, samples);
     if (is_whole && samples != 4 * last) add_point(way, last);
@@ -107,7 +108,8 @@ class PlanBuilder {
     return other != nullptr && other->refusal.empty();
   }
 
-  /// In rounds over all points that are quick, so that repeats are spread over the whole time.
+  /// Several rounds over all quick points, so that repetitions are spread over the whole
+  /// measurement.
   void add_repeats() {
     const std::vector<StudyTask> once = plan_.tasks;
     for (int round = 1; round <= 2; ++round) {
@@ -122,7 +124,7 @@ class PlanBuilder {
 
   const RenderSettings& settings_;
   Extent extent_;
-  int most_;
+  int max_samples_;
   double repeat_below_ = 0;
   StudyPlan plan_;
 };
@@ -133,7 +135,7 @@ double total_seconds(const StudyPlan& plan) {
   return seconds;
 }
 
-/// Of that what pictures of any size take.
+/// The part of the time that does not depend on the picture's size.
 double building_seconds(StudyPlan plan) {
   plan.width = plan.height = 0;
   return total_seconds(plan);
@@ -142,11 +144,14 @@ double building_seconds(StudyPlan plan) {
 }  // namespace
 
 const WayCost& StudyPlan::cost_of(const Way& way) const {
-  // Depths and the reference are not among the ways that were tried: they differ little.
+  // Other depths and the reference were not tried: use a similar configuration.
   const auto found = std::ranges::find(costs, way, &WayCost::way);
   if (found != costs.end()) return *found;
   const auto near = std::ranges::find_if(costs, [&](const WayCost& cost) {
-    return cost.way.light_sampling == way.light_sampling && cost.way.precision == way.precision;
+    Way like = cost.way;
+    like.sampler = way.sampler;
+    like.depth = way.depth;
+    return like == way;
   });
   return near != costs.end() ? *near : costs.front();
 }
@@ -165,7 +170,7 @@ double StudyPlan::seconds_of(const StudyTask& task) const {
   const double pixels = static_cast<double>(width) * height;
   const auto render = [&](const Way& way) {
     const WayCost& cost = cost_of(way);
-    return cost.build_seconds + cost.seconds_a_sample * pixels * task.samples;
+    return cost.build_seconds + cost.seconds_per_sample * pixels * task.samples;
   };
   switch (task.kind) {
     case StudyTask::Kind::Reference:
@@ -174,7 +179,7 @@ double StudyPlan::seconds_of(const StudyTask& task) const {
     case StudyTask::Kind::Depths:
       return static_cast<double>(depths.size()) * render(costs.front().way);
     case StudyTask::Kind::Precisions: {
-      constexpr double kOther = 2;  // double takes about so much longer
+      constexpr double kOther = 2;  // usual slowdown of double
       return (1 + kOther) * render(costs.front().way);
     }
   }
@@ -183,9 +188,7 @@ double StudyPlan::seconds_of(const StudyTask& task) const {
 
 std::string describe(const StudyTask& task) {
   const auto of_way = [&] {
-    return fmt::format("{} samples, {}, light sampling {}, {}, depth {}", task.samples,
-                       name_of(task.way.sampler), name_of(task.way.light_sampling),
-                       name_of(task.way.precision), task.way.depth);
+    return fmt::format("{} samples, {}", task.samples, describe(task.way));
   };
   switch (task.kind) {
     case StudyTask::Kind::Reference: return "reference: " + of_way();
@@ -202,40 +205,41 @@ std::string describe(const StudyTask& task) {
 StudyPlan plan_study(const StudyRequest& request) {
   const double seconds = kPlannedShare * request.budget_seconds;
   const RenderSettings& settings = request.settings;
-  Extent extent = Extent::Whole;
-  const auto build = [&](double scale, int most) {
+  Extent extent = Extent::Full;
+  const auto build = [&](double scale, int max_samples) {
     const auto side = [&](int full) {
       return std::max(1, static_cast<int>(std::lround(full * scale)));
     };
     const auto [width, height] =
         request.size.value_or(std::array{side(settings.width), side(settings.height)});
-    return PlanBuilder(request, extent, width, height, most).build();
+    return PlanBuilder(request, extent, width, height, max_samples).build();
   };
-  // Half of the time at least is for tracing.
-  while (extent != Extent::Least && building_seconds(build(1, kLeastMostSamples)) > seconds / 2) {
-    extent = extent == Extent::Whole ? Extent::Lean : Extent::Least;
+  // Leave at least half of the time for tracing.
+  while (extent != Extent::Minimal && building_seconds(build(1, kMinLadderEnd)) > seconds / 2) {
+    extent = extent == Extent::Full ? Extent::Reduced : Extent::Minimal;
   }
-  const double building = building_seconds(build(1, kLeastMostSamples));
+  const double building = building_seconds(build(1, kMinLadderEnd));
   const double for_all = std::max(seconds, 2 * building);
-  // Smaller pictures tell less of edges: as large as the budget allows.
+  // Smaller pictures represent edges less well: choose the largest that the budget allows.
   double scale = 1;
-  if (!request.size && total_seconds(build(1, kLeastMostSamples)) > for_all) {
+  if (!request.size && total_seconds(build(1, kMinLadderEnd)) > for_all) {
     constexpr int kSteps = 20;
     double too_large = 1;
     scale = 1.0 / 64;
     for (int step = 0; step < kSteps; ++step) {
-      const double middle = (scale + too_large) / 2;
-      const bool fits = total_seconds(build(middle, kLeastMostSamples)) <= for_all;
-      (fits ? scale : too_large) = middle;
+      const double mid = (scale + too_large) / 2;
+      const bool fits = total_seconds(build(mid, kMinLadderEnd)) <= for_all;
+      (fits ? scale : too_large) = mid;
     }
   }
-  StudyPlan plan = build(scale, kLeastMostSamples);
-  for (int most = 2 * kLeastMostSamples; scale == 1 && most <= kMostMostSamples; most *= 2) {
-    StudyPlan longer = build(scale, most);
+  StudyPlan plan = build(scale, kMinLadderEnd);
+  for (int max_samples = 2 * kMinLadderEnd; scale == 1 && max_samples <= kMaxLadderEnd;
+       max_samples *= 2) {
+    StudyPlan longer = build(scale, max_samples);
     if (total_seconds(longer) > seconds) break;
     plan = std::move(longer);
   }
-  // What is left makes the reference better.
+  // Use the remaining time for a better reference.
   StudyTask& reference = plan.tasks.front();
   reference.samples *= 2;
   plan.reference_samples *= 2;

@@ -16,7 +16,7 @@ double squared_distance(const LinearRgb& a, const LinearRgb& b) {
   return d.r * d.r + d.g * d.g + d.b * d.b;
 }
 
-/// What the replicates of the reference say of one of its pixels.
+/// The replicate estimates for one pixel of the reference.
 struct PixelNoise {
   double squared_error, covariance;
 };
@@ -26,8 +26,8 @@ PixelNoise noise_of(const ReferencePicture& reference, std::size_t pixel) {
   return {noise * noise, covariance * covariance};
 }
 
-/// tr Σ² / (tr Σ)² of the noise, from 1/3 where the channels have noise of their own to 1 where
-/// they share it.
+/// tr Σ² / (tr Σ)² of the noise: from 1/3 if the noise of the channels is independent to 1 if it is
+/// identical.
 double shared_noise(const ReferencePicture& reference) {
   double trace_of_square = 0, square_of_trace = 0;
   for (std::size_t i = 0; i < reference.covariance.size(); ++i) {
@@ -36,7 +36,7 @@ double shared_noise(const ReferencePicture& reference) {
     trace_of_square += covariance * covariance;
     square_of_trace += trace * trace;
   }
-  // E (tr S)² is (tr Σ)² + 2 tr Σ² / ν of a covariance matrix S with ν degrees of freedom.
+  // For a covariance matrix S with ν degrees of freedom, E (tr S)² = (tr Σ)² + 2 tr Σ² / ν.
   square_of_trace -= 2.0 / (kReplicates - 1) * trace_of_square;
   if (!(square_of_trace > trace_of_square)) return 1;
   return std::max(trace_of_square / square_of_trace, 1.0 / 3);
@@ -100,7 +100,7 @@ double error_spread(const Picture& picture, const ReferencePicture& reference) {
     squares += square * square;
   }
   if (!(sum > 0)) return 0;
-  // Half the relative deviation of its square.
+  // Half the relative deviation of the square.
   return error_against(picture, reference).value * std::sqrt(2.0 / 3 * squares) / (2 * sum);
 }
 

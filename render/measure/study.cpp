@@ -21,7 +21,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Seeds far from that of the points, so that what they are held against knows nothing of them.
+/// Seeds far from those of the points, so that the reference is independent of them.
 constexpr std::uint64_t kReferenceSeed = 1'000'003, kProbeSeed = 2'000'003;
 
 double cut_share(const RenderResult& result) {
@@ -52,17 +52,17 @@ Study::Study(const Scene& scene, const RenderSettings& settings, KernelRequest r
   settings_.is_adaptive = false;
   const Kernel kernel = choose_kernel(scene, settings, request);
   if (!kernel.refusal.empty()) throw std::invalid_argument(kernel.refusal);
-  own_ = {.sampler = settings.sampler,
-          .light_sampling = settings.light_sampling,
-          .precision = kernel.precision,
-          .depth = settings.depth};
+  for_each_way_setting([&](const auto& row) {
+    if (row.setting != nullptr) own_.*row.member = settings.*row.setting;
+  });
+  own_.precision = kernel.precision;
   const PrecisionClause clause = kernel.bounds.deciding();
   ledger_.precision_bound = describe(clause, kernel.bounds[clause]);
 }
 
 KernelRequest Study::request_of(const Way& way) const {
   if (way == own_) return request_;
-  // Left to itself, a deeper path might be traced in another precision.
+  // Fix the precision: the automatic choice might change with the depth.
   KernelRequest request = request_;
   request.precision = way.precision == Precision::Mixed ? Precision::Float : way.precision;
   request.may_take_double = false;
@@ -75,10 +75,10 @@ RenderSettings Study::settings_of(const Way& way, int samples, std::uint64_t see
     settings.width = ledger_.plan->width;
     settings.height = ledger_.plan->height;
   }
+  for_each_way_setting([&](const auto& row) {
+    if (row.setting != nullptr) settings.*row.setting = way.*row.member;
+  });
   settings.samples = samples;
-  settings.sampler = way.sampler;
-  settings.light_sampling = way.light_sampling;
-  settings.depth = way.depth;
   settings.seed = seed;
   return settings;
 }
@@ -109,7 +109,7 @@ WayCost Study::try_way(const Way& way) {
   cost.refusal = kernel.refusal;
   if (!cost.refusal.empty()) return cost;
   cost.way.precision = kernel.precision;
-  // So small that it hardly costs anything, so large that all lanes and threads are busy.
+  // Small enough to be cheap, large enough to keep all lanes and threads busy.
   constexpr double kPixels = 1 << 15;
   const double scale = std::sqrt(kPixels / (static_cast<double>(settings.width) * settings.height));
   if (scale < 1) {
@@ -118,8 +118,8 @@ WayCost Study::try_way(const Way& way) {
   }
   const RenderResult result = render(scene_, settings, monitor_, request_of(way));
   cost.build_seconds = result.build_seconds;
-  cost.seconds_a_sample = result.render_seconds / (static_cast<double>(settings.width) *
-                                                   settings.height * settings.samples);
+  cost.seconds_per_sample = result.render_seconds / (static_cast<double>(settings.width) *
+                                                     settings.height * settings.samples);
   return cost;
 }
 
@@ -129,11 +129,11 @@ WayCost Study::guess_way(const Way& way, const WayCost& own) const {
   cost.way = way;
   cost.way.precision = kernel.precision;
   cost.refusal = kernel.refusal;
-  // By what they take in scenes of all kinds, at most.
+  // Upper bounds for usual scenes.
   constexpr double kOfLights = 2, kOfDouble = 2;
-  if (way.light_sampling == LightSampling::On) cost.seconds_a_sample *= kOfLights;
+  if (way.light_sampling == LightSampling::On) cost.seconds_per_sample *= kOfLights;
   if (way.precision == Precision::Double && own_.precision != Precision::Double) {
-    cost.seconds_a_sample *= kOfDouble;
+    cost.seconds_per_sample *= kOfDouble;
   }
   return cost;
 }
@@ -141,8 +141,8 @@ WayCost Study::guess_way(const Way& way, const WayCost& own) const {
 void Study::make_plan() {
   StudyRequest request{
       .settings = settings_, .budget_seconds = options_.budget_seconds, .size = options_.size};
-  // The first render of a process is slower than those after it. Where one alone takes a good part
-  // of the time, the others are not tried.
+  // The first render of a process is slower than later ones, so run it twice. If one trial alone
+  // takes a good part of the time, guess the others.
   WayCost own = try_way(own_);
   constexpr double kShareOfTrials = 0.1;
   for (const Way& way : ways()) {
@@ -153,15 +153,15 @@ void Study::make_plan() {
   }
   request.reference_way = own_;
   request.reference_way.sampler = SamplerKind::Sobol;
-  // Light that is looked for is not missed.
+  // Sampled lights are not missed.
   if (!choose_lights(scene_, LightSampling::On).empty()) {
     request.reference_way.light_sampling = LightSampling::On;
   }
   ledger_.plan = plan_study(request);
-  // What a few pixels took says little of more. One render of the size that is planned corrects it.
+  // The trials extrapolate from a few pixels. One render at the planned size corrects them.
   const StudyTask task{.kind = StudyTask::Kind::Repeat,
                        .way = own_,
-                       .samples = static_cast<int>(kLeastReplicatedSamples)};
+                       .samples = static_cast<int>(kMinReplicatedSamples)};
   const double expected = ledger_.plan->seconds_of(task);
   constexpr double kShareOfCorrection = 0.05;
   if (ledger_.plan->width < settings_.width &&
@@ -169,7 +169,7 @@ void Study::make_plan() {
     const auto result = rendered(own_, task.samples, settings_.seed);
     if (!result) return;
     const double factor = result->render_seconds / (expected - own.build_seconds);
-    for (WayCost& cost : request.costs) cost.seconds_a_sample *= factor;
+    for (WayCost& cost : request.costs) cost.seconds_per_sample *= factor;
     ledger_.plan = plan_study(request);
   }
   std::erase_if(ledger_.plan->depths, [&](int depth) {
@@ -270,7 +270,7 @@ bool Study::run_point(const StudyTask& task) {
 bool depths_have_converged(std::span<const DepthProbe> probes) {
   constexpr double kNegligibleLight = 1e-4, kNegligibleCuts = 0.01;
   constexpr int kQuietDoublings = 3;
-  std::map<int, double> means;  // sums of the rounds
+  std::map<int, double> means;  // sums over the rounds
   for (const DepthProbe& probe : probes) means[probe.depth] += probe.mean;
   if (means.empty()) return false;
   const auto [deepest, light] = *means.rbegin();
@@ -278,11 +278,11 @@ bool depths_have_converged(std::span<const DepthProbe> probes) {
   for (const DepthProbe& probe : probes) {
     if (probe.depth == deepest) cut = std::max(cut, probe.cut_share);
   }
-  int quiet = 0;  // so often the depth was doubled, and hardly any light was added
+  int quiet = 0;  // number of doublings of the depth that added almost no light
   for (auto deep = std::prev(means.end()); deep->first > 1; ++quiet) {
-    const auto behind_half = means.upper_bound(deep->first / 2);
-    if (behind_half == means.begin()) break;
-    const auto half = std::prev(behind_half);
+    const auto after_half = means.upper_bound(deep->first / 2);
+    if (after_half == means.begin()) break;
+    const auto half = std::prev(after_half);
     if (deep->second - half->second > kNegligibleLight * light) break;
     deep = half;
   }
@@ -305,11 +305,11 @@ bool Study::run_depths(const StudyTask& task) {
                       .mean = mean_radiance(result->picture),
                       .seconds = seconds_of(*result),
                       .cut_share = cut_share(*result)});
-    // The first round goes on until no more light is found; the others have the same depths.
+    // The first round goes on until no more light is found; the others use the same depths.
     if (task.round > 0 || i + 1 < depths.size() || depths_have_converged(probes)) continue;
     if (way.depth > kMaxProbedDepth / 2) continue;
     way.depth *= 2;
-    const double seconds = kProbeSeeds * 2 * probes.back().seconds;  // at most, of all rounds
+    const double seconds = kProbeSeeds * 2 * probes.back().seconds;  // upper bound over all rounds
     if (seconds > seconds_left() || !is_possible(way)) continue;
     depths.push_back(way.depth);
   }
@@ -346,22 +346,22 @@ bool Study::run_task(const StudyTask& task) {
   return false;
 }
 
-void Study::tell(const std::string& what) const {
+void Study::notify(const std::string& what) const {
   if (!observer_.on_task) return;
   const double spent = options_.budget_seconds - seconds_left();
   observer_.on_task(what, std::min(spent / options_.budget_seconds, 1.0));
 }
 
 double Study::expected_seconds(const StudyTask& task) const {
-  const double factor = foretold_ > 0 ? taken_ / foretold_ : 1;
+  const double factor = predicted_ > 0 ? taken_ / predicted_ : 1;
   return factor * ledger_.plan->seconds_of(task);
 }
 
 bool Study::run_and_account(const StudyTask& task) {
-  tell(describe(task));
+  notify(describe(task));
   const auto start = Clock::now();
   if (!run_task(task)) return false;
-  foretold_ += ledger_.plan->seconds_of(task);
+  predicted_ += ledger_.plan->seconds_of(task);
   taken_ += seconds_since(start);
   account();
   return true;
@@ -370,7 +370,7 @@ bool Study::run_and_account(const StudyTask& task) {
 void Study::run(std::optional<ReferencePicture> reference) {
   reference_ = std::move(reference);
   if (!ledger_.plan) {
-    tell("short trials of every way");
+    notify("short trials of every configuration");
     make_plan();
     if (monitor_.cancel.load()) return;
     account();
@@ -386,24 +386,24 @@ void Study::run(std::optional<ReferencePicture> reference) {
 }
 
 void Study::run_longer() {
-  // No further than where the reference is still better.
+  // Only as long as the reference is better.
   while (!monitor_.cancel.load()) {
-    int most = 0;
+    int max_samples = 0;
     for (const Evaluation& evaluation : ledger_.evaluations) {
-      if (evaluation.way == own_) most = std::max(most, evaluation.samples);
+      if (evaluation.way == own_) max_samples = std::max(max_samples, evaluation.samples);
     }
-    // From one power of two to the next.
-    int samples = static_cast<int>(kLeastReplicatedSamples);
-    while (samples <= most) samples *= 2;
+    // Double the samples.
+    int samples = static_cast<int>(kMinReplicatedSamples);
+    while (samples <= max_samples) samples *= 2;
     const StudyTask task{.way = own_, .samples = samples};
-    const bool is_known = most > 0 && 2 * samples <= ledger_.plan->reference_samples;
+    const bool is_known = max_samples > 0 && 2 * samples <= ledger_.plan->reference_samples;
     if (!is_known || 1.2 * expected_seconds(task) > seconds_left()) return;
     if (!run_and_account(task)) return;
   }
 }
 
 void Study::run_recommended() {
-  // A point that came out above the goal asks for another with more samples.
+  // If a point misses its goal, try again with more samples.
   constexpr int kTries = 3;
   const std::size_t count = measurement().recommendations.size();
   for (std::size_t i = 0; i < count; ++i) {

@@ -26,7 +26,7 @@ struct TimedRender {
   std::uint64_t camera_samples = 0, rays = 0;
 };
 
-/// One picture held against the reference.
+/// A picture that was compared with the reference.
 struct Evaluation {
   Way way{};
   int samples = 0;
@@ -47,8 +47,8 @@ struct DepthProbe {
   double cut_share = 0;
 };
 
-/// Whether deeper paths carry no light that counts: the last doubling of the depth added none, and
-/// hardly any path is cut; or three doublings added none, as in a dark closed room.
+/// Whether deeper paths carry no significant light: the last doubling of the depth added none and
+/// hardly any path is cut off; or three doublings added none, as in a dark closed room.
 bool depths_have_converged(std::span<const DepthProbe> probes);
 
 /// The same paths in both precisions.
@@ -59,7 +59,7 @@ struct PrecisionProbe {
   double seconds = 0, other_seconds = 0;
 };
 
-/// What a study has done so far: all that is needed to go on with it later.
+/// The results of a study so far, sufficient to resume it.
 struct StudyLedger {
   std::optional<StudyPlan> plan{};
   std::optional<Reference> reference{};
@@ -68,45 +68,46 @@ struct StudyLedger {
   std::vector<DepthProbe> depths{};
   std::vector<PrecisionProbe> precisions{};
   std::string precision_bound{};  ///< in words
-  double other_seconds = 0;       ///< of a render, reading and writing
+  double other_seconds = 0;       ///< of a render: reading and writing
   double spent_seconds = 0;
-  std::uint64_t nonfinite_samples = 0;  ///< a defect if not 0
+  std::uint64_t nonfinite_samples = 0;  ///< not 0 indicates a defect
 };
 
-/// What others learn while a study goes on.
+/// Callbacks during a study.
 struct StudyObserver {
-  /// Before each thing that is done: what, in words, and the share of the budget that is spent.
+  /// Before each task: its description, and the spent share of the budget.
   std::function<void(const std::string& what, double share)> on_task;
-  /// A reference was rendered.
+  /// After a reference was rendered.
   std::function<void(const ReferencePicture& reference)> on_reference;
-  /// A picture of a point, once.
+  /// For each picture of a point, once.
   std::function<void(const Way& way, int samples, const Picture& picture,
                      const ReferencePicture& reference)>
       on_picture;
-  /// The ledger has grown.
+  /// After the ledger has grown.
   std::function<void(const StudyLedger& ledger)> on_progress;
 };
 
 struct StudyOptions {
   double budget_seconds = 60;
-  std::optional<double> goal{};  ///< an error that is recommended for, whatever others are
+  std::optional<double> goal{};              ///< an error that always gets a recommendation
   std::optional<std::array<int, 2>> size{};  ///< StudyRequest::size
 };
 
-/// Renders a scene in many ways, each as `render` would, and measures them.
+/// Renders a scene with many configurations, each as `render` would, and measures them.
 class Study {
  public:
-  /// `request`: what of the kernel is asked for. All but the request are borrowed.
+  /// `request`: the requested kernel. Keeps references to all arguments except `request` and
+  /// `options`.
   Study(const Scene& scene, const RenderSettings& settings, KernelRequest request,
         StudyOptions options, StudyLedger& ledger, const StudyObserver& observer,
         RenderMonitor& monitor);
 
-  /// Does what is not in the ledger yet, until the time is used up or it is cancelled. `reference`:
-  /// the picture of the reference in the ledger. Throws std::invalid_argument where the scene's own
-  /// way is refused.
+  /// Does the tasks that are not in the ledger yet, until the time is used up or the study is
+  /// cancelled. `reference`: the picture of the reference in the ledger. Throws
+  /// std::invalid_argument if the scene's own configuration is refused.
   void run(std::optional<ReferencePicture> reference);
 
-  /// What the ledger says.
+  /// Evaluates the ledger.
   Measurement measurement() const;
 
  private:
@@ -114,28 +115,28 @@ class Study {
   KernelRequest request_of(const Way& way) const;
   std::vector<Way> ways() const;
   WayCost try_way(const Way& way);
-  /// By the trial of another.
+  /// From the trial of the own configuration.
   WayCost guess_way(const Way& way, const WayCost& own) const;
   void make_plan();
   bool is_possible(const Way& way) const;
   std::optional<RenderResult> rendered(const Way& way, int samples, std::uint64_t seed,
                                        bool keeps_variance = false);
   bool is_done(const StudyTask& task) const;
-  /// False once cancelled.
+  /// Returns false if cancelled.
   bool run_task(const StudyTask& task);
   bool run_reference(const StudyTask& task);
   bool run_point(const StudyTask& task);
   bool run_depths(const StudyTask& task);
   bool run_precisions(const StudyTask& task);
-  /// The same, told before and kept after.
+  /// Runs a task, with notifications before and after.
   bool run_and_account(const StudyTask& task);
-  /// Renders what is recommended, where it was not and there is time.
+  /// Renders recommended settings that were not measured, if there is time.
   void run_recommended();
-  /// Doubles the most samples of the scene's own way as long as there is time.
+  /// Doubles the max samples of the scene's own configuration while there is time.
   void run_longer();
-  void tell(const std::string& what) const;
-  /// By the trials, and by what they were wrong by so far: where caches are too small, or parts of
-  /// the picture unlike the others, they know little.
+  void notify(const std::string& what) const;
+  /// Predicted from the trials, corrected by their error so far: they know little about small
+  /// caches, or about parts of the picture unlike the others.
   double expected_seconds(const StudyTask& task) const;
   double seconds_left() const;
   void account();
@@ -150,11 +151,11 @@ class Study {
   Way own_{};
   std::optional<ReferencePicture> reference_{};
   double spent_before_ = 0;
-  double foretold_ = 0, taken_ = 0;  // of all that was done in this run
+  double predicted_ = 0, taken_ = 0;  // totals of this run
   std::chrono::steady_clock::time_point start_{};
 };
 
-/// The figures of a ledger of a scene with these settings.
+/// Evaluates a ledger of a scene with these settings.
 Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& settings,
                            const StudyOptions& options);
 

@@ -11,25 +11,26 @@
 namespace sdlc::render {
 namespace {
 
-/// y = level + slope (x − middle), by least squares, of logarithms.
+/// Least-squares line y = level + slope (x − center), for logarithms.
 struct Line {
-  double middle = 0, level = 0, slope = 0;
-  double spread = 0;  ///< Σ (x − middle)²
-  double sigma = 0;   ///< of y about the line
+  double center = 0, level = 0, slope = 0;
+  double spread = 0;  ///< Σ (x − center)²
+  double sigma = 0;   ///< standard deviation of y about the line
   double points = 0;
-  double degrees = 0;  ///< of freedom of sigma
+  double degrees = 0;  ///< degrees of freedom of sigma
 
-  double at(double x) const { return level + slope * (x - middle); }
-  /// Half an interval of 95 % for the slope, and for one more y at x.
+  double at(double x) const { return level + slope * (x - center); }
+  /// Half the length of the 95 % intervals for the slope, and for one more y at x.
   double slope_half_width() const { return student_t_975(degrees) * sigma / std::sqrt(spread); }
   double half_width(double x) const {
-    const double d = x - middle;
+    const double d = x - center;
     return student_t_975(degrees) * sigma * std::sqrt(1 + 1 / points + d * d / spread);
   }
 };
 
-/// Nothing for fewer than two points of which the error is above 0. Two have no scatter about their
-/// line: theirs is that of their own intervals, and of Sobol' points, which fall in steps.
+/// nullopt for fewer than two points with an error above 0. Two points have no scatter about their
+/// line; their sigma comes from their confidence intervals and the step-wise convergence of Sobol'
+/// points.
 std::optional<Line> fit_line(const Series& series, std::span<const Point> points) {
   constexpr double kSigmaOfSteps = 0.1;
   std::vector<std::array<double, 2>> logs;
@@ -44,11 +45,11 @@ std::optional<Line> fit_line(const Series& series, std::span<const Point> points
   if (logs.size() < 2) return std::nullopt;
   const auto n = static_cast<double>(logs.size());
   Line line;
-  for (const auto& [x, y] : logs) line.middle += x / n, line.level += y / n;
+  for (const auto& [x, y] : logs) line.center += x / n, line.level += y / n;
   double products = 0;
   for (const auto& [x, y] : logs) {
-    line.spread += (x - line.middle) * (x - line.middle);
-    products += (x - line.middle) * (y - line.level);
+    line.spread += (x - line.center) * (x - line.center);
+    products += (x - line.center) * (y - line.level);
   }
   line.slope = products / line.spread;
   double squares = 0;
@@ -59,15 +60,16 @@ std::optional<Line> fit_line(const Series& series, std::span<const Point> points
   return line;
 }
 
-/// The least number of samples from `samples` on of the form 2^k · m, m = 4 … 7: Sobol' points
-/// spread evenly in whole quarters of powers of two, and users like few digits.
+/// The smallest number of the form 2^k · m, m = 4 … 7, that is at least `samples`: Sobol' points
+/// are evenly distributed for whole quarters of powers of two, and such numbers have few digits.
 int round_up(double samples) {
   int step = 1;
   while (7.0 * step < samples) step *= 2;
   return static_cast<int>(std::ceil(samples / step)) * step;
 }
 
-/// Straight between the points in logarithms; seconds straight in samples.
+/// Interpolation between two points: linear in logarithms for the error, linear in samples for the
+/// seconds.
 struct Between {
   const Point& a;
   const Point& b;
@@ -76,11 +78,11 @@ struct Between {
     return std::log(samples / a.samples) / std::log(static_cast<double>(b.samples) / a.samples);
   }
   double error(double samples, double at_a, double at_b) const {
-    // Lower ends, and errors below what the reference tells, may be 0.
+    // Lower ends, and errors below the reference's noise, may be 0.
     if (!(at_a > 0) || !(at_b > 0)) return at_a + (at_b - at_a) * share(samples);
     return at_a * std::pow(at_b / at_a, share(samples));
   }
-  /// Where the upper end of the interval comes down to `goal`.
+  /// Where the upper end of the interval reaches `goal`.
   double samples_at(double goal) const {
     const double t =
         std::log(goal / a.error.interval.to) / std::log(b.error.interval.to / a.error.interval.to);
@@ -107,15 +109,15 @@ std::optional<SamplesForError> beyond_last(double goal, const Series& series,
   const std::optional<Line> line = fit_line(series, points);
   if (!line || !(line->slope < -0.1)) return std::nullopt;
   const Point& last = points[series.points.back()];
-  // From the last point, with the slope of all.
-  constexpr double kMostTimes = 64;
+  // Extrapolate from the last point with the slope of the series.
+  constexpr double kMaxFactor = 64;
   const auto error_at = [&](double samples) {
     const double x = std::log(samples), growth = x - std::log(last.samples);
     const double value = last.error.value * std::exp(line->slope * growth);
     const double factor = std::exp(line->half_width(x));
     return Measured{value, {value / factor, value * factor}};
   };
-  for (double samples = round_up(last.samples + 1); samples <= kMostTimes * last.samples;
+  for (double samples = round_up(last.samples + 1); samples <= kMaxFactor * last.samples;
        samples = round_up(samples + 1)) {
     const Measured error = error_at(samples);
     if (error.interval.to > goal) continue;
@@ -130,35 +132,34 @@ std::optional<SamplesForError> beyond_last(double goal, const Series& series,
 
 }  // namespace
 
-std::string_view name_of(Standing standing) noexcept {
+std::string_view name_of(Dominance dominance) noexcept {
   constexpr std::array<std::string_view, 3> kNames{"front", "not distinguished", "dominated"};
-  return kNames[static_cast<std::size_t>(standing)];
+  return kNames[static_cast<std::size_t>(dominance)];
 }
 
 namespace {
 
-/// How `point` stands if there were only it and `other`.
-Standing standing_beside(const Point& other, const Point& point) {
+/// The standing of `point` if only it and `other` existed.
+Dominance dominance_by(const Point& other, const Point& point) {
   const double quicker = point.seconds.value - other.seconds.value;
   const double nearer = point.error.value - other.error.value;
   const bool is_clearly_quicker = other.seconds.interval.to < point.seconds.interval.from;
   const bool is_clearly_nearer = other.error.interval.to < point.error.interval.from;
-  // Of equal errors, such as those of one picture made in two ways, none is uncertain.
-  if (is_clearly_quicker && (is_clearly_nearer || nearer == 0)) return Standing::Dominated;
+  // Equal errors, as of one picture rendered with two configurations, are not uncertain.
+  if (is_clearly_quicker && (is_clearly_nearer || nearer == 0)) return Dominance::Dominated;
   const bool is_ahead = quicker >= 0 && nearer >= 0 && (quicker > 0 || nearer > 0);
   const bool may_be_ahead =
       is_clearly_quicker && other.error.interval.from < point.error.interval.to;
-  return is_ahead || may_be_ahead ? Standing::NotDistinguished : Standing::Front;
+  return is_ahead || may_be_ahead ? Dominance::NotDistinguished : Dominance::Front;
 }
 
 }  // namespace
 
-void mark_standings(std::span<Point> points) {
+void mark_dominance(std::span<Point> points) {
   for (Point& point : points) {
-    point.standing = Standing::Front;
+    point.dominance = Dominance::Front;
     for (const Point& other : points) {
-      if (&other != &point)
-        point.standing = std::max(point.standing, standing_beside(other, point));
+      if (&other != &point) point.dominance = std::max(point.dominance, dominance_by(other, point));
     }
   }
 }
@@ -203,17 +204,17 @@ std::optional<SamplesForError> samples_for(double goal, const Series& series,
 
 std::vector<double> worthwhile_goals(std::span<const Point> points, std::optional<double> wanted) {
   constexpr std::array kRound{0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001};
-  double largest = 0, least = 1e300;
+  double largest = 0, smallest = 1e300;
   for (const Point& point : points) {
     if (!(point.error.interval.to > 0) || !std::isfinite(point.error.interval.to)) continue;
     largest = std::max(largest, point.error.interval.to);
-    least = std::min(least, point.error.interval.to);
+    smallest = std::min(smallest, point.error.interval.to);
   }
   std::vector<double> goals;
   for (const double goal : kRound) {
-    // One beyond the points is of use to those who have more time.
+    // One goal beyond the points is useful to those who have more time.
     constexpr double kBeyond = 2.5;
-    if (goal <= largest && goal * kBeyond >= least) goals.push_back(goal);
+    if (goal <= largest && goal * kBeyond >= smallest) goals.push_back(goal);
   }
   if (wanted && !std::ranges::count(goals, *wanted)) goals.push_back(*wanted);
   std::ranges::sort(goals, std::greater());
@@ -228,7 +229,7 @@ std::optional<Recommendation> recommend(double goal, std::span<const Series> ser
     if (candidate.way.depth != series.front().way.depth) continue;
     std::optional<SamplesForError> found = samples_for(goal, candidate, points);
     if (!found) continue;
-    // Others have to be better than the first by more than times differ by.
+    // Others have to be faster than the first by more than the noise of times.
     const double kept = of_best == &series.front() ? std::exp(-2 * noise.sigma()) : 1;
     if (best && !(found->seconds < kept * best->seconds)) continue;
     best = found;

@@ -12,15 +12,15 @@ constexpr std::uint32_t reversed_bits(std::uint32_t x) noexcept {
   return x << 16 | x >> 16;
 }
 
-/// Factors of scramble_upwards: even, where x is taken into itself.
+/// Factors of scramble_upwards; even, because x is combined with its own product.
 inline constexpr std::uint32_t kScramble[]{0x3D20ADEA, 0x05526C56, 0x53A22864};
 
-/// A bijection in which every bit depends on those below it and on itself alone: nested uniform
-/// scrambling (Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995) of a fraction
-/// whose bits are reversed, by a hash instead of a tree of random bits (Laine, Karras, "Stratified
+/// Nested uniform scrambling (Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995) of
+/// a fraction whose bits are reversed: a bijection in which every bit depends only on itself and
+/// the bits below it. Uses a hash instead of a tree of random bits (Laine, Karras, "Stratified
 /// sampling for stochastic transparency", 2011; Burley, "Practical hash-based Owen scrambling",
-/// 2020; factors from Vegdahl's search, psychopath.io, 2021). The low bits of `key` must be as good
-/// as the high ones.
+/// 2020; factors from Vegdahl's search, psychopath.io, 2021). The low bits of `key` must be as
+/// random as the high ones.
 constexpr std::uint32_t scramble_upwards(std::uint32_t x, std::uint32_t key) noexcept {
   x ^= x * kScramble[0];
   x += key;
@@ -29,10 +29,10 @@ constexpr std::uint32_t scramble_upwards(std::uint32_t x, std::uint32_t key) noe
   return x ^ x * kScramble[2];
 }
 
-/// The second dimension of Sobol's sequence, where the first is van der Corput's: bit k of the
-/// fraction, from the top, is the sum modulo 2 of binomial(j, k) over the bits j of the index, and
-/// that is odd where k's ones are among j's (Lucas). Of an index and to a fraction whose bits are
-/// reversed: a sum over supersets, in five steps.
+/// The second dimension of Sobol's sequence (the first is van der Corput's). Bit k of the fraction,
+/// from the top, is the sum modulo 2 of binomial(j, k) over the set bits j of the index;
+/// binomial(j, k) is odd where the ones of k are a subset of the ones of j (Lucas). Takes an index
+/// and returns a fraction with reversed bits: a sum over supersets, in five steps.
 constexpr std::uint32_t sobol_second_reversed(std::uint32_t index) noexcept {
   index ^= index >> 16;
   index ^= (index & 0xFF00FF00u) >> 8;
@@ -41,14 +41,14 @@ constexpr std::uint32_t sobol_second_reversed(std::uint32_t index) noexcept {
   return index ^ (index & 0xAAAAAAAAu) >> 1;
 }
 
-/// The fractions of 2^32 of a point.
+/// The coordinates of a point in units of 2^-32.
 struct ScrambledPoint {
   std::uint32_t x, y;
 };
 
-/// The point of Sobol's first two dimensions at a place in the sequence, which is shuffled so that
-/// the first 2^k stay together for any k, and then scrambled, by three words of which the high bits
-/// are random. `order`: the place, its bits reversed.
+/// A point of Sobol's first two dimensions. The sequence is shuffled such that the first 2^k points
+/// stay together for any k, then scrambled. The three words have random high bits. `order` is the
+/// index in the sequence, with its bits reversed.
 constexpr ScrambledPoint scrambled_sobol(std::uint32_t order, std::uint32_t shuffle,
                                          std::uint32_t x, std::uint32_t y) noexcept {
   const auto key = [](std::uint32_t word) { return word ^ word >> 16; };

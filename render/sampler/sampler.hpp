@@ -15,21 +15,21 @@ constexpr std::uint64_t mix_bits(std::uint64_t z) noexcept {
   return z ^ (z >> 31);
 }
 
-/// Two rounds of multiplying and shifting, with the factors of "lowbias32" from Wellons' search for
-/// 32-bit mixers ("Hash prospector", github.com/skeeto/hash-prospector), here with a key that picks
-/// one of 2^32 such mixers. A bijection of `x`. The high bits are the best; the low ones have seen
-/// less of `x`.
+/// Two rounds of multiply and shift, with the factors of "lowbias32" from Wellons' search for
+/// 32-bit mixers ("Hash prospector", github.com/skeeto/hash-prospector), with a key that selects
+/// one of 2^32 such mixers. A bijection of `x`. The high bits are the best; the low ones depend on
+/// fewer bits of `x`.
 constexpr std::uint32_t mix_bits(std::uint32_t x, std::uint32_t key) noexcept {
   x = (x ^ (x >> 16)) * 0x7FEB352D + key;
   return (x ^ (x >> 15)) * 0x846CA68B;
 }
 
-/// What each pair of dimensions decides. A vertex of the path has its own pairs, whatever the
-/// surfaces before it asked for.
+/// The use of each pair of dimensions. A vertex of the path has its own pairs, independent of what
+/// earlier surfaces used.
 enum CameraPair : std::uint32_t { kPixel, kTime, kCameraPairs };
 enum VertexPair : std::uint32_t {
-  kDirection,  ///< scattered direction: height on the sphere, and angle around it
-  kChoice,     ///< first: which of several things happens, or the distance in a ball
+  kDirection,  ///< scattered direction: height on the sphere and azimuth
+  kChoice,     ///< first: selects one of several events, or the distance in a ball
   kLight,      ///< direction within the cone of an emitter
   kVertexPairs,
 };
@@ -43,34 +43,34 @@ struct UniformPair {
 };
 
 /// The random numbers of one camera path: a function of (seed, pixel, replicate, sample, dimension)
-/// and of nothing else, so that the picture does not depend on who computes which part of it, or in
-/// which order. 32-bit arithmetic alone, so that wide kernels compute the same numbers in every
-/// lane. Numbers come in pairs. With SamplerKind::Sobol the pairs of the first 2^k samples of a
-/// stream are a (0, k, 2)-net in base 2, for any k, and different pairs have nothing to do with
-/// each other.
+/// only, so the picture does not depend on the assignment of work to threads or its order. Uses
+/// 32-bit arithmetic, so wide kernels compute the same numbers in every lane. Numbers come in
+/// pairs. With SamplerKind::Sobol the pairs of the first 2^k samples of a stream are a (0, k,
+/// 2)-net in base 2, for any k, and different pairs are independent.
 class PathSampler {
  public:
-  /// What consecutive samples and words are apart before they are mixed: 2^32 over the golden
+  /// The step between consecutive samples and words before mixing: 2^32 divided by the golden
   /// ratio, odd.
   static constexpr std::uint32_t kIncrement = 0x9E3779B9;
-  static constexpr std::uint32_t kWordsAPair = 3;  ///< that a pair is made from
-  static constexpr std::uint32_t kPairIncrement = kWordsAPair * kIncrement;
+  static constexpr std::uint32_t kWordsPerPair = 3;  ///< used per pair
+  static constexpr std::uint32_t kPairIncrement = kWordsPerPair * kIncrement;
 
-  /// `stream_key`: see stream_key(). `sample`: of the stream, from 0.
+  /// `stream_key`: see stream_key(). `sample`: index in the stream, from 0.
   PathSampler(SamplerKind kind, std::uint64_t stream_key, std::uint32_t sample) noexcept
       : kind_(kind),
         mixer_(static_cast<std::uint32_t>(stream_key >> 32)),
         order_(reversed_bits(sample)) {
-    // The words of Sobol' points choose how they are scrambled, the same for all samples.
+    // For Sobol' points the words select the scrambling, which is the same for all samples.
     const std::uint32_t own = kind == SamplerKind::Independent ? sample : 0;
     start_ = mix_bits(static_cast<std::uint32_t>(stream_key) + own * kIncrement, mixer_);
     start_ ^= start_ >> 16;
   }
 
-  /// `stream_key` for all samples of one replicate of a pixel; `replicate` below 4.
+  /// The stream key of all samples of one replicate of a pixel; `replicate` below 4.
   static std::uint64_t stream_key(std::uint64_t seed, std::uint64_t pixel,
                                   std::uint64_t replicate) noexcept {
-    constexpr std::uint64_t kIncrement64 = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio, odd
+    constexpr std::uint64_t kIncrement64 = 0x9E3779B97F4A7C15;  // 2^64 divided by the golden ratio,
+                                                                // odd
     const std::uint64_t stream = 4 * pixel + replicate;
     return mix_bits(mix_bits(seed + kIncrement64) ^ (stream + kIncrement64));
   }
@@ -89,7 +89,7 @@ class PathSampler {
  private:
   SamplerKind kind_;
   std::uint32_t mixer_;
-  std::uint32_t order_;  // the sample's index, its bits reversed
+  std::uint32_t order_;  // index of the sample, bits reversed
   std::uint32_t start_;
 };
 

@@ -9,7 +9,7 @@
 namespace sdlc::render {
 namespace {
 
-/// Where a sphere of the prototype is at the closing of the shutter.
+/// The centre of sphere `i` at shutter closing.
 Vec3 closing(const Prototype& prototype, std::size_t i) noexcept {
   const Vec3 center = prototype.spheres[i].center;
   return prototype.shifts.empty() ? center : center + prototype.shifts[i];
@@ -28,20 +28,21 @@ Ball ball_around(const Prototype& prototype) noexcept {
     take(prototype.spheres[i].center);
     take(closing(prototype, i));
   }
-  Ball ball{.center = low * 0.5 + high * 0.5, .radius = 0};
+  Ball bounds{.center = low * 0.5 + high * 0.5, .radius = 0};
   for (std::size_t i = 0; i < prototype.spheres.size(); ++i) {
-    const double from_middle = std::max(moderate_length(prototype.spheres[i].center - ball.center),
-                                        moderate_length(closing(prototype, i) - ball.center));
-    ball.radius = std::max(ball.radius, from_middle + prototype.spheres[i].radius);
+    const double from_center =
+        std::max(moderate_length(prototype.spheres[i].center - bounds.center),
+                 moderate_length(closing(prototype, i) - bounds.center));
+    bounds.radius = std::max(bounds.radius, from_center + prototype.spheres[i].radius);
   }
-  return ball;
+  return bounds;
 }
 
-std::vector<Ball> balls_around(const std::vector<Prototype>& prototypes) {
-  std::vector<Ball> balls;
-  balls.reserve(prototypes.size());
-  for (const Prototype& prototype : prototypes) balls.push_back(ball_around(prototype));
-  return balls;
+std::vector<Ball> bounding_spheres(const std::vector<Prototype>& prototypes) {
+  std::vector<Ball> all_bounds;
+  all_bounds.reserve(prototypes.size());
+  for (const Prototype& prototype : prototypes) all_bounds.push_back(ball_around(prototype));
+  return all_bounds;
 }
 
 }  // namespace sdlc::render

@@ -7,12 +7,12 @@
 
 namespace sdlc::render {
 
-/// A ball around all spheres of a prototype, over the whole shutter.
+/// The bounding sphere of all spheres of a prototype, over the whole shutter.
 struct Ball {
   Vec3 center;
   double radius = 0;
 };
 Ball ball_around(const Prototype& prototype) noexcept;
-std::vector<Ball> balls_around(const std::vector<Prototype>& prototypes);
+std::vector<Ball> bounding_spheres(const std::vector<Prototype>& prototypes);
 
 }  // namespace sdlc::render

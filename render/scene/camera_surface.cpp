@@ -9,13 +9,13 @@
 namespace sdlc::render {
 namespace {
 
-/// False only where the camera of a scene that is not rebased stands on no sphere's surface: what
-/// is off by a thousandth, far more than rounding makes of it.
+/// A quick test without rebasing. False only if the camera is clearly on no sphere's surface: at
+/// least a thousandth of the radius away, far more than rounding errors.
 bool may_have_camera_on_it(const Sphere& sphere, Vec3 camera) noexcept {
-  constexpr double kLeast = 1e-290, kMost = 1e300;  // of squares that neither vanish nor overflow
+  constexpr double kMin = 1e-290, kMax = 1e300;  // squares that neither underflow nor overflow
   const double squared = sphere.radius * sphere.radius;
   const double apart = length_squared(sphere.center - camera) - squared;
-  const bool is_clear = squared > kLeast && squared < kMost && std::fabs(apart) > 1e-3 * squared;
+  const bool is_clear = squared > kMin && squared < kMax && std::fabs(apart) > 1e-3 * squared;
   return sphere.radius > 0 && !is_clear;
 }
 
@@ -31,8 +31,8 @@ std::size_t count_under_camera(const Scene& scene) {
   if (reduce_indices(scene.spheres.size(), std::size_t{0}, add_possible, join) == 0) {
     return of_instances;
   }
-  // The claim is relative, but squares of what is small beside the scene's extent vanish: only in
-  // the very unit of the rebased scene is the answer the same as there.
+  // The test is relative, but squares of lengths that are small compared with the scene's extent
+  // underflow, so the exact answer needs the unit of the rebased scene.
   const Rebase rebase(scene);
   const auto add = [&](std::size_t& count, std::size_t i) {
     const Vec3 shift = scene.shifts.empty() ? Vec3{} : rebase.shift(scene.shifts[i]);

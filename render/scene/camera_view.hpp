@@ -8,8 +8,8 @@
 
 namespace sdlc::render {
 
-/// A scene's spheres as seen from a camera, by their index: lengths of moderate size, all in one
-/// unit, not rounded. Holds on to the scene.
+/// A scene's spheres as seen from a camera, by index. Lengths have moderate size, are all in one
+/// unit, and are not rounded. Keeps a reference to the scene.
 class CameraView {
  public:
   CameraView(const Scene& scene, Vec3 camera) : scene_(scene), frame_(scene, camera) {}
@@ -17,7 +17,7 @@ class CameraView {
   std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(scene_.spheres.size()); }
   const CameraFrame& frame() const noexcept { return frame_; }
   bool is_moving() const noexcept { return !scene_.shifts.empty(); }
-  /// One that vanishes beside the others' lengths is a sphere all the same.
+  /// A radius that underflows in this unit still counts.
   bool is_seen(std::uint32_t i) const noexcept { return scene_.spheres[i].radius > 0; }
 
   double radius(std::uint32_t i) const noexcept { return frame_.size(scene_.spheres[i].radius); }
@@ -25,7 +25,7 @@ class CameraView {
   Vec3 closing(std::uint32_t i) const noexcept {
     return is_moving() ? opening(i) + frame_.size(scene_.shifts[i]) : opening(i);
   }
-  /// To the far side, over the whole shutter.
+  /// The distance from the camera to the far side, over the whole shutter.
   double extent(std::uint32_t i) const noexcept {
     const double opened = moderate_length(opening(i));
     return (is_moving() ? std::max(opened, moderate_length(closing(i))) : opened) + radius(i);

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-/// Finds groups by splitting: along one coordinate after another the spheres are sorted and cut
-/// wherever neighbours are further apart than the tolerance. What no coordinate cuts is compared
-/// pair by pair.
+/// Finds clusters by recursive splitting: sorts the spheres by one coordinate after another, and
+/// cuts wherever neighbours are further apart than the tolerance. Spheres that no coordinate
+/// separates are compared pairwise.
 class CoincidenceSearch {
  public:
   CoincidenceSearch(const std::vector<Sphere>& spheres, const std::vector<Vec3>& shifts)
@@ -29,7 +29,7 @@ class CoincidenceSearch {
   }
 
  private:
-  // Radius, centre, and shift where there is motion.
+  // Radius, centre, and the shift if there is motion.
   int coordinates() const { return shifts_.empty() ? 4 : 7; }
 
   double coordinate(std::uint32_t i, int k) const {
@@ -62,41 +62,41 @@ class CoincidenceSearch {
     return true;
   }
 
-  /// `tried`: coordinates in a row that did not cut this group.
-  void split(std::span<std::uint32_t> group, int k, int tried) {
-    while (group.size() > 1 && tried < coordinates()) {
-      std::sort(group.begin(), group.end(), [&](std::uint32_t a, std::uint32_t b) {
+  /// `tried`: the number of successive coordinates that did not cut this cluster.
+  void split(std::span<std::uint32_t> cluster, int k, int tried) {
+    while (cluster.size() > 1 && tried < coordinates()) {
+      std::sort(cluster.begin(), cluster.end(), [&](std::uint32_t a, std::uint32_t b) {
         return coordinate(a, k) < coordinate(b, k);
       });
       double radius = 0;
-      for (const std::uint32_t i : group) radius = std::max(radius, spheres_[i].radius);
+      for (const std::uint32_t i : cluster) radius = std::max(radius, spheres_[i].radius);
       const int next = (k + 1) % coordinates();
       std::size_t begin = 0;
-      for (std::size_t i = 1; i < group.size(); ++i) {
-        const double gap = coordinate(group[i], k) - coordinate(group[i - 1], k);
-        // Radii are the first coordinate, so that a group has radii of one size before the others
-        // are cut; until then each pair has its own tolerance.
-        const double size = k == 0 ? spheres_[group[i]].radius : radius;
+      for (std::size_t i = 1; i < cluster.size(); ++i) {
+        const double gap = coordinate(cluster[i], k) - coordinate(cluster[i - 1], k);
+        // Radii are the first coordinate, so that a cluster has similar radii before the other
+        // coordinates are cut; until then each pair has its own tolerance.
+        const double size = k == 0 ? spheres_[cluster[i]].radius : radius;
         if (gap <= kCoincidenceTolerance * size) continue;
-        split(group.subspan(begin, i - begin), next, 1);
+        split(cluster.subspan(begin, i - begin), next, 1);
         begin = i;
       }
       if (begin > 0) {
-        split(group.subspan(begin), next, 1);
+        split(cluster.subspan(begin), next, 1);
         return;
       }
       ++tried;
       k = next;
     }
-    if (group.size() > 1) compare(group);
+    if (cluster.size() > 1) compare(cluster);
   }
 
-  /// Each sphere of a group against the kept ones nearby, in the order of the scene.
-  void compare(std::span<std::uint32_t> group) {
-    std::sort(group.begin(), group.end());
-    const int axis = widest_coordinate(group);
+  /// Compares each sphere of a cluster with the kept ones nearby, in scene order.
+  void compare(std::span<std::uint32_t> cluster) {
+    std::sort(cluster.begin(), cluster.end());
+    const int axis = widest_coordinate(cluster);
     std::multimap<double, std::uint32_t> kept;
-    for (const std::uint32_t i : group) {
+    for (const std::uint32_t i : cluster) {
       const double place = coordinate(i, axis);
       const double reach = 2 * kCoincidenceTolerance * spheres_[i].radius;
       std::uint32_t earliest = kNone;
@@ -112,14 +112,14 @@ class CoincidenceSearch {
     }
   }
 
-  /// Along it a chain of near neighbours is longest, so that few of them are within reach of each
+  /// The coordinate with the widest range: along it the fewest spheres are within reach of each
   /// other.
-  int widest_coordinate(std::span<const std::uint32_t> group) const {
+  int widest_coordinate(std::span<const std::uint32_t> cluster) const {
     int widest = 0;
     double width = -1;
     for (int k = 0; k < coordinates(); ++k) {
       const auto [low, high] = std::minmax_element(
-          group.begin(), group.end(),
+          cluster.begin(), cluster.end(),
           [&](std::uint32_t a, std::uint32_t b) { return coordinate(a, k) < coordinate(b, k); });
       if (coordinate(*high, k) - coordinate(*low, k) > width) {
         width = coordinate(*high, k) - coordinate(*low, k);

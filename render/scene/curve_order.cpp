@@ -24,17 +24,18 @@ struct Entry {
 };
 using Entries = std::unique_ptr<Entry[]>;  // NOLINT: not initialised
 
-/// e of m · 2^e, 1 ≤ m < 2, plus a constant; 0 for what is next to nothing.
+/// The exponent e of v = m · 2^e, 1 ≤ m < 2, plus a constant; 0 for subnormal numbers.
 int biased_exponent(double v) noexcept {
   return static_cast<int>(std::bit_cast<std::uint64_t>(v) >> 52);
 }
 
-/// Sizes by powers of 8, 0 the largest; all that are far smaller are one.
+/// Size classes by powers of 8; class 0 is the largest, and the last one includes everything
+/// smaller.
 class Sizes {
  public:
   explicit Sizes(const Crowd& crowd)
-      : largest_(biased_exponent(crowd.most_radius())),
-        count_(std::min((largest_ - biased_exponent(crowd.least_radius())) / kStep + 1, kMost)) {}
+      : largest_(biased_exponent(crowd.max_radius())),
+        count_(std::min((largest_ - biased_exponent(crowd.min_radius())) / kStep + 1, kMaxCount)) {}
 
   int count() const noexcept { return count_; }
   int bits() const noexcept { return std::bit_width(static_cast<unsigned>(count_ - 1)); }
@@ -43,12 +44,12 @@ class Sizes {
   }
 
  private:
-  static constexpr int kMost = 32, kStep = 3;
+  static constexpr int kMaxCount = 32, kStep = 3;
 
   int largest_, count_;
 };
 
-/// Where along the curve a place comes: a number of bits() bits.
+/// Maps positions to keys along the curve: numbers of bits() bits.
 class Curve {
  public:
   Curve(const Crowd& crowd, const Sizes& sizes) : low_(crowd.centers().low) {
@@ -61,7 +62,7 @@ class Curve {
     bits_of_size_.assign(static_cast<std::size_t>(sizes.count()), 0);
     while (bits_ < kKeyBits - sizes.bits()) {
       const auto longest = std::max_element(side.begin(), side.end());
-      double radius = crowd.most_radius() / 8;
+      double radius = crowd.max_radius() / 8;
       for (int& bits : bits_of_size_) {
         if (*longest > radius) bits = bits_ + 1;
         radius /= 8;
@@ -75,7 +76,7 @@ class Curve {
 
   int bits() const noexcept { return bits_; }
 
-  /// Of a sphere of a size: to about its radius.
+  /// The key of a sphere of the given size class, with a resolution of about its radius.
   std::uint32_t place(Vec3 center, int size) const noexcept {
     const std::uint64_t place = along(0, center.x) | along(1, center.y) | along(2, center.z);
     const int unused = bits_ - bits_of_size_[static_cast<std::size_t>(size)];
@@ -86,7 +87,7 @@ class Curve {
   static constexpr std::size_t kBytes = kKeyBits / 8;
 
   void set_axis(std::size_t axis, const std::array<int, kKeyBits>& axis_of_bit, double side) {
-    std::array<std::uint32_t, kKeyBits> value{};  // of a bit of the place along the axis
+    std::array<std::uint32_t, kKeyBits> value{};  // of a bit of the coordinate
     std::size_t count = 0;
     for (int bit = bits_ - 1; bit >= 0; --bit) {
       if (axis_of_bit[static_cast<std::size_t>(bit)] != static_cast<int>(axis)) continue;
@@ -95,7 +96,7 @@ class Curve {
     const double cells = std::ldexp(1.0, static_cast<int>(count));
     last_[axis] = cells - 1;
     const double scale = cells / side;
-    scale_[axis] = std::isfinite(scale) ? scale : 0;  // where there is next to nothing between
+    scale_[axis] = std::isfinite(scale) ? scale : 0;  // infinite if the extent is next to nothing
     for (std::size_t byte = 0; byte < kBytes; ++byte) {
       for (std::size_t number = 0; number < 256; ++number) {
         std::uint32_t& entry = spread_[axis][byte][number];
@@ -119,19 +120,19 @@ class Curve {
   int bits_ = 0;
   std::vector<int> bits_of_size_;
   std::array<double, 3> low_, scale_{}, last_{};
-  /// What each byte of a place along an axis is in one along the curve.
+  /// The key bits contributed by each byte of a coordinate.
   std::array<std::array<std::array<std::uint32_t, 256>, kBytes>, 3> spread_{};
 };
 
-/// Sorts by key, keeping the order of equal ones: by one digit after the other, the last one first,
-/// in ranges whose entries follow each other for every digit.
+/// A stable parallel radix sort by key, least significant digit first. Each thread handles ranges
+/// of consecutive entries per digit.
 class RadixSort {
  public:
   RadixSort(Entries& entries, std::size_t count)
       : entries_(entries),
         sorted_(std::make_unique_for_overwrite<Entry[]>(count)),  // NOLINT
         count_(count),
-        ranges_(std::clamp<std::size_t>(count / kRange, 1, kMostRanges)),
+        ranges_(std::clamp<std::size_t>(count / kRange, 1, kMaxRanges)),
         next_(ranges_) {}
 
   void run(int key_bits) {
@@ -140,7 +141,7 @@ class RadixSort {
 
  private:
   static constexpr int kDigitBits = 11;
-  static constexpr std::size_t kDigits = 1 << kDigitBits, kMostRanges = 16;
+  static constexpr std::size_t kDigits = 1 << kDigitBits, kMaxRanges = 16;
 
   template <typename Body>
   void for_ranges(int shift, const Body& body) {
@@ -167,7 +168,7 @@ class RadixSort {
   Entries& entries_;
   Entries sorted_;
   std::size_t count_, ranges_;
-  std::vector<std::array<std::uint32_t, kDigits>> next_;  // of each range, for each digit
+  std::vector<std::array<std::uint32_t, kDigits>> next_;  // per range, for each digit
 };
 
 void sort_run_by_radius(const Crowd& crowd, Entry* begin, Entry* end) {
@@ -180,7 +181,7 @@ void sort_run_by_radius(const Crowd& crowd, Entry* begin, Entry* end) {
                       : tbb::parallel_sort(begin, end, is_before);
 }
 
-/// Every run of equal keys. Threads work on ranges in which runs are whole.
+/// Sorts every run of equal keys. The ranges of threads never split a run.
 void sort_runs_by_radius(const Crowd& crowd, Entry* entries, std::size_t count) {
   const std::size_t ranges = (count + kRange - 1) / kRange;
   std::vector<std::size_t> begin(ranges + 1, count);
@@ -208,15 +209,15 @@ Crowd::Crowd(const CameraView& view, std::span<const std::uint32_t> left_out)
     if (!has(i)) return;
     ++sum.size;
     sum.extent = std::max(sum.extent, extent(i));
-    sum.least_radius = std::min(sum.least_radius, radius(i));
-    sum.most_radius = std::max(sum.most_radius, radius(i));
+    sum.min_radius = std::min(sum.min_radius, radius(i));
+    sum.max_radius = std::max(sum.max_radius, radius(i));
     sum.centers.add(opening(i), 0);
   };
   const auto join = [](Sum& sum, const Sum& later) {
     sum.size += later.size;
     sum.extent = std::max(sum.extent, later.extent);
-    sum.least_radius = std::min(sum.least_radius, later.least_radius);
-    sum.most_radius = std::max(sum.most_radius, later.most_radius);
+    sum.min_radius = std::min(sum.min_radius, later.min_radius);
+    sum.max_radius = std::max(sum.max_radius, later.max_radius);
     sum.centers.add(later.centers);
   };
   sum_ = reduce_indices(count(), Sum{}, add, join);
@@ -227,7 +228,7 @@ bool Crowd::has(std::uint32_t sphere) const noexcept {
 }
 
 std::vector<std::uint32_t> curve_order(const Crowd& crowd) {
-  constexpr std::uint32_t kLast = 0xFFFFFFFF;  // the key of those that have no place
+  constexpr std::uint32_t kLast = 0xFFFFFFFF;  // the key of spheres that are not in the crowd
   const Sizes sizes(crowd);
   const Curve curve(crowd, sizes);
   const std::size_t count = crowd.count();

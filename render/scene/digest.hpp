@@ -6,8 +6,8 @@
 
 namespace sdlc::render {
 
-/// FNV-1a, 64 bits, over the bits of all numbers of the scene: equal for equal scenes, and the same
-/// on every machine.
+/// The 64-bit FNV-1a hash of the bits of all numbers of the scene: equal for equal scenes, and the
+/// same on every machine.
 std::uint64_t digest_of(const Scene& scene);
 
 }  // namespace sdlc::render

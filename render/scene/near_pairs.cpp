@@ -24,36 +24,37 @@
 namespace sdlc::render {
 namespace {
 
-constexpr std::size_t kWidth = 16;  // spheres of a leaf, boxes of a node
-// What rounding places, radii and distances to float may add to a distance, in extents: 16 u.
+constexpr std::size_t kWidth = 16;  // spheres per leaf, and boxes per node
+// The max error of a distance after rounding positions, radii and distances to float, in units of
+// the extent: 16 u.
 constexpr double kFloatError = 0x1p-20;
 
-/// Sixteen boxes, or where spheres are, side by side.
+/// Sixteen boxes, or sphere bounds, as a structure of arrays.
 class Boxes {
  public:
   static constexpr std::uint32_t kAll = 0xFFFF;
 
   std::array<std::array<float, kWidth>, 3> low, high;
 
-  /// Empty ones are met by none.
+  /// Empty boxes intersect nothing.
   void clear() {
     for (auto& axis : low) axis.fill(std::numeric_limits<float>::infinity());
     for (auto& axis : high) axis.fill(-std::numeric_limits<float>::infinity());
   }
-  /// Puts one around all of `other` at a place.
+  /// Stores the bounds of all boxes of `other` at `place`.
   void add(std::size_t place, const Boxes& other) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      Four least = four(other.low[axis], 0), most = four(other.high[axis], 0);
+      Four min = four(other.low[axis], 0), max = four(other.high[axis], 0);
       for (std::size_t first = 4; first < kWidth; first += 4) {
         const Four lows = four(other.low[axis], first), highs = four(other.high[axis], first);
-        least = lows < least ? lows : least;
-        most = highs > most ? highs : most;
+        min = lows < min ? lows : min;
+        max = highs > max ? highs : max;
       }
-      low[axis][place] = std::min({least[0], least[1], least[2], least[3]});
-      high[axis][place] = std::max({most[0], most[1], most[2], most[3]});
+      low[axis][place] = std::min({min[0], min[1], min[2], min[3]});
+      high[axis][place] = std::max({max[0], max[1], max[2], max[3]});
     }
   }
-  /// Those `among` which the box at `place` of `other` meets, as bits.
+  /// The boxes in `among` that the box at `place` of `other` intersects, as a bit mask.
   std::uint32_t meet(const Boxes& other, std::size_t place, std::uint32_t among = kAll) const {
     std::uint32_t met = 0;
     for (std::size_t first = 0; first < kWidth; first += 4) {
@@ -87,16 +88,16 @@ class Boxes {
   }
 };
 
-/// What the spheres of a leaf, or below a node, have in common: where their centres are while the
-/// shutter is open, and their radii.
+/// The common bounds of the spheres in a leaf or below a node: their centres while the shutter is
+/// open, and their radii.
 struct Common {
   Box centers;
-  double least_radius = Box::kInfinity, most_radius = 0;
+  double min_radius = Box::kInfinity, max_radius = 0;
 
   void add(const Common& other) {
     centers.add(other.centers);
-    least_radius = std::min(least_radius, other.least_radius);
-    most_radius = std::max(most_radius, other.most_radius);
+    min_radius = std::min(min_radius, other.min_radius);
+    max_radius = std::max(max_radius, other.max_radius);
   }
 };
 
@@ -113,13 +114,13 @@ class Search {
 
   std::optional<std::vector<SpherePair>> run() {
     const std::size_t leaves = (order_.size() + kWidth - 1) / kWidth;
-    const std::size_t parts = (leaves + kLeavesAPart - 1) / kLeavesAPart;
-    most_comparisons_ = kMostComparisons + 100 * leaves;
-    most_pairs_ = kMostPairs + kMaxPairsPerSphere * order_.size();
+    const std::size_t parts = (leaves + kLeavesPerPart - 1) / kLeavesPerPart;
+    max_comparisons_ = kMaxComparisons + 100 * leaves;
+    max_pairs_ = kMaxPairs + kMaxPairsPerSphere * order_.size();
     std::vector<std::vector<SpherePair>> found(parts);
     tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
-      const std::size_t end = std::min(leaves, (part + 1) * kLeavesAPart);
-      for (std::size_t leaf = part * kLeavesAPart; leaf < end && !is_too_much(); ++leaf) {
+      const std::size_t end = std::min(leaves, (part + 1) * kLeavesPerPart);
+      for (std::size_t leaf = part * kLeavesPerPart; leaf < end && !is_too_much(); ++leaf) {
         find(leaf, found[part]);
       }
     });
@@ -130,22 +131,22 @@ class Search {
   }
 
  private:
-  static constexpr std::size_t kLeavesAPart = 256;
-  // Of leaves, beside a hundred for each, where scenes need some twenty.
-  static constexpr std::size_t kMostComparisons = 1 << 17;
-  static constexpr std::size_t kMostPairs = 1 << 20;
-  static constexpr std::size_t kMaxPairsPerSphere = 24;  // of a lattice that touches 6
-  // Tests of two spheres that take as long as a comparison of two leaves without any.
+  static constexpr std::size_t kLeavesPerPart = 256;
+  // Comparisons of leaves, in addition to a hundred per leaf; usual scenes need about twenty.
+  static constexpr std::size_t kMaxComparisons = 1 << 17;
+  static constexpr std::size_t kMaxPairs = 1 << 20;
+  static constexpr std::size_t kMaxPairsPerSphere = 24;  // a lattice of touching spheres has 6
+  // Sphere tests that take as long as one comparison of leaves without tests.
   static constexpr std::size_t kTestsPerComparison = 16;
 
-  /// Whether there is more to do than may be: sums that only grow, so that no thread's pace
-  /// decides.
-  bool is_too_much() const { return comparisons_ > most_comparisons_ || pairs_ > most_pairs_; }
+  /// Whether the limits are exceeded. The sums only grow, so the result does not depend on the
+  /// timing of threads.
+  bool is_too_much() const { return comparisons_ > max_comparisons_ || pairs_ > max_pairs_; }
 
-  /// Nodes of one height: those at the bottom are leaves, with the boxes of their spheres; those of
-  /// each level above have sixteen nodes of the one below.
+  /// Nodes of one height. Level 0 holds the leaves, with the boxes of their spheres; each node of a
+  /// higher level holds sixteen nodes of the level below.
   struct Level {
-    // Not initialised: the threads that fill them touch their memory first.
+    // Not initialised: the threads that fill them touch the memory first.
     std::unique_ptr<Boxes[]> boxes;    // NOLINT
     std::unique_ptr<Common[]> common;  // NOLINT
     std::size_t count;
@@ -173,8 +174,7 @@ class Search {
     }
   }
 
-  /// `add(boxes, place, k)` puts each of `count` where it belongs in a node, and says what it has
-  /// in common with the others there.
+  /// `add(boxes, place, k)` stores item `k` of `count` in its node, and returns its Common bounds.
   template <typename Add>
   static void fill(Level& level, std::size_t count, const Add& add) {
     tbb::parallel_for(std::size_t{0}, level.count, [&](std::size_t node) {
@@ -190,13 +190,13 @@ class Search {
 
   Common common_of(std::uint32_t i) const {
     Common common{
-        .centers = {}, .least_radius = spheres_.radius(i), .most_radius = spheres_.radius(i)};
+        .centers = {}, .min_radius = spheres_.radius(i), .max_radius = spheres_.radius(i)};
     common.centers.add(spheres_.opening(i), 0);
     common.centers.add(spheres_.closing(i), 0);
     return common;
   }
 
-  /// Wider than the sphere by as much as it may be from another one that it touches.
+  /// The box is wider than the sphere by the max distance at which it touches another sphere.
   void add_sphere(Boxes& boxes, std::size_t place, std::uint32_t i) const {
     const double radius = spheres_.radius(i), unit = spheres_.extent();
     const double reach = (radius + gap_of_radius_ * radius + gap_) / unit + kFloatError;
@@ -209,14 +209,14 @@ class Search {
     }
   }
 
-  /// Pairs with a sphere of the leaf and one of it or of those behind it.
+  /// Finds pairs of a sphere of this leaf with a sphere of this leaf or a later one.
   void find(std::size_t leaf, std::vector<SpherePair>& found) {
     const std::size_t before = found.size();
     std::size_t comparisons = 0;
     struct Waiting {
       std::size_t level, node;
     };
-    std::array<Waiting, kMostLevels * kWidth> stack;
+    std::array<Waiting, kMaxLevels * kWidth> stack;
     std::size_t waiting = 0;
     stack[waiting++] = {levels_.size() - 1, 0};
     while (waiting > 0) {
@@ -226,13 +226,13 @@ class Search {
         continue;
       }
       const Level &below = levels_[now.level - 1], &above_leaves = levels_[1];
-      const std::size_t leaves_a_child = std::size_t{1} << 4 * (now.level - 1);
+      const std::size_t leaves_per_child = std::size_t{1} << 4 * (now.level - 1);
       std::uint32_t met =
           levels_[now.level].boxes[now.node].meet(above_leaves.boxes[leaf / kWidth], leaf % kWidth);
       for (; met != 0; met &= met - 1) {
         const std::size_t child =
             now.node * kWidth + static_cast<std::size_t>(std::countr_zero(met));
-        const bool is_behind = (child + 1) * leaves_a_child > leaf;
+        const bool is_behind = (child + 1) * leaves_per_child > leaf;
         if (!is_behind || !may_be_near(levels_[0].common[leaf], below.common[child])) continue;
         stack[waiting++] = {now.level - 1, child};
       }
@@ -241,13 +241,14 @@ class Search {
     pairs_ += found.size() - before;
   }
 
-  /// How many pairs of spheres it had to test.
+  /// Returns the number of sphere tests.
   std::size_t compare(std::size_t leaf, std::size_t other, std::vector<SpherePair>& found) const {
     std::size_t tests = 0;
     const Boxes *ours = &levels_[0].boxes[leaf], *theirs = &levels_[0].boxes[other];
     std::uint32_t of_ours = Boxes::kAll, of_theirs = Boxes::kAll;
     if (leaf != other) {
-      // Of each leaf those that meet the box around the other one; the fewer are looked at in turn.
+      // Filter each leaf by the bounds of the other one; iterate over the leaf with fewer
+      // candidates.
       const Level& above = levels_[1];
       of_theirs = theirs->meet(above.boxes[leaf / kWidth], leaf % kWidth);
       if (of_theirs == 0) return 0;
@@ -271,10 +272,10 @@ class Search {
     return tests;
   }
 
-  /// Whether are_near() may hold for a sphere of each, by what they have in common: of many spheres
-  /// around one place, as of nested shells, it does for few.
+  /// Whether are_near() may hold for spheres below the two nodes, judged from their common bounds.
+  /// This excludes most pairs even among concentric spheres, such as nested shells.
   bool may_be_near(const Common& a, const Common& b) const {
-    double nearest_squared = 0, farthest_squared = 0;  // centres
+    double nearest_squared = 0, farthest_squared = 0;  // of centres
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double below = b.centers.low[axis] - a.centers.high[axis];
       const double above = a.centers.low[axis] - b.centers.high[axis];
@@ -282,22 +283,22 @@ class Search {
       nearest_squared += nearest * nearest;
       farthest_squared += farthest * farthest;
     }
-    const double least_sum = a.least_radius + b.least_radius;
-    const double most_sum = a.most_radius + b.most_radius;
-    // Far more than rounding does to any of these.
-    const double gap = std::max(gap_, gap_of_radius_ * std::max(a.most_radius, b.most_radius)) +
+    const double min_sum = a.min_radius + b.min_radius;
+    const double max_sum = a.max_radius + b.max_radius;
+    // Far more than the rounding errors of these values.
+    const double gap = std::max(gap_, gap_of_radius_ * std::max(a.max_radius, b.max_radius)) +
                        kFloatError * spheres_.extent();
-    const double reach = most_sum + gap, least_reach = std::max(least_sum - gap, 0.0);
-    if (nearest_squared <= reach * reach && farthest_squared >= least_reach * least_reach) {
+    const double reach = max_sum + gap, min_reach = std::max(min_sum - gap, 0.0);
+    if (nearest_squared <= reach * reach && farthest_squared >= min_reach * min_reach) {
       return true;
     }
     const double nearest = std::sqrt(nearest_squared), farthest = std::sqrt(farthest_squared);
-    const double least_difference =
-        std::max({a.least_radius - b.most_radius, b.least_radius - a.most_radius, 0.0});
-    const double most_difference =
-        std::max(a.most_radius - b.least_radius, b.most_radius - a.least_radius);
-    return (nearest <= most_difference + gap && farthest >= least_difference - gap) ||
-           nearest + least_difference <= spread_ + gap;
+    const double min_difference =
+        std::max({a.min_radius - b.max_radius, b.min_radius - a.max_radius, 0.0});
+    const double max_difference =
+        std::max(a.max_radius - b.min_radius, b.max_radius - a.min_radius);
+    return (nearest <= max_difference + gap && farthest >= min_difference - gap) ||
+           nearest + min_difference <= spread_ + gap;
   }
 
   bool are_near(std::uint32_t a, std::uint32_t b) const {
@@ -319,14 +320,14 @@ class Search {
     return reaches(sum) || reaches(difference) || (overlap && nearest + difference <= spread_);
   }
 
-  static constexpr std::size_t kMostLevels = 9;  // of 2^32 spheres
+  static constexpr std::size_t kMaxLevels = 9;  // for 2^32 spheres
 
   const Crowd& spheres_;
   double gap_, gap_of_radius_, spread_;
   std::vector<std::uint32_t> order_;
   std::vector<Level> levels_;
   std::atomic<std::size_t> comparisons_ = 0, pairs_ = 0;  // so far
-  std::size_t most_comparisons_ = 0, most_pairs_ = 0;
+  std::size_t max_comparisons_ = 0, max_pairs_ = 0;
 };
 
 }  // namespace
@@ -336,13 +337,13 @@ std::optional<std::vector<SpherePair>> find_near_pairs(const CameraView& view,
                                                        std::span<const std::uint32_t> left_out) {
   const Crowd spheres(view, left_out);
   if (spheres.size() > kFewSpheres) return Search(spheres, nearness).run();
-  std::vector<std::uint32_t> members;
+  std::vector<std::uint32_t> visible;
   for (std::uint32_t i = 0; i < spheres.count(); ++i) {
-    if (spheres.has(i)) members.push_back(i);
+    if (spheres.has(i)) visible.push_back(i);
   }
   std::vector<SpherePair> pairs;
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    for (std::size_t l = k + 1; l < members.size(); ++l) pairs.push_back({members[k], members[l]});
+  for (std::size_t k = 0; k < visible.size(); ++k) {
+    for (std::size_t l = k + 1; l < visible.size(); ++l) pairs.push_back({visible[k], visible[l]});
   }
   return pairs;
 }

@@ -18,51 +18,54 @@ namespace sdlc::render {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTouching = kCoincidenceTolerance;  // of the larger radius: as good as no gap
+constexpr double kTouching = kCoincidenceTolerance;  // in units of the larger radius: as good as no
+                                                     // gap
 
-// In units of rounding, times an extent.
-constexpr double kHitError = 25;       // of a hit: the 99th percentile
-constexpr double kAcrossError = 2;     // across the view
-constexpr double kReturnError = 2;     // of what comes back from the far side of a sphere
-constexpr double kLeastSpread = 2000;  // where those that meet are farthest apart
+// In units of rounding times an extent.
+constexpr double kHitError = 25;     // of a hit: the 99th percentile
+constexpr double kAcrossError = 2;   // perpendicular to the view
+constexpr double kReturnError = 2;   // of a ray that returns from the far side of a sphere
+constexpr double kMinSpread = 2000;  // max distance of the surfaces, for those that intersect
 
-constexpr double kPartOfRadius = 1.0 / 100;  // allowed for the error of a hit
+constexpr double kPartOfRadius = 1.0 / 100;  // tolerated error of a hit
 constexpr double kPartOfPixel = 1.0 / 16;
 constexpr double kNarrowestPixel = 16;  // in units of rounding
 
-/// What differs between the precisions.
+/// The limits that differ between the precisions.
 struct Limits {
-  double unit;         // of rounding, relative
-  double least_gap;    // of the larger radius
-  double widest_view;  // on the view plane
-  // And its inverse the least: squares and products of a few stay numbers, and what vanishes of the
-  // brightest light where a path goes on is nothing.
-  double most_radiance;
+  double unit;      // of rounding, relative
+  double min_gap;   // in units of the larger radius
+  double max_view;  // in the image plane
+  // The inverse is the lower limit. Within the limits, squares and products of a few numbers do not
+  // overflow, and underflow is negligible even for the brightest light.
+  double max_radiance;
 };
 constexpr Limits kFloatLimits{
-    .unit = 0x1p-24, .least_gap = 0x1p-16, .widest_view = 100, .most_radiance = 1e20};
+    .unit = 0x1p-24, .min_gap = 0x1p-16, .max_view = 100, .max_radiance = 1e20};
 constexpr Limits kDoubleLimits{
-    .unit = 0x1p-53, .least_gap = 0, .widest_view = 1e100, .most_radiance = 1e300};
+    .unit = 0x1p-53, .min_gap = 0, .max_view = 1e100, .max_radiance = 1e300};
 
-/// From the camera to the surface, when nearest; nothing where the surface goes through it.
+/// The smallest distance from the camera to the surface over the shutter; nullopt if the surface
+/// passes through the camera.
 inline std::optional<double> distance_to(const CameraView& view, std::uint32_t i) {
   const Vec3 from = view.opening(i);
   const double r = view.radius(i);
   double nearest = moderate_length(from) - r, farthest = nearest;
   if (view.is_moving()) {
-    const Vec3 way = view.closing(i) - from;
-    nearest = moderate_length(from + way * nearest_moment(from, way)) - r;
-    farthest = std::max(farthest, moderate_length(from + way) - r);
+    const Vec3 displacement = view.closing(i) - from;
+    nearest = moderate_length(from + displacement * nearest_moment(from, displacement)) - r;
+    farthest = std::max(farthest, moderate_length(from + displacement) - r);
   }
-  const double least = nearest > 0 ? nearest : -farthest;
-  if (least <= kTouching * r) return std::nullopt;
-  return least;
+  const double min = nearest > 0 ? nearest : -farthest;
+  if (min <= kTouching * r) return std::nullopt;
+  return min;
 }
 
-/// The spheres that stand out; of equal ones the first. Nothing of instances.
+/// The spheres with the smallest radius and the largest extent, the first one if there are several.
+/// nullopt for spheres of instances.
 struct Extremes {
   std::optional<std::uint32_t> smallest, farthest;
-  double radius = kInfinity, extent = 0;  // of these two
+  double radius = kInfinity, extent = 0;  // of these two spheres
   bool has_any = false;
 
   void add_radius(std::optional<std::uint32_t> sphere, double of_sphere) {
@@ -86,7 +89,7 @@ struct Extremes {
   }
 };
 
-/// Of all spheres but the `exact` ones.
+/// Over all spheres except `exact`.
 Extremes extremes_of(const CameraView& view, std::span<const std::uint32_t> exact) {
   const auto add = [&](Extremes& extremes, std::size_t index) {
     const auto i = static_cast<std::uint32_t>(index);
@@ -113,7 +116,7 @@ class Judge {
         pixel_(camera.plane_height * std::min(1.0 / std::max(1, settings.height),
                                               camera.aspect / std::max(1, settings.width))) {}
 
-  /// With all spheres met in the precision, but for the `exact` ones.
+  /// For all spheres computed in this precision, except `exact`.
   PrecisionBounds bounds(std::span<const std::uint32_t> exact) const {
     PrecisionBounds bounds;
     judge_picture(bounds);
@@ -137,20 +140,20 @@ class Judge {
       hit.value = kInfinity;  // no sphere is left
     }
     hit.share = hit.value / kPartOfRadius;
-    // Of many spheres only where all depends on them.
+    // For large scenes only if no other bound is broken, because the search is expensive.
     if (view_.count() <= kFewSpheres || bounds.is_accepted()) judge_gaps(exact, bounds);
     return bounds;
   }
 
-  /// The largest spheres, in descending order, `most` of them.
-  std::vector<std::uint32_t> largest(std::size_t most) const {
+  /// The `max_count` largest spheres, in descending order.
+  std::vector<std::uint32_t> largest(std::size_t max_count) const {
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < view_.count(); ++i) {
       if (!view_.is_seen(i)) continue;
       order.insert(std::upper_bound(order.begin(), order.end(), i,
                                     [&](auto a, auto b) { return is_larger(scene_, a, b); }),
                    i);
-      if (order.size() > most) order.pop_back();
+      if (order.size() > max_count) order.pop_back();
     }
     return order;
   }
@@ -167,13 +170,13 @@ class Judge {
              .other = {}};
     PrecisionBound& view = bounds[PrecisionClause::View];
     view.value = camera_.plane_height * std::max(1.0, camera_.aspect);
-    view.limit = limits_.widest_view;
+    view.limit = limits_.max_view;
     view.share = view.value / view.limit;
 
-    bounds[PrecisionClause::Radiance] = judge_radiance(scene_, depth_, limits_.most_radiance);
+    bounds[PrecisionClause::Radiance] = judge_radiance(scene_, depth_, limits_.max_radiance);
   }
 
-  /// `error`: across the view at the surface, in units of rounding.
+  /// `error`: perpendicular to the view at the surface, in units of rounding.
   void judge_distances(double error, std::span<const std::uint32_t> exact,
                        PrecisionBounds& bounds) const {
     const auto add = [&](PrecisionBound& across, std::size_t index) {
@@ -203,7 +206,8 @@ class Judge {
               .other = {}};
   }
 
-  /// Whether paths come back from the far side of a sphere, which may gather them: those within it.
+  /// Whether paths return from the far side of a sphere, which may focus them: transmissive
+  /// spheres, and reflecting ones with the camera inside.
   bool sends_back(std::uint32_t i) const {
     const Material& material = scene_.materials[scene_.spheres[i].material];
     if (material.type == MaterialType::Transmissive) return true;
@@ -211,21 +215,22 @@ class Judge {
       return false;
     }
     const std::optional<double> distance = distance_to(view_, i);
-    const Vec3 from = view_.opening(i), way = view_.closing(i) - from;
-    return !distance || moderate_length(from + way * nearest_moment(from, way)) < view_.radius(i);
+    const Vec3 from = view_.opening(i), displacement = view_.closing(i) - from;
+    return !distance || moderate_length(from + displacement * nearest_moment(from, displacement)) <
+                            view_.radius(i);
   }
 
-  /// Where it cannot be told, float is not accepted.
+  /// If the search fails, float is rejected.
   void judge_gaps(std::span<const std::uint32_t> exact, PrecisionBounds& bounds) const {
     PrecisionBound& narrowest = bounds[PrecisionClause::Gap];
     narrowest.value = kInfinity;
-    narrowest.limit = limits_.least_gap;
-    const Nearness nearness{.gap_of_extent = kContactReach * kLeastGap * limits_.unit,
-                            .gap_of_radius = limits_.least_gap,
-                            .spread_of_extent = kLeastSpread * limits_.unit};
+    narrowest.limit = limits_.min_gap;
+    const Nearness nearness{.gap_of_extent = kContactReach * kMinGap * limits_.unit,
+                            .gap_of_radius = limits_.min_gap,
+                            .spread_of_extent = kMinSpread * limits_.unit};
     bounds.near_pairs = find_near_pairs(view_, nearness, exact);
     if (!bounds.near_pairs) {
-      if (limits_.least_gap > 0) narrowest.share = kInfinity;
+      if (limits_.min_gap > 0) narrowest.share = kInfinity;
       return;
     }
     for_each_pair(scene_, *bounds.near_pairs, exact, [&](std::uint32_t large, std::uint32_t small) {
@@ -233,63 +238,65 @@ class Judge {
     });
   }
 
-  /// Of spheres that move apart or together the ends of the shutter are looked at and the moment
-  /// when their centres are nearest; those that are near each other for less than a hundredth of it
-  /// are left out.
+  /// For spheres that move relative to each other this checks both ends of the shutter and the
+  /// moment when their centres are nearest. Spheres that are near each other for less than a
+  /// hundredth of the shutter interval are skipped.
   void judge_gap(std::uint32_t large, std::uint32_t small, std::span<const std::uint32_t> exact,
                  PrecisionBound& narrowest) const {
     const bool is_large_exact = contains(exact, large), is_small_exact = contains(exact, small);
-    // Next to another sphere, points on one that is met in double are right for that sphere.
+    // Points on a sphere computed in double are accurate for that sphere, so only the other
+    // sphere's error counts.
     const double extent = is_large_exact == is_small_exact
                               ? std::max(view_.extent(large), view_.extent(small))
                               : view_.extent(is_large_exact ? small : large);
     const double radius = view_.radius(large), error = limits_.unit * extent;
-    const double of_radius = is_large_exact ? 0 : limits_.least_gap * radius;
+    const double of_radius = is_large_exact ? 0 : limits_.min_gap * radius;
     const Vec3 from = view_.opening(large) - view_.opening(small);
-    const Vec3 way = view_.closing(large) - view_.closing(small) - from;
-    const double movement = moderate_length(way);
-    const std::array<double, 3> moments{0, 1, nearest_moment(from, way)};
+    const Vec3 displacement = view_.closing(large) - view_.closing(small) - from;
+    const double movement = moderate_length(displacement);
+    const std::array<double, 3> moments{0, 1, nearest_moment(from, displacement)};
     for (std::size_t i = 0; i < (movement > 0 ? moments.size() : 1); ++i) {
-      const double apart = moderate_length(from + way * moments[i]);
+      const double apart = moderate_length(from + displacement * moments[i]);
       const Gap gap = narrowest_gap(radius, view_.radius(small), apart, of_radius, error);
-      if (gap.least <= kBriefly * movement) continue;
-      if (gap.least / gap.width <= narrowest.share) continue;
+      if (gap.min <= kBriefly * movement) continue;
+      if (gap.min / gap.width <= narrowest.share) continue;
       narrowest = {.value = gap.width / radius,
-                   .share = gap.least / gap.width,
-                   .limit = gap.least / radius,
+                   .share = gap.min / gap.width,
+                   .limit = gap.min / radius,
                    .sphere = small,
                    .other = large};
     }
   }
 
-  /// Too narrow where `least` / `width`, its share, is above 1.
+  /// Too narrow if its share, `min` / `width`, is above 1.
   struct Gap {
-    double width = kInfinity, least = 0;
+    double width = kInfinity, min = 0;
   };
 
-  /// Between spheres with centres `apart` at one moment: what comes nearest to being too narrow.
+  /// Between spheres whose centres are `apart` at one moment: the gap with the largest share.
   ///
-  /// Points on one surface must not land beyond the other by rounding, but for a few of them. There
-  /// are two ways to that, and the better one counts. `everywhere`: the surfaces are nowhere nearer
-  /// to each other than rounding can tell, neither side by side, `outside`, nor one in the other,
-  /// `inside`; where they cross both are negative. Or `all`, what becomes of the gap over all of
-  /// the smaller sphere: it may vanish, but grows to `apart` + the difference of the radii at the
-  /// far side. It grows in step with the height above the contact, of which on a sphere all are
-  /// equally likely, so that kLeastSpread leaves one point in a thousand nearer than 2 errors.
+  /// Rounding must not move points on one surface beyond the other one, except for a few. There are
+  /// two sufficient conditions, and the weaker one counts. `everywhere`: the surfaces are further
+  /// apart than the rounding error everywhere, side by side (`outside`) or nested (`inside`); if
+  /// they intersect, both widths are negative. `all`: the gap as a function over the smaller
+  /// sphere. It may vanish at the contact, but grows to `apart` + the difference of the radii at
+  /// the far side. It grows linearly with the height above the contact, which is uniformly
+  /// distributed on a sphere, so that kMinSpread leaves one point in a thousand nearer than 2
+  /// errors.
   ///
-  /// Beside that, `of_size`: centres and radii themselves are rounded, to parts of the larger one.
-  /// How far the near and the far side of the smaller sphere are from the larger surface must not
-  /// be lost in that, however near the camera is, or two surfaces would be one. Those that touch
-  /// have no such distance.
+  /// In addition, `of_size`: centres and radii themselves are rounded, relative to the larger
+  /// sphere. The distances of the near and the far side of the smaller sphere from the larger
+  /// surface must survive this at any camera distance, or two surfaces would become one. Touching
+  /// spheres have no such distance.
   static Gap narrowest_gap(double large, double small, double apart, double of_radius,
                            double error) {
     const double outside = apart - large - small, inside = large - small - apart;
-    const auto share = [](Gap gap) { return gap.least / gap.width; };
-    Gap all{.width = apart + (large - small), .least = kLeastSpread * error};
-    const Gap everywhere{.width = std::max(outside, inside), .least = kLeastGap * error};
+    const auto share = [](Gap gap) { return gap.min / gap.width; };
+    Gap all{.width = apart + (large - small), .min = kMinSpread * error};
+    const Gap everywhere{.width = std::max(outside, inside), .min = kMinGap * error};
     if (everywhere.width > 0 && share(everywhere) < share(all)) all = everywhere;
     for (const double width : {std::fabs(outside), std::fabs(inside)}) {
-      const Gap of_size{.width = width, .least = of_radius};
+      const Gap of_size{.width = width, .min = of_radius};
       if (width > kTouching * large && share(of_size) > share(all)) all = of_size;
     }
     return all;
@@ -301,7 +308,7 @@ class Judge {
   InstanceExtremes of_instances_;
   Limits limits_;
   int depth_;
-  double pixel_;  // its smaller angle, next to the axis
+  double pixel_;  // the smaller angle of a pixel, next to the axis
 };
 
 std::string number(double v) {
@@ -344,13 +351,13 @@ PrecisionBounds judge_precision(const Scene& scene, const Camera& camera,
 }
 
 FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderSettings& settings,
-                         std::size_t most_exact) {
+                         std::size_t max_exact) {
   const Judge judge(scene, camera, settings, kFloatLimits);
   FloatVerdict verdict;
   verdict.bounds = verdict.in_float = judge.bounds({});
   verdict.is_accepted = verdict.in_float.is_accepted();
   if (verdict.is_accepted) return verdict;
-  const std::vector<std::uint32_t> by_size = judge.largest(most_exact);
+  const std::vector<std::uint32_t> by_size = judge.largest(max_exact);
   for (std::size_t exact = 1; exact <= by_size.size(); ++exact) {
     const auto largest = std::span(by_size).first(exact);
     const PrecisionBounds bounds = judge.bounds(largest);

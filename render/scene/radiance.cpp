@@ -11,24 +11,24 @@ namespace {
 
 double brightest(LinearRgb c) { return std::max({c.r, c.g, c.b}); }
 
-/// Of numbers that are at least 0 the one that is most times more, or less, than 1; of equal ones
-/// the first.
+/// Finds the number with the largest factor to 1, up or down, among numbers of at least 0; the
+/// first one if there are several.
 class Farthest {
  public:
-  explicit Farthest(double most)
-      : bound_{.value = 1, .share = 0, .limit = most, .sphere = {}, .other = {}}, most_(most) {}
+  explicit Farthest(double max)
+      : bound_{.value = 1, .share = 0, .limit = max, .sphere = {}, .other = {}}, max_(max) {}
 
   const PrecisionBound& bound() const { return bound_; }
 
   void add(double v) {
-    if (v >= low_ && v <= high_) return;  // without a division for most
+    if (v >= low_ && v <= high_) return;  // fast path without a division
     const double factor = v >= 1 ? v : 1 / v;
-    if (v == 0 || factor / most_ <= bound_.share) return;
+    if (v == 0 || factor / max_ <= bound_.share) return;
     bound_.value = v;
-    bound_.share = factor / most_;
-    bound_.limit = v >= 1 ? most_ : 1 / most_;
+    bound_.share = factor / max_;
+    bound_.limit = v >= 1 ? max_ : 1 / max_;
     high_ = factor;
-    low_ = 1 / factor * (1 + 0x1p-50);  // more than rounding
+    low_ = 1 / factor * (1 + 0x1p-50);  // covers rounding
   }
   void add(LinearRgb c) {
     for (const double v : {c.r, c.g, c.b}) add(v);
@@ -39,15 +39,15 @@ class Farthest {
 
  private:
   PrecisionBound bound_;
-  double most_;
-  double low_ = 2, high_ = 1;  // none in between is farther: at first nothing is
+  double max_;
+  double low_ = 2, high_ = 1;  // no number in between can be farther; initially empty
 };
 
-/// Of the surfaces of a scene.
+/// Collects limits of a scene's materials.
 struct Surfaces {
   Farthest farthest;
   double light = 0;  // the brightest
-  double gain = 1;   // the most that a ray brings back of what it finds
+  double gain = 1;   // max factor by which a reflection multiplies radiance
 
   void add(const Material& material) {
     farthest.add(material.color);
@@ -69,9 +69,9 @@ struct Surfaces {
 
 }  // namespace
 
-PrecisionBound judge_radiance(const Scene& scene, int depth, double most) {
+PrecisionBound judge_radiance(const Scene& scene, int depth, double max) {
   Surfaces all = reduce_indices(
-      scene.materials.size(), Surfaces{.farthest = Farthest(most)},
+      scene.materials.size(), Surfaces{.farthest = Farthest(max)},
       [&](Surfaces& some, std::size_t i) { some.add(scene.materials[i]); },
       [](Surfaces& some, const Surfaces& later) { some.join(later); });
   const Background& sky = scene.background;

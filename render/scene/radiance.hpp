@@ -5,8 +5,8 @@
 
 namespace sdlc::render {
 
-/// PrecisionClause::Radiance of a scene that is seen by paths of up to `depth` rays, where `most`
-/// is allowed and its inverse. O(n) time for n materials, on all threads of the calling arena.
-PrecisionBound judge_radiance(const Scene& scene, int depth, double most);
+/// PrecisionClause::Radiance for paths of up to `depth` rays: values have to be in [1 / max, max].
+/// O(n) time for n materials, on all threads of the current arena.
+PrecisionBound judge_radiance(const Scene& scene, int depth, double max);
 
 }  // namespace sdlc::render

@@ -7,14 +7,14 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
-/// Loops over the spheres of a scene on all threads of the calling arena; short ones stay on the
-/// thread that calls, which they would only wait for others.
+/// Parallel loops over the spheres of a scene, on all threads of the current arena. Short loops
+/// stay on the calling thread, because distributing them would take longer.
 namespace sdlc::render {
 
-/// Members of a range: some tens of microseconds.
+/// Elements per range: some tens of microseconds of work.
 inline constexpr std::size_t kRange = 16384;
 
-/// body(i) for each i below `count`, in any order.
+/// Calls body(i) for each i below `count`, in any order.
 template <typename Body>
 void for_each_index(std::size_t count, const Body& body) {
   const auto run = [&](const tbb::blocked_range<std::size_t>& range) {
@@ -24,9 +24,9 @@ void for_each_index(std::size_t count, const Body& body) {
   count <= kRange ? run(all) : tbb::parallel_for(all, run);
 }
 
-/// `add(sum, i)` for each i below `count`, in sums that begin as `none` and are put together by
-/// `join(sum, later)`, neighbours always and the earlier one first: what does not depend on how
-/// indices are grouped does not depend on threads.
+/// Parallel reduction: `add(sum, i)` for each i below `count`, starting from `none`; `join(sum,
+/// later)` combines sums of adjacent ranges, the earlier one first. The result is deterministic if
+/// it does not depend on how indices are split into ranges.
 template <typename Sum, typename Add, typename Join>
 Sum reduce_indices(std::size_t count, const Sum& none, const Add& add, const Join& join) {
   const auto run = [&](const tbb::blocked_range<std::size_t>& range, Sum sum) {
@@ -41,14 +41,14 @@ Sum reduce_indices(std::size_t count, const Sum& none, const Add& add, const Joi
   });
 }
 
-/// The largest of `value(i)` and of `least`.
+/// The maximum of `value(i)` and `initial`.
 template <typename Value>
-double largest_of(std::size_t count, double least, const Value& value) {
+double largest_of(std::size_t count, double initial, const Value& value) {
   const auto add = [&](double& largest, std::size_t i) {
     const double v = value(i);
     largest = v > largest ? v : largest;
   };
-  return reduce_indices(count, least, add, [](double& largest, double other) {
+  return reduce_indices(count, initial, add, [](double& largest, double other) {
     largest = other > largest ? other : largest;
   });
 }

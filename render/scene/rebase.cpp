@@ -16,12 +16,12 @@ namespace {
 
 double power_of_two(int e) noexcept { return std::ldexp(1.0, e); }
 
-/// max_abs() of what is finite, without a call.
+/// max_abs() of finite components, without a function call.
 double largest_part(Vec3 v) noexcept {
   return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
 }
 
-/// Of moderate size.
+/// The exponent that scales the scene to moderate size.
 int moderate_exponent(const Scene& scene, Vec3 camera) {
   double largest = largest_of(scene.spheres.size(), largest_part(camera), [&](std::size_t i) {
     const Sphere& s = scene.spheres[i];
@@ -29,12 +29,12 @@ int moderate_exponent(const Scene& scene, Vec3 camera) {
   });
   largest = largest_of(scene.shifts.size(), largest,
                        [&](std::size_t i) { return largest_part(scene.shifts[i]); });
-  const std::vector<Ball> balls = balls_around(scene.prototypes);
+  const std::vector<Ball> all_bounds = bounding_spheres(scene.prototypes);
   largest = largest_of(scene.instances.size(), largest, [&](std::size_t i) {
     const auto& [prototype, placement, shift] = scene.instances[i];
-    const Ball& ball = balls[prototype];
-    return std::max({largest_part(placement.apply(ball.center)), largest_part(shift),
-                     ball.radius * placement.scale});
+    const Ball& bounds = all_bounds[prototype];
+    return std::max({largest_part(placement.apply(bounds.center)), largest_part(shift),
+                     bounds.radius * placement.scale});
   });
   return -exponent_of(largest);
 }
@@ -70,23 +70,23 @@ Rebase::Rebase(const Scene& scene, std::span<const std::uint32_t> left_out)
   second_ = power_of_two(e - e / 2);
 }
 
-Instance Rebase::instance(const Instance& from, const Ball& ball) const noexcept {
+Instance Rebase::instance(const Instance& from, const Ball& bounds) const noexcept {
   const Placement& placement = from.placement;
-  const int e = exponent_of(ball.radius);
+  const int e = exponent_of(bounds.radius);
   const auto turned = [&](Vec3 column) { return scaled_by_power_of_two(shift(column), e); };
   return {.prototype = from.prototype,
           .placement = {.x = turned(placement.x),
                         .y = turned(placement.y),
                         .z = turned(placement.z),
-                        .translate = scaled(frame_.place(placement.apply(ball.center))),
+                        .translate = scaled(frame_.place(placement.apply(bounds.center))),
                         .scale = std::ldexp(size(placement.scale), e)},
           .shift = shift(from.shift)};
 }
 
-void center_prototype(Prototype& prototype, const Ball& ball) noexcept {
-  const int e = -exponent_of(ball.radius);
+void center_prototype(Prototype& prototype, const Ball& bounds) noexcept {
+  const int e = -exponent_of(bounds.radius);
   for (Sphere& sphere : prototype.spheres) {
-    sphere.center = scaled_by_power_of_two(sphere.center - ball.center, e);
+    sphere.center = scaled_by_power_of_two(sphere.center - bounds.center, e);
     sphere.radius = std::ldexp(sphere.radius, e);
   }
   for (Vec3& shift : prototype.shifts) shift = scaled_by_power_of_two(shift, e);
@@ -99,11 +99,13 @@ void rebase_to_camera(Scene& scene, std::span<const std::uint32_t> left_out) {
                  [&](std::size_t i) { scene.spheres[i] = rebase.sphere(scene.spheres[i]); });
   for_each_index(scene.shifts.size(),
                  [&](std::size_t i) { scene.shifts[i] = rebase.shift(scene.shifts[i]); });
-  const std::vector<Ball> balls = balls_around(scene.prototypes);
+  const std::vector<Ball> all_bounds = bounding_spheres(scene.prototypes);
   for_each_index(scene.instances.size(), [&](std::size_t i) {
-    scene.instances[i] = rebase.instance(scene.instances[i], balls[scene.instances[i].prototype]);
+    scene.instances[i] =
+        rebase.instance(scene.instances[i], all_bounds[scene.instances[i].prototype]);
   });
-  for (std::size_t i = 0; i < balls.size(); ++i) center_prototype(scene.prototypes[i], balls[i]);
+  for (std::size_t i = 0; i < all_bounds.size(); ++i)
+    center_prototype(scene.prototypes[i], all_bounds[i]);
   scene.camera.from = Vec3{};
   scene.camera.at = view;
 }

@@ -9,7 +9,7 @@
 
 namespace sdlc::render {
 
-/// Lengths of a scene as seen from a camera, in a unit of its own: of moderate size, so that no
+/// Converts lengths of a scene to a unit of moderate size relative to a camera, so that no
 /// difference overflows.
 class CameraFrame {
  public:
@@ -17,29 +17,29 @@ class CameraFrame {
 
   double size(double v) const noexcept { return v * first_ * second_; }
   Vec3 size(Vec3 v) const noexcept { return {size(v.x), size(v.y), size(v.z)}; }
-  /// A length of this frame in the scene's own unit.
+  /// Converts a length of this frame to the scene's unit.
   double length_in_scene(double v) const noexcept { return v / second_ / first_; }
-  /// From the camera to a place.
+  /// The vector from the camera to a point.
   Vec3 place(Vec3 v) const noexcept { return size(v) - origin_; }
 
  private:
-  double first_, second_;  // a power of two; one factor alone may be no double
+  double first_, second_;  // a power of two as two factors, because one may not fit in a double
   Vec3 origin_;
 };
 
-/// The length of what has squares that vanish or overflow; of what has not, but for rounding, too.
+/// The length of a vector whose squares may overflow or underflow.
 double length_of_extreme(Vec3 v) noexcept;
 
-/// The length, where squares would vanish or overflow too.
+/// The length of a vector, also if its squares overflow or underflow.
 inline double moderate_length(Vec3 v) noexcept {
-  // No square of a part that counts comes near the ends of double, and rounding is that of
+  // No square of a relevant component comes near the limits of double, and the result equals
   // length().
-  constexpr double kLeast = 0x1p-800, kMost = 0x1p800;
+  constexpr double kMin = 0x1p-800, kMax = 0x1p800;
   const double squared = length_squared(v);
-  return squared >= kLeast && squared < kMost ? std::sqrt(squared) : length_of_extreme(v);
+  return squared >= kMin && squared < kMax ? std::sqrt(squared) : length_of_extreme(v);
 }
 
-/// What rebase_to_camera() makes of a scene's spheres, to look at without a copy of all of them.
+/// Applies rebase_to_camera() to individual spheres, without a copy of the scene.
 class Rebase {
  public:
   explicit Rebase(const Scene& scene, std::span<const std::uint32_t> left_out = {});
@@ -49,31 +49,34 @@ class Rebase {
         .center = scaled(frame_.place(s.center)), .radius = size(s.radius), .material = s.material};
   }
   Vec3 shift(Vec3 v) const noexcept { return scaled(frame_.size(v)); }
-  /// A length of the rebased scene in the unit of the one before; may overflow.
+  /// Converts a length of the rebased scene to the original unit; may overflow.
   double length_in_scene(double v) const noexcept {
     return frame_.length_in_scene(v / second_ / first_);
   }
-  /// Of the prototype as center_prototype() makes it; `ball` is the one around it before.
-  Instance instance(const Instance& from, const Ball& ball) const noexcept;
+  /// The instance for the prototype after center_prototype(); `bounds` is the prototype's bounding
+  /// sphere before that.
+  Instance instance(const Instance& from, const Ball& bounds) const noexcept;
 
  private:
   double size(double v) const noexcept { return frame_.size(v) * first_ * second_; }
   Vec3 scaled(Vec3 v) const noexcept { return v * first_ * second_; }
 
   CameraFrame frame_;
-  double first_, second_;  // a power of two in two factors, as in CameraFrame
+  double first_, second_;  // a power of two as two factors, as in CameraFrame
 };
 
-/// Puts the middle of a prototype to the origin and scales it by a power of two so that the radius
-/// of `ball`, the one around it, lies in [1, 2).
-void center_prototype(Prototype& prototype, const Ball& ball) noexcept;
+/// Moves the centre of a prototype's bounding sphere, `bounds`, to the origin and scales the
+/// prototype by a power of two, so that the bounding radius is in [1, 2).
+void center_prototype(Prototype& prototype, const Ball& bounds) noexcept;
 
-/// Moves the scene so that the camera stands at the origin and scales it by a power of two so that
-/// its extent E = max(|centre| + radius), over both ends of the shutter, lies in [1, 2); the
-/// spheres `left_out` do not count where there are others. The picture stays the same, bit for bit
-/// under scaling by powers of two, and no longer depends on where in the world the scene is;
-/// squares of lengths can neither overflow nor vanish. Prototypes are centred, and instances put
-/// them where they were. Afterwards camera.at − camera.from is only a direction.
+/// Moves the scene so that the camera is at the origin, and scales it by a power of two so that its
+/// extent E = max(|centre| + radius), over both ends of the shutter, is in [1, 2). The spheres
+/// `left_out` do not count if there are others.
+///
+/// The picture stays the same (scaling by powers of two is exact) and no longer depends on the
+/// scene's position in the world; squares of lengths neither overflow nor underflow. Prototypes are
+/// centred, and instances compensate for it. Afterwards only the direction of camera.at −
+/// camera.from is meaningful.
 void rebase_to_camera(Scene& scene, std::span<const std::uint32_t> left_out = {});
 
 }  // namespace sdlc::render

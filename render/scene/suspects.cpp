@@ -6,33 +6,33 @@
 namespace sdlc::render {
 namespace {
 
-// Spheres are entered in the cells of a grid of centres and radii: each in its own and in those
-// within the tolerance of it, so that two that coincide have a cell in common. One that is alone in
-// its cells coincides with none. Which hashes of cells occur twice is found with a table of a few
-// bits a sphere, which stays in the cache, while all else is read from front to back: sorting a
-// million spheres by their coordinates takes fifteen times as long.
+// Spatial hashing: spheres are entered in the cells of a grid over centres and radii, each in its
+// own cell and in those within the tolerance, so that two coincident spheres share a cell. A sphere
+// that is alone in its cells coincides with no other. Repeated hashes are found with a table of a
+// few bits per sphere, which stays in the cache, while everything else is read sequentially:
+// sorting a million spheres by their coordinates takes fifteen times as long.
 
-// A cell is 2^-26 of the radius wide. That is far more than the tolerance, so that few spheres are
-// in two cells, and far less than spheres are apart, so that few share one.
+// A cell is 2^-26 of the radius wide: far more than the tolerance, so that few spheres are in two
+// cells, and far less than the distance between distinct spheres, so that few share one.
 constexpr int kCellBits = 26;
-// The tolerance in cells, which are at least 2^-27 of a radius wide, twice for what rounding adds.
+// The tolerance in cells. Cells are at least 2^-27 of a radius wide; doubled for rounding.
 constexpr double kReach = kCoincidenceTolerance * (1 << (kCellBits + 2));
-// Where cells begin, in cells: far from the simple fractions that scenes are full of.
+// The offset of the grid, in cells: far from the simple fractions that are common in scenes.
 constexpr double kShift = 0.118033988749895;
 
 constexpr int kMantissaBits = 52;
 constexpr std::uint64_t kExponentBias = 1023;
 
-/// Along one axis, the cells of a number less and plus the tolerance: neighbours, and nearly always
-/// one and the same. What is between the two numbers is in one of these cells, for every step to a
-/// cell keeps the order of numbers, rounding included.
+/// The cells of a coordinate minus and plus the tolerance: adjacent cells, nearly always the same
+/// one. Everything between the two numbers is in one of these cells, because every step of the
+/// mapping is monotonic, including rounding.
 struct Cells {
   std::uint64_t low, high;
 
   bool differ() const { return low != high; }
 };
 
-/// Along the radius a cell is a range of the bits of a double: it grows with the radius.
+/// For radii a cell is a range of the bits of a double, so its width grows with the radius.
 Cells cells_of_radius(double radius) {
   constexpr int kWidthBits = kMantissaBits - kCellBits;
   constexpr auto kReachBits = static_cast<std::uint64_t>(kReach * (1 << kWidthBits));
@@ -41,15 +41,15 @@ Cells cells_of_radius(double radius) {
   return {(bits - kReachBits) >> kWidthBits, (bits + kReachBits) >> kWidthBits};
 }
 
-/// How many cells along x, y and z there are to a unit of length: a power of two.
+/// The number of cells per unit of length along x, y and z: a power of two.
 double cells_per_unit(std::uint64_t cell_of_radius) {
-  // For radii below 2^-997 there is no such double, and cells are wider.
+  // Below a radius of 2^-997 there is no such double, and cells are wider.
   const std::uint64_t exponent = std::max<std::uint64_t>(cell_of_radius >> kCellBits, kCellBits);
   return std::bit_cast<double>((2 * kExponentBias + kCellBits - exponent) << kMantissaBits);
 }
 
 Cells cells_of_coordinate(double coordinate, double cells_per_unit) {
-  constexpr double kRounder = 0x1.8p52;  // what is added to it is rounded to a whole number
+  constexpr double kRounder = 0x1.8p52;  // adding this rounds to an integer
   const double place = coordinate * cells_per_unit;
   return {std::bit_cast<std::uint64_t>(place + (kShift - kReach) + kRounder),
           std::bit_cast<std::uint64_t>(place + (kShift + kReach) + kRounder)};
@@ -92,10 +92,11 @@ std::vector<Entry> enter_all(const std::vector<Sphere>& spheres) {
   return entries;
 }
 
-/// Which hashes have been added more than once, and some others that fall together with them.
+/// A set of the hashes that were added more than once; like a Bloom filter, it may contain others
+/// that collide with them.
 class RepeatedHashes {
  public:
-  /// `factor` is odd and decides which hashes fall together.
+  /// `factor` is odd and decides which hashes collide.
   RepeatedHashes(std::size_t hashes, std::uint32_t factor)
       : slot_bits_(
             std::clamp(static_cast<int>(std::bit_width(hashes * kSlotsPerHash)), kWordBits, 32)),
@@ -115,8 +116,8 @@ class RepeatedHashes {
   }
 
  private:
-  static constexpr std::size_t kSlotsPerHash = 8;  // up to twice as many; of two bits
-  static constexpr int kWordBits = 5;              // slots in a word, as a power of two
+  static constexpr std::size_t kSlotsPerHash = 8;  // up to twice as many, of two bits each
+  static constexpr int kWordBits = 5;              // slots per word, as a power of two
 
   std::uint32_t slot_of(std::uint32_t hash) const { return (hash * factor_) >> (32 - slot_bits_); }
   static std::uint32_t bit_of(std::uint32_t slot) { return slot % (1 << kWordBits) * 2; }
@@ -130,7 +131,7 @@ class RepeatedHashes {
 
 std::vector<std::uint32_t> find_suspects(const std::vector<Sphere>& spheres) {
   std::vector<Entry> entries = enter_all(spheres);
-  // About a tenth remains each time, and in the end those whose hashes are equal.
+  // Each round keeps about a tenth; in the end only entries with equal hashes remain.
   std::uint32_t factor = 0x9E3779B1;
   std::size_t before;
   do {

@@ -12,14 +12,14 @@
 namespace sdlc::render {
 namespace {
 
-constexpr double kMostOfRadius = 1.0 / 64;
+constexpr double kMaxShrinkage = 1.0 / 64;
 
-/// Two spheres that are apart, as near to each other as they come.
+/// Two separate spheres at their closest approach.
 struct Contact {
   std::uint32_t large, small;
-  double apart;      // the centres
-  bool is_inside;    // the small one, in the large one
-  double least_gap;  // that there is to be
+  double apart;    // distance of the centres
+  bool is_inside;  // the small sphere is inside the large one
+  double min_gap;  // the required gap
 };
 
 class Parting {
@@ -31,12 +31,12 @@ class Parting {
     if (known) {
       find_contacts(*known);
     } else {
-      const Nearness nearness{.gap_of_extent = kContactReach * kLeastGap * unit_};
+      const Nearness nearness{.gap_of_extent = kContactReach * kMinGap * unit_};
       const auto pairs = find_near_pairs(scene_, {}, nearness, exact_);
       if (!pairs) return;
       find_contacts(*pairs);
     }
-    // Each sphere after all that are larger: those have their own radius by then.
+    // Process each sphere after all larger ones, whose radii are final by then.
     std::sort(contacts_.begin(), contacts_.end(), [&](const Contact& a, const Contact& b) {
       return a.small != b.small ? is_larger(scene_, a.small, b.small)
                                 : is_larger(scene_, a.large, b.large);
@@ -57,15 +57,17 @@ class Parting {
 
   void add_contacts(std::uint32_t large, std::uint32_t small) {
     const Vec3 from = opening(large) - opening(small);
-    const Vec3 way = closing(large) - closing(small) - from;
-    const double nearest = length(from + way * nearest_moment(from, way));
-    const double farthest = std::max(length(from), length(from + way));
+    const Vec3 displacement = closing(large) - closing(small) - from;
+    const double nearest = length(from + displacement * nearest_moment(from, displacement));
+    const double farthest = std::max(length(from), length(from + displacement));
     const auto add = [&](double apart, bool is_inside) {
-      const double least = least_gap(large, small, is_inside);
+      const double required = min_gap(large, small, is_inside);
       const double gap =
           is_inside ? radius(large) - radius(small) - apart : apart - radius(large) - radius(small);
-      if (gap <= -least || gap >= kContactReach * least || kBriefly * length(way) > least) return;
-      contacts_.push_back({large, small, apart, is_inside, least});
+      if (gap <= -required || gap >= kContactReach * required ||
+          kBriefly * length(displacement) > required)
+        return;
+      contacts_.push_back({large, small, apart, is_inside, required});
     };
     add(nearest, false);
     add(farthest, true);
@@ -79,9 +81,9 @@ class Parting {
     for (const Contact& contact : contacts) {
       const double of_large = scene_.spheres[contact.large].radius;
       const double up_to = contact.is_inside ? of_large - contact.apart : contact.apart - of_large;
-      radius = std::min(radius, up_to - contact.least_gap);
+      radius = std::min(radius, up_to - contact.min_gap);
     }
-    if (radius >= (1 - kMostOfRadius) * sphere.radius) sphere.radius = radius;
+    if (radius >= (1 - kMaxShrinkage) * sphere.radius) sphere.radius = radius;
   }
 
   bool is_exact(std::uint32_t i) const { return contains(exact_, i); }
@@ -94,17 +96,18 @@ class Parting {
     return std::max(length(opening(i)), length(closing(i))) + radius(i);
   }
 
-  /// Twice what points on the two are off, where they are near each other.
-  double least_gap(std::uint32_t large, std::uint32_t small, bool is_inside) const {
-    const double unit = kLeastGap * unit_;
+  /// Twice the error of points on the two spheres near their contact.
+  double min_gap(std::uint32_t large, std::uint32_t small, bool is_inside) const {
+    const double unit = kMinGap * unit_;
     if (!is_exact(large) && !is_exact(small)) {
       return unit * std::max(extent(large), extent(small));
     }
     if (!is_exact(large)) return unit * extent(large);
     if (!is_exact(small)) return unit * extent(small);
-    // Both are met in double: a point at a distance s from the contact, which is at c, is off by a
-    // unit of |c| + s, and the surfaces are s² / 2R apart there, 1/R the sum or difference of the
-    // curvatures. From where that is more on, points are right.
+    // Both are computed in double. A point at a distance s from the contact at c has an error of
+    // unit · (|c| + s), and the surfaces are s² / 2R apart there, where 1/R is the sum or
+    // difference of the curvatures. Beyond the distance where the gap is larger, points are
+    // accurate enough.
     const Vec3 to_small = opening(small) - opening(large);
     const Vec3 contact = opening(large) + to_small * (radius(large) / length(to_small));
     const double curvature = 1 / radius(small) + (is_inside ? -1 : 1) / radius(large);

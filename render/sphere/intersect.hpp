@@ -7,7 +7,7 @@
 #include "render/math/ray.hpp"
 #include "render/math/vec3.hpp"
 
-/// Where rays meet spheres, without any epsilon.
+/// Ray-sphere intersection without any epsilon.
 namespace sdlc::render {
 
 inline constexpr double kNoHit = std::numeric_limits<double>::infinity();
@@ -16,11 +16,11 @@ inline constexpr std::uint32_t kNoSphere = 0xFFFFFFFF;
 /// Distance along a unit direction to the first point of a sphere with t > 0, or kNoHit. `f` is the
 /// ray's origin minus the centre.
 ///
-/// The part of `f` across the direction, and not the difference of two squares, decides about hit
-/// and miss: its error grows as distance / radius, where that of the textbook's discriminant grows
-/// as its square (Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere
-/// Intersection", Ray Tracing Gems, ch. 7). The root that subtracts nothing is computed first; the
-/// other follows from the product of the two.
+/// Hit or miss is decided by the component of `f` perpendicular to the direction, not by a
+/// difference of two squares: its error grows as distance / radius, where that of the textbook
+/// discriminant grows as its square (Haines, Günther, Akenine-Möller, "Precision Improvements for
+/// Ray/Sphere Intersection", Ray Tracing Gems, ch. 7). The root without cancellation is computed
+/// first; the other follows from the product of the two.
 inline double hit_distance(Vec3 f, Vec3 direction, double radius) noexcept {
   const double b = dot(f, direction);
   const Vec3 across = f - direction * b;
@@ -33,22 +33,21 @@ inline double hit_distance(Vec3 f, Vec3 direction, double radius) noexcept {
   return c < 0 ? -c / s : kNoHit;
 }
 
-/// The surface that a ray starts on: a ray that leaves a sphere meets it again only from inside,
-/// and then at a distance that is known without solving anything. `normal` is the outward normal at
-/// the start.
+/// The surface that a ray starts on. A ray that leaves a sphere hits it again only from inside, at
+/// a distance with a closed form. `normal` is the outward normal at the start.
 struct Departure {
   std::uint32_t sphere = kNoSphere;
   Vec3 normal;
 };
 
-/// Distance at which a ray that starts on a sphere meets the same sphere again, or kNoHit.
+/// The distance at which a ray that starts on a sphere hits the same sphere again, or kNoHit.
 inline double rehit_distance(Vec3 direction, Vec3 normal, double radius) noexcept {
   const double cosine = dot(direction, normal);
   return cosine < 0 ? -2 * cosine * radius : kNoHit;
 }
 
-/// The outward normal where it does. Its length is mended every time: over many internal
-/// reflections the error would grow without bound.
+/// The outward normal at that hit. It is normalised every time: otherwise the error would grow
+/// without bound over many internal reflections.
 inline Vec3 rehit_normal(Vec3 direction, Vec3 normal) noexcept {
   return unit(normal - direction * (2 * dot(direction, normal)));
 }

@@ -35,20 +35,22 @@ GoalRender::GoalRender(PictureTracer& tracer, const RenderSettings& settings,
 }
 
 bool GoalRender::is_late() const {
-  // The first pass is finished whatever it takes: a picture with holes is none.
+  // The first pass is always finished: a picture must not have holes.
   return deadline_ && !is_first_pass_ && Clock::now() >= *deadline_;
 }
 
-bool GoalRender::pass(std::uint64_t most, const Target& target) {
-  const bool is_whole = tracer_.trace_pass(film_, most, target, [this] { return is_late(); });
+bool GoalRender::pass(std::uint64_t max_samples, const Target& target) {
+  const bool is_whole =
+      tracer_.trace_pass(film_, max_samples, target, [this] { return is_late(); });
   is_first_pass_ = false;
   if (deadline_) {
-    tell_share(std::chrono::duration<double>(Clock::now() - start_).count() / *settings_.seconds);
+    report_progress(std::chrono::duration<double>(Clock::now() - start_).count() /
+                    *settings_.seconds);
   }
   return is_whole && !is_late();
 }
 
-void GoalRender::tell_share(double share) {
+void GoalRender::report_progress(double share) {
   monitor_.goal_share = std::max(monitor_.goal_share.load(), std::min(share, 1.0));
 }
 
@@ -60,7 +62,7 @@ void GoalRender::estimate() {
     result_.least_samples = std::min(result_.least_samples, samples);
     result_.most_samples = std::max(result_.most_samples, samples);
   }
-  const bool is_known = result_.least_samples >= kLeastReplicatedSamples;
+  const bool is_known = result_.least_samples >= kMinReplicatedSamples;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film_.size(), 1024),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t i = range.begin(); i < range.end(); ++i) {
@@ -97,60 +99,62 @@ void GoalRender::run() {
 }
 
 void GoalRender::run_uniform() {
-  const auto most = static_cast<std::uint64_t>(settings_.samples);
-  ErrorGoal goal(settings_.error.value_or(0), most);
-  // For time alone the first pass is as short as can be, and is whole.
+  const auto max_samples = static_cast<std::uint64_t>(settings_.samples);
+  ErrorGoal goal(settings_.error.value_or(0), max_samples);
+  // With only a time limit the first pass is as short as possible, and is finished.
   std::optional<std::uint64_t> samples = settings_.error ? goal.first_samples() : 1;
   while (samples && pass(*samples, [&](std::size_t) { return *samples; })) {
     if (settings_.error) {
       estimate();
       if (!result_.error) return;
       const double to_go = *settings_.error / result_.error->interval.to;
-      tell_share(to_go * to_go);
+      report_progress(to_go * to_go);
       const std::uint64_t now = *samples;
       samples = goal.next_samples(now, *result_.error);
       if (goal.is_reached() && has_unseen_error(result_, emitters_)) {
-        // Not for ever: a kind of path may be one that is hidden everywhere.
+        // Limited: a kind of path may be occluded everywhere.
         constexpr std::uint64_t kMaxBlindSamples = 1024;
-        const std::uint64_t next = std::min({2 * now, std::max(now, kMaxBlindSamples), most});
+        const std::uint64_t next =
+            std::min({2 * now, std::max(now, kMaxBlindSamples), max_samples});
         if (next <= now) return;
         samples = next;
       }
-    } else if (*samples >= most) {
+    } else if (*samples >= max_samples) {
       return;
     } else {
       const std::uint64_t next =
-          *samples < kLeastReplicatedSamples
-              ? (*samples < kReplicates ? kReplicates : kLeastReplicatedSamples)
+          *samples < kMinReplicatedSamples
+              ? (*samples < kReplicates ? kReplicates : kMinReplicatedSamples)
               : *samples +
                     std::max<std::uint64_t>(kReplicates, *samples / 4 / kReplicates * kReplicates);
-      samples = std::min(next, most);
+      samples = std::min(next, max_samples);
     }
   }
 }
 
 void GoalRender::run_adaptive() {
-  const auto most = static_cast<std::uint64_t>(settings_.samples);
-  const std::uint64_t pilot = std::min<std::uint64_t>(kPilotSamples, most);
+  const auto max_samples = static_cast<std::uint64_t>(settings_.samples);
+  const std::uint64_t pilot = std::min<std::uint64_t>(kPilotSamples, max_samples);
   if (!pass(pilot, [&](std::size_t) { return pilot; })) return;
   estimate();
   if (!result_.error || result_.error->interval.to <= *settings_.error) return;
-  // The interval has some width when all is done: the estimate itself has to come down further.
+  // The confidence interval has a width at the end, so the estimate itself has to be lower than the
+  // goal.
   const double width = result_.error->relative_error / result_.error->interval.to;
   std::vector<std::uint32_t> samples =
       adaptive_samples(spreads_, *result_.error, settings_.width, *settings_.error * width,
-                       settings_.sampler, static_cast<std::uint32_t>(pilot), most);
+                       settings_.sampler, static_cast<std::uint32_t>(pilot), max_samples);
   while (pass(*std::ranges::max_element(samples), [&](std::size_t i) { return samples[i]; })) {
     estimate();
     if (!result_.error) return;
     const double left = result_.error->interval.to / *settings_.error;
-    tell_share(1 / (left * left));
-    if (left <= 1 || result_.least_samples >= most) return;
-    // All of them by the same factor, as the error falls with the root of the samples, or faster.
+    report_progress(1 / (left * left));
+    if (left <= 1 || result_.least_samples >= max_samples) return;
+    // Scale all by the same factor: the error falls at least with the square root of the samples.
     const double factor = std::clamp(left * left, 1.02, 1.25);
     for (std::uint32_t& n : samples) {
       const double wanted = std::ceil(n * factor / kReplicates) * kReplicates;
-      n = static_cast<std::uint32_t>(std::min(wanted, static_cast<double>(most)));
+      n = static_cast<std::uint32_t>(std::min(wanted, static_cast<double>(max_samples)));
     }
   }
 }

@@ -14,16 +14,16 @@
 
 namespace sdlc::render {
 
-/// Whether kinds of path that were found too rarely may add more than half of the upper end of its
-/// interval to the error of a picture, an eighth in all. False where the error is not known anyway.
+/// Whether rare kinds of path may add more than half of the interval's upper end to the error of a
+/// picture, an eighth in total. False if the error is not known anyway.
 bool has_unseen_error(const RenderResult& result, const EmitterTally& emitters);
 
-/// A render with a goal: passes over the whole picture until one of them is reached.
+/// A render with a goal: passes over the whole picture until a goal is reached.
 class GoalRender {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// All are borrowed. `start`: when the time that RenderSettings::seconds counts began.
+  /// Keeps references to all arguments. RenderSettings::seconds counts from `start`.
   GoalRender(PictureTracer& tracer, const RenderSettings& settings, const EmitterTally& emitters,
              Clock::time_point start, RenderMonitor& monitor, RenderResult& result);
 
@@ -32,13 +32,13 @@ class GoalRender {
  private:
   using Target = std::function<std::uint64_t(std::size_t pixel)>;
 
-  /// One pass; false when it was the last, as time ran out or somebody cancels.
-  bool pass(std::uint64_t most, const Target& target);
+  /// Runs one pass; returns false if it was the last one because of the time limit or cancellation.
+  bool pass(std::uint64_t max_samples, const Target& target);
   void run_uniform();
   void run_adaptive();
   bool is_late() const;
-  void tell_share(double share);
-  /// Takes over the picture and what is known of its error.
+  void report_progress(double share);
+  /// Updates the picture and its error estimate.
   void estimate();
 
   PictureTracer& tracer_;

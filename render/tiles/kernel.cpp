@@ -17,8 +17,8 @@
 namespace sdlc::render {
 namespace {
 
-// Nanoseconds that a ray takes, fitted to a ground with 23 to 249 spheres on it, on one thread of a
-// Zen 4 with AVX2. With AVX-512 the two meet at about as many spheres.
+// Nanoseconds per ray, fitted to a ground with 23 to 249 spheres on it, on one thread of a Zen 4
+// with AVX2. With AVX-512 the crossover is at about the same number of spheres.
 double cost_of_all(double spheres, Precision precision) {
   return precision == Precision::Double ? 25 + 0.55 * spheres : 16 + 0.36 * spheres;
 }
@@ -29,14 +29,14 @@ double cost_of_bvh(double spheres, Precision precision) {
 
 std::string whole(double number) { return std::to_string(std::lround(number)); }
 
-/// Why no wide kernel takes a scene; empty: one does.
+/// Why no wide kernel can trace the scene; empty if one can.
 std::string objection_to_wide(const Scene& scene, const KernelRequest& request) {
-  if (available_isas().empty()) return "the machine lacks the instructions of the wide kernel";
+  if (available_isas().empty()) return "the machine lacks the instructions of the wide kernels";
   if (scene.spheres.empty() && scene.instances.empty()) return "no spheres";
-  if (request.kind == KernelKind::Wide && scene.spheres.size() > kMostWideSpheres) {
-    return "more than " + std::to_string(kMostWideSpheres) + " spheres";
+  if (request.kind == KernelKind::Wide && scene.spheres.size() > kMaxWideSpheres) {
+    return "more than " + std::to_string(kMaxWideSpheres) + " spheres";
   }
-  return count_under_camera(scene) > 1 ? "the camera stands on several surfaces" : "";
+  return count_under_camera(scene) > 1 ? "the camera is on several surfaces" : "";
 }
 
 bool has(Isa isa) {
@@ -51,11 +51,11 @@ Kernel kernel_in_double(const Scene& scene, const RenderSettings& settings, std:
   return kernel;
 }
 
-/// The precision that is asked for, or that the scene asks for, and why.
+/// The precision that was requested, or that the scene requires, and the reason.
 Kernel judged_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request) {
   if (request.precision == Precision::Double) {
-    return kernel_in_double(scene, settings, "double was asked for");
+    return kernel_in_double(scene, settings, "double was requested");
   }
   FloatVerdict verdict = judge_float(scene, scene.camera, settings);
   const PrecisionClause clause = verdict.in_float.deciding();
@@ -70,11 +70,11 @@ Kernel judged_kernel(const Scene& scene, const RenderSettings& settings,
   const bool is_mixed = !kernel.exact_spheres.empty();
   kernel.precision = is_mixed ? Precision::Mixed : Precision::Float;
   if (is_mixed) {
-    kernel.reason = std::to_string(kernel.exact_spheres.size()) + " met in double: " + objection;
+    kernel.reason = std::to_string(kernel.exact_spheres.size()) + " in double: " + objection;
   } else if (!verdict.is_accepted) {
-    kernel.reason = "float was asked for, but " + objection;
+    kernel.reason = "float was requested, but " + objection;
   } else {
-    kernel.reason = "rounding stays far below a pixel";
+    kernel.reason = "rounding errors are far below a pixel";
   }
   return kernel;
 }
@@ -86,23 +86,23 @@ Kernel refused(std::string refusal) {
   return kernel;
 }
 
-/// Instances are followed by one kernel alone.
+/// Only the BVH kernel supports instances.
 Kernel kernel_for_instances(const Scene& scene, const RenderSettings& settings,
                             const KernelRequest& request) {
-  const std::string way_out = "; --instances never gives every sphere a place of its own";
+  const std::string hint = "; --instances never expands them";
   if (request.isa && !has(*request.isa)) {
     return refused("--isa: this machine has no " + std::string(name_of(*request.isa)));
   }
   if (request.kind && *request.kind != KernelKind::Bvh) {
-    return refused("--kernel: instances are traced through a hierarchy" + way_out);
+    return refused("--kernel: instances are traced with a BVH" + hint);
   }
   if (request.precision && request.precision != Precision::Double && !request.may_take_double) {
-    return refused("--precision: instances are traced in double" + way_out);
+    return refused("--precision: instances are traced in double" + hint);
   }
   const std::string objection = objection_to_wide(scene, request);
   if (!objection.empty()) {
     return refused("--instances: not with the scalar kernel, which is needed as " + objection +
-                   way_out);
+                   hint);
   }
   Kernel kernel = kernel_in_double(scene, settings, "instances are traced in double");
   kernel.kind = KernelKind::Bvh;
@@ -119,10 +119,10 @@ Kernel wide_kernel_for(const Scene& scene, const RenderSettings& settings,
     const auto spheres = static_cast<double>(scene.spheres.size());
     const double all = cost_of_all(spheres, kernel.precision);
     const double bvh = cost_of_bvh(spheres, kernel.precision);
-    const bool is_small = scene.spheres.size() <= kMostWideSpheres && all <= bvh;
+    const bool is_small = scene.spheres.size() <= kMaxWideSpheres && all <= bvh;
     kernel.kind = is_small ? KernelKind::Wide : KernelKind::Bvh;
-    kernel.reason += "; by the model " + whole(all) + " ns a ray with every sphere, " + whole(bvh) +
-                     " through a hierarchy";
+    kernel.reason +=
+        "; model: " + whole(all) + " ns per ray with every sphere, " + whole(bvh) + " with a BVH";
   }
   kernel.isa = request.isa.value_or(available_isas().back());
   return kernel;
@@ -133,7 +133,7 @@ Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
   const auto scalar = [&](std::string reason) {
     return kernel_in_double(scene, settings, std::move(reason));
   };
-  // The search for gaps works on several.
+  // The search for gaps is parallel.
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(thread_count(settings.threads)));
   if (!scene.instances.empty()) return kernel_for_instances(scene, settings, request);
@@ -147,24 +147,24 @@ Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
   }
   if (is_scalar) {
     if (wants_float) return refused("--precision: the scalar kernel computes in double");
-    if (request.isa) return refused("--isa: the scalar kernel has no other instructions");
-    return scalar("the scalar kernel was asked for");
+    if (request.isa) return refused("--isa: the scalar kernel has no other instruction sets");
+    return scalar("the scalar kernel was requested");
   }
 
   const bool must_be_wide = request.kind || request.isa || wants_float;
   if (!objection.empty()) {
     if (!must_be_wide) return scalar(objection);
     const char* flag = request.kind ? "--kernel" : request.isa ? "--isa" : "--precision";
-    return refused(std::string(flag) + ": not with the wide kernel: " + objection);
+    return refused(std::string(flag) + ": not with the wide kernels: " + objection);
   }
   return wide_kernel_for(scene, settings, request);
 }
 
-/// For which emitters diffuse surfaces look. Geometry has the last word where the pilot saw hardly
-/// any light: what lights a corner of the picture may be what matters in it.
+/// The emitters that diffuse surfaces sample. The geometric choice decides if the pilot found
+/// hardly any light: light in one corner of the picture may be what matters.
 std::vector<std::uint32_t> lights_for(const Scene& scene, const RenderSettings& settings) {
   std::vector<std::uint32_t> chosen = choose_lights(scene, settings.light_sampling);
-  constexpr std::size_t kMaxPilotSpheres = 1 << 17;  // building a hierarchy twice takes time
+  constexpr std::size_t kMaxPilotSpheres = 1 << 17;  // building the BVH twice takes time
   if (settings.light_sampling != LightSampling::Auto || !scene.instances.empty() ||
       scene.spheres.size() > kMaxPilotSpheres) {
     return chosen;

@@ -9,8 +9,8 @@
 namespace sdlc::render {
 namespace {
 
-// Some thousands of runs at a time keep all lanes busy to the end, and their sums in the cache.
-constexpr std::size_t kRunsAtATime = 4096;
+// Some thousands of runs at a time keep all lanes busy, and their sums in the cache.
+constexpr std::size_t kRunsPerBatch = 4096;
 
 Film::Target target_in_replicates(std::uint64_t samples) {
   Film::Target target;
@@ -18,9 +18,9 @@ Film::Target target_in_replicates(std::uint64_t samples) {
   return target;
 }
 
-/// Of a picture of `samples` a pixel; fewer than make replicates are one.
+/// The target for `samples` samples per pixel; a small number is a single replicate.
 Film::Target whole_target(std::uint64_t samples) {
-  if (samples < kLeastReplicatedSamples) return {static_cast<std::uint32_t>(samples)};
+  if (samples < kMinReplicatedSamples) return {static_cast<std::uint32_t>(samples)};
   return target_in_replicates(samples);
 }
 
@@ -34,28 +34,28 @@ PictureTracer::PictureTracer(const Tracer& tracer, const RenderSettings& setting
       threads_(threads),
       monitor_(monitor) {}
 
-std::size_t PictureTracer::pixels_a_tile(std::uint64_t samples) const noexcept {
+std::size_t PictureTracer::pixels_per_tile(std::uint64_t samples) const noexcept {
   // Lanes idle while a tile's last runs end: half a run in 64 of them, with 16 lanes. Threads idle
-  // while the picture's last tiles do.
-  constexpr std::size_t kSamplesATile = 1 << 16, kMostPixels = 1024, kTilesAThread = 16,
-                        kMostTiles = 1 << 30;
-  const std::size_t least = std::max<std::size_t>(1, pixels_ / kMostTiles);
-  const std::size_t of_threads = pixels_ / (static_cast<std::size_t>(threads_) * kTilesAThread);
-  const std::size_t of_samples = kSamplesATile / std::max<std::uint64_t>(samples, 1);
-  return std::clamp(std::min(of_samples, kMostPixels), least, std::max(least, of_threads));
+  // during the picture's last tiles.
+  constexpr std::size_t kSamplesPerTile = 1 << 16, kMaxPixels = 1024, kTilesPerThread = 16,
+                        kMaxTiles = 1 << 30;
+  const std::size_t min_tile = std::max<std::size_t>(1, pixels_ / kMaxTiles);
+  const std::size_t of_threads = pixels_ / (static_cast<std::size_t>(threads_) * kTilesPerThread);
+  const std::size_t of_samples = kSamplesPerTile / std::max<std::uint64_t>(samples, 1);
+  return std::clamp(std::min(of_samples, kMaxPixels), min_tile, std::max(min_tile, of_threads));
 }
 
 void PictureTracer::for_each_tile(
-    std::size_t pixels_a_tile,
+    std::size_t pixels_per_tile,
     const std::function<void(std::size_t begin, std::size_t end)>& body) const {
-  const std::size_t tiles = (pixels_ + pixels_a_tile - 1) / pixels_a_tile;
+  const std::size_t tiles = (pixels_ + pixels_per_tile - 1) / pixels_per_tile;
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, tiles, 1),
       [&](const tbb::blocked_range<std::size_t>& range) {
         for (std::size_t tile = range.begin(); tile < range.end(); ++tile) {
           if (monitor_.cancel.load(std::memory_order_relaxed)) return;
-          const std::size_t begin = tile * pixels_a_tile;
-          body(begin, std::min(pixels_, begin + pixels_a_tile));
+          const std::size_t begin = tile * pixels_per_tile;
+          body(begin, std::min(pixels_, begin + pixels_per_tile));
         }
       },
       tbb::simple_partitioner{});
@@ -64,13 +64,13 @@ void PictureTracer::for_each_tile(
 template <typename TargetOf, typename IsLate>
 bool PictureTracer::trace_pixels(Film& film, std::size_t begin, std::size_t end,
                                  const TargetOf& target, const IsLate& is_late) {
-  const std::size_t most_blocks =
-      std::max<std::size_t>(1, kRunsAtATime / (kReplicates * (end - begin)));
-  thread_local std::vector<SampleRun> runs;  // so that its memory is mapped once
+  const std::size_t max_blocks =
+      std::max<std::size_t>(1, kRunsPerBatch / (kReplicates * (end - begin)));
+  thread_local std::vector<SampleRun> runs;  // thread_local, so that its memory is mapped once
   while (true) {
     runs.clear();
     for (std::size_t pixel = begin; pixel < end; ++pixel) {
-      film.plan(pixel, target(pixel), static_cast<std::uint32_t>(most_blocks), runs);
+      film.plan(pixel, target(pixel), static_cast<std::uint32_t>(max_blocks), runs);
     }
     if (runs.empty()) return true;
     if (is_late()) return false;
@@ -91,7 +91,7 @@ bool PictureTracer::trace_pixels(Film& film, std::size_t begin, std::size_t end,
 void PictureTracer::trace_at_once(RenderResult& result, std::vector<PixelSpread>& spreads) {
   const auto samples = static_cast<std::uint64_t>(settings_.samples);
   const Film::Target target = whole_target(samples);
-  for_each_tile(pixels_a_tile(samples), [&](std::size_t begin, std::size_t end) {
+  for_each_tile(pixels_per_tile(samples), [&](std::size_t begin, std::size_t end) {
     Film film(begin, end - begin);
     film.reserve(target[0]);
     const auto target_of = [&](std::size_t) { return target; };
@@ -104,15 +104,15 @@ void PictureTracer::trace_at_once(RenderResult& result, std::vector<PixelSpread>
   });
 }
 
-bool PictureTracer::trace_pass(Film& film, std::uint64_t most,
+bool PictureTracer::trace_pass(Film& film, std::uint64_t max_samples,
                                const std::function<std::uint64_t(std::size_t pixel)>& target,
                                const std::function<bool()>& is_late) {
-  film.reserve(target_in_replicates(most)[0]);
+  film.reserve(target_in_replicates(max_samples)[0]);
   std::atomic<bool> is_whole{true};
-  const std::uint64_t added = most - std::min(most, film.samples(0));
-  // Of a pass that time may end in the middle smaller ones: what is begun is finished.
+  const std::uint64_t added = max_samples - std::min(max_samples, film.samples(0));
+  // Use smaller tiles if the time limit may end the pass, because started tiles are finished.
   constexpr std::uint64_t kSmaller = 8;
-  const std::size_t tile = pixels_a_tile(settings_.seconds ? kSmaller * added : added);
+  const std::size_t tile = pixels_per_tile(settings_.seconds ? kSmaller * added : added);
   for_each_tile(tile, [&](std::size_t begin, std::size_t end) {
     const auto target_of = [&](std::size_t pixel) { return target_in_replicates(target(pixel)); };
     if (!trace_pixels(film, begin, end, target_of, is_late)) is_whole = false;

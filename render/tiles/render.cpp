@@ -25,18 +25,18 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// A render without a goal.
+/// Renders without a goal.
 void render_at_once(PictureTracer& tracer, const RenderSettings& settings,
                     const RenderMonitor& monitor, RenderResult& result) {
   const auto samples = static_cast<std::uint64_t>(settings.samples);
   result.most_samples = samples;
-  const bool has_replicates = samples >= kLeastReplicatedSamples;
+  const bool has_replicates = samples >= kMinReplicatedSamples;
   std::vector<PixelSpread> spreads(has_replicates ? result.picture.pixels.size() : 0);
   if (has_replicates && settings.keeps_variance) {
     result.variance = Picture(settings.width, settings.height);
   }
   tracer.trace_at_once(result, spreads);
-  if (monitor.cancel.load()) return;  // and some pixels have no sample
+  if (monitor.cancel.load()) return;  // some pixels have no sample
   result.least_samples = samples;
   if (has_replicates) result.error = estimate_error(result.picture, spreads);
   if (settings.keeps_variance) result.spreads = std::move(spreads);
@@ -63,8 +63,8 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(result.threads));
   tbb::task_arena arena(result.threads);
-  // Threads start, and oneTBB loads its allocator, before anything else may load a library and
-  // before the clocks run.
+  // Start all threads, which also makes oneTBB load its allocator, before anything else loads a
+  // library and before time is measured.
   arena.execute([&] {
     tbb::parallel_for(
         0, result.threads, [](int) {}, tbb::simple_partitioner{});
@@ -74,7 +74,8 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   EmitterTally emitters(scene, result.kernel.lights, settings.depth);
   const std::unique_ptr<const Tracer> tracer = arena.execute(
       [&] { return make_tracer(result.kernel, std::move(scene), settings, emitters); });
-  result.kernel.bounds.near_pairs.reset();  // of a lattice that touches, more than its spheres
+  result.kernel.bounds.near_pairs.reset();  // for a lattice of touching spheres it is larger than
+                                            // the spheres
   result.build_seconds = seconds_since(build_start);
   result.bvh_bytes = tracer->memory_bytes();
   if (monitor.on_tracing) monitor.on_tracing();

@@ -16,58 +16,60 @@
 
 namespace sdlc::render {
 
-/// What another thread sees of a render, and how it ends it early.
+/// Progress of a render for other threads, and a means to cancel it.
 struct RenderMonitor {
-  std::atomic<bool> cancel{false};  ///< set it: the render returns within milliseconds
+  std::atomic<bool> cancel{false};  ///< set to end the render within milliseconds
   std::atomic<std::uint64_t> samples_done{0};
   std::atomic<std::uint64_t> rays_done{0};
-  /// Of a render with a goal, how near that is, from 0 to 1, by the last pass.
+  /// For a render with a goal: the progress towards it after the last pass, from 0 to 1.
   std::atomic<double> goal_share{0};
-  /// Called once, when everything is built and the first path is about to be traced.
+  /// Called once, after everything is built and before the first path is traced.
   std::function<void()> on_tracing;
 };
 
-/// A picture and how it came about.
+/// A picture with statistics about its render.
 struct RenderResult {
-  Picture picture;           ///< mean radiance; pixels that were not reached are black
+  Picture picture;           ///< mean radiance; pixels without samples are black
   bool is_complete = false;  ///< false after a cancelled render
   Kernel kernel;             ///< without its near pairs
-  int threads = 0;           ///< that were asked for, after 0 became all of the machine
+  int threads = 0;           ///< the requested number, with 0 replaced by all hardware threads
   std::uint64_t camera_samples = 0;
   std::uint64_t rays = 0;
   std::uint64_t truncated_paths = 0;
-  std::uint64_t nonfinite_samples = 0;  ///< left out of their pixel's sum; a defect if not 0
+  std::uint64_t nonfinite_samples = 0;  ///< excluded from their pixel's sum; not 0 indicates a
+                                        ///< defect
   std::uint64_t least_samples = 0;      ///< of any pixel
   std::uint64_t most_samples = 0;
   bool has_reached_error = false;  ///< RenderSettings::error
-  /// From 8 samples per pixel on, of a whole picture; nothing where kinds of path that were found
-  /// too rarely may add more than half of the interval's upper end (unseen_error()).
+  /// For a complete picture with at least 8 samples per pixel; nullopt if rare kinds of path may
+  /// add more than half of the interval's upper end (unseen_error()).
   std::optional<ErrorEstimate> error{};
-  Picture variance;                  ///< of each pixel's mean, if it was asked for and is known
-  std::vector<PixelSpread> spreads;  ///< the same, channels together, of each pixel
-  std::vector<std::uint32_t> samples_of_pixels;  ///< empty: all have as many
-  std::uint32_t sampled_lights = 0;  ///< emitters that diffuse surfaces look for by themselves
-  /// Those that fewer than EmitterTally::kEnough paths reached: what they light may be missing.
+  Picture variance;                  ///< variance of each pixel's mean, if requested and known
+  std::vector<PixelSpread> spreads;  ///< the same per pixel, channels combined
+  std::vector<std::uint32_t> samples_of_pixels;  ///< empty if all pixels have the same number
+  std::uint32_t sampled_lights = 0;              ///< emitters that diffuse surfaces sample directly
+  /// Emitters that fewer than EmitterTally::kEnough paths reached: their light may be missing.
   std::vector<ReachedEmitter> scarce_emitters;
-  /// Kinds of path that were found too rarely for the error to be known; empty where it is.
+  /// Kinds of path that were found too rarely for the error to be known; empty if it is known.
   std::vector<RarePath> rare_paths;
-  std::size_t bvh_bytes = 0;  ///< 0 without a hierarchy
-  double build_seconds = 0;   ///< rebasing and hierarchy, and choosing the kernel
-  double render_seconds = 0;  ///< tracing alone
+  std::size_t bvh_bytes = 0;  ///< 0 without a BVH
+  double build_seconds = 0;   ///< rebasing, building the BVH and choosing the kernel
+  double render_seconds = 0;  ///< tracing only
 };
 
-/// Renders the scene, tile by tile on all threads, with the kernel of choose_kernel(). With a goal
-/// it does so in passes, each over the whole picture, until one of the goals, or the most samples,
-/// is reached; a pass that time ends may leave some pixels with fewer samples than others. Without
-/// a goal for time the same scene, settings and seed give the same bytes, whatever the number of
-/// threads and the order of the tiles, and a goal for the error that was reached with N samples a
-/// pixel those of N samples; with the wide kernel also for any instruction set that fuses
-/// multiplications with additions, which is all but SSE4.
+/// Renders the scene tile by tile on all threads, with the kernel of choose_kernel(). With a goal
+/// it runs passes over the whole picture until a goal or the max number of samples is reached; the
+/// time limit may leave some pixels with fewer samples than others.
+///
+/// Without a time limit, the same scene, settings and seed give the same bytes for any number of
+/// threads and any order of tiles. An error goal that was reached with N samples per pixel gives
+/// the same bytes as N samples. With a wide kernel this also holds across all instruction sets with
+/// fused multiply-add, which is all but SSE4.
 RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor,
                     const KernelRequest& request = {});
 
-/// The same with a kernel that choose_kernel() chose for it, which is not refused; the time that
-/// took is not among the seconds.
+/// The same with a kernel from choose_kernel() that was not refused; its time is not included in
+/// the seconds.
 RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
                     RenderMonitor& monitor);
 

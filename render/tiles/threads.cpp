@@ -13,9 +13,9 @@
 namespace sdlc::render {
 namespace {
 
-/// How many of the wanted threads can work at a time, the calling one among them.
+/// How many of the wanted threads can run at the same time, including the calling thread.
 int working_threads(int wanted) {
-  constexpr int kOthers = kCodecThreads + 2;  // that report progress and load the codec
+  constexpr int kOthers = kCodecThreads + 2;  // for reporting progress and loading the codec
   static std::mutex mutex;
   static int known = 1;
   static bool is_all = false;
@@ -32,9 +32,9 @@ int working_threads(int wanted) {
 }  // namespace
 
 int wanted_threads(int asked) {
-  constexpr int kMost = 1024;  // more only cost memory
+  constexpr int kMax = 1024;  // more would only cost memory
   const int machine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return std::min(asked > 0 ? asked : machine, kMost);
+  return std::min(asked > 0 ? asked : machine, kMax);
 }
 
 int thread_count(int asked) { return working_threads(wanted_threads(asked)); }
@@ -47,7 +47,7 @@ ThreadLimit::ThreadLimit() {
 }
 
 bool is_thread_shortage(const std::exception& error) noexcept {
-  // oneTBB gives the name of the function that failed.
+  // oneTBB includes the name of the function that failed.
   if (std::string_view(error.what()).find("pthread_create") != std::string_view::npos) return true;
   const auto* system = dynamic_cast<const std::system_error*>(&error);
   return system != nullptr && system->code() == std::errc::resource_unavailable_try_again;

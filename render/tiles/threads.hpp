@@ -7,25 +7,25 @@
 
 namespace sdlc::render {
 
-/// How many threads work where `asked` are asked for; 0 asks for all of the machine. Fewer where
-/// the system does not let so many start (`ulimit -u`, a container's limit), and at least 1. Leaves
-/// room for the few threads beside them.
+/// The number of worker threads if `asked` are requested; 0 requests all hardware threads. Fewer if
+/// the system does not allow so many (`ulimit -u`, a container's limit), and at least 1. Reserves a
+/// few auxiliary threads.
 int thread_count(int asked);
 
-/// How many would, if the system let them all start.
+/// The number of threads without the limits of the system.
 int wanted_threads(int asked);
 
-/// Has oneTBB start no threads that cannot be started, wherever it is used while this lives: it
-/// ends the process where one cannot.
+/// Limits oneTBB, during its lifetime, to threads that can be started: oneTBB aborts the process if
+/// it cannot start one.
 class ThreadLimit {
  public:
   ThreadLimit();
 
  private:
-  std::unique_ptr<tbb::global_control> limit_;  // null: there are enough
+  std::unique_ptr<tbb::global_control> limit_;  // null if there is no shortage
 };
 
-/// Whether the exception is of a thread that could not be started.
+/// Whether the exception reports a thread that could not be started.
 bool is_thread_shortage(const std::exception& error) noexcept;
 
 }  // namespace sdlc::render

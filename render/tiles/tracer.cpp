@@ -8,7 +8,7 @@
 namespace sdlc::render {
 namespace {
 
-/// One path after the other.
+/// Traces one path after the other.
 class ScalarTracer final : public Tracer {
  public:
   ScalarTracer(const Kernel& kernel, Scene scene, const RenderSettings& settings,
@@ -52,7 +52,7 @@ class ScalarTracer final : public Tracer {
   const RenderSettings settings_;
 };
 
-/// A path in each lane of a vector.
+/// Traces one path per vector lane.
 class WideTracer final : public Tracer {
  public:
   WideTracer(const Kernel& kernel, Scene scene, const RenderSettings& settings,

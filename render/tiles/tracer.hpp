@@ -14,26 +14,26 @@
 
 namespace sdlc::render {
 
-/// What happened to the samples of some runs; sums of whole numbers do not depend on their order.
+/// Statistics about the samples of some runs. Sums of integers do not depend on their order.
 struct TraceCounts {
   PathCounts paths;
   std::uint64_t nonfinite_samples = 0;  ///< counted as black
 };
 
-/// A kernel with a scene made ready for it. Read by all threads.
+/// A kernel prepared for a scene. All threads may read it.
 class Tracer {
  public:
   virtual ~Tracer() = default;
 
-  /// Adds its samples to the sum of each run. False, and sums that mean nothing, once `cancel` is
+  /// Adds the samples of each run to its sum. Returns false, with meaningless sums, if `cancel` was
   /// set.
   virtual bool trace(std::span<SampleRun> runs, TraceCounts& counts,
                      const std::atomic<bool>& cancel) const = 0;
-  virtual std::size_t memory_bytes() const noexcept = 0;  ///< of tables and hierarchy
+  virtual std::size_t memory_bytes() const noexcept = 0;  ///< of tables and BVH
 };
 
-/// `kernel`: of choose_kernel() for this scene, not refused. `emitters` counts what reaches them
-/// and is borrowed.
+/// `kernel`: from choose_kernel() for this scene, not refused. `emitters` counts the emitters that
+/// paths reach; the tracer keeps a reference.
 std::unique_ptr<const Tracer> make_tracer(const Kernel& kernel, Scene scene,
                                           const RenderSettings& settings, EmitterTally& emitters);
 

@@ -3,26 +3,27 @@
 #include <array>
 #include <span>
 
-#include "render/wide/bvh_members.hpp"
+#include "render/wide/build_primitives.hpp"
 
 namespace sdlc::render {
 
-/// Both parts of a group of more than one member, which is split at the best place between
-/// bins. Puts the members in order.
+/// Splits a range of more than one primitive at the best bin boundary, and partitions its
+/// primitives.
 template <typename T>
-std::array<Group<T>, 2> split_by_bins(std::span<Member<T>> members, const Group<T>& whole);
+std::array<Range<T>, 2> split_by_bins(std::span<Primitive<T>> primitives, const Range<T>& whole);
 
-/// The first half of the members and the second one, as they come.
+/// Splits a range into its first and second half, without reordering.
 template <typename T>
-std::array<Group<T>, 2> split_in_halves(std::span<const Member<T>> members, const Group<T>& whole);
+std::array<Range<T>, 2> split_in_halves(std::span<const Primitive<T>> primitives,
+                                        const Range<T>& whole);
 
-extern template std::array<Group<float>, 2> split_by_bins(std::span<Member<float>>,
-                                                          const Group<float>&);
-extern template std::array<Group<double>, 2> split_by_bins(std::span<Member<double>>,
-                                                           const Group<double>&);
-extern template std::array<Group<float>, 2> split_in_halves(std::span<const Member<float>>,
-                                                            const Group<float>&);
-extern template std::array<Group<double>, 2> split_in_halves(std::span<const Member<double>>,
-                                                             const Group<double>&);
+extern template std::array<Range<float>, 2> split_by_bins(std::span<Primitive<float>>,
+                                                          const Range<float>&);
+extern template std::array<Range<double>, 2> split_by_bins(std::span<Primitive<double>>,
+                                                           const Range<double>&);
+extern template std::array<Range<float>, 2> split_in_halves(std::span<const Primitive<float>>,
+                                                            const Range<float>&);
+extern template std::array<Range<double>, 2> split_in_halves(std::span<const Primitive<double>>,
+                                                             const Range<double>&);
 
 }  // namespace sdlc::render

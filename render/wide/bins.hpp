@@ -7,32 +7,32 @@
 #include <cstdint>
 #include <limits>
 
-#include "render/wide/bvh_members.hpp"
+#include "render/wide/build_primitives.hpp"
 
-/// The places at which a group may be split by the surface area heuristic: a few along each axis,
-/// between bins (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).
+/// Binned surface area heuristic: a range may be split at a few positions along each axis, between
+/// bins (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).
 namespace sdlc::render {
 
 inline constexpr std::size_t kBins = 16;  // along each axis
 
-/// Which bin a member belongs to along each axis.
+/// Maps a primitive to its bin along each axis.
 template <typename T>
 class BinScale {
  public:
-  explicit BinScale(const BuildBox<T>& middles) {
+  explicit BinScale(const BuildBox<T>& centroids) {
     const auto scale = [&](std::size_t axis) {
-      const T of_axis = T{kBins} / (middles.high(axis) - middles.low(axis));
-      // Where there is next to nothing between the middles, all are in the first bin.
+      const T of_axis = T{kBins} / (centroids.high(axis) - centroids.low(axis));
+      // If the centroids almost coincide, all are in the first bin.
       return std::isfinite(of_axis) ? of_axis : 0;
     };
-    low_ = {middles.low(0), middles.low(1), middles.low(2), 0};
+    low_ = {centroids.low(0), centroids.low(1), centroids.low(2), 0};
     scale_ = {scale(0), scale(1), scale(2), 0};
   }
 
-  std::array<std::size_t, 3> bins_of(const Member<T>& member) const noexcept {
+  std::array<std::size_t, 3> bins_of(const Primitive<T>& primitive) const noexcept {
     constexpr T kLast = kBins - 1;
-    const Axes<T> place =
-        least((member.middles().lows - low_) * scale_, Axes<T>(kLast, kLast, kLast, kLast));
+    const Axes<T> place = lanewise_min((primitive.centroids().lows - low_) * scale_,
+                                       Axes<T>(kLast, kLast, kLast, kLast));
     const auto bin = [](auto of_axis) {
       return static_cast<std::uint32_t>(static_cast<std::int32_t>(of_axis));
     };
@@ -44,22 +44,22 @@ class BinScale {
     return {bin(place[0]), bin(place[1]), bin(place[2])};
   }
 
-  /// Whether that along an axis is less than `bin`.
-  bool is_below(const Member<T>& member, std::size_t axis, T bin) const noexcept {
-    return (member.middle(axis) - low_[axis]) * scale_[axis] < bin;
+  /// Whether the bin along an axis is below `bin`.
+  bool is_below(const Primitive<T>& primitive, std::size_t axis, T bin) const noexcept {
+    return (primitive.centroid(axis) - low_[axis]) * scale_[axis] < bin;
   }
 
  private:
-  Axes<T> low_, scale_;  // the last ones make 0 of what means nothing
+  Axes<T> low_, scale_;  // the last elements turn the unused lane into 0
 };
 
-/// How many members are in each bin, and the box around them.
+/// The number of primitives in each bin, and their bounds.
 template <typename T>
 struct Bins {
   std::array<std::array<BuildBox<T>, kBins>, 3> boxes;
   std::array<std::array<std::uint32_t, kBins>, 3> counts{};
 
-  /// Members in a box, and along each axis in a bin.
+  /// Adds primitives with this bounding box to a bin along each axis.
   void add(const BuildBox<T>& box, std::uint32_t count,
            const std::array<std::size_t, 3>& bin) noexcept {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -69,7 +69,7 @@ struct Bins {
   }
 };
 
-/// A place to split a group: before a bin.
+/// A position to split a range: before a bin.
 template <typename T>
 struct Cut {
   std::size_t axis = 0, bin = 0;
@@ -78,7 +78,7 @@ struct Cut {
   bool exists() const noexcept { return bin > 0; }
 };
 
-/// The best place along an axis, if it is better than `best`.
+/// Updates `best` if there is a better position along an axis.
 template <typename T>
 void find_cut(const Bins<T>& bins, std::size_t axis, Cut<T>& best) {
   const auto& boxes = bins.boxes[axis];

@@ -1,5 +1,5 @@
-// The search for the first spheres on the rays of all lanes, compiled once for each instruction
-// set: no include guard but Highway's.
+// Finds the first spheres on the rays of all lanes. Compiled once per instruction set, so it has no
+// include guard but Highway's.
 // clang-format off
 #if defined(SDLC_RENDER_WIDE_BVH_WAVE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SDLC_RENDER_WIDE_BVH_WAVE_INL_H
@@ -27,11 +27,10 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// BvhSearch for many rays, each one node or leaf further in every round, for vectors that hold all
-/// children of a node. A ray on its own waits for every result, and for every branch that was
-/// guessed wrong; here the next ray's step does not depend on it, and no step branches on what a
-/// ray meets. With vectors of half a node, which hold half as many rays too, this takes twice the
-/// time of BvhSearch.
+/// BvhSearch for many rays at the same time: every round advances each ray by one node or leaf. For
+/// vectors that hold all children of a node. A single ray waits for every result and every
+/// mispredicted branch; here the next ray's step is independent, and no step branches on hits. With
+/// vectors of half a node, and so half as many rays, this takes twice the time of BvhSearch.
 template <typename T, bool kMotion>
 class BvhWave {
  public:
@@ -46,7 +45,7 @@ class BvhWave {
     alignas(64) Row<std::uint32_t> slot;
   };
 
-  /// BvhSearch::find for the rays of `lanes`, as bits.
+  /// BvhSearch::find for the rays in the bit mask `lanes`.
   static HWY_INLINE void find(const WideScene<T>& scene, std::uint32_t root, std::uint32_t lanes,
                               const Rays& rays, const Row<std::uint32_t>& departed, Hits& hits) {
     BvhWave wave(scene, rays, departed, hits);
@@ -59,20 +58,20 @@ class BvhWave {
   using V = typename Search::V;
   using DI = hn::RebindToSigned<D>;
   using VI = hn::Vec<DI>;
-  /// Where a ray enters a box, as a whole number that orders as it does, with the child's place in
-  /// the node instead of its lowest bits.
+  /// The entry distance of a box as an integer with the same order; its lowest bits hold the
+  /// child's index in the node.
   using Key = hn::TFromD<DI>;
   static constexpr Key kChildBits = kBvhWidth - 1;
   static constexpr Key kEntryBits = std::numeric_limits<Key>::max() - kChildBits;
-  /// Below what waits there are as many keys of 0, which are before any hit.
+  /// The bottom of the stack holds this many keys of 0, which compare below any hit.
   static constexpr std::uint32_t kBottom = kBvhWidth;
-  static constexpr std::size_t kMostSorted = 4;
+  static constexpr std::size_t kMaxSorted = 4;
 
   struct Stack {
-    // A whole vector is written from the first free place on.
-    static constexpr std::size_t kRoom = kBottom + WideBvh<T>::kMostWaiting + kBvhWidth;
+    // A whole vector is written from the first free entry on.
+    static constexpr std::size_t kRoom = kBottom + WideBvh<T>::kMaxWaiting + kBvhWidth;
     alignas(64) std::array<Key, kRoom> keys;
-    std::array<std::uint32_t, kRoom> parents;  // the node whose child it is
+    std::array<std::uint32_t, kRoom> parents;  // the parent node of each entry
   };
 
   HWY_INLINE BvhWave(const WideScene<T>& scene, const Rays& rays,
@@ -84,7 +83,7 @@ class BvhWave {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
       current_[lane] = root;
       waiting_[lane] = kBottom;
-      farthest_[lane] = Search::at_most(hits_.t[lane]);
+      farthest_[lane] = Search::max_entry(hits_.t[lane]);
       hn::Store(hn::Zero(DI()), DI(), stacks_[lane].keys.data());
       stacks_[lane].parents[kBottom - 1] = root;
     }
@@ -117,8 +116,8 @@ class BvhWave {
     return static_cast<std::size_t>(std::countr_zero(lanes));
   }
 
-  /// Of the children that the ray meets, the nearest is next; the others wait, the nearer the
-  /// higher. 1 where it meets none, and 0 else.
+  /// Pushes the children that the ray hits, sorted, and descends to the nearest. Returns 1 if there
+  /// are none, otherwise 0.
   HWY_INLINE std::uint32_t open(std::size_t lane) {
     const D d;
     const DI di;
@@ -129,11 +128,11 @@ class BvhWave {
     const VI keys = hn::Or(hn::And(hn::BitCast(di, boxes.entry), hn::Set(di, kEntryBits)),
                            hn::Iota(di, Key{0}));
     const auto met = hn::RebindMask(di, boxes.met);
-    const VI packed = hn::Compress(hn::IfThenElseZero(met, keys), met);  // and zeros behind
+    const VI packed = hn::Compress(hn::IfThenElseZero(met, keys), met);  // followed by zeros
     const auto count = static_cast<std::uint32_t>(std::popcount(bits_of(d, boxes.met)));
     Key* const place = stacks_[lane].keys.data() + before;
     std::uint32_t* const parents = stacks_[lane].parents.data() + before;
-    if (HWY_LIKELY(count <= kMostSorted)) {
+    if (HWY_LIKELY(count <= kMaxSorted)) {
       const hn::Full128<Key> d4;
       const hn::Full128<std::uint32_t> du4;
       hn::StoreU(sorted_four(hn::LowerHalf(hn::LowerHalf(packed))), d4, place);
@@ -150,7 +149,7 @@ class BvhWave {
     return is_none;
   }
 
-  /// The greatest one first.
+  /// Sorting network; the greatest first.
   static HWY_INLINE hn::Vec<hn::Full128<Key>> sorted_four(hn::Vec<hn::Full128<Key>> v) {
     const hn::Full128<Key> d;
     alignas(16) static constexpr std::array<Key, 4> kInnerSwapped{0, 2, 1, 3};
@@ -174,7 +173,7 @@ class BvhWave {
     return static_cast<std::size_t>(key & kChildBits);
   }
 
-  /// The highest that waits and begins before the hit is next. 1 where none does, and 0 else.
+  /// Pops the top entry that begins before the hit. Returns 1 if there is none, otherwise 0.
   HWY_INLINE std::uint32_t pop(std::size_t lane) {
     const DI di;
     const Stack& stack = stacks_[lane];
@@ -213,17 +212,17 @@ class BvhWave {
                    !hn::AllFalse(d, hn::And(is_near, hn::Eq(t, before))));
   }
 
-  /// `is_tie`: some sphere is as near as the one before.
+  /// `is_tie`: a sphere is as near as the current hit.
   HWY_INLINE void take_if_nearer(std::size_t lane, T t, std::uint32_t slot, bool is_tie) {
     T& hit_t = hits_.t[lane];
     std::uint32_t& hit_slot = hits_.slot[lane];
     bool is_nearer = t < hit_t;
     if (HWY_UNLIKELY(is_tie)) is_nearer |= t == hit_t && search_.comes_first(slot, hit_slot);
-    // By bits: a branch instead would be guessed wrong every other time.
+    // Branchless: the branch is unpredictable.
     const std::uint32_t keeps = static_cast<std::uint32_t>(is_nearer) - 1;
     hit_slot = (hit_slot & keeps) | (slot & ~keeps);
     hit_t = std::min(t, hit_t);
-    farthest_[lane] = Search::at_most(hit_t);
+    farthest_[lane] = Search::max_entry(hit_t);
   }
 
   const WideScene<T>& scene_;
@@ -233,7 +232,7 @@ class BvhWave {
   Hits& hits_;
   alignas(64) Row<std::uint32_t> current_;
   Row<std::uint32_t> waiting_;
-  Row<T> farthest_;  // of boxes, by the hit so far
+  Row<T> farthest_;  // max entry distance of boxes, from the hit so far
   Row<Stack> stacks_;
 };
 

@@ -10,52 +10,53 @@
 #include <tbb/parallel_for.h>
 
 #include "render/wide/bins.hpp"
-#include "render/wide/bvh_members.hpp"
+#include "render/wide/build_primitives.hpp"
 
 namespace sdlc::render {
 
-/// Divides very many members among the children of a node, on all threads. Members are counted in
-/// the cells of a grid, then cells are divided instead of members, and then each member is written
-/// to where its group begins: three times each is looked at, instead of three times for each of
-/// the four levels of a node.
+/// Divides a very large number of primitives among the children of a node, on all threads. The
+/// primitives are counted in the cells of a grid, the cells are divided instead of the primitives,
+/// and each primitive is then written to its range. This reads each primitive three times in total,
+/// instead of three times for each of the four levels of binary splits in a node.
 ///
-/// `source(i)` gives each of `count` members. They are handled in ranges that do not depend on
-/// threads, and what comes of those is put together in their order.
+/// `source(i)` returns primitive i of `count`. Work is split into ranges independent of the
+/// threads, and results are combined in their order.
 template <typename T, typename Source>
 class GridSplit {
  public:
   GridSplit(const Source& source, std::size_t count)
       : source_(source),
         count_(count),
-        ranges_(std::clamp<std::size_t>(count / kMembersARange, 1, kMostRanges)) {}
+        chunks_(std::clamp<std::size_t>(count / kPrimitivesPerChunk, 1, kMaxChunks)) {}
 
-  /// Writes the members to `to`, of which `begin` is the first place. One group where all middles
-  /// are in one place.
-  NodeGroups<T> split(std::span<Member<T>> to, std::size_t begin) {
-    const BinScale<T> scale(middles());
+  /// Writes the primitives to `to`, starting at `begin`. Returns a single range if all centroids
+  /// coincide.
+  NodeRanges<T> split(std::span<Primitive<T>> to, std::size_t begin) {
+    const BinScale<T> scale(centroids());
     count_cells(scale);
     divide_cells();
-    NodeGroups<T> groups;
+    NodeRanges<T> ranges;
     for (const Region& region : regions_) {
-      Group<T>& group = groups.of[groups.count++];
-      group = {.begin = begin, .end = begin + region.count, .box = region.box};
-      begin = group.end;
+      Range<T>& range = ranges.of[ranges.count++];
+      range = {.begin = begin, .end = begin + region.count, .box = region.box};
+      begin = range.end;
     }
-    write(scale, groups, to);
-    return groups;
+    write(scale, ranges, to);
+    return ranges;
   }
 
  private:
   static constexpr std::size_t kCells = kBins * kBins * kBins;
-  static constexpr std::size_t kMembersARange = 16384, kMostRanges = 64;
-  static constexpr std::size_t kFewest = 64;  // less are not divided: cells are too coarse for them
+  static constexpr std::size_t kPrimitivesPerChunk = 16384, kMaxChunks = 64;
+  static constexpr std::size_t kFewest = 64;  // smaller regions are not divided: the cells are too
+                                              // coarse for them
 
   struct Cells {
     std::vector<BuildBox<T>> boxes = std::vector<BuildBox<T>>(kCells);
     std::vector<std::uint32_t> counts = std::vector<std::uint32_t>(kCells);
   };
 
-  /// The cells from `low` to before `high` along each axis, and what is in them.
+  /// The cells [low, high) along each axis, and their contents.
   struct Region {
     std::array<std::size_t, 3> low{0, 0, 0}, high{kBins, kBins, kBins};
     BuildBox<T> box;
@@ -77,37 +78,37 @@ class GridSplit {
     }
   }
 
-  /// body(range, member) for each member, with the ranges side by side.
+  /// Calls body(range, primitive) for each primitive, with the ranges in parallel.
   template <typename Body>
-  void for_members(const Body& body) const {
-    tbb::parallel_for(std::size_t{0}, ranges_, [&](std::size_t range) {
-      const std::size_t end = count_ * (range + 1) / ranges_;
-      for (std::size_t i = count_ * range / ranges_; i < end; ++i) body(range, source_(i));
+  void for_primitives(const Body& body) const {
+    tbb::parallel_for(std::size_t{0}, chunks_, [&](std::size_t chunk) {
+      const std::size_t end = count_ * (chunk + 1) / chunks_;
+      for (std::size_t i = count_ * chunk / chunks_; i < end; ++i) body(chunk, source_(i));
     });
   }
 
-  BuildBox<T> middles() const {
-    std::vector<BuildBox<T>> of_ranges(ranges_);
-    for_members([&](std::size_t range, const Member<T>& member) {
-      of_ranges[range].add(member.middles());
+  BuildBox<T> centroids() const {
+    std::vector<BuildBox<T>> of_chunks(chunks_);
+    for_primitives([&](std::size_t chunk, const Primitive<T>& primitive) {
+      of_chunks[chunk].add(primitive.centroids());
     });
     BuildBox<T> all;
-    for (const BuildBox<T>& box : of_ranges) all.add(box);
+    for (const BuildBox<T>& box : of_chunks) all.add(box);
     return all;
   }
 
   void count_cells(const BinScale<T>& scale) {
-    of_ranges_.resize(ranges_);
-    for_members([&](std::size_t range, const Member<T>& member) {
-      const std::size_t cell = cell_of(scale.bins_of(member));
-      of_ranges_[range].boxes[cell].add(member.box());
-      ++of_ranges_[range].counts[cell];
+    of_chunks_.resize(chunks_);
+    for_primitives([&](std::size_t chunk, const Primitive<T>& primitive) {
+      const std::size_t cell = cell_of(scale.bins_of(primitive));
+      of_chunks_[chunk].boxes[cell].add(primitive.box());
+      ++of_chunks_[chunk].counts[cell];
     });
-    all_ = of_ranges_[0];
-    for (std::size_t range = 1; range < ranges_; ++range) {
+    all_ = of_chunks_[0];
+    for (std::size_t chunk = 1; chunk < chunks_; ++chunk) {
       for (std::size_t cell = 0; cell < kCells; ++cell) {
-        all_.boxes[cell].add(of_ranges_[range].boxes[cell]);
-        all_.counts[cell] += of_ranges_[range].counts[cell];
+        all_.boxes[cell].add(of_chunks_[chunk].boxes[cell]);
+        all_.counts[cell] += of_chunks_[chunk].counts[cell];
       }
     }
   }
@@ -118,7 +119,7 @@ class GridSplit {
     regions_ = {whole};
     const auto area = [](const Region& r) { return r.is_divisible ? r.box.half_area() : T{-1}; };
     while (regions_.size() < kBvhWidth) {
-      // The largest box first, as everywhere.
+      // The largest box first, as in the other builders.
       const auto largest = std::ranges::max_element(regions_, {}, area);
       if (!largest->is_divisible) return;
       const Cut<T> cut = best_cut(bins_of(*largest));
@@ -151,31 +152,32 @@ class GridSplit {
     region.is_divisible = region.count > kFewest;
   }
 
-  void write(const BinScale<T>& scale, const NodeGroups<T>& groups, std::span<Member<T>> to) const {
-    std::vector<std::uint8_t> group_of_cell(kCells);
-    // Where each range goes on to write, for each group.
-    std::vector<std::array<std::size_t, kBvhWidth>> next(ranges_);
-    for (std::size_t group = 0; group < groups.count; ++group) {
-      std::vector<std::size_t> in_range(ranges_);
-      for_cells(regions_[group], [&](const std::array<std::size_t, 3>& /*bin*/, std::size_t cell) {
-        group_of_cell[cell] = static_cast<std::uint8_t>(group);
-        for (std::size_t i = 0; i < ranges_; ++i) in_range[i] += of_ranges_[i].counts[cell];
+  void write(const BinScale<T>& scale, const NodeRanges<T>& ranges,
+             std::span<Primitive<T>> to) const {
+    std::vector<std::uint8_t> range_of_cell(kCells);
+    // The next position to write, per thread range and child range.
+    std::vector<std::array<std::size_t, kBvhWidth>> next(chunks_);
+    for (std::size_t range = 0; range < ranges.count; ++range) {
+      std::vector<std::size_t> in_chunk(chunks_);
+      for_cells(regions_[range], [&](const std::array<std::size_t, 3>& /*bin*/, std::size_t cell) {
+        range_of_cell[cell] = static_cast<std::uint8_t>(range);
+        for (std::size_t i = 0; i < chunks_; ++i) in_chunk[i] += of_chunks_[i].counts[cell];
       });
-      std::size_t place = groups.of[group].begin;
-      for (std::size_t i = 0; i < ranges_; ++i) {
-        next[i][group] = place;
-        place += in_range[i];
+      std::size_t place = ranges.of[range].begin;
+      for (std::size_t i = 0; i < chunks_; ++i) {
+        next[i][range] = place;
+        place += in_chunk[i];
       }
     }
-    for_members([&](std::size_t range, const Member<T>& member) {
-      const std::size_t cell = cell_of(scale.bins_of(member));
-      to[next[range][group_of_cell[cell]]++] = member;
+    for_primitives([&](std::size_t chunk, const Primitive<T>& primitive) {
+      const std::size_t cell = cell_of(scale.bins_of(primitive));
+      to[next[chunk][range_of_cell[cell]]++] = primitive;
     });
   }
 
   const Source& source_;
-  std::size_t count_, ranges_;
-  std::vector<Cells> of_ranges_;
+  std::size_t count_, chunks_;
+  std::vector<Cells> of_chunks_;
   Cells all_;
   std::vector<Region> regions_;
 };

@@ -9,7 +9,7 @@ namespace sdlc::render {
 
 std::size_t InstanceTable::memory_bytes() const noexcept {
   std::size_t bytes =
-      rows.capacity() * sizeof(double) + row_of_ball.capacity() * sizeof(std::uint32_t);
+      rows.capacity() * sizeof(double) + row_of_bounds.capacity() * sizeof(std::uint32_t);
   for (const auto& table : shift) bytes += table.capacity() * sizeof(double);
   return bytes;
 }
@@ -24,17 +24,18 @@ void InstanceTable::add_row(const Placement& placement, std::uint32_t root_of_pr
               {to.x, to.y, to.z, scale, 1 / scale, static_cast<double>(root_of_prototype), 0.0});
 }
 
-Prototype balls_of_instances(const Scene& scene) {
-  const std::vector<Ball> balls = balls_around(scene.prototypes);
+Prototype instance_bounds(const Scene& scene) {
+  const std::vector<Ball> all_bounds = bounding_spheres(scene.prototypes);
   const bool is_moving = std::ranges::any_of(
       scene.instances, [](const Instance& instance) { return instance.shift != Vec3{}; });
-  // A point on a ray is off by some units of rounding of its distance, which is at most 2.
+  // The error of a point on a ray is a few units of rounding times its distance, which is at most
+  // 2.
   constexpr double kRelativeSlack = 0x1p-40, kSlack = 0x1p-48;
   Prototype all;
   all.spheres.reserve(scene.instances.size());
   for (const Instance& instance : scene.instances) {
-    const Ball& ball = balls[instance.prototype];
-    Sphere around = placed(instance, {.center = ball.center, .radius = ball.radius});
+    const Ball& bounds = all_bounds[instance.prototype];
+    Sphere around = placed(instance, {.center = bounds.center, .radius = bounds.radius});
     around.radius += around.radius * kRelativeSlack + kSlack;
     all.spheres.push_back(around);
     if (is_moving) all.shifts.push_back(instance.shift);

@@ -10,29 +10,29 @@
 
 namespace sdlc::render {
 
-/// Where instances are, as the wide kernel reads it in double. A sphere is named by its slot and
-/// the row of its instance; row 0 is the world, which puts its spheres where they are.
+/// The instances of a scene in double, for the wide kernel. A sphere is identified by its slot and
+/// the row of its instance; row 0 is the world, with the identity transformation.
 struct InstanceTable {
-  /// A row's numbers, two cache lines.
+  /// Numbers per row; two cache lines.
   static constexpr std::size_t kRowSize = 16;
   enum Column : std::size_t {
-    kAxes = 0,       ///< the prototype's three axes in the world, of unit length
-    kTranslate = 9,  ///< where its origin is
+    kAxes = 0,       ///< the prototype's axes in world coordinates, of unit length
+    kTranslate = 9,  ///< the position of its origin
     kScale = 12,     ///< above 0
     kInverseScale = 13,
-    kRoot = 14,  ///< the node where the hierarchy of its spheres begins
+    kRoot = 14,  ///< root node of its BVH
   };
 
   std::vector<double, VectorAllocator<double>> rows;
-  /// Displacements up to the closing of the shutter, by row; empty where no instance moves.
+  /// Displacements until the shutter closes, by row; empty if no instance moves.
   std::array<std::vector<double, VectorAllocator<double>>, 3> shift;
-  /// The row of the instance in whose place the hierarchy of instances has a ball around all of it,
-  /// by slot, from that of the first ball on.
-  std::vector<std::uint32_t> row_of_ball;
-  std::uint32_t first_ball = 0;      ///< slot
+  /// The row of the instance for each bounding sphere in the BVH of instances, by slot minus
+  /// `first_bounds`.
+  std::vector<std::uint32_t> row_of_bounds;
+  std::uint32_t first_bounds = 0;    ///< slot
   std::uint32_t root = 0;            ///< node
   std::uint32_t world_root = kNone;  ///< node; kNone where all spheres are instances'
-  std::uint32_t camera_row = 0;      ///< of the sphere on which the camera stands
+  std::uint32_t camera_row = 0;      ///< of the sphere that contains the camera in its surface
 
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
@@ -43,8 +43,9 @@ struct InstanceTable {
   void add_row(const Placement& placement, std::uint32_t root_of_prototype);
 };
 
-/// A ball around each instance of a rebased scene, in their order, that no ray misses which hits a
-/// sphere in it by more than rounding.
-Prototype balls_of_instances(const Scene& scene);
+/// Returns the bounding sphere of each instance of a rebased scene, in order. Slightly enlarged, so
+/// that every ray that hits a sphere of the instance also hits its bounding sphere, despite
+/// rounding.
+Prototype instance_bounds(const Scene& scene);
 
 }  // namespace sdlc::render

@@ -12,7 +12,7 @@ std::string_view name_of(Isa isa) noexcept {
   }
 }
 
-// Highway can tell too, but its library takes 2 ms to be loaded, in every command.
+// Highway can detect them too, but loading its library takes 2 ms in every command.
 std::span<const Isa> available_isas() noexcept {
   static const std::vector<Isa> isas = [] {
     std::vector<Isa> found;

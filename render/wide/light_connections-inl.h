@@ -1,5 +1,5 @@
-// Lights that diffuse surfaces look for, compiled once for each instruction set: no include guard
-// but Highway's.
+// Next event estimation for diffuse surfaces. Compiled once per instruction set, so it has no
+// include guard but Highway's.
 // clang-format off
 #if defined(SDLC_RENDER_WIDE_LIGHT_CONNECTIONS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SDLC_RENDER_WIDE_LIGHT_CONNECTIONS_INL_H
@@ -26,7 +26,7 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What Lights, LightTree and LightCone do, in every lane; the formulas are explained there.
+/// Lights, LightTree and LightCone for every lane; the formulas are explained there.
 template <typename T, bool kMotion>
 class LightConnections {
  public:
@@ -43,7 +43,7 @@ class LightConnections {
   };
   /// Lights::Connection
   struct Connection {
-    Mask exists;  ///< elsewhere the rest means nothing
+    Mask exists;  ///< the other members are undefined elsewhere
     Triple<V> direction;
     V distance;
     Triple<V> radiance;
@@ -52,9 +52,9 @@ class LightConnections {
 
   explicit HWY_INLINE LightConnections(const WideLights<T>& lights) : lights_(lights) {}
 
-  /// In the lanes of `wanted`.
+  /// For the lanes of `wanted`.
   HWY_INLINE Connection connect(Mask wanted, const Place& at, const LaneSampler<D>& sampler) const;
-  /// Of rays scattered there that hit the light of a leaf, in the lanes of `is_light`.
+  /// The weight of scattered rays that hit the light of a leaf, for the lanes of `is_light`.
   HWY_INLINE V weight_of_hit(Mask is_light, Bits leaf, const Place& at, V cosine) const;
 
  private:
@@ -64,7 +64,7 @@ class LightConnections {
   };
   struct Children {
     V share_left, share_right;
-    Mask any;  // either may be chosen
+    Mask any;  // at least one may be chosen
   };
   struct Cone {
     Triple<V> to_center;
@@ -98,7 +98,7 @@ auto LightConnections<T, kMotion>::importance(Bits node, const Place& at) const 
                             hn::Div(hn::Mul(read(lights_.node_power), height), cube));
 }
 
-/// Of the node whose left child is `left`.
+/// For the node whose left child is `left`.
 template <typename T, bool kMotion>
 auto LightConnections<T, kMotion>::children(Bits left, const Place& at) const -> Children {
   const D d;
@@ -118,7 +118,7 @@ auto LightConnections<T, kMotion>::choose_leaf(Mask wanted, const Place& at,
   V probability = hn::IfThenElseZero(wanted, set(1));
   Bits node = word(1);
   for (int level = 0; level < lights_.levels; ++level) {
-    if (level == LightTree::kLevelsANumber) u = sampler.pair(kChoice).second;
+    if (level == LightTree::kLevelsPerNumber) u = sampler.pair(kChoice).second;
     const Bits left = hn::Add(node, node);
     const Children shares = children(left, at);
     const Mask goes_left = hn::Lt(u, shares.share_left);
@@ -145,7 +145,7 @@ auto LightConnections<T, kMotion>::cone(const TableReader<D>& read, const Place&
           hn::And(hn::Lt(sine_squared, set(kLargestLightSine2)), hn::Gt(height, hn::Zero(D())))};
 }
 
-/// Where there is a cone, and a probability above 0.
+/// Valid if there is a cone and the probability is above 0.
 template <typename T, bool kMotion>
 auto LightConnections<T, kMotion>::scattering_weight(V probability, const Cone& cone, V cosine)
     -> V {

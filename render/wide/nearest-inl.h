@@ -1,5 +1,5 @@
-// The first sphere on each lane's ray, compiled once for each instruction set: no include guard but
-// Highway's.
+// Finds the first sphere on each lane's ray. Compiled once per instruction set, so it has no
+// include guard but Highway's.
 // clang-format off
 #if defined(SDLC_RENDER_WIDE_NEAREST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SDLC_RENDER_WIDE_NEAREST_INL_H
@@ -27,17 +27,17 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What a kernel has and what costs time where a scene does not need it.
+/// Optional features of a kernel, which cost time even if a scene does not need them.
 template <bool motion, bool exact_spheres, bool bvh, bool instances, bool lights>
 struct Features {
   static constexpr bool kMotion = motion;
   static constexpr bool kExactSpheres = exact_spheres;
   static constexpr bool kBvh = bvh;
-  static constexpr bool kInstances = instances;  // in double, through a hierarchy
+  static constexpr bool kInstances = instances;  // in double, through a BVH
   static constexpr bool kLights = lights;
 };
 
-/// Finds what each lane's ray meets first.
+/// Finds the nearest hit of each lane's ray.
 template <typename T, typename F>
 class NearestSphere {
  public:
@@ -48,8 +48,9 @@ class NearestSphere {
   using Mask = hn::Mask<D>;
 
   struct Nearest {
-    V t;         // infinite where nothing was hit
-    Bits index;  // of the sphere: its slot; 0 there. kInstances: 2^32 rows of the instance more
+    V t;         // infinite without a hit
+    Bits index;  // slot of the sphere, 0 without a hit; with kInstances plus 2^32 · row of the
+                 // instance
   };
   static HWY_INLINE Bits slot_of(Bits index) {
     if constexpr (F::kInstances) return hn::And(index, word(0xFFFFFFFF));
@@ -66,8 +67,8 @@ class NearestSphere {
   using Word = hn::TFromD<DU>;
   static constexpr std::size_t kLanes = hn::MaxLanes(D());
 
-  // As whole numbers, floating point numbers from 0 on have their own order, and all that are
-  // negative, or none, come behind infinity: one minimum takes the place of three comparisons.
+  // As integers, floating-point numbers from 0 on keep their order, and negative numbers and NaN
+  // come after infinity: one minimum replaces three comparisons.
   static constexpr bool kOrdersAsWholeNumbers = sizeof(T) == 4 || HWY_TARGET == HWY_AVX3;
 
   static HWY_INLINE V set(double v) { return hn::Set(D(), static_cast<T>(v)); }
@@ -91,13 +92,13 @@ class NearestSphere {
   const WideScene<T>& scene_;
 };
 
-/// The nearest sphere, of several at one distance the first. Each is met at t ≥ 0, the one that the
-/// path `departed` from at `rehit`, where that is positive.
+/// Returns the nearest sphere; at equal distances the first. Hits are at t ≥ 0; the sphere
+/// `departed` is hit at `rehit` if that is positive.
 template <typename T, typename F>
 auto NearestSphere<T, F>::find(Triple<V> origin, Triple<V> direction, V time, Bits departed,
                                V rehit, Mask alive) const -> Nearest {
-  // Where spheres are few, some lane nearly always hits, and to ask costs 3 %; of 87 spheres
-  // most are missed by all lanes, and to ask saves 25 to 35 %. The result is the same.
+  // With few spheres some lane nearly always hits, and the test costs 3 %. With 87 spheres most are
+  // missed by all lanes, and the test saves 25 to 35 %. The result is the same.
   constexpr std::size_t kFew = 16;
   Nearest nearest{hn::Set(D(), std::numeric_limits<T>::infinity()), hn::Zero(DU())};
   if constexpr (!F::kBvh) {
@@ -107,8 +108,8 @@ auto NearestSphere<T, F>::find(Triple<V> origin, Triple<V> direction, V time, Bi
       intersect_tables<true>(origin, direction, time, departed, rehit, nearest);
     }
   }
-  if constexpr (F::kBvh) {  // in the order of the tables, where spheres met in double come last
-    // Not from one of those, and not from none.
+  if constexpr (F::kBvh) {  // in table order, where spheres in double come last
+    // Excludes those, and no sphere.
     const auto first_exact = word(static_cast<std::uint32_t>(scene_.first_exact));
     const Mask has_left = hn::RebindMask(D(), hn::Lt(slot_of(departed), first_exact));
     take_if_nearer(hn::IfThenElse(has_left, rehit, set(-1)), departed, nearest);
@@ -124,8 +125,7 @@ auto NearestSphere<T, F>::find(Triple<V> origin, Triple<V> direction, V time, Bi
   return nearest;
 }
 
-/// Meets all spheres but those of WideScene::exact. `kAsks` whether any lane hits before it goes
-/// on.
+/// Tests all spheres except those of WideScene::exact. `kAsks`: skip a sphere if no lane hits it.
 template <typename T, typename F>
 template <bool kAsks>
 void NearestSphere<T, F>::intersect_tables(Triple<V> origin, Triple<V> direction, V time,
@@ -142,25 +142,25 @@ void NearestSphere<T, F>::intersect_tables(Triple<V> origin, Triple<V> direction
                            time);
     }
     const Triple<V> to_center = minus(center, origin);
-    const V middle = dot(to_center, direction);
+    const V closest = dot(to_center, direction);
     const V discriminant =
-        chord_discriminant(to_center, direction, middle, hn::Set(d, scene_.radius_squared[i]));
+        chord_discriminant(to_center, direction, closest, hn::Set(d, scene_.radius_squared[i]));
     const Bits index = hn::Set(du, static_cast<Word>(i));
     const Mask is_departed = hn::RebindMask(d, hn::Eq(departed, index));
     if constexpr (kAsks) {
       const Mask matters = hn::Or(hn::Ge(discriminant, hn::Zero(d)), is_departed);
       if (hn::AllFalse(d, matters)) continue;
     }
-    // No number where the ray misses, and so no hit in what follows.
+    // NaN if the ray misses, so it never counts as a hit below.
     const V half_chord = hn::Sqrt(discriminant);
-    const V enters = hn::Sub(middle, half_chord), leaves = hn::Add(middle, half_chord);
+    const V enters = hn::Sub(closest, half_chord), leaves = hn::Add(closest, half_chord);
     take_if_nearer(hn::IfThenElse(is_departed, rehit, first_from_zero(enters, leaves)), index,
                    nearest);
   }
 }
 
-/// `enters` where it is not negative, else `leaves`, which is not less; anything that is not from 0
-/// on where both are negative or no numbers.
+/// `enters` if it is not negative, otherwise `leaves`, which is not less. If both are negative or
+/// NaN, the result is negative or NaN.
 template <typename T, typename F>
 auto NearestSphere<T, F>::first_from_zero(V enters, V leaves) -> V {
   if constexpr (kOrdersAsWholeNumbers) {
@@ -187,8 +187,8 @@ void NearestSphere<T, F>::take_if_nearer(V t, Bits index, Nearest& nearest) {
   }
 }
 
-/// Meets the spheres of WideScene::exact in double, one half of the lanes after the other. The one
-/// that the path departed from is met again where the ray leaves it, if `rehit` is not negative.
+/// Tests the spheres of WideScene::exact in double, one half of the lanes after the other. The
+/// sphere of departure is hit again where the ray leaves it, if `rehit` is not negative.
 template <typename T, typename F>
 void NearestSphere<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction, V time,
                                           Bits departed, V rehit, Nearest& nearest) const {
@@ -211,8 +211,9 @@ void NearestSphere<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction,
   const auto origins = halves_of(origin);
   auto directions = halves_of(direction);
   const Halves times = wide(time);
-  // A direction of unit length in float is off by some 1e-7, which times the distance to the far
-  // side of a ground would be far more than that to its near side. 1 / √(1 + e) by two terms.
+  // A float direction has a length error of about 1e-7. Multiplied by the distance to the far side
+  // of a large ground sphere, that would exceed the distance to its near side. Two terms of 1 / √(1
+  // + e).
   Halves to_unit;
   for (std::size_t half = 0; half < 2; ++half) {
     const Wide e = hn::Sub(dot(directions[half], directions[half]), hn::Set(dd, 1.0));
@@ -224,31 +225,31 @@ void NearestSphere<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction,
   const Wide zero = hn::Zero(dd);
   for (std::size_t i = 0; i < scene_.exact_spheres; ++i) {
     const auto& sphere = scene_.exact[i];
-    Halves middles, half_chords, t;
+    Halves closest, half_chords, t;
     for (std::size_t half = 0; half < 2; ++half) {
       Triple<Wide> center = spread(dd, sphere.center);
       if constexpr (F::kMotion) {
         center = plus_scaled(center, spread(dd, sphere.shift), times[half]);
       }
       const Triple<Wide> to_center = minus(center, origins[half]);
-      middles[half] = dot(to_center, directions[half]);
-      const Triple<Wide> across = minus_scaled(to_center, directions[half], middles[half]);
+      closest[half] = dot(to_center, directions[half]);
+      const Triple<Wide> across = minus_scaled(to_center, directions[half], closest[half]);
       half_chords[half] =
           hn::Sqrt(hn::Sub(hn::Set(dd, sphere.radius_squared), dot(across, across)));
-      const Wide enters = hn::Sub(middles[half], half_chords[half]);
+      const Wide enters = hn::Sub(closest[half], half_chords[half]);
       t[half] =
-          hn::IfThenElse(hn::Ge(enters, zero), enters, hn::Add(middles[half], half_chords[half]));
+          hn::IfThenElse(hn::Ge(enters, zero), enters, hn::Add(closest[half], half_chords[half]));
     }
     const Bits index = word(static_cast<std::uint32_t>(scene_.first_exact + i));
     const Mask is_departed = hn::RebindMask(d, hn::Eq(departed, index));
     const Mask is_inside = hn::And(is_departed, hn::Ge(rehit, hn::Zero(d)));
     if (HWY_UNLIKELY(!hn::AllFalse(d, is_inside))) {
-      // The place where a path left it, rounded, is before or behind the surface by chance.
+      // The rounded point of departure may be on either side of the surface.
       const Halves inside = wide(hn::IfThenElseZero(is_inside, set(1)));
       for (std::size_t half = 0; half < 2; ++half) {
         const auto has_chord = hn::Gt(half_chords[half], zero);
         const Wide leaves =
-            hn::Add(middles[half], hn::IfThenElseZero(has_chord, half_chords[half]));
+            hn::Add(closest[half], hn::IfThenElseZero(has_chord, half_chords[half]));
         t[half] = hn::IfThenElse(hn::Gt(inside[half], zero), hn::Max(leaves, zero), t[half]);
       }
     }
@@ -258,7 +259,7 @@ void NearestSphere<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction,
   }
 }
 
-/// Meets the spheres of WideScene::bvh, in all lanes at a time or one after the other.
+/// Tests the spheres of WideScene::bvh, in all lanes at the same time or one after the other.
 template <typename T, typename F>
 void NearestSphere<T, F>::intersect_bvh(Triple<V> origin, Triple<V> direction, V time,
                                         Bits departed, Mask alive, Nearest& nearest) const {
@@ -287,8 +288,8 @@ void NearestSphere<T, F>::intersect_bvh(Triple<V> origin, Triple<V> direction, V
   }
 }
 
-/// Calls `find(lane, departed, t, index)` with the numbers of each lane of `alive`, the last two of
-/// `nearest`, to be replaced.
+/// Calls `find(lane, departed, t, index)` for each lane of `alive`; `find` updates the last two,
+/// which are those of `nearest`.
 template <typename T, typename F>
 template <typename Find>
 void NearestSphere<T, F>::find_one_by_one(Bits departed, Mask alive, Nearest& nearest,
@@ -307,7 +308,7 @@ void NearestSphere<T, F>::find_one_by_one(Bits departed, Mask alive, Nearest& ne
   nearest = {hn::Load(d, distances.data()), hn::Load(du, indices.data())};
 }
 
-/// The same where some of them are instances'.
+/// The same if some spheres belong to instances.
 template <typename T, typename F>
 void NearestSphere<T, F>::intersect_placed(Triple<V> origin, Triple<V> direction, V time,
                                            Bits departed, Mask alive, Nearest& nearest) const {
@@ -327,8 +328,8 @@ void NearestSphere<T, F>::intersect_placed(Triple<V> origin, Triple<V> direction
   find_one_by_one(departed, alive, nearest, find);
 }
 
-/// Moves centres from where prototypes have them to where their instances put them at `time`. The
-/// instances' scales.
+/// Transforms centres from prototype to world coordinates at `time`. Returns the scales of the
+/// instances.
 template <typename T, typename F>
 auto NearestSphere<T, F>::place_in_world(Bits index, V time, Triple<V>& center) const -> V {
   const D d;

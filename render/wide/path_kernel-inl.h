@@ -1,4 +1,5 @@
-// The wide path tracer, compiled once for each instruction set: no include guard but Highway's.
+// The wide path tracer. Compiled once per instruction set, so it has no include guard but
+// Highway's.
 // clang-format off
 #if defined(SDLC_RENDER_WIDE_PATH_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SDLC_RENDER_WIDE_PATH_KERNEL_INL_H
@@ -29,7 +30,7 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// All that a thread does: one path in every lane, a new one as soon as it ends.
+/// The work of a thread: one path per lane, replaced as soon as it ends.
 template <typename T, typename F>
 class WidePaths {
  public:
@@ -58,8 +59,8 @@ class WidePaths {
 
   HWY_INLINE void start_block(std::size_t lane);
   HWY_INLINE void finish_blocks(Mask finished);
-  /// Where a ray meets the sphere again that it leaves, not positive where it does not; `inwards`
-  /// is the cosine of ray and outward normal.
+  /// The distance at which a ray hits the sphere that it leaves again, negative if it does not;
+  /// `inwards` is the cosine of ray and outward normal.
   static HWY_INLINE V rehit_distance(V inwards, V radius) {
     return hn::IfThenElse(hn::Lt(inwards, hn::Zero(D())),
                           hn::Mul(hn::Mul(set(-2), inwards), radius), hn::Neg(set(1)));
@@ -75,7 +76,7 @@ class WidePaths {
   HWY_INLINE void add_to_sums(Mask mask, Triple<V> value);
   template <typename KindOf>
   void count_reached(Mask mask, Bits index, const KindOf& kind_of, EmitterTally& emitters) const;
-  /// Counts the paths that end on the spheres of `mask`, and notes what the others met.
+  /// Counts the paths that end on the spheres of `mask`, and updates the history of the others.
   void follow_paths(Mask ends, Bits index, Mask fresh, Bits surface, EmitterTally& emitters);
 
   const WideScene<T>& scene_;
@@ -84,15 +85,15 @@ class WidePaths {
   std::span<LinearRgb> sums_;
   std::size_t next_block_ = 0;
 
-  // What changes only with the block stays in memory.
+  // State that changes only with the block stays in memory.
   alignas(64) std::array<std::array<T, kLanes>, 3> corner_{};
-  alignas(64) std::array<Word, kLanes> stream_key_{};    // its lower half
-  alignas(64) std::array<Word, kLanes> mixer_{};         // its upper half
-  alignas(64) std::array<Word, kLanes> sample_{};        // the index of the lane's next sample
-  alignas(64) std::array<Word, kLanes> samples_left_{};  // 0: the lane has nothing to do
+  alignas(64) std::array<Word, kLanes> stream_key_{};    // lower half
+  alignas(64) std::array<Word, kLanes> mixer_{};         // upper half
+  alignas(64) std::array<Word, kLanes> sample_{};        // index of the lane's next sample
+  alignas(64) std::array<Word, kLanes> samples_left_{};  // 0: the lane is idle
   alignas(64) std::array<std::array<double, kLanes>, 3> sum_{};
   std::array<std::size_t, kLanes> block_{};
-  // What a path has met so far, for EmitterTally; kept only while that counts.
+  // What a path has hit so far, for EmitterTally; maintained only while it counts.
   enum : Word { kHasScattered = 1, kHasMetDiffuse = 2, kLeavesDiffuse = 4 };
   alignas(64) std::array<Word, kLanes> history_{};
 };
@@ -126,7 +127,7 @@ void WidePaths<T, F>::finish_blocks(Mask finished) {
   }
 }
 
-/// Adds `value` in the lanes of `mask`, in double.
+/// Adds `value` in double, in the lanes of `mask`.
 template <typename T, typename F>
 void WidePaths<T, F>::add_to_sums(Mask mask, Triple<V> value) {
   const hn::ScalableTag<double> dd;
@@ -148,7 +149,7 @@ void WidePaths<T, F>::add_to_sums(Mask mask, Triple<V> value) {
   }
 }
 
-/// The spheres of `mask`, but for those of instances.
+/// Counts the spheres of `mask`, except those of instances.
 template <typename T, typename F>
 template <typename KindOf>
 void WidePaths<T, F>::count_reached(Mask mask, Bits index, const KindOf& kind_of,
@@ -195,19 +196,19 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
 
   Triple<V> origin{zero, zero, zero}, direction{zero, zero, zero};
   Triple<V> next{zero, zero, one};     // direction of the next ray, of any length
-  Triple<V> normal{zero, zero, zero};  // outward, where the path left the last sphere
+  Triple<V> normal{zero, zero, zero};  // outward, at the last point of departure
   Triple<V> beta{zero, zero, zero};    // throughput of the path so far
   V time = zero, radius = zero;        // of the last sphere
   Bits departed = hn::Zero(du), depth_left = hn::Zero(du);
-  Bits stream = hn::Zero(du), order = hn::Zero(du);  // of the path's random numbers
+  Bits stream = hn::Zero(du), order = hn::Zero(du);  // sampler state of the path
   Mask alive = hn::RebindMask(d, hn::Gt(hn::Load(du, samples_left_.data()), hn::Zero(du)));
   Mask fresh = alive;
   std::uint32_t step = 0;
   const Search search(scene_);
   EmitterTally* const emitters =
       view_.emitters != nullptr && view_.emitters->is_counting() ? view_.emitters : nullptr;
-  // kLights: what connections brought to each path, and whether its ray left a surface where
-  // lights were looked for.
+  // kLights: radiance from connections so far, and whether the ray left a surface where a light was
+  // sampled.
   [[maybe_unused]] Triple<V> gathered{zero, zero, zero};
   [[maybe_unused]] Mask left_diffuse = hn::MaskFromVec(zero);
 
@@ -254,11 +255,11 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
       }
     }
 
-    // Camera rays, scattered and refracted ones get their length here, in one place.
+    // Normalise camera rays and scattered rays here, in one place.
     V length_squared = dot(next, next);
     const Mask vanishes = hn::Lt(length_squared, set(1e-12));
     if (HWY_UNLIKELY(!hn::AllFalse(d, vanishes))) {
-      // Next to −n the sum of normal and unit vector has no digits left: straight off the surface.
+      // Near −n the sum of normal and unit vector has no digits left: use the normal.
       const V side = hn::IfThenElse(hn::Gt(dot(direction, normal), zero), hn::Neg(one), one);
       next = choose(vanishes, scaled(normal, side), next);
       length_squared = hn::IfThenElse(vanishes, one, length_squared);
@@ -277,7 +278,7 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     const Bits surface = hn::IfThenElseZero(hn::RebindMask(du, hit), read_optics(scene_.surface));
     const Triple<V> color = read_material(scene_.color);
     const Triple<V> sky =
-        plus_scaled(spread(d, scene_.sky_middle), spread(d, scene_.sky_slope), direction.y);
+        plus_scaled(spread(d, scene_.sky_center), spread(d, scene_.sky_slope), direction.y);
     const Triple<V> factor = choose(hit, color, sky);
     beta = {hn::Mul(beta.x, factor.x), hn::Mul(beta.y, factor.y), hn::Mul(beta.z, factor.z)};
 
@@ -295,7 +296,7 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
       }
     }
 
-    // From the centre, never from the point in the world: the distance to the origin cancels.
+    // Relative to the centre, not in world coordinates: the distance to the origin cancels.
     Triple<V> center = read(scene_.center);
     if constexpr (F::kMotion) center = plus_scaled(center, read(scene_.shift), time);
     V scale = one;
@@ -317,7 +318,8 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     const Triple<V> on_ray = plus_scaled(origin, direction, nearest.t);
     origin = plus_scaled(center, outward, radius);
     if constexpr (F::kExactSpheres) {
-      // But on one met in double from the ray, whose distance to it is right: its size cancels.
+      // For spheres in double use the point on the ray, whose distance is accurate: the sphere's
+      // size cancels.
       const auto first_exact = word(static_cast<std::uint32_t>(scene_.first_exact));
       origin = choose(hn::RebindMask(d, hn::Lt(nearest.index, first_exact)), origin, on_ray);
     }
@@ -334,7 +336,7 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     if (HWY_UNLIKELY(emitters != nullptr)) {
       follow_paths(hn::And(shines, hit), nearest.index, fresh, surface, *emitters);
     }
-    Mask brings = shines;  // lanes whose path ends and brings something
+    Mask brings = shines;  // lanes whose path ends with a contribution
     Triple<V> brought = beta;
     if constexpr (F::kLights) {
       const Bits not_diffuse = word(kEndsPath | kMirrors | kRefracts);
@@ -352,8 +354,8 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
           const Nearest met =
               search.find(origin, connection.direction, time, departed, rehit, connection.exists);
           counts.rays += hn::CountTrue(d, connection.exists);
-          // Where the light's own surface is met, or just missed, rounding decides: both count as
-          // seen.
+          // If the ray hits or just misses the light's own surface, rounding decides; both count as
+          // visible.
           const Mask is_hidden = hn::And(hn::Lt(met.t, connection.distance),
                                          hn::RebindMask(d, hn::Ne(met.index, connection.slot)));
           const Mask is_seen = hn::AndNot(is_hidden, connection.exists);
@@ -409,7 +411,8 @@ TraceBlocks<T>* choose_search(WideFeatures features) noexcept {
                       : &trace_blocks<T, Features<kMotion, kExactSpheres, false, false, kLights>>;
 }
 
-/// `kLights` as in `features`, for which there are source files of their own.
+/// `kLights` as in `features`; it is a template parameter because each value has its own source
+/// file.
 template <typename T, bool kLights>
 TraceBlocks<T>* choose_kernel(WideFeatures features) noexcept {
   if constexpr (sizeof(T) == 8) {

@@ -8,7 +8,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
-// Called here, so that all they instantiate is compiled for the instruction set.
+// Called here, so that all instantiations are compiled for the instruction set.
 TraceBlocks<float>* kernel_for(float /*type*/, WideFeatures features) noexcept {
   return choose_kernel<float, false>(features);
 }

@@ -1,5 +1,5 @@
-// What materials do to paths, compiled once for each instruction set: no include guard but
-// Highway's.
+// Scattering of paths by materials. Compiled once per instruction set, so it has no include guard
+// but Highway's.
 // clang-format off
 #if defined(SDLC_RENDER_WIDE_SCATTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SDLC_RENDER_WIDE_SCATTER_INL_H
@@ -23,7 +23,7 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What happens to paths where they meet a surface, by the optics that `read_optics` reads of it.
+/// Scatters paths at surfaces, by the optics that `read_optics` looks up.
 template <typename T>
 class Scattering {
  public:
@@ -53,24 +53,25 @@ class Scattering {
   const TableReader<D>& read_;
 };
 
-/// The direction in which each path goes on, of any length; nothing that matters for lanes whose
-/// path ends anyway. `surface` is 0 where nothing was hit.
+/// The next direction of each path, of any length; undefined for lanes whose path ends. `surface`
+/// is 0 without a hit.
 template <typename T>
 HWY_INLINE auto Scattering<T>::scatter(Triple<V> direction, Triple<V> outward, V cosine,
                                        Bits surface, const LaneSampler<D>& sampler,
                                        Mask& absorbed) const -> Triple<V> {
   const D d;
   const V one = set(1);
-  // The normal on the side of the ray: turned round where the cosine is positive.
+  // The normal on the side of the ray: flipped if the cosine is positive.
   const Triple<V> facing = flipped(outward, hn::AndNot(cosine, hn::SignBit(d)));
 
   const auto [u, turn] = sampler.pair(kDirection);
   const V circle = hn::Sqrt(hn::Mul(u, hn::Sub(one, u)));
-  Triple<V> ball;  // on the unit sphere
-  point_on_circle(turn, hn::Add(circle, circle), ball.x, ball.y);
-  ball.z = hn::NegMulAdd(set(2), u, one);
+  Triple<V> on_sphere;  // on the unit sphere
+  point_on_circle(turn, hn::Add(circle, circle), on_sphere.x, on_sphere.y);
+  on_sphere.z = hn::NegMulAdd(set(2), u, one);
 
-  Triple<V> next{hn::Add(facing.x, ball.x), hn::Add(facing.y, ball.y), hn::Add(facing.z, ball.z)};
+  Triple<V> next{hn::Add(facing.x, on_sphere.x), hn::Add(facing.y, on_sphere.y),
+                 hn::Add(facing.z, on_sphere.z)};
   const Mask mirrors = has(surface, kMirrors), refracts = has(surface, kRefracts);
   if (hn::AllFalse(d, hn::Or(mirrors, refracts))) return next;
 
@@ -79,7 +80,7 @@ HWY_INLINE auto Scattering<T>::scatter(Triple<V> direction, Triple<V> outward, V
     Triple<V> spread_out = scaled(mirrored, read_(scene_.first));
     if (!hn::AllFalse(d, has(surface, kIsFuzzy))) {
       const V radius = cube_root(sampler.first(kChoice));
-      spread_out = plus_scaled(spread_out, ball, hn::Mul(radius, read_(scene_.second)));
+      spread_out = plus_scaled(spread_out, on_sphere, hn::Mul(radius, read_(scene_.second)));
     }
     absorbed = hn::And(mirrors, hn::Not(hn::Gt(dot(spread_out, facing), hn::Zero(d))));
     next = choose(mirrors, spread_out, next);
@@ -92,7 +93,7 @@ HWY_INLINE auto Scattering<T>::scatter(Triple<V> direction, Triple<V> outward, V
   return next;
 }
 
-/// Through glass, or back from it where `choice` is below the share that Fresnel's term reflects.
+/// Refracts, or reflects if `choice` is below the reflectance of Fresnel's term.
 template <typename T>
 HWY_INLINE auto Scattering<T>::refract(Triple<V> direction, Triple<V> facing, Triple<V> mirrored,
                                        V cosine, Bits surface, V choice) const -> Triple<V> {

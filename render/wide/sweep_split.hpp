@@ -6,40 +6,40 @@
 #include <memory>
 #include <span>
 
-#include "render/wide/bvh_members.hpp"
+#include "render/wide/build_primitives.hpp"
 
 namespace sdlc::render {
 
-/// Splits small groups by the surface area heuristic, at any place along any axis. Members stay
-/// where they are: what is split is their order along each axis, which is found once for a group
-/// and handed down to its parts. Threads may work on different groups at a time.
+/// Sweep builder: splits small ranges by the surface area heuristic at any position along any axis.
+/// Primitives stay in place; only their order along each axis is split, which is computed once per
+/// range and inherited by its parts. Threads may work on different ranges at the same time.
 template <typename T>
 class SweepSplitter {
  public:
-  static constexpr std::size_t kMostSwept = 64;
+  static constexpr std::size_t kMaxSwept = 64;
 
-  explicit SweepSplitter(std::span<const Member<T>> members);
+  explicit SweepSplitter(std::span<const Primitive<T>> primitives);
 
-  /// Both parts of a group of 2 to kMostSwept members.
-  std::array<Group<T>, 2> split(const Group<T>& unsorted);
-  /// The first half along x and the second one, of a group that is sorted.
-  std::array<Group<T>, 2> split_in_halves(const Group<T>& whole);
+  /// Splits a range of 2 to kMaxSwept primitives.
+  std::array<Range<T>, 2> split(const Range<T>& unsorted);
+  /// Splits a sorted range into its first and second half along x.
+  std::array<Range<T>, 2> split_in_halves(const Range<T>& whole);
 
-  /// The sphere at a place within a group, sorted or not.
-  std::uint32_t sphere_at(const Group<T>& group, std::size_t place) const noexcept {
-    if (!group.is_sorted()) return members_[place].sphere();
-    return members_[group.sorted_from + orders_[0][place]].sphere();
+  /// The sphere at a position within a range, sorted or not.
+  std::uint32_t sphere_at(const Range<T>& range, std::size_t place) const noexcept {
+    if (!range.is_sorted()) return primitives_[place].sphere();
+    return primitives_[range.sorted_from + orders_[0][place]].sphere();
   }
 
  private:
   struct Cut;
 
-  void sort(Group<T>& group);
-  void find_cut(const Group<T>& whole, std::size_t axis, Cut& best) const;
-  std::array<Group<T>, 2> split_at(const Group<T>& whole, const Cut& cut);
+  void sort(Range<T>& range);
+  void find_cut(const Range<T>& whole, std::size_t axis, Cut& best) const;
+  std::array<Range<T>, 2> split_at(const Range<T>& whole, const Cut& cut);
 
-  std::span<const Member<T>> members_;
-  /// Along each axis, for each place the member that comes there, counted from Group::sorted_from.
+  std::span<const Primitive<T>> primitives_;
+  /// Per axis and position, the index of the primitive there, relative to Range::sorted_from.
   std::array<std::unique_ptr<std::uint8_t[]>, 3> orders_;  // NOLINT: not initialised
 };
 

@@ -1,5 +1,5 @@
-// Tables that every lane reads at its own index, compiled once for each instruction set: no include
-// guard but Highway's.
+// Tables that every lane reads at its own index. Compiled once per instruction set, so it has no
+// include guard but Highway's.
 // clang-format off
 #if defined(SDLC_RENDER_WIDE_TABLE_READER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SDLC_RENDER_WIDE_TABLE_READER_INL_H
@@ -23,7 +23,7 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The row of a table that each lane's index names, for tables that are read with the same indices.
+/// Reads tables at one row per lane, for several tables with the same indices.
 template <typename D>
 class TableReader {
  public:
@@ -38,7 +38,7 @@ class TableReader {
   HWY_INLINE hn::Vec<D> operator()(const std::vector<T, Allocator>& table) const {
     const D d;
     if constexpr (kHasPermutation) {
-      if (HWY_LIKELY(registers_ <= kMostRegisters)) {
+      if (HWY_LIKELY(registers_ <= kMaxRegisters)) {
         return permuted(
             d, [&](std::size_t i) HWY_ATTR { return hn::Load(d, table.data() + i * kLanes); });
       }
@@ -46,14 +46,14 @@ class TableReader {
     return hn::GatherIndex(d, table.data(), hn::BitCast(DI(), index_));
   }
 
-  /// Whole numbers take 32 bits in the table whatever a lane has.
+  /// Integers take 32 bits in the table, whatever the lane size.
   template <typename Allocator>
   HWY_INLINE Index operator()(const std::vector<std::uint32_t, Allocator>& table) const {
     const DU du;
     const hn::Rebind<std::uint32_t, D> d32;
     const hn::Rebind<std::int32_t, D> di32;
     if constexpr (kHasPermutation) {
-      if (HWY_LIKELY(registers_ <= kMostRegisters)) {
+      if (HWY_LIKELY(registers_ <= kMaxRegisters)) {
         return permuted(du, [&](std::size_t i) HWY_ATTR {
           return in_lanes(hn::Load(d32, table.data() + i * kLanes));
         });
@@ -75,10 +75,10 @@ class TableReader {
  private:
   using DI = hn::RebindToSigned<D>;
   static constexpr std::size_t kLanes = hn::MaxLanes(D());
-  // Whether permuting whole registers by an index is one instruction.
+  // Whether permuting whole registers by an index is a single instruction.
   static constexpr bool kHasPermutation =
       HWY_TARGET == HWY_AVX3 || (HWY_TARGET == HWY_AVX2 && sizeof(T) == 4);
-  static constexpr std::size_t kMostRegisters = 4;  // from there on a gather is faster
+  static constexpr std::size_t kMaxRegisters = 4;  // above this a gather is faster
 
   static HWY_INLINE Index in_lanes(auto words) {
     if constexpr (sizeof(T) == 4) {
@@ -88,7 +88,7 @@ class TableReader {
     }
   }
 
-  /// `load(i)` gives the table's i-th register.
+  /// `load(i)` returns the table's i-th register.
   HWY_INLINE auto permuted(auto d, const auto& load) const {
     const auto lane = hn::IndicesFromVec(d, hn::And(index_, hn::Set(DU(), kLanes - 1)));
     auto value = hn::TableLookupLanes(load(0), lane);

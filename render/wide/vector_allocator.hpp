@@ -6,8 +6,8 @@
 
 namespace sdlc::render {
 
-/// Where vectors of any width can be loaded from. Numbers that are given no value have none yet: it
-/// is for the threads that fill a table to touch its memory first.
+/// An allocator aligned for vectors of any width. Elements are default-initialised, so that the
+/// threads that fill a table touch its memory first.
 template <typename T>
 struct VectorAllocator {
   using value_type = T;

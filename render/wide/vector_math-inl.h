@@ -1,5 +1,5 @@
-// Vectors of three, random numbers, sines: what a lane needs, compiled once for each instruction
-// set. No include guard but Highway's.
+// 3D vectors, random numbers and trigonometry per lane. Compiled once per instruction set, so it
+// has no include guard but Highway's.
 // clang-format off
 #if defined(SDLC_RENDER_WIDE_VECTOR_MATH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SDLC_RENDER_WIDE_VECTOR_MATH_INL_H
@@ -54,7 +54,7 @@ HWY_INLINE Triple<V> choose(M mask, Triple<V> yes, Triple<V> no) {
   return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
           hn::IfThenElse(mask, yes.z, no.z)};
 }
-/// Turned round where `signs` has a sign bit; its other bits are 0.
+/// Negated where `signs` has a sign bit; its other bits are 0.
 template <typename V>
 HWY_INLINE Triple<V> flipped(Triple<V> a, V signs) {
   return {hn::Xor(a.x, signs), hn::Xor(a.y, signs), hn::Xor(a.z, signs)};
@@ -64,20 +64,20 @@ HWY_INLINE Triple<hn::Vec<D>> spread(D d, const std::array<T, 3>& v) {
   return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
 }
 
-/// Half the chord that a sphere cuts out of a line, squared; negative where it misses. `to_center`:
-/// from the line's origin; `middle`: where the line comes nearest to the centre.
+/// The square of half the chord of a line in a sphere; negative if it misses. `to_center`: from the
+/// line's origin; `closest`: the line parameter nearest to the centre.
 template <typename V>
-HWY_INLINE V chord_discriminant(Triple<V> to_center, Triple<V> direction, V middle,
+HWY_INLINE V chord_discriminant(Triple<V> to_center, Triple<V> direction, V closest,
                                 V radius_squared) {
-  const Triple<V> across = minus_scaled(to_center, direction, middle);
+  const Triple<V> across = minus_scaled(to_center, direction, closest);
   return hn::NegMulAdd(
       across.x, across.x,
       hn::NegMulAdd(across.y, across.y, hn::NegMulAdd(across.z, across.z, radius_squared)));
 }
 
-// --- random numbers: render/sampler/sampler.hpp in every lane ---
+// The functions below are those of render/sampler/sampler.hpp for every lane.
 
-/// The low 32 bits of a product; lanes of 64 bits hold numbers below 2^32.
+/// The low 32 bits of a product; 64-bit lanes hold numbers below 2^32.
 template <typename V>
 HWY_INLINE V mul_low_32(V a, V b) {
   const hn::DFromV<V> du;
@@ -109,7 +109,7 @@ HWY_INLINE V mix_lanes(V x, V key) {
   return mul_low_32(hn::Xor(x, hn::ShiftRight<15>(x)), 0x846CA68B);
 }
 
-/// 32 bits as a number in [0, 1): 24 of them in float, all in double.
+/// Converts 32 bits to a number in [0, 1); float keeps 24 of them, double all.
 template <typename D, typename V>
 HWY_INLINE hn::Vec<D> uniform_from_bits(D d, V bits) {
   if constexpr (sizeof(hn::TFromD<D>) == 4) {
@@ -118,25 +118,25 @@ HWY_INLINE hn::Vec<D> uniform_from_bits(D d, V bits) {
                    hn::Set(d, 0x1p-24f));
   } else {
     const hn::RebindToUnsigned<D> du;
-    // The bits become the low ones of the significand of a number from 2^52 on.
+    // Puts the bits into the low part of the significand of a number from 2^52 on.
     const auto magic = hn::Set(d, 0x1p52);
     const auto number = hn::BitCast(d, hn::Or(bits, hn::BitCast(du, magic)));
     return hn::Mul(hn::Sub(number, magic), hn::Set(d, 0x1p-32));
   }
 }
 
-/// reversed_bits in every lane: the halves of bytes by a table, then the bytes.
+/// reversed_bits in every lane: the half bytes by a table, then the bytes.
 template <typename V>
 HWY_INLINE V reverse_lane_bits(V x) {
   const hn::DFromV<V> du;
   const hn::Repartition<std::uint8_t, decltype(du)> bytes;
-  // Of what was the lower half of a byte, which becomes the upper one, and the other way round.
+  // Tables of reversed half bytes; the lower half of a byte becomes the upper one and vice versa.
   alignas(16) static constexpr std::uint8_t kToUpper[16]{0x00, 0x80, 0x40, 0xC0, 0x20, 0xA0,
                                                          0x60, 0xE0, 0x10, 0x90, 0x50, 0xD0,
                                                          0x30, 0xB0, 0x70, 0xF0};
   alignas(16) static constexpr std::uint8_t kToLower[16]{0x0, 0x8, 0x4, 0xC, 0x2, 0xA, 0x6, 0xE,
                                                          0x1, 0x9, 0x5, 0xD, 0x3, 0xB, 0x7, 0xF};
-  // The upper half of a lane of 64 bits is 0, and stays so.
+  // The upper half of a 64-bit lane is 0 and stays 0.
   alignas(16) static constexpr std::uint8_t kOrder[16]{3,  2,  1, 0, 7,  6,  5,  4,
                                                        11, 10, 9, 8, 15, 14, 13, 12};
   const auto half = hn::Set(bytes, 0x0F);
@@ -171,7 +171,7 @@ HWY_INLINE V sobol_second_reversed_lanes(V index) {
   return hn::Xor(index, hn::ShiftRight<1>(upper(index, 0xAAAAAAAAu)));
 }
 
-/// What all the numbers of a path, or of one of its vertices, come from.
+/// The random numbers of a path, or of one of its vertices.
 template <typename D>
 class LaneSampler {
  public:
@@ -181,7 +181,7 @@ class LaneSampler {
     V first, second;
   };
 
-  /// `start`: PathSampler's, plus the increments up to the first pair; `order`: its too.
+  /// `start` is PathSampler's plus the increments up to the first pair; `order` is PathSampler's.
   HWY_INLINE LaneSampler(SamplerKind kind, Bits start, Bits mixer, Bits order)
       : kind_(kind), start_(start), mixer_(mixer), order_(order) {}
 
@@ -219,8 +219,6 @@ class LaneSampler {
   Bits start_, mixer_, order_;
 };
 
-// --- sine and cosine ---
-
 /// sin(2π x) for |x| ≤ 1/4.
 template <typename V>
 HWY_INLINE V sine_of_quarter_turn(V x) {
@@ -229,8 +227,8 @@ HWY_INLINE V sine_of_quarter_turn(V x) {
   const V y = hn::Mul(x, x);
   V p;
   if constexpr (sizeof(T) == 4) {
-    // Here and below: least maximum relative error among polynomials of the degree, by Remez'
-    // exchange: 5.3e-9, and 1.4e-16 in double.
+    // Here and below: minimax polynomials for the relative error, by Remez' algorithm: 5.3e-9, and
+    // 1.4e-16 in double.
     p = hn::Set(d, 39.7109184f);
     p = hn::MulAdd(p, y, hn::Set(d, -76.5749893f));
     p = hn::MulAdd(p, y, hn::Set(d, 81.6022339f));
@@ -249,27 +247,28 @@ HWY_INLINE V sine_of_quarter_turn(V x) {
   return hn::Mul(x, p);
 }
 
-/// The point at `turn`, from 0 to 1 turn, of the circle around the origin; the turn begins at −x.
+/// The point at `turn`, from 0 to 1 turn, on the circle around the origin; the turn starts at −x.
 template <typename V>
 HWY_INLINE void point_on_circle(V turn, V radius, V& x, V& y) {
   const hn::DFromV<V> d;
   const V half = hn::Set(d, hn::TFromV<V>{0.5}), quarter = hn::Set(d, hn::TFromV<V>{0.25});
   const V u = hn::Sub(turn, half);  // −1/2 … 1/2
   const V size = hn::Abs(u);
-  // The sine at 1/2 − u is the one at u.
+  // The sine at 1/2 − u equals that at u.
   const V folded = hn::IfThenElse(hn::Gt(size, quarter), hn::Sub(hn::CopySign(half, u), u), u);
   x = hn::Mul(radius, sine_of_quarter_turn(hn::Sub(quarter, size)));
   y = hn::Mul(radius, sine_of_quarter_turn(folded));
 }
 
-/// ∛x for x from 0 to 1; 0 below 2^-126.
+/// ∛x for x in [0, 1]; 0 below 2^-126.
 template <typename V>
 HWY_INLINE V cube_root(V x) {
   const hn::DFromV<V> d;
   const hn::RebindToSigned<decltype(d)> di;
   using T = hn::TFromV<V>;
-  // A third of the bits as a whole number is a third of the logarithm but for a constant, to 4 %
-  // (Kahan's, as in FreeBSD's cbrt); 2^-32 is the least number, so that float can hold a third.
+  // A third of the bits as an integer approximates a third of the logarithm plus a constant, to 4 %
+  // (Kahan's method, as in FreeBSD's cbrt). 2^-32 is the smallest number, so that float can hold a
+  // third.
   V y;
   if constexpr (sizeof(T) == 4) {
     const V bits = hn::ConvertTo(d, hn::BitCast(di, x));
@@ -277,13 +276,13 @@ HWY_INLINE V cube_root(V x) {
     y = hn::BitCast(d, hn::Add(third, hn::Set(di, 709958130)));
   } else {
     const auto high = hn::ShiftRight<32>(hn::BitCast(di, x));
-    // high / 3 by a product, exact enough: high is below 2^31.
+    // high / 3 by multiplication; exact enough, because high is below 2^31.
     const hn::Repartition<std::int32_t, decltype(d)> di32;
     const auto third = hn::ShiftRight<32>(
         hn::MulEven(hn::BitCast(di32, high), hn::BitCast(di32, hn::Set(di, 0x55555556))));
     y = hn::BitCast(d, hn::ShiftLeft<32>(hn::Add(third, hn::Set(di, 715094163))));
   }
-  // Halley's steps: the error is cubed each time, 4e-2 to 4e-5 to 1e-13 and below rounding.
+  // Halley's iteration: each step cubes the error, 4e-2 to 4e-5 to 1e-13 and below rounding.
   const int steps = sizeof(T) == 4 ? 2 : 3;
   for (int i = 0; i < steps; ++i) {
     const V cube = hn::Mul(hn::Mul(y, y), y);
@@ -292,7 +291,8 @@ HWY_INLINE V cube_root(V x) {
   return hn::IfThenElseZero(hn::Gt(x, hn::Zero(d)), y);
 }
 
-/// Share of unpolarised light reflected by Fresnel's equations, with the cosines on both sides.
+/// The share of unpolarised light reflected, by Fresnel's equations, given the cosines on both
+/// sides.
 template <typename V>
 HWY_INLINE V fresnel_exact_lanes(V incident, V beyond, V eta) {
   const hn::DFromV<V> d;

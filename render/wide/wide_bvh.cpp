@@ -10,29 +10,29 @@
 
 #include "render/math/vec3.hpp"
 #include "render/wide/binned_split.hpp"
-#include "render/wide/bvh_members.hpp"
+#include "render/wide/build_primitives.hpp"
 #include "render/wide/grid_split.hpp"
 #include "render/wide/sweep_split.hpp"
 
 namespace sdlc::render {
 namespace {
 
-/// Of boxes, on each side, in a scene of extent 2. It exceeds by far what rounding does to the box
-/// itself and, across the ray, to the tests of box and sphere, for rays that begin within the
-/// scene: some u · 2 in float, where the criterion of precision keeps radii above 2500 u · 2. What
-/// it does along the ray, and to those that come from far away, is the search's to allow for.
+/// Added to boxes on each side, in a scene of extent 2. It far exceeds the rounding errors of the
+/// box itself and, perpendicular to the ray, of the box and sphere tests for rays that start within
+/// the scene: about u · 2 in float, where the precision criterion keeps radii above 2500 u · 2. The
+/// search itself allows for errors along the ray and for rays that start far away.
 template <typename T>
 constexpr T kMargin = sizeof(T) == 4 ? T(0x1.1p-18) : T(0x1.1p-44);
 
 template <typename T>
 using Node = typename WideBvh<T>::Node;
 
-/// Part of a hierarchy, which counts nodes and leaves from its own first ones.
+/// A part of the BVH, with node and leaf indices relative to its own start.
 template <typename T>
 struct Subtree {
-  std::vector<Node<T>> nodes;  ///< the root first; none where the subtree is a leaf
+  std::vector<Node<T>> nodes;  ///< root first; empty if the subtree is a leaf
   std::vector<std::uint32_t> slots;
-  /// Below the only node, where threads share the work: its children.
+  /// If threads share the work: the children of the only node.
   std::vector<Subtree> children;
 };
 
@@ -46,143 +46,145 @@ void store_box(const BuildBox<T>& box, std::size_t child, Node<T>& node) {
 
 template <typename T>
 void store_no_box(std::size_t child, Node<T>& node) {
-  constexpr T kFar{1e15F};  // its products with any inverse of a direction are finite
+  constexpr T kFar{1e15F};  // its product with any inverse direction is finite
   for (std::size_t axis = 0; axis < 3; ++axis) {
     node.bounds[axis][0][child] = kFar;
     node.bounds[axis][1][child] = -kFar;
   }
 }
 
-/// Splits the members into groups, top-down, and these into nodes and leaves.
+/// Splits the primitives into ranges, top-down, and builds nodes and leaves.
 template <typename T>
 class Builder {
  public:
-  explicit Builder(std::span<Member<T>> members) : members_(members), sweep_(members) {}
+  explicit Builder(std::span<Primitive<T>> primitives)
+      : primitives_(primitives), sweep_(primitives) {}
 
-  /// `source(i)` gives each of the members.
+  /// `source(i)` returns primitive i.
   template <typename Source>
   Subtree<T> build(const Source& source) {
     Subtree<T> tree;
-    if (members_.size() > kMostAlone) {
-      const auto groups = GridSplit<T, Source>(source, members_.size()).split(members_, 0);
-      build_shared(divided(groups, 0), 0, tree);
+    if (primitives_.size() > kMaxSequential) {
+      const auto ranges = GridSplit<T, Source>(source, primitives_.size()).split(primitives_, 0);
+      build_shared(divided(ranges, 0), 0, tree);
       return tree;
     }
-    Group<T> all{.begin = 0, .end = members_.size(), .box = {}};
-    for (std::size_t i = 0; i < members_.size(); ++i) {
-      members_[i] = source(i);
-      all.box.add(members_[i].box());
+    Range<T> all{.begin = 0, .end = primitives_.size(), .box = {}};
+    for (std::size_t i = 0; i < primitives_.size(); ++i) {
+      primitives_[i] = source(i);
+      all.box.add(primitives_[i].box());
     }
     build_node(all, 0, tree);
     return tree;
   }
 
  private:
-  // So deep, groups are halved: the nodes that wait while a ray is followed have to find room.
-  static constexpr int kMostSahDepth = 24;
-  // Groups of more members are divided, and nodes above them built, by all threads.
-  static constexpr std::size_t kMostAlone = 32768;
-  static constexpr std::size_t kCopiedAtATime = 4096;
+  // Below this depth ranges are halved, to limit the size of the traversal stack.
+  static constexpr int kMaxSahDepth = 24;
+  // Larger ranges are divided, and the nodes above them built, by all threads.
+  static constexpr std::size_t kMaxSequential = 32768;
+  static constexpr std::size_t kCopiedPerTask = 4096;
 
-  NodeGroups<T> children_of(const Group<T>& whole, int depth) {
-    NodeGroups<T> groups{.of = {whole}, .count = 1};
-    while (groups.count < kBvhWidth) {
-      // The largest box first: it is what most rays meet.
-      const auto area = [](const Group<T>& g) { return g.is_leaf() ? T{-1} : g.box.half_area(); };
+  NodeRanges<T> children_of(const Range<T>& whole, int depth) {
+    NodeRanges<T> ranges{.of = {whole}, .count = 1};
+    while (ranges.count < kBvhWidth) {
+      // The largest box first, because most rays hit it.
+      const auto area = [](const Range<T>& g) { return g.is_leaf() ? T{-1} : g.box.half_area(); };
       const auto largest = std::max_element(
-          groups.of.begin(), groups.of.begin() + static_cast<std::ptrdiff_t>(groups.count),
-          [&](const Group<T>& a, const Group<T>& b) { return area(a) < area(b); });
+          ranges.of.begin(), ranges.of.begin() + static_cast<std::ptrdiff_t>(ranges.count),
+          [&](const Range<T>& a, const Range<T>& b) { return area(a) < area(b); });
       if (largest->is_leaf()) break;
-      const auto parts = depth < kMostSahDepth ? split(*largest) : halves(*largest);
+      const auto parts = depth < kMaxSahDepth ? split(*largest) : halves(*largest);
       *largest = parts[0];
-      groups.of[groups.count++] = parts[1];
+      ranges.of[ranges.count++] = parts[1];
     }
-    return groups;
+    return ranges;
   }
 
-  std::array<Group<T>, 2> split(const Group<T>& whole) {
-    if (whole.count() <= SweepSplitter<T>::kMostSwept) return sweep_.split(whole);
-    return split_by_bins(members_, whole);
+  std::array<Range<T>, 2> split(const Range<T>& whole) {
+    if (whole.count() <= SweepSplitter<T>::kMaxSwept) return sweep_.split(whole);
+    return split_by_bins(primitives_, whole);
   }
 
-  std::array<Group<T>, 2> halves(const Group<T>& whole) {
+  std::array<Range<T>, 2> halves(const Range<T>& whole) {
     if (whole.is_sorted()) return sweep_.split_in_halves(whole);
-    return split_in_halves<T>(members_, whole);
+    return split_in_halves<T>(primitives_, whole);
   }
 
-  /// Appends the node and all below it.
-  std::uint32_t build_node(const Group<T>& whole, int depth, Subtree<T>& tree) {
+  /// Appends the node and its subtree.
+  std::uint32_t build_node(const Range<T>& whole, int depth, Subtree<T>& tree) {
     const auto index = static_cast<std::uint32_t>(tree.nodes.size());
     tree.nodes.emplace_back();
-    const NodeGroups<T> groups = children_of(whole, depth);
+    const NodeRanges<T> ranges = children_of(whole, depth);
     std::array<std::uint32_t, kBvhWidth> children{};
-    for (std::size_t i = 0; i < groups.count; ++i) {
-      const Group<T>& group = groups.of[i];
-      children[i] = group.is_leaf() ? add_leaf(group, tree) : build_node(group, depth + 1, tree);
+    for (std::size_t i = 0; i < ranges.count; ++i) {
+      const Range<T>& range = ranges.of[i];
+      children[i] = range.is_leaf() ? add_leaf(range, tree) : build_node(range, depth + 1, tree);
     }
-    store_node(groups, children, tree.nodes[index]);
+    store_node(ranges, children, tree.nodes[index]);
     return index;
   }
 
-  /// What becomes of groups that were divided: where all middles are in one place, they were not.
-  NodeGroups<T> divided(const NodeGroups<T>& groups, int depth) {
-    return groups.count > 1 ? groups : children_of(groups.of[0], depth);
+  /// Falls back to children_of() if the grid could not divide the range because all centroids
+  /// coincide.
+  NodeRanges<T> divided(const NodeRanges<T>& ranges, int depth) {
+    return ranges.count > 1 ? ranges : children_of(ranges.of[0], depth);
   }
 
-  NodeGroups<T> divide(const Group<T>& whole, int depth) {
-    if (depth >= kMostSahDepth) return children_of(whole, depth);
+  NodeRanges<T> divide(const Range<T>& whole, int depth) {
+    if (depth >= kMaxSahDepth) return children_of(whole, depth);
     const std::size_t count = whole.count();
-    const auto copies = std::make_unique_for_overwrite<Member<T>[]>(count);  // NOLINT
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kCopiedAtATime),
+    const auto copies = std::make_unique_for_overwrite<Primitive<T>[]>(count);  // NOLINT
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kCopiedPerTask),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                         const auto from =
-                            members_.subspan(whole.begin + range.begin(), range.size());
+                            primitives_.subspan(whole.begin + range.begin(), range.size());
                         std::copy(from.begin(), from.end(), copies.get() + range.begin());
                       });
-    const auto source = [&](std::size_t i) -> const Member<T>& { return copies[i]; };
-    return divided(GridSplit<T, decltype(source)>(source, count).split(members_, whole.begin),
+    const auto source = [&](std::size_t i) -> const Primitive<T>& { return copies[i]; };
+    return divided(GridSplit<T, decltype(source)>(source, count).split(primitives_, whole.begin),
                    depth);
   }
 
-  /// A node whose children are subtrees of their own, built at the same time.
-  void build_shared(const NodeGroups<T>& groups, int depth, Subtree<T>& tree) {
+  /// A node whose children are separate subtrees, built in parallel.
+  void build_shared(const NodeRanges<T>& ranges, int depth, Subtree<T>& tree) {
     tree.nodes.resize(1);
-    tree.children.resize(groups.count);
-    store_node(groups, {}, tree.nodes[0]);
-    tbb::parallel_for(std::size_t{0}, groups.count, [&](std::size_t i) {
-      const Group<T>& group = groups.of[i];
-      if (group.is_leaf()) {
-        add_leaf(group, tree.children[i]);
-      } else if (group.count() > kMostAlone) {
-        build_shared(divide(group, depth + 1), depth + 1, tree.children[i]);
+    tree.children.resize(ranges.count);
+    store_node(ranges, {}, tree.nodes[0]);
+    tbb::parallel_for(std::size_t{0}, ranges.count, [&](std::size_t i) {
+      const Range<T>& range = ranges.of[i];
+      if (range.is_leaf()) {
+        add_leaf(range, tree.children[i]);
+      } else if (range.count() > kMaxSequential) {
+        build_shared(divide(range, depth + 1), depth + 1, tree.children[i]);
       } else {
-        build_node(group, depth + 1, tree.children[i]);
+        build_node(range, depth + 1, tree.children[i]);
       }
     });
   }
 
-  static void store_node(const NodeGroups<T>& groups,
+  static void store_node(const NodeRanges<T>& ranges,
                          const std::array<std::uint32_t, kBvhWidth>& children, Node<T>& node) {
-    for (std::size_t i = 0; i < groups.count; ++i) store_box<T>(groups.of[i].box, i, node);
-    for (std::size_t i = groups.count; i < kBvhWidth; ++i) store_no_box<T>(i, node);
+    for (std::size_t i = 0; i < ranges.count; ++i) store_box<T>(ranges.of[i].box, i, node);
+    for (std::size_t i = ranges.count; i < kBvhWidth; ++i) store_no_box<T>(i, node);
     node.children = children;
   }
 
-  std::uint32_t add_leaf(const Group<T>& group, Subtree<T>& tree) const {
+  std::uint32_t add_leaf(const Range<T>& range, Subtree<T>& tree) const {
     const std::size_t first = tree.slots.size();
     tree.slots.resize(first + kBvhWidth, WideBvh<T>::kNoSphere);
     const auto begin = tree.slots.begin() + static_cast<std::ptrdiff_t>(first);
     auto end = begin;
-    for (std::size_t i = group.begin; i < group.end; ++i) *end++ = sweep_.sphere_at(group, i);
+    for (std::size_t i = range.begin; i < range.end; ++i) *end++ = sweep_.sphere_at(range, i);
     std::sort(begin, end);
     return static_cast<std::uint32_t>(first / kBvhWidth) | WideBvh<T>::kLeaf;
   }
 
-  std::span<Member<T>> members_;
+  std::span<Primitive<T>> primitives_;
   SweepSplitter<T> sweep_;
 };
 
-/// Puts subtrees one behind the other, each node before those below it.
+/// Concatenates subtrees, each node before its descendants.
 template <typename T>
 class Splicer {
  public:
@@ -201,7 +203,7 @@ class Splicer {
     std::uint32_t first_node, first_leaf;
   };
 
-  /// What a node above has to say to mean this subtree.
+  /// Returns the child reference of this subtree.
   std::uint32_t place(Subtree<T>& tree) {
     const Place here{.tree = &tree, .first_node = nodes_, .first_leaf = leaves_};
     places_.push_back(here);
@@ -218,7 +220,7 @@ class Splicer {
     if (tree.children.empty()) {
       for (Node<T>& node : tree.nodes) {
         for (std::uint32_t& child : node.children) {
-          // 0, the root, is where there is no child.
+          // 0, the root, marks a missing child.
           if (child != 0)
             child += (child & WideBvh<T>::kLeaf) != 0 ? place.first_leaf : place.first_node;
         }
@@ -236,13 +238,13 @@ class Splicer {
 };
 
 template <typename T>
-Member<T> member_of(const Scene& scene, std::uint32_t index) {
+Primitive<T> primitive_of(const Scene& scene, std::uint32_t index) {
   const Sphere& sphere = scene.spheres[index];
-  Member<T> member(sphere.center, sphere.radius, index);
+  Primitive<T> primitive(sphere.center, sphere.radius, index);
   if (!scene.shifts.empty()) {
-    member.add({sphere.center + scene.shifts[index], sphere.radius, index});
+    primitive.add({sphere.center + scene.shifts[index], sphere.radius, index});
   }
-  return member;
+  return primitive;
 }
 
 }  // namespace
@@ -252,9 +254,10 @@ WideBvh<T>::WideBvh(const Scene& scene, std::span<const std::uint32_t> spheres) 
   if (spheres.empty()) return;
   Subtree<T> tree;
   {
-    const auto members = std::make_unique_for_overwrite<Member<T>[]>(spheres.size());  // NOLINT
-    const auto source = [&](std::size_t i) { return member_of<T>(scene, spheres[i]); };
-    tree = Builder<T>({members.get(), spheres.size()}).build(source);
+    const auto primitives =
+        std::make_unique_for_overwrite<Primitive<T>[]>(spheres.size());  // NOLINT
+    const auto source = [&](std::size_t i) { return primitive_of<T>(scene, spheres[i]); };
+    tree = Builder<T>({primitives.get(), spheres.size()}).build(source);
   }
   Splicer<T>(tree).write_to(*this);
 }

@@ -30,7 +30,7 @@ class WideIntegrator::Tracer {
   virtual std::size_t memory_bytes() const noexcept = 0;
 };
 
-/// The tracer in numbers of type T.
+/// The tracer for numbers of type T.
 template <typename T>
 class WideIntegrator::TracerIn final : public Tracer {
  public:
@@ -59,7 +59,7 @@ class WideIntegrator::TracerIn final : public Tracer {
 
   bool trace(std::span<SampleRun> runs, WideCounts& counts,
              const std::atomic<bool>& cancel) const override {
-    // Kept by each thread: memory that is new each time has to be mapped each time.
+    // thread_local: new memory would have to be mapped each time.
     thread_local std::vector<SampleBlock<T>> blocks;
     thread_local std::vector<LinearRgb> sums;
     blocks.clear();
@@ -76,7 +76,7 @@ class WideIntegrator::TracerIn final : public Tracer {
  private:
   SampleBlock<T> block_of(const SampleRun& run) const {
     const auto x = static_cast<double>(run.pixel % width_);
-    const auto y = static_cast<double>(run.pixel / width_ + 1);  // of the pixel's lower side
+    const auto y = static_cast<double>(run.pixel / width_ + 1);  // the pixel's lower edge
     return {.corner = rounded<T>(corner_ + right_ * x + down_ * y),
             .first = run.first,
             .count = run.count,
@@ -87,7 +87,7 @@ class WideIntegrator::TracerIn final : public Tracer {
   WideScene<T> scene_;
   TraceBlocks<T>* kernel_;
   std::uint64_t width_, seed_;
-  Vec3 corner_;        // of the picture, above and to the left
+  Vec3 corner_;        // upper left corner of the picture
   Vec3 right_, down_;  // a pixel's sides
   WideView<T> view_{};
 };

@@ -16,38 +16,38 @@
 
 namespace sdlc::render {
 
-/// What happened to the paths of some pixels.
+/// Statistics about the paths of some pixels.
 struct WideCounts {
   std::uint64_t rays = 0;
   std::uint64_t truncated_paths = 0;  ///< cut off by the depth limit, counted as black
   std::uint64_t nonfinite_samples = 0;
 };
 
-/// A scene traced with a path in each lane of a vector. The paths are PathIntegrator's, from the
-/// same random numbers; in double they differ by rounding alone. Read by all threads.
+/// Traces a scene with one path per vector lane. The paths are those of PathIntegrator, from the
+/// same random numbers; in double they differ only by rounding. All threads may read it.
 class WideIntegrator {
  public:
   struct Options {
     Precision precision = Precision::Double;
-    Isa isa = Isa::Sse4;  ///< one that the machine has
+    Isa isa = Isa::Sse4;  ///< must be available on this machine
     Search search = Search::All;
-    /// Mixed: the spheres that are met in double, at most kMostExactSpheres.
+    /// Mixed: the spheres that are computed in double, at most kMaxExactSpheres.
     std::span<const std::uint32_t> exact_spheres;
-    /// PrecisionBounds::near_pairs, if they are known.
+    /// PrecisionBounds::near_pairs, if known.
     std::optional<std::span<const SpherePair>> near_pairs{};
-    std::span<const std::uint32_t> lights{};  ///< the spheres of choose_lights()
-    EmitterTally* emitters = nullptr;         ///< where to count what paths reach, if at all
+    std::span<const std::uint32_t> lights{};  ///< the spheres from choose_lights()
+    EmitterTally* emitters = nullptr;         ///< counts reached emitters; may be null
   };
 
-  /// `scene` is in world coordinates, already checked; the camera stands on at most one of its
-  /// spheres. Search::All: there are at most kMostWideSpheres.
+  /// `scene` is in world coordinates and already checked; the camera is on the surface of at most
+  /// one of its spheres. Search::All allows at most kMaxWideSpheres spheres.
   WideIntegrator(Scene scene, const RenderSettings& settings, const Options& options);
   ~WideIntegrator();
 
-  /// Traces all runs, each in one lane. False, and sums that mean nothing, once `cancel` is set.
+  /// Traces all runs, one lane each. Returns false, with meaningless sums, if `cancel` is set.
   bool trace(std::span<SampleRun> runs, WideCounts& counts, const std::atomic<bool>& cancel) const;
 
-  std::size_t memory_bytes() const noexcept;  ///< of tables and hierarchy
+  std::size_t memory_bytes() const noexcept;  ///< of tables and BVH
 
  private:
   class Tracer;

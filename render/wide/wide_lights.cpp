@@ -5,10 +5,10 @@
 namespace sdlc::render {
 namespace {
 
-/// Room for whole vectors.
+/// Rounds up to whole vectors.
 constexpr std::size_t padded(std::size_t size) {
-  constexpr std::size_t kMostLanes = 16;
-  return (size + kMostLanes - 1) / kMostLanes * kMostLanes;
+  constexpr std::size_t kMaxLanes = 16;
+  return (size + kMaxLanes - 1) / kMaxLanes * kMaxLanes;
 }
 
 }  // namespace

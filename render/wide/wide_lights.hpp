@@ -11,8 +11,8 @@
 
 namespace sdlc::render {
 
-/// The lights of a scene as the wide kernel reads them, in numbers of type T: tables that are whole
-/// vectors long.
+/// The lights of a scene for the wide kernel, in numbers of type T. Tables are padded to whole
+/// vectors.
 template <typename T>
 struct WideLights {
   using Table = std::vector<T, VectorAllocator<T>>;
@@ -20,7 +20,8 @@ struct WideLights {
   using TableTriple = std::array<Table, 3>;
 
   WideLights() = default;
-  /// `slots` of the scene; the first ones hold its spheres in this order, by their indices.
+  /// `slots` is the number of slots in the scene; the first ones hold its spheres in this order,
+  /// given by index.
   WideLights(const Lights& lights, std::span<const std::uint32_t> order, std::size_t slots);
 
   // By node of the LightTree.
@@ -28,7 +29,7 @@ struct WideLights {
   Table node_radius;
   Table node_power;
 
-  // By leaf of the tree: spheres that shine, as Light has them.
+  // By leaf of the tree: the lights, as in Light.
   TableTriple center;
   TableTriple shift;
   Table radius;
@@ -37,8 +38,8 @@ struct WideLights {
 
   IndexTable leaf_of_slot;  ///< kNoLight: not a light
 
-  std::uint32_t nodes = 0;   ///< of the tree; 0: there are no lights
-  std::uint32_t leaves = 0;  ///< the number of the first one among the nodes, too
+  std::uint32_t nodes = 0;   ///< of the tree; 0 without lights
+  std::uint32_t leaves = 0;  ///< number of leaves, and the node index of the first one
   int levels = 0;
 
   std::size_t memory_bytes() const noexcept;

@@ -21,10 +21,10 @@ std::array<T, 3> rounded(LinearRgb c) {
   return {static_cast<T>(c.r), static_cast<T>(c.g), static_cast<T>(c.b)};
 }
 
-/// Room for whole vectors.
+/// Rounds up to whole vectors.
 constexpr std::size_t padded(std::size_t size) {
-  constexpr std::size_t kMostLanes = 16;
-  return (size + kMostLanes - 1) / kMostLanes * kMostLanes;
+  constexpr std::size_t kMaxLanes = 16;
+  return (size + kMaxLanes - 1) / kMaxLanes * kMaxLanes;
 }
 
 std::vector<std::uint32_t> without(std::size_t spheres, std::span<const std::uint32_t> excluded) {
@@ -60,9 +60,9 @@ WideScene<T>::WideScene(const Scene& scene, int depth, Search search_for_hits,
   slots = first_exact + exact_spheres;
   order.reserve(slots);
   order.insert(order.end(), spheres_in_double.begin(), spheres_in_double.end());
-  const Prototype balls = balls_of_instances(scene);
+  const Prototype bounds = instance_bounds(scene);
   std::vector<Part> parts;
-  if (!scene.instances.empty()) parts = add_hierarchies(scene, balls);
+  if (!scene.instances.empty()) parts = add_hierarchies(scene, bounds);
   lights = WideLights<T>(Lights(scene, sampled_lights), order, slots);
   make_room_for_spheres();
   add_spheres(scene.spheres, scene.shifts, order, 0, Place::World);
@@ -72,10 +72,10 @@ WideScene<T>::WideScene(const Scene& scene, int depth, Search search_for_hits,
     add_materials_by_slot(scene, order);
   }
   index_in_scene = std::move(order);
-  if (!scene.instances.empty()) add_instances(scene, balls, parts);
+  if (!scene.instances.empty()) add_instances(scene, bounds, parts);
   const LinearRgb bottom = scene.background.bottom, top = scene.background.top;
-  // bottom at y = −1, top at y = 1; a constant sky stays exact.
-  sky_middle = rounded<T>(scene.background.is_constant() ? bottom : (bottom + top) * 0.5);
+  // bottom at y = −1, top at y = 1; a constant background stays exact.
+  sky_center = rounded<T>(scene.background.is_constant() ? bottom : (bottom + top) * 0.5);
   sky_slope = rounded<T>((top - bottom) * 0.5);
 }
 
@@ -91,12 +91,12 @@ void WideScene<T>::make_room_for_spheres() {
   if (search == Search::Bvh) material.resize(size);
 }
 
-/// Slots of no sphere, and those that round the tables up, hold one of radius 0.
+/// Empty slots and padding hold a sphere of radius 0.
 template <typename T>
 void WideScene<T>::add_spheres(const std::vector<Sphere>& spheres, const std::vector<Vec3>& shifts,
                                std::span<const std::uint32_t> order, std::size_t first_slot,
                                Place place) {
-  constexpr std::size_t kSlotsATask = 4096;
+  constexpr std::size_t kSlotsPerTask = 4096;
   const auto add = [&](const tbb::blocked_range<std::size_t>& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const bool is_empty = i >= order.size() || order[i] == WideBvh<T>::kNoSphere;
@@ -104,12 +104,12 @@ void WideScene<T>::add_spheres(const std::vector<Sphere>& spheres, const std::ve
       const Vec3 moves = is_empty || shifts.empty() ? Vec3{} : shifts[order[i]];
       add_sphere(first_slot + i, sphere, moves);
       if (place == Place::World && has_camera_on_it(sphere, moves)) {
-        stand_on(static_cast<std::uint32_t>(first_slot + i), sphere);
+        put_camera_on(static_cast<std::uint32_t>(first_slot + i), sphere);
       }
       if (search == Search::Bvh) material[first_slot + i] = sphere.material;
     }
   };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, padded(order.size()), kSlotsATask), add);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, padded(order.size()), kSlotsPerTask), add);
 }
 
 template <typename T>
@@ -119,12 +119,12 @@ void WideScene<T>::add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves
     table[1][slot] = static_cast<T>(v.y);
     table[2][slot] = static_cast<T>(v.z);
   };
-  // A sphere of radius 0 is never hit: no comparison with what is not a number holds.
+  // A sphere of radius 0 is never hit: every comparison with NaN is false.
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   store(center, sphere.radius > 0 ? sphere.center : Vec3{kNone, kNone, kNone});
   if (has_motion) store(shift, moves);
   radius[slot] = static_cast<T>(sphere.radius);
-  // Of the radius that the kernel takes.
+  // The square of the rounded radius, which the kernel uses.
   if (search == Search::All) radius_squared[slot] = radius[slot] * radius[slot];
   if (slot >= first_exact && slot < slots) {
     exact[slot - first_exact] = {.center = {sphere.center.x, sphere.center.y, sphere.center.z},
@@ -134,7 +134,7 @@ void WideScene<T>::add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves
 }
 
 template <typename T>
-void WideScene<T>::stand_on(std::uint32_t slot, const Sphere& sphere) {
+void WideScene<T>::put_camera_on(std::uint32_t slot, const Sphere& sphere) {
   camera_sphere = slot;
   camera_sphere_radius = static_cast<T>(sphere.radius);
   const Vec3 normal = unit(-sphere.center);
@@ -147,7 +147,7 @@ void WideScene<T>::add_materials(const Scene& scene) {
   make_room_for_materials();
   optics.resize(padded(materials));
   std::fill(optics.begin() + static_cast<std::ptrdiff_t>(materials), optics.end(), 0);
-  // Different optics of each range, and then of all, in the order in which they first occur.
+  // Collects the distinct optics of each range, then of all, in order of first occurrence.
   const std::size_t ranges = (materials + kRange - 1) / kRange;
   std::vector<OpticsTable> of_ranges(ranges);
   const auto for_ranges = [&](const auto& body) {
@@ -204,7 +204,7 @@ void WideScene<T>::add_color(std::size_t row, const Material& from) {
   for (std::size_t c = 0; c < 3; ++c) color[c][row] = rgb[c];
 }
 
-// The inverse of a tiny index is none that numbers can hold; all is reflected either way.
+// The inverse of a tiny refractive index overflows; everything is reflected in any case.
 constexpr double kLargestIndex = 1e300;
 
 template <typename T>
@@ -245,7 +245,7 @@ std::size_t WideScene<T>::estimated_bytes(const Scene& scene, Search search) noe
   const std::size_t of_sphere = (render::has_motion(scene) ? 7 : 4) * sizeof(T);
   const std::size_t of_material = 3 * sizeof(T) + sizeof(std::uint32_t);  // optics are few
   if (search == Search::All) return scene.spheres.size() * (of_sphere + of_material + sizeof(T));
-  // A tenth of the slots stays empty, and a quarter of the children of nodes.
+  // About a tenth of the slots is empty, and a quarter of the children of nodes.
   const auto hierarchy = [&](std::size_t spheres) {
     const std::size_t slots = (spheres / 9 * 10 + kBvhWidth) / kBvhWidth * kBvhWidth;
     const std::size_t nodes = slots / kBvhWidth / 12 + 1;

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-/// What is said of a text; empty where it is read.
+/// The message for a text; empty if it is valid.
 template <typename Parse>
 std::string complaint(Parse parse, const std::string& text) {
   try {
@@ -31,7 +31,7 @@ struct Good {
   double value;
 };
 
-/// What is refused, and what was probably meant; empty where that cannot be told.
+/// The rejected text and the suggestion; empty if there is none.
 struct Bad {
   const char* text;
   const char* meant;

@@ -35,7 +35,7 @@ class AovCommand : public testing::Test {
   ProgramResult render(const std::string& flags) {
     return run("\"$SDLC\" render ball.scene --quiet " + flags);
   }
-  /// What such a command prints that must not render anything.
+  /// The output of a command that must not render anything.
   std::string refusal(const std::string& flags) {
     const ProgramResult result = render(flags);
     EXPECT_EQ(result.exit_code, 2) << flags;
@@ -91,16 +91,16 @@ TEST_F(AovCommand, GivesTheSameFileForAnyNumberOfThreads) {
 
 TEST_F(AovCommand, SuggestsTheChannelThatWasMeant) {
   EXPECT_THAT(refusal("-o a.exr --aov depth,normals"),
-              HasSubstr("`normals` is none of normal, depth, albedo, variance, samples "
-                        "(did you mean `normal`?)"));
+              HasSubstr("`normals` is not one of normal, depth, albedo, variance, samples (did you "
+                        "mean `normal`?)"));
   EXPECT_THAT(refusal("-o a.exr --aov ''"), HasSubstr("--aov"));
 }
 
 TEST_F(AovCommand, NeedsAnExrFile) {
   for (const char* outputs : {"", "-o a.png -o a.hdr", "-o -"}) {
     EXPECT_THAT(refusal(std::string("--aov depth ") + outputs),
-                HasSubstr("error: --aov: only .exr files have room for further channels, and no "
-                          "output is one; add one, such as -o picture.exr"));
+                HasSubstr("error: --aov: only .exr files can store additional channels, and there "
+                          "is no .exr output; add one, such as -o picture.exr"));
   }
   const ProgramResult both = render("-o - -o a.exr --aov depth");
   EXPECT_EQ(both.exit_code, 0) << both.err;
@@ -109,8 +109,8 @@ TEST_F(AovCommand, NeedsAnExrFile) {
 
 TEST_F(AovCommand, NeedsEightSamplesForTheVariance) {
   EXPECT_THAT(refusal("-o a.exr --aov variance --samples 7"),
-              HasSubstr("`variance` takes at least 8 samples a pixel, and this render has 7; "
-                        "raise them, such as --samples 8, or leave `variance` out"));
+              HasSubstr("`variance` takes at least 8 samples per pixel, and this render has 7; use "
+                        "more, such as --samples 8, or omit `variance`"));
   EXPECT_EQ(render("-o a.exr --aov variance --samples 8").exit_code, 0);
 }
 
@@ -119,7 +119,7 @@ TEST_F(AovCommand, LeavesOutAVarianceThatTimeWasTooShortFor) {
       render("-o a.exr --aov variance,samples --time 1ms --width 600 --height 600");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.err, HasSubstr("warning: --aov: without variance, as it takes at least 8 "
-                                    "samples a pixel, and there was time for "));
+                                    "samples per pixel, and there was time for "));
   EXPECT_THAT(names("a.exr"), UnorderedElementsAre("R", "G", "B", "samples.V"));
 }
 
@@ -147,8 +147,7 @@ TEST_F(AovCommand, IsOfEachFrameOfAFilm) {
   EXPECT_EQ(second - first, 1);
 }
 
-/// So many rows of so many balls each, of which the third begins at (0, 0, 0); the first is no
-/// instance.
+/// Rows of balls; the third row begins at (0, 0, 0), and the first is not an instance.
 std::string instances(int balls, int instances) {
   return "scene 1\ncamera main { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }\n"
          "render { width: 33, height: 33, samples: 1 }\n"
@@ -174,8 +173,8 @@ TEST_F(AovCommand, RefusesFirstSurfacesOfVeryManyInstances) {
   const ProgramResult result =
       run("\"$SDLC\" render rows.scene --quiet -o a.exr --aov depth,samples --instances always");
   EXPECT_EQ(result.exit_code, 2) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("which is done up to 10,000,000 spheres, and this scene has "
-                                    "10,010,000; `variance` and `samples` can be had of it"));
+  EXPECT_THAT(result.err, HasSubstr("which is limited to 10,000,000 spheres, and this scene has "
+                                    "10,010,000; `variance` and `samples` are possible"));
   EXPECT_EQ(run("\"$SDLC\" render rows.scene --quiet -o a.exr --aov samples --instances always")
                 .exit_code,
             0);

@@ -31,7 +31,7 @@ using testing::MatchesRegex;
 using testing::Not;
 using testing::StartsWith;
 
-/// Smooth, every channel another, from 0.1 to 0.9.
+/// Smooth, with values from 0.1 to 0.9, different in each channel.
 Picture gradient(int width = 12, int height = 8) {
   Picture picture(width, height);
   for (int y = 0; y < height; ++y) {
@@ -53,7 +53,7 @@ class CompareCommand : public testing::Test {
                            .tone = tone,
                            .metadata = {.entries = entries}});
   }
-  /// Both with a variance of that size everywhere.
+  /// Both with a constant variance of that size.
   void write_noisy(const std::string& name, const Picture& picture, float variance) {
     std::vector<render::Layer> layers;
     for (const char* channel : {"variance.R", "variance.G", "variance.B"}) {
@@ -71,8 +71,6 @@ class CompareCommand : public testing::Test {
 
   TemporaryFolder folder_;
 };
-
-// --- What is told ---
 
 TEST_F(CompareCommand, MeasuresLinearRadianceInLinearFiles) {
   const Picture reference(10, 10, LinearRgb(0.5));
@@ -159,7 +157,7 @@ TEST_F(CompareCommand, ComparesFormatsOfOneKind) {
   EXPECT_EQ(json("b.hdr a.exr")["rmse"], 0);
 }
 
-// FLIP takes radiance: two files of one picture with different curves show the same.
+// FLIP compares radiance: two files of one picture with different curves look the same.
 TEST_F(CompareCommand, DecodesCodesForFlipByTheTone) {
   const Picture bright(16, 16, LinearRgb(0.5)), dark(16, 16, LinearRgb(0.1));
   write("a.exr", bright);
@@ -178,8 +176,7 @@ TEST_F(CompareCommand, TakesAnUntoldToneForThatOfTheOther) {
   write("a.png", gradient(), render::Tone::Sqrt, {{"sdlc:tone", "sqrt"}});
   write("b.tiff", gradient(), render::Tone::Sqrt);
   EXPECT_THAT(json("a.png b.tiff")["notes"],
-              ElementsAre("b.tiff does not tell its tone, which is taken for that of the other, "
-                          "sqrt"));
+              ElementsAre("b.tiff does not record its tone; assuming that of the other, sqrt"));
 }
 
 TEST_F(CompareCommand, NamesChannelsThatItDoesNotCompare) {
@@ -197,7 +194,7 @@ TEST_F(CompareCommand, CallsGreyGrey) {
 }
 
 TEST_F(CompareCommand, SeesLessFromFartherAway) {
-  // Fine noise, which blurs into grey.
+  // Fine noise, which blurs to grey.
   Picture noise(64, 64);
   for (int i = 0; i < 64 * 64; ++i) noise.at(i % 64, i / 64) = LinearRgb(i * i % 97 / 97.0);
   write("a.exr", noise);
@@ -208,8 +205,6 @@ TEST_F(CompareCommand, SeesLessFromFartherAway) {
               HasSubstr("takes a number from 1 on"));
   EXPECT_EQ(compare("a.exr b.exr --pixels-per-degree 2000").exit_code, 2);
 }
-
-// --- Gates ---
 
 struct GateCase {
   const char* name;
@@ -241,7 +236,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(CompareGate, EndsTheCommandWithOneWhereItIsBroken) {
   const auto& [name, passes, breaks, told] = GetParam();
-  // The difference is negative, so that its size counts.
+  // The difference is negative, so its magnitude counts.
   write_noisy("a.exr", Picture(10, 10, LinearRgb(0.4)), 0.001F);
   write_noisy("b.exr", Picture(10, 10, LinearRgb(0.5)), 0.001F);
   const ProgramResult passed = compare(std::string("a.exr b.exr ") + passes);
@@ -278,8 +273,9 @@ TEST_F(CompareCommand, NeedsAVarianceForAGateOnZ) {
   write_noisy("b.exr", gradient(), 1);
   const ProgramResult result = compare("a.exr b.exr --max-z 4");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("--max-z takes two .exr files with a variance, of `sdlc render "
-                                    "--aov variance`"));
+  EXPECT_THAT(
+      result.err,
+      HasSubstr("--max-z needs two .exr files with a variance, from `sdlc render --aov variance`"));
   EXPECT_THAT(json("a.exr b.exr")["notes"], ElementsAre("no z-test: a.exr has no variance"));
 }
 
@@ -292,8 +288,6 @@ TEST_F(CompareCommand, RefusesLimitsThatAreNoNumbers) {
   }
   EXPECT_THAT(compare("a.exr a.exr --max-fip 1").err, HasSubstr("did you mean `--max-flip`?"));
 }
-
-// --- Pictures of the difference ---
 
 TEST_F(CompareCommand, ShowsTheDifferenceInColours) {
   const Picture reference(3, 1, LinearRgb(0.5));
@@ -367,11 +361,11 @@ TEST_F(CompareCommand, RefusesOutputsThatCannotBe) {
                 HasSubstr("it is one of the pictures to compare"));
   }
   EXPECT_EQ(content_of(folder_ / "a.exr"), before);
-  EXPECT_THAT(refusal("-o d.hdr"), HasSubstr("holds no negative values; .exr does"));
+  EXPECT_THAT(refusal("-o d.hdr"), HasSubstr("cannot store negative values; use .exr"));
   EXPECT_THAT(refusal("-o d.pgn"), HasSubstr("(did you mean `png`?)"));
   EXPECT_THAT(refusal("-o none/d.png"), HasSubstr("none/d.png"));
   EXPECT_THAT(refusal("-o -"), HasSubstr("name a file"));
-  EXPECT_THAT(refusal("-o d.exr --top 1"), HasSubstr("--top is for the colours of a .png"));
+  EXPECT_THAT(refusal("-o d.exr --top 1"), HasSubstr("--top is for colour maps such as .png"));
   for (const char* top : {"0", "-1", "nan"}) {
     EXPECT_THAT(refusal(std::string("-o d.png --top ") + top),
                 HasSubstr("--top: takes a number above 0, such as `0.5`, not `"));
@@ -382,8 +376,6 @@ TEST_F(CompareCommand, RefusesOutputsThatCannotBe) {
   EXPECT_THAT(names_in(folder_.path()), ElementsAre("a.exr", "b.exr", "link.exr"));
 }
 
-// --- The z-test ---
-
 constexpr const char* kScene = R"(scene 1
 param shade = 0.7
 camera main { from: (0, 1, 5), at: (0, 0.5, 0), fov: 30deg }
@@ -392,7 +384,7 @@ sphere ball { center: (0, 0.5, 0), radius: 0.5, material: diffuse(color: shade *
 render { width: 64, height: 48, samples: 32, depth: 8 }
 )";
 
-// H0: the same scene. Noise alone goes beyond 4 in one of some 4500 pairs of seeds.
+// H0: the same scene. Noise alone exceeds 4 in one of about 4500 pairs of seeds.
 TEST_F(CompareCommand, TellsNoiseFromADifference) {
   write_text(folder_ / "s.scene", kScene);
   const std::string render = "\"$SDLC\" render s.scene --quiet --aov variance ";
@@ -416,8 +408,8 @@ TEST_F(CompareCommand, SaysThatPicturesOfOneSeedShareTheirNoise) {
     run("\"$SDLC\" render s.scene --quiet --aov variance --seed 7 -o " + name + ".exr");
   }
   EXPECT_THAT(json("a.exr b.exr")["notes"].dump(),
-              HasSubstr("both are of seed 7: they share noise, of which the z-test knows nothing, "
-                        "and it finds too little; give one of them another --seed"));
+              HasSubstr("both have seed 7: they share noise, so the z-test is less sensitive; "
+                        "render one of them with another --seed"));
 }
 
 TEST_F(CompareCommand, RefusesTonesThatDiffer) {
@@ -431,9 +423,7 @@ TEST_F(CompareCommand, RefusesTonesThatDiffer) {
                         "one of them with the other's --tone, or compare .exr files"));
 }
 
-// --- What cannot be compared ---
-
-/// The file `bad`, made beside good.exr and good.png of 12 x 8 pixels, is compared with `with`.
+/// Compares the file `bad`, created beside good.exr and good.png of 12 x 8 pixels, with `with`.
 struct BrokenCase {
   const char* name;
   const char* bad;
@@ -446,7 +436,7 @@ void write_good(const std::filesystem::path& path) {
   render::write_picture(path, gradient(), {.format = render::image_format_of(path).value()});
 }
 
-/// A good picture without its last `share`.
+/// A valid picture without its last `share`.
 std::function<void(const TemporaryFolder&)> cut(const std::string& name, double share) {
   return [=](const TemporaryFolder& folder) {
     write_good(folder / name);
@@ -462,13 +452,13 @@ std::function<void(const TemporaryFolder&)> text(const std::string& name,
   return [=](const TemporaryFolder& folder) { write_text(folder / name, content); };
 }
 
-/// good.exr with another value in green of the pixel (5, 3).
+/// good.exr with a different green value in the pixel (5, 3).
 std::function<void(const TemporaryFolder&)> with_value(double value) {
   return [=](const TemporaryFolder& folder) {
     Picture picture = gradient();
     picture.at(5, 3).g = value;
     render::write_picture(folder / "bad.exr", picture, {.format = ImageFormat::Exr});
-    // Infinity is not lost on the way.
+    // Infinity is preserved.
     ASSERT_FALSE(std::isfinite(render::read_picture(folder / "bad.exr").at(5, 3).g));
   };
 }
@@ -501,7 +491,7 @@ std::vector<BrokenCase> broken_cases() {
        "it is a folder"},
       {"Empty", "bad.png", "good.png", text("bad.png", ""), "it is empty"},
       {"StandardInput", "-", "good.png", nothing,
-       "pictures are not read from standard input: their names tell the format"},
+       "pictures cannot be read from standard input: the format follows from the name"},
       {"NoExtension", "bad", "good.png", text("bad", "x"), "the name has no extension"},
       {"UnknownExtension", "bad.pgn", "good.png", text("bad.pgn", "x"),
        "unknown extension `.pgn`; known are png exr hdr tiff tif jpg jpeg webp ppm gif (did you "
@@ -525,7 +515,7 @@ std::vector<BrokenCase> broken_cases() {
        [](const TemporaryFolder& folder) {
          render::write_picture(folder / "bad.png", gradient(8, 12), {});
        },
-       "only pictures of one size can be compared"},
+       "only pictures of the same size can be compared"},
       {"Nan", "bad.exr", "good.exr", with_value(std::nan("")),
        "cannot compare `bad.exr`: 1 of its values is not finite; the first is nan in green "
        "of the pixel (5, 3)"},
@@ -546,7 +536,7 @@ std::vector<BrokenCase> broken_cases() {
       {"TwoParts", "bad.exr", "good.exr", parts("bad.exr", OIIO::TypeDesc::FLOAT),
        "it holds 2 pictures"},
       {"AnimatedGif", "bad.gif", "good.png", parts("bad.gif", OIIO::TypeDesc::UINT8),
-       "it holds 2 pictures; take the one that is meant out of it"},
+       "it holds 2 pictures; extract the one to use"},
       {"Crop", "bad.exr", "good.exr",
        [](const TemporaryFolder& folder) {
          OIIO::ImageSpec spec = float_spec(12, 8, {"R", "G", "B"});
@@ -570,12 +560,12 @@ std::vector<BrokenCase> broken_cases() {
        [](const TemporaryFolder& folder) {
          write_oiio_file(folder / "bad.tiff", {float_spec(12, 8, {"R", "G", "B"})});
        },
-       "its values are no codes of 8 or 16 bits"},
+       "its values are not codes of 8 or 16 bits"},
       {"Pipe", "bad.png", "good.png",
        [](const TemporaryFolder& folder) {
          ASSERT_EQ(::mkfifo((folder / "bad.png").c_str(), 0600), 0);
        },
-       "it is no regular file"},
+       "it is not a regular file"},
       {"TerminalCodesInTheName", "'bad\033[31m.exr'", "good.exr", nothing, "bad"},
       {"LinkToItself", "bad.tif", "good.png",
        [](const TemporaryFolder& folder) {
@@ -613,8 +603,6 @@ TEST_F(CompareCommand, TellsBothSizes) {
   EXPECT_THAT(compare("a.png b.png").err,
               HasSubstr("`a.png` has 8 x 12 pixels and `b.png` 12 x 8;"));
 }
-
-// --- The same by another program ---
 
 TEST_F(CompareCommand, MeasuresWhatNumpyDoes) {
   if (run("/usr/bin/python3 -c 'import numpy, OpenImageIO'").exit_code != 0) {

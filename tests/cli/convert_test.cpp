@@ -65,7 +65,8 @@ TEST_F(ConvertCommand, ReplacesWhatStandsBesideOnlyWhenItIsTold) {
   const ProgramResult result = run("plain.json");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.err,
-            "error: `plain.scene` is there already; --overwrite replaces it, -o names another\n");
+            "error: `plain.scene` exists already; use --overwrite to replace it, or -o for another "
+            "name\n");
   EXPECT_EQ(read("plain.scene"), "mine");
   EXPECT_EQ(run("plain.json --overwrite").exit_code, 0);
   EXPECT_EQ(read("plain.scene"), kPlainScene);
@@ -135,9 +136,9 @@ TEST_F(ConvertCommand, TakesWarningsForErrorsIfItIsStrict) {
   const ProgramResult result = run("config.json --strict --format concise");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.err,
-            "config.json:2:32: warning[W403]: `focal_length` has no effect\n"
-            "config.json:5:16: warning[W403]: `movement` has no effect\n"
-            "error: config.json has warnings, and --strict takes them for errors\n");
+            "config.json:2:32: warning[W403]: `focal_length` has no effect\nconfig.json:5:16: "
+            "warning[W403]: `movement` has no effect\nerror: config.json has warnings, which "
+            "--strict treats as errors\n");
   EXPECT_THAT(names_in(folder_.path()), ElementsAre("config.json"));
 }
 
@@ -163,8 +164,9 @@ render { width: 16, tone: sqrt }
 TEST_F(ConvertCommand, RefusesWhatMakesNoSense) {
   write("a.json", kPlain);
   write("b/a.json", kPlain);
-  EXPECT_THAT(run("a.json --to json").err, HasSubstr("`a.json` is one already: --to json"));
-  EXPECT_THAT(run("a.json -o b.json").err, HasSubstr("extension of the format"));
+  EXPECT_THAT(run("a.json --to json").err,
+              HasSubstr("`a.json` already has the format of --to json"));
+  EXPECT_THAT(run("a.json -o b.json").err, HasSubstr("extension of the input format"));
   EXPECT_THAT(run("a.json b/a.json -o out").err, HasSubstr("`out/a.scene` would be written twice"));
   EXPECT_THAT(run("a.json b -o -").err, HasSubstr("several texts"));
   EXPECT_EQ(run("absent.json").exit_code, 2);

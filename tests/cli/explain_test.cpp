@@ -96,9 +96,8 @@ TEST(ExplainCommand, RefusesACodeThatIsNone) {
   const Explained told = explain({"E104", "E1044"});
   EXPECT_EQ(told.code, cli::ExitCode::Usage);
   EXPECT_EQ(told.out, "");
-  EXPECT_EQ(
-      told.err,
-      "error: there is no diagnostic `E1044` (did you mean `E104`?); `sdlc explain` lists all\n");
+  EXPECT_EQ(told.err,
+            "error: unknown diagnostic `E1044` (did you mean `E104`?); `sdlc explain` lists all\n");
   EXPECT_THAT(explain({"unknown_proprety"}).err, HasSubstr("did you mean `unknown_property`?"));
   EXPECT_THAT(explain({"\x1b[31m"}).err, Not(HasSubstr("\x1b")));
 }

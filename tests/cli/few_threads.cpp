@@ -1,5 +1,5 @@
-// Loaded into the program with LD_PRELOAD: at most FEW_THREADS threads beside the first live at a
-// time, as under `ulimit -u`, which does not hold for root.
+// Loaded with LD_PRELOAD: allows at most FEW_THREADS additional threads at a time, like `ulimit
+// -u`, which has no effect for root.
 
 #include <atomic>
 #include <cerrno>

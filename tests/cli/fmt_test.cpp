@@ -93,9 +93,8 @@ TEST_F(FmtCommand, LeavesFilesWithErrorsAlone) {
   const ProgramResult result = run("wrong.scene messy.scene --format concise");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.err,
-            "wrong.scene:2:10: error[E001]: expected a value after `=`, found the end of the line\n"
-            "formatted messy.scene\n"
-            "left alone for its errors: wrong.scene\n");
+            "wrong.scene:2:10: error[E001]: expected a value after `=`, found the end of the "
+            "line\nformatted messy.scene\nunchanged because of errors: wrong.scene\n");
   EXPECT_EQ(read("wrong.scene"), kWrong);
 }
 

@@ -165,11 +165,11 @@ TEST_F(FramesFlag, TellsTheMistakesOfASceneOnceAndStops) {
   const std::size_t first = result.err.find("W402");
   EXPECT_NE(first, std::string::npos);
   EXPECT_EQ(result.err.find("W402", first + 1), std::string::npos) << result.err;
-  // What was good was rendered.
+  // The valid frames were rendered.
   EXPECT_THAT(names(), ElementsAre("film.0001.png", "film.0003.png", "film.scene"));
 }
 
-// Of a film with two specks that shrink in turn, each frame has another number to tell.
+// Two specks shrink in turn, so each frame reports a different number.
 TEST_F(FramesFlag, WarnsOfThePrecisionOnceForEachSphere) {
   write_text(folder_ / "film.scene", R"(scene 1
 camera main { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }

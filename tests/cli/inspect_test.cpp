@@ -53,7 +53,7 @@ constexpr const char* kConfig = R"({
                "movement": [[0, 1, -3], 0, 1]}]
 })";
 
-/// A folder with ring.scene, what it reads, and config.json.
+/// A folder with ring.scene and its files, and config.json.
 class InspectCommand : public testing::Test {
  protected:
   InspectCommand() {
@@ -68,7 +68,7 @@ class InspectCommand : public testing::Test {
     return run_shell(folder_.path(), "\"$SDLC\" inspect " + arguments);
   }
 
-  /// What `--format json` prints for it.
+  /// The output of `--format json`.
   json inspect(const std::string& arguments) {
     const ProgramResult result = run(arguments + " --format json");
     EXPECT_EQ(result.exit_code, 0) << result.err;

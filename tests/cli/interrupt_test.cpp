@@ -25,7 +25,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::KilledBySignal;
 
-// Each in a process of its own: handlers stay installed.
+// Each in a separate process: handlers stay installed.
 class Interrupt : public testing::Test {
  protected:
   Interrupt() { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
@@ -106,7 +106,7 @@ TEST_F(Interrupt, IsIgnoredWhereItWasBefore) {
 
 void write_interrupted(const fs::path& path) {
   handle_signals();
-  // The limit sends a signal in the middle of the writing, when the temporary file is there.
+  // The limit sends a signal during the writing, while the temporary file exists.
   std::signal(SIGXFSZ, [](int) {
     std::raise(SIGTERM);
     std::raise(SIGTERM);
@@ -125,8 +125,8 @@ TEST_F(Interrupt, TakesItsTemporaryFileAndFoldersAway) {
   EXPECT_THAT(names_in(folder_.path()), IsEmpty());
 }
 
-/// Of the program. A picture goes to a pipe, whose writer waits for a reader: as long as a test
-/// needs, it is about to be written.
+/// The pid of the program. A picture goes to a pipe, whose writer waits for a reader, so the write
+/// can be delayed as long as a test needs.
 class InterruptedProgram : public testing::Test {
  protected:
   InterruptedProgram() {
@@ -138,8 +138,8 @@ class InterruptedProgram : public testing::Test {
                content_of(folder_ / "ball.scene") + "animation { frames: 1..3, fps: 24 }\n");
   }
 
-  /// Runs it in the background until the file `ready` is there, sends the signals, and reads the
-  /// pipe `pipe`.
+  /// Runs the program in the background until the file `ready` exists, sends the signals, and reads
+  /// the pipe `pipe`.
   ProgramResult run(const std::string& arguments, const std::string& ready,
                     const std::string& signals, const std::string& pipe) {
     return run_shell(folder_.path(),
@@ -154,7 +154,7 @@ class InterruptedProgram : public testing::Test {
                          "  # lets cat go where the program did not\nwait $cat; exit $code");
   }
 
-  /// Sends the signal when the program opens the pipe diff.png, and reads the pipe then.
+  /// Sends the signal when the program opens the pipe diff.png, then reads the pipe.
   ProgramResult compare(const std::string& pictures) {
     return run_shell(folder_.path(),
                      "mkfifo diff.png\n"
@@ -163,7 +163,7 @@ class InterruptedProgram : public testing::Test {
                          " -o diff.png & pid=$!\n"
                          "( exec 3<diff.png; kill -INT $pid; cat <&3 >got ) & reader=$!\n"
                          "wait $pid; code=$?\n"
-                         // Lets the reader go where the program never opened the pipe.
+                         // Ends the reader if the program never opened the pipe.
                          "while kill -0 $reader 2>/dev/null; do : 3<>diff.png; sleep 0.05; done\n"
                          "exit $code");
   }
@@ -217,7 +217,7 @@ TEST_F(InterruptedProgram, EndsAtOnceAtTheSecondSignal) {
 TEST_F(InterruptedProgram, WritesAComparison) {
   ASSERT_EQ(run_shell(folder_.path(), "\"$SDLC\" render ball.scene --quiet -o a.png").exit_code, 0);
   const ProgramResult result = compare("a.png a.png");
-  // Either the signal came while it was written, or just after.
+  // The signal came either during the write, or just after.
   EXPECT_THAT(result.exit_code, testing::AnyOf(130, 0)) << result.err;
   EXPECT_THAT(content_of(folder_ / "got"), HasSubstr("PNG"));
 }

@@ -8,7 +8,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// What a file may use up, as the real program meets it.
+// The limits on resources, with the real program.
 namespace sdlc::test {
 namespace {
 
@@ -65,7 +65,7 @@ TEST_F(LimitsOfFiles, AFileOfSettingsIsReadNoFurtherEither) {
   ASSERT_EQ(::mkfifo((folder_ / ".sdlc.toml").c_str(), 0600), 0);
   const ProgramResult pipe = run("\"$SDLC\" lint a.scene");
   EXPECT_EQ(pipe.exit_code, 2);
-  EXPECT_THAT(pipe.err, HasSubstr("it is no regular file"));
+  EXPECT_THAT(pipe.err, HasSubstr("it is not a regular file"));
 }
 
 TEST_F(LimitsOfFiles, WhatCannotBeReplacedIsRefusedBeforeItIsRead) {
@@ -73,10 +73,10 @@ TEST_F(LimitsOfFiles, WhatCannotBeReplacedIsRefusedBeforeItIsRead) {
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   for (const std::string command : {"fmt", "lint --fix", "lint --unsafe-fixes"}) {
     for (const std::string name : {"pipe.scene", "/dev/null"}) {
-      // Nobody writes to the pipe: to read it would take for ever.
+      // Nobody writes to the pipe: reading it would block forever.
       const ProgramResult result = run("\"$SDLC\" " + command + " " + name);
       EXPECT_EQ(result.exit_code, 2) << command;
-      EXPECT_THAT(result.err, HasSubstr("it is no regular file")) << command;
+      EXPECT_THAT(result.err, HasSubstr("it is not a regular file")) << command;
       EXPECT_THAT(result.out + result.err, Not(HasSubstr("1 file"))) << command;
     }
   }

@@ -88,8 +88,7 @@ file = ["a"]
           ".sdlc.toml:6:10: the pattern `[a` has a `[` that is not closed",
           ".sdlc.toml:6:16: `files` takes an array of patterns, such as [\"library/**\"], not a "
           "whole number",
-          ".sdlc.toml:7:11: no diagnostic has a code that begins with `E1044` (did you mean "
-          "`E104`?)",
+          ".sdlc.toml:7:11: no diagnostic code begins with `E1044` (did you mean `E104`?)",
           ".sdlc.toml:8:1: [[lint.overrides]] has no `files`",
           ".sdlc.toml:9:1: unknown key `file` in [[lint.overrides]] (did you mean `files`?)",
           ".sdlc.toml:10:2: unknown key `format`"));

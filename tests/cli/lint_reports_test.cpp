@@ -10,7 +10,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// The reports that `sdlc lint` makes for other programs, and what docs/ci.md gives those programs.
+// The reports of `sdlc lint` for other programs, and the recipes of docs/ci.md.
 namespace sdlc::test {
 namespace {
 
@@ -117,11 +117,11 @@ TEST_F(LintReports, AreMadeByOtherCommandsToo) {
 TEST_F(LintReports, AreRefusedByCommandsThatReportNothing) {
   const ProgramResult result = run_shell(folder_.path(), "\"$SDLC\" explain E104 --format sarif");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("`sarif` is none of human, concise, json"));
+  EXPECT_THAT(result.err, HasSubstr("`sarif` is not one of human, concise, json"));
 }
 
-// The hooks of pre-commit and the recipes of docs/ci.md name commands: in a folder of good scenes
-// each does what it is there for, without a word.
+// The hooks of pre-commit and the recipes of docs/ci.md contain commands: in a folder of valid
+// scenes each succeeds silently.
 TEST_F(LintReports, AreMadeByWhatHooksAndRecipesRun) {
   if (run_shell(folder_.path(), "python3 -c 'import yaml'").exit_code != 0) {
     GTEST_SKIP() << "no python3-yaml here";

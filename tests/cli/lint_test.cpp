@@ -111,7 +111,7 @@ TEST_F(LintCommand, RefusesAFolderWithoutScenes) {
   std::filesystem::create_directory(folder_ / "empty");
   const ProgramResult result = run("empty");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(result.err, "error: there are no scenes in `empty`\n");
+  EXPECT_EQ(result.err, "error: no scenes in `empty`\n");
 }
 
 TEST_F(LintCommand, GoesOnBehindAFileThatIsNotThere) {
@@ -161,7 +161,7 @@ TEST_F(LintCommand, SelectsAndIgnoresByCodeAndBeginning) {
               HasSubstr("E104"));
   const ProgramResult unknown = run("wrong.scene --select E999");
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("no diagnostic has a code that begins with `E999`"));
+  EXPECT_THAT(unknown.err, HasSubstr("no diagnostic code begins with `E999`"));
 }
 
 TEST_F(LintCommand, AllowsSoManyWarnings) {
@@ -175,14 +175,14 @@ TEST_F(LintCommand, AllowsSoManyWarnings) {
 TEST_F(LintCommand, MendsWhatLeavesNoDoubt) {
   const ProgramResult result = run("wrong.scene clean.scene --fix --format concise");
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_EQ(result.err, "mended 1 finding in 1 file\n");
+  EXPECT_EQ(result.err, "fixed 1 finding in 1 file\n");
   EXPECT_THAT(read("wrong.scene"), HasSubstr("let tall = 2\n"));
   EXPECT_THAT(read("wrong.scene"), HasSubstr("radus"));
   EXPECT_EQ(read("clean.scene"), kClean);
 }
 
 TEST_F(LintCommand, MendsByGuessesOnlyWhenAskedTo) {
-  EXPECT_THAT(run("wrong.scene").err, HasSubstr("1 finding can be mended with --unsafe-fixes"));
+  EXPECT_THAT(run("wrong.scene").err, HasSubstr("1 finding can be fixed with --unsafe-fixes"));
   run("wrong.scene --unsafe-fixes");
   EXPECT_THAT(read("wrong.scene"), HasSubstr("radius: 1"));
   EXPECT_EQ(run("wrong.scene --format concise").out,
@@ -191,14 +191,14 @@ TEST_F(LintCommand, MendsByGuessesOnlyWhenAskedTo) {
 
 TEST_F(LintCommand, PrintsEachGuessThatItApplies) {
   EXPECT_EQ(run("wrong.scene --unsafe-fixes --format concise").err,
-            "guess: wrong.scene:5:34: E104: `radus` to `radius`\nmended 2 findings in 1 file\n");
+            "guess: wrong.scene:5:34: E104: `radus` to `radius`\nfixed 2 findings in 1 file\n");
   write("wrong.scene", kWrong);
   EXPECT_THAT(run("wrong.scene --unsafe-fixes --diff").err, HasSubstr("guess: wrong.scene:5:34"));
   EXPECT_EQ(run("wrong.scene --unsafe-fixes --quiet").err, "");
 }
 
 TEST_F(LintCommand, AppliesNoFixThatLeavesMoreErrors) {
-  // `gold` is a colour: a guess that leaves another error in its place.
+  // `gold` is a colour: a guess that causes another error.
   const std::string lamp = std::string(kClean) +
                            "def lamp(bulb = unlit(red)) {\n"
                            "  sphere { center: (0, 2, 0), radius: 1, material: bulb }\n"
@@ -233,7 +233,7 @@ TEST_F(LintCommand, MendsAllOfManyFindings) {
   write("many.scene", text);
   const ProgramResult result = run("many.scene --fix");
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("mended 1200 findings in 1 file\n"));
+  EXPECT_THAT(result.err, HasSubstr("fixed 1200 findings in 1 file\n"));
 }
 
 TEST_F(LintCommand, MendsBehindMoreFindingsThanAreShown) {
@@ -241,7 +241,7 @@ TEST_F(LintCommand, MendsBehindMoreFindingsThanAreShown) {
   for (int i = 0; i < 60; ++i) text += "let a" + std::to_string(i) + " = 1 / 0\n";
   write("many.scene", text + "let last = 2;\n");
   const ProgramResult result = run("many.scene --fix --format concise");
-  EXPECT_THAT(result.err, HasSubstr("mended 1 finding in 1 file\n"));
+  EXPECT_THAT(result.err, HasSubstr("fixed 1 finding in 1 file\n"));
   EXPECT_THAT(read("many.scene"), testing::EndsWith("let last = 2\n"));
   EXPECT_EQ(std::ranges::count(result.out, '\n'), 50) << "of those that are left";
 }
@@ -328,7 +328,7 @@ TEST_F(LintCommand, ShowsWhatWouldBeMended) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("-let tall = 2;\n+let tall = 2\n"));
   EXPECT_THAT(result.out, Not(HasSubstr("E215")));
-  EXPECT_EQ(result.err, "would mend 1 finding in 1 file\n");
+  EXPECT_EQ(result.err, "would fix 1 finding in 1 file\n");
   EXPECT_EQ(read("wrong.scene"), kWrong);
   EXPECT_THAT(run("wrong.scene --unsafe-fixes --diff").out, HasSubstr("radius: 1"));
 }

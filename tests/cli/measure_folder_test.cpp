@@ -38,14 +38,14 @@ class MeasureFolder : public testing::Test {
                      "\"$SDLC\" measure ball.scene --budget 20s --quiet --work kept " + arguments);
   }
   fs::path kept(const std::string& name) const { return folder_ / "kept" / name; }
-  /// Runs it with `study` in the place of what was kept.
+  /// Runs the command with `study` instead of the saved file.
   void expect_refused(const json& study, const std::string& words) const {
     write_text(kept("study.json"), study.dump());
     const ProgramResult result = run();
     EXPECT_EQ(result.exit_code, 2) << words;
     EXPECT_THAT(result.err, HasSubstr("its study.json cannot be read ("));
     EXPECT_THAT(result.err, HasSubstr(words));
-    EXPECT_THAT(result.err, HasSubstr("; remove the folder to begin anew"));
+    EXPECT_THAT(result.err, HasSubstr("; remove the folder to start again"));
     EXPECT_EQ(result.out, "");
   }
 
@@ -80,7 +80,7 @@ TEST_F(MeasureFolder, IsOfOneProcessAtATime) {
   const std::string before = content_of(kept("study.json"));
   const ProgramResult result = run();
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("`kept`: another sdlc is measuring in it"));
+  EXPECT_THAT(result.err, HasSubstr("`kept`: another sdlc is using it"));
   EXPECT_EQ(content_of(kept("study.json")), before);
   ::close(lock);
   EXPECT_EQ(run().exit_code, 0);
@@ -102,7 +102,7 @@ TEST_F(MeasureFolder, IsRefusedWhereItHoldsFilesOfSomethingElse) {
 TEST_F(MeasureFolder, TakesNoNoticeOfFilesThatItsStudyDoesNotName) {
   ASSERT_EQ(run().exit_code, 0);
   json study = json::parse(content_of(kept("study.json")));
-  // As it was written before the reference was rendered.
+  // As saved before the reference was rendered.
   json& ledger = study["ledger"];
   ledger["reference"] = nullptr;
   for (const char* name : {"renders", "evaluations", "depths", "precisions"}) {
@@ -128,16 +128,16 @@ TEST_F(MeasureFolder, IsRefusedWhereItsStudyDoesNotGoTogether) {
     expect_refused(changed, words);
   };
   expect_told("/ledger/renders", json::array(), "one of its `evaluations` was never timed");
-  expect_told("/ledger/plan/width", -16, "its `width` is no whole number from 1 to");
+  expect_told("/ledger/plan/width", -16, "its `width` is not a whole number from 1 to");
   expect_told("/ledger/plan/tasks/1/samples", 0, "`tasks`, number 2: its `samples` is no whole");
   expect_told("/ledger/plan/tasks/1/samples", 1e300, "its `samples` is no whole number");
   expect_told("/ledger/plan", nullptr, "it has results but no `plan`");
-  expect_told("/details/windows", json::array(), "its `windows` are none");
+  expect_told("/details/windows", json::array(), "its `windows` are empty");
   expect_told("/details", nullptr, "it has `pictures` but no `windows`");
-  expect_told("/details/windows/0/x", 6, "its `x` is no whole number from 0 to 5");
-  expect_told("/details/windows/0/width", 7, "its `width` is no whole number from 1 to 6");
-  expect_told("/details/map", json::array({0, 1}), "its `map` is no whole number from 1 to 6");
-  expect_told("/details/thumbnail", json::array({6}), "its `thumbnail` is no list of two");
+  expect_told("/details/windows/0/x", 6, "its `x` is not a whole number from 0 to 5");
+  expect_told("/details/windows/0/width", 7, "its `width` is not a whole number from 1 to 6");
+  expect_told("/details/map", json::array({0, 1}), "its `map` is not a whole number from 1 to 6");
+  expect_told("/details/thumbnail", json::array({6}), "its `thumbnail` is not a list of two");
   expect_told("/details/top", 0, "its `top` is not above 0");
   expect_told("/pictures/0", 7, "its `pictures` is no text");
   json unnamed = study;

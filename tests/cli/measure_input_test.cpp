@@ -25,7 +25,7 @@ sphere ball { center: (0, 0.5, 0), radius: 0.5, material: diffuse(color: paint.s
 render { width: 6, samples: 8, depth: 4 }
 )";
 
-/// What is read must not be written, whatever it is called.
+/// An input file must not be overwritten, whatever its name.
 class MeasureInput : public testing::Test {
  protected:
   void SetUp() override {
@@ -47,7 +47,7 @@ class MeasureInput : public testing::Test {
 };
 
 TEST_F(MeasureInput, IsNotOverwrittenByAReport) {
-  // A scene in JSON has the name of a report.
+  // A JSON scene has the file extension of a report.
   const std::string before = "{}";
   write_text(folder_ / "ball.json", before);
   fs::create_symlink("ball.json", folder_ / "link.json");
@@ -105,32 +105,32 @@ TEST_F(MeasureInput, OfAnEarlierReportIsToldByTheFieldThatIsWrong) {
     EXPECT_THAT(result.err, Not(HasSubstr("json.exception")));
   };
   expect_told("/version", 3, "its `version` is no text");
-  expect_told("/format", 3, "it is no report of `sdlc measure` in JSON");
-  expect_told("/width", 1e300, "its `width` is no whole number from 1 to");
-  expect_told("/height", 0, "its `height` is no whole number from 1 to");
-  expect_told("/seed", -1, "its `seed` is no whole number from 0 on");
-  expect_told("/threads", 1.5, "its `threads` is no whole number from 1 to");
+  expect_told("/format", 3, "it is not a JSON report of `sdlc measure`");
+  expect_told("/width", 1e300, "its `width` is not a whole number from 1 to");
+  expect_told("/height", 0, "its `height` is not a whole number from 1 to");
+  expect_told("/seed", -1, "its `seed` is not a whole number from 0 on");
+  expect_told("/threads", 1.5, "its `threads` is not a whole number from 1 to");
   expect_told("/is_complete", "yes", "its `is_complete` is neither true nor false");
-  expect_told("/machine", json::array(), "its `machine` is no object");
+  expect_told("/machine", json::array(), "its `machine` is not an object");
   expect_told("/machine/processor", 7, "its `processor` is no text");
-  expect_told("/points", 7, "its `points` is no list");
+  expect_told("/points", 7, "its `points` is not a list");
   expect_told("/points/1", 7, "`points`, number 2: ");
   expect_told("/points/0/samples", 1e300, "`points`, number 1: its `samples` is no whole number");
   expect_told("/points/0/seconds", 0, "`points`, number 1: it took no time");
   expect_told("/points/0/timings/0", -1, "`points`, number 1: it took no time");
   expect_told("/points/0/seconds_interval", 1,
-              "`points`, number 1: its `seconds_interval` is no list of two");
+              "`points`, number 1: its `seconds_interval` is not a list of two");
   expect_told("/points/0/relative_error", -1,
-              "`points`, number 1: its `relative_error` is no error");
+              "`points`, number 1: its `relative_error` is invalid");
   expect_told("/points/0/sampler", "magic",
-              "`points`, number 1: its `sampler` is `magic`, which there is not");
+              "`points`, number 1: its `sampler` is `magic`, which is unknown");
   json lacking = old;
   lacking.erase("points");
   write_text(folder_ / "lacking.json", lacking.dump());
   EXPECT_THAT(measure("ball.scene --against lacking.json").err,
               HasSubstr("its `points` is missing"));
   write_text(folder_ / "text.json", "{\"format\": }");
-  EXPECT_THAT(measure("ball.scene --against text.json").err, HasSubstr("it is no JSON"));
+  EXPECT_THAT(measure("ball.scene --against text.json").err, HasSubstr("it is not valid JSON"));
 }
 
 }  // namespace

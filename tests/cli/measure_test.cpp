@@ -29,7 +29,7 @@ sphere ball { center: (0, 0.5, 0), radius: 0.5, material: specular(color: tan, f
 render { width: 6, samples: 20, depth: 4 }
 )";
 
-/// So few pixels that all that is ever planned for them takes a second or two.
+/// So few pixels that the whole plan takes a second or two.
 class Measure : public testing::Test {
  protected:
   void SetUp() override { write_text(folder_ / "ball.scene", kScene); }
@@ -71,13 +71,13 @@ TEST_F(Measure, TellsTheTradeAsATableAndInFiles) {
   const std::string page = content_of(folder_ / "a.html");
   EXPECT_THAT(page, HasSubstr("data:image/png;base64,"));
   for (const json& recommendation : measured["recommendations"]) {
-    // Which others follow is up to the clock, and a line may end between two.
+    // The others depend on timing, and a line may be broken between two.
     const auto flags = recommendation["flags"].get<std::string>();
     EXPECT_THAT(page, HasSubstr(flags.substr(0, flags.find(" --"))));
   }
 }
 
-/// The names of all fields, at any depth, but those of what a machine is told by.
+/// The names of all fields, at any depth, except those that identify the machine.
 void collect_names(const json& value, std::set<std::string>& names) {
   for (const auto& [name, field] : value.items()) {
     if (value.is_object()) names.insert(name);
@@ -123,7 +123,8 @@ TEST_F(Measure, RecommendsForTheErrorThatIsAskedFor) {
 TEST_F(Measure, SaysWhereTheErrorThatIsAskedForIsTooFar) {
   const ProgramResult result = run("--error 0.00001% -o a.json --quiet");
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.out, HasSubstr("No number of samples is known for the error of 10"));
+  EXPECT_THAT(result.out,
+              HasSubstr("No number of samples can be predicted for the requested error of 10"));
   EXPECT_FALSE(report("a.json")["notes"].empty());
 }
 
@@ -149,7 +150,7 @@ TEST_F(Measure, RecommendsFlagsThatMakeThePictureThatWasMeasured) {
 TEST_F(Measure, GoesOnWhereItWasInterrupted) {
   const std::string measure =
       "\"$SDLC\" measure ball.scene --width 24 --budget 1h --work kept -o a.json --quiet";
-  // Interrupted as soon as three points are there; a budget of an hour is far from used up.
+  // Interrupted as soon as there are three points; a budget of an hour is far from used up.
   const ProgramResult stopped = run_shell(folder_.path(), measure + R"sh( & pid=$!
          points() { grep -c '"flip"' kept/study.json 2>/dev/null || true; }
          until [ "$(points)" -ge 3 ] 2>/dev/null || ! kill -0 $pid; do sleep 0.05; done
@@ -162,7 +163,7 @@ TEST_F(Measure, GoesOnWhereItWasInterrupted) {
   EXPECT_FALSE(before["is_complete"]);
   ASSERT_GE(before["points"].size(), 3u);
 
-  // The plan stays, and there is no time for more of it: what there is is told whole.
+  // The plan stays, and there is no time left: the results so far are reported completely.
   const ProgramResult rest = run_shell(
       folder_.path(),
       "\"$SDLC\" measure ball.scene --width 24 --budget 1ms --work kept -o a.json --quiet");
@@ -216,14 +217,14 @@ TEST_F(Measure, RefusesAFolderThatIsDamaged) {
   const ProgramResult half = run("--work kept");
   EXPECT_EQ(half.exit_code, 2);
   EXPECT_THAT(half.err, HasSubstr("its study.json cannot be read"));
-  EXPECT_THAT(half.err, HasSubstr("remove the folder to begin anew"));
+  EXPECT_THAT(half.err, HasSubstr("remove the folder to start again"));
 }
 
 TEST_F(Measure, HoldsItselfAgainstAnEarlierReport) {
   ASSERT_EQ(run("-o old.json --quiet").exit_code, 0);
   const ProgramResult same = run("--against old.json -o new.json --quiet");
   EXPECT_THAT(same.out, HasSubstr("Against "));
-  // Times of a loaded machine may be worse; the same renderer's pictures never are.
+  // Times of a loaded machine may be worse; the pictures of the same renderer never are.
   const json held = report("new.json");
   ASSERT_FALSE(held["against"]["points"].empty());
   for (const json& point : held["against"]["points"]) {
@@ -257,7 +258,7 @@ TEST_F(Measure, RefusesToBeHeldAgainstSomethingElse) {
                  "sphere { center: (1, 1, 1), radius: 0.1, material: diffuse(color: gray) }\n");
   EXPECT_THAT(run("--against old.json").err, HasSubstr("of another scene"));
   write_text(folder_ / "text.json", "{\"points\": []}");
-  EXPECT_THAT(run("--against text.json").err, HasSubstr("no report of `sdlc measure`"));
+  EXPECT_THAT(run("--against text.json").err, HasSubstr("not a JSON report of `sdlc measure`"));
   EXPECT_EQ(run("--against text.json").exit_code, 2);
   write_text(folder_ / "broken.json", "{");
   EXPECT_EQ(run("--against broken.json").exit_code, 2);
@@ -287,7 +288,7 @@ TEST_F(Measure, SaysWhatItCannotDo) {
   expect_usage("--adaptive --error 1%", "--adaptive is not measured");
   expect_usage("--budget 0s", "--budget");
   expect_usage("--budget long", "--budget");
-  expect_usage("--format html", "`html` is none of human, json, csv");
+  expect_usage("--format html", "`html` is not one of human, json, csv");
   expect_usage("--frame 3", "no `animation`");
 }
 

@@ -18,12 +18,12 @@
 
 namespace {
 
-int attribute_error = 0;     // what setting an attribute fails with; 0: it does not
-int refused_attributes = 0;  // how often it did
+int attribute_error = 0;     // error of setting an attribute; 0: it succeeds
+int refused_attributes = 0;  // number of times it failed
 
 }  // namespace
 
-/// In place of the C library's, in this process only.
+/// Replaces the C library's function, in this process only.
 extern "C" int fsetxattr(int fd, const char* name, const void* value, std::size_t size,
                          int flags) noexcept {
   if (attribute_error == 0) {
@@ -53,7 +53,7 @@ constexpr const char* kConfig = R"({"background": [0, 0, 0], "camera": {"look_fr
 "saving": {"path": "c.png", "gamma_correct": true}, "spheres": [{"origin": [0, 0, -3],
 "radius": 1, "material": {"type": "no_texture", "color": [51, 102, 255]}}]})";
 
-/// What is read is never written, and nothing is written twice.
+/// Input files are never overwritten, and nothing is written twice.
 class Outputs : public testing::Test {
  protected:
   Outputs() {
@@ -66,7 +66,7 @@ class Outputs : public testing::Test {
   ProgramResult run(const std::string& arguments) {
     return run_shell(folder_.path(), "\"$SDLC\" " + arguments);
   }
-  /// And nothing changes.
+  /// Checks that nothing changes.
   void expect_refused(const std::string& arguments, const std::string& words) {
     std::map<std::string, std::string> before, after;
     for (const std::string& name : names()) before[name] = content_of(folder_ / name);
@@ -76,7 +76,7 @@ class Outputs : public testing::Test {
     for (const std::string& name : names()) after[name] = content_of(folder_ / name);
     EXPECT_EQ(after, before) << arguments;
   }
-  /// Those of regular files.
+  /// Only regular files.
   std::vector<std::string> names() const {
     std::vector<std::string> names;
     for (const std::string& name : names_in(folder_.path())) {
@@ -89,7 +89,7 @@ class Outputs : public testing::Test {
   }
 
   const TemporaryFolder folder_;
-  static constexpr const char* kRead = "is a file that is read, and would be overwritten";
+  static constexpr const char* kRead = "is an input file and would be overwritten";
 };
 
 TEST_F(Outputs, OfARenderAreNotWhatItReads) {
@@ -141,7 +141,7 @@ TEST_F(Outputs, OfAConversionOfAFolderAreNotItsScenes) {
   EXPECT_EQ(run("convert both --overwrite").exit_code, 2);
   EXPECT_EQ(content_of(folder_ / "both/c.json"), kConfig);
   EXPECT_EQ(content_of(folder_ / "both/c.scene"), scene);
-  // Those that are not converted may be replaced.
+  // Files that are not converted may be replaced.
   EXPECT_EQ(run("convert both --overwrite --to scene").exit_code, 0);
 }
 
@@ -196,7 +196,7 @@ TEST_F(Outputs, OfAnInterruptionGoToOnePlaceEach) {
         "-o a.png --stats link.json", "-o a.png -o a.partial.png", "-o a.partial.png -o a.png"}) {
     expect_refused(std::string("render ball.scene ") + flags, "two outputs go to");
   }
-  // Names that are cut to make room for `.partial`.
+  // Names that are shortened to make room for `.partial`.
   const std::string longest(245, 'x');
   expect_refused("render ball.scene -o " + longest + "1.png -o " + longest + "2.png",
                  "two outputs go to");
@@ -207,7 +207,7 @@ TEST_F(Outputs, OfAnInterruptionGoToOnePlaceEach) {
 TEST_F(Outputs, OfAnInterruptionAreThoseOfOneFrame) {
   write_text(folder_ / "ball.scene", std::string(kScene) + "animation { frames: 1..2, fps: 24 }\n");
   expect_refused("render ball.scene -o f####.png --stats f0002.partial.png", "two outputs go to");
-  // Cut, all frames have the same.
+  // After shortening, all frames have the same name.
   const ProgramResult fine = run("render ball.scene -o " + std::string(245, 'x') + "####.png");
   EXPECT_EQ(fine.exit_code, 0) << fine.err;
 }
@@ -218,14 +218,14 @@ TEST_F(Outputs, OutsideOfTheSandboxAreRefusedBeforeTheyAreLookedAt) {
              "scene 1\ncamera main { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }\n"
              "sphere { center: (0, 0, 0), radius: 1, material: unlit(red) }\n"
              "render { width: 8, samples: 1 }\n");
-  // Whoever looks at it sees that it is the scene.
+  // Detected as the scene itself.
   fs::create_hard_link(folder_ / "box/ball.scene", folder_ / "hard.png");
   for (const std::string name : {"box/ball.png", "box/ball.partial.png"}) {
     link("../hard.png", name);
     const ProgramResult result =
         run_shell(folder_ / "box", "\"$SDLC\" render --sandbox ball.scene");
     EXPECT_EQ(result.exit_code, 2) << name;
-    EXPECT_THAT(result.err, HasSubstr("leads out of the scene's folder")) << name;
+    EXPECT_THAT(result.err, HasSubstr("is outside the scene's folder")) << name;
     fs::remove(folder_ / name);
   }
 }

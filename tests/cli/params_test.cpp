@@ -7,7 +7,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// --set, --limit and --sandbox: what every command that reads a scene is told of it.
+// --set, --limit and --sandbox: the options of every command that reads a scene.
 namespace sdlc::test {
 namespace {
 
@@ -32,7 +32,7 @@ class SceneFlags : public testing::Test {
   }
 
   void write(const std::string& name, const std::string& text) { write_text(folder_ / name, text); }
-  /// Renders FILE with flags; pictures go where the scene says.
+  /// Renders FILE with flags; the scene chooses the output.
   ProgramResult render(const std::string& arguments) {
     return run_shell(folder_.path(), "\"$SDLC\" render --format concise --quiet " + arguments);
   }
@@ -139,7 +139,7 @@ TEST_F(SceneFlags, LimitsAreNamesAndWholeNumbers) {
   EXPECT_EQ(compile("scene/row.scene --limit steps=99999999999999999999").exit_code, 2);
   const ProgramResult unknown = compile("scene/row.scene --limit step=5");
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("there is no limit `step` (did you mean `steps`?)"));
+  EXPECT_THAT(unknown.err, HasSubstr("unknown limit `step` (did you mean `steps`?)"));
 }
 
 TEST_F(SceneFlags, TheHelpNamesTheLimitsWithTheirDefaults) {
@@ -156,7 +156,7 @@ TEST_F(SceneFlags, TheHelpNamesTheLimitsWithTheirDefaults) {
   }
 }
 
-/// Files inside and outside of the folder of a scene.
+/// Files inside and outside the folder of a scene.
 class Sandbox : public SceneFlags {
  protected:
   Sandbox() {
@@ -165,7 +165,7 @@ class Sandbox : public SceneFlags {
     write("scene/lib/inside.scene", kPart);
   }
 
-  /// The exit status and what is told about a scene that includes this file.
+  /// The exit status and the output for a scene that includes this file.
   ProgramResult including(const std::string& file, const std::string& flags = "--sandbox") {
     write("scene/main.scene", std::string(kCamera) + "include \"" + file + "\"\n");
     return compile(flags + " scene/main.scene");
@@ -212,7 +212,7 @@ TEST_F(Sandbox, SeesWhereLinksLead) {
   fs::create_symlink("lib/inside.scene", folder_ / "scene/good.scene");
   fs::create_directory_symlink("scene", folder_ / "other");
   expect_allowed("good.scene");
-  // Nothing outside is asked where it leads.
+  // No link outside is resolved.
   expect_refused("../other/lib/inside.scene");
 }
 

@@ -14,7 +14,7 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 
-/// What a reporter says of a render that is half done, in the given time.
+/// The output of a reporter for a render that is half done after the given time.
 std::string reported(ProgressStyle style, std::chrono::milliseconds time) {
   render::RenderMonitor monitor;
   monitor.samples_done = 500;

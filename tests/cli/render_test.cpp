@@ -222,7 +222,7 @@ TEST_F(RenderCommand, TakesThePrecisionThatTheSceneAsksForUnlessAFlagDoes) {
   EXPECT_EQ(precision("render { precision: float }", "--precision auto"), "double");
   EXPECT_EQ(precision("render { precision: double }", "--precision float"),
             "float, with a warning");
-  // What a scene asks for is left to what can be had, and that resolves it.
+  // A precision in the scene is a preference: it is used if possible and sufficient.
   EXPECT_EQ(precision("render { precision: float }", "--kernel scalar"), "double");
 }
 
@@ -244,7 +244,7 @@ TEST_F(RenderCommand, WarnsOfAPrecisionThatDoesNotResolveTheScene) {
   EXPECT_EQ(bound["other"], 1);
 }
 
-// Whatever the scene asks for: here pixels are too narrow for float, and even for double.
+// Whatever the scene requests: here pixels are too narrow for float, and even for double.
 TEST_F(RenderCommand, WarnsOfThePrecisionThatIsTaken) {
   write_text(folder_ / "narrow.scene",
              "scene 1\ncamera main { from: (0, 0, 5), at: (0, 0, 0), fov: 1e-12deg }\n"
@@ -321,7 +321,7 @@ TEST_F(RenderCommand, RefusesAStatisticsFileThatCannotBeWrittenBeforeRendering) 
 }
 
 TEST_F(RenderCommand, LeavesNothingBehindWhenTheDiskIsFull) {
-  // A limit on file sizes stands for the full disk: it holds for root too.
+  // A limit on file sizes simulates a full disk: it also applies to root.
   const ProgramResult result =
       run("ulimit -f 1; \"$SDLC\" render ball.scene --width 200 -o big.ppm");
   EXPECT_EQ(result.exit_code, 2);
@@ -491,7 +491,7 @@ TEST_F(RenderCommand, RefusesAPictureItsFormatCannotHoldBeforeRendering) {
 TEST_F(RenderCommand, LeavesNoFoldersBehindWhenItRefuses) {
   std::string config = kConfig;
   const std::string path = "results/deep/picture.ppm";
-  // The first two are errors of the config, the last one is of the disk.
+  // The first two are errors of the config, the last one is a disk error.
   const std::pair<const char*, int> others[] = {
       {"new/sub/x.bmp", 1}, {"new/", 1}, {"config.json/x.png", 2}};
   for (const auto& [other, status] : others) {

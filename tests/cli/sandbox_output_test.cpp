@@ -16,7 +16,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-/// outer/box has the scene; what is written has to stay there.
+/// outer/box contains the scene; outputs have to stay there.
 class SandboxedOutput : public testing::Test {
  protected:
   SandboxedOutput() { fs::create_directories(box_); }
@@ -40,7 +40,7 @@ class SandboxedOutput : public testing::Test {
   ProgramResult run(const std::string& arguments) {
     return run_shell(box_, "\"$SDLC\" " + arguments);
   }
-  /// Everything below the temporary folder, to see what is new.
+  /// Everything below the temporary folder, to detect new files.
   std::vector<std::string> all_names() const {
     std::vector<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {
@@ -153,7 +153,7 @@ TEST_F(SandboxedOutput, SettingsAboveTheFolderAreNotRead) {
   write_text(folder_ / "outer/.sdlc.toml", "nonsense = 1\n");
   EXPECT_EQ(run("lint ball.scene").exit_code, 2);
   EXPECT_EQ(run("lint --sandbox ball.scene").exit_code, 0);
-  // Those beside the scene hold, unless they are a link out of the folder.
+  // Settings beside the scene apply, unless they are a link out of the folder.
   write_text(folder_ / "secret.toml", "secret = 1\n");
   fs::create_symlink(folder_ / "secret.toml", box_ / ".sdlc.toml");
   const ProgramResult link = run("lint --sandbox ball.scene");

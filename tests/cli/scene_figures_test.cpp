@@ -12,7 +12,7 @@ using render::MaterialType;
 using render::Vec3;
 using testing::ElementsAre;
 
-/// A glass ball at the origin and two lights, seen from (0, 0, 10); nobody has the first material.
+/// A glass ball at the origin and two lights, seen from (0, 0, 10); the first material is unused.
 render::Scene three_spheres() {
   render::Scene scene;
   scene.camera.from = {0, 0, 10};

@@ -17,7 +17,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// The schema of configs, held against the reader of configs with a real validator: the jsonschema
+// Compares the schema of configs with the reader of configs, using a real validator: the jsonschema
 // module of Python. Without it those tests are skipped.
 namespace sdlc::test {
 namespace {
@@ -33,7 +33,7 @@ bool has_validator() {
   return run_shell(folder.path(), "python3 -c 'import jsonschema'").exit_code == 0;
 }
 
-/// "valid" or "invalid" of each, by the schema that the program prints.
+/// "valid" or "invalid" for each config, by the schema that the program prints.
 std::vector<std::string> verdicts(const std::vector<json>& configs) {
   const TemporaryFolder folder;
   std::string lines;
@@ -52,7 +52,7 @@ class NoObjects final : public lang::ObjectSink {
   void add(const lang::Object& /*object*/) override {}
 };
 
-/// The same by the reader of configs, which looks at each key alone, as a schema does.
+/// The same by the config reader, which checks each key separately, as a schema does.
 std::string verdict_of_reader(const json& config) {
   const lang::SourceFile file("config.json", config.dump());
   lang::DiagnosticSink sink;
@@ -71,7 +71,7 @@ std::vector<json> generated_configs() {
   return configs;
 }
 
-/// A config that is right but for nothing.
+/// A small valid config.
 json small_config() {
   return json::parse(R"({
     "camera": {"look_from": [0, 0, 0], "look_at": [0, 0, -1], "up": [0, 1, 0], "vfov": 90,
@@ -97,7 +97,7 @@ json without(const std::string& pointer) {
   return config;
 }
 
-/// The places of all values but the whole.
+/// The places of all values except the root.
 void collect_places(const json& value, const json::json_pointer& place,
                     std::vector<json::json_pointer>& places) {
   if (value.is_object()) {
@@ -113,7 +113,7 @@ void collect_places(const json& value, const json::json_pointer& place,
   }
 }
 
-/// The config with one thing changed: a value, a member or element gone or added.
+/// The config with one change: a value, a member or element removed or added.
 json damaged(json config, SplitMix64& random) {
   static const std::vector<json> kValues{
       nullptr,

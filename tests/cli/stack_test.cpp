@@ -6,7 +6,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// Whatever stack the process is given, all that files may nest is read.
+// Every file within the nesting limits can be read, with any stack size of the process.
 namespace sdlc::test {
 namespace {
 
@@ -15,7 +15,7 @@ constexpr const char* kCamera = "scene 1\ncamera { from: (0, 1, 5), at: (0, 0, 0
 class SmallStack : public testing::TestWithParam<const char*> {
  protected:
   void write(const std::string& name, const std::string& text) { write_text(folder_ / name, text); }
-  /// Runs the program with so many KiB of stack.
+  /// Runs the program with this stack size in KiB.
   ProgramResult run_on(const std::string& stack, const std::string& arguments) const {
     return run_shell(folder_.path(), "ulimit -s " + stack + " || exit 99\n\"$SDLC\" " + arguments);
   }

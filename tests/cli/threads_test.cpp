@@ -18,7 +18,7 @@ sphere ball { center: (0, 0, 0), radius: 1, material: diffuse(color: #c04020) }
 render { width: 32, samples: 16, depth: 4 }
 )";
 
-/// Under a system that lets few threads start.
+/// Behaviour under a system that limits the number of threads.
 class FewThreads : public testing::Test {
  protected:
   void SetUp() override {

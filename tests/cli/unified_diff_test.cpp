@@ -42,7 +42,7 @@ TEST(UnifiedDiff, FindsWhatStaysAmongRepeatedLines) {
             "--- f\n+++ f\n@@ -1,4 +1,4 @@\n }\n }\n-a\n+}\n }\n");
 }
 
-/// A text of few different lines, so that they repeat, with or without a line end at its end.
+/// A text of a few different lines, so that they repeat, with or without a final line end.
 std::string random_text(std::uint64_t& state, bool has_end) {
   std::string text;
   const auto next = [&] {

@@ -24,32 +24,31 @@
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// What the documentation shows is true: each block of code of a page is run. What stands behind its
-// opening fence says how; the first word is for those who colour it (GitHub has no colours for the
-// language, and takes those of Rust).
+// Runs each code block of the documentation. The words after the opening fence select how; the
+// first word is for syntax highlighting (GitHub does not know the language, so it is that of Rust).
 //
 //   rust scene [NAME FLAG…]
-//     a complete file, about which `sdlc inspect NAME FLAG…` says nothing; on the page of a warning
-//     it is `sdlc lint`, and on that of this command too
+//     a complete file without findings of `sdlc inspect NAME FLAG…`; on the page of a warning, and
+//     on that of `sdlc lint`, the command is `sdlc lint`
 //   rust scene-part
 //     the same without `scene 1`, and without a camera if it needs none
 //   rust scene-values
-//     lines `expression // result` or `expression // error: message`; behind a `;` is what the
-//     reader is told; declarations hold for the lines below them
+//     lines `expression // result` or `expression // error: message`; text after a `;` is a remark;
+//     declarations are visible in the lines below them
 //   rust scene-wrong [NAME FLAG…]
 //     a file whose mistakes the next block shows
 //   rust scene-file NAME
 //     a file that others of its section, or of the page, import or include
-//   rust scene-unformatted         statements of which `sdlc fmt` makes those of the next block, a
+//   rust scene-unformatted         statements that `sdlc fmt` turns into the next block, a
 //   rust scene-formatted           `scene-formatted`; SDLC_UPDATE=1 rewrites that
 //   json [config [NAME FLAG…]]
-//     a config, as `scene` is a scene; so are `json config-wrong` and `json config-file`
+//     a config, treated like `scene`; so are `json config-wrong` and `json config-file`
 //   text message [A => B]
-//     all that is printed about the last file above, once B has taken the place of A in it;
-//     SDLC_UPDATE=1 rewrites it
+//     the complete output about the last file above, after replacing A by B in it; SDLC_UPDATE=1
+//     rewrites it
 //   text session
-//     lines `$ COMMAND`, each with what it prints below it, run one after the other in a folder
-//     with the files of its section; SDLC_UPDATE=1 rewrites it
+//     lines `$ COMMAND`, each followed by its output, run in order in a folder with the files of
+//     its section; SDLC_UPDATE=1 rewrites it
 //   toml lint
 //     a `.sdlc.toml` that `sdlc lint` takes
 //   sh
@@ -69,7 +68,7 @@ struct Page {
   std::vector<CodeBlock> blocks;
 };
 
-/// A block and where to look for what it needs.
+/// A block and the page that contains what it needs.
 struct Example {
   const Page* page;
   std::size_t index;
@@ -91,7 +90,7 @@ std::string kind_of(const CodeBlock& block) {
   return is_plain_json ? "config" : word(block, 1);
 }
 
-/// A block that is a text of one of the formats by itself.
+/// A block that is a complete text of one of the formats.
 bool is_file(const CodeBlock& block) {
   static const std::vector<std::string> kinds{"scene",  "scene-wrong",  "scene-file", "scene-part",
                                               "config", "config-wrong", "config-file"};
@@ -110,8 +109,8 @@ std::vector<std::string> flags_of(const CodeBlock& block) {
   return {block.words.begin() + count, block.words.end()};
 }
 
-/// The block with what a reader adds in his head: the version, and a camera, at the end so that no
-/// line changes its number.
+/// The block with the implied parts added: the version, and a camera, at the end so that line
+/// numbers do not change.
 std::string complete(std::string text) {
   if (!text.starts_with("scene 1")) text.insert(0, "scene 1\n");
   const bool has_camera = text.find("\ncamera ") != std::string::npos;
@@ -143,7 +142,7 @@ class PageFiles final : public lang::FileSystem {
   std::string name_, text_;
 };
 
-/// The command that says what a page is about: warnings are found by `lint`, which tells them on
+/// The command for the topic of the page: warnings are found by `lint`, which prints them on
 /// standard output.
 std::string command_of(const Page& page) {
   const fs::path path = page.path;
@@ -152,7 +151,7 @@ std::string command_of(const Page& page) {
   return is_about_lint && path.stem() != "README" ? "lint" : "inspect";
 }
 
-/// What that command says about a text.
+/// The output of that command for a text.
 std::string messages(const Example& example, const std::string& name, const std::string& text,
                      std::span<const std::string> flags = {}) {
   const PageFiles files(example, name, with_bytes(text));
@@ -164,13 +163,13 @@ std::string messages(const Example& example, const std::string& name, const std:
   return arguments.front() == "lint" ? out.str() : err.str();
 }
 
-/// The same of a block that is a file.
+/// The same for a block that is a file.
 std::string messages(const Example& example) {
   const CodeBlock& block = example.block();
   return messages(example, file_name(block), block.text, flags_of(block));
 }
 
-/// The message of the first error alone, or warning.
+/// Only the message of the first error or warning.
 std::string first_message(const std::string& messages) {
   const std::string line = messages.substr(0, messages.find('\n'));
   const std::size_t behind_code = line.find("]: ");
@@ -251,7 +250,7 @@ void check_message(const Example& example) {
   EXPECT_EQ(told, example.block().text) << "SDLC_UPDATE=1 rewrites it.";
 }
 
-/// What `sdlc fmt` makes of statements.
+/// The result of `sdlc fmt` for statements.
 std::string formatted(const Example& example, const std::string& statements) {
   constexpr std::string_view kVersion = "scene 1\n";
   const PageFiles files(example, "-", std::string(kVersion) + statements);
@@ -272,7 +271,7 @@ void check_formatted(const Example& example) {
   EXPECT_EQ(outcome, text) << "SDLC_UPDATE=1 rewrites it.";
 }
 
-/// The command with the real program and a small picture where it does not say how large.
+/// The command with the real program, and a small picture unless it sets the size.
 std::string small_command(const std::string& line) {
   std::string command = "\"$SDLC\"" + line.substr(line.find(' '));
   command = command.substr(0, command.find(" #"));
@@ -290,7 +289,7 @@ void check_settings(const Example& example) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
 }
 
-/// Writes the files of the page, or of the example's own section, that have a name.
+/// Writes the named files of the page, or of the example's own section.
 void write_files(const Example& example, bool of_page, const TemporaryFolder& folder) {
   for (const CodeBlock& block : example.page->blocks) {
     const bool is_near = of_page || block.heading == example.block().heading;
@@ -362,7 +361,7 @@ void check(const Example& example) {
   }
 }
 
-/// The page, its heading and which block of the section it is.
+/// The page, its heading and the number of the block in the section.
 std::string test_name(const Page& page, const CodeBlock& block, int ordinal) {
   std::string name;
   for (const char c : fs::path(page.path).stem().string() + " " + block.heading) {
@@ -373,7 +372,7 @@ std::string test_name(const Page& page, const CodeBlock& block, int ordinal) {
   return name + std::to_string(ordinal);
 }
 
-/// Every page whose blocks are run, from the root of the repository.
+/// Every page whose blocks are run, relative to the root of the repository.
 std::vector<std::string> page_paths() {
   const fs::path root = SDLC_SOURCE_DIR;
   std::vector<std::string> paths;

@@ -13,7 +13,7 @@
 #include "tests/docs/reference_tables.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// The index of docs/explain is the table of diagnostics. SDLC_UPDATE=1 rewrites it.
+// The index of docs/explain matches the table of diagnostics. SDLC_UPDATE=1 rewrites it.
 namespace sdlc::test {
 namespace {
 

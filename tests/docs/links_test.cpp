@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The anchors that GitHub gives the headings of a page.
+/// The anchors that GitHub generates for the headings of a page.
 std::set<std::string> anchors_of(const fs::path& page) {
   std::set<std::string> anchors;
   std::ifstream file(page);

@@ -13,7 +13,7 @@
 #include "tests/docs/reference_tables.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// The table of rules in docs/lint.md is that of the code. SDLC_UPDATE=1 rewrites it.
+// The table of rules in docs/lint.md matches the code. SDLC_UPDATE=1 rewrites it.
 namespace sdlc::test {
 namespace {
 

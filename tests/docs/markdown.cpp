@@ -28,7 +28,7 @@ std::vector<std::string> words_of(std::string_view text) {
   return words;
 }
 
-/// The NAME of a line that begins a generated part.
+/// The NAME in a line that begins a generated part.
 std::optional<std::string> part_name(const std::string& line) {
   if (!line.starts_with(kBegin) || !line.ends_with(kBeginEnd)) return std::nullopt;
   return line.substr(kBegin.size(), line.size() - kBegin.size() - kBeginEnd.size());

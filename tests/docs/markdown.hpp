@@ -6,24 +6,23 @@
 #include <string_view>
 #include <vector>
 
-/// What the tests of the documentation read of a Markdown page.
+/// Parsing of Markdown pages for the tests of the documentation.
 namespace sdlc::test {
 
 /// A fenced block of code.
 struct CodeBlock {
-  std::string heading;             ///< of the section it stands in
+  std::string heading;             ///< of the section that contains it
   std::uint32_t line = 0;          ///< of its opening fence, from 1
-  std::vector<std::string> words;  ///< behind the opening fence
+  std::vector<std::string> words;  ///< after the opening fence
   std::string text;
 };
 
 std::vector<CodeBlock> code_blocks_of(std::string_view page);
 
-/// The page with the text of its block number `index`, counted from 0, replaced.
+/// The page with the text of block number `index`, counted from 0, replaced.
 std::string replace_code_block(std::string_view page, std::size_t index, std::string_view text);
 
-/// A part of a page between `<!-- generated: NAME -->` and `<!-- end -->`, each on a line of its
-/// own.
+/// A part of a page between `<!-- generated: NAME -->` and `<!-- end -->`, each on its own line.
 struct GeneratedPart {
   std::string name;
   std::string text;

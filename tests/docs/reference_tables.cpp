@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "lang/object/check.hpp"
 #include "lang/report/findings.hpp"
-#include "lang/object/object.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/value/builtins.hpp"
@@ -73,14 +73,14 @@ std::string signature(const lang::Constructor& constructor) {
   return fmt::format("{}({})", constructor.name, fmt::join(parameters, ", "));
 }
 
-/// Whether one row says what all of them take.
+/// Whether a single row describes all of them.
 bool are_alike(std::span<const lang::Property> parameters) {
   return std::all_of(parameters.begin(), parameters.end(), [&](const lang::Property& parameter) {
     return what_it_takes(parameter) == what_it_takes(parameters.front());
   });
 }
 
-/// The rows of a constructor: itself, and below it its arguments.
+/// The rows of a constructor: itself, then its arguments.
 std::string constructor_rows(const lang::Constructor& constructor) {
   std::string text = fmt::format("| **`{}`** | | {} |\n", signature(constructor), constructor.doc);
   std::string names, docs;

@@ -8,11 +8,11 @@
 
 namespace sdlc::test {
 
-/// What the tables of the code say about the language, as parts of its reference: kinds, materials,
-/// functions, types, limits, names of colours.
+/// The tables of the code as parts of the language reference: kinds, materials, functions, types,
+/// limits, colour names.
 std::vector<GeneratedPart> reference_parts();
 
-/// The message of a diagnostic with `…` for what is filled in.
+/// The message of a diagnostic with `…` for its arguments.
 std::string shown_message(std::string_view message);
 
 }  // namespace sdlc::test

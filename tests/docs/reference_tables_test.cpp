@@ -12,7 +12,7 @@
 #include "tests/docs/markdown.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// The tables of the language's reference are those of the code. SDLC_UPDATE=1 rewrites the page.
+// The tables of the language reference match the code. SDLC_UPDATE=1 rewrites the page.
 namespace sdlc::test {
 namespace {
 

@@ -21,8 +21,8 @@ using render::Vec3;
 constexpr LinearRgb kWhite{1};
 constexpr LinearRgb kBlack{};
 
-/// All pixels see the same but for squares of their angle, 1e-8; and each is still wide enough for
-/// float.
+/// All pixels see the same except for squares of their angle, 1e-8; and each is still wide enough
+/// for float.
 Scene beam(Vec3 from, Vec3 at, LinearRgb sky) {
   Scene scene = beam_scene(from, at, sky);
   scene.camera.plane_height = 2e-4;
@@ -46,15 +46,15 @@ double fresnel(double cosine, double beyond, double n) {
   return (across * across + along * along) / 2;
 }
 
-/// A ray that meets glass at impact parameter b is reflected with R_o, or enters, and meets the
-/// surface from inside under one and the same angle for ever after.
+/// A ray that hits glass at impact parameter b is reflected with R_o, or enters, and then hits the
+/// surface from inside at a constant angle forever.
 double glass(double n, double b, double c, Fresnel kind = Fresnel::Schlick) {
   const double outer_cosine = std::sqrt(1 - b * b), sine = b / n;
   if (sine >= 1) return c;  // total reflection
   const double inner_cosine = std::sqrt(1 - sine * sine);
   const double outer =
       kind == Fresnel::Exact ? fresnel(outer_cosine, inner_cosine, n) : schlick(outer_cosine, n);
-  // From inside, the model takes Schlick's approximation at the inner angle too.
+  // From inside, the model also uses Schlick's approximation at the inner angle.
   const double inner = kind == Fresnel::Exact ? outer
                        : n * std::sqrt(1 - inner_cosine * inner_cosine) > 1
                            ? 1
@@ -62,9 +62,8 @@ double glass(double n, double b, double c, Fresnel kind = Fresnel::Schlick) {
   return outer * c + (1 - outer) * c * c * (1 - inner) / (1 - c * inner);
 }
 
-/// Along the axis of concentric surfaces: each of the 2 n meetings reflects a share r and
-/// multiplies by c. The light that comes back or through from a sky of 1, by iteration to its fixed
-/// point.
+/// Along the axis of concentric surfaces: each of the 2 n hits reflects a share r and multiplies by
+/// c. The light that returns or passes from a sky of 1, by iteration to its fixed point.
 double slabs(int surfaces, double r, double c) {
   const auto n = static_cast<std::size_t>(surfaces);
   std::vector<double> right(n + 2, 1), left(n + 2, 1);  // arriving at a surface, by direction
@@ -142,8 +141,8 @@ ExtremeCase emissive_shell() {
   return all;
 }
 
-// Of the light that leaves a point of the shell by the cosine law, F = ρ² meets the emitter; the
-// rest meets the shell again under the same circumstances.
+// Of the light that leaves a point of the shell by the cosine law, F = ρ² hits the emitter; the
+// rest hits the shell again under the same conditions.
 ExtremeCase concentric_emitter() {
   ExtremeCase all{
       "emitter inside a concentric diffuse shell, ratio ρ, F = ρ²: "
@@ -165,7 +164,8 @@ ExtremeCase concentric_emitter() {
   return all;
 }
 
-// Irradiance of a sphere of radius R at distance d, wholly above the horizon: π L cos θ (R / d)².
+// Irradiance from a sphere of radius R at distance d, completely above the horizon: π L cos θ (R /
+// d)².
 ExtremeCase sphere_light() {
   ExtremeCase all{"sphere light of radius R at distance d on diffuse: aL cos θ (R / d)²", {}};
   const auto add = [&](double ground, double theta, double radius, double distance) {
@@ -180,7 +180,7 @@ ExtremeCase sphere_light() {
   };
   add(100, 0.6, 0.5, 4);
   add(100, 0, 0.2, 4);
-  add(5000, 0.6, 0.5, 4);  // met in double, the light in float
+  add(5000, 0.6, 0.5, 4);  // computed in double, the light in float
   add(1e5, 1.2, 0.5, 6);
   add(6.371e6, 0.3, 0.1, 1);
   return all;
@@ -222,11 +222,11 @@ ExtremeCase glass_at_impact() {
   }
   for (const double radius : {1e-5, 1e-8, 1e-100, 1e150})
     add(1.5, 0, 0.5, radius, Fresnel::Schlick);
-  // Of so many paths some ten are let in.
+  // About ten of these paths enter.
   add(1e6, 0.3, 0.8, 1, Fresnel::Exact, 60, 1 << 14);
   for (const double n : {1e-320, 1e-300, 1e-20, 1e20, 1e300}) {
     for (const Fresnel kind : {Fresnel::Schlick, Fresnel::Exact}) {
-      // All is reflected, but for one part in the index.
+      // Everything is reflected, except for one part in the index.
       Scene scene = beam({0, 0, 5}, {0, 0, 0}, kWhite);
       scene.camera.plane_height = 1e-100;
       add_sphere(scene, {0, 0, 0}, 1, transmissive(LinearRgb{0.5}, n, kind));
@@ -235,7 +235,7 @@ ExtremeCase glass_at_impact() {
                               scene, 60, LinearRgb{0.5}, 16});
     }
   }
-  // ior 1: nothing is bent, and Schlick's approximation reflects all the same.
+  // ior 1: nothing is refracted, but Schlick's approximation still reflects.
   add(1, std::sqrt(0.99), 0.5, 1, Fresnel::Schlick);
   add(1, 0.9, 0.5, 1, Fresnel::Exact);
   return all;
@@ -252,8 +252,8 @@ ExtremeCase total_reflection() {
   return all;
 }
 
-// The camera stands at distance x from the centre and looks across it: the sine of the angle at the
-// surface is x, for ever.
+// The camera is at distance x from the centre and looks perpendicularly to it: the sine of the
+// angle at the surface stays x forever.
 ExtremeCase critical_angle() {
   ExtremeCase all{"inside white glass beyond the critical angle 0, below it 1", {}};
   for (const auto& [n, x] :
@@ -267,8 +267,8 @@ ExtremeCase critical_angle() {
   return all;
 }
 
-// The end of the mirrored unit vector moves within a ball of radius f; the cap below the surface is
-// absorbed.
+// The end of the mirrored unit vector is perturbed within a ball of radius f; the cap below the
+// surface is absorbed.
 ExtremeCase fuzzy_mirror() {
   ExtremeCase all{"mirror of fuzz f at cosine c: 1 − (2 − 3s + s³) / 4, s = min(1, c / f)", {}};
   for (const auto& [fuzz, cosine] : {std::pair{0.5, 0.2},
@@ -314,8 +314,8 @@ ExtremeCase huge_ground() {
           {fmt::format("radius {:g}, slope {}", radius, slope), scene, 50, kWhite, 16});
     }
   }
-  // A camera just above, and another sphere that is large enough for the ground alone to be met in
-  // double: the ray's way to it is a thousand-millionth of the way through it.
+  // A camera just above the ground, and another sphere large enough that only the ground is
+  // computed in double: the distance to the ground is a thousand-millionth of the way through it.
   for (const double height : {10.0, 1e-2, 1e-5}) {
     Scene scene = beam({0, height, 0}, {0.3 * height, 0, 0}, kWhite);
     add_sphere(scene, {0, -1e6, 0}, 1e6, diffuse(kWhite));
@@ -323,7 +323,7 @@ ExtremeCase huge_ground() {
     all.variants.push_back(
         {fmt::format("radius 1e6, from {:g} above", height), scene, 1000, kWhite, 16});
   }
-  // With a small sphere on it, so that one is small beside the other.
+  // With a small sphere on it, so that one is small compared with the other.
   for (const double radius : {1e3, 1e4, 6.371e6, 1e9}) {
     Scene scene = beam({0, 1, 3}, {0, 0, 0.12}, kWhite);
     add_sphere(scene, {0, -radius, 0}, radius, diffuse(kWhite));
@@ -357,7 +357,7 @@ ExtremeCase bubbles() {
                               LinearRgb{slabs(4, schlick(1, 1.5), c)}});
     }
   }
-  // Far away, where even one that float resolves when near is too thin for it.
+  // Far away, where even a shell that float resolves at close range is too thin.
   for (const double distance : {100.0, 3000.0}) {
     Scene scene = beam({0, 0, distance}, {0, 0, 0}, kWhite);
     scene.camera.plane_height = 0.1 / distance;
@@ -410,7 +410,7 @@ ExtremeCase white_glass() {
 }
 
 // Within √(2 e R) of a contact, R = 1 / (1 / r₁ ± 1 / r₂), surfaces are nearer to each other than
-// points are off by e; the camera sees little else.
+// the error e of points; the camera sees almost only this region.
 ExtremeCase contacts() {
   ExtremeCase all{"white surfaces that touch, under a white sky: 1", {}};
   const auto add = [&](const char* what, double ground, const Material& ball, double height,
@@ -440,7 +440,7 @@ ExtremeCase contacts() {
   return all;
 }
 
-// All that leaves the middle of a huge mirror comes back to it.
+// Light that leaves the centre of a huge mirror returns to it.
 ExtremeCase gathering_mirror() {
   ExtremeCase all{"camera and lamp beside the middle of a huge mirror: the lamp's light", {}};
   for (const double radius : {1e3, 1e5, 1e6}) {
@@ -467,7 +467,7 @@ ExtremeCase on_a_surface() {
     all.variants.push_back(
         {fmt::format("in, radius {:g}", radius), scene, 16, LinearRgb{0.75}, 16});
   }
-  // Where no number says exactly that it is on the surface.
+  // Where no number is exactly on the surface.
   const Vec3 normal = unit(Vec3{0.3, 0.5, -0.7});
   for (const double offset : {0.0, 1e3, 1e7}) {
     const Vec3 center{offset, -offset, offset};
@@ -523,7 +523,7 @@ ExtremeCase movement() {
   add(1, 0, 0.5);
   add(-10, 10, 0.025);
   add(0.3, 0.7, 1);
-  // Another one stands in the way of the first half.
+  // Another sphere blocks the first half.
   Scene scene = beam({0, 0, 5}, {0, 0, 0}, kBlack);
   add_sphere(scene, {-2, 0, 0}, 1, unlit(kWhite));
   add_sphere(scene, {-0.5, 0, 2}, 0.5, unlit(LinearRgb{0.5}));
@@ -561,7 +561,7 @@ ExtremeCase views() {
   };
   add("vfov 1e-6°", 2 * std::tan(0.5e-6 * M_PI / 180), 1, LinearRgb{0.5});
   add("vfov 1e-12°", 2 * std::tan(0.5e-12 * M_PI / 180), 1, LinearRgb{0.5});
-  // The sphere is one pixel's millionth: what is seen is sky.
+  // The sphere is a millionth of a pixel: only the sky is visible.
   add("vfov 179.999°", 2 * std::tan(0.5 * 179.999 * M_PI / 180), 1, kWhite);
   add("vfov 179.9999999°", 2 * std::tan(0.5 * 179.9999999 * M_PI / 180), 1, kWhite);
   add("vfov 1e-3°, aspect 1e6", 2 * std::tan(0.5e-3 * M_PI / 180), 1e-3, LinearRgb{0.5});
@@ -606,7 +606,7 @@ render::RenderSettings settings_of(const ExtremeVariant& variant) {
           .depth = variant.depth,
           .seed = 7,
           .threads = 2,
-          // Standard errors are those of independent samples.
+          // Standard errors assume independent samples.
           .sampler = render::SamplerKind::Independent};
 }
 

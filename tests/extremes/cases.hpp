@@ -8,16 +8,16 @@
 #include "tests/extremes/forms.hpp"
 #include "tests/support/statistics/estimate.hpp"
 
-/// Scenes at the ends of what can be asked for, whose radiance is known in closed form.
+/// Extreme scenes whose radiance is known in closed form.
 namespace sdlc::test {
 
-/// What arrives along the camera's axis.
+/// The radiance along the camera's axis.
 struct ExtremeVariant {
   std::string what;  ///< the numbers: "radius 1e-8"
   render::Scene scene;
   int depth = 50;
   render::LinearRgb expected;
-  int samples = 64;  ///< a pixel
+  int samples = 64;  ///< per pixel
 };
 
 struct ExtremeCase {

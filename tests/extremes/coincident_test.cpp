@@ -9,7 +9,7 @@
 #include "tests/support/statistics/estimate.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
-// Spheres in one place, as a text may have them: the first one alone is there.
+// Coincident spheres in a text: only the first one is kept.
 namespace sdlc::test {
 namespace {
 
@@ -55,8 +55,8 @@ TEST_P(Coincident, SpheresGiveThePictureOfTheFirstAlone) {
   }
 }
 
-// Along the axis a ray meets 4 surfaces if none reflected; that it reflects, with any probability,
-// does not change the mean: what is met twice makes up for what is not met. H0: 5 rays a path.
+// Along the axis a ray hits 4 surfaces if none reflected; reflection, with any probability, does
+// not change the mean: surfaces hit twice compensate for those not hit. H0: 5 rays per path.
 // Significance 1e-4 each.
 TEST_P(Coincident, ShellsOfAnyThicknessAreMetFourTimes) {
   for (const double gap : {0.01, 1e-4, 1e-6, 1e-9, 1e-11}) {

@@ -14,8 +14,8 @@
 #include "tests/support/statistics/estimate.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
-// Texts that ask for too much are refused at their place, and all others are rendered: a scene and
-// a config of each.
+// Texts beyond the limits are rejected at their place, and all others are rendered: a scene and a
+// config of each.
 namespace sdlc::test {
 namespace {
 
@@ -87,7 +87,8 @@ struct Config {
   }
 };
 
-/// Renders it with every kernel that takes it; finite, and mostly `expected` in the middle.
+/// Renders it with every kernel that supports it; finite, and approximately `expected` in the
+/// centre.
 void expect_rendered(const Compiled& compiled, const std::string& what) {
   ASSERT_TRUE(compiled.lowered) << what << ": " << testing::PrintToString(compiled.codes);
   for (const Form& form : all_forms()) {
@@ -117,16 +118,16 @@ TEST(ExtremeText, RadiusZeroIsToldAndNeverSeen) {
 }
 
 // Shutters over a movement from x = −2 to 2 in [0, 1] are among the known answers; here an interval
-// without a length.
+// of zero length.
 TEST(ExtremeText, AMovementWithoutDurationIsAnError) {
   const Config instant{.interval = "[0, 1]", .movement = "[[2, 0, 0], 1, 1]"};
   EXPECT_THAT(instant.compile().codes, Contains(testing::StartsWith("E206")));
-  // Within the shutter's second it goes 2e300 m far.
+  // It moves 2e300 m within the shutter's second.
   const Config sudden{.interval = "[0, 1]", .movement = "[[2, 0, 0], 0, 1e-300]"};
   EXPECT_THAT(sudden.compile().codes, testing::ElementsAre("E314 13"));
 }
 
-/// H0: the sphere covers the middle of the picture for this share of the shutter. 1e-4 each.
+/// H0: the sphere covers the centre of the picture for this share of the shutter. 1e-4 each.
 TEST(ExtremeText, AMovingSphereCoversItsShareOfTheShutter) {
   for (const auto& [interval, share] : {std::pair{"[0, 1]", 0.5},
                                         {"[0.5, 0.5]", 1.0},
@@ -236,7 +237,7 @@ TEST(ExtremeText, NoNumberIsInfiniteOrNoNumber) {
   EXPECT_THAT(Text{.radius = "sqrt(-1)"}.compile().codes, Contains("E219 8"));
 }
 
-/// All of a scene as large as numbers are, or as small.
+/// A scene with the largest or the smallest possible numbers.
 TEST(ExtremeText, CoordinatesOf1e308AreRenderedLikeAllOthers) {
   const auto scaled_by = [](const std::string& power) {
     return Text{.from = "(0, 0, 5e" + power + ")",
@@ -270,8 +271,9 @@ TEST(ExtremeText, AScenePastDoubleIsRefusedUnlessItIsForced) {
        {std::pair{"1e13", "1"}, {"1", "1e-13"}, {"1e308", "1e-300"}}) {
     const Text text{.from = std::string("(0, 0, ") + distance + ")", .radius = radius};
     EXPECT_THAT(text.compile().codes, Contains("E314 7")) << distance << ", " << radius;
-    EXPECT_FALSE(text.compile({.precision = "float"}).lowered);
-    const Compiled forced = text.compile({.precision = "double"});
+    EXPECT_FALSE(text.compile({.render = {{lang::render_property::kPrecision, "float"}}}).lowered);
+    const Compiled forced =
+        text.compile({.render = {{lang::render_property::kPrecision, "double"}}});
     EXPECT_THAT(forced.codes, Contains("W501 7"));
     expect_rendered(forced, "forced");
   }

@@ -45,8 +45,8 @@ inline std::string form_name(const testing::TestParamInfo<Form>& test) {
   return name_of(test.param);
 }
 
-/// Whether the form is one that may trace the scene: the wide kernel takes it, and float, or float
-/// with a few spheres met in double, resolves it.
+/// Whether the form can trace the scene: the wide kernel supports it, and float, or float with a
+/// few spheres in double, resolves it.
 inline bool may_trace(const Form& form, const render::Scene& scene,
                       const render::RenderSettings& settings) {
   if (!choose_kernel(scene, settings, form.request()).refusal.empty()) return false;

@@ -10,7 +10,8 @@
 #include "tests/extremes/cases.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// The table of docs/numerics.md is what this program measures. SDLC_UPDATE=1 rewrites it.
+// The table of docs/numerics.md contains the measurements of this program. SDLC_UPDATE=1 rewrites
+// it.
 namespace sdlc::test {
 namespace {
 
@@ -24,7 +25,7 @@ std::string shown(LinearRgb c, int digits) {
   return fmt::format("{} {} {}", number(c.r), number(c.g), number(c.b));
 }
 
-/// One row for each variant, in the kernel and the precision that are chosen for it.
+/// One row per variant, with the automatically chosen kernel and precision.
 std::string table() {
   std::string text =
       "| case | | expected | got | standard error | |\n| --- | --- | --- | --- | --- | --- |\n";

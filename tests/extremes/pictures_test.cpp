@@ -12,7 +12,7 @@
 #include "tests/support/statistics/estimate.hpp"
 #include "tests/support/statistics/scaled_scene.hpp"
 
-// Whole pictures that must be the same, to the bit or but for noise.
+// Pictures that must be equal, to the bit or except for noise.
 namespace sdlc::test {
 namespace {
 
@@ -53,7 +53,7 @@ TEST_P(Pictures, AreTheSameBytesAtEveryScaleThatIsAPowerOfTwo) {
   }
 }
 
-/// Coordinates that stay what they are when moved by 1e8: multiples of 2^-20.
+/// Coordinates that are exact after a shift by 1e8: multiples of 2^-20.
 Scene coarse(Scene scene) {
   const auto round = [](Vec3& v) {
     for (double* c : {&v.x, &v.y, &v.z}) *c = std::nearbyint(*c * 0x1p20) * 0x1p-20;
@@ -130,8 +130,8 @@ TEST_P(Pictures, OfOneSampleShowWhatIsInTheMiddleOfEachPixel) {
 
 INSTANTIATE_TEST_SUITE_P(Forms, Pictures, testing::ValuesIn(all_forms()), form_name);
 
-// H0: the same expectation. Paths are traced from the same random numbers and part only where float
-// rounds a choice the other way, so that the differences are few. Significance 1e-4.
+// H0: the same expectation. Paths use the same random numbers and diverge only where float rounds a
+// choice differently, so there are few differences. Significance 1e-4.
 TEST(FloatAgainstDouble, DiffersByNothingButNoise) {
   const RenderSettings settings{.width = 96, .height = 64, .samples = 128, .depth = 16};
   for (const double ground : {100.0, 1000.0}) {

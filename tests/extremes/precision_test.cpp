@@ -9,7 +9,7 @@
 #include "tests/extremes/scenes.hpp"
 #include "tests/support/statistics/estimate.hpp"
 
-// Which precision is taken, and that what is taken is right at the edge of what is accepted.
+// Tests which precision is chosen, and that the result is correct at the edge of what is accepted.
 namespace sdlc::test {
 namespace {
 
@@ -53,7 +53,7 @@ TEST_F(ChosenPrecision, IsDoubleForAViewOfAMillionthOfADegree) {
 }
 
 TEST_F(ChosenPrecision, IsThatOfTheBoundsForScenesOfManyScales) {
-  /// 49 spheres of radius 0.1 and one of 0.5 on a ground, all `scale` times as large.
+  /// 49 spheres of radius 0.1 and one of 0.5 on a ground, all scaled by `scale`.
   const auto scene_on = [](double ground, double scale) {
     Scene scene = beam_scene(Vec3{0, 1.2, 4} * scale, Vec3{0, 0, 0}, LinearRgb{1});
     scene.camera.plane_height = 2 * std::tan(20 * M_PI / 180);
@@ -86,7 +86,7 @@ TEST_F(ChosenPrecision, IsThatOfTheBoundsForScenesOfManyScales) {
   EXPECT_GT(most(1e15), render::kMostScaleInDouble);
 }
 
-// A pixel may be narrow in one direction alone.
+// A pixel may be narrow in only one direction.
 TEST_F(ChosenPrecision, MindsTheNarrowerSideOfAPixel) {
   Scene scene = beam_scene({0, 0, 5}, {0, 0, 0}, LinearRgb{1});
   add_sphere(scene, {0, 0, 0}, 1, diffuse(LinearRgb{0.5}));
@@ -136,8 +136,8 @@ Scene hovering(double ground, double gap, const render::Material& material) {
   return scene;
 }
 
-// However narrow the gap: where points on the ground are nearer to the sphere than their rounding,
-// there is hardly any of either.
+// For any width of the gap: the region where points on the ground are nearer to the sphere than
+// their rounding error is negligible.
 TEST_F(ChosenPrecision, IsRightForSpheresThatHoverAboveAGroundMetInDouble) {
   RenderSettings settings{.width = 64, .height = 64, .samples = 64, .depth = 20};
   if (const char* samples = std::getenv("SDLC_SAMPLES")) settings.samples = std::atoi(samples);

@@ -9,9 +9,8 @@
 
 // Radiance along the axis against its closed form, by every kernel in every precision that resolves
 // the scene. H0 of each comparison: the estimator's expectation is the closed form. Significance
-// 1e-5 each, with fixed seeds: of all comparisons together one fails by chance with a probability
-// below 2 %. Rounding, and what a pixel's angle changes, may add 1e-5 of the value in float and
-// 1e-7 in double.
+// 1e-5 each, with fixed seeds: the probability that one of all comparisons fails by chance is below
+// 2 %. Rounding, and the angle of a pixel, may add 1e-5 of the value in float and 1e-7 in double.
 namespace sdlc::test {
 namespace {
 

@@ -12,9 +12,9 @@
 #include "tests/support/statistics/estimate.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
-// Scenes that nobody would think of: spheres of many sizes that touch, cross, contain and nearly
-// coincide with each other, seen from anywhere, some of them moving. Every kernel and precision
-// that takes one must agree with the scalar kernel.
+// Random scenes: spheres of many sizes that touch, cross, contain and nearly coincide with each
+// other, seen from anywhere, some of them moving. Every kernel and precision that supports one must
+// agree with the scalar kernel.
 namespace sdlc::test {
 namespace {
 
@@ -119,9 +119,9 @@ class SceneMaker {
   std::mt19937_64 random_;
 };
 
-// H0: the same expectation. Both trace the same paths, which part where rounding decides otherwise;
-// the pictures differ in those, by differences of mean 0. That is no normal distribution where they
-// are few, so the limit is a generous one: 7 standard errors.
+// H0: the same expectation. Both trace the same paths, which diverge where rounding decides
+// differently; the pictures differ in those, by differences of mean 0. With few of them the
+// distribution is not normal, so the limit is generous: 7 standard errors.
 TEST(RandomScenes, LookTheSameInAllKernelsThatTakeThem) {
   int scenes = 40;
   if (const char* more = std::getenv("SDLC_SCENES")) scenes = std::atoi(more);

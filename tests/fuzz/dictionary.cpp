@@ -6,8 +6,8 @@
 #include "lang/value/constructors.hpp"
 #include "lang/value/types.hpp"
 
-// Prints libFuzzer's dictionary of one of the two formats: the words of the tables, and the signs
-// that the grammar puts between them.
+// Prints libFuzzer's dictionary for one of the two formats: the words of the tables, and the
+// punctuation of the grammar.
 namespace sdlc::lang {
 namespace {
 

@@ -41,7 +41,7 @@ constexpr lang::Limits kSmallLimits{.steps = 200'000,
                                     .include_depth = 4,
                                     .file = 1 << 20};
 
-/// What is formatted says the same, and is formatted. `format_file` throws where it does not.
+/// Formatting preserves the meaning and is idempotent. `format_file` throws otherwise.
 void check_formatting(const lang::SourceFile& file) {
   lang::DiagnosticSink sink;
   const auto once = lang::format_file(file, sink);

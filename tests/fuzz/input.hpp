@@ -6,9 +6,9 @@
 
 namespace sdlc::test {
 
-/// Compiles the text, renders what is reported in every format, and ends the process if one of the
-/// two is not as it must be, whatever the text says. Files that it names are looked for in
-/// examples/. Little may be used up, so that each input is quick.
+/// Compiles the text, renders the diagnostics in every format, and aborts if an invariant fails,
+/// whatever the text is. Files that it names are looked up in examples/. Limits are low, so that
+/// each input is quick.
 void run_fuzz_input(std::string_view text, lang::SourceFormat format);
 
 }  // namespace sdlc::test

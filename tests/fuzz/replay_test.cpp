@@ -11,8 +11,8 @@
 #include "lang/source/source.hpp"
 #include "tests/fuzz/input.hpp"
 
-// What the fuzzers begin with, and what they ever found, is compiled by an ordinary test. A new
-// finding goes to tests/fuzz/findings, under a name that says what was wrong.
+// Compiles the seeds and all findings of the fuzzers in an ordinary test. Put a new finding into
+// tests/fuzz/findings, under a name that describes the bug.
 namespace sdlc::test {
 namespace {
 
@@ -40,7 +40,7 @@ TEST_P(FuzzInput, IsCompiledSoundly) {
   run_fuzz_input(*text, lang::source_format_of(GetParam(), *text));
 }
 
-/// The file's name, as far as names of tests may hold it.
+/// The file's name, restricted to characters allowed in test names.
 struct InputName {
   std::string operator()(const testing::TestParamInfo<fs::path>& input) const {
     std::string name = input.param.filename().string();

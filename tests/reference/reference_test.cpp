@@ -13,8 +13,8 @@
 #include "render/tiles/render.hpp"
 #include "tests/render/wide/kernels.hpp"
 
-// Pictures against those of an independent renderer, which come with the standard error of every
-// pixel. They are not part of the repository; without them the tests are skipped.
+// Compares pictures with those of an independent renderer, which include the standard error of
+// every pixel. They are not part of the repository; without them the tests are skipped.
 namespace sdlc::test {
 namespace {
 
@@ -56,11 +56,11 @@ struct BlockComparison {
   double difference = 0;      ///< ours minus the reference
   double standard_error = 0;  ///< of the difference
   double rounding = 0;        ///< what the reference's 32-bit floats may hide
-  /// Where the reference saw next to no noise in 4096 samples a pixel, its standard error says
-  /// little: of paths of radiance 1 that are unlike the others it saw none, or at most 10. That
-  /// more than 5, or 8, of them are then met here, by 256 samples a pixel, has a probability of
-  /// 7e-9, or 9e-8, at the mean that makes it most likely; of fewer samples less. 0 if our block is
-  /// flat.
+  /// If the reference saw almost no noise in 4096 samples per pixel, its standard error is
+  /// unreliable: of paths with radiance 1 that are unlike the others it saw none, or at most 10.
+  /// The probability that more than 5, or 8, of them are then found here, by 256 samples per pixel,
+  /// is 7e-9, or 9e-8, at the mean that makes it most likely; less with fewer samples. 0 if our
+  /// block is flat.
   double rare_events = 0;
 };
 
@@ -88,15 +88,16 @@ BlockComparison compare_block(const render::Picture& ours, const Pfm& mean, cons
   return block;
 }
 
-/// A way to trace the pictures.
+/// A configuration to trace the pictures with.
 struct Form {
   std::string name;
   render::KernelRequest request;
   int samples = 0;
 };
 
-/// What is chosen without a word, and with fewer samples everything else that this machine has. All
-/// trace the same paths, which tests/render/wide compares one by one; here each must stand alone.
+/// The automatic choice, and with fewer samples everything else that this machine supports. All
+/// trace the same paths, which tests/render/wide compares one by one; here each is tested
+/// independently.
 std::vector<Form> forms() {
   std::vector<Form> all{{"chosen", {}, 256}, {"scalar", {.kind = render::KernelKind::Scalar}, 64}};
   for (const WideForm& wide : wide_forms()) {
@@ -127,7 +128,9 @@ class Reference : public testing::TestWithParam<std::tuple<std::string, Form>> {
     const lang::SourceFile source(config_.string(),
                                   std::string(std::istreambuf_iterator<char>(stream), {}));
     lang::DiagnosticSink sink;
-    return lang::compile(source, {.width = mean_.width, .samples = form().samples}, sink);
+    using namespace lang::render_property;
+    const double width = mean_.width, samples = form().samples;
+    return lang::compile(source, {.render = {{kWidth, width}, {kSamples, samples}}}, sink);
   }
 
   fs::path config_;

@@ -6,8 +6,8 @@
 #include "tests/support/statistics/scenes.hpp"
 
 // Scenes whose radiance is known in closed form, seen along one ray. H0 of each test: the
-// estimator's expectation is the closed form. Significance 1e-4 a test unless it says otherwise;
-// seeds are fixed, so a failure is a defect.
+// estimator's expectation is the closed form. Significance 1e-4 per test unless noted; seeds are
+// fixed, so a failure is a defect.
 namespace sdlc::test {
 namespace {
 
@@ -67,8 +67,8 @@ TEST(EmissiveShell, LightsADiffuseSphereEvenly) {
   EXPECT_TRUE(agrees(radiance_along_axis(scene, {.depth = 2, .samples = 1000}), expected));
 }
 
-// Of the light that leaves a point of the shell by the cosine law, F = ρ² meets the emitter; the
-// rest meets the shell again under the same circumstances.
+// Of the light that leaves a point of the shell by the cosine law, F = ρ² hits the emitter; the
+// rest hits the shell again under the same conditions.
 TEST(ConcentricEmitter, LightsADiffuseShellAsTheGeometricSeriesSays) {
   const double a = 0.8, rho = 0.6, f = rho * rho, l = 2;
   Scene scene = beam_scene({0, 0, 1.6}, {0, 0.3, 2}, kBlack);
@@ -83,7 +83,8 @@ TEST(ConcentricEmitter, LightsADiffuseShellAsTheGeometricSeriesSays) {
   }
 }
 
-// Irradiance of a sphere of radius R at distance d, wholly above the horizon: π L cos θ (R / d)².
+// Irradiance from a sphere of radius R at distance d, completely above the horizon: π L cos θ (R /
+// d)².
 TEST(SphereLight, LightsADiffuseSurfaceByTheInverseSquareLaw) {
   const double a = 0.7, l = 20, radius = 0.5, theta = 0.6;
   Scene scene = beam_scene({0, 3, 2}, {0, 0, 0}, kBlack);
@@ -107,8 +108,8 @@ TEST(CameraAtTheCentreOfGlass, SeesTheSkyThroughAllReflections) {
   }
 }
 
-// A ray that meets glass at impact parameter b is reflected with R_o, or enters, and meets the
-// surface from inside under one and the same angle for ever after.
+// A ray that hits glass at impact parameter b is reflected with R_o, or enters, and then hits the
+// surface from inside at a constant angle forever.
 TEST(GlassSphere, ReflectsAndRefractsByTheImpactParameter) {
   const double n = 1.5, c = 0.5, r0 = (n - 1) * (n - 1) / ((n + 1) * (n + 1));
   for (const double b : {0.0, 0.5, 0.9, 0.99}) {
@@ -145,8 +146,8 @@ TEST(WhiteGlass, ReturnsAWhiteSkyExactly) {
   EXPECT_EQ(estimate.mean, kWhite);
 }
 
-// The end of the mirrored unit vector moves within a ball of radius f; the cap below the surface is
-// absorbed.
+// The end of the mirrored unit vector is perturbed within a ball of radius f; the cap below the
+// surface is absorbed.
 TEST(FuzzyMirror, LosesWhatPointsIntoTheSurface) {
   const double color = 0.9;
   for (const auto& [fuzz, cosine] : {std::pair{0.5, 0.2}, {0.5, 0.9}, {1.0, 0.3}, {2.5, 0.6}}) {
@@ -185,7 +186,7 @@ TEST(CameraOnASurface, LookingIntoGlassMeetsItsFarSide) {
 }
 
 TEST(CameraWhereTwoSpheresTouch, SeesBetweenThem) {
-  // Along the common tangent plane neither sphere is in the way.
+  // Along the common tangent plane neither sphere is hit.
   Scene scene = beam_scene({0, 0, 0}, {1, 0.0001, 0.5}, LinearRgb{0.25});
   add_sphere(scene, {0, -3, 0}, 3, diffuse(LinearRgb{0.9}));
   add_sphere(scene, {0, 1, 0}, 1, unlit(LinearRgb{0.5}));

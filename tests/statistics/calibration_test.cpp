@@ -5,13 +5,13 @@
 
 #include <gtest/gtest.h>
 
-#include "render/scene/choices.hpp"
+#include "render/scene/settings.hpp"
 #include "render/tiles/render.hpp"
 #include "tests/support/statistics/rooms.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
-// What a picture says of its own error, held against its distance from a reference whose error is a
-// tenth of it at most.
+// Compares the estimated error of a picture with its distance from a reference whose own error is
+// at most a tenth of it.
 namespace sdlc::test {
 namespace {
 
@@ -31,7 +31,7 @@ RenderResult rendered(const RenderSettings& settings) { return rendered(small_ro
 
 constexpr RenderSettings kTiny{.width = 32, .height = 20, .depth = 8};
 
-/// Far from the seeds of the pictures that are held against it.
+/// Far from the seeds of the pictures that are compared with it.
 RenderResult long_render(const Scene& scene) {
   RenderSettings settings = kTiny;
   settings.samples = 1 << 16;
@@ -43,7 +43,7 @@ const RenderResult& reference() {
   return result;
 }
 
-/// The relative error of a picture, from a reference.
+/// The relative error of a picture, measured against a reference.
 double realised_error(const Picture& picture, const Picture& truth = reference().picture) {
   double squares = 0, sum = 0;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
@@ -55,12 +55,12 @@ double realised_error(const Picture& picture, const Picture& truth = reference()
   return std::sqrt(squares / values) / (sum / values);
 }
 
-/// What many pictures say of themselves, and what is true.
+/// Totals over many pictures: their estimates, and the truth.
 struct Calibration {
   int pictures = 0;
-  int errors_inside = 0;  ///< the interval of the relative error
+  int errors_inside = 0;  ///< within the confidence interval
   int means_inside = 0;
-  int met = 0;                        ///< the goal
+  int met = 0;                        ///< goals that were met
   double ratio = 0;                   ///< Σ of realised to estimated errors
   double bias = 0, bias_squares = 0;  ///< Σ of relative differences of the picture's mean
   double samples = 0;
@@ -81,7 +81,7 @@ struct Calibration {
     samples += static_cast<double>(result.camera_samples) / (kTiny.width * kTiny.height);
   }
   double share(int count) const { return static_cast<double>(count) / pictures; }
-  /// The bias in its standard errors, of which the reference has a share.
+  /// The bias in units of its standard error, which includes that of the reference.
   double bias_z(const RenderResult& truth) const {
     const render::Interval interval = truth.error->mean_interval;
     const double of_truth = (interval.to - interval.from) / (2 * 1.96 * truth.error->mean);
@@ -98,10 +98,10 @@ struct Sampling {
 
 class Calibrated : public testing::TestWithParam<Sampling> {};
 
-// 1000 pictures each: if 95 % of the intervals hold the truth, a share outside of .93 to .97 has a
-// probability of 0.3 %; if only 93 % did, it would have one of 47 %, and of 99.9 % at 90 %. Of the
-// reference's own error, at most a tenth, the realised one is off by 0.5 %, a sixth of the
-// interval's half. The seeds are fixed: a failure is a defect.
+// 1000 pictures each: if 95 % of the intervals cover the truth, a share outside of .93 to .97 has a
+// probability of 0.3 %; if only 93 % do, 47 %, and if 90 % do, 99.9 %. The reference's own error,
+// at most a tenth, changes the realised one by 0.5 %, a sixth of half the interval. The seeds are
+// fixed: a failure is a defect.
 TEST_P(Calibrated, IntervalsHoldTheTruthAsOftenAsTheySay) {
   ASSERT_TRUE(reference().error);
   Calibration calibration;
@@ -125,9 +125,9 @@ TEST_P(Calibrated, IntervalsHoldTheTruthAsOftenAsTheySay) {
   EXPECT_NEAR(calibration.ratio / calibration.pictures, 1, 0.01);
 }
 
-// Of 100 pictures 97.5 % are expected to meet the goal, as the upper end of the interval does; with
-// 97.5 % fewer than 90 have a probability of 5e-5. The samples that were needed: those with which
-// the error that was realised would have been the goal, by the slope of −1/2.
+// Of 100 pictures 97.5 % are expected to meet the goal, because the upper end of the interval does;
+// with 97.5 % the probability of fewer than 90 is 5e-5. The required samples: those with which the
+// realised error would have been the goal, by the slope of −1/2.
 TEST_P(Calibrated, AGoalIsMetAndHardlyMore) {
   RenderSettings settings = kTiny;
   settings.sampler = GetParam().sampler;
@@ -161,9 +161,9 @@ INSTANTIATE_TEST_SUITE_P(Samplings, Calibrated,
                                   std::string(name_of(test.param.lights));
                          });
 
-// Where the error comes from few samples that are rare and large, intervals are longer than they
-// need be, never shorter. With the unbiased estimate of tr Σ² that only pairs of independent
-// replicates make, which such samples leave at 0, 78 % held the truth.
+// If the error comes from rare bright samples, intervals are longer than necessary, never shorter.
+// With the unbiased estimate of tr Σ² from pairs of independent replicates, which is 0 for such
+// samples, 78 % covered the truth.
 TEST(RarePaths, MakeIntervalsLongerNotWrong) {
   const Scene scene = room_with_rare_paths();
   const RenderResult truth = long_render(scene);
@@ -174,7 +174,7 @@ TEST(RarePaths, MakeIntervalsLongerNotWrong) {
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     settings.seed = seed;
     const RenderResult result = rendered(scene, settings);
-    // Of a kind of path that was found once or never nothing is known: one picture in six.
+    // Nothing is known about a kind of path that was found at most once: one picture in six.
     if (result.error) calibration.add(result, 0, truth);
   }
   EXPECT_GT(calibration.pictures, 750);
@@ -199,8 +199,8 @@ TEST(Goal, GivesThePictureOfAsManySamples) {
   EXPECT_EQ(by_goal.error->interval, by_samples.error->interval);
 }
 
-// Bias below 3 standard errors; intervals that hold the truth in at least 93 % of 400 pictures (if
-// 95 % do, fewer have a probability of 3 %; the seeds are fixed).
+// Bias below 3 standard errors; intervals cover the truth in at least 93 % of 400 pictures (if 95 %
+// do, fewer have a probability of 3 %; the seeds are fixed).
 TEST(AdaptiveGoal, IsUnbiasedCalibratedAndTakesFewerSamples) {
   const Scene scene = things_before_the_sky();
   const RenderResult truth = long_render(scene);

@@ -9,10 +9,10 @@
 #include "tests/support/statistics/random.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
-// Light sampling has the expectation of scattering alone, at every limit on depth. Where there is a
-// closed form, H0 is that the expectation is it; elsewhere, that plain paths and those that look
-// for lights have one expectation, whose estimates from different seeds then differ by as much as
-// their standard errors say. Significance 1e-4 a test, shared among its cases; seeds are fixed.
+// Light sampling has the same expectation as scattering alone, at every depth limit. Where there is
+// a closed form, H0 is that the expectation equals it; elsewhere, that paths with and without light
+// sampling have the same expectation, so that estimates with different seeds differ according to
+// their standard errors. Significance 1e-4 per test, shared among its cases; seeds are fixed.
 namespace sdlc::test {
 namespace {
 
@@ -40,7 +40,7 @@ testing::AssertionResult agree(const Estimate& a, const Estimate& b, double sign
   return agrees(difference, kBlack, significance);
 }
 
-/// A gray ground, seen at the origin, under a dim sky; its color keeps many bounces alive.
+/// A gray ground, seen at the origin, under a dim sky; its color makes many bounces matter.
 Scene on_the_ground() {
   Scene scene = beam_scene({0, 3, 2}, {0, 0, 0}, {0.1, 0.05, 0.2});
   add_sphere(scene, {0, -100, 0}, 100, diffuse({0.8, 0.7, 0.9}));
@@ -113,7 +113,7 @@ Scene camera_on_a_surface() {
   return scene;
 }
 
-/// Centres, and with them half of each light, below the horizon of the place that is seen.
+/// Centres, and with them half of each light, below the horizon of the visible point.
 Scene at_the_horizon() {
   Scene scene = on_the_ground();
   add_sphere(scene, {1, 0, 0}, 0.4, emissive({1, 0.8, 0.5}, 10));
@@ -177,7 +177,7 @@ TEST(LightSampling, LightsADiffuseShellAsTheGeometricSeriesSays) {
 
 TEST(LightSampling, LightsADiffuseSurfaceByTheInverseSquareLawWithLittleNoise) {
   const double a = 0.7, theta = 0.6;
-  // From half the view to an angular radius of 2e-16, which directions miss by rounding.
+  // From half the view to an angular radius of 2e-16, which rounded directions miss.
   for (const auto& [radius, d] :
        {std::pair{0.5, 4.0}, {2.9, 4.0}, {1e-3, 50.0}, {5e-8, 50.0}, {1e-14, 50.0}}) {
     const double l = 20 * (d / radius) * (d / radius);

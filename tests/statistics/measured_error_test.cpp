@@ -7,8 +7,8 @@
 #include "render/tiles/render.hpp"
 #include "tests/support/statistics/rooms.hpp"
 
-// What a measurement says of a picture's error, by a reference with noise of its own, held against
-// the distance from a far longer one.
+// Compares the measured error of a picture, by a reference with noise of its own, with the distance
+// from a far longer reference.
 namespace sdlc::test {
 namespace {
 
@@ -38,7 +38,8 @@ struct Case {
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
-/// How many of `repeats` intervals hold the truth. Each has another seed, its reference too.
+/// How many of `repeats` intervals cover the truth. Each repetition has another seed, for its
+/// reference too.
 int count_inside(const Case& c, int repeats) {
   const Scene scene = c.scene();
   constexpr int kLong = 1 << 16;
@@ -61,8 +62,9 @@ int count_inside(const Case& c, int repeats) {
 
 class MeasuredError : public testing::TestWithParam<Case> {};
 
-// Of 100 intervals of 95 %, 90 to 99 hold the truth with a probability of 98.6 %; of such that held
-// it 80 times in 100 fewer than 90 would with 99.4 %. The seeds are fixed: a failure is a defect.
+// Of 100 intervals of 95 %, 90 to 99 cover the truth with a probability of 98.6 %; intervals that
+// cover it 80 times in 100 give fewer than 90 with 99.4 %. The seeds are fixed: a failure is a
+// defect.
 TEST_P(MeasuredError, IsInsideItsIntervalAsOftenAsThatSays) {
   const int inside = count_inside(GetParam(), 100);
   EXPECT_GE(inside, 90);

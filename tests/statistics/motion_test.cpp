@@ -27,7 +27,7 @@ render::Scene passing_sphere(const std::string& shutter) {
   return std::move(lowered->scene);
 }
 
-// H0: the share of the shutter's time in which the axis is covered. Significance 1e-4 each.
+// H0: the share of the shutter interval during which the axis is covered. Significance 1e-4 each.
 TEST(MovingSphere, CoversItsShareOfTheShutter) {
   const std::pair<const char*, double> cases[] = {
       {"[0, 1]", 0.5},   {"[0.5, 0.5]", 1},   {"[1, 3]", 0},   {"[-1, 0]", 0},

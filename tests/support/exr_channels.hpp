@@ -10,8 +10,8 @@
 
 namespace sdlc::test {
 
-/// The channels of an EXR file by their names, each row by row from the top, as another program
-/// reads them; all of them are 32-bit floats.
+/// The channels of an EXR file by name, each row by row from the top, as another program reads
+/// them; all of them are 32-bit floats.
 inline std::map<std::string, std::vector<float>> exr_channels(const std::filesystem::path& path) {
   std::map<std::string, std::vector<float>> channels;
   const auto input = OIIO::ImageInput::open(path.string());

@@ -53,7 +53,7 @@ std::optional<std::string> text_name(const std::string& line) {
   return name_in(line, header);
 }
 
-/// The expectation that the line is, if it is one, about the line `number` of a text.
+/// The expectation in the line, if it is one, about line `number` of a text.
 std::optional<Remark> parse_expectation(const std::string& line, std::size_t text,
                                         std::uint32_t number) {
   static const std::regex below("(//\\s*)(\\^+) ([A-Z]\\d\\d\\d|label|fix|chain): (.*)");
@@ -93,13 +93,13 @@ std::string to_line(const Remark& remark) {
                      remark.length, remark.kind, remark.message);
 }
 
-/// Makes remarks about places in the texts of a case.
+/// Creates remarks about places in the texts of a case.
 class Remarker {
  public:
   Remarker(const FileCase& file_case, std::string_view file_name)
       : file_case_(file_case), file_name_(file_name) {}
 
-  /// A remark at the place, which ends with its first line.
+  /// A remark at the place, restricted to its first line.
   Remark at(const lang::Location& where, std::string_view kind, std::string_view message) const {
     const std::optional<std::size_t> text = text_of(where.file);
     if (!text) {
@@ -123,7 +123,7 @@ class Remarker {
                   .message = lang::printable(message),
                   .text = *text};
 
-    // The end of the text is behind the last line break, where no line of the case stands.
+    // The end of the text is after the last line break, where the case has no line.
     const auto last_line = static_cast<std::uint32_t>(file_case_.texts[*text].lines.size());
     if (remark.line > last_line) {
       remark.line = last_line;
@@ -153,8 +153,7 @@ bool is_diagnostic(const Remark& remark) {
   return remark.kind.size() == 4 && remark.kind != "help";
 }
 
-/// What no diagnostic may do, whatever it is about: suggest or fix nothing, or keep its choices
-/// to itself.
+/// Checks that no diagnostic suggests or fixes nothing, or omits its choices.
 std::string nonsense_in(const lang::DiagnosticSink& sink) {
   std::string found;
   const auto text_of = [](const lang::Location& where) {
@@ -167,7 +166,7 @@ std::string nonsense_in(const lang::DiagnosticSink& sink) {
     const std::string& suggestion = diagnostic.suggestion;
     const std::string named = fmt::format("`{}`", suggestion);
     if (!suggestion.empty() && suggestion == text_of(diagnostic.where)) complain("suggests itself");
-    // "expected `for`, found `foreach`" says what was expected.
+    // "expected `for`, found `foreach`" already contains the expectation.
     const bool is_expected = diagnostic.info->code == lang::diag::expected.code;
     if (!suggestion.empty() && !is_expected &&
         diagnostic.message.find(named) != std::string::npos) {
@@ -247,7 +246,7 @@ std::vector<FileCase> parse_cases(std::string_view text, const fs::path& file) {
   std::vector<FileCase> cases;
   const auto end_text = [&] {
     if (cases.empty()) return;
-    // A blank line before the next text separates, it is no part of the text.
+    // An empty line before the next text is a separator, not part of the text.
     std::vector<std::string>& lines = cases.back().texts.back().lines;
     if (!lines.empty() && lines.back().empty()) lines.pop_back();
   };
@@ -257,7 +256,7 @@ std::vector<FileCase> parse_cases(std::string_view text, const fs::path& file) {
       cases.push_back({.file = file, .name = *name});
       continue;
     }
-    if (cases.empty()) continue;  // what stands before the first case is about the file
+    if (cases.empty()) continue;  // text before the first case is about the file
     FileCase& file_case = cases.back();
     if (const auto name = text_name(line)) {
       end_text();

@@ -16,35 +16,34 @@
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/source/source.hpp"
 
-/// File tests: texts as a user could have written them, with what is reported about them written
-/// below the line at fault. A file holds named cases:
+/// File tests: texts as users write them, with the expected diagnostics below the wrong line. A
+/// file holds named cases:
 ///
 ///     --- unknown_key_names_the_nearest_one ---
 ///     {"radus": 1}
 ///     // ^^^^^ E105: unknown key `radus` in a sphere
 ///     // ^^^^^ fix: `radius`
 ///
-/// Every diagnostic must be expected, with its code, message, first column and length (of a span
-/// over several lines, the length on the first), and every expectation must come true. A case
-/// without expectations says that nothing is reported. `fix`, `label`, `help` and `chain` are
-/// compared where they are given; the links of a chain are numbered, `chain: 1 in `ring``, the
-/// innermost first, and stand where they point to. Carets count code points; where they cannot
-/// stand below (the first two columns), `// @COLUMN+LENGTH E105: …` says it. ⟦FF⟧ in a text is the
-/// byte with that hexadecimal number, ⟦a×9⟧ the letter nine times. SDLC_UPDATE=1 rewrites the
-/// expectations.
+/// Every diagnostic must be expected, with its code, message, first column and length (for a span
+/// over several lines, the length on the first), and every expectation must be met. A case without
+/// expectations must have no diagnostics. `fix`, `label`, `help` and `chain` are compared if they
+/// are given; the links of a chain are numbered, `chain: 1 in `ring``, innermost first, and are
+/// below the text that they point to. Carets count code points; where carets are impossible (in the
+/// first two columns), use `// @COLUMN+LENGTH E105: …`. ⟦FF⟧ in a text is the byte with that
+/// hexadecimal number, ⟦a×9⟧ the letter nine times. SDLC_UPDATE=1 rewrites the expectations.
 ///
-/// A line `=== materials.scene ===` inside a case ends its first text and begins another file, one
-/// that the first can import or include; expectations stand in the file that they are about. A name
-/// that begins with `--` is that of a flag, whose value is the text: `=== --set count ===`.
+/// A line `=== materials.scene ===` inside a case ends its first text and begins another file,
+/// which the first can import or include; expectations are in the file that they are about. A name
+/// that begins with `--` is a flag, whose value is the text: `=== --set count ===`.
 namespace sdlc::test {
 
-/// The text with ⟦…⟧ replaced by what it stands for.
+/// The text with ⟦…⟧ replaced by the bytes.
 std::string with_bytes(std::string_view text);
 
-/// One remark about a text of a case: a diagnostic (`kind` is its code), or its label, fix, help or
+/// A remark about a text of a case: a diagnostic (`kind` is its code), or its label, fix, help or
 /// link of its chain.
 struct Remark {
-  std::uint32_t line = 0, column = 0, length = 0;  ///< from 1; of help only the line counts
+  std::uint32_t line = 0, column = 0, length = 0;  ///< from 1; for help only the line counts
   std::string kind;
   std::string message;
   std::size_t text = 0;  ///< index in FileCase::texts
@@ -53,11 +52,11 @@ struct Remark {
 };
 
 struct CaseText {
-  std::string name;                     ///< as `=== NAME ===` gives it; empty of the first text
-  std::vector<std::string> lines = {};  ///< as they stand in the file
+  std::string name;                     ///< as in `=== NAME ===`; empty for the first text
+  std::vector<std::string> lines = {};  ///< as in the file
 
   bool is_flag() const { return name.starts_with("--"); }
-  /// What is to be read: the lines, `with_bytes`.
+  /// The text to read: the lines, after `with_bytes`.
   std::string text() const;
 };
 
@@ -69,7 +68,7 @@ struct FileCase {
 };
 void PrintTo(const FileCase& file_case, std::ostream* out);
 
-/// The texts of a case by their names, the first and the flags left out.
+/// The texts of a case by name, without the first and the flags.
 class CaseFiles final : public lang::FileSystem {
  public:
   explicit CaseFiles(const FileCase& file_case) : file_case_(file_case) {}
@@ -89,22 +88,21 @@ std::vector<FileCase> parse_cases(std::string_view text, const std::filesystem::
 std::string replace_expectations(std::string_view file_text, const FileCase& file_case,
                                  const std::vector<Remark>& remarks);
 
-/// What the sink holds, as remarks: each diagnostic followed by its labels, fixes, help and chain.
-/// `file_name` is what the first text is called; what is about no text of the case is told at its
-/// beginning.
+/// The sink's contents as remarks: each diagnostic followed by its labels, fixes, help and chain.
+/// `file_name` is the name of the first text; remarks about none of the texts are at its beginning.
 std::vector<Remark> remarks_of(const lang::DiagnosticSink& sink, const FileCase& file_case,
                                std::string_view file_name);
 
-/// What is wrong with the remarks; empty if they are as expected.
+/// The differences between the remarks and the expectations; empty if they match.
 std::string compare(const FileCase& file_case, const std::vector<Remark>& remarks);
 
 using Reader = std::function<void(const lang::SourceFile&, lang::DiagnosticSink&)>;
 
-/// Reads the case's text under the name `file_name` and fails the current test if the outcome is
-/// not as expected, or writes the outcome to the case's file.
+/// Reads the case's text under the name `file_name`. Fails the current test if the remarks differ
+/// from the expectations, or writes them to the case's file.
 void run_case(const FileCase& file_case, std::string_view file_name, const Reader& reader);
 
-/// Reads a text and the files that it asks for; returns what holds the texts that the sink refers
+/// Reads a text and the files that it needs; returns the owner of the texts that the sink refers
 /// to.
 using ProgramReader = std::function<std::shared_ptr<const void>(
     const lang::SourceFile&, const lang::FileSystem&, lang::DiagnosticSink&)>;

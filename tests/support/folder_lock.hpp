@@ -9,8 +9,8 @@
 
 namespace sdlc::test {
 
-/// Keeps other processes waiting that would write to files of the same folder: ctest runs each test
-/// in a process of its own.
+/// A lock against other processes that write to the same folder: ctest runs each test in a separate
+/// process.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder)

@@ -10,14 +10,14 @@
 
 namespace sdlc::test {
 
-/// The layout of a picture of 32-bit floats with channels of these names.
+/// The specification of a picture of 32-bit floats with channels of these names.
 inline OIIO::ImageSpec float_spec(int width, int height, std::vector<std::string> channels) {
   OIIO::ImageSpec spec(width, height, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT);
   spec.channelnames = std::move(channels);
   return spec;
 }
 
-/// Writes a file as another program does: a picture for each of `specs`, every value `value`.
+/// Writes a file like another program: a picture for each of `specs`, with every value `value`.
 inline void write_oiio_file(const std::filesystem::path& path,
                             const std::vector<OIIO::ImageSpec>& specs, float value = 0.5F) {
   const auto output = OIIO::ImageOutput::create(path.string());

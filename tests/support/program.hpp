@@ -11,16 +11,16 @@
 
 namespace sdlc::test {
 
-/// How a run of the real program ended.
+/// The result of a run of the real program.
 struct ProgramResult {
-  int exit_code = -1;  ///< as a shell sees it: 128 + n for signal n
+  int exit_code = -1;  ///< as in a shell: 128 + n for signal n
   std::string out, err;
 };
 
 /// Runs a shell command in `folder` with the program as "$SDLC".
 inline ProgramResult run_shell(const std::filesystem::path& folder, const std::string& command) {
   const TemporaryFolder logs;
-  // The command's redirections are its own; what it leaves alone goes to the logs.
+  // Redirections in the command take precedence; everything else goes to the logs.
   const std::string line = "cd '" + folder.string() + "' && SDLC='" SDLC_PROGRAM "' && ( " +
                            command + "\n) >'" + (logs / "out").string() + "' 2>'" +
                            (logs / "err").string() + "' </dev/null";
@@ -30,8 +30,8 @@ inline ProgramResult run_shell(const std::filesystem::path& folder, const std::s
           .err = content_of(logs / "err")};
 }
 
-/// Whether the shell finds a program. A test that needs more than coreutils asks, and is skipped
-/// with a message; `./dev test` installs what tests ask for.
+/// Whether the shell finds a program. Tests that need more than coreutils check this, and are
+/// skipped with a message; `./dev test` installs the programs.
 inline bool has_program(const std::string& name) {
   return run_shell(TemporaryFolder().path(), "command -v " + name).exit_code == 0;
 }

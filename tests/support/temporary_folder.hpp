@@ -14,7 +14,7 @@
 
 namespace sdlc::test {
 
-/// A folder of its own for one test, removed with everything in it. Any user may enter it.
+/// A temporary folder for one test, removed with its contents. Any user may enter it.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -37,7 +37,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// The names in a folder, hidden ones included, sorted.
+/// The names in a folder, including hidden ones, sorted.
 inline std::vector<std::string> names_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -21,11 +21,10 @@ using OIIO::ImageOutput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
-/// OpenImageIO takes the format by name and wants a file name all the same.
+/// OpenImageIO takes the format by name but still requires a file name.
 constexpr const char* kNoFileName = "picture";
 
-/// Where a format insists on a date it gets this one; left alone, it would take the time of
-/// writing.
+/// A fixed date for formats that require one; otherwise OpenImageIO writes the current time.
 constexpr const char* kNoDate = "1970:01:01 00:00:00";
 
 constexpr int kMaxChannels = 1024;
@@ -64,8 +63,8 @@ ImageSpec spec_of(const EncodeRequest& request) {
     case ImageFormat::WebP: spec.attribute("Compression", "webp:100"); break;
     case ImageFormat::Ppm: spec.attribute("pnm:binary", request.ppm_text ? 0 : 1); break;
     case ImageFormat::Png:
-      // Only where it is true: a viewer that believes the file would be misled about another curve.
-      // Nor in TIFF, where version 2.4 then writes a file that it cannot read back.
+      // Only if it is true: a viewer would show any other curve wrongly. Not for TIFF, where
+      // version 2.4 would write a file that it cannot read back.
       if (request.is_srgb) spec.attribute("oiio:ColorSpace", "sRGB");
       break;
     case ImageFormat::Hdr:
@@ -74,7 +73,7 @@ ImageSpec spec_of(const EncodeRequest& request) {
   return spec;
 }
 
-/// Puts the codec's own words into `error`, on one line, and returns false.
+/// Stores the codec's message in `error`, on one line, and returns false.
 bool fail(std::string& error, std::string words) {
   while (!words.empty() && words.back() == '\n') words.pop_back();
   std::replace(words.begin(), words.end(), '\n', ';');
@@ -82,9 +81,9 @@ bool fail(std::string& error, std::string words) {
   return false;
 }
 
-/// Some rows at a time, so that there is no second copy of all channels.
+/// Writes a few rows at a time, to avoid a second copy of all channels.
 bool write_channels(ImageOutput& output, const EncodeRequest& request) {
-  constexpr int kRows = 64;  // a multiple of the rows that EXR compresses together
+  constexpr int kRows = 64;  // a multiple of the number of rows that EXR compresses together
   const auto width = static_cast<std::size_t>(request.width);
   const std::size_t count = 3 + request.channels.size();
   std::vector<float> rows(kRows * width * count);
@@ -115,10 +114,11 @@ bool encode_with_oiio(const EncodeRequest& request, std::vector<std::byte>& file
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   {
-    // In a scope of its own: some formats write their end only when the writer is destroyed.
+    // In its own scope: some formats write their trailer only when the writer is destroyed.
     const std::unique_ptr<ImageOutput> output = ImageOutput::create(plugin_of(request.format));
     if (!output) return fail(error, OIIO::geterror());
-    if (!output->set_ioproxy(&memory)) return fail(error, "this format is not written to memory");
+    if (!output->set_ioproxy(&memory))
+      return fail(error, "this format cannot be written to memory");
     if (!output->open(kNoFileName, spec_of(request))) return fail(error, output->geterror());
     if (!write_pixels(*output, request)) return fail(error, output->geterror());
     if (!output->close()) return fail(error, output->geterror());
@@ -128,7 +128,7 @@ bool encode_with_oiio(const EncodeRequest& request, std::vector<std::byte>& file
   return true;
 }
 
-/// OpenImageIO takes a file that lacks only its end for a whole one in these formats.
+/// For these formats OpenImageIO accepts a file that lacks its end.
 bool has_end_mark(ImageFormat format, std::span<const std::byte> file) {
   constexpr std::string_view kPngEnd("\0\0\0\0IEND\xae\x42\x60\x82", 12);
   constexpr std::string_view kGifEnd(";");
@@ -138,8 +138,7 @@ bool has_end_mark(ImageFormat format, std::span<const std::byte> file) {
   return std::string_view(reinterpret_cast<const char*>(file.data()), file.size()).ends_with(end);
 }
 
-/// Reads the pixels as they are in the file: left to OpenImageIO, codes would become fractions that
-/// are rounded twice.
+/// Reads the stored codes. By default OpenImageIO would convert them to fractions, rounding twice.
 template <typename Value>
 bool read_values(ImageInput& input, const ImageSpec& spec, TypeDesc type, DecodedImage& image) {
   std::vector<Value> values(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
@@ -169,22 +168,22 @@ std::vector<std::pair<std::string, std::string>> own_metadata(const ImageSpec& s
   return metadata;
 }
 
-/// To be called last: some readers cannot go back.
+/// Must be called last: some readers cannot seek back.
 int count_pictures(ImageInput& input) {
   int count = 1;
   while (input.seek_subimage(count, 0)) ++count;
-  input.geterror();  // that there is no further one
+  input.geterror();  // clears the error about the missing next picture
   return count;
 }
 
 bool decode_with_oiio(ImageFormat format, std::span<const std::byte> file, std::int64_t max_pixels,
                       DecodedImage& image, std::string& error) {
-  if (!has_end_mark(format, file)) return fail(error, "it is cut short or not of its format");
+  if (!has_end_mark(format, file)) return fail(error, "it is truncated or not of its format");
   // The reader does not write to what it is given, though its parameter is not const.
   OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(file.data()), file.size());
   const std::unique_ptr<ImageInput> input = ImageInput::create(plugin_of(format));
   if (!input) return fail(error, OIIO::geterror());
-  if (!input->set_ioproxy(&memory)) return fail(error, "this format is not read from memory");
+  if (!input->set_ioproxy(&memory)) return fail(error, "this format cannot be read from memory");
   ImageSpec spec;
   if (!input->open(kNoFileName, spec)) return fail(error, input->geterror());
   if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.nchannels > kMaxChannels) {
@@ -204,7 +203,7 @@ bool decode_with_oiio(ImageFormat format, std::span<const std::byte> file, std::
     image.display = {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
   }
   const bool is_read = read_values(*input, spec, image);
-  // JPEG reports success beside an error when the file ends early.
+  // JPEG reports success together with an error if the file ends early.
   if (!is_read || input->has_error()) return fail(error, input->geterror());
   image.pictures = count_pictures(*input);
   return true;
@@ -214,8 +213,7 @@ class OpenImageIoCodec final : public ImageCodec {
  public:
   OpenImageIoCodec() {
     // Encoding is a small part of a render and must not compete with it for the cores. The second
-    // setting is that of the EXR library, which the first leaves alone; -1 is no threads of its
-    // own.
+    // setting is that of the EXR library, which ignores the first; -1 disables its own threads.
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1);
   }
@@ -240,7 +238,7 @@ class OpenImageIoCodec final : public ImageCodec {
 
 extern "C" __attribute__((visibility("default"))) sdlc::render::ImageCodecEntry
 sdlc_image_codec() noexcept {
-  // Never destroyed: at the end of the process other threads may still hold it.
+  // Never destroyed: other threads may still use it when the process ends.
   // NOLINTNEXTLINE(bugprone-unhandled-exception-at-new): nothing could go on without this memory
   static auto* const codec = new sdlc::render::OpenImageIoCodec;
   return {sdlc::render::kImageCodecVersion, codec};

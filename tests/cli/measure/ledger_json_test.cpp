@@ -14,7 +14,7 @@ namespace {
 
 using render::StudyLedger;
 
-/// Every field with a number of its own.
+/// Every field with a different number.
 StudyLedger full_ledger() {
   const render::Way way{.sampler = render::SamplerKind::Independent,
                         .light_sampling = render::LightSampling::Off,
@@ -29,7 +29,7 @@ StudyLedger full_ledger() {
   ledger.plan = render::StudyPlan{
       .width = 4,
       .height = 3,
-      .costs = {{.way = way, .build_seconds = 0.25, .seconds_a_sample = 1e-7},
+      .costs = {{.way = way, .build_seconds = 0.25, .seconds_per_sample = 1e-7},
                 {.way = other, .refusal = "no"}},
       .reference_way = way,
       .reference_samples = 512,
@@ -122,16 +122,16 @@ TEST(LedgerJson, RefusesWhatDoesNotGoTogether) {
   EXPECT_EQ(complaint([](Ledger l) { l.renders.clear(); }),
             "one of its `evaluations` was never timed");
   EXPECT_EQ(complaint([](Ledger l) { l.evaluations.push_back(l.evaluations[0]); }),
-            "one of its `evaluations` is there twice");
+            "one of its `evaluations` is duplicated");
   EXPECT_EQ(complaint([](Ledger l) { l.evaluations[0].error.value = -1; }),
             "one of its `evaluations` has no error");
   EXPECT_EQ(complaint([](Ledger l) { l.plan->width = l.plan->height = 1 << 20; }),
             "its picture has more than 268435456 pixels");
-  EXPECT_EQ(complaint([](Ledger l) { l.plan->costs.clear(); }), "its `costs` are none");
+  EXPECT_EQ(complaint([](Ledger l) { l.plan->costs.clear(); }), "its `costs` are empty");
   EXPECT_EQ(complaint([](Ledger l) { l.plan->costs[0].refusal = "no"; }),
-            "the scene's own way is refused in it");
+            "it refuses the scene's own configuration");
   EXPECT_EQ(complaint([](Ledger l) { l.plan->costs[0].build_seconds = -1; }),
-            "one of its `costs` is below 0");
+            "one of its `costs` is negative");
   EXPECT_EQ(complaint([](Ledger l) {
               l.plan->depths = {2, 8};
             }),
@@ -143,13 +143,13 @@ TEST(LedgerJson, RefusesWhatDoesNotGoTogether) {
   EXPECT_EQ(complaint([](Ledger l) { l.plan->tasks.erase(l.plan->tasks.begin()); }),
             "its first task is not the reference");
   EXPECT_EQ(complaint([](Ledger l) { l.depths.pop_back(); }),
-            "its `depths` of round 1 are not those of the plan");
+            "its `depths` of round 1 differ from the plan");
   EXPECT_EQ(complaint([](Ledger l) {
               l.plan->costs.pop_back();
               l.plan->tasks.push_back({.kind = Kind::Precisions, .samples = 8});
             }),
             "its `costs` lack the other precision");
-  EXPECT_EQ(complaint([](Ledger l) { l.spent_seconds = -1; }), "a time in it is below 0");
+  EXPECT_EQ(complaint([](Ledger l) { l.spent_seconds = -1; }), "one of its times is negative");
 }
 
 TEST(LedgerJson, RefusesNumbersThatDoNotFit) {
@@ -166,7 +166,7 @@ TEST(LedgerJson, RefusesNumbersThatDoNotFit) {
     }
     return "nothing";
   };
-  const auto samples = "its `samples` is no whole number from 1 to 134217728";
+  const auto samples = "its `samples` is not a whole number from 1 to 134217728";
   for (const char* number : {"0", "-1", "1e300", "16.5", "134217729", "99999999999999999999"}) {
     EXPECT_THAT(complaint("\"samples\": 512", std::string("\"samples\": ") + number),
                 testing::HasSubstr(samples));
@@ -176,7 +176,7 @@ TEST(LedgerJson, RefusesNumbersThatDoNotFit) {
   EXPECT_THAT(complaint("\"seconds\": 2.5", "\"seconds\": 0"),
               testing::HasSubstr("its `seconds` is not above 0"));
   EXPECT_THAT(complaint("\"seed\": 1000003", "\"seed\": -1"),
-              testing::HasSubstr("its `seed` is no whole number from 0 on"));
+              testing::HasSubstr("its `seed` is not a whole number from 0 on"));
   EXPECT_THAT(complaint("\"flip\": 0.04", "\"flip\": null"),
               testing::HasSubstr("its `flip` is no number"));
   EXPECT_THAT(complaint("\"flip\": 0.04", "\"flip\": 1e999"),

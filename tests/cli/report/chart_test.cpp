@@ -110,7 +110,7 @@ TEST(Chart, ASlopeIsAStraightLineThroughTheMiddleOfTheMarks) {
   EXPECT_THAT(draw(chart), Not(HasSubstr("class=\"line")));
   chart.series[0].slope = -1;
   const std::string exact = draw(chart);
-  chart.series[0].is_joined = true;  // the marks lie on that line
+  chart.series[0].is_joined = true;  // the marks are on that line
   chart.series[0].slope = {};
   EXPECT_EQ(exact, draw(chart));
 }

@@ -31,8 +31,8 @@ using testing::Not;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// What is wrong with the text as XML, with the place; empty: nothing. Names, attributes, nesting
-/// and entities are looked at.
+/// Checks that the text is well-formed XML (names, attributes, nesting and entities); returns the
+/// first mistake with its place, or an empty string.
 std::string markup_error(const std::string& page) {
   static const std::regex kTag(R"(<(/?)([a-zA-Z0-9]+)((?: [a-zA-Z0-9:-]+="[^"<]*")*)(/?)>)");
   static const std::regex kEntity("&(amp|lt|gt|quot|#39);");
@@ -47,7 +47,7 @@ std::string markup_error(const std::string& page) {
       constexpr auto kHere = std::regex_constants::match_continuous;
       if (!std::regex_search(begin, page.end(), match, kEntity, kHere)) return "entity: " + place;
     } else if (page[at] == '<') {
-      // Pictures are long, and std::regex recurses.
+      // Remove the pictures first: they are long, and std::regex recurses.
       const std::size_t end = page.find('>', at);
       if (end == std::string::npos) return "unfinished: " + place;
       std::string tag = page.substr(at, end + 1 - at);
@@ -69,7 +69,7 @@ std::string markup_error(const std::string& page) {
   return open.empty() ? "" : "not closed: " + open.back();
 }
 
-/// What is read: no tags, no style sheet.
+/// The visible text: no tags, no style sheet.
 std::string visible_text(const std::string& page) {
   std::string text;
   bool is_tag = false;
@@ -98,7 +98,7 @@ struct Degenerate {
   Measurement measurement;
 };
 
-/// Measurements that have little, or nothing as it should be.
+/// Incomplete and unusual measurements.
 std::vector<Degenerate> degenerates() {
   std::vector<Degenerate> all{{"nothing", {}}};
   const auto add = [&](std::string name, auto&& change) {
@@ -213,7 +213,7 @@ TEST(HtmlReport, BeginsWithTheRecommendation) {
   EXPECT_THAT(text.substr(lead, 200),
               testing::AllOf(HasSubstr("--samples 1024"), HasSubstr("17.7\u00a0s (16.8 to 18.6"),
                              HasSubstr("error 0.75\u00a0% (0.712 to 0.787")));
-  EXPECT_LT(lead, text.find("What a second buys", text.find("What a second buys") + 1));
+  EXPECT_LT(lead, text.find("Error and render time", text.find("Error and render time") + 1));
   EXPECT_THAT(text, HasSubstr("--light-sampling on"));
 }
 
@@ -280,7 +280,7 @@ TEST(HtmlReport, TellsWhyAnotherPrecisionCannotBeHad) {
               HasSubstr("float less double: −0.002\u00a0% (−0.006 to 0.002\u00a0%) of the mean "
                         "radiance: <strong>not distinguished"));
   measurement.precision->mean_difference.interval = {-3e-5, -1e-5};
-  EXPECT_THAT(html_report(bare_report(measurement)), HasSubstr("a difference beyond chance"));
+  EXPECT_THAT(html_report(bare_report(measurement)), HasSubstr("a significant difference"));
   measurement.precision->refusal = "the scene is too large";
   EXPECT_THAT(html_report(bare_report(measurement)),
               HasSubstr("Float was not compared with double: the scene is too large."));

@@ -15,7 +15,7 @@ namespace {
 
 using render::Measured;
 
-/// From -1 to 1, of a hash of the number.
+/// From -1 to 1, from a hash of the number.
 double noise(std::uint32_t number) {
   number = (number ^ 61u ^ number >> 16) * 9u;
   number = (number ^ number >> 4) * 0x27d4eb2du;
@@ -26,7 +26,8 @@ Measured around(double value, double relative) {
   return {.value = value, .interval = {value * (1 - relative), value * (1 + relative)}};
 }
 
-/// What a way costs and gets: seconds and error of one sample, and how fast the error falls.
+/// The cost and accuracy of a configuration: seconds and error of one sample, and the slope of the
+/// error.
 struct Law {
   render::Way way;
   double seconds, error, slope, bias;
@@ -71,9 +72,9 @@ void judge(std::vector<render::Point>& points) {
       if (other.seconds.value < point.seconds.value && other.error.value < point.error.value) {
         const bool is_sure = other.seconds.interval.to < point.seconds.interval.from &&
                              other.error.interval.to < point.error.interval.from;
-        const auto standing =
-            is_sure ? render::Standing::Dominated : render::Standing::NotDistinguished;
-        point.standing = std::max(point.standing, standing);
+        const auto dominance =
+            is_sure ? render::Dominance::Dominated : render::Dominance::NotDistinguished;
+        point.dominance = std::max(point.dominance, dominance);
       }
     }
   }

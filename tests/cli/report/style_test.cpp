@@ -14,7 +14,7 @@ namespace {
 
 using Colors = std::map<std::string, std::string>;
 
-/// The variables of the first :root after a text.
+/// The variables of the first :root after a given text.
 Colors colors_after(const std::string& text) {
   const std::string sheet(style_sheet());
   const std::size_t begin = sheet.find(":root {", sheet.find(text));
@@ -27,7 +27,7 @@ Colors colors_after(const std::string& text) {
   return colors;
 }
 
-/// Relative luminance, as WCAG 2.2 has it.
+/// Relative luminance as defined by WCAG 2.2.
 double luminance(const std::string& color) {
   const auto channel = [&](std::size_t at) {
     const double code = std::stoi(color.substr(at, 2), nullptr, 16) / 255.0;

@@ -14,14 +14,14 @@
 #include "lang/source/source.hpp"
 #include "render/scene/digest.hpp"
 
-// The same file lowers to the same scene, bit for bit, whatever the compiler, its flags and the
-// machine: these digests hold for all of them.
+// The same file lowers to the same scene, bit for bit, with every compiler, its flags and every
+// machine: these digests hold everywhere.
 namespace sdlc::lang {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A line for each example: its name, its spheres and its digest.
+/// One line per example: its name, its spheres and its digest.
 std::string digests_of_examples() {
   std::vector<fs::path> paths;
   for (const auto& entry : fs::directory_iterator(fs::path(SDLC_SOURCE_DIR) / "examples")) {

@@ -19,8 +19,8 @@
 #include "lang/source/limits.hpp"
 #include "lang/source/source.hpp"
 
-// Files as people write them, with several mistakes planted into each. EXPECTED tells what a
-// careful reader would want to be told of them: every mistake once, at its line, and nothing else.
+// Realistic files with several planted mistakes each. EXPECTED lists the ideal reports: every
+// mistake once, on its line, and nothing else.
 namespace sdlc::test {
 namespace {
 
@@ -31,7 +31,7 @@ const fs::path& folder() {
   return path;
 }
 
-/// One mistake. Where two answers are equally good, either is.
+/// One mistake. If two reports are equally good, either is accepted.
 struct Planted {
   std::vector<std::uint32_t> lines;
   std::vector<std::string> codes;
@@ -45,7 +45,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-/// What is planted into each file: lines of EXPECTED such as `stairs.scene:9|18 E017|E004`.
+/// The mistakes planted in each file: lines of EXPECTED such as `stairs.scene:9|18 E017|E004`.
 const std::map<std::string, std::vector<Planted>>& planted() {
   static const auto all = [] {
     std::map<std::string, std::vector<Planted>> by_file;
@@ -104,8 +104,8 @@ bool fits(const Planted& mistake, const Told& told) {
          std::ranges::count(mistake.codes, told.code) != 0;
 }
 
-/// Gives each of the planted ones something that was told, if there is a way to: `owner` holds for
-/// each of `told` which planted one has it. (Augmenting paths: several may stand in one line.)
+/// Bipartite matching by augmenting paths: assigns a report to each planted mistake if possible.
+/// `owner` holds the planted mistake of each report.
 bool give(std::size_t mistake, const std::vector<Planted>& all, const std::vector<Told>& told,
           std::vector<std::optional<std::size_t>>& owner, std::vector<bool>& is_tried) {
   for (std::size_t i = 0; i < told.size(); ++i) {
@@ -155,7 +155,7 @@ TEST(PlantedErrorsList, SpeaksOfFilesThatAreThere) {
   for (const auto& [name, mistakes] : planted()) EXPECT_TRUE(fs::exists(folder() / name)) << name;
 }
 
-/// The file's name, as far as names of tests may hold it.
+/// The file's name, restricted to characters allowed in test names.
 struct InputName {
   std::string operator()(const testing::TestParamInfo<std::string>& input) const {
     std::string name = input.param;

@@ -20,7 +20,7 @@ TEST(ConfigNumber, IsTheShortestAndKeepsTheSignOfZero) {
 }
 
 TEST(ToConfigScale, FindsTheNumbersThatPeopleWrite) {
-  // The product of the quotient is another number for some: 63.9 / 255 * 255.
+  // Multiplying the quotient gives a different number for some: 63.9 / 255 * 255.
   for (const double number : {0.0, 1.0, 63.9, 127.5, 178.5, 254.9, 255.0, 1020.3, 1e-300}) {
     const ScaledComponent scaled = to_config_scale(number / 255, {});
     EXPECT_EQ(scaled.number, number);
@@ -42,14 +42,15 @@ TEST(ToConfigScale, IsExactOrNearestForEveryComponent) {
   int exact = 0;
   constexpr int kCount = 100'000;
   for (int i = 0; i < kCount; ++i) {
-    // Every mantissa is as likely as any other.
+    // Every mantissa is equally likely.
     const double component = std::bit_cast<double>((random.next() >> 12) | 0x3FF0000000000000u);
     const ScaledComponent scaled = to_config_scale(component, {});
     exact += scaled.is_exact;
     EXPECT_EQ(scaled.is_exact, scaled.number / 255 == component);
     EXPECT_NEAR(scaled.number / 255, component, component * 0x1p-52);
   }
-  // The quotients lie a 255th further apart than the components: so many have none.
+  // The spacing of the quotients is larger by a 255th than that of the components: so many
+  // components have none.
   EXPECT_GT(exact, kCount * 0.99);
   EXPECT_LT(exact, kCount);
 }

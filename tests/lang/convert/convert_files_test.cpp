@@ -9,7 +9,8 @@ namespace {
 
 class ConvertFiles : public testing::TestWithParam<FileCase> {};
 
-// A case of either format: the text says which. What is expected is what is told of its conversion.
+// A case in either format, detected from the text. The expectations are the diagnostics of its
+// conversion.
 TEST_P(ConvertFiles, ReportWhatIsExpected) {
   run_program_case(
       GetParam(), "case",

@@ -16,8 +16,8 @@
 #include "render/tiles/render.hpp"
 #include "tests/support/configs/config_generator.hpp"
 
-// What holds for every config: it becomes a scene and a config again that mean the same, and all
-// three render the same picture. The generated ones have fixed seeds.
+// Properties of every config: it converts to a scene and back to a config with the same meaning,
+// and all three render the same picture. The generated ones have fixed seeds.
 namespace sdlc::lang {
 namespace {
 
@@ -36,7 +36,7 @@ std::optional<LoweredScene> lowered(const std::string& name, const std::string& 
   return compile(file, {}, sink);
 }
 
-/// So many generated configs that are right as a whole too.
+/// This many generated configs are valid as a whole.
 std::vector<std::string> generated_configs(test::ConfigGenerator& generator) {
   std::vector<std::string> configs;
   int tries = 0;

@@ -27,7 +27,7 @@ using testing::HasSubstr;
 constexpr const char* kCamera = "camera main { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }\n";
 constexpr const char* kRender = "render { width: 16, samples: 2, tone: sqrt }\n";
 
-/// A scene, converted; without a camera and settings of its own it gets some.
+/// Converts a scene; adds a camera and settings if it has none.
 struct Converted {
   std::optional<std::string> text;
   std::vector<std::string> told;  ///< "E313 `seed` cannot be …"
@@ -48,11 +48,13 @@ Converted convert(const std::string& scene, const ConvertOptions& options = {},
   }
   if (!converted.text) return converted;
 
-  // Whatever is converted lowers to the same bits.
+  // Every conversion lowers to the same bits.
   DiagnosticSink silent;
   Compiler compiler(file, {.files = &others, .limits = {}, .sets = {}}, silent);
-  const auto of_scene =
-      compiler.lower({.tone = options.tone, .camera = options.camera}, options.frame);
+  Overrides overrides;
+  if (options.tone) overrides.render.emplace_back(render_property::kTone, *options.tone);
+  if (options.camera) overrides.render.emplace_back(render_property::kCamera, *options.camera);
+  const auto of_scene = compiler.lower(overrides, options.frame);
   const SourceFile config("a.json", *converted.text);
   const auto of_config = compile(config, {}, silent);
   EXPECT_TRUE(of_scene && of_config) << *converted.text;
@@ -221,7 +223,7 @@ TEST(ToConfig, ResolvesImportsAndIncludes) {
 }
 
 TEST(ToConfig, RoundsAColorThatNoNumbersAre) {
-  // Of the 256 codes 118 is the only one that no number divided by 255 gives.
+  // Of the 256 codes only 118 is not a number divided by 255.
   const Converted converted = convert("background { color: #760000 }");
   ASSERT_TRUE(converted.text);
   EXPECT_THAT(converted.told, ElementsAre(HasSubstr("W405 no numbers of a JSON config")));

@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// The scene of a config with these spheres, and other things in place of the usual.
+/// The scene of a config with these spheres, and replacements for the usual parts.
 struct Config {
   std::string spheres = "[]";
   std::string time_interval = "null";
@@ -102,7 +102,7 @@ TEST(ToScene, SpellsColorsPlainlyWhereThatIsExactlyTheSame) {
   EXPECT_EQ(color("[100, 150, 200]"), "linear255(100, 150, 200)");
   EXPECT_EQ(color("[51, 102, 204]"), "linear255(51, 102, 204)");
   EXPECT_EQ(color("[-0, 0, 0]"), "linear255(-0, 0, 0)");
-  // It is read as white too, but it is not what the config says.
+  // It would also be read as white, but is not what the config says.
   EXPECT_EQ(color("[255.00000000000003, 255, 255]"), "linear255(255.00000000000003, 255, 255)");
 }
 
@@ -170,7 +170,7 @@ TEST(ToScene, GivesARadiusANameThatFourSpheresOfAMaterialHave) {
 
 TEST(ToScene, LeavesARadiusOfThreeSpheresWhereItIs) {
   EXPECT_THAT(glass_with_radii({"0.20", "0.20", "0.20", "1", "2"}), Not(HasSubstr("glass_radius")));
-  // Spelled in another way it is another number to the reader.
+  // With another spelling it is another number to the reader.
   EXPECT_THAT(glass_with_radii({"0.20", "0.20", "0.2", "0.2"}), Not(HasSubstr("glass_radius")));
 }
 

@@ -9,7 +9,7 @@
 
 #include "tests/support/compilation/compilation.hpp"
 
-// Whatever a program is damaged by, compiling it ends, and what it reports lies in its texts.
+// Compilation of a damaged program always ends, and its diagnostics are inside its texts.
 namespace sdlc::test {
 namespace {
 
@@ -47,7 +47,7 @@ const std::map<std::string, std::string> kFiles{
      "lib.glass }"},
 };
 
-/// Few steps: damage may make a scene a large one.
+/// Few steps: damage may enlarge a scene.
 Sources damaged(const std::string& text) {
   return {.root = text,
           .files = kFiles,

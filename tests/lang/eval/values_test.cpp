@@ -227,7 +227,7 @@ TEST(Values, OfNamesFunctionsAndLoops) {
   EXPECT_EQ(
       evaluate_text("for i in range(3) { for j in range(4) { " + ball("i + j") + "} }").size(),
       12u);
-  // The file's own names win over those of the language.
+  // The file's own names take precedence over those of the language.
   EXPECT_EQ(radius_of_last("let pi = 3 fn sqrt(x) = x " + ball("sqrt(pi)")), 3);
 }
 

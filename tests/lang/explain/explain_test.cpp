@@ -15,8 +15,8 @@
 #include "tests/docs/markdown.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// The form of the pages. That their messages are what sdlc prints, and that what they call right is
-// right, tests/docs/blocks_test.cpp checks.
+// Checks the structure of the pages. tests/docs/blocks_test.cpp checks that their messages and
+// examples are right.
 namespace sdlc::lang {
 namespace {
 
@@ -37,7 +37,7 @@ std::vector<std::string> kinds_below(std::string_view page, std::string_view hea
   return kinds;
 }
 
-/// The codes that the messages of a page have.
+/// The codes in the messages of a page.
 std::set<std::string> codes_told(std::string_view page) {
   static const std::regex head(R"((?:^|\n)(?:error|warning)\[(\w+)\]: )");
   std::set<std::string> codes;

@@ -11,7 +11,7 @@
 #include "tests/support/folder_lock.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-// The cases of tests/files/format: a text, a line `>>>`, and what the formatter makes of the text.
+// The cases of tests/files/format: a text, a line `>>>`, and the formatted text.
 namespace sdlc::test {
 namespace {
 
@@ -35,7 +35,7 @@ TwoTexts texts_of(const FileCase& file_case) {
   return {joined(lines.begin(), arrow), arrow == lines.end() ? "" : joined(arrow + 1, lines.end())};
 }
 
-/// Writes the outcome to the case's file.
+/// Writes the result to the case's file.
 void update(const FileCase& file_case, const std::string& outcome) {
   const FolderLock lock(file_case.file.parent_path());
   std::string text = content_of(file_case.file);

@@ -4,7 +4,7 @@
 
 #include "tests/lang/format/scene_texts.hpp"
 
-// Formatting some lines of a text: every other byte stays as it is.
+// Formatting some lines of a text: every other byte is unchanged.
 namespace sdlc::test {
 namespace {
 

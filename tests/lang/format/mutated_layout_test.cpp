@@ -11,7 +11,7 @@
 
 #include "lang/compile/compile.hpp"
 #include "lang/format/format.hpp"
-#include "lang/format/tokens.hpp"
+#include "lang/format/placed_tokens.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "tests/lang/format/scene_texts.hpp"
 
@@ -50,41 +50,53 @@ void append_without_blanks(std::string_view text, std::string& out) {
   }
 }
 
-/// Takes the text apart in another way than the formatter does.
+/// A node's own bytes: all of a leaf, the head of another.
+lang::Span leaf_of(const lang::SyntaxNode& node) {
+  if (node.extent == 1) return node.span();
+  return {node.begin, node.begin + node.head};
+}
+
+/// Takes the text apart by the nodes of its tree, not by tokens as the formatter does.
 Content content_of_scene(const std::string& text) {
   const lang::SourceFile file("test.scene", text);
   lang::DiagnosticSink sink;
   const lang::SyntaxTree tree = lang::parse(file, sink);
   EXPECT_FALSE(sink.has_errors()) << text;
   Content content;
-  lang::PieceReader reader(tree);
-  lang::Piece piece{};
-  while (reader.next(piece)) {
-    const std::string_view part = tree.text(piece.span);
-    if (piece.kind == lang::PieceKind::Comment || part == ",") continue;
-    // The head of a path may hold comments.
-    if (piece.kind == lang::PieceKind::Leaf && part.find('/') != std::string_view::npos &&
-        part.front() != '"') {
-      append_without_blanks(part.substr(0, part.find('/')), content.tokens);
-      continue;
+  std::uint32_t at = 0;
+  auto comment = tree.comments().begin();
+  // What is between leaves, without comments and commas. A path may have comments in it.
+  const auto append_to = [&](std::uint32_t end) {
+    while (at < end) {
+      const bool has_comment = comment != tree.comments().end() && comment->span.begin < end;
+      std::string part(tree.text({at, has_comment ? comment->span.begin : end}));
+      std::erase(part, ',');
+      append_without_blanks(part, content.tokens);
+      at = has_comment ? (comment++)->span.end : end;
     }
-    if (part.size() > 1 && part[0] == '.' && part[1] >= '0' && part[1] <= '9') {
-      content.tokens += '0';
+  };
+  for (const lang::SyntaxNode& node : tree.nodes()) {
+    const lang::Span leaf = leaf_of(node);
+    if (leaf.size() == 0 || leaf.begin < at) continue;
+    append_to(leaf.begin);
+    if (node.kind == lang::SyntaxKind::Number && text[leaf.begin] == '.') content.tokens += '0';
+    if (node.kind == lang::SyntaxKind::String) {
+      append_without_blanks(tree.text(leaf), content.tokens);
+      at = leaf.end;
+    } else {
+      append_to(leaf.end);
     }
-    append_without_blanks(part, content.tokens);
   }
-  for (const lang::Comment& comment : tree.comments()) {
-    append_without_blanks(tree.text(comment.span), content.comments);
+  append_to(static_cast<std::uint32_t>(text.size()));
+  for (const lang::Comment& each : tree.comments()) {
+    append_without_blanks(tree.text(each.span), content.comments);
   }
   return content;
 }
 
 std::vector<std::string> tokens_of(const std::string& text) {
-  const lang::SourceFile file("test.scene", text);
-  lang::DiagnosticSink sink;
-  const lang::SyntaxTree tree = lang::parse(file, sink);
   std::vector<std::string> tokens;
-  for (lang::TokenReader reader(tree); !reader.is_at_end(); reader.take()) {
+  for (lang::PlacedTokens reader(text); !reader.is_at_end(); reader.take()) {
     tokens.emplace_back(reader.peek_text());
   }
   return tokens;

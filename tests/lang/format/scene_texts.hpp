@@ -38,14 +38,14 @@ inline std::vector<SceneText> scenes_in(const std::vector<std::string>& folders)
   return texts;
 }
 
-/// Texts without mistakes: the examples, and all there is in the language.
+/// Texts without mistakes: the examples, and a text with every construct of the language.
 inline std::vector<SceneText> sound_scenes() {
   std::vector<SceneText> texts = scenes_in({"examples", "examples/library", "tests/files/whole"});
   texts.push_back({"language.scene", std::string(kWholeLanguage)});
   return texts;
 }
 
-/// What the formatter makes of a text in which nothing is wrong.
+/// The formatted form of a text without mistakes.
 inline std::string formatted(const std::string& text) {
   const lang::SourceFile file("test.scene", text);
   lang::DiagnosticSink sink;

@@ -6,7 +6,7 @@
 #include "lang/json/json.hpp"
 #include "lang/report/report.hpp"
 
-// Whatever a text is damaged by, it is read to an answer.
+// Reading a damaged text always ends.
 namespace sdlc::lang {
 namespace {
 
@@ -27,7 +27,7 @@ constexpr std::string_view kConfig = R"({"background": [0, 127.5, 1e2],
    "movement": [[1, 0, 0], 0, 5]}
 ]})";
 
-/// Reads the text; returns how many errors there are.
+/// Reads the text; returns the number of errors.
 std::size_t read(std::string text, std::initializer_list<MessageFormat> formats = {}) {
   const SourceFile file("config.json", std::move(text));
   Counter objects;
@@ -86,7 +86,7 @@ TEST(DamagedText, AMillionBracketsAreTooDeep) {
   for (const std::string_view unit : {"[", "{\"a\":", "[{\"spheres\":"}) {
     std::string text = "{\"spheres\": ";
     for (int i = 0; i < 1'000'000; ++i) text += unit;
-    // One for the depth, one for the first value that has no place in a sphere.
+    // One for the depth, one for the first value that is not allowed in a sphere.
     EXPECT_EQ(read(std::move(text), kFormats), 2u) << unit;
   }
 }

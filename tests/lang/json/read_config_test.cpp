@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Keeps what it receives.
+/// Stores what it receives.
 class Objects final : public ObjectSink {
  public:
   void add(const Object& object) override { all.push_back(object); }
@@ -210,7 +210,7 @@ TEST(ReadConfig, AWrongSettingIsWrittenWithoutAValue) {
   const Reading reading(text);
   const Slot& width = reading.objects.only(ObjectKind::Render).slot(render_property::kWidth);
   EXPECT_TRUE(width.is_written);
-  EXPECT_TRUE(holds_alternative<std::monostate>(width.value));
+  EXPECT_TRUE(is_nothing(width.value));
 }
 
 TEST(ReadConfig, ASphereIsHandedOnAsSoonAsItIsClosed) {

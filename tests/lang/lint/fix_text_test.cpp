@@ -12,8 +12,8 @@
 #include "lang/compile/compile.hpp"
 #include "lang/lint/lint.hpp"
 
-// What fixes make of a text: safe ones what was certainly meant, unsafe ones what was probably
-// meant, and neither more errors.
+// Results of fixes: safe ones produce the certain meaning, unsafe ones the probable meaning, and
+// neither adds errors.
 namespace sdlc::lang {
 namespace {
 
@@ -65,7 +65,7 @@ void expect_configs_left_alone(std::initializer_list<std::string> configs) {
   for (const std::string& config : configs) EXPECT_EQ(config_safely(config), config);
 }
 
-// Each left as many errors as there were, so the count alone does not show the damage.
+// Each left the number of errors unchanged, so the count alone does not show the damage.
 TEST(SafeFixes, GlueNoWordsAndLeaveWhatIsInQuotes) {
   expect_left_alone({"let c = if a||b then 1 else 2\n", "let c = if 1 < 2&&a then 1 else 2\n",
                      "let d = 40°C\n", "let d = 40°at2\n", "let r = = 1\n", "let r :: 3\n",
@@ -276,7 +276,7 @@ TEST(UnsafeFixes, AreReported) {
   EXPECT_EQ(result.guesses[0].info->code, "E104");
 }
 
-// The mechanism, with a check of its own: a text has an error for every `x` and two for every `y`.
+// The mechanism, with an artificial check: a text has an error for every `x` and two for every `y`.
 
 class Marked final : public CheckedText {
  public:

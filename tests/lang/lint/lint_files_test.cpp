@@ -32,7 +32,7 @@ TEST_P(LintFiles, ReportWhatIsExpected) {
       });
 }
 
-/// The fixes of a rule's findings are what the table of rules says.
+/// The fixes of a rule's findings match the table of rules.
 void check_fixes(const lang::Diagnostic& diagnostic) {
   const auto rule = std::ranges::find(lang::all_rules(), diagnostic.info, &lang::Rule::info);
   if (rule == lang::all_rules().end()) return;
@@ -42,7 +42,8 @@ void check_fixes(const lang::Diagnostic& diagnostic) {
   }
 }
 
-/// How many findings with fixes a text has; the text with all of them applied goes to `fixed`.
+/// The number of findings with fixes in a text; the text with all of them applied is stored in
+/// `fixed`.
 std::size_t count_mendable(const FileCase& file_case, const std::string& text, std::string* fixed) {
   const CaseFiles files(file_case);
   const lang::SourceFile file("case", text);
@@ -61,7 +62,7 @@ std::size_t count_mendable(const FileCase& file_case, const std::string& text, s
 
 TEST_P(LintFiles, AreMendedByTheirFixes) {
   std::string text = GetParam().texts.front().text(), fixed;
-  constexpr int kMostRounds = 3;  // fixes that touch each other take turns
+  constexpr int kMostRounds = 3;  // overlapping fixes are applied in turns
   for (int round = 0; round < kMostRounds; ++round) {
     if (count_mendable(GetParam(), text, &fixed) == 0) break;
     text = fixed;

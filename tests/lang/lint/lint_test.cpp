@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How many warnings there are of a text.
+/// The number of warnings for a text.
 DiagnosticCounts lint_counts(const std::string& text) {
   const SourceFile file("test.scene", text);
   DiagnosticSink sink;
@@ -52,7 +52,7 @@ TEST(Lint, TellsAPlaceThatFailsManyTimesOnce) {
   EXPECT_EQ(counts.warnings, 1u);
 }
 
-// Nothing that compares pairs would end.
+// Code that compares all pairs would not finish.
 TEST(Lint, LooksIntoManyShellsOfGlass) {
   const auto counts = lint_counts(
       std::string(kHead) +
@@ -61,7 +61,7 @@ TEST(Lint, LooksIntoManyShellsOfGlass) {
   EXPECT_EQ(counts.warnings, 1u);  // the depth
 }
 
-// Nothing that looks at all names, or all comments, for each would end in time.
+// Code that visits all names, or all comments, for each one would not finish in time.
 TEST(Lint, KnowsManyLocalNamesAndAllowances) {
   constexpr int kMany = 40'000;
   std::string names = std::string(kHead) + "def many() {\n";

@@ -13,7 +13,7 @@
 #include "lang/compile/compile.hpp"
 #include "lang/source/source.hpp"
 
-// The tree against all pairs, over spheres of many sizes that lie in and across each other.
+// Compares the tree with all pairs, over spheres of many sizes that nest and overlap.
 namespace sdlc::lang {
 namespace {
 

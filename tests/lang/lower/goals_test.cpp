@@ -1,21 +1,22 @@
-#include <array>
-#include <cstddef>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "lang/schema/schema.hpp"
-#include "render/scene/choices.hpp"
+#include "render/scene/settings.hpp"
 #include "tests/support/compilation/compilation.hpp"
 
 // What of samples, error and time holds, of those that the scene and the command line give.
 namespace sdlc::test {
 namespace {
 
+using namespace lang::render_property;
 using render::RenderSettings;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -34,7 +35,7 @@ RenderSettings settings_of(const std::string& render, const lang::Overrides& ove
 TEST(Goals, WithoutOneTheSamplesAreThoseOfTheSceneOrTheFlag) {
   EXPECT_EQ(settings_of("").samples, 64);
   EXPECT_EQ(settings_of("samples: 20").samples, 20);
-  EXPECT_EQ(settings_of("samples: 20", {.samples = 30}).samples, 30);
+  EXPECT_EQ(settings_of("samples: 20", {.render = {{kSamples, 30}}}).samples, 30);
   EXPECT_EQ(settings_of("").error, std::nullopt);
   EXPECT_EQ(settings_of("").seconds, std::nullopt);
 }
@@ -44,16 +45,17 @@ TEST(Goals, TheSamplesOfASceneWithAnErrorAreItsMost) {
   EXPECT_EQ(settings_of("error: 3%").samples, render::kMostSamples);
   EXPECT_EQ(settings_of("error: 3%, samples: 64").samples, 64);
   EXPECT_EQ(settings_of("error: 3%, samples: 64").error, 0.03);
-  EXPECT_EQ(settings_of("error: 3%, samples: 64", {.samples = 10}).samples, 10);
-  EXPECT_EQ(settings_of("error: 3%", {.samples = 10}).error, 0.03);
+  EXPECT_EQ(settings_of("error: 3%, samples: 64", {.render = {{kSamples, 10}}}).samples, 10);
+  EXPECT_EQ(settings_of("error: 3%", {.render = {{kSamples, 10}}}).error, 0.03);
 }
 
 TEST(Goals, AnErrorByFlagTakesThePlaceOfTheScenesSamplesAndError) {
-  const RenderSettings settings = settings_of("samples: 20, error: 3%", {.error = 0.1});
+  const RenderSettings settings =
+      settings_of("samples: 20, error: 3%", {.render = {{kError, 0.1}}});
   EXPECT_EQ(settings.error, 0.1);
   EXPECT_EQ(settings.samples, render::kMostSamples);
   EXPECT_EQ(settings.seconds, std::nullopt);
-  EXPECT_EQ(settings_of("samples: 20", {.samples = 30, .error = 0.1}).samples, 30);
+  EXPECT_EQ(settings_of("samples: 20", {.render = {{kSamples, 30}, {kError, 0.1}}}).samples, 30);
 }
 
 TEST(Goals, ATimeByFlagTakesThePlaceOfTheScenesSamplesAndError) {
@@ -61,11 +63,12 @@ TEST(Goals, ATimeByFlagTakesThePlaceOfTheScenesSamplesAndError) {
   EXPECT_EQ(settings.error, std::nullopt);
   EXPECT_EQ(settings.seconds, 5);
   EXPECT_EQ(settings.samples, render::kMostSamples);
-  EXPECT_EQ(settings_of("samples: 20", {.samples = 30, .seconds = 5}).samples, 30);
+  EXPECT_EQ(settings_of("samples: 20", {.render = {{kSamples, 30}}, .seconds = 5}).samples, 30);
 }
 
 TEST(Goals, ErrorAndTimeByFlagAreBothKept) {
-  const RenderSettings settings = settings_of("samples: 20", {.error = 0.1, .seconds = 5});
+  const RenderSettings settings =
+      settings_of("samples: 20", {.render = {{kError, 0.1}}, .seconds = 5});
   EXPECT_EQ(settings.error, 0.1);
   EXPECT_EQ(settings.seconds, 5);
   EXPECT_EQ(settings.samples, render::kMostSamples);
@@ -73,7 +76,8 @@ TEST(Goals, ErrorAndTimeByFlagAreBothKept) {
 
 TEST(Goals, OnlyWithAnErrorIsARenderAdaptive) {
   EXPECT_TRUE(settings_of("error: 1%", {.is_adaptive = true}).is_adaptive);
-  EXPECT_TRUE(settings_of("", {.error = 0.1, .seconds = 5, .is_adaptive = true}).is_adaptive);
+  EXPECT_TRUE(
+      settings_of("", {.render = {{kError, 0.1}}, .seconds = 5, .is_adaptive = true}).is_adaptive);
   EXPECT_FALSE(settings_of("error: 1%", {.seconds = 5, .is_adaptive = true}).is_adaptive);
   EXPECT_FALSE(settings_of("error: 1%").is_adaptive);
 }
@@ -104,43 +108,51 @@ std::vector<std::string> warned_at(const std::string& render, const lang::Overri
 
 TEST(Goals, FewerThanEightSamplesAreWarnedOfWhereTheyAreAsked) {
   EXPECT_THAT(warned_at("samples: 7, error: 1%", {}), ElementsAre("7"));
-  EXPECT_THAT(warned_at("samples: 64, error: 1%", {.samples = 7}), ElementsAre("1%"));
-  EXPECT_THAT(warned_at("", {.samples = 7, .error = 0.1}), ElementsAre(""));
+  EXPECT_THAT(warned_at("samples: 64, error: 1%", {.render = {{kSamples, 7}}}), ElementsAre("1%"));
+  EXPECT_THAT(warned_at("", {.render = {{kSamples, 7}, {kError, 0.1}}}), ElementsAre(""));
 }
 
 TEST(Goals, NothingIsWarnedOfWhereAnErrorCanBeKnownOrIsNotAsked) {
   EXPECT_THAT(warned_at("samples: 8, error: 1%", {}), IsEmpty());
-  EXPECT_THAT(warned_at("samples: 7, error: 1%", {.samples = 8}), IsEmpty());
-  EXPECT_THAT(warned_at("samples: 7", {.error = 0.1}), IsEmpty()) << "the flag's goal";
+  EXPECT_THAT(warned_at("samples: 7, error: 1%", {.render = {{kSamples, 8}}}), IsEmpty());
+  EXPECT_THAT(warned_at("samples: 7", {.render = {{kError, 0.1}}}), IsEmpty()) << "the flag's goal";
   EXPECT_THAT(warned_at("samples: 7, error: 1%", {.seconds = 5}), IsEmpty());
   EXPECT_THAT(warned_at("samples: 7", {.seconds = 5}), IsEmpty());
 }
 
-/// The names of all choices, as the property's words must be.
-template <typename T, std::size_t N>
-std::vector<std::string_view> names_of(const std::array<T, N>& choices) {
-  std::vector<std::string_view> names;
-  for (const T choice : choices) names.push_back(name_of(choice));
-  return names;
+/// The default of a property as text, which the renderer's default must be.
+template <typename T>
+std::string default_of(const lang::Property& property) {
+  if constexpr (render::Choice<T>) {
+    return std::string(std::get<std::string_view>(property.default_value));
+  } else {
+    return fmt::to_string(static_cast<T>(std::get<double>(property.default_value)));
+  }
 }
 
-TEST(Choices, TheWordsOfPropertiesAreTheNamesOfTheirChoices) {
+TEST(Settings, ArePropertiesOfRenderWithTheSameWordsAndDefaults) {
   const auto properties = lang::kind_info(lang::ObjectKind::Render).properties;
-  EXPECT_THAT(properties[lang::render_property::kSampler].words,
-              testing::ElementsAreArray(names_of(render::kSamplerKinds)));
-  EXPECT_THAT(properties[lang::render_property::kLightSampling].words,
-              testing::ElementsAreArray(names_of(render::kLightSamplings)));
+  render::for_each_setting([&]<typename T>(const render::Setting<T>& setting) {
+    const auto property = std::ranges::find(properties, setting.name, &lang::Property::name);
+    ASSERT_NE(property, properties.end()) << setting.name;
+    EXPECT_THAT(property->words, testing::ElementsAreArray(render::kWords<T>));
+    EXPECT_EQ(default_of<T>(*property),
+              fmt::format("{}", render::shown(RenderSettings{}.*setting.member)));
+  });
 }
+
+TEST(Settings, AFlagHasDashes) { EXPECT_EQ(render::flag_of("light_sampling"), "--light-sampling"); }
 
 TEST(Choices, AreThoseOfTheWordsOrTheFlags) {
   using render::LightSampling;
   using render::SamplerKind;
   EXPECT_EQ(settings_of("").sampler, SamplerKind::Sobol);
   EXPECT_EQ(settings_of("sampler: independent").sampler, SamplerKind::Independent);
-  EXPECT_EQ(settings_of("sampler: independent", {.sampler = "sobol"}).sampler, SamplerKind::Sobol);
+  EXPECT_EQ(settings_of("sampler: independent", {.render = {{kSampler, "sobol"}}}).sampler,
+            SamplerKind::Sobol);
   EXPECT_EQ(settings_of("").light_sampling, LightSampling::Auto);
   EXPECT_EQ(settings_of("light_sampling: on").light_sampling, LightSampling::On);
-  EXPECT_EQ(settings_of("light_sampling: on", {.light_sampling = "off"}).light_sampling,
+  EXPECT_EQ(settings_of("light_sampling: on", {.render = {{kLightSampling, "off"}}}).light_sampling,
             LightSampling::Off);
 }
 

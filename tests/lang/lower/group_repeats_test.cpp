@@ -19,8 +19,8 @@
 #include "render/scene/instances.hpp"
 #include "tests/support/compilation/compilation.hpp"
 
-// What a def held is added again from a record, or held once: the scene is that which evaluation of
-// every call makes.
+// Repeated contents of a def are added from a record, or stored once: the scene equals the
+// evaluation of every call.
 namespace sdlc::test {
 namespace {
 
@@ -31,7 +31,7 @@ using render::Vec3;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// A builder that may be told of repetitions, and how many objects it was given one by one.
+/// A builder that accepts repetitions, and counts the objects that it was given one by one.
 class Builder final : public lang::ObjectSink {
  public:
   Builder(lang::SceneBuilder& builder, bool tells_repetitions)
@@ -99,7 +99,7 @@ void expect_same_scene(const std::string& text) {
   EXPECT_THAT(repeated.scene.instances, IsEmpty());
 }
 
-/// Spheres in an order of their own, with what instances lose to rounding taken off.
+/// Spheres in a canonical order, with the rounding errors of instances removed.
 using Row = std::tuple<double, double, double, double, double, double, double, double, double>;
 std::vector<Row> rows_of(const Scene& scene) {
   // No simple number is half-way between two steps.
@@ -117,7 +117,7 @@ std::vector<Row> rows_of(const Scene& scene) {
   return rows;
 }
 
-/// Of how many instances there are.
+/// The number of spheres in instances.
 std::size_t expect_same_spheres(const std::string& text) {
   const Built full = evaluated_fully(text), held_once = build(text, true, Instancing::Always);
   EXPECT_EQ(held_once.codes, full.codes) << text;
@@ -145,7 +145,7 @@ const std::vector<std::string> kTexts{
     "pair { material: unlit(red) }\npair { material: unlit(green), translate: (0, 5, 0) }\n"
     "group { material: unlit(white)\n  pair { translate: (0, 10, 0) } }\n"
     "pair { material: unlit(red), translate: (0, 15, 0) }\n",
-    // Groups and defs inside each other, before and behind spheres.
+    // Groups and defs nested in each other, before and after spheres.
     "def leaf(k) { sphere { center: (k, 0, 0), radius: 0.1 } }\n"
     "def twig(n) { group { translate: (0, 0, 1), rotate: (0deg, 45deg, 0deg)\n"
     "    for i in range(n) { leaf { k: 1, translate: (0, i, 0) } }\n"
@@ -154,7 +154,7 @@ const std::vector<std::string> kTexts{
     "  leaf { k: 2, translate: (0, 0, -3), material: unlit(green) } }\n"
     "for x in range(4) { twig { n: 2 + mod(x, 2), translate: (4 * x, 0, 0), material: unlit(red),\n"
     "  scale: 1 + x / 8 } }\n",
-    // What moves: spheres in a def, the def, both; what turns.
+    // Motion of spheres in a def, of the def, of both; and rotation.
     "def drop() { sphere { center: (0, time * 1m / 1s, 0), radius: 0.5 }\n"
     "  sphere { center: (2, 0, 0), radius: 0.5 } }\n"
     "group { material: unlit(red)\n drop {}\n drop { translate: (5, 0, 0) }\n"
@@ -192,7 +192,7 @@ TEST(GroupRepeats, HeldOnceAreTheSameSpheres) {
   EXPECT_THAT(instances, ElementsAre(2, 3, 9, 3, 11, 0, 0));
 }
 
-/// Defs that call those before them, with few different arguments.
+/// Defs that call earlier ones, with few different arguments.
 std::string random_program(std::mt19937& random) {
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   const auto place = [&] {
@@ -243,7 +243,7 @@ TEST(GroupRepeats, OfRandomProgramsAreWhatEvaluationMakes) {
     std::mt19937 random(seed);
     const std::string text = random_program(random);
     expect_same_scene(text);
-    // Duplicates are left out of plain spheres alone.
+    // Duplicates are only removed among plain spheres.
     if (!evaluated_fully(text).has_duplicates) instances += expect_same_spheres(text);
   }
   EXPECT_GT(instances, 500u);
@@ -266,7 +266,7 @@ TEST(GroupRepeats, AreNotEvaluatedAgain) {
 }
 
 TEST(GroupRepeats, TellWhatIsWrongOfEachCall) {
-  // Errors of values, of places and of what is missing.
+  // Errors of values, of positions and of missing parts.
   for (const char* text : {
            "def ball(r) { sphere { center: (0, 0, 0), radius: r, material: unlit(red) } }\n"
            "ball { r: -1 }\nball { r: -1 }\n",
@@ -297,10 +297,11 @@ TEST(GroupRepeats, AreInstancesInLargeScenesThatSaveMemoryByThem) {
             std::tuple(1'000'000u, 0u, 0u));
   EXPECT_EQ(counts_of(defs + "for x in range(3000) { row { n: 1000, translate: (0, x, 0) } }"),
             std::tuple(1'049'000u, 1u, 1951u));
-  // Of two spheres an instance takes no less.
+  // An instance of two spheres takes no less memory.
   EXPECT_EQ(counts_of(defs + "for x in range(1000000) { row { n: 2, translate: (0, x, 0) } }"),
             std::tuple(2'000'000u, 0u, 0u));
-  // Each of the rows is one prototype; all rows are none, as they are not placed often enough.
+  // Each of the rows is one prototype; all rows together are none, because they are not placed
+  // often enough.
   EXPECT_EQ(counts_of(defs + "for x in range(4) { rows { n: 1500, translate: (0, 0, x) } }"),
             std::tuple(1'049'000u, 1u, 4951u));
 }
@@ -357,7 +358,7 @@ TEST(GroupRepeats, AreAsDeepAsCallsMayBe) {
 }
 
 TEST(GroupRepeats, OfNothingTakeNoTime) {
-  // 2^60 groups, one in another.
+  // 2^60 nested groups.
   const Built built = build(
       "def tree(n) { if n > 0 { tree { n: n - 1 }\n tree { n: n - 1, scale: 2 } } }\ntree { n: 60 "
       "}",
@@ -367,7 +368,7 @@ TEST(GroupRepeats, OfNothingTakeNoTime) {
 }
 
 TEST(GroupRepeats, AreRecordedAgainWhereTheFirstRecordsWereInVain) {
-  // 200 MB of records that nothing repeats, and then some that much does.
+  // 200 MB of records that are never repeated, followed by some that are repeated often.
   const Built built = build(
       "def once(s) { for i in range(1000) { sphere { center: (i, s, 0), radius: 0.1,\n"
       "  material: unlit(red) } } }\n"

@@ -9,7 +9,7 @@ namespace {
 
 class LowerFiles : public testing::TestWithParam<FileCase> {};
 
-// A case of either format: the text says which.
+// A case in either format, detected from the text.
 TEST_P(LowerFiles, ReportWhatIsExpected) {
   run_program_case(
       GetParam(), "case",

@@ -154,7 +154,7 @@ TEST(Motion, IsOfTheChosenCamerasShutter) {
   EXPECT_THAT(paths_of(two + "render { camera: still }"), ElementsAre(Path{{0, 0, 0}, {0, 0, 0}}));
   EXPECT_THAT(paths_of(two + "render { camera: moving }"), ElementsAre(Path{{1, 0, 0}, {2, 0, 0}}));
   Compilation compilation({.root = two + "render { camera: still }"});
-  const auto lowered = compilation.lower({.camera = "moving"});
+  const auto lowered = compilation.lower({.render = {{lang::render_property::kCamera, "moving"}}});
   ASSERT_TRUE(lowered);
   EXPECT_THAT(paths_in(*lowered), ElementsAre(Path{{1, 0, 0}, {2, 0, 0}}));
 }

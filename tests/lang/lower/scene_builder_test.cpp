@@ -79,10 +79,12 @@ TEST(SceneBuilder, KeepsAWrittenAspectWhenThePixelsAreNotSquare) {
 
 TEST(SceneBuilder, KeepsThePictureWholeWhenOneSideIsOverridden) {
   const std::string text = kCamera + "render { width: 300, height: 100 }";
-  EXPECT_EQ(size_of(text, {.width = 150}), (std::pair{150, 50}));
-  EXPECT_EQ(size_of(text, {.height = 10}), (std::pair{30, 10}));
-  EXPECT_EQ(size_of(text, {.width = 70, .height = 80}), (std::pair{70, 80}));
-  EXPECT_EQ(size_of(kCamera, {.height = 90}), (std::pair{160, 90}));
+  EXPECT_EQ(size_of(text, {.render = {{render_property::kWidth, 150}}}), (std::pair{150, 50}));
+  EXPECT_EQ(size_of(text, {.render = {{render_property::kHeight, 10}}}), (std::pair{30, 10}));
+  EXPECT_EQ(
+      size_of(text, {.render = {{render_property::kWidth, 70}, {render_property::kHeight, 80}}}),
+      (std::pair{70, 80}));
+  EXPECT_EQ(size_of(kCamera, {.render = {{render_property::kHeight, 90}}}), (std::pair{160, 90}));
 }
 
 TEST(SceneBuilder, RefusesAPictureWithoutRows) {
@@ -109,11 +111,16 @@ TEST(SceneBuilder, PicksACamera) {
       "camera a { from: (1, 0, 5), at: (0, 0, 0), fov: 40deg }\n"
       "camera b { from: (2, 0, 5), at: (0, 0, 0), fov: 40deg }\n";
   EXPECT_THAT(compile_text(two).codes, ElementsAre("E111"));
-  EXPECT_THAT(compile_text(two, {.camera = "c"}).codes, ElementsAre("E110"));
-  EXPECT_EQ(compile_text(two, {.camera = "b"}).lowered->scene.camera.from.x, 2);
+  EXPECT_THAT(compile_text(two, {.render = {{render_property::kCamera, "c"}}}).codes,
+              ElementsAre("E110"));
+  EXPECT_EQ(
+      compile_text(two, {.render = {{render_property::kCamera, "b"}}}).lowered->scene.camera.from.x,
+      2);
   EXPECT_EQ(compile_text(two + "render { camera: a }").lowered->scene.camera.from.x, 1);
   EXPECT_EQ(
-      compile_text(two + "render { camera: a }", {.camera = "b"}).lowered->scene.camera.from.x, 2);
+      compile_text(two + "render { camera: a }", {.render = {{render_property::kCamera, "b"}}})
+          .lowered->scene.camera.from.x,
+      2);
 }
 
 TEST(SceneBuilder, WantsACameraForSpheres) {

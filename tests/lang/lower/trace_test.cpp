@@ -8,7 +8,7 @@
 
 #include "tests/support/compilation/compilation.hpp"
 
-// Spheres are traced back to where they are written, although none remembers it.
+// Traces spheres back to their source, although none stores it.
 namespace sdlc::test {
 namespace {
 
@@ -29,7 +29,7 @@ std::vector<std::string> names_of(const std::vector<lang::Origin>& origins) {
   return names;
 }
 
-/// The names of the spheres of the scene lowered last, traced all at once.
+/// The names of the spheres of the scene lowered last, traced together.
 std::vector<std::string> traced_names(Compilation& compilation, std::size_t count) {
   std::vector<std::uint32_t> all(count);
   std::iota(all.begin(), all.end(), 0u);
@@ -75,7 +75,7 @@ TEST(Trace, CountsPastSpheresThatWereLeftOut) {
 TEST(Trace, CountsPastDuplicatesAtTheBeginningAndOneBehindTheOther) {
   std::string text = kCamera;
   std::vector<std::string> kept;
-  // Each third sphere is new; the others repeat the first.
+  // Every third sphere is new; the others repeat the first.
   for (int i = 0; i < 60; ++i) {
     const bool is_new = i % 3 == 0;
     const std::string name = "s" + std::to_string(i);
@@ -114,11 +114,11 @@ TEST(Trace, IsOfTheFrameAndCameraLoweredLast) {
       ball("other", "(0, 0, 0)") + "}";
   Compilation compilation({.root = text});
   const std::vector<std::uint32_t> first{0};
-  ASSERT_TRUE(compilation.lower({.camera = "still"}, 3));
+  ASSERT_TRUE(compilation.lower({.render = {{lang::render_property::kCamera, "still"}}}, 3));
   EXPECT_THAT(names_of(compilation.compiler().trace(first)), ElementsAre("three"));
-  ASSERT_TRUE(compilation.lower({.camera = "still"}, 4));
+  ASSERT_TRUE(compilation.lower({.render = {{lang::render_property::kCamera, "still"}}}, 4));
   EXPECT_THAT(names_of(compilation.compiler().trace(first)), ElementsAre("other"));
-  ASSERT_TRUE(compilation.lower({.camera = "later"}, 4));
+  ASSERT_TRUE(compilation.lower({.render = {{lang::render_property::kCamera, "later"}}}, 4));
   EXPECT_THAT(names_of(compilation.compiler().trace(first)), ElementsAre("nine"));
 }
 
@@ -144,7 +144,7 @@ TEST(Duplicates, AreToldWithTheirWayThroughInstances) {
 }
 
 TEST(Duplicates, OfOneStatementAreOneWarning) {
-  // The 10^4 pairs are all of one place; telling each would drown the rest.
+  // The 10^4 pairs have a single source location; reporting each would hide the rest.
   const auto told = told_about({.root = kCamera + "for i in range(100) { for j in range(100) { " +
                                         ball("", "(floor(i / 50), 0, 0)", "0.1") + "} }"});
   ASSERT_EQ(told.size(), 1u);

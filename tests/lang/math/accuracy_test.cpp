@@ -47,8 +47,8 @@ class Accuracy : public testing::Test {
   double largest_ = 0, x_ = 0, y_ = 0;
 };
 
-/// Sine and cosine, the argument reduced as exactly as ours: else nothing is left of the digits
-/// next to a zero.
+/// Sine and cosine, with the argument reduced as exactly as ours: otherwise no digits are left next
+/// to a zero.
 std::pair<long double, long double> reference_sin_cos(double degrees) {
   const double rest = std::fmod(degrees, 360.0);
   const double quarters = std::round(rest / 90);
@@ -167,7 +167,7 @@ TEST_F(Accuracy, OfRadiansAndDegrees) {
   }
 }
 
-/// Whether `function` grows, or stays, through runs of neighbouring doubles in low ... high.
+/// Whether `function` is monotonic over runs of neighbouring doubles in low ... high.
 template <typename Function>
 bool is_increasing(Function function, double low, double high) {
   Arguments arguments;

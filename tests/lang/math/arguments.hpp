@@ -5,14 +5,14 @@
 
 namespace sdlc::lang {
 
-/// A sequence of arguments to try functions with, the same on every machine: integers and exact
-/// operations only (the standard's distributions are each library's own).
+/// A sequence of arguments for testing functions, the same on every machine: integers and exact
+/// operations only (the standard's distributions differ between libraries).
 class Arguments {
  public:
   /// In [low, high].
   double between(double low, double high) noexcept { return low + (high - low) * uniform(); }
 
-  /// Of magnitude 2^low ... 2^(high + 1), all binary orders alike.
+  /// With magnitudes of 2^low ... 2^(high + 1), all binary orders equally likely.
   double of_any_size(int low, int high) noexcept {
     const int exponent = low + static_cast<int>((high - low + 1) * uniform());
     return std::ldexp(1 + uniform(), exponent);
@@ -22,7 +22,7 @@ class Arguments {
     return uniform() < 0.5 ? -magnitude : magnitude;
   }
 
-  /// Next to `value`, at all binary orders of distance down to 2^-53 of it.
+  /// Near `value`, at all binary orders of distance down to 2^-53 of it.
   double close_to(double value) noexcept { return value * (1 + of_any_size_and_sign(-53, -4)); }
 
  private:

@@ -10,7 +10,7 @@
 #include "tests/lang/math/arguments.hpp"
 
 // The bits of the results are part of the language: a picture may not depend on compiler,
-// optimisation or machine. A changed hash is a changed language.
+// optimisation or machine. A changed hash means a changed language.
 namespace sdlc::lang {
 namespace {
 
@@ -57,7 +57,7 @@ TEST_P(Bits, AreThoseOfEveryCompilerAndMachine) {
   EXPECT_EQ(hash.value(), GetParam().hash) << std::hex << "0x" << hash.value();
 }
 
-// Arguments are drawn one statement each: the order within a call would be the compiler's choice.
+// Arguments are drawn one per statement: the order within a call would be up to the compiler.
 INSTANTIATE_TEST_SUITE_P(
     , Bits,
     testing::Values(

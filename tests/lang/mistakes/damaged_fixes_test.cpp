@@ -23,14 +23,14 @@
 #include "tests/lang/mistakes/mutations.hpp"
 
 // Fixes of damaged files: bytes and tokens deleted, inserted, doubled, swapped and replaced, quotes
-// and brackets removed, habits of other languages planted, in all scenes and configs that the
-// repository has.
+// and brackets removed, habits of other languages planted, in all scenes and configs of the
+// repository.
 //
-// Safe fixes leave no more errors than there were, leave strings and comments as they are, and
-// leave nothing to do for a second run. Unsafe ones leave no more errors either, and each is
+// Safe fixes do not increase the number of errors, leave strings and comments unchanged, and leave
+// nothing to do for a second run. Unsafe ones do not increase the errors either, and each is
 // reported as a guess.
 //
-// SDLC_DAMAGED_FILES=N damages N files of each set of texts, SDLC_MUTATION_SEED=N others.
+// SDLC_DAMAGED_FILES=N damages N files of each set of texts, SDLC_MUTATION_SEED=N selects others.
 namespace sdlc::test {
 namespace {
 
@@ -41,7 +41,7 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-/// Texts by their names, and others from the folder of the texts on disk.
+/// Texts by name; others are read from the folder on disk.
 class Files final : public lang::FileSystem {
  public:
   explicit Files(const SoundTexts& texts) : texts_(texts) {}
@@ -196,7 +196,8 @@ constexpr auto kHabits = std::to_array<std::string_view>({
     "scene",
 });
 
-/// Ends of the tokens of a text, roughly: words, and everything else one by one.
+/// The ends of the tokens of a text, approximately: words, and everything else one character at a
+/// time.
 std::size_t end_of_token(std::string_view text, std::size_t at) {
   const auto is_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '.'; };
   std::size_t end = at;
@@ -272,7 +273,7 @@ class Damager {
   Random random_;
 };
 
-// What a reader who knows only quotes and comment marks sees in a text
+// The parts of a text that are visible to a reader who knows only quotes and comment marks.
 
 /// The content of its closed strings and its comments, in order.
 std::vector<std::string_view> strings_and_comments(std::string_view text) {
@@ -305,7 +306,8 @@ std::vector<std::string_view> strings_and_comments(std::string_view text) {
   return all;
 }
 
-/// The first of them that the other text does not have after the one before; empty: none.
+/// The first of them that does not occur in the other text after the previous one; empty if there
+/// is none.
 std::string_view first_lost(std::string_view text, std::string_view fixed) {
   std::size_t at = 0;
   for (const std::string_view part : strings_and_comments(text)) {
@@ -393,7 +395,7 @@ void expect_good_fixes(const SoundTexts& texts, std::uint64_t count) {
   EXPECT_GE(tally.wrong, tally.files / 2) << "too few to tell";
 }
 
-/// Files that are full of mistakes already.
+/// Files that already contain many mistakes.
 SoundTexts planted_texts() {
   SoundTexts texts;
   const fs::path folder = fs::path(SDLC_SOURCE_DIR) / "tests/files/planted";

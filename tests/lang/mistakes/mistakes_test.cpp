@@ -9,8 +9,8 @@
 #include "lang/program/program.hpp"
 #include "tests/support/file_test.hpp"
 
-// Whole scenes and configs as people write them, with mistakes that have nothing to do with each
-// other: each is reported once, in its line, and nothing else is.
+// Whole scenes and configs as people write them, with independent mistakes: each is reported once,
+// on its line, and nothing else is.
 namespace sdlc::test {
 namespace {
 

@@ -14,18 +14,18 @@
 #include "lang/syntax/syntax.hpp"
 #include "tests/lang/mistakes/mutations.hpp"
 
-// Sound scenes and configs, each with one slip of the pen: a byte deleted or doubled, two swapped,
-// a bracket lost, a name misspelt.
+// Valid scenes and configs, each with one typo: a byte deleted or doubled, two swapped, a bracket
+// lost, a name misspelt.
 //
-// A mutant is wrong if something is reported about it, or if a bracket is lost: most bytes of a
-// comment, of blanks or of a number may be others, and all is well. Of those that are wrong nearly
-// all must have an error in the damaged line. That is the line of the lost or added byte; of two
-// swapped around a line end either line; and where the slip left a line without anything in it, as
-// that of a lost brace, the next line with code in it as well. An error whose label shows the
-// damaged line, or whose own line is the next, is counted apart: it is the answer where a
-// declaration and its only use differ, and no one can tell which is misspelt.
+// A mutant is wrong if something is reported about it, or if a bracket is lost: changes of most
+// bytes in comments, whitespace and numbers are harmless. Of the wrong ones nearly all must have an
+// error on the damaged line. That is the line of the lost or added byte; of two swapped around a
+// line end either line; and if the typo left an empty line, as for a lost brace, also the next line
+// with code. An error whose label shows the damaged line, or whose own line is the next, is counted
+// separately: it is the right answer if a declaration and its only use differ, and either may be
+// misspelt.
 //
-// SDLC_MUTANTS=N makes N mutants of each set of texts, SDLC_MUTATION_SEED=N others.
+// SDLC_MUTANTS=N makes N mutants of each set of texts, SDLC_MUTATION_SEED=N selects others.
 namespace sdlc::test {
 namespace {
 
@@ -43,11 +43,11 @@ bool contains(const std::vector<std::uint32_t>& lines, std::uint32_t line) {
   return std::find(lines.begin(), lines.end(), line) != lines.end();
 }
 
-/// What became of the mutants of some texts.
+/// Statistics of the mutants of some texts.
 struct Tally {
   int wrong = 0;
   int in_line = 0;       ///< an error in the damaged line
-  int near = 0;          ///< likewise, or one that shows it, or one in the next line
+  int near = 0;          ///< the same, plus errors that show it, and errors on the next line
   int has_cascades = 0;  ///< three errors or more
   std::string misses;
 
@@ -125,9 +125,9 @@ TEST(MutatedTexts, AreSoundBeforeTheDamage) {
   }
 }
 
-// Where the slips are made
+// The places of typos
 
-/// What slips have damaged: nodes of all kinds, and properties of objects, as "sphere.radius".
+/// The damaged constructs: nodes of all kinds, and properties of objects, as "sphere.radius".
 struct Reached {
   std::set<lang::SyntaxKind> nodes;
   std::set<std::string> properties;

@@ -13,7 +13,8 @@
 #include "lang/program/program.hpp"
 #include "lang/report/findings.hpp"
 #include "lang/source/limits.hpp"
-#include "lang/syntax/scan.hpp"
+#include "lang/token/name_characters.hpp"
+#include "lang/token/token_reader.hpp"
 
 namespace sdlc::test {
 namespace {

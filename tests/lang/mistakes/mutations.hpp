@@ -8,12 +8,12 @@
 
 #include "lang/source/source.hpp"
 
-/// Programs that are sound but for one slip of the pen.
+/// Valid programs with a single typo.
 namespace sdlc::test {
 
-/// A text in which nothing is wrong.
+/// A text without mistakes.
 struct SoundText {
-  std::string name;  ///< as other texts of its program call it
+  std::string name;  ///< its name in other texts of its program
   std::string root;  ///< the text that is compiled: itself, or one that needs it
   std::string text;
 };
@@ -31,24 +31,25 @@ SoundTexts config_texts();
 enum class Slip : std::uint8_t {
   ByteDeleted,
   ByteDoubled,
-  BytesSwapped,  ///< two that stand side by side
-  BracketLost,   ///< one that is part of no comment and no string
+  BytesSwapped,  ///< two adjacent ones
+  BracketLost,   ///< one outside comments and strings
   NameMisspelt,  ///< one letter of a word changed, dropped or swapped with the next
 };
 inline constexpr std::size_t kSlipCount = 5;
 std::string_view describe(Slip slip) noexcept;
 
-/// A text with one slip of the pen in it.
+/// A text with one typo in it.
 struct Mutant {
   const SoundText* of = nullptr;
   Slip slip = Slip::ByteDeleted;
-  std::size_t at = 0;  ///< the byte of the sound text where the damage begins
+  std::size_t at = 0;  ///< the byte of the valid text where the damage begins
   std::string text;
 };
 
-/// Where a mutant is damaged, lines from 1. Where a line end has gone or come, both its lines.
+/// The lines that a mutant is damaged in, from 1. If a line end was removed or added, both its
+/// lines.
 std::vector<std::uint32_t> damaged_lines(const Mutant& mutant);
-/// The next line behind `line` that is not blank; 0 where there is none.
+/// The next line after `line` that is not empty; 0 if there is none.
 std::uint32_t next_written_line(std::string_view text, std::uint32_t line);
 bool is_blank_line(std::string_view text, std::uint32_t line);
 
@@ -62,8 +63,8 @@ class Random {
   std::uint64_t state_;
 };
 
-/// Makes mutants of `texts`, which must outlive it. Each slip is as likely as another, each text as
-/// it is long, and each place of a text as another.
+/// Makes mutants of `texts`, which must outlive it. All kinds of typo are equally likely, all texts
+/// in proportion to their length, and all places of a text equally.
 class Mutator {
  public:
   Mutator(const SoundTexts& texts, std::uint64_t seed);
@@ -85,14 +86,14 @@ class Mutator {
   Random random_;
 };
 
-/// An error about a mutant. A line is 0 where it is one of another text.
+/// An error about a mutant. The line is 0 if it is in another text.
 struct MutantError {
   std::string code, message;
   std::uint32_t line = 0;
   std::vector<std::uint32_t> label_lines = {};
 };
 
-/// What is wrong with a mutant, as linting it would tell.
+/// The errors of a mutant, as linting would report them.
 std::vector<MutantError> errors_of(const Mutant& mutant, const SoundTexts& texts);
 
 }  // namespace sdlc::test

@@ -12,8 +12,7 @@ Span span_of(const SourceFile& file, std::string_view part) {
   return {begin, begin + static_cast<std::uint32_t>(part.size())};
 }
 
-/// How the mistake `part` of the text is shown; only the lines from the gutter on, without the
-/// summary.
+/// The output for the mistake `part` of the text, from the gutter on, without the summary.
 std::string excerpt(const std::string& text, std::string_view part) {
   const SourceFile file("a.scene", text);
   DiagnosticSink sink;

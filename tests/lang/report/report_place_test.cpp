@@ -25,7 +25,7 @@ std::string fingerprint(const std::string& text, std::uint32_t line) {
   return LineFingerprints().of(SourceFile("a.scene", text), line);
 }
 
-// The values are those of an independent program, whose others agree with GitHub's own tests.
+// Values from an independent program, whose other values agree with GitHub's own tests.
 TEST(LineFingerprints, AreThoseThatGitHubComputes) {
   EXPECT_EQ(fingerprint("", 1), "c129715d7a2bc9a3:1");
   EXPECT_EQ(fingerprint("scene 1\n\tsphere { radius: 0 }\n", 2), "957c759b751359ee:1");

@@ -15,9 +15,9 @@ TEST(ShownLine, WidensTabsToTheNextStop) {
 
 TEST(ShownLine, CountsColumnsNotBytes) {
   const ShownLine line("é日e\u0301x", 0);
-  EXPECT_EQ(line.column(2), 1);  // behind é
-  EXPECT_EQ(line.column(5), 3);  // behind the ideograph
-  EXPECT_EQ(line.column(8), 4);  // behind e and its accent
+  EXPECT_EQ(line.column(2), 1);  // after é
+  EXPECT_EQ(line.column(5), 3);  // after the ideograph
+  EXPECT_EQ(line.column(8), 4);  // after e and its accent
   EXPECT_EQ(line.width(), 5);
   EXPECT_EQ(line.column(100), 5);
 }
@@ -39,7 +39,7 @@ TEST(ShownLine, ShortensALongLineAroundAPlace) {
   EXPECT_TRUE(shown.starts_with("…x"));
   EXPECT_TRUE(shown.ends_with("x…"));
   EXPECT_EQ(line.width(), 102);
-  // The sign of what is left out is one column of three bytes.
+  // The sign for omitted text is one column of three bytes.
   EXPECT_EQ(shown.find('Y') - 2, static_cast<std::size_t>(line.column(500)));
   EXPECT_EQ(line.column(0), 0);
   EXPECT_EQ(line.column(999), 102);

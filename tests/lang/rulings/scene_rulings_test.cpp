@@ -219,7 +219,8 @@ TEST(Rulings, Ruling32_ASingleCameraNeedsNoPicking) {
   EXPECT_EQ(x_of(declare("a", 1) + kBall), 1);
   EXPECT_THAT(codes_of({.root = two}), ElementsAre("E111"));
   EXPECT_EQ(x_of(two + "render { camera: b }"), 2);
-  EXPECT_EQ(x_of(two + "render { camera: b }", {.camera = "a"}), 1);
+  EXPECT_EQ(x_of(two + "render { camera: b }", {.render = {{lang::render_property::kCamera, "a"}}}),
+            1);
 }
 
 TEST(Rulings, Ruling32_TheHeightIsTheWidthOverTheAspectRoundedDown) {
@@ -271,15 +272,16 @@ TEST(Rulings, Ruling33_RenderHasTheseSettingsAndDefaults) {
 }
 
 TEST(Rulings, Ruling33_FlagsWinOverTheScene) {
+  using namespace lang::render_property;
   Compilation compilation(
       {.root = kCamera + kBall + "render { width: 5, samples: 3, tone: sqrt, precision: float }"});
-  const auto lowered = compilation.lower({.width = 7,
-                                          .samples = 8,
-                                          .depth = 9,
-                                          .threads = 2,
-                                          .seed = 10,
-                                          .tone = "linear",
-                                          .precision = "double"});
+  const auto lowered = compilation.lower({.render = {{kWidth, 7},
+                                                     {kSamples, 8},
+                                                     {kDepth, 9},
+                                                     {kThreads, 2},
+                                                     {kTone, "linear"},
+                                                     {kPrecision, "double"}},
+                                          .seed = 10});
   ASSERT_TRUE(lowered);
   EXPECT_EQ(lowered->settings.width, 7);
   EXPECT_EQ(lowered->settings.samples, 8);

@@ -8,8 +8,8 @@
 #include "render/math/vec3.hpp"
 #include "tests/support/compilation/compilation.hpp"
 
-/// What expressions compute to, found through a property of a scene; the test fails where the scene
-/// is wrong. `declarations` stand at the scene's top level.
+/// The results of expressions, observed through a property of a scene; the test fails if the scene
+/// has errors. `declarations` are added at the top level.
 namespace sdlc::test {
 
 double number(const std::string& expression, const std::string& declarations = "");
@@ -20,12 +20,12 @@ render::Vec3 vec3(const std::string& expression, const std::string& declarations
 render::LinearRgb color(const std::string& expression, const std::string& declarations = "");
 lang::MaterialValue material(const std::string& expression, const std::string& declarations = "");
 
-/// The codes of what is reported about an expression; empty where it is right.
+/// The codes of the diagnostics of an expression; empty if it is valid.
 std::vector<std::string> errors_in(const std::string& expression,
                                    const std::string& declarations = "");
-/// What is reported about statements of a scene, but for what is missing to make a picture.
+/// The diagnostics of statements of a scene, except those about missing parts of a picture.
 std::vector<std::string> errors_of(const std::string& statements);
-/// The only thing that is reported about them; the test fails where there is none or another.
+/// Their only diagnostic; the test fails if there is none or another one.
 Told only_error_of(const std::string& statements);
 
 /// A camera that looks at the origin, and a sphere of radius 1 there.

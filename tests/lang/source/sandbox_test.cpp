@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using testing::Each;
 using testing::StartsWith;
 
-/// Absolute paths only. Remembers what it is asked about.
+/// Absolute paths only. Records the paths it is asked about.
 class RecordingFiles final : public FileSystem {
  public:
   explicit RecordingFiles(std::map<std::string, std::string> links) : links_(std::move(links)) {}
@@ -100,7 +100,7 @@ TEST_F(SandboxTest, FollowsLinksThatStayInside) {
 TEST_F(SandboxTest, RefusesLinksThatLeadOut) {
   for (const char* path : {"out", "out/passwd", "up", "up/x", "up/box/a", "trick", "chain", "loop",
                            "aside", "deep/../../../../../x", "here/up/x"}) {
-    // Going up and down again by the folder's own name ends inside.
+    // Going up and down again by the folder's own name stays inside.
     const bool is_round_trip = std::string(path) == "up/box/a";
     EXPECT_EQ(resolved(std::string("/home/box/") + path) == "refused", !is_round_trip) << path;
   }

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "lang/syntax/syntax.hpp"
+#include "lang/token/token_reader.hpp"
 
 namespace sdlc::test {
 
@@ -32,22 +33,27 @@ inline std::string fault_of(const lang::SyntaxTree& tree) {
   return {};
 }
 
-/// The text as the tree's pieces spell it, and whether anything was skipped.
-struct Spelling {
-  std::string text;
-  bool has_skipped = false;
-};
-
-inline Spelling spelling_of(const lang::SyntaxTree& tree) {
-  Spelling spelling;
-  lang::PieceReader reader(tree);
-  lang::Piece piece{};
-  while (reader.next(piece)) {
-    if (piece.span.begin != spelling.text.size()) return {"a gap", true};
-    spelling.text += tree.text(piece.span);
-    spelling.has_skipped |= piece.kind == lang::PieceKind::Skipped;
+/// The tokens of a text, one after the other.
+inline std::string spelling_of(std::string_view text) {
+  std::string spelling;
+  for (const lang::Token& token : lang::tokenize(text)) {
+    if (token.span.begin != spelling.size()) return "a gap";
+    spelling += text.substr(token.span.begin, token.span.size());
   }
   return spelling;
+}
+
+/// Whether the tree leaves out a part of its text, or the text has what no scene has.
+inline bool has_skipped(const lang::SyntaxTree& tree) {
+  for (const lang::SyntaxNode& node : tree.nodes()) {
+    if (node.kind == lang::SyntaxKind::Error && node.span().size() > 0) return true;
+  }
+  for (const lang::Token& token : lang::tokenize(tree.file().text())) {
+    const bool is_foreign =
+        token.kind == lang::TokenKind::Unknown || token.kind == lang::TokenKind::ForeignName;
+    if (is_foreign) return true;
+  }
+  return false;
 }
 
 /// Every statement and every form of expression.

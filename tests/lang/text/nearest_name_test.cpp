@@ -34,13 +34,13 @@ TEST(NearestName, FindsShortNamesAmongFewOnly) {
 }
 
 TEST(NearestName, CountsSwappedNeighboursOnce) {
-  // Two edits of six letters are a slip, three are another word.
+  // Two edits in six letters are a typo, three are another word.
   EXPECT_EQ(nearest_name("etmpty", std::array<std::string_view, 1>{"tempty"}), "tempty");
   EXPECT_EQ(nearest_name("etpmty", std::array<std::string_view, 1>{"tempty"}), "tempty");
   EXPECT_EQ(nearest_name("etpmyt", std::array<std::string_view, 1>{"tempty"}), std::nullopt);
 }
 
-/// As it is defined: the table of a, b and their prefixes, row by row.
+/// By its definition: the table of a, b and their prefixes, row by row.
 std::size_t distance_by_table(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> table(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {
@@ -69,9 +69,8 @@ TEST(NearestName, IsWithinAThirdOfTheLongerName) {
     };
     const std::string a = word(), b = word();
     const bool is_part = a.starts_with(b) || b.starts_with(a);
-    const bool is_similar =
-        is_part || distance_by_table(a, b) <= std::max(a.size(), b.size()) / 3;
-    const bool is_near = is_similar && a != b;  // what is there already is no suggestion
+    const bool is_similar = is_part || distance_by_table(a, b) <= std::max(a.size(), b.size()) / 3;
+    const bool is_near = is_similar && a != b;  // the name itself is not a suggestion
     near += is_near ? 1 : 0;
     EXPECT_EQ(nearest_name(a, std::array<std::string_view, 1>{b}).has_value(), is_near)
         << a << ' ' << b;

@@ -13,7 +13,7 @@ namespace {
 constexpr int kWidth = 20;
 constexpr std::size_t kPixels = 400;
 
-/// 64 samples a pixel: the left half has 1/100 of the variance of the right one.
+/// 64 samples per pixel: the left half has 1/100 of the variance of the right one.
 std::vector<PixelSpread> uneven_spreads() {
   std::vector<PixelSpread> spreads(kPixels);
   for (std::size_t i = 0; i < kPixels; ++i) {
@@ -43,7 +43,7 @@ TEST(AdaptiveSamples, BringTheErrorDownToTheGoal) {
     squares += spreads[i].squared_error * 64 / samples[i];
   }
   const double error = std::sqrt(squares / (3 * kPixels));
-  // The left half is taken to have more than it has.
+  // The variance of the left half is overestimated.
   EXPECT_LE(error, 1.02 * goal);
   EXPECT_GE(error, 0.9 * goal);
 }
@@ -66,13 +66,13 @@ TEST(AdaptiveSamples, AreWholeReplicatesFromThePilotUpToTheMost) {
   EXPECT_EQ(*std::ranges::max_element(few), 64u);
 }
 
-// What makes the estimate of the error, and the mean, stay unbiased.
+// This keeps the estimate of the error, and the mean, unbiased.
 TEST(AdaptiveSamples, OfAPixelDoNotDependOnItself) {
   std::vector<PixelSpread> spreads = uneven_spreads();
   const std::uint32_t before = samples_for(0.01, spreads)[215];
   spreads[215].squared_error = 0;
   const std::uint32_t after = samples_for(0.01, spreads)[215];
-  // But through the sum over all, of which it is 1/200.
+  // Except through the sum over all pixels, of which it is 1/200.
   EXPECT_NEAR(after, before, 4 + 0.02 * before);
   spreads[214].squared_error = 0;
   EXPECT_LT(samples_for(0.01, spreads)[215], after);

@@ -13,13 +13,13 @@ Picture grey_picture(std::size_t pixels, double value) {
 }
 
 TEST(EstimateError, DividesTheRootOfTheMeanSquareByTheMean) {
-  // 400 pixels of radiance 2, each off by √(3 · .01) in its three channels together.
+  // 400 pixels of radiance 2, each with an error of √(3 · .01) over its three channels.
   const std::vector<PixelSpread> spreads(
       400, {.squared_error = 0.03, .covariance = std::sqrt(6e-4), .grey_variance = 1e-4});
   const ErrorEstimate estimate = *estimate_error(grey_picture(400, 2), spreads);
   EXPECT_DOUBLE_EQ(estimate.mean, 2);
   EXPECT_NEAR(estimate.relative_error, 0.05, 1e-15);
-  // Σ tr Σ² / 6 = .04, 1.966 its t of 400 degrees of freedom: Σ = 12 ± 1.966 · .2.
+  // Σ tr Σ² / 6 = .04, t quantile 1.966 for 400 degrees of freedom: Σ = 12 ± 1.966 · .2.
   EXPECT_NEAR(estimate.interval.from, std::sqrt((12 - 1.9659 * 0.2) / 1200) / 2, 1e-6);
   EXPECT_NEAR(estimate.interval.to, std::sqrt((12 + 1.9659 * 0.2) / 1200) / 2, 1e-6);
   EXPECT_NEAR(estimate.mean_interval.to, 2 + 1.9659 * std::sqrt(0.04) / 400, 1e-7);
@@ -27,7 +27,8 @@ TEST(EstimateError, DividesTheRootOfTheMeanSquareByTheMean) {
 }
 
 TEST(EstimateError, CountsOnlyThePixelsThatMatter) {
-  // One of 100 has all the noise: t of one degree of freedom, 12.7, by the series 11.3.
+  // One of 100 has all the noise: the t quantile for one degree of freedom is 12.7, by the series
+  // 11.3.
   std::vector<PixelSpread> spreads(100);
   spreads[17] = {.squared_error = 1, .covariance = std::sqrt(6e-4), .grey_variance = 0};
   const ErrorEstimate estimate = *estimate_error(grey_picture(100, 1), spreads);

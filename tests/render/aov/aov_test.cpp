@@ -30,7 +30,7 @@ Channels channels_of(Scene scene, const RenderSettings& settings) {
   return channels;
 }
 
-/// What the channels say of one pixel.
+/// The channels of one pixel.
 struct Pixel {
   Vec3 normal;
   double depth;
@@ -44,7 +44,7 @@ Pixel pixel_of(const Channels& channels, std::size_t i) {
           .albedo = {value("albedo.R"), value("albedo.G"), value("albedo.B")}};
 }
 
-/// Of a picture of one pixel with one ray through its middle.
+/// Of a picture of one pixel with one ray through its centre.
 Pixel middle_of(Scene scene) {
   return pixel_of(channels_of(std::move(scene), {.width = 1, .height = 1, .samples = 1}), 0);
 }
@@ -92,8 +92,8 @@ TEST(FirstHitLayers, HoldTheSkyAsNoSurface) {
   EXPECT_EQ(corner.albedo, LinearRgb{});
 }
 
-// Depth is along the view, as Cycles has it: of a sphere so large that it is flat it is the same
-// all over the picture, where the distance to the camera is not.
+// Depth is along the view, as in Cycles: for a sphere so large that it is flat it is constant over
+// the picture, unlike the distance to the camera.
 TEST(FirstHitLayers, MeasureDepthAlongTheView) {
   Scene scene = ball();
   scene.camera.plane_height = 2;
@@ -144,7 +144,7 @@ TEST(FirstHitLayers, LeaveTheSurfaceThatTheCameraStandsOn) {
   EXPECT_EQ(middle_of(scene).depth, 2) << "of two that it stands on";
 }
 
-// Where rounding would put half of the cameras before the surface, and half of them beyond it.
+// Rounding would put half of the cameras before the surface, and half of them beyond it.
 TEST(FirstHitLayers, LeaveTheSurfaceThatTheCameraStandsOnButForRounding) {
   for (int i = 0; i < 100; ++i) {
     Scene scene = ball();

@@ -84,7 +84,7 @@ TEST(Bvh, FindsWhatTestingEverySphereFinds) {
       Ray ray{
           .origin = random.in_box(1), .direction = random.direction(), .u = random.between(0, 1)};
       if (i % 4 == 0) ray.direction = {0, 0, i % 8 == 0 ? 1.0 : -1.0};  // in the planes of boxes
-      // Every other ray aims at a sphere, so that small ones are met too.
+      // Every other ray aims at a sphere, so that small ones are hit too.
       if (i % 2 == 1 && !scene.spheres.empty()) {
         const Sphere& target = scene.spheres[static_cast<std::size_t>(i) % scene.spheres.size()];
         ray.direction = unit(target.center + random.in_box(1) * target.radius - ray.origin);

@@ -17,7 +17,7 @@ constexpr int kSteps = 256;
 
 double luminance(LinearRgb c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
-/// Oklab by the forward way, from linear RGB through the responses of the cones.
+/// The forward Oklab conversion, from linear RGB through the cone responses.
 std::array<double, 3> oklab(LinearRgb c) {
   const double l = std::cbrt(0.4122214708 * c.r + 0.5363325363 * c.g + 0.0514459929 * c.b);
   const double m = std::cbrt(0.2119034982 * c.r + 0.6806995451 * c.g + 0.1073969566 * c.b);
@@ -32,8 +32,8 @@ TEST(ColorMap, GoesFromNearlyBlackToNearlyWhite) {
   EXPECT_GT(luminance(mapped_color(1)), 0.9);
 }
 
-// Who sees no hues, or prints in grey, still sees the order: without red-green vision too, as
-// lightness is what is left of it.
+// The order is visible without hues, in greyscale and without red-green vision, because only
+// lightness is left.
 TEST(ColorMap, OnlyGetsLighter) {
   for (int i = 1; i <= kSteps; ++i) {
     const LinearRgb before = mapped_color((i - 1.0) / kSteps),
@@ -88,7 +88,7 @@ TEST(ColorMap, MapsEachValueAsItsShareOfTheTop) {
   EXPECT_EQ(picture.at(1, 1), mapped_color(1));
 }
 
-// What is equal everywhere has 0 for its largest value.
+// Two equal pictures have a largest difference of 0.
 TEST(ColorMap, IsDarkEverywhereUnderATopOfZero) {
   EXPECT_EQ(render::color_mapped(std::vector<float>{0}, 1, 1, 0).at(0, 0), mapped_color(0));
 }

@@ -38,15 +38,15 @@ TEST(Flip, SeesNothingBetweenEqualPictures) {
   EXPECT_EQ(map.mean, 0);
 }
 
-// Pure green and blue are the two colours that the metric takes for the farthest apart. There are
-// no features in them, so that what is left is the difference of colours alone: 1.
+// Pure green and blue have the largest distance in the metric. There are no features, so the result
+// is the colour difference alone: 1.
 TEST(Flip, IsOneBetweenGreenAndBlue) {
   const FlipMap map = flip(Picture(30, 30, {0, 1, 0}), Picture(30, 30, {0, 0, 1}));
   EXPECT_NEAR(map.mean, 1, 1e-7);
 }
 
-// White and black differ by 100 in lightness and nothing else, and cmax is 41.2760… as the
-// published program computes it: 0.95 + (100^0.7 - 0.4 cmax) / (0.6 cmax) * 0.05.
+// White and black differ only by 100 in lightness, and cmax is 41.2760… as in the published
+// program: 0.95 + (100^0.7 - 0.4 cmax) / (0.6 cmax) * 0.05.
 TEST(Flip, HasThePublishedLargestDistance) {
   constexpr double kLargest = 41.27602;
   const double expected = 0.95 + 0.05 * (std::pow(100, 0.7) - 0.4 * kLargest) / (0.6 * kLargest);
@@ -74,7 +74,7 @@ TEST(Flip, CutsOffWhatADisplayDoesNotShow) {
 }
 
 TEST(Flip, IsBetweenZeroAndOne) {
-  // Alternating lines of black and white against the same moved by one: features everywhere.
+  // Alternating lines of black and white against the same shifted by one: features everywhere.
   Picture a(64, 64), b(64, 64);
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 64; ++x) (x % 2 == 0 ? a : b).at(x, y) = LinearRgb(1);
@@ -87,7 +87,7 @@ TEST(Flip, IsBetweenZeroAndOne) {
   }
 }
 
-// Fine noise is blurred by the eye: from farther away there is less to be seen.
+// The eye blurs fine noise: from farther away less of it is visible.
 TEST(Flip, SeesLessOfNoiseFromFartherAway) {
   const Picture a = noise(60, 60, 1), b = noise(60, 60, 2);
   EXPECT_LT(flip(a, b, 100).mean, 0.5 * flip(a, b, 10).mean);
@@ -104,7 +104,7 @@ TEST(Flip, GivesTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(one.mean, five.mean);
 }
 
-// The border repeats: a picture that is only one pixel is a colour without end.
+// The border repeats: a picture of a single pixel is a uniform colour.
 TEST(Flip, RepeatsTheBorder) {
   const Picture a = noise(1, 1, 1), b = noise(1, 1, 2);
   EXPECT_EQ(flip(a, b).mean,

@@ -22,8 +22,8 @@ struct Estimated {
   operator NoisyPicture() const { return {.mean = mean, .variance = variance}; }
 };
 
-/// Pictures as a path tracer makes them: noise that differs from pixel to pixel and has a long
-/// tail, and a variance that is estimated from four replicates.
+/// Pictures like those of a path tracer: noise that differs between pixels and has a long tail,
+/// with a variance estimated from four replicates.
 class Renders {
  public:
   explicit Renders(unsigned seed) : random_(seed) {}
@@ -39,7 +39,7 @@ class Renders {
         std::array<double, kReplicates> replicates;
         double mean = 0, squares = 0;
         for (double& v : replicates) {
-          // Exponential noise has expectation 1, which is taken off.
+          // Exponential noise has expectation 1, which is subtracted.
           v = change(i) * (radiance + spread * (exponential_(random_) - 1));
           mean += v / kReplicates;
         }
@@ -59,7 +59,7 @@ class Renders {
   std::exponential_distribution<double> exponential_;
 };
 
-/// How many of so many pairs are rejected at 5 %, by their means and by more than noise.
+/// How many of these pairs are rejected at 5 %, by their means and by their noise.
 struct Rejections {
   int pairs = 1000, mean = 0, noise = 0;
 
@@ -74,9 +74,9 @@ struct Rejections {
   }
 };
 
-// H0: both are of the same scene. Of 1000 pairs 50 ± 6.9 are to be rejected at 5 %. Four standard
-// deviations: a false alarm in 1 of 16,000 choices of the seed for each. Bonferroni's bound over
-// three independent channels, 4.92 %, is within that.
+// H0: both are of the same scene. Of 1000 pairs 50 ± 6.9 are expected to be rejected at 5 %. Four
+// standard deviations: a false alarm for 1 of 16,000 choices of the seed, for each test.
+// Bonferroni's bound over three independent channels, 4.92 %, is within that.
 TEST(ZTest, RejectsOneInTwentyPairsOfTheSameScene) {
   const Rejections rejections([](int) { return 1.0; });
   EXPECT_NEAR(rejections.mean, 50, 4 * 6.9);

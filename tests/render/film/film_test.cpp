@@ -15,20 +15,20 @@ LinearRgb sample(std::uint32_t replicate, std::uint32_t index) {
   return {v, 2 * v, std::sqrt(v)};
 }
 
-/// What a kernel does with a run.
+/// The result of a kernel for a run.
 void trace(std::vector<SampleRun>& runs) {
   for (SampleRun& run : runs) {
     for (std::uint32_t i = 0; i < run.count; ++i) run.sum += sample(run.replicate, run.first + i);
   }
 }
 
-void bring_to(Film& film, std::size_t pixel, std::uint64_t samples, std::uint32_t most_blocks = 3) {
+void bring_to(Film& film, std::size_t pixel, std::uint64_t samples, std::uint32_t max_blocks = 3) {
   Film::Target target;
   for (std::uint32_t i = 0; i < kReplicates; ++i) target[i] = samples_in_replicate(samples, i);
   film.reserve(target[0]);
   while (true) {
     std::vector<SampleRun> runs;
-    film.plan(pixel, target, most_blocks, runs);
+    film.plan(pixel, target, max_blocks, runs);
     if (runs.empty()) return;
     trace(runs);
     for (const SampleRun& run : runs) film.add(run);

@@ -15,7 +15,7 @@ std::vector<double> values(std::size_t count) {
   return values;
 }
 
-/// The sum as it is defined: blocks of 64 one after another; the blocks of the largest power of two
+/// The sum by its definition: blocks of 64 sequentially; the blocks of the largest power of two
 /// that fits form the left branch of a tree.
 double defined_sum(const std::vector<double>& all, std::size_t begin, std::size_t end) {
   constexpr std::size_t kBlock = SampleSum::kBlock;

@@ -47,7 +47,7 @@ void write(const fs::path& path, const std::string& text) {
   write_file_atomically(path, std::as_bytes(std::span(text)));
 }
 
-/// Files end at `bytes` as long as this lives: the same errors as a full disk, without one.
+/// During its lifetime files cannot exceed `bytes`: gives the errors of a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -67,7 +67,7 @@ class FileSizeLimit {
   void (*handler_)(int);
 };
 
-/// Root may write anywhere; as long as this lives, root is nobody.
+/// Root may write anywhere; during its lifetime, root becomes nobody.
 class Unprivileged {
  public:
   Unprivileged() {
@@ -85,7 +85,7 @@ class Unprivileged {
   bool is_switched_ = false;
 };
 
-/// A small file system of its own over `folder`, seen by this process only.
+/// A small private file system mounted over `folder`, seen by this process only.
 class MountedDisk {
  public:
   MountedDisk(const fs::path& folder, const char* options) : folder_(folder) {
@@ -176,8 +176,8 @@ TEST(AtomicFile, ReportsADiskThatIsReadOnly) {
   EXPECT_THAT(error_of([&] { write(folder / "a.png", "x"); }), HasSubstr("Read-only file system"));
 }
 
-// The devices of the machine are written to as nobody: if the code under test ever took one for a
-// file, root would replace /dev/null for everybody.
+// Device files are written as nobody: if the code under test ever replaced one as a file, root
+// would replace /dev/null for everybody.
 
 TEST(AtomicFile, ReportsAFullDevice) {
   const Unprivileged user;
@@ -304,7 +304,8 @@ TEST(AtomicFile, KeepsTheAccessControlListOfTheFileItReplaces) {
   EXPECT_EQ(attribute_of(folder / "b.scene", kAccess), std::nullopt);
 }
 
-/// What a process leaves in `folder` that is killed while it writes there. Nothing else is.
+/// The file that a process leaves in `folder` if it is killed while writing there. There are no
+/// others.
 std::string abandoned_in(const fs::path& folder) {
   const pid_t child = ::fork();
   if (child == 0) {

@@ -18,7 +18,7 @@ using test::write_text;
 
 using testing::HasSubstr;
 
-// The codec is loaded once a process: each of these runs its body in a process of its own, which
+// The codec is loaded once per process: each of these runs its body in a separate process, which
 // ends with the message of the error on its standard error.
 void load_from(const std::string& folder, void (*load)()) {
   ::setenv("SDLC_MODULE_PATH", folder.c_str(), 1);
@@ -38,7 +38,7 @@ class CodecLoader : public testing::Test {
 
 TEST_F(CodecLoader, SaysWhereItLookedForAMissingModule) {
   EXPECT_EXIT(load_from("/nowhere", [] { image_codec(); }), testing::ExitedWithCode(0),
-              "cannot load `/nowhere/sdlc_image_codec.so`: .*it is not there.*SDLC_MODULE_PATH");
+              "cannot load `/nowhere/sdlc_image_codec.so`: .*is missing.*SDLC_MODULE_PATH");
 }
 
 TEST_F(CodecLoader, ReportsAMissingModuleBeforeTheFirstPicture) {

@@ -17,7 +17,7 @@ using test::error_of;
 using test::exr_channels;
 using test::TemporaryFolder;
 
-// No multiples of the rows that are compressed or written together, and more than of either.
+// Not multiples of the rows that are compressed or written together, and more than either.
 constexpr int kWidth = 19;
 constexpr int kHeight = 150;
 
@@ -39,7 +39,7 @@ Layer ramp(const std::string& name, float slope) {
   return layer;
 }
 
-/// Names that come before, between and behind B, G and R in a file, which is in alphabetical order.
+/// Names that sort before, between and after B, G and R in a file, which is in alphabetical order.
 std::vector<Layer> layers() {
   return {ramp("normal.X", 3), ramp("Z", 1e30F), ramp("A.first", -7), ramp("H", 0.1F),
           ramp("albedo.R", 5)};
@@ -83,7 +83,7 @@ TEST(ExrLayers, HaveAValueForEveryPixel) {
   EXPECT_EQ(error_of([&] {
               encode_picture(Picture(2, 2), {.format = ImageFormat::Exr, .layers = all}, "a.exr");
             }),
-            "cannot write `a.exr`: `Z` has another number of pixels than the picture");
+            "cannot write `a.exr`: `Z` has a different number of pixels than the picture");
 }
 
 TEST(ToFloat, KeepsWhatIsTooLargeFinite) {

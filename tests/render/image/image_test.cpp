@@ -31,7 +31,7 @@ using testing::StartsWith;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Smooth, as most of a render is, with three different channels; every value in [0, 1).
+/// Smooth, like most of a render, with three different channels; every value in [0, 1).
 Picture gradient(int width, int height) {
   Picture picture(width, height);
   for (int y = 0; y < height; ++y) {
@@ -43,7 +43,7 @@ Picture gradient(int width, int height) {
   return picture;
 }
 
-/// What a format that keeps 8-bit codes exactly gives back.
+/// The values after a round trip through a format that stores 8-bit codes exactly.
 Picture codes_of(const Picture& picture, Tone tone) {
   Picture codes = picture;
   for (LinearRgb& p : codes.pixels) {
@@ -77,11 +77,11 @@ std::string encoded(const Picture& picture, const WriteOptions& options) {
   return {reinterpret_cast<const char*>(file.data()), file.size()};
 }
 
-// Sizes that are no multiple of a block of JPEG, WebP or EXR.
+// Sizes that are not multiples of a block of JPEG, WebP or EXR.
 constexpr int kWidth = 67;
 constexpr int kHeight = 45;
 
-/// "a.png" as the last part of a test's name: "png".
+/// The extension of "a.png" as the last part of a test's name: "png".
 const auto kExtension = [](const testing::TestParamInfo<const char*>& tested) {
   return fs::path(tested.param).extension().string().substr(1);
 };
@@ -111,13 +111,13 @@ TEST(Image, TextPpmKeepsEveryCode) {
             0);
 }
 
-/// The largest difference to the codes that were written, for a picture that is smooth.
+/// The largest difference to the written codes, for a smooth picture.
 double lossy_difference(const std::string& name) {
   const Picture picture = gradient(kWidth, kHeight);
   return 255 * max_difference(round_trip(picture, name), codes_of(picture, Tone::Srgb));
 }
 
-// The limits are the measured differences and a little more, for other versions of the encoders.
+// The limits are the measured differences plus a margin for other versions of the encoders.
 
 TEST(Image, JpegStaysNear) {
   // Quality 95: quantisation steps of a few codes; 6. With halved colour resolution it would be 20.
@@ -139,7 +139,7 @@ TEST(Image, ExrKeepsFloatsExactly) {
   picture.at(0, 0) = {0.1F, -2.5, 1e30F};
   picture.at(1, 0) = {kInfinity, -kInfinity, 1e-40F};
   picture.at(2, 1) = {3, 2, 1};
-  // A tone must make no difference.
+  // A tone must have no effect.
   EXPECT_EQ(round_trip(picture, "a.exr", {.tone = Tone::Sqrt}).pixels, picture.pixels);
 }
 
@@ -160,7 +160,7 @@ TEST(Image, HdrKeepsEightBitsOfThePixelsLargestComponent) {
   const Picture read = round_trip(picture, "a.hdr", {.tone = Tone::Sqrt});
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     const LinearRgb p = picture.pixels[i], d = p - read.pixels[i];
-    // The exponent puts the largest component into [128, 256), and the others on the same scale.
+    // The exponent scales the largest component into [128, 256), and the others in the same way.
     const double step = std::max({p.r, p.g, p.b}) / 128;
     EXPECT_LE(std::max({std::fabs(d.r), std::fabs(d.g), std::fabs(d.b)}), step) << i;
   }
@@ -192,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(Image, EveryFormat,
 
 TEST_P(EveryFormat, HoldsNoTimeOfDay) {
   const std::string file = encoded(gradient(kWidth, kHeight), {.format = GetParam().format});
-  // Dates are text in these files, but for a chunk of PNG.
+  // Dates are text in these files, except in a chunk of PNG.
   const std::time_t now = std::time(nullptr);
   char year[8] = {};
   std::strftime(year, sizeof year, "%Y:", std::gmtime(&now));
@@ -276,7 +276,7 @@ TEST(Image, ReportsFilesThatCannotBeRead) {
   EXPECT_THAT(error_of([&] { read_picture(folder / "none.png"); }),
               HasSubstr("No such file or directory"));
   EXPECT_THAT(error_of([&] { read_picture(folder / "a.bmp"); }),
-              HasSubstr("its extension names no picture format; known are png, exr, hdr"));
+              HasSubstr("its extension is not that of a picture format; known are png, exr, hdr"));
   fs::create_directory(folder / "b.png");
   EXPECT_THAT(error_of([&] { read_picture(folder / "b.png"); }), HasSubstr("it is a folder"));
 }

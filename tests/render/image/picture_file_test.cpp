@@ -23,7 +23,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Pair;
 
-/// Files of other programs, each of one value everywhere.
+/// Files of other programs, each with a constant value.
 class PictureFiles : public testing::Test {
  protected:
   std::string write(const std::string& name, const std::vector<OIIO::ImageSpec>& specs) {
@@ -131,13 +131,12 @@ TEST_F(PictureFiles, ThatAreACropAreRefused) {
   spec.x = 2;
   spec.full_width = 20;
   spec.full_height = 10;
-  EXPECT_THAT(
-      refusal("a.exr", {spec}),
-      HasSubstr("it holds 4 x 3 pixels at (2, 0) of a picture of 20 x 10 at (0, 0), a crop; "
-                "write all of the picture"));
+  EXPECT_THAT(refusal("a.exr", {spec}),
+              HasSubstr("it holds 4 x 3 pixels at (2, 0) of a picture of 20 x 10 at (0, 0), a "
+                        "crop; write the complete picture"));
 }
 
-// A window that is not at the origin is no crop as long as it is all there is.
+// A window that is not at the origin is not a crop if it covers the whole picture.
 TEST_F(PictureFiles, MayBeginAnywhere) {
   OIIO::ImageSpec spec = float_spec(4, 3, {"R", "G", "B"});
   spec.x = spec.full_x = 2;
@@ -147,8 +146,8 @@ TEST_F(PictureFiles, MayBeginAnywhere) {
 
 TEST_F(PictureFiles, OfFloatsThatMayBeAnythingAreRefused) {
   EXPECT_THAT(refusal("a.tiff", {float_spec(2, 2, {"R", "G", "B"})}),
-              HasSubstr("its values are no codes of 8 or 16 bits, and TIFF does not tell what they "
-                        "are; write them as .exr"));
+              HasSubstr("its values are not codes of 8 or 16 bits, and TIFF does not define their "
+                        "meaning; write them as .exr"));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ using testing::IsEmpty;
 
 constexpr LinearRgb kWhite{1};
 
-/// A few spheres on a ground under a dark sky, in front of the camera.
+/// A few spheres on a ground under a dark sky, in view of the camera.
 Scene still_life() {
   Scene scene = test::beam_scene({0, 1, 4}, {0, 0, 0}, LinearRgb{});
   add_sphere(scene, {0, -100.5, 0}, 100, diffuse({0.5, 0.6, 0.3}));
@@ -29,7 +29,7 @@ Scene still_life() {
   return scene;
 }
 
-/// Lights about the place (0, 30, 0), some of them far from each other.
+/// Lights around the point (0, 30, 0), some of them far from each other.
 void add_lights(Scene& scene, int count, double radius, double intensity) {
   test::Random random(1);
   for (int i = 0; i < count; ++i) {

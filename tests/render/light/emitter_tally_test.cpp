@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using enum LightPath;
 
-/// Spheres 1 and 3 shine.
+/// Spheres 1 and 3 emit light.
 Scene two_emitters() {
   Scene scene = test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{});
   test::add_sphere(scene, {0, 0, 0}, 1, test::diffuse(LinearRgb{1}));
@@ -35,7 +35,7 @@ void count(EmitterTally& tally, std::uint32_t sphere, int times,
   for (int i = 0; i < times; ++i) tally.count(sphere, kind);
 }
 
-/// The kinds of path that are rare, of the class of one sphere.
+/// The rare kinds of path, for the class of one sphere.
 std::vector<LightPath> rare_kinds(const EmitterTally& tally, std::uint32_t sphere) {
   std::vector<LightPath> kinds;
   for (const RarePath& path : tally.rare()) {
@@ -61,7 +61,8 @@ TEST(EmitterTally, HasNothingToCountWithoutEmitters) {
   EXPECT_FALSE(EmitterTally(scene, {}, kDepth).is_counting());
 }
 
-/// Seen along −z through a narrow beam: a diffuse ball, and lights before and behind the camera.
+/// Seen along −z through a narrow beam: a diffuse ball, and lights in front of and behind the
+/// camera.
 Scene lights_around(const Material& ball) {
   Scene scene = test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{});
   test::add_sphere(scene, {0, 0, 0}, 1, test::diffuse(LinearRgb{1}));
@@ -77,14 +78,14 @@ TEST(EmitterTally, CountsTheKindsOfPathThatTheSceneMakesPossible) {
   EXPECT_THAT(rare_kinds(EmitterTally(matt, {}, kDepth), 2), ElementsAre(Direct));
   EXPECT_THAT(rare_kinds(EmitterTally(matt, {}, kDepth), 3), ElementsAre(Visible, Direct));
   EXPECT_THAT(rare_kinds(EmitterTally(matt, {}, 1), 3), ElementsAre(Visible));
-  // Unlit ones shine too; this one is of the class of sphere 2.
+  // Unlit ones emit too; this one belongs to the class of sphere 2.
   EXPECT_EQ(EmitterTally(matt, {}, kDepth).rare().size(), 3u);
 
   const Scene glass = lights_around(test::transmissive(LinearRgb{1}, 1.5));
   EXPECT_THAT(rare_kinds(EmitterTally(glass, {}, kDepth), 3),
               ElementsAre(Visible, Reflected, Direct, Caustic));
   EXPECT_THAT(rare_kinds(EmitterTally(glass, {}, 2), 3), ElementsAre(Visible, Reflected, Direct));
-  // Connections find what they can of sampled lights.
+  // Connections find sampled lights.
   const std::vector<std::uint32_t> lights{2, 3};
   EXPECT_THAT(rare_kinds(EmitterTally(glass, lights, kDepth), 3),
               ElementsAre(Visible, Reflected, Caustic));
@@ -92,7 +93,7 @@ TEST(EmitterTally, CountsTheKindsOfPathThatTheSceneMakesPossible) {
               ElementsAre(Reflected, Direct, Caustic));
 }
 
-// A lamp that connections have reached a thousand times may light a caustic that nothing found.
+// A lamp that connections have reached a thousand times may cause a caustic that nothing found.
 TEST(EmitterTally, CountsKindsOfPathApart) {
   const std::vector<std::uint32_t> lights{2, 3};
   const Scene scene = lights_around(test::transmissive(LinearRgb{1}, 1.5));
@@ -114,7 +115,7 @@ TEST(LightPath, IsNamedAfterWhatThePathMet) {
   EXPECT_EQ(light_path({true, true, false}), Caustic);
 }
 
-// Limits of 95 % of the Poisson distribution, from its tables: 2.996 and 4.744 for 0 and 1.
+// 95 % limits of the Poisson distribution, from tables: 2.996 and 4.744 for 0 and 1.
 TEST(UnseenError, IsThatOfAsManyPathsAsMayHaveBeenMissed) {
   const auto error = [](std::uint32_t paths) {
     const std::vector<RarePath> rare{{Caustic, paths, 0, 3.0}};

@@ -36,7 +36,8 @@ TEST(LightCone, HasDirectionsOfLengthOneThatMeetTheSphereWhereTheySay) {
 }
 
 TEST(LightCone, IsFilledEvenly) {
-  // Of the cap, the share within the cosine c is (1 − c) / height. H0: so it is of the directions.
+  // The share of the cap within the cosine c is (1 − c) / height. H0: the directions have this
+  // share.
   test::Random random(2);
   const Vec3 to_center{1, 2, -2};
   const LightCone cone = light_cone(to_center, 1.5);
@@ -53,8 +54,8 @@ TEST(LightCone, IsFilledEvenly) {
   EXPECT_NEAR(on_one_side, kSamples / 2, 4 * std::sqrt(kSamples / 4.0));
 }
 
-// Weight of a connection times its density's inverse, and that of a scattered ray, by their
-// definition.
+// Weight of a connection times the inverse of its density, and that of a scattered ray, by their
+// definitions.
 TEST(ScatteringWeight, IsThatOfTheBalanceHeuristic) {
   const LightCone cone = light_cone({0, 0, 3}, 1);
   const double probability = 0.3, cosine = 0.4;

@@ -11,9 +11,9 @@
 namespace sdlc::render {
 namespace {
 
-std::vector<LightBall> random_balls(int count, unsigned seed) {
+std::vector<LightSphere> random_balls(int count, unsigned seed) {
   test::Random random(seed);
-  std::vector<LightBall> balls;
+  std::vector<LightSphere> balls;
   for (int i = 0; i < count; ++i) {
     balls.push_back({.center = random.in_box(1),
                      .shift = i % 3 == 0 ? random.in_box(0.2) : Vec3{},
@@ -23,7 +23,7 @@ std::vector<LightBall> random_balls(int count, unsigned seed) {
   return balls;
 }
 
-/// Places near the lights and apart from them, with every direction of the normal.
+/// Points near the lights and far from them, with every direction of the normal.
 template <typename Body>
 void for_places(const Body& body) {
   test::Random random(3);
@@ -41,10 +41,10 @@ TEST(LightTree, GivesProbabilitiesThatAddUpToOneWhereAllIsAboveTheHorizon) {
   for (const int count : {1, 2, 3, 7, 64, 1000}) {
     const LightTree tree(random_balls(count, 2));
     double sum = 0;
-    for (std::uint32_t leaf = 0; leaf < tree.balls_of_leaves().size(); ++leaf) {
+    for (std::uint32_t leaf = 0; leaf < tree.lights_of_leaves().size(); ++leaf) {
       const double p = tree.probability(leaf, {0, -9, 0}, {0, 1, 0});
       EXPECT_GE(p, 0);
-      EXPECT_EQ(p == 0, tree.balls_of_leaves()[leaf] == kNoLight);
+      EXPECT_EQ(p == 0, tree.lights_of_leaves()[leaf] == kNoLight);
       sum += p;
     }
     EXPECT_NEAR(sum, 1, 1e-12) << count;
@@ -54,7 +54,7 @@ TEST(LightTree, GivesProbabilitiesThatAddUpToOneWhereAllIsAboveTheHorizon) {
 TEST(LightTree, HoldsEveryLightOnce) {
   const LightTree tree(random_balls(1000, 4));
   std::vector<std::uint32_t> found;
-  for (const std::uint32_t ball : tree.balls_of_leaves()) {
+  for (const std::uint32_t ball : tree.lights_of_leaves()) {
     if (ball != kNoLight) found.push_back(ball);
   }
   std::ranges::sort(found);
@@ -62,7 +62,8 @@ TEST(LightTree, HoldsEveryLightOnce) {
   for (std::uint32_t i = 0; i < 1000; ++i) EXPECT_EQ(found[i], i);
 }
 
-// Both techniques of light sampling weigh by the same numbers, or the weights do not add up to 1.
+// Both techniques of light sampling weigh with the same numbers, otherwise the weights do not add
+// up to 1.
 TEST(LightTree, ChoosesWithTheProbabilityThatItTellsOfALeafToTheBit) {
   test::Random random(5);
   for (const int count : {2, 5, 300, 5000}) {
@@ -77,12 +78,13 @@ TEST(LightTree, ChoosesWithTheProbabilityThatItTellsOfALeafToTheBit) {
   }
 }
 
-// The random number's unit interval is cut into one piece a leaf, as long as its probability.
+// The unit interval of the random number is divided into one piece per leaf, with the length of its
+// probability.
 TEST(LightTree, ChoosesEachLeafAsOftenAsItSays) {
   const LightTree tree(random_balls(21, 7));
   for_places([&](Vec3 x, Vec3 normal) {
     constexpr int kSteps = 20000;
-    std::vector<double> share(tree.balls_of_leaves().size());
+    std::vector<double> share(tree.lights_of_leaves().size());
     for (int i = 0; i < kSteps; ++i) {
       const auto choice = tree.choose(x, normal, {(i + 0.5) / kSteps, 0});
       if (choice.probability > 0) share[choice.leaf] += 1.0 / kSteps;
@@ -94,31 +96,31 @@ TEST(LightTree, ChoosesEachLeafAsOftenAsItSays) {
 }
 
 TEST(LightTree, NeverChoosesWhatIsBelowTheHorizonNorLeavesOutWhatIsAbove) {
-  const std::vector<LightBall> balls = random_balls(300, 8);
+  const std::vector<LightSphere> balls = random_balls(300, 8);
   const LightTree tree(balls);
   for_places([&](Vec3 x, Vec3 normal) {
-    for (std::uint32_t leaf = 0; leaf < tree.balls_of_leaves().size(); ++leaf) {
-      const std::uint32_t i = tree.balls_of_leaves()[leaf];
+    for (std::uint32_t leaf = 0; leaf < tree.lights_of_leaves().size(); ++leaf) {
+      const std::uint32_t i = tree.lights_of_leaves()[leaf];
       if (i == kNoLight) continue;
       const double opening = dot(balls[i].center - x, normal);
       const double closing = dot(balls[i].center + balls[i].shift - x, normal);
       const double height = std::fmax(opening, closing) + balls[i].radius;
       const double p = tree.probability(leaf, x, normal);
       EXPECT_TRUE(p > 0 || height < 1e-12);
-      // The ball of one that moves reaches further than it does.
+      // The bounding sphere of a moving one is larger than it is.
       EXPECT_TRUE(p == 0 || height > -1e-12 || balls[i].shift != Vec3{});
     }
   });
 }
 
 TEST(LightTree, PrefersWhatIsNearBrightAndUpright) {
-  const auto share_of_first = [](const LightBall& a, const LightBall& b) {
+  const auto share_of_first = [](const LightSphere& a, const LightSphere& b) {
     const LightTree tree({a, b});
-    const std::uint32_t leaf = tree.balls_of_leaves()[0] == 0 ? 0 : 1;
+    const std::uint32_t leaf = tree.lights_of_leaves()[0] == 0 ? 0 : 1;
     return tree.probability(leaf, {0, 0, 0}, {0, 1, 0});
   };
-  const LightBall up{.center = {0, 2, 0}, .shift = {}, .radius = 0.01, .power = 1};
-  LightBall other = up;
+  const LightSphere up{.center = {0, 2, 0}, .shift = {}, .radius = 0.01, .power = 1};
+  LightSphere other = up;
   other.center = {0, 4, 0};
   EXPECT_NEAR(share_of_first(up, other), 0.8, 0.01);
   other.center = {2 * std::sqrt(0.75), 1, 0};

@@ -86,7 +86,7 @@ TEST(FresnelExact, MeetsItsKnownValues) {
   EXPECT_NEAR(fresnel_exact(1, 1 / 1.5), 0.04, 1e-15);
   EXPECT_NEAR(fresnel_exact(0, 1 / 1.5), 1, 1e-15);
   EXPECT_NEAR(fresnel_exact(0.5, 1), 0, 1e-15);
-  // At Brewster's angle, tan θ = 1.5, light polarised along the plane is not reflected.
+  // At Brewster's angle, tan θ = 1.5, light polarised in the plane of incidence is not reflected.
   const double cosine = 1 / std::sqrt(1 + 1.5 * 1.5), across = (1 - 1.5 * 1.5) / (1 + 1.5 * 1.5);
   EXPECT_NEAR(fresnel_exact(cosine, 1 / 1.5), across * across / 2, 1e-15);
 }

@@ -19,10 +19,10 @@ TEST(SinCosTurns, IsExactAtQuarterTurns) {
 }
 
 TEST(SinCosTurns, IsWithinTwoUnitsInTheLastPlace) {
-  // Two, not one: the angle in radians is itself rounded once before the series.
+  // Two units, not one: the angle in radians is rounded once before the series.
   for (int i = 0; i < 100000; ++i) {
     const double v = (i + 0.37) / 100000;
-    // The reference reduces the angle first too: next to a zero even long double would lose it
+    // The reference also reduces the angle first: near a zero even long double would lose it
     // otherwise.
     const int quadrant = static_cast<int>(std::lround(v * 4));
     const long double x = (v * 4 - quadrant) * (3.14159265358979323846264338327950288L / 2);

@@ -29,8 +29,8 @@ TEST(NoiseOfTime, TakesTheMedianOfRepeats) {
   EXPECT_DOUBLE_EQ(noise.typical({1, 3}).value, 2);
 }
 
-// 4 % of noise in the logarithm, ten renders of three repeats: of 2000 intervals for the next time,
-// between 94 and 96.5 % hold it if 95 % do, but for one case in a thousand.
+// 4 % of noise in the logarithm, ten renders with three repetitions: of 2000 intervals for the next
+// time, between 94 and 96.5 % cover it if 95 % are expected, except in one case in a thousand.
 TEST(NoiseOfTime, IntervalsHoldTheNextTimeAsOftenAsTheySay) {
   std::mt19937_64 engine(7);
   std::normal_distribution<double> noise(0, 0.04);

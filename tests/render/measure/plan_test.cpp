@@ -15,8 +15,8 @@ using Kind = render::StudyTask::Kind;
 
 constexpr render::Way kOwn{};
 
-/// A megapixel of which ten million samples take a second.
-StudyRequest request(double budget_seconds, double seconds_a_sample = 1e-7) {
+/// A megapixel; ten million samples take a second.
+StudyRequest request(double budget_seconds, double seconds_per_sample = 1e-7) {
   StudyRequest request{.settings = {.width = 1000, .height = 1000, .samples = 48},
                        .reference_way = kOwn,
                        .budget_seconds = budget_seconds};
@@ -25,7 +25,7 @@ StudyRequest request(double budget_seconds, double seconds_a_sample = 1e-7) {
   render::Way twice = kOwn;
   twice.precision = render::Precision::Double;
   for (const render::Way& way : {kOwn, independent, twice}) {
-    request.costs.push_back({.way = way, .seconds_a_sample = seconds_a_sample});
+    request.costs.push_back({.way = way, .seconds_per_sample = seconds_per_sample});
   }
   return request;
 }
@@ -114,7 +114,7 @@ TEST(StudyPlan, LooksAtDepthsOnBothSidesOfTheScenesOwn) {
   EXPECT_EQ(plan_study(odd).depths, (std::vector{2, 4, 8, 16, 32, 64, 128, 1000}));
 }
 
-// Each of the things would be measured on a machine that just then is slow, were they not spread.
+// Otherwise all repetitions of a point could fall into a period in which the machine is slow.
 TEST(StudyPlan, SpreadsRepeatsOverTheWholeTime) {
   const StudyPlan plan = plan_study(request(600));
   std::vector<int> rounds;

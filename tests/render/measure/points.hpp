@@ -8,7 +8,7 @@ inline render::Measured measured(double value, double share) {
   return {value, {value * (1 - share), value * (1 + share)}};
 }
 
-/// A point whose intervals are 2 % to each side.
+/// A point whose intervals are ±2 %.
 inline render::Point point(int samples, double seconds, double error, render::Way way = {}) {
   return {.way = way,
           .samples = samples,

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-// Whether the intervals are right is in tests/statistics/measured_error_test.cpp.
+// tests/statistics/measured_error_test.cpp tests the coverage of the intervals.
 namespace sdlc::test {
 namespace {
 
@@ -20,8 +20,8 @@ ReferencePicture plain_reference(double radiance, float noise) {
 }
 
 TEST(ErrorAgainstAReference, IsItsDistanceWithoutTheReferencesOwnNoise) {
-  // Of 2 · 3 values .5 away, relative to a mean of 2; the reference's own squared error is .3 a
-  // pixel.
+  // 2 · 3 values with an error of .5, relative to a mean of 2; the reference's own squared error is
+  // .3 per pixel.
   const ReferencePicture reference = plain_reference(2, std::sqrt(0.3f));
   const Measured error = error_against(Picture(2, 1, LinearRgb{2.5}), reference);
   EXPECT_NEAR(error.value, std::sqrt((6 * 0.25 - 0.6) / 6) / 2, 1e-7);

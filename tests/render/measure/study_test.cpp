@@ -18,26 +18,27 @@ using render::StudyLedger;
 using render::StudyObserver;
 
 constexpr render::RenderSettings kSettings{.width = 24, .height = 16, .samples = 12, .depth = 6};
-/// In which all that is planned for so small a picture is done.
+/// Enough time for the whole plan of such a small picture.
 constexpr render::StudyOptions kOptions{.budget_seconds = 600};
 
-/// A ledger with a plan of so few samples that it takes a second, whatever the machine.
+/// A ledger with a plan of so few samples that it takes about a second on any machine.
 StudyLedger short_ledger() {
   StudyLedger ledger;
   render::Way own{.precision = render::Precision::Float, .depth = 6};
   render::StudyRequest request{
       .settings = kSettings, .reference_way = own, .budget_seconds = kOptions.budget_seconds};
-  // So slow that 64 samples are the most.
-  const double seconds_a_sample = 0.5;
-  request.costs.push_back({.way = own, .seconds_a_sample = seconds_a_sample / (24 * 16)});
+  // So slow that 64 samples are the maximum.
+  const double seconds_per_sample = 0.5;
+  request.costs.push_back({.way = own, .seconds_per_sample = seconds_per_sample / (24 * 16)});
   render::Way independent = own;
   independent.sampler = render::SamplerKind::Independent;
-  request.costs.push_back({.way = independent, .seconds_a_sample = seconds_a_sample / (24 * 16)});
+  request.costs.push_back(
+      {.way = independent, .seconds_per_sample = seconds_per_sample / (24 * 16)});
   render::Way exact = own;
   exact.precision = render::Precision::Double;
-  request.costs.push_back({.way = exact, .seconds_a_sample = seconds_a_sample / (24 * 16)});
+  request.costs.push_back({.way = exact, .seconds_per_sample = seconds_per_sample / (24 * 16)});
   ledger.plan = plan_study(request);
-  // Nothing that is told apart by a clock.
+  // Without repetitions, whose number depends on timing.
   std::erase_if(ledger.plan->tasks, [](const render::StudyTask& task) {
     return task.kind == render::StudyTask::Kind::Repeat;
   });
@@ -46,7 +47,7 @@ StudyLedger short_ledger() {
 
 class StudyTest : public testing::Test {
  protected:
-  /// Runs until `most` things were done; all by default.
+  /// Runs until `most` tasks are done; all by default.
   void run(StudyLedger& ledger, int most = 1 << 30) {
     render::RenderMonitor monitor;
     int done = 0;
@@ -133,7 +134,7 @@ TEST(DepthProbes, HaveConvergedWhereTwiceTheDepthAddsNothing) {
 }
 
 TEST_F(StudyTest, GoesDeeperUntilNoLightIsLost) {
-  // A closed room: light goes from wall to wall until the lamp or the walls have taken it.
+  // A closed room: light is reflected between the walls until the lamp or the walls absorb it.
   render::Scene room = beam_scene({0, 0, 0.5}, {0, 0, -1}, render::LinearRgb{0});
   add_sphere(room, {0, 0, 0}, 3, diffuse({0.8, 0.8, 0.8}));
   add_sphere(room, {0, 2, 0}, 0.3, emissive({1, 1, 1}, 5));
@@ -147,7 +148,7 @@ TEST_F(StudyTest, GoesDeeperUntilNoLightIsLost) {
   EXPECT_TRUE(result.depths_have_converged);
   EXPECT_GT(result.depths.back().depth, 4 * kSettings.depth);
   EXPECT_LT(result.depths[result.depths.size() - 2].loss.value, 1e-3);
-  // Of ever more walls each gives .8 of the light of the one before, or a little less.
+  // Each further wall reflects .8 of the light of the previous one, or a little less.
   const auto own = std::ranges::find(result.depths, kSettings.depth, &render::DepthLoss::depth);
   EXPECT_GT(own->loss.value, 0.15);
   EXPECT_EQ(result.depths.size(), ledger.plan->depths.size());
@@ -172,7 +173,7 @@ TEST_F(StudyTest, GoesOnWhereItWasStoppedAndComesToTheSame) {
   for (int stops = 0; stops < 4; ++stops) run(parts, 3);
   EXPECT_LT(parts.evaluations.size(), whole.evaluations.size());
   run(parts);
-  // Which points there are beyond the plan is up to the clock.
+  // The points beyond the plan depend on timing.
   for (const render::StudyTask& task : whole.plan->tasks) {
     if (task.kind != render::StudyTask::Kind::Point) continue;
     const Point result = point_of(measurement(parts), task);
@@ -219,7 +220,8 @@ TEST_F(StudyTest, RecommendsForTheFullSizeWhereASmallerPictureWasMeasured) {
   ASSERT_EQ(smaller.recommendations.size(), at_size.recommendations.size());
   for (std::size_t i = 0; i < smaller.recommendations.size(); ++i) {
     EXPECT_FALSE(smaller.recommendations[i].is_measured);
-    // Reading, writing and building stay; milliseconds of tracing become ten times as long.
+    // Reading, writing and building stay the same; milliseconds of tracing become ten times as
+    // long.
     EXPECT_GE(smaller.recommendations[i].seconds.value, 1050);
     EXPECT_LT(smaller.recommendations[i].seconds.value, 1100);
   }

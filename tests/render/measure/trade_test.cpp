@@ -10,11 +10,11 @@
 namespace sdlc::test {
 namespace {
 
+using render::Dominance;
 using render::Point;
 using render::Series;
-using render::Standing;
 
-/// Errors of 8 / samples^.75 and times of samples milliseconds.
+/// Errors of 8 / samples^.75 and times of `samples` milliseconds.
 std::vector<Point> sobol_points() {
   std::vector<Point> points;
   for (int samples = 8; samples <= 512; samples *= 4) {
@@ -25,31 +25,31 @@ std::vector<Point> sobol_points() {
 
 TEST(Standings, WhatIsSlowerAndWorseBeyondTheIntervalsIsDominated) {
   std::vector<Point> points{point(8, 1, 0.1), point(16, 2, 0.05), point(16, 3, 0.07, kIndependent)};
-  mark_standings(points);
-  EXPECT_EQ(points[0].standing, Standing::Front);
-  EXPECT_EQ(points[1].standing, Standing::Front);
-  EXPECT_EQ(points[2].standing, Standing::Dominated);
+  mark_dominance(points);
+  EXPECT_EQ(points[0].dominance, Dominance::Front);
+  EXPECT_EQ(points[1].dominance, Dominance::Front);
+  EXPECT_EQ(points[2].dominance, Dominance::Dominated);
 }
 
 TEST(Standings, WhatIsSlowerAndWorseWithinThemIsNotDistinguished) {
   std::vector<Point> points{point(16, 2, 0.05), point(16, 2.05, 0.07, kIndependent),
                             point(16, 3, 0.051, kIndependent)};
-  mark_standings(points);
-  EXPECT_EQ(points[1].standing, Standing::NotDistinguished) << "their times overlap";
-  EXPECT_EQ(points[2].standing, Standing::NotDistinguished) << "their errors overlap";
+  mark_dominance(points);
+  EXPECT_EQ(points[1].dominance, Dominance::NotDistinguished) << "their times overlap";
+  EXPECT_EQ(points[2].dominance, Dominance::NotDistinguished) << "their errors overlap";
 }
 
 TEST(Standings, TheSamePictureMadeMoreSlowlyIsDominated) {
   std::vector<Point> points{point(16, 2, 0.05), point(16, 3, 0.05, kIndependent)};
-  mark_standings(points);
-  EXPECT_EQ(points[0].standing, Standing::Front);
-  EXPECT_EQ(points[1].standing, Standing::Dominated);
+  mark_dominance(points);
+  EXPECT_EQ(points[0].dominance, Dominance::Front);
+  EXPECT_EQ(points[1].dominance, Dominance::Dominated);
 }
 
 TEST(Standings, WhatIsClearlySlowerAndHardlyNearerIsNotDistinguished) {
   std::vector<Point> points{point(16, 2, 0.05), point(16, 3, 0.0499, kIndependent)};
-  mark_standings(points);
-  EXPECT_EQ(points[1].standing, Standing::NotDistinguished);
+  mark_dominance(points);
+  EXPECT_EQ(points[1].dominance, Dominance::NotDistinguished);
 }
 
 TEST(SeriesOfAWay, HaveTheSlopeOfTheirLine) {
@@ -81,7 +81,7 @@ TEST(SamplesForAnError, AreMeasuredWhereAPointHasItAlready) {
 
 TEST(SamplesForAnError, AreBetweenPointsOnTheLineThroughThem) {
   const std::vector<Point> points = sobol_points();
-  // 8 (.4 / .1)^(4/3) = 50.8 of the plain error, 52 of the interval's upper end.
+  // 8 (.4 / .1)^(4/3) = 50.8 for the error itself, 52 for the interval's upper end.
   const auto found = samples_for(0.1, group_by_way(points).front(), points);
   ASSERT_TRUE(found);
   EXPECT_FALSE(found->is_measured);

@@ -9,20 +9,20 @@
 
 #include "render/sampler/sampler.hpp"
 
-// Streams of random numbers that lie beside each other, of pixels, samples, dimensions and seeds,
-// must have nothing to do with each other: a picture's mean comes out wrong, without any pixel
-// looking so, where they do. (The frames of a film are told apart by their seeds too.) The tests
-// are held against generators of which that is known, and must refuse them.
+// Neighbouring streams of random numbers, of pixels, samples, dimensions and seeds, must be
+// independent: otherwise the mean of a picture is wrong, although every pixel looks right. (The
+// frames of a film are distinguished by their seeds too.) The tests are validated with generators
+// that are known to be bad, which they must reject.
 namespace sdlc::render {
 namespace {
 
-/// The place of a random number.
+/// The coordinates of a random number.
 struct Place {
   std::uint64_t seed = 0, pixel = 0, sample = 0;
   std::uint32_t dimension = 0;
 };
 
-/// Ours.
+/// Our generator.
 double path_number(const Place& place) {
   const PathSampler sampler(SamplerKind::Independent,
                             PathSampler::stream_key(place.seed, place.pixel, 0),
@@ -32,14 +32,14 @@ double path_number(const Place& place) {
 }
 
 /// PCG32, XSH RR 64/32 (O'Neill, "PCG: A family of simple fast space-efficient statistically good
-/// algorithms for random number generation", 2014), whose samples follow each other in one stream.
+/// algorithms for random number generation", 2014), with consecutive samples in one stream.
 class Pcg {
  public:
   static constexpr std::uint64_t kNumbersASample = 32;
 
   Pcg(std::uint64_t state, std::uint64_t stream) : state_(state), increment_(2 * stream + 1) {}
 
-  /// The published way to start: two steps away from what the caller knows.
+  /// The published initialisation: two steps from the caller's seed.
   static Pcg started(std::uint64_t state, std::uint64_t stream) {
     Pcg pcg(state, stream);
     pcg.state_ += pcg.increment_;
@@ -67,22 +67,22 @@ class Pcg {
   std::uint64_t state_, increment_;
 };
 
-/// The pixel's number picks the stream.
+/// The pixel's number selects the stream.
 double pcg_by_stream(const Place& place) {
   return Pcg::started(place.seed, place.pixel).number(place.sample, place.dimension);
 }
 
-/// The pixel's number is the first state.
+/// The pixel's number is the initial state.
 double pcg_by_state(const Place& place) {
   return Pcg::started(place.pixel, place.seed).number(place.sample, place.dimension);
 }
 
-/// The same, without the start: numbers of the first sample are small.
+/// The same, without the initialisation: numbers of the first sample are small.
 double pcg_by_raw_state(const Place& place) {
   return Pcg(place.pixel, place.seed).number(place.sample, place.dimension);
 }
 
-/// One stream for all pixels, each with numbers of its own: nothing is wrong with it.
+/// One stream for all pixels, each with different numbers: a good generator.
 double pcg_in_one_stream(const Place& place) {
   constexpr std::uint64_t kSamplesAPixel = 1 << 12;
   return Pcg::started(42 + place.seed * 0x9E3779B97F4A7C15, 54)
@@ -91,13 +91,13 @@ double pcg_in_one_stream(const Place& place) {
 
 using Generator = double (*)(const Place&);
 
-/// What a test of H0 "independent and uniform" found, in standard errors.
+/// The result of a test of H0 "independent and uniform", in standard errors.
 struct Finding {
   std::string name;
   double z = 0;
 };
 
-/// Pairs of numbers this far from each other.
+/// Pairs of numbers at this distance from each other.
 struct Distance {
   int seeds = 0, pixels = 0, samples = 0, dimensions = 0;
 
@@ -115,8 +115,8 @@ struct Distance {
   }
 };
 
-/// Of a pair (a, b) the product, and the two waves that find numbers which are a fixed step apart,
-/// or mirrored, or both: each has mean 0 and variance 1 if a and b are independent.
+/// For a pair (a, b) the product, and the two waves that detect numbers with a fixed step between
+/// them, or mirrored, or both: each has mean 0 and variance 1 if a and b are independent.
 void find_correlations(Generator generator, int pairs, const Distance& distance,
                        std::vector<Finding>& findings) {
   constexpr int kDimensions = 16;
@@ -125,7 +125,7 @@ void find_correlations(Generator generator, int pairs, const Distance& distance,
   for (int i = 0; i < pairs; ++i) {
     const auto index = static_cast<std::uint64_t>(i / kDimensions);
     const auto dimension = static_cast<std::uint32_t>(1 + i % kDimensions);
-    // From pixel to pixel, of which samples alone are apart from sample to sample.
+    // Between pixels; only samples are compared between samples.
     const bool is_along_samples = distance.samples > 0 && distance.pixels == 0;
     const Place place{.seed = index % 4,
                       .pixel = is_along_samples ? 11 : index,
@@ -170,7 +170,7 @@ void find_shifted_means(Generator generator, int pixels, Place place,
   findings.push_back({"means of neighbours" + of, (squares - blocks) / spread});
 }
 
-/// All tests, with so many pairs each and four times as many pixels.
+/// All tests, with this many pairs each and four times as many pixels.
 std::vector<Finding> examine(Generator generator, int pairs) {
   constexpr int kWidth = 1920;
   std::vector<Finding> findings;
@@ -211,9 +211,9 @@ TEST(RandomStreams, OfNeighboursAreIndependent) {
   }
 }
 
-// That the tests see what they are there for, with a quarter of the numbers: what is keyed by the
-// pixel alone is refused, mostly by the spread of the means of neighbours, 15 to 30 % too small or
-// 5 % too large.
+// Checks the power of the tests, with a quarter of the numbers: generators keyed by the pixel alone
+// are rejected, mostly by the spread of the means of neighbours, 15 to 30 % too small or 5 % too
+// large.
 TEST(RandomStreams, OfAPlainGeneratorKeyedByThePixelAreRefused) {
   for (const Generator generator : {pcg_by_stream, pcg_by_state, pcg_by_raw_state}) {
     const Finding worst = worst_of(examine(generator, 1 << 18));

@@ -37,8 +37,8 @@ TEST(PathSampler, IsAFunctionOfSeedPixelReplicateSampleAndPair) {
   }
 }
 
-// What Sobol' points are taken for: of the first 2^k points each of the 2^k boxes of one shape
-// holds exactly one, whatever the shape.
+// The defining property of Sobol' points: of the first 2^k points each elementary box of area 2^-k
+// contains exactly one, for every shape.
 TEST(SobolSampler, PutsOnePointIntoEachElementaryInterval) {
   for (const std::uint32_t pair : {0u, 1u, 2u, 17u}) {
     for (int k = 0; k <= 10; ++k) {

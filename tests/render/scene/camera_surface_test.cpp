@@ -25,7 +25,7 @@ std::size_t count_in_rebased(Scene scene) {
 
 double power_of_ten(double e) { return std::pow(10.0, e); }
 
-/// Up to four spheres of any size anywhere, many of them with the camera on them.
+/// Up to four spheres of any size anywhere, many of them with the camera on their surface.
 Scene random_scene(Random& random) {
   const double size = power_of_ten(random.between(-307, 305));
   const bool is_far = random.between(0, 1) < 0.5, has_shifts = random.between(0, 1) < 0.3;
@@ -55,7 +55,7 @@ TEST(CameraSurface, IsCountedAsInTheRebasedScene) {
     EXPECT_EQ(count_under_camera(scene), expected) << "scene " << i;
     ++scenes_with[expected];
   }
-  // None, one and several: the question is not whether all answers are "no".
+  // None, one and several: ensures that the answers are not all "no".
   EXPECT_GT(scenes_with[0], 100);
   EXPECT_GT(scenes_with[1], 100);
   EXPECT_GT(scenes_with[2], 100);
@@ -81,7 +81,7 @@ TEST(CameraSurface, IsCountedAsInTheRebasedSceneAtTheEndsOfDouble) {
   }
 }
 
-// Squares of what is small beside the extent vanish there: a distance is 0 then.
+// Squares of lengths that are small compared with the extent underflow: a distance becomes 0.
 TEST(CameraSurface, IsNotThatOfSpheresTooSmallForTheScene) {
   Scene scene;
   scene.spheres = {{{1e-200, 0, 0}, 1e-200, 0}};

@@ -52,7 +52,7 @@ TEST(FindCoincident, FindsPairsThatOnlyTheLastCoordinateTellsApart) {
   EXPECT_EQ(find_coincident(spheres, {}).size(), 10000u);
 }
 
-/// The definition, word for word.
+/// The literal definition.
 std::vector<CoincidentSphere> compare_all_pairs(const std::vector<Sphere>& spheres,
                                                 const std::vector<Vec3>& shifts) {
   std::vector<CoincidentSphere> found;
@@ -80,7 +80,7 @@ class NearlyCoincidentSpheres {
  public:
   explicit NearlyCoincidentSpheres(std::uint64_t seed) : engine_(seed) {}
 
-  /// Around `places` spheres, each coordinate of which is one of few or one of its own.
+  /// Around `places` spheres, each coordinate of which is one of a few, or unique.
   void make(int count, int places, double radius_decades, bool is_moving) {
     std::vector<Sphere> place;
     for (int i = 0; i < places; ++i) {
@@ -130,9 +130,9 @@ TEST(FindCoincident, AgreesWithComparingAllPairs) {
   }
 }
 
-/// Pairs at the tolerance from each other and far from all other pairs. Their places go along `way`
-/// (in x, y, z and radius) in steps of the tolerance, since whatever grid sorts spheres has walls
-/// somewhere. `apart` leads from the first sphere of a pair to the second.
+/// Pairs at the tolerance from each other and far from all other pairs. Their positions advance
+/// along `way` (in x, y, z and radius) in steps of the tolerance, because any grid has cell
+/// boundaries somewhere. `apart` leads from the first sphere of a pair to the second.
 std::vector<Sphere> pairs_along(std::array<int, 4> way, std::array<int, 4> apart, double radius) {
   std::vector<Sphere> spheres;
   for (int i = 0; i < 1 << 15; ++i) {

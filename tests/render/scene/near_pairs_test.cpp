@@ -46,7 +46,7 @@ double extent_of(const Scene& scene) {
   return extent;
 }
 
-/// By the definition, at a hundred moments: some that are near for a moment only may be missing.
+/// By the definition, at a hundred moments: some that are near only for a moment may be missing.
 Pairs near_at_moments(const Scene& scene) {
   const double extent = extent_of(scene);
   Pairs pairs;
@@ -69,7 +69,7 @@ Pairs near_at_moments(const Scene& scene) {
   return pairs;
 }
 
-/// More than are compared all with all, many of them near each other, of radii over `decades`.
+/// More than are compared pairwise, many of them near each other, with radii over `decades`.
 Scene crowd(std::size_t count, double decades) {
   Scene scene;
   scene.camera.from = {3, 1, -7};
@@ -99,7 +99,7 @@ TEST(NearPairs, AreThoseThatTouchOrNearlyCoincide) {
   }
 }
 
-// Those that pass each other, by a hundred times what is near, are left out.
+// Spheres that pass each other, by a hundred times the limit for near pairs, are left out.
 TEST(NearPairs, AreThoseThatGoTogetherWhileTheShutterIsOpen) {
   Scene scene = crowd(1000, 1);
   scene.shifts.assign(scene.spheres.size(), Vec3{5, 0, 1});
@@ -154,7 +154,7 @@ TEST(NearPairs, AreFoundAmongSpheresThatHeapUp) {
   }
 }
 
-// Of nested shells each has its two neighbours; all boxes meet.
+// Nested shells each have two neighbours; all boxes overlap.
 TEST(NearPairs, AreFoundAmongNestedShells) {
   Scene scene;
   scene.camera.from = {0, 0, 9};

@@ -13,7 +13,7 @@ using testing::IsEmpty;
 
 constexpr int kHeight = 540;
 
-/// Three spheres of radius 1 before the camera, 4 from each other.
+/// Three spheres of radius 1 in view of the camera, 4 from each other.
 Scene plain_scene() {
   Scene scene;
   scene.camera = {.from = {0, 0, 10}, .at = {0, 0, 0}, .plane_height = 1};
@@ -24,11 +24,11 @@ Scene plain_scene() {
   return scene;
 }
 
-FloatVerdict judge(const Scene& scene, int height = kHeight, std::size_t most_exact = 2) {
-  return judge_float(scene, scene.camera, {.width = 960, .height = height}, most_exact);
+FloatVerdict judge(const Scene& scene, int height = kHeight, std::size_t max_exact = 2) {
+  return judge_float(scene, scene.camera, {.width = 960, .height = height}, max_exact);
 }
 
-/// What decides about all of it in float, and the spheres.
+/// The deciding criterion with everything in float, and its spheres.
 PrecisionClause clause_of(const Scene& scene, int height = kHeight) {
   return judge(scene, height).in_float.deciding();
 }
@@ -77,7 +77,7 @@ TEST(FloatVerdict, TakesLargeSpheresOutOfTheBounds) {
   scene.spheres.push_back({.center = {0, -10002, 0}, .radius = 10000});
   EXPECT_TRUE(judge(scene).is_accepted);
   EXPECT_THAT(judge(scene).exact_spheres, ElementsAre(3));
-  // How large they are does not matter, but how many.
+  // Their number matters, not their size.
   scene.spheres[3] = {.center = {0, -6.371e6 - 2, 0}, .radius = 6.371e6};
   EXPECT_THAT(judge(scene).exact_spheres, ElementsAre(3));
   scene.spheres.push_back({.center = {0, 10002, 0}, .radius = 10000});
@@ -104,7 +104,7 @@ TEST(FloatVerdict, RefusesNarrowPixels) {
   EXPECT_TRUE(judge(plain_scene(), 40000).is_accepted);
   EXPECT_FALSE(judge(plain_scene(), 2'000'000).is_accepted);
   EXPECT_GT(judge(plain_scene(), 2'000'000).in_float[PrecisionClause::Pixel].share, 1);
-  // 16 u is a part in 1048576. What is not on the camera's own surface is too near long before.
+  // 16 u is 1/1048576. Surfaces other than the camera's own are too near long before that.
   Scene on_sphere = plain_scene();
   on_sphere.spheres = {{.center = {0, 0, 9}, .radius = 1}};
   EXPECT_TRUE(judge(on_sphere, 1'000'000).is_accepted);
@@ -142,7 +142,7 @@ TEST(FloatVerdict, RefusesNarrowGaps) {
   EXPECT_FALSE(judge(bubble).is_accepted);
 }
 
-// Points on both walls are off by 2 u of their distance, so that 4 u of it is too thin.
+// Points on both walls have an error of 2 u of their distance, so 4 u of it is too thin.
 TEST(FloatVerdict, RefusesThinShellsFarAway) {
   const auto shell = [](double distance, double wall) {
     Scene scene = plain_scene();
@@ -155,7 +155,7 @@ TEST(FloatVerdict, RefusesThinShellsFarAway) {
   EXPECT_TRUE(shell(1000, 1e-3));
 }
 
-// Spheres that touch from inside, or cross, with hardly any distance anywhere, are one surface to
+// Spheres that touch from inside, or cross, with hardly any distance anywhere, are one surface for
 // most rays.
 TEST(FloatVerdict, RefusesSurfacesThatNearlyCoincide) {
   const auto with = [](double x, double radius) {
@@ -191,7 +191,7 @@ TEST(FloatVerdict, LooksAtBothEndsOfTheShutter) {
   EXPECT_FALSE(judge(scene, kHeight, 0).is_accepted);
 }
 
-// Nearly coinciding for a moment is no fault.
+// Nearly coinciding for a moment is accepted.
 TEST(FloatVerdict, AllowsSpheresThatMeetForAMoment) {
   Scene scene = plain_scene();
   scene.spheres[2] = scene.spheres[1];
@@ -217,7 +217,8 @@ TEST(FloatVerdict, RefusesRadianceThatFloatCannotHold) {
   scene.materials[0] = {
       .color = LinearRgb{1e20}, .parameter = 1e20, .type = MaterialType::Emissive};
   EXPECT_FALSE(judge(scene).is_accepted);
-  // What a surface takes of so bright a sky vanishes in float on the way, and counts all the same.
+  // The light that a surface absorbs of such a bright sky underflows in float along the path, but
+  // counts.
   scene.materials[0] = {
       .color = LinearRgb{1e-19}, .parameter = 1, .type = MaterialType::Transmissive};
   scene.background = {.bottom = LinearRgb{1e19}, .top = LinearRgb{1e19}};
@@ -226,7 +227,7 @@ TEST(FloatVerdict, RefusesRadianceThatFloatCannotHold) {
   EXPECT_EQ(clause_of(scene), PrecisionClause::Radiance);
 }
 
-// Points on a ground that is met in double are right to a part of their own distance.
+// Points on a ground in double have an error relative to their own distance.
 TEST(FloatVerdict, TakesCamerasRightAboveAGroundMetInDouble) {
   Scene scene = plain_scene();
   scene.camera.from = {0, 1e-6, 0};
@@ -236,7 +237,7 @@ TEST(FloatVerdict, TakesCamerasRightAboveAGroundMetInDouble) {
   EXPECT_THAT(judge(scene).exact_spheres, ElementsAre(3));
 }
 
-// What surfaces give back more than they get multiplies along a path.
+// Surfaces that reflect more than they receive multiply the light along a path.
 TEST(FloatVerdict, RefusesRadianceThatGrowsPastFloatAlongAPath) {
   Scene scene = plain_scene();
   scene.materials[0].color = LinearRgb{2};
@@ -312,7 +313,7 @@ TEST(ScaleRatio, IsTheReachInRadiiOfTheSmallestSphere) {
     EXPECT_EQ(ratio.smallest, 1u);
     EXPECT_EQ(ratio.farthest, 0u);
   }
-  // A sphere too small to be seen beside the others' lengths is there nonetheless.
+  // A sphere that underflows in the others' unit still counts.
   scene.spheres[1].radius = 1e-320;
   scene.spheres[2].center.x = 1e300;
   EXPECT_GT(measure_scale(scene, scene.camera).ratio, 1e300);

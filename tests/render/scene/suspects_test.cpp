@@ -36,7 +36,7 @@ std::vector<Sphere> random_spheres(double radius_decades) {
   return spheres;
 }
 
-// What the search is fast by: the costly comparison is for few.
+// The reason for the search's speed: few spheres need the costly comparison.
 TEST(FindSuspects, LeavesFewOfSpheresThatDoNotCoincide) {
   const auto share = [](const std::vector<Sphere>& spheres) {
     EXPECT_EQ(spheres.size(), kCount);
@@ -64,7 +64,7 @@ TEST(FindSuspects, NamesEachSphereOnceInTheirOrder) {
   std::vector<Sphere> spheres;
   std::vector<std::uint32_t> expected;
   for (std::uint32_t i = 0; i < 1 << 15; ++i) {
-    // Every place in a cell, and so its walls, where a sphere belongs to several cells.
+    // Every position in a cell, including its boundaries, where a sphere belongs to several cells.
     const double place = i * (1 + 0x1p-28);
     expected.insert(expected.end(), {2 * i, 2 * i + 1});
     spheres.insert(spheres.end(), 2, {{place, place, place}, 4096, 0});

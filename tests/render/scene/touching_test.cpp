@@ -11,10 +11,10 @@ namespace sdlc::render {
 namespace {
 
 constexpr double kUnit = 0x1p-24;
-// What two spheres are to be apart whose far sides are at `extent`.
+// The required distance of two spheres whose far sides are at `extent`.
 constexpr double apart(double extent) { return 4 * kUnit * extent; }
 
-/// Spheres of a rebased scene, and their radii once those that touch are parted.
+/// Spheres of a rebased scene, and their radii after touching ones are separated.
 class Touching : public testing::Test {
  protected:
   void add(Vec3 center, double radius, Vec3 shift = {}) {
@@ -57,14 +57,14 @@ TEST_F(Touching, LeavesSpheresThatAreApartOrCross) {
     EXPECT_EQ(parted()[0], 0.1) << gap;
   }
   scene_ = {};
-  add({0, 0, -0.2 - 0.99 * apart(1.3)}, 0.1);  // by less they touch
+  add({0, 0, -0.2 - 0.99 * apart(1.3)}, 0.1);  // any closer and they touch
   add({0, 0, -0.8}, 0.5);
   EXPECT_DOUBLE_EQ(parted()[0], 0.1 - 1.99 * apart(1.3));
 }
 
 TEST_F(Touching, PartsAChainOfSpheresWithinSpheres) {
   add({0, 0, 0}, 0.8);
-  add({0, 0, -0.3}, 0.5);  // touches the first, and all below
+  add({0, 0, -0.3}, 0.5);  // touches the first, and everything below
   add({0, 0, -0.6}, 0.2);
   const auto radii = parted();
   EXPECT_DOUBLE_EQ(radii[1], 0.5 - apart(0.8));
@@ -81,7 +81,8 @@ TEST_F(Touching, PartsWhatGoesTogether) {
   EXPECT_DOUBLE_EQ(parted()[1], 0.25 - apart(1.25));
 }
 
-// The second one shrinks by up to two gaps, and would cut into what is nearer to it than that.
+// The second one shrinks by up to two gaps, and would otherwise intersect a sphere that is nearer
+// to it.
 TEST_F(Touching, ShrinksWhatIsInASphereThatShrinks) {
   add({0, 0, 0}, 1);
   add({0, 0, -1.5}, 0.5);
@@ -91,7 +92,7 @@ TEST_F(Touching, ShrinksWhatIsInASphereThatShrinks) {
   EXPECT_DOUBLE_EQ(radii[2], 0.5 - 2 * apart(2));
 }
 
-// However large two are that are met in double, points near the camera are right there.
+// For two spheres in double of any size, points near the camera are accurate.
 TEST_F(Touching, PartsTwoThatAreMetInDoubleByWhereTheyTouch) {
   add({0, 0, -1024}, 1024 - 1);
   add({0, 0, -2048}, 2048 - 1);
@@ -101,7 +102,7 @@ TEST_F(Touching, PartsTwoThatAreMetInDoubleByWhereTheyTouch) {
   EXPECT_LT(radii[0], 1023 - 4 * kUnit);
 }
 
-// No pair comes nearer than it may, and none that was apart, or one in the other, no longer is.
+// No pair is nearer than allowed, and pairs that were separate or nested stay so.
 TEST_F(Touching, KeepsWhatIsInWhat) {
   test::Random random(3);
   for (int scene = 0; scene < 200; ++scene) {

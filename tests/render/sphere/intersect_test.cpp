@@ -19,8 +19,8 @@ TEST(HitDistance, IsNoneBehindOrBeside) {
   EXPECT_EQ(hit_distance({0, 1.001, 5}, {0, 0, -1}, 1), kNoHit);
 }
 
-// The error grows as distance / radius: 1e-16 · 1e8 here, where the textbook's formula has lost
-// every digit.
+// The error grows as distance / radius: 1e-16 · 1e8 here, where the textbook formula has lost every
+// digit.
 TEST(HitDistance, KeepsItsDigitsFarAway) {
   const double t = hit_distance({0, 0.6, 1e8}, {0, 0, -1}, 1);
   EXPECT_NEAR(t, 1e8 - 0.8, 3e-8);

@@ -18,7 +18,7 @@ Scene sphere_under_the_sky() {
   return scene;
 }
 
-/// A lamp that hardly any path from the floor finds by itself, in the dark.
+/// A lamp in the dark that almost no path from the floor finds by scattering.
 Scene tiny_lamp() {
   Scene scene = test::beam_scene({0, 1, 4}, {0, -0.5, 0}, LinearRgb{0});
   test::add_sphere(scene, {0, -101, 0}, 100, test::diffuse({0.5, 0.5, 0.5}));
@@ -79,7 +79,7 @@ TEST(GoalForTheError, IsReachedAtOnceWhereThereIsNoNoise) {
       rendered(test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{1}), settings).has_reached_error);
 }
 
-// False convergence: nothing differs, as nothing was found.
+// False convergence: nothing differs, because nothing was found.
 TEST(GoalForTheError, IsNotReachedWhereALampWasHardlyMet) {
   RenderSettings settings = kSmall;
   settings.error = 0.02;
@@ -107,7 +107,7 @@ Scene caustic(const Material& ball, double lamp_radius) {
   return scene;
 }
 
-// What connections bring says nothing of light by way of glass, which they do not find.
+// Connections carry no information about light through glass, which they cannot find.
 TEST(GoalForTheError, IsNotReachedWhereNoPathFoundACaustic) {
   const Scene scenes[] = {caustic(test::transmissive(LinearRgb{1}, 1.5), 0.01),
                           caustic(test::transmissive(LinearRgb{0.8}, 1.3), 0.005),
@@ -121,7 +121,7 @@ TEST(GoalForTheError, IsNotReachedWhereNoPathFoundACaustic) {
     EXPECT_FALSE(result.has_reached_error);
     EXPECT_EQ(result.most_samples, 256u);
     EXPECT_NE(result.error.has_value(), !result.rare_paths.empty());
-    // The same picture without a goal is no better known.
+    // The error of the same picture without a goal is also unknown.
     settings.error.reset();
     settings.samples = 64;
     EXPECT_FALSE(rendered(scene, settings).error);
@@ -139,8 +139,8 @@ TEST(GoalForTheError, IsReachedWhereTheCausticWasFound) {
   EXPECT_TRUE(result.rare_paths.empty());
 }
 
-// Sobol' points spread evenly over a pixel, so each replicate meets a lamp that is smaller than the
-// pixel as often as the others: they agree, and are off by a path each. Of 30 seeds these 7 were
+// Sobol' points spread evenly over a pixel, so each replicate hits a lamp smaller than the pixel
+// equally often: the replicates agree, and each is off by a path. Of 30 seeds these 7 were
 // certified with .005 % while the error was up to 922 %.
 TEST(GoalForTheError, IsNotReachedWhereReplicatesAgreeOnALampSmallerThanAPixel) {
   Scene scene = test::beam_scene({0, 1, 6}, {0, 0.5, 0}, LinearRgb{0.2});
@@ -155,7 +155,8 @@ TEST(GoalForTheError, IsNotReachedWhereReplicatesAgreeOnALampSmallerThanAPixel) 
   }
 }
 
-// The camera sees the lamp, hundreds of times; what it lights, without connections, hardly a path.
+// The camera sees the lamp hundreds of times; without connections almost no path finds the surfaces
+// that it lights.
 TEST(GoalForTheError, IsNotReachedByALampThatIsOnlySeen) {
   Scene scene = caustic(test::diffuse(LinearRgb{0.5}), 0.003);
   scene.spheres.back().center = {0, 1.42, 5.5};

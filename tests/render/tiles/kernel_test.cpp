@@ -14,7 +14,7 @@ using testing::IsEmpty;
 
 constexpr RenderSettings kSettings{.width = 960, .height = 540};
 
-/// Spheres of one size on a straight line across the view, far enough from each other for float.
+/// Spheres of equal size on a straight line across the view, far enough from each other for float.
 Scene line_of_spheres(int count, double radius) {
   Scene scene = test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{1});
   for (int i = 0; i < count; ++i) {
@@ -67,7 +67,7 @@ TEST_F(KernelChoice, ComesWithTheBoundsOfItsPrecision) {
                 judge_precision(scene, scene.camera, kSettings, Precision::Float));
   expect_bounds(choose_kernel(scene, kSettings, {.precision = Precision::Double}), in_double());
   expect_bounds(choose_kernel(scene, kSettings, {.kind = KernelKind::Scalar}), in_double());
-  // Double, which the scene does not ask for.
+  // Double, which the scene does not request.
   const KernelRequest scalar{
       .kind = KernelKind::Scalar, .precision = Precision::Float, .may_take_double = true};
   expect_bounds(choose_kernel(scene, kSettings, scalar), in_double());
@@ -101,7 +101,7 @@ TEST_F(KernelChoice, LeavesACameraOnSeveralSurfacesToTheScalarKernel) {
   test::add_sphere(scene, {0, 1, 0}, 1, test::diffuse({0.5, 0.5, 0.5}));
   EXPECT_EQ(choose_kernel(scene, kSettings).kind, KernelKind::Scalar);
   const Kernel forced = choose_kernel(scene, kSettings, {.kind = KernelKind::Wide});
-  EXPECT_THAT(forced.refusal, HasSubstr("--kernel: not with the wide kernel: the camera stands"));
+  EXPECT_THAT(forced.refusal, HasSubstr("--kernel: not with the wide kernels: the camera is on"));
 }
 
 TEST_F(KernelChoice, DoesAsItIsAsked) {
@@ -133,14 +133,14 @@ TEST_F(KernelChoice, NamesTheFlagThatCannotBeMet) {
   test::add_sphere(scene, {0, -3, 0}, 3, test::diffuse({0.5, 0.5, 0.5}));
   test::add_sphere(scene, {0, 1, 0}, 1, test::diffuse({0.5, 0.5, 0.5}));
   EXPECT_THAT(choose_kernel(scene, kSettings, {.isa = isa}).refusal,
-              HasSubstr("--isa: not with the wide kernel: the camera stands"));
+              HasSubstr("--isa: not with the wide kernels: the camera is on"));
   EXPECT_THAT(choose_kernel(scene, kSettings, {.precision = Precision::Float}).refusal,
-              HasSubstr("--precision: not with the wide kernel: the camera stands"));
+              HasSubstr("--precision: not with the wide kernels: the camera is on"));
   EXPECT_THAT(
       choose_kernel(line_of_spheres(9, 0.2), kSettings, {.kind = KernelKind::Scalar, .isa = isa})
           .refusal,
-      HasSubstr("--isa: the scalar kernel has no other instructions"));
-  // None that the machines of the tests lack is known to all of them.
+      HasSubstr("--isa: the scalar kernel has no other instruction sets"));
+  // An invalid value: no real instruction set is missing on every test machine.
   constexpr auto kNotOfThisMachine = static_cast<Isa>(99);
   EXPECT_THAT(choose_kernel(line_of_spheres(9, 0.2), kSettings, {.isa = kNotOfThisMachine}).refusal,
               HasSubstr("--isa: this machine has no"));
@@ -149,7 +149,7 @@ TEST_F(KernelChoice, NamesTheFlagThatCannotBeMet) {
 TEST_F(KernelChoice, LeavesASkyToTheScalarKernel) {
   EXPECT_EQ(choose_kernel(line_of_spheres(0, 1), kSettings).kind, KernelKind::Scalar);
   EXPECT_THAT(choose_kernel(line_of_spheres(0, 1), kSettings, {.kind = KernelKind::Wide}).refusal,
-              HasSubstr("--kernel: not with the wide kernel: no spheres"));
+              HasSubstr("--kernel: not with the wide kernels: no spheres"));
 }
 
 TEST_F(KernelChoice, TakesInstancesThroughAHierarchyInDouble) {
@@ -173,7 +173,7 @@ TEST_F(KernelChoice, TakesInstancesThroughAHierarchyInDouble) {
   EXPECT_THAT(refusal({.precision = Precision::Float}), HasSubstr("--instances never"));
   scene.camera.from = {0, 0, 0.1};  // on the instance, and
   test::add_sphere(scene, {0, 0, 0.2}, 0.1, test::diffuse({0.5, 0.5, 0.5}));
-  EXPECT_THAT(refusal({}), HasSubstr("stands on several surfaces"));
+  EXPECT_THAT(refusal({}), HasSubstr("is on several surfaces"));
 }
 
 TEST_F(KernelChoice, JudgesInstancesWhereTheyAre) {
@@ -195,8 +195,8 @@ TEST_F(KernelChoice, JudgesInstancesWhereTheyAre) {
   EXPECT_LT(across.share, 1e-1);
 }
 
-/// A ground under a dim sky and a light that takes a twentieth of the hemisphere: its noise is
-/// below the square of all that arrives, and yet all the noise there is.
+/// A ground under a dim sky and a light that covers a twentieth of the hemisphere: its noise is
+/// below the square of all arriving light, and yet it is all the noise there is.
 Scene sun_over_a_plain() {
   Scene scene = test::beam_scene({0, 2, 6}, {0, 0, 0}, LinearRgb{0.5});
   test::add_sphere(scene, {0, -100, 0}, 100, test::diffuse({0.5, 0.6, 0.3}));
@@ -208,7 +208,7 @@ TEST(LightsOfAKernel, AreSampledWhereTheirNoiseIsNearlyAll) {
   EXPECT_THAT(choose_kernel(sun_over_a_plain(), kSettings).lights, ElementsAre(1));
 }
 
-// All that is diffuse is coated: no connection gets through, which proves nothing.
+// Everything diffuse is coated: no connection gets through, which proves nothing.
 TEST(LightsOfAKernel, AreThoseOfGeometryWhereThePilotFoundNone) {
   Scene scene = test::beam_scene({0, 0, 6}, {0, 0, 0}, LinearRgb{0.1});
   test::add_sphere(scene, {0, 0, 0}, 1, test::diffuse({0.5, 0.6, 0.3}));

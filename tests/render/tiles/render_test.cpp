@@ -88,7 +88,7 @@ TEST(Render, PutsTheRightOfTheViewIntoTheLastColumn) {
 
 TEST(Render, LooksThroughPixelCentresWithOneSample) {
   Scene scene = test::beam_scene({0, 0, 0}, {0, 0, -1}, LinearRgb{});
-  // Covers the middle of the only pixel and nothing else.
+  // Covers the centre of the only pixel and nothing else.
   test::add_sphere(scene, {0, 0, -1}, 1e-6, test::unlit({1, 1, 1}));
   RenderMonitor monitor;
   EXPECT_EQ(
@@ -112,7 +112,7 @@ TEST(Render, ReturnsSoonWhenItIsCancelled) {
 }
 
 TEST(Render, EndsALongPixelAndALongPathWhenItIsCancelled) {
-  // Without a look at the flag inside a pixel, and inside a path, either would take hours.
+  // Without checking the flag inside a pixel, and inside a path, either would take hours.
   Scene closed = test::beam_scene({0, 0, 0}, {0, 0, -1}, LinearRgb{});
   test::add_sphere(closed, {0, 0, 0}, 1, test::diffuse({1, 1, 1}));
   for (const RenderSettings& settings :
@@ -126,8 +126,8 @@ TEST(Render, EndsALongPixelAndALongPathWhenItIsCancelled) {
   }
 }
 
-// A scene scaled by a power of two, or so far from the origin that the coordinates still hold its
-// digits, is the same scene.
+// A scene scaled by a power of two, or moved so far that its coordinates are still exact, is the
+// same scene.
 TEST(Render, DoesNotDependOnTheScaleOfTheWorld) {
   const auto picture = [](int exponent) {
     RenderMonitor monitor;

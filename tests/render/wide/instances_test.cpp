@@ -11,7 +11,7 @@
 #include "tests/support/statistics/random.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
-// Instances are where their spheres would be: the same paths lead to the same pictures.
+// Instances equal their expanded spheres: the same paths give the same pictures.
 namespace sdlc::test {
 namespace {
 
@@ -29,7 +29,7 @@ using render::Vec3;
 
 constexpr RenderSettings kSettings{.width = 60, .height = 40, .samples = 4, .depth = 8, .seed = 5};
 
-/// A rotation by unit quaternions, and a scale.
+/// A rotation by unit quaternions, with a scale.
 Placement random_placement(Random& random, double reach, double scale) {
   double w = 0, x = 0, y = 0, z = 0, length = 0;
   do {
@@ -80,7 +80,7 @@ Scene random_scene(unsigned seed, Moves moves = {}) {
     Instance instance;
     instance.prototype = static_cast<std::uint32_t>(random.between(0, prototypes));
     instance.placement = random_placement(random, 2, std::exp(random.between(-2, 0)));
-    // To where it is seen.
+    // Moves the prototype to where it is visible.
     const Vec3 middle = scene.prototypes[instance.prototype].spheres[0].center;
     instance.placement.translate += -instance.placement.turn(middle);
     if (moves.instances) instance.shift = random.in_box(0.3);
@@ -98,7 +98,7 @@ Picture picture_of(const Scene& scene, const RenderSettings& settings = kSetting
   return result.picture;
 }
 
-/// Pixels that are not the same within rounding.
+/// The number of pixels that differ by more than rounding.
 std::size_t count_different(const Picture& a, const Picture& b) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -122,7 +122,7 @@ TEST_P(Instances, AreSeenAsSpheresOfTheirOwn) {
     different += count_different(held_once, plain);
     pixels += plain.pixels.size();
   }
-  // Rounding grows with each surface that is hit: a path in some ten thousand goes another way.
+  // Rounding errors grow with each hit: one path in about ten thousand diverges.
   EXPECT_LE(different, pixels / 1000);
 }
 
@@ -163,7 +163,7 @@ TEST(InstancedScenes, OfAnySizeGiveTheSamePicture) {
     }
     EXPECT_EQ(picture_of(other).pixels, picture_of(scene).pixels) << exponent;
 
-    // And prototypes in a unit of their own.
+    // Prototypes in a unit of their own.
     for (Prototype& prototype : other.prototypes) {
       for (auto& sphere : prototype.spheres) {
         sphere.center = sphere.center * factor;
@@ -195,7 +195,7 @@ TEST(InstancedScenes, MayHaveTheCameraOnASphere) {
   scene.camera.at = {4.5, 0, 1};
   const Picture seen = picture_of(scene);
   EXPECT_EQ(count_different(seen, picture_of(without_instances(scene))), 0u);
-  scene.camera.from = {3, 0, 1 - 1e-9};  // within: below the horizon its inside is seen
+  scene.camera.from = {3, 0, 1 - 1e-9};  // inside: below the horizon its inside is visible
   EXPECT_GT(count_different(seen, picture_of(scene)), seen.pixels.size() / 4);
 }
 

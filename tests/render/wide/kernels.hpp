@@ -7,7 +7,7 @@
 
 #include "render/tiles/render.hpp"
 
-/// The wide kernel in all its forms that this machine can run.
+/// The wide kernel in all configurations that this machine can run.
 namespace sdlc::test {
 
 struct WideForm {

@@ -14,7 +14,7 @@
 #include "tests/support/statistics/scenes.hpp"
 
 // Scenes whose radiance is known in closed form, by the wide kernel. H0 of each test: the
-// estimator's expectation is the closed form. Significance 1e-4 a comparison, with fixed seeds.
+// estimator's expectation is the closed form. Significance 1e-4 per comparison, with fixed seeds.
 // Rounding may add 1e-5 in float and 1e-12 in double.
 namespace sdlc::test {
 namespace {
@@ -28,7 +28,7 @@ constexpr LinearRgb kBlack{};
 
 class KnownAnswer : public testing::TestWithParam<WideForm> {
  protected:
-  /// What arrives along the camera's axis: a picture of 16 × 16 pixels, so narrow that all see the
+  /// The radiance along the camera's axis: a picture of 16 × 16 pixels, so narrow that all see the
   /// same.
   Estimate radiance(Scene scene, int depth = 16, int samples = 1024) const {
     scene.camera.plane_height *= 1e-9;
@@ -76,8 +76,8 @@ TEST_P(KnownAnswer, ADiffuseSphereAveragesTheGradientByTheCosineLaw) {
   }
 }
 
-// Of the light that leaves a point of the shell by the cosine law, F = ρ² meets the emitter; the
-// rest meets the shell again under the same circumstances.
+// Of the light that leaves a point of the shell by the cosine law, F = ρ² hits the emitter; the
+// rest hits the shell again under the same conditions.
 TEST_P(KnownAnswer, AConcentricEmitterLightsAShellAsTheGeometricSeriesSays) {
   const double a = 0.8, rho = 0.6, f = rho * rho, l = 2;
   Scene scene = beam_scene({0, 0, 1.6}, {0, 0.3, 2}, kBlack);
@@ -110,8 +110,8 @@ TEST_P(KnownAnswer, TheCameraAtTheCentreOfGlassSeesTheSkyThroughAllReflections) 
   }
 }
 
-// A ray that meets glass at impact parameter b is reflected with R_o, or enters, and meets the
-// surface from inside under one and the same angle for ever after.
+// A ray that hits glass at impact parameter b is reflected with R_o, or enters, and then hits the
+// surface from inside at a constant angle forever.
 TEST_P(KnownAnswer, GlassReflectsAndRefractsByTheImpactParameter) {
   const double n = 1.5, c = 0.5, r0 = (n - 1) * (n - 1) / ((n + 1) * (n + 1));
   const auto schlick = [&](double cosine) { return r0 + (1 - r0) * std::pow(1 - cosine, 5); };
@@ -157,8 +157,8 @@ TEST_P(KnownAnswer, NestedShellsOfIndexOneAreClear) {
   EXPECT_TRUE(is(radiance(scene, 400), kWhite));
 }
 
-// The end of the mirrored unit vector moves within a ball of radius f; the cap below the surface is
-// absorbed.
+// The end of the mirrored unit vector is perturbed within a ball of radius f; the cap below the
+// surface is absorbed.
 TEST_P(KnownAnswer, AFuzzyMirrorLosesWhatPointsIntoTheSurface) {
   const double color = 0.9;
   for (const auto& [fuzz, cosine] : {std::pair{0.5, 0.2}, {0.5, 0.9}, {1.0, 0.3}, {2.5, 0.6}}) {
@@ -198,8 +198,8 @@ TEST_P(KnownAnswer, AWhiteGroundUnderAWhiteSkyIsWhite) {
   EXPECT_TRUE(is(radiance(scene, 50), kWhite));
 }
 
-// The way to the ground is 1e-11 of that through it, and directions in float are not that close to
-// unit length.
+// The distance to the ground is 1e-11 of that through it, and directions in float are not that
+// close to unit length.
 TEST_P(KnownAnswer, AGroundMetInDoubleIsMetWhereItIs) {
   if (GetParam().precision == render::Precision::Double) GTEST_SKIP() << "it is about float";
   Scene scene = beam_scene({0, 1e-5, 0}, {1e-5, 0, 0}, kWhite);

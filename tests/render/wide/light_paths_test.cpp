@@ -14,7 +14,7 @@
 #include "tests/support/statistics/scaled_scene.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
-// Paths that look for lights by themselves, in the wide kernel: those of the scalar kernel, as in
+// Paths with light sampling in the wide kernel equal those of the scalar kernel, as in
 // same_paths_test.cpp.
 namespace sdlc::test {
 namespace {
@@ -28,8 +28,8 @@ using render::RenderSettings;
 using render::Scene;
 using render::Vec3;
 
-/// Every material beneath a few lights, of which some overlap, one is around a sphere, and some are
-/// partly below the ground.
+/// Every material below a few lights: some overlap, one contains a sphere, and some are partly
+/// below the ground.
 Scene lit_scene() {
   Scene scene = beam_scene({0, 1, 4}, {0, 0, 0}, LinearRgb{0.05});
   scene.camera.aspect = 1.5;
@@ -67,7 +67,7 @@ Scene lit_by_one() {
   return scene;
 }
 
-/// More than one random number chooses from.
+/// More lights than one random number can select.
 Scene lit_by_thousands() {
   Scene scene = lit_by_one();
   Random random(4);
@@ -94,7 +94,7 @@ Scene lit_from_a_surface() {
   return scene;
 }
 
-/// The ground and a distant sun are met in double where the rest is float.
+/// The ground and a distant sun are computed in double when the rest is float.
 Scene lit_above_a_large_ground() {
   Scene scene = beam_scene({0, 1, 4}, {0, 0, 0}, LinearRgb{0.1});
   scene.camera.plane_height = 1.2;
@@ -126,9 +126,9 @@ double difference(LinearRgb a, LinearRgb b) {
   return std::max({std::fabs(d.r), std::fabs(d.g), std::fabs(d.b)});
 }
 
-/// In double but for rounding. In float some paths part where it rounds a choice the other way. H0:
-/// their radiance has the same expectation, but for 1e-6 of the largest by which float may round.
-/// Significance 1e-5.
+/// Equal in double except for rounding. In float some paths diverge where rounding changes a
+/// choice. H0: their radiance has the same expectation, except for 1e-6 of the largest by which
+/// float may round. Significance 1e-5.
 void expect_same_paths(const RenderResult& wide, const RenderResult& scalar, const char* name) {
   EXPECT_EQ(wide.nonfinite_samples, 0u) << name;
   EXPECT_EQ(wide.camera_samples, scalar.camera_samples) << name;
@@ -229,8 +229,8 @@ TEST_P(LightPaths, LeaveSamplesOutAsAWholeThatAreNotFinite) {
   }
 }
 
-/// A light of so small an angle that directions in float hardly tell its edge from its middle gives
-/// a·L·cos θ·(r/d)² all the same, from where nothing is in its way.
+/// A light of so small an angle that directions in float hardly distinguish its edge from its
+/// centre still gives a·L·cos θ·(r/d)² if nothing is in the way.
 TEST_P(LightPaths, FindTheTiniestLights) {
   const double a = 0.7, d = 4, radius = 4e-9, theta = 0.6;
   Scene scene = beam_scene({0, 3, 0}, {0, 0, 0}, LinearRgb{});
@@ -247,11 +247,11 @@ TEST_P(LightPaths, FindTheTiniestLights) {
   }
 }
 
-/// Emitters that are seen directly, found by chance, looked for, and behind something.
+/// Emitters that are seen directly, found by scattering, sampled, and hidden.
 Scene hardly_lit() {
   Scene scene = lit_scene();
   add_sphere(scene, {0, 0, 0}, 0.3, emissive({1, 1, 1}, 1));
-  add_sphere(scene, {0, 0, 0}, 0.35, diffuse({1, 1, 1}));  // around the one before
+  add_sphere(scene, {0, 0, 0}, 0.35, diffuse({1, 1, 1}));  // around the previous one
   add_sphere(scene, {-3, 4, 3}, 0.004, emissive({1, 1, 1}, 1));
   add_sphere(scene, {3, 40, 3}, 0.1, emissive({1, 1, 1}, 1));
   return scene;
@@ -273,7 +273,7 @@ TEST_P(LightPaths, ReachEmittersAsOftenAsThoseOfTheScalarKernel) {
       const RenderResult wide = render_with(scene, settings, request);
       if (wide.kernel.precision == Precision::Double) {
         EXPECT_EQ(wide.scarce_emitters, scalar.scarce_emitters);
-      } else {  // a path or two part
+      } else {  // a path or two diverge
         ASSERT_EQ(wide.scarce_emitters.size(), scalar.scarce_emitters.size());
         for (std::size_t i = 0; i < wide.scarce_emitters.size(); ++i) {
           EXPECT_EQ(wide.scarce_emitters[i].sphere, scalar.scarce_emitters[i].sphere);
@@ -300,7 +300,7 @@ TEST_P(LightPaths, OfInstancesAreThoseOfTheirSpheres) {
   for (std::size_t i = 0; i < plain.picture.pixels.size(); ++i) {
     different += difference(held_once.picture.pixels[i], plain.picture.pixels[i]) > 1e-6;
   }
-  EXPECT_LE(different, 5u);  // rounding sends a path in some ten thousand another way
+  EXPECT_LE(different, 5u);  // rounding makes one path in about ten thousand diverge
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, LightPaths, testing::ValuesIn(wide_forms()), form_name);

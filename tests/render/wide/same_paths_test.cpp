@@ -14,8 +14,8 @@
 #include "tests/support/statistics/scaled_scene.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
-// The wide kernel traces the scalar one's paths, from the same random numbers: pictures are
-// compared sample by sample, which finds what no comparison of expectations would.
+// The wide kernel traces the same paths as the scalar one, from the same random numbers: pictures
+// are compared sample by sample, which finds errors that a comparison of expectations would miss.
 namespace sdlc::test {
 namespace {
 
@@ -28,8 +28,8 @@ using render::RenderSettings;
 using render::Scene;
 using render::Vec3;
 
-/// Every material in several variants, spheres inside others, and a gradient; more spheres than a
-/// vector has lanes.
+/// Every material in several variants, nested spheres, and a gradient; more spheres than a vector
+/// has lanes.
 Scene rich_scene() {
   Scene scene = beam_scene({0, 1, 4}, {0, 0, 0}, LinearRgb{1});
   scene.background = {};
@@ -61,7 +61,7 @@ Scene moving_scene() {
   return scene;
 }
 
-/// Only what the smallest instantiation of the kernel has.
+/// Only features of the smallest instantiation of the kernel.
 Scene plain_scene() {
   Scene scene = beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{0.7});
   add_sphere(scene, {0, -100.5, 0}, 100, diffuse({0.5, 0.6, 0.3}));
@@ -82,7 +82,7 @@ Scene scene_from_a_surface() {
   return scene;
 }
 
-/// The ground is met in double where the rest is float.
+/// The ground is computed in double when the rest is float.
 Scene scene_above_a_large_ground() {
   Scene scene = beam_scene({0, 1, 4}, {0, 0, 0}, LinearRgb{1});
   scene.background = {};
@@ -139,13 +139,13 @@ TEST_P(WidePaths, AreThoseOfTheScalarKernel) {
       largest = std::max(largest, difference(ours, theirs));
     }
     if (GetParam().precision == Precision::Double) {
-      // Rounding differs, and no path takes another turn for it.
+      // Rounding differs, but no path diverges.
       EXPECT_LT(largest, 1e-9) << name;
       EXPECT_EQ(wide.rays, scalar.rays) << name;
       EXPECT_EQ(wide.truncated_paths, scalar.truncated_paths) << name;
     } else {
-      // Some paths part where float rounds a choice the other way. H0: their radiance has the same
-      // expectation, but for 1e-6 by which float may round colours. Significance 1e-5 for each
+      // Some paths diverge where float rounds a choice differently. H0: their radiance has the same
+      // expectation, except for 1e-6 by which float may round colours. Significance 1e-5 for each
       // scene.
       Estimate estimate = differences.estimate();
       if (difference(estimate.mean, LinearRgb{}) <= 1e-6) estimate.mean = LinearRgb{};
@@ -201,14 +201,14 @@ TEST_P(WidePaths, LeaveSamplesOutThatAreNotFinite) {
 }
 
 TEST_P(WidePaths, EndEarlyWhenTheRenderIsCancelled) {
-  // Without a look at the flag inside a path it would take hours.
+  // Without checking the flag inside a path it would take hours.
   Scene closed = beam_scene({0, 0, 0}, {0, 0, -1}, LinearRgb{});
   add_sphere(closed, {0, 0, 0}, 1, diffuse({1, 1, 1}));
   render::RenderMonitor monitor;
   std::thread canceller;
   monitor.on_tracing = [&] {
     canceller = std::thread([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // well into the path
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // in the middle of the path
       monitor.cancel = true;
     });
   };
@@ -219,8 +219,8 @@ TEST_P(WidePaths, EndEarlyWhenTheRenderIsCancelled) {
 
 INSTANTIATE_TEST_SUITE_P(Forms, WidePaths, testing::ValuesIn(wide_forms()), form_name);
 
-// FMA is one rounding everywhere, square roots and quotients are rounded correctly, and no estimate
-// of a reciprocal is used: the same bits from every instruction set that has FMA.
+// FMA rounds once everywhere, square roots and quotients are rounded correctly, and no reciprocal
+// estimates are used: the same bits from every instruction set that has FMA.
 TEST(WideKernel, GivesTheSameBytesWithAvx2AndAvx512) {
   const auto isas = render::available_isas();
   for (const render::Isa isa : {render::Isa::Avx2, render::Isa::Avx512}) {

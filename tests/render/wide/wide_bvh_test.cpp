@@ -16,8 +16,8 @@
 #include "tests/support/statistics/random.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
-// The hierarchy of the wide kernel: what it is made of, and that it finds what a ray meets that is
-// held against every sphere.
+// The BVH of the wide kernel: its structure, and that it finds the same hits as testing every
+// sphere.
 namespace sdlc::render {
 namespace {
 
@@ -30,7 +30,7 @@ struct NamedSpheres {
   std::vector<Vec3> shifts = {};
 };
 
-/// Up to kMostWideSpheres each, so that both searches take them.
+/// Up to kMaxWideSpheres each, so that both searches support them.
 std::vector<NamedSpheres> named_spheres() {
   Random random(3);
   std::vector<NamedSpheres> all;
@@ -83,7 +83,7 @@ struct Walk {
   std::vector<int> seen;
   std::size_t deepest = 0;
 
-  /// Every sphere below has to be within all boxes above it.
+  /// Every sphere has to be within all boxes above it.
   void visit(std::uint32_t child, const std::array<std::array<double, 2>, 3>& box,
              std::size_t depth) {
     deepest = std::max(deepest, depth);
@@ -129,7 +129,7 @@ void expect_sound(const Scene& scene) {
   Walk<T> walk{.bvh = bvh, .scene = scene, .seen = std::vector<int>(members.size())};
   walk.visit(0, {{{-kFar, kFar}, {-kFar, kFar}, {-kFar, kFar}}}, 0);
   EXPECT_TRUE(std::ranges::all_of(walk.seen, [](int times) { return times == 1; }));
-  EXPECT_LT(walk.deepest * (kBvhWidth - 1), WideBvh<T>::kMostWaiting);
+  EXPECT_LT(walk.deepest * (kBvhWidth - 1), WideBvh<T>::kMaxWaiting);
 }
 
 TEST(WideBvh, HoldsEachSphereOnceWithinAllBoxesAboveIt) {
@@ -141,7 +141,7 @@ TEST(WideBvh, HoldsEachSphereOnceWithinAllBoxesAboveIt) {
   }
 }
 
-/// More than one thread takes at a time.
+/// More than one thread handles at a time.
 constexpr int kMany = 100'000;
 
 std::vector<NamedSpheres> named_crowds() {
@@ -194,7 +194,7 @@ template <typename T>
 WideBvh<T> built_with(int threads, const Scene& scene) {
   std::vector<std::uint32_t> members(scene.spheres.size());
   std::iota(members.begin(), members.end(), 0u);
-  // Neither is limited by how many processors there are.
+  // Neither depends on the number of processors.
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
@@ -226,7 +226,7 @@ TEST(WideBvh, IsTheSameFromAnyNumberOfThreads) {
   }
 }
 
-// A box as large as the scene, in which there is next to nothing, would be met by every ray.
+// An almost empty box as large as the scene would be hit by every ray.
 TEST(WideBvh, PutsAHugeSphereApart) {
   const NamedSpheres named = named_crowds()[4];
   const Scene scene = spheres_alone(named);
@@ -258,7 +258,7 @@ TEST(WideBvh, IsEmptyWithoutSpheres) {
 
 class BvhPaths : public testing::TestWithParam<test::WideForm> {};
 
-// Spheres are met by the same operations in either search: every bit has to be the same.
+// Both searches test spheres by the same operations: every bit has to be equal.
 TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphere) {
   constexpr RenderSettings kSettings{.width = 48, .height = 27, .samples = 40, .depth = 12};
   for (const NamedSpheres& named : named_spheres()) {
@@ -277,8 +277,8 @@ TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphere) {
   }
 }
 
-/// Up to kMostWideSpheres of a kind that chance chooses, moving or not, on a large ground or not,
-/// seen from outside or from among them.
+/// Up to kMaxWideSpheres of a random kind, moving or not, on a large ground or not, seen from
+/// outside or from among them.
 Scene random_scene(unsigned seed) {
   Random random(seed);
   const auto choice = [&](int count) { return static_cast<int>(random.between(0, count)); };
@@ -332,7 +332,7 @@ TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphereOfRandomScenes) {
   EXPECT_EQ(refused, 0u);
 }
 
-// With the hierarchy, what materials do is looked up in tables that several of them share.
+// With the BVH, optics are looked up in tables that materials share.
 TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphereWhateverTheMaterials) {
   constexpr RenderSettings kSettings{.width = 48, .height = 27, .samples = 40, .depth = 12};
   Scene scene = scene_of(named_spheres()[3]);
@@ -358,7 +358,7 @@ TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphereWhateverTheMaterials) {
 
 INSTANTIATE_TEST_SUITE_P(Forms, BvhPaths, testing::ValuesIn(test::wide_forms()), test::form_name);
 
-// Where surfaces touch, distances that were found in float and in double are often equal.
+// Where surfaces touch, distances computed in float and in double are often equal.
 TEST_P(BvhPaths, AreTheSameWhereASphereTouchesAGroundMetInDouble) {
   Scene scene = test::beam_scene({0, 10, 0}, {0, 0, 0}, LinearRgb{1});
   scene.camera.up = {0, 0, 1};
@@ -375,8 +375,8 @@ TEST_P(BvhPaths, AreTheSameWhereASphereTouchesAGroundMetInDouble) {
   EXPECT_TRUE(bvh.picture.pixels == all.picture.pixels);
 }
 
-// The middle column of the picture lies in the plane on which mirror images meet: both are hit at
-// one distance, and as they are far apart they are mostly in different leaves.
+// The middle column of the picture is in the plane of mirror symmetry: mirror images are hit at the
+// same distance, and as they are far apart they are mostly in different leaves.
 TEST_P(BvhPaths, TakeTheFirstOfSpheresAtOneDistance) {
   Random random(17);
   Scene scene = test::beam_scene({0, 0, 3}, {0, 0, 0}, LinearRgb{0});
@@ -413,8 +413,8 @@ double largest_difference(const Picture& a, const Picture& b) {
   return largest;
 }
 
-/// With every sphere up to 2 u E from its place along each axis: what a point on it is off by in
-/// double, the E being that of the farthest.
+/// With every sphere moved by up to 2 u E along each axis: the error of a point on it in double,
+/// with the E of the farthest.
 Scene moved_by_rounding(Scene scene, Random& random) {
   double extent = 0;
   for (const Sphere& sphere : scene.spheres) {
@@ -425,7 +425,7 @@ Scene moved_by_rounding(Scene scene, Random& random) {
   return scene;
 }
 
-// Beyond what can be held against every ray the scalar kernel's hierarchy is the yardstick.
+// Beyond the limit for testing every sphere, compare with the scalar kernel.
 TEST(BvhPaths, OfThousandsOfSpheresAreThoseOfTheScalarKernel) {
   Random random(11);
   NamedSpheres named{.name = "thousands", .spheres = {}};
@@ -434,14 +434,14 @@ TEST(BvhPaths, OfThousandsOfSpheresAreThoseOfTheScalarKernel) {
     named.shifts.push_back(i % 2 == 0 ? random.in_box(0.05) : Vec3{});
   }
   const Scene scene = scene_of(named);
-  // A seed with which no path takes another turn for it.
+  // A seed with which no path diverges because of it.
   constexpr RenderSettings kSettings{
       .width = 48, .height = 27, .samples = 16, .depth = 12, .seed = 2};
   constexpr KernelRequest kScalar{.kind = KernelKind::Scalar};
   const RenderResult scalar = render_with(scene, kSettings, kScalar);
-  // Bounces off spheres so small multiply what rounding does to the first point. By how much, the
-  // scalar kernel shows by itself: in scenes whose spheres are off by what points on them are. That
-  // is some 1e-6 here, five times what is seen.
+  // Reflections from such small spheres amplify the rounding error of the first point. The scalar
+  // kernel shows by how much: in scenes whose spheres are moved by the error of points on them.
+  // That is about 1e-6 here, five times the observed difference.
   double by_rounding = 0;
   for (int i = 0; i < 8; ++i) {
     const RenderResult moved = render_with(moved_by_rounding(scene, random), kSettings, kScalar);

@@ -11,7 +11,7 @@ namespace {
 constexpr int kSide = 158, kLayers = 4;
 constexpr int kMany = kSide * kSide * kLayers;
 
-/// Spheres about the points of a flat grid, each in a color of its own, a third of them of metal.
+/// Spheres around the points of a flat grid, each with a different color, a third of them metal.
 Scene colorful_crowd() {
   test::Random random(17);
   Scene scene;

@@ -16,7 +16,7 @@ lang::ProgramOptions program_options(const FileCase& file_case, const lang::File
     const std::string flag = text.name.substr(0, blank);
     const std::string name = text.name.substr(std::min(blank + 1, text.name.size()));
     std::string value = text.text();
-    if (!value.empty()) value.pop_back();  // the line break behind the last line
+    if (!value.empty()) value.pop_back();  // the line break after the last line
     const auto limit = std::find_if(lang::kLimits.begin(), lang::kLimits.end(),
                                     [&](const auto& known) { return known.name == name; });
     if (flag == "--set") {

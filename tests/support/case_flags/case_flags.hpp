@@ -6,8 +6,8 @@
 
 namespace sdlc::test {
 
-/// What the flags of a case say: `=== --set NAME ===` and `=== --limit NAME ===` with the value
-/// below, and `=== --sandbox ===`. Throws std::runtime_error on any other flag.
+/// Parses the flags of a case: `=== --set NAME ===` and `=== --limit NAME ===` with the value
+/// below, and `=== --sandbox ===`. Throws std::runtime_error for any other flag.
 lang::ProgramOptions program_options(const FileCase& file_case, const lang::FileSystem& files);
 
 }  // namespace sdlc::test

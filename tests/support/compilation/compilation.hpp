@@ -15,7 +15,7 @@
 #include "lang/program/program.hpp"
 #include "lang/source/source.hpp"
 
-/// Programs of one or several files from memory, compiled the way a command compiles them.
+/// Programs of one or several files in memory, compiled in the same way as by a command.
 namespace sdlc::test {
 
 class MemoryFiles final : public lang::FileSystem {
@@ -29,21 +29,21 @@ class MemoryFiles final : public lang::FileSystem {
   std::map<std::string, std::string> texts_;
 };
 
-/// A program. Texts that do not begin with a version, a brace or a comment get `scene 1` as a line
-/// of their own in front.
+/// A program. Texts that do not begin with a version, a brace or a comment get a first line `scene
+/// 1`.
 struct Sources {
   std::string root;                               ///< test.scene, or test.json
-  std::map<std::string, std::string> files = {};  ///< by their paths
+  std::map<std::string, std::string> files = {};  ///< by path
   std::vector<lang::SetOption> sets = {};
   lang::Limits limits = {};
   bool is_sandboxed = false;
 };
 
-/// A diagnostic in a form that tests compare: `at` is the text that it points to.
+/// A diagnostic in a form for comparisons: `at` is the text that it points to.
 struct Told {
   std::string code, message, at;
   std::vector<std::string> labels, help, fixes;
-  std::vector<std::string> chain;  ///< "in `f`: f(1)", what is told and where it points to
+  std::vector<std::string> chain;  ///< "in `f`: f(1)", the message and the text that it points to
 };
 
 class Compilation {
@@ -56,7 +56,7 @@ class Compilation {
   }
   lang::Compiler& compiler() { return *compiler_; }
 
-  /// What has been reported, by place.
+  /// The reported diagnostics, by place.
   std::vector<Told> told() const;
   std::vector<std::string> codes() const;
 
@@ -68,23 +68,23 @@ class Compilation {
   std::unique_ptr<lang::Compiler> compiler_;
 };
 
-/// What is reported about a program when it is compiled.
+/// The diagnostics of a program when it is compiled.
 std::vector<Told> told_about(Sources sources);
 std::vector<std::string> codes_of(Sources sources);
 
-/// The scene of a program about which nothing is reported; fails the test otherwise.
+/// The scene of a program without diagnostics; fails the test otherwise.
 lang::LoweredScene scene_of(Sources sources, std::optional<int> frame = {});
 
-/// The objects that a program's root evaluates to. Only evaluation: no camera is missing.
+/// The objects that a program's root evaluates to. Only evaluates, so no camera is required.
 struct Evaluated {
-  std::vector<lang::Object> objects;  ///< groups as they are entered
+  std::vector<lang::Object> objects;  ///< groups when they are entered
   std::vector<Told> told;
 
   std::vector<std::string> codes() const;
 };
 Evaluated evaluated(Sources sources);
 
-/// The root's text with every fix applied that is suggested when it is evaluated.
+/// The root's text with every fix applied that evaluation suggests.
 std::string with_fixes(const std::string& root);
 
 }  // namespace sdlc::test

@@ -15,7 +15,7 @@ using lang::JsonType;
 using lang::Presence;
 using lang::Range;
 
-/// Of each kind some spellings; where there are none, the number is drawn.
+/// Some spellings of each kind; otherwise the number is random.
 struct NumberStyle {
   std::string_view name;
   std::vector<std::string> spellings;
@@ -62,7 +62,7 @@ void add_states(const lang::JsonObject& table, const std::string& name,
                 std::set<std::string>& all) {
   for (const JsonKey& key : table.keys) {
     const std::string full = name + std::string(key.key);
-    // Parts of the config are absent where there is an `image`, but for one.
+    // All other parts of the config are absent if there is an `image`, except one.
     const bool is_part = name.empty() && key.key != "saving";
     all.insert(full + " present");
     if (is_part || key.presence == Presence::Optional) {
@@ -157,7 +157,7 @@ std::string ConfigGenerator::value(const JsonKey& key, const std::string& name) 
 }
 
 std::string ConfigGenerator::number(const JsonKey& key, Range range) {
-  // Other pictures have no rows, or more than the program holds.
+  // Other pictures have no rows, or more than the program allows.
   constexpr std::array<std::string_view, 6> kAspects{
       "1", "1.50", "1.7777777777777777777777777777777777777777778", "16e-1", "0.75", "2"};
   const std::span<const std::string_view> aspects(kAspects);
@@ -165,7 +165,7 @@ std::string ConfigGenerator::number(const JsonKey& key, Range range) {
 }
 
 std::string ConfigGenerator::any_number() {
-  // Extremes meet each other seldom: what comes of two is more often than not beyond numbers.
+  // Combine extremes only rarely: two of them usually overflow.
   const auto& styles = number_styles();
   std::size_t index = random_.below(styles.size());
   if (styles[index].name == "extreme" && !random_.one_in(8)) index = 0;
@@ -186,7 +186,7 @@ std::string ConfigGenerator::numbers(std::size_t count, Range range) {
   std::vector<std::string> all;
   while (all.size() < count) {
     std::string number = number_in(range);
-    // The smallest of colours are black to every reader, once they are divided by 255.
+    // The smallest colours become black in every reader, after division by 255.
     const double value = value_of(number);
     if (range == Range::NonNegative && value != 0 && value / 255 == 0) continue;
     all.push_back(std::move(number));
@@ -225,7 +225,7 @@ std::string ConfigGenerator::spheres() {
   for (std::size_t i = random_.below(7); i > 0; --i) {
     all.push_back(object(lang::json_sphere(), "sphere"));
   }
-  // A material that several share.
+  // A material that several spheres share.
   for (std::size_t i = random_.below(4); i > 0; --i) {
     all.push_back(fmt::format(R"({{"origin": {}, "radius": 1, "material": {}}})",
                               numbers(3, Range::Any), shared));

@@ -38,17 +38,17 @@ class SplitMix64 {
   std::uint64_t state_;
 };
 
-/// Makes configs of the tables of keys: every key present and, where it may be, absent and null, in
-/// any order, with numbers and strings in every spelling. Each is right key by key; some are not as
-/// a whole (a camera that looks nowhere).
+/// Generates configs from the tables of keys: every key present and, if allowed, absent and null,
+/// in any order, with numbers and strings in every spelling. Each key is valid; some configs are
+/// invalid as a whole (a camera without a view direction).
 class ConfigGenerator {
  public:
   explicit ConfigGenerator(std::uint64_t seed) : random_(seed) {}
 
   std::string next();
 
-  /// "camera.up present", "camera.time_interval null", "material diffuse", "number -0": what was
-  /// generated up to now, and what there is.
+  /// "camera.up present", "camera.time_interval null", "material diffuse", "number -0": the cases
+  /// generated so far, and all cases.
   const std::set<std::string>& reached() const { return reached_; }
   static std::set<std::string> everything();
 
@@ -72,12 +72,12 @@ class ConfigGenerator {
   std::set<std::string> reached_;
 };
 
-/// The config without what has no effect: nulls, `focal_length`, spheres where there are none,
-/// movements that no shutter sees; what chooses threads as their number, the times of the shutter
-/// in their order, and `gamma_correct` always there.
+/// The config in a canonical form: without nulls, `focal_length`, unused spheres and movements
+/// without a shutter; the choice of threads as their number, the shutter times in order, and
+/// `gamma_correct` always present.
 nlohmann::json without_what_has_no_effect(nlohmann::json config);
 
-/// The real configs beside the repository; empty where they are absent.
+/// The real configs beside the repository; empty if they are absent.
 std::vector<std::filesystem::path> reference_configs();
 
 }  // namespace sdlc::test

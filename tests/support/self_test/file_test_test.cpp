@@ -87,7 +87,7 @@ constexpr std::string_view kSeveral =
     "=== lib/other.scene ===\n"
     "four\n";
 
-/// "three" of the case's other file is wrong, as was reported in a call by the flag's text.
+/// "three" in the case's other file is wrong, as reported in a call by the flag's text.
 std::vector<Remark> remarks_of_several(const FileCase& file_case, std::string_view other_name) {
   const lang::SourceFile first("root.scene", file_case.texts[0].text());
   const lang::SourceFile other(std::string(other_name), file_case.texts[1].text());
@@ -133,7 +133,7 @@ TEST(FileTest, ExpectsEachRemarkInItsOwnText) {
   EXPECT_EQ(
       replace_expectations(kSeveral, file_case, remarks_of_several(file_case, "lib/other.scene")),
       kSeveral);
-  // What is about none of the texts is told at the beginning of the first.
+  // Remarks about none of the texts are at the beginning of the first.
   const std::string problems = compare(file_case, remarks_of_several(file_case, "elsewhere.scene"));
   EXPECT_NE(problems.find("expected, but not reported at line 1 of lib/other.scene"),
             std::string::npos)

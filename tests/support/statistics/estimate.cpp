@@ -30,7 +30,7 @@ testing::AssertionResult agrees(const Estimate& estimate, render::LinearRgb expe
              wanted = channels(expected);
   for (std::size_t i = 0; i < 3; ++i) {
     const double difference = mean[i] - wanted[i];
-    // Rounding leaves a spread of about 1e-9 in a mean of equal samples.
+    // Rounding gives a spread of about 1e-9 in a mean of equal samples.
     const bool is_constant = error[i] < 1e-9 * std::fabs(wanted[i]) + 1e-300;
     const double z = difference / error[i];
     const double p = std::erfc(std::fabs(z) / std::sqrt(2.0));

@@ -8,7 +8,7 @@
 
 namespace sdlc::test {
 
-/// A mean of independent samples and its standard error, channel by channel.
+/// A mean of independent samples and its standard error, per channel.
 struct Estimate {
   render::LinearRgb mean;
   render::LinearRgb standard_error;
@@ -32,8 +32,8 @@ class EstimateBuilder {
 
 /// Two-sided z-test of H0 "the expectation is `expected`" in each channel, at a third of
 /// `significance` each (Bonferroni): under H0 it fails with at most that probability over the
-/// choice of seeds. A channel without any spread must be exact but for the rounding of the sum, n ·
-/// 2^-53 of it.
+/// choice of seeds. A channel without any spread must be exact except for the rounding of the sum,
+/// n · 2^-53 of it.
 testing::AssertionResult agrees(const Estimate& estimate, render::LinearRgb expected,
                                 double significance = 1e-4);
 

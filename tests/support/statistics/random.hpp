@@ -6,7 +6,7 @@
 
 namespace sdlc::test {
 
-/// Numbers and vectors that a seed fixes.
+/// Numbers and vectors determined by a seed.
 class Random {
  public:
   explicit Random(unsigned seed) : engine_(seed) {}

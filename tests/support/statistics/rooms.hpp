@@ -3,7 +3,7 @@
 #include "render/scene/scene.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
-/// Scenes whose pictures are noisy in all the usual ways.
+/// Scenes with all usual sources of noise.
 namespace sdlc::test {
 
 /// Edges, shadows, a lamp and a dim sky.
@@ -19,8 +19,8 @@ inline render::Scene small_room() {
   return scene;
 }
 
-/// The lamp is found by way of brushed metal too, seldom: in so small a picture two or three pixels
-/// have most of the error.
+/// The lamp is also found through brushed metal, but rarely: in such a small picture two or three
+/// pixels have most of the error.
 inline render::Scene room_with_rare_paths() {
   render::Scene scene = small_room();
   scene.materials[2] = specular({0.9, 0.8, 0.6}, 0.8);

@@ -8,7 +8,7 @@
 #include "render/scene/scene.hpp"
 #include "tests/support/statistics/estimate.hpp"
 
-/// Short ways to the scenes that tests are made of.
+/// Short helpers to build test scenes.
 namespace sdlc::test {
 
 inline render::Material diffuse(render::LinearRgb color) { return {.color = color}; }
@@ -58,7 +58,7 @@ struct BeamOptions {
   render::LightSampling light_sampling = render::LightSampling::Off;
 };
 
-/// The radiance that arrives along the camera's axis.
+/// The radiance along the camera's axis.
 inline Estimate radiance_along_axis(const render::Scene& scene, const BeamOptions& options) {
   const auto lights = render::choose_lights(scene, options.light_sampling);
   const render::PathIntegrator integrator(scene, options.depth, {}, lights);
@@ -66,7 +66,7 @@ inline Estimate radiance_along_axis(const render::Scene& scene, const BeamOption
   EstimateBuilder builder;
   const std::uint64_t key = render::PathSampler::stream_key(options.seed, 0, 0);
   for (std::uint64_t i = 0; i < options.samples; ++i) {
-    // Standard errors are those of independent samples.
+    // Standard errors assume independent samples.
     const render::PathSampler sampler(render::SamplerKind::Independent, key,
                                       static_cast<std::uint32_t>(i));
     builder.add(integrator.sample(0.5, 0.5, sampler, counts));

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lang/object/object.hpp"
+#include "lang/source/source.hpp"
+#include "render/image/tone.hpp"
+#include "render/math/interval.hpp"
+#include "render/scene/precision.hpp"
+#include "render/scene/scene.hpp"
+
+namespace sdlc::lang {
+
+/// What the scene says about saving its picture.
+struct OutputSettings {
+  std::string output;  ///< as written; empty where the scene names none
+  render::Tone tone = render::Tone::Srgb;
+};
+
+/// What is written of a camera and cannot be read off render::Camera.
+struct WrittenCamera {
+  std::string name;  ///< empty where it has none
+  Angle fov;
+  double view_height = 2;
+  std::optional<render::Interval> shutter;  ///< absolute times in seconds; nullopt: none
+};
+
+/// A camera that a check found without mistakes. A check reads all cameras, not only the chosen
+/// one.
+struct CheckedCamera {
+  std::string name;  ///< empty where it has none
+  render::Camera camera;
+  std::optional<render::Interval> shutter;
+  Location from;    ///< its `from` in the text
+  Location aspect;  ///< no file: not written
+};
+
+/// Where the text says something; no file: it does not.
+struct WrittenPlaces {
+  Location background, width, height, samples, depth, precision, error, output;
+};
+
+/// A sphere that groups rotate while the shutter is open, and whose centre nevertheless moves on a
+/// straight line.
+struct BentPath {
+  std::uint32_t sphere;  ///< index in the scene
+  double sagitta;        ///< distance of the line's midpoint from the true path
+};
+
+/// A scene ready for the renderer. A plain picture is a scene without spheres.
+struct LoweredScene {
+  render::Scene scene;
+  render::RenderSettings settings;
+  OutputSettings output;
+  std::vector<std::string> cameras;     ///< the names of all, in the order of declaration
+  std::optional<WrittenCamera> camera;  ///< the chosen one; nullopt: a plain picture
+  std::size_t dropped_spheres = 0;      ///< that coincided with earlier ones
+  /// The precision that is asked for; nullopt: whatever suits the scene.
+  std::optional<render::Precision> precision;
+  WrittenPlaces places;
+
+  // Filled by checks only.
+  std::vector<CheckedCamera> checked_cameras;  ///< empty: the file is a part of others
+  std::vector<BentPath> bent_paths;            ///< by index
+};
+
+}  // namespace sdlc::lang

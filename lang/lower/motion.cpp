@@ -1,0 +1,29 @@
+#include "lang/lower/motion.hpp"
+
+namespace sdlc::lang {
+
+void lower_motion(std::span<const MovingSphere> moving, render::Interval shutter,
+                  DiagnosticSink& sink, std::vector<render::Sphere>& spheres,
+                  std::vector<render::Vec3>& shifts) {
+  for (const MovingSphere& each : moving) {
+    const render::Interval over = each.motion.over;
+    const double duration = over.to - over.from;
+    const render::Vec3 way = each.motion.to - each.center;
+    render::Vec3 opening = each.center + way * ((shutter.from - over.from) / duration);
+    render::Vec3 shift = way * ((shutter.to - shutter.from) / duration);
+    if (each.groups) {
+      const auto& [at_opening, at_closing] = *each.groups;
+      const render::Vec3 closing = at_closing.apply(opening + shift);
+      opening = at_opening.apply(opening);
+      shift = closing - opening;
+    }
+    if (!is_finite(opening) || !is_finite(opening + shift)) {
+      sink.report(diag::beyond_numbers, each.where, "where the motion leads");
+      continue;
+    }
+    spheres[each.sphere].center = opening;
+    shifts[each.sphere] = shift;
+  }
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+#include "lang/ast/ast.hpp"
+#include "lang/syntax/syntax.hpp"
+
+namespace sdlc::lang {
+
+/// The names that statements probably declare that could not be read. Their uses are not reported
+/// as unknown.
+class LostNames {
+ public:
+  explicit LostNames(const SyntaxTree& tree);
+
+  bool contains(std::string_view name) const;
+
+ private:
+  void read_skipped(std::string_view text);
+  void read_alias(ast::Node import);
+
+  std::unordered_set<std::string_view> names_;
+  std::vector<std::string_view> merged_;  ///< two names in one word, and words that may be a name
+};
+
+}  // namespace sdlc::lang

@@ -1,0 +1,334 @@
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "lang/resolve/path.hpp"
+#include "lang/resolve/resolver.hpp"
+#include "lang/value/colors.hpp"
+#include "lang/value/constructors.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+std::string arguments(std::size_t count) {
+  return fmt::format("{} argument{}", count, count == 1 ? "" : "s");
+}
+
+// A parameter of a constructor is a Property, that of a fn is a Parameter.
+
+std::string_view name_of(const Property& parameter) { return parameter.name; }
+std::string_view name_of(const Parameter& parameter) { return parameter.name; }
+bool may_be_color(const Property& argument) { return argument.type == Type::Color; }
+bool may_be_color(const Parameter& parameter) {
+  return parameter.type == nullptr || parameter.type->name == "color";
+}
+const Property* property_of(const Property& parameter) { return &parameter; }
+const Property* property_of(const Parameter& /*parameter*/) { return nullptr; }
+bool is_required(const Property& parameter) { return parameter.presence == Presence::Required; }
+bool is_required(const Parameter& parameter) { return !parameter.has_default; }
+
+template <typename T>
+std::vector<std::string_view> names_of(std::span<const T> parameters) {
+  std::vector<std::string_view> names;
+  for (const T& parameter : parameters) names.push_back(name_of(parameter));
+  return names;
+}
+
+template <typename T>
+std::size_t index_of_name(std::span<const T> parameters, std::string_view name) {
+  std::size_t index = 0;
+  while (index < parameters.size() && name_of(parameters[index]) != name) ++index;
+  return index;
+}
+
+bool has_argument(ast::Call call, std::string_view label) {
+  for (const ast::Node argument : call.arguments()) {
+    if (argument.is(SyntaxKind::Argument) && argument.head() == label) return true;
+  }
+  return false;
+}
+
+bool is_color(ast::Node value) {
+  if (value.is(SyntaxKind::Color)) return true;
+  return value.is(SyntaxKind::Reference) && find_named_color(value.text()).has_value();
+}
+
+/// Whether a call without labels has the colour and the number of its material in the wrong order.
+bool swaps_color(ast::Call call, std::span<const Property> parameters) {
+  std::size_t index = 0;
+  bool has_number = false, has_color = false;
+  for (const ast::Node argument : call.arguments()) {
+    if (index == parameters.size() || argument.is(SyntaxKind::Argument)) break;
+    const Type type = parameters[index++].type;
+    has_number = has_number || (type == Type::Color && argument.is(SyntaxKind::Number));
+    has_color = has_color || (type == Type::Number && is_color(argument));
+  }
+  return has_number && has_color;
+}
+bool swaps_color(ast::Call /*call*/, std::span<const Parameter> /*parameters*/) { return false; }
+
+}  // namespace
+
+std::uint32_t Resolver::call(ast::Call call) {
+  const std::string_view callee = call.callee();
+  if (callee.find('.') != std::string_view::npos) return imported_call(call);
+  if (const auto own = module_.function_names.find(callee); own != module_.function_names.end()) {
+    if (is_recording()) recorder_->use_own(callee, module_.functions[own->second].node);
+    uses_.functions.push_back(own->second);
+    return function_call(index_, own->second, call);
+  }
+  const Constructor* constructor = find_constructor(callee);
+  const Builtin* builtin = constructor == nullptr ? find_builtin(callee) : nullptr;
+  if (constructor == nullptr && builtin == nullptr) return unknown_function(call);
+  if (is_recording()) recorder_->use_builtin(callee, SymbolKind::BuiltinFunction);
+  return builtin != nullptr ? builtin_call(*builtin, call) : constructor_call(*constructor, call);
+}
+
+std::uint32_t Resolver::imported_call(ast::Call call) {
+  const auto names = split_path(call.callee());
+  const auto import = module_.imports.find(names[0]);
+  if (import == module_.imports.end()) {
+    record_path(names);
+    if (!is_recording()) unknown_.report_imported_function(call, names, std::nullopt);
+    return operands_of(call.node, Op::Broken);
+  }
+  const std::uint32_t index = import->second.module;
+  const Definition* function = nullptr;
+  if (index != kNothing && names.size() == 2) {
+    const Module& module = modules_.module_at(index);
+    const auto found = module.function_names.find(names[1]);
+    if (found != module.function_names.end()) function = &module.functions[found->second];
+  }
+  if (is_recording()) {
+    recorder_->use_own(names[0], import->second.node);
+    record_member(names, function != nullptr ? SymbolId{index, function->node} : SymbolId{});
+  }
+  if (function != nullptr) {
+    uses_.time = uses_.time || function->uses_time;
+    const auto& functions = modules_.module_at(index).functions;
+    return function_call(index, static_cast<std::uint32_t>(function - functions.data()), call);
+  }
+  const bool is_readable = index != kNothing;  // if not, that is reported where it is imported
+  if (is_readable && !is_recording()) unknown_.report_imported_function(call, names, index);
+  return operands_of(call.node, Op::Broken);
+}
+
+std::uint32_t Resolver::unknown_function(ast::Call call) {
+  if (is_recording()) {
+    recorder_->use_unknown(call.callee(), NameSpace::Functions);
+    return operands_of(call.node, Op::Broken);
+  }
+  // The arguments of the constructor that was probably meant may be words.
+  const auto nearest = unknown_.report_function(call);
+  const Constructor* meant = nearest ? find_constructor(*nearest) : nullptr;
+  if (meant == nullptr) return operands_of(call.node, Op::Broken);
+  const Guess guess(*this);
+  return constructor_call(*meant, call);
+}
+
+std::uint32_t Resolver::constructor_call(const Constructor& constructor, ast::Call call) {
+  const auto index = static_cast<std::uint32_t>(constructor.index());
+  return call_of(Op::Constructor, std::span(&index, 1), constructor.parameters, call);
+}
+
+std::uint32_t Resolver::function_call(std::uint32_t module, std::uint32_t function,
+                                      ast::Call call) {
+  const std::array<std::uint32_t, 2> callee{module, function};
+  const std::span<const Parameter> parameters =
+      modules_.module_at(module).functions[function].parameters;
+  return call_of(Op::Function, callee, parameters, call);
+}
+
+std::uint32_t Resolver::builtin_call(const Builtin& builtin, ast::Call call) {
+  const std::size_t mark = code_.mark();
+  code_.push(static_cast<std::uint32_t>(builtin.index()));
+  bool is_good = true;
+  for (const ast::Node argument : call.arguments()) {
+    std::optional<ast::Node> value = argument;
+    if (argument.is(SyntaxKind::Argument)) {
+      const ast::Labeled labeled{argument};
+      if (is_recording()) recorder_->use_unknown(labeled.label(), NameSpace::Labels);
+      sink_.report(diag::unknown_argument, labeled.label_location(), labeled.label(), builtin.name)
+          .help(fmt::format("its arguments have no names: `{}`", builtin.signature));
+      value = labeled.value();
+      is_good = false;
+    }
+    is_good = is_good && !argument.is(SyntaxKind::Error);
+    code_.push(value ? expression(*value) : code_.add_broken(argument));
+  }
+  const std::size_t count = code_.mark() - mark - 1;
+  if (is_good && (count < builtin.least || count > builtin.most)) {
+    const std::string_view number = builtin.least == builtin.most ? "" : "at least ";
+    sink_
+        .report(diag::wrong_argument_count, call.callee_location(), builtin.name,
+                fmt::format("{}{}", number, arguments(builtin.least)), count)
+        .help(fmt::format("write `{}`", builtin.signature));
+    is_good = false;
+  }
+  if (is_good) return code_.add_with(Op::Builtin, call.node, mark);
+  code_.remove(mark, mark + 1);
+  return code_.add_with(Op::Broken, call.node, mark);
+}
+
+// Arguments of functions with named parameters
+
+/// The arguments of one call on their way to its parameters: the operand of a parameter is kNothing
+/// until an argument is bound to it.
+template <typename T>
+struct Resolver::Binding {
+  std::span<const T> parameters;
+  ast::Call call;
+  const Definition* function;  ///< null for a constructor
+  std::uint32_t module;        ///< of the function
+  std::size_t first;           ///< operand of the first parameter
+  bool is_broken;              ///< arguments or parameters may be missing that could not be read
+  bool is_good;                ///< the call can be made
+  bool has_labels = false, has_too_many = false;
+  std::size_t positional = 0;  ///< arguments without a label
+
+  std::size_t none() const noexcept { return parameters.size(); }
+};
+
+template <typename T>
+std::uint32_t Resolver::call_of(Op op, std::span<const std::uint32_t> callee,
+                                std::span<const T> parameters, ast::Call call) {
+  const std::size_t mark = code_.mark();
+  for (const std::uint32_t part : callee) code_.push(part);
+  const std::size_t first = code_.mark();
+  for (std::size_t i = 0; i < parameters.size(); ++i) code_.push(kNothing);
+  const bool is_function = op == Op::Function;
+  const Definition* function =
+      is_function ? &modules_.module_at(callee[0]).functions[callee[1]] : nullptr;
+  const bool is_broken = call.is_broken() || std::exchange(is_guess_, false) ||
+                         (function != nullptr && function->is_broken);
+  Binding<T> binding{.parameters = parameters,
+                     .call = call,
+                     .function = function,
+                     .module = is_function ? callee[0] : kNothing,
+                     .first = first,
+                     .is_broken = is_broken,
+                     .is_good = !is_broken};
+  if (binding.is_good) check_order(binding);
+  for (const ast::Node argument : call.arguments()) bind_argument(binding, argument);
+  // What could not be read may be what is missing.
+  for (std::size_t i = 0; i < parameters.size() && binding.is_good; ++i) {
+    if (code_[first + i] != kNothing || !is_required(parameters[i])) continue;
+    sink_.report(diag::missing, call.callee_location(), fmt::format("`{}`", call.callee()),
+                 name_of(parameters[i]));
+    binding.is_good = false;
+  }
+  if (binding.is_good) return code_.add_with(op, call.node, mark);
+  code_.remove_nothing(first);
+  code_.remove(mark, first);
+  return code_.add_with(Op::Broken, call.node, mark);
+}
+
+template <typename T>
+void Resolver::check_order(Binding<T>& binding) {
+  const ast::Call call = binding.call;
+  if (!swaps_color(call, binding.parameters)) return;
+  sink_
+      .report(diag::wrong_argument, (*call.arguments().begin()).location(), call.callee(),
+              "a colour", "a number")
+      .help(fmt::format("its arguments are `{}({})`", call.callee(),
+                        fmt::join(names_of(binding.parameters), ", ")));
+  binding.is_good = false;
+}
+
+template <typename T>
+void Resolver::bind_argument(Binding<T>& binding, ast::Node argument) {
+  if (argument.is(SyntaxKind::Error)) {
+    record_skipped(argument);
+    binding.is_good = false;
+    return;
+  }
+  const bool is_labeled = argument.is(SyntaxKind::Argument);
+  const std::size_t index =
+      is_labeled ? labeled_argument(binding, {argument}) : positional_argument(binding, argument);
+  const auto value = is_labeled ? ast::Labeled{argument}.value() : std::optional(argument);
+  if (is_labeled) record_rest(argument, value);
+  const bool is_known = index != binding.none();
+  const bool is_placed = is_known && code_[binding.first + index] == kNothing;
+  if (is_known && !is_placed) {
+    const Location where = is_labeled ? argument.head_location() : argument.location();
+    const Expression& earlier = code_.code().expressions[code_[binding.first + index]];
+    sink_.report(diag::duplicate, where, "argument", name_of(binding.parameters[index]))
+        .label(ast::Node(module_.tree, earlier.node).location(), "first given here");
+  }
+  const Property* property = is_placed ? property_of(binding.parameters[index]) : nullptr;
+  const bool takes_no_color = is_placed && !may_be_color(binding.parameters[index]);
+  if (value && takes_no_color) no_color_ = value->span();
+  const std::uint32_t operand = value ? expression(*value, property) : code_.add_broken(argument);
+  if (is_placed) {
+    code_[binding.first + index] = operand;
+  } else {
+    code_.push(operand);
+    binding.is_good = false;
+  }
+}
+
+/// The index of the parameter that the label names or was probably meant to name, unless that one
+/// has an argument too; else none().
+template <typename T>
+std::size_t Resolver::labeled_argument(Binding<T>& binding, ast::Labeled argument) {
+  binding.has_labels = true;
+  const std::string_view label = argument.label();
+  const std::size_t index = index_of_name(binding.parameters, label);
+  if (is_recording()) record_argument(binding, label, index);
+  if (index != binding.none() || is_recording()) return index;
+
+  const bool is_excused = binding.function != nullptr &&
+                          (binding.function->is_broken ||
+                           (binding.module == index_ &&
+                            unknown_.is_excused(index_, label, argument.node.span().begin)));
+  const auto habit = binding.function != nullptr ? std::nullopt : argument_habit(label);
+  const auto nearest = meant_name(habit, label, names_of(binding.parameters));
+  if (!is_excused && (nearest || !binding.is_broken)) {
+    sink_.report(diag::unknown_argument, argument.label_location(), label, binding.call.callee())
+        .suggest(nearest);
+  }
+  const bool is_free = nearest && !has_argument(binding.call, *nearest);
+  return is_free ? index_of_name(binding.parameters, *nearest) : binding.none();
+}
+
+template <typename T>
+std::size_t Resolver::positional_argument(Binding<T>& binding, ast::Node argument) {
+  if (binding.has_labels) {
+    if (!binding.is_broken) sink_.report(diag::positional_behind_named, argument.location());
+    return binding.none();
+  }
+  if (binding.positional < binding.none()) return binding.positional++;
+  if (!binding.is_broken && !std::exchange(binding.has_too_many, true)) {
+    sink_.report(diag::too_many_arguments, argument.location(), binding.call.callee(),
+                 arguments(binding.none()));
+  }
+  return binding.none();
+}
+
+template <typename T>
+void Resolver::record_argument(const Binding<T>& binding, std::string_view label,
+                               std::size_t index) {
+  const bool is_known = index != binding.none();
+  if constexpr (std::is_same_v<T, Property>) {
+    if (is_known) {
+      recorder_->use_builtin(label, SymbolKind::Property, &binding.parameters[index]);
+    } else {
+      recorder_->use_unknown(label, NameSpace::Labels);
+    }
+  } else {
+    if (is_known) {
+      recorder_->use(label, {binding.module, binding.parameters[index].node});
+    } else {
+      recorder_->use_unknown(label, NameSpace::Labels, {binding.module, binding.function->node});
+    }
+  }
+}
+
+}  // namespace sdlc::lang

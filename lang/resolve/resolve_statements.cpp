@@ -1,0 +1,151 @@
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "lang/ast/statements.hpp"
+#include "lang/resolve/resolver.hpp"
+
+namespace sdlc::lang {
+
+std::uint32_t Resolver::resolve_statement(ast::Node node, Code& code, std::uint32_t& frame_size) {
+  code_.write_to(code);
+  uses_.clear();
+  scopes_.reset_frame_size();
+  const std::uint32_t index = statement(node, true);
+  frame_size = scopes_.frame_size();
+  code_.write_to(module_.code);
+  return index;
+}
+
+std::uint32_t Resolver::resolve_expression() {
+  const ast::Node file(module_.tree, 0);
+  const auto value = file.child(0);
+  return value ? expression(*value) : code_.add_broken(file);
+}
+
+std::uint32_t Resolver::statement(ast::Node node, bool is_top) {
+  switch (node.kind()) {
+    case SyntaxKind::Object: return object({node}, is_top);
+    case SyntaxKind::Let: return is_top ? kNothing : let_statement(node);
+    case SyntaxKind::For: return for_statement(node);
+    case SyntaxKind::If: return if_statement(node);
+    case SyntaxKind::Assert: return assert_statement(node);
+    case SyntaxKind::Include: return include_statement(node);
+    case SyntaxKind::Property: return property_outside({node}, is_top);
+    case SyntaxKind::Import:
+    case SyntaxKind::Param:
+    case SyntaxKind::Fn:
+    case SyntaxKind::Def:
+      if (is_top) return kNothing;
+      sink_.report(diag::top_level_only, ast::word_location(node),
+                   ast::statement_word(node.kind()));
+      record_misplaced_declaration(node);
+      return kNothing;
+    default: record_error(node, is_top); return kNothing;
+  }
+}
+
+std::uint32_t Resolver::property_outside(ast::Labeled property, bool is_top) {
+  auto report = sink_.report(diag::property_outside, property.label_location(), property.label());
+  if (!is_top) {
+    report.help(
+        fmt::format("it stands in its object itself: `{}: if … then … else …`", property.label()));
+  }
+  if (is_recording()) recorder_->use_unknown(property.label(), NameSpace::Labels);
+  record_skipped_children(property.node);
+  return kNothing;
+}
+
+void Resolver::block(ast::Node node) {
+  const Block scope(*this, ast::end_of_inside(node));
+  const std::size_t count = code_.reserve();
+  for (const ast::Node child : node.children()) {
+    const std::uint32_t index = statement(child, false);
+    if (index != kNothing) code_.push(index);
+  }
+  code_[count] = static_cast<std::uint32_t>(code_.mark() - count - 1);
+}
+
+std::uint32_t Resolver::let_statement(ast::Node node) {
+  const auto value = ast::expression_of(node);
+  const std::string_view name = ast::declared_name(node);
+  record_rest(node, value);
+  declaring_ = name;
+  const std::uint32_t result = value ? expression(*value) : code_.add_broken(node);
+  declaring_ = {};
+  const auto known = !name.empty() ? scopes_.find(name) : std::nullopt;
+  if (known && scopes_.is_innermost(*known)) {
+    sink_.report(diag::duplicate, node.first(SyntaxKind::Name)->location(), "value", name);
+  }
+  const std::size_t mark = code_.mark();
+  const std::uint32_t slot = declare_local({.kind = SymbolKind::Let,
+                                            .is_local = true,
+                                            .node = node.index(),
+                                            .name = name,
+                                            .scope = {node.span().end, scope_end_}});
+  code_.push({slot, result});
+  return code_.add_statement(Action::Let, node, mark);
+}
+
+std::uint32_t Resolver::for_statement(ast::Node node) {
+  const auto list = node.child(1), body = node.child(2);
+  if (!list || !body || !body->is(SyntaxKind::Block)) {
+    record_broken_for(node);
+    return kNothing;
+  }
+  const std::uint32_t values = expression(*list);
+  const Block scope(*this, ast::end_of_inside(*body));
+  const std::size_t mark = code_.mark();
+  const std::uint32_t slot = declare_local({.kind = SymbolKind::LoopVariable,
+                                            .is_local = true,
+                                            .node = node.index(),
+                                            .name = ast::declared_name(node),
+                                            .scope = {body->span().begin, scope_end_}});
+  code_.push({slot, values});
+  block(*body);
+  return code_.add_statement(Action::For, node, mark);
+}
+
+std::uint32_t Resolver::if_statement(ast::Node node) {
+  // Conditions and blocks take turns; a last block without a condition is that of `else`.
+  const std::size_t mark = code_.mark();
+  bool has_condition = false;
+  for (const ast::Node child : node.children()) {
+    if (child.is(SyntaxKind::Block)) {
+      if (!has_condition) code_.push(kNothing);
+      block(child);
+      has_condition = false;
+    } else {
+      const std::uint32_t condition = expression(child);
+      if (has_condition) code_.push(0u);  // the block before it could not be read
+      code_.push(condition);
+      has_condition = true;
+    }
+  }
+  if (has_condition) code_.push(0u);
+  return code_.add_statement(Action::If, node, mark);
+}
+
+std::uint32_t Resolver::assert_statement(ast::Node node) {
+  const auto condition = node.child(0), message = node.child(1);
+  if (!condition || !message) {
+    record_skipped_children(node);
+    return kNothing;
+  }
+  const std::uint32_t first = expression(*condition), second = expression(*message);
+  const std::size_t mark = code_.mark();
+  code_.push({first, second});
+  return code_.add_statement(Action::Assert, node, mark);
+}
+
+std::uint32_t Resolver::include_statement(ast::Node node) {
+  if (is_recording()) return kNothing;
+  const auto file = node.first(SyntaxKind::String);
+  const std::uint32_t loaded = file ? modules_.load(index_, *file, true, sink_) : kNothing;
+  if (loaded == kNothing) return kNothing;
+  const std::size_t mark = code_.mark();
+  code_.push(loaded);
+  return code_.add_statement(Action::Include, node, mark);
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,195 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "lang/ast/ast.hpp"
+#include "lang/code/code_builder.hpp"
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/resolve/global_order.hpp"
+#include "lang/resolve/module.hpp"
+#include "lang/resolve/property_slots.hpp"
+#include "lang/resolve/scopes.hpp"
+#include "lang/resolve/symbol_recorder.hpp"
+#include "lang/resolve/unknown_names.hpp"
+#include "lang/schema/schema.hpp"
+#include "lang/value/builtins.hpp"
+#include "lang/value/constructors.hpp"
+
+namespace sdlc::lang {
+
+/// Resolves the names of one file and makes code of its statements: the only walk over a tree that
+/// knows what names mean. Every unknown name is reported, whether evaluation reaches it or not.
+class Resolver {
+ public:
+  /// With a recorder, what a compilation skips because of errors is resolved for its names too, and
+  /// nothing is loaded or suggested.
+  Resolver(Modules& modules, std::uint32_t module, DiagnosticSink& sink,
+           SymbolRecorder* recorder = nullptr);
+
+  /// The declarations of the file's top level, into its Module.
+  void resolve_declarations();
+  /// One other statement of the top level: its index, or kNothing; `frame_size` is the number of
+  /// slots of its frame.
+  std::uint32_t resolve_statement(ast::Node statement, Code& code, std::uint32_t& frame_size);
+  /// The index of the expression that is all of the file, in the Module's code.
+  std::uint32_t resolve_expression();
+  /// Every statement, for the recorder only. The Module stays as it is.
+  void record_all();
+
+ private:
+  /// A block whose locals are visible up to `end`.
+  class Block;
+  /// While it lives, the kind or function that is resolved is the one that was probably meant:
+  /// nothing is missing from it.
+  class Guess;
+
+  // Declarations
+  void resolve_global(Global& global);
+  void resolve_definition(Definition& definition);
+  const TypeInfo* resolve_type(ast::Node node);
+  std::uint32_t declare_local(Symbol symbol);
+
+  // Recording
+  bool is_recording() const noexcept { return recorder_ != nullptr; }
+  void record_declaration(ast::Node statement);
+  void record_duplicate_parameters(const Definition& definition);
+  /// A declaration in a block that is for the top level only.
+  void record_misplaced_declaration(ast::Node statement);
+  /// A node that makes no code because of an error.
+  void record_skipped(ast::Node node);
+  void record_skipped_children(ast::Node node);
+  void record_error(ast::Node error, bool is_top);
+  /// The remains of an expression that could not be read to its end: what is beside the value.
+  void record_rest(ast::Node node, std::optional<ast::Node> value);
+  void record_broken_for(ast::Node node);
+  /// The declaration of a visible value that a new local of this name hides, or kNothing.
+  NodeIndex hidden_by(std::string_view name) const;
+  /// The first name of a path that is no import: perhaps a value.
+  void record_path(std::span<const std::string_view> names);
+  /// The names of a path after that of an import.
+  void record_member(std::span<const std::string_view> names, SymbolId member);
+  /// The label of a property, which has this slot.
+  void record_label(ast::Labeled property, std::size_t slot);
+  /// A statement in an object that takes properties only.
+  void record_misplaced(ast::Node statement);
+
+  // Statements: the index of the statement, or kNothing
+  std::uint32_t statement(ast::Node node, bool is_top);
+  std::uint32_t let_statement(ast::Node node);
+  std::uint32_t for_statement(ast::Node node);
+  std::uint32_t if_statement(ast::Node node);
+  std::uint32_t assert_statement(ast::Node node);
+  std::uint32_t include_statement(ast::Node node);
+  std::uint32_t property_outside(ast::Labeled property, bool is_top);
+  /// Pushes the number of statements in a Block, and then them.
+  void block(ast::Node node);
+
+  // Objects: the index of the statement, or kNothing
+  std::uint32_t object(ast::Object node, bool is_top);
+  std::uint32_t imported_object(ast::Object node, bool is_top);
+  std::uint32_t object_of(const Kind& kind, ast::Object node);
+  std::uint32_t group(const Kind& kind, ast::Object node);
+  std::uint32_t instance_of(std::uint32_t module, std::uint32_t def, ast::Object node);
+  bool has_all_parameters(const Module& owner, const Definition& def, ast::Object node);
+  std::uint32_t object_as(const UnknownNames::MeantKind& meant, std::uint32_t module,
+                          ast::Object node, bool is_top);
+  std::uint32_t object_of_no_kind(ast::Object node);
+  void misplaced(ast::Node statement);
+  void expect_inside(ast::Node statement);
+  void check_name(const Kind& kind, ast::Object node);
+  void read_properties(ast::Object node);
+  void read_property(ast::Labeled node);
+  std::size_t guess_property(ast::Labeled node);
+  std::uint32_t property_value(ast::Labeled node, std::size_t index);
+
+  // Expressions: the index of the expression
+  std::uint32_t expression(ast::Node node, const Property* property = nullptr);
+  std::uint32_t operands_of(ast::Node node, Op op);
+  std::uint32_t broken_expression(ast::Node node);
+  std::uint32_t string(ast::Node node);
+  std::uint32_t number(ast::Node node);
+  std::uint32_t conditional(ast::Node node, const Property* property);
+  std::uint32_t postfix(ast::Node node);
+  std::uint32_t reference(ast::Node node, const Property* property);
+  std::uint32_t word(ast::Node node, const Property& property);
+  std::uint32_t imported_value(ast::Node node, const Import& import,
+                               std::span<const std::string_view> names);
+  std::uint32_t builtin_value(ast::Node node, std::string_view name);
+  std::uint32_t global_value(ast::Node node, std::uint32_t module, std::uint32_t global);
+
+  // Calls: the index of the expression
+  std::uint32_t call(ast::Call call);
+  std::uint32_t imported_call(ast::Call call);
+  std::uint32_t unknown_function(ast::Call call);
+  std::uint32_t function_call(std::uint32_t module, std::uint32_t function, ast::Call call);
+  std::uint32_t constructor_call(const Constructor& constructor, ast::Call call);
+  std::uint32_t builtin_call(const Builtin& builtin, ast::Call call);
+  // T: Property of a constructor, Parameter of a fn
+  template <typename T>
+  struct Binding;
+  template <typename T>
+  std::uint32_t call_of(Op op, std::span<const std::uint32_t> callee, std::span<const T> parameters,
+                        ast::Call call);
+  template <typename T>
+  void check_order(Binding<T>& binding);
+  template <typename T>
+  void bind_argument(Binding<T>& binding, ast::Node argument);
+  template <typename T>
+  std::size_t labeled_argument(Binding<T>& binding, ast::Labeled argument);
+  template <typename T>
+  std::size_t positional_argument(Binding<T>& binding, ast::Node argument);
+  template <typename T>
+  void record_argument(const Binding<T>& binding, std::string_view label, std::size_t index);
+
+  Modules& modules_;
+  const std::uint32_t index_;
+  Module& module_;
+  DiagnosticSink& sink_;
+  SymbolRecorder* recorder_;
+  CodeBuilder code_;
+  Scopes scopes_;
+  UnknownNames unknown_;
+  std::uint32_t scope_end_ = 0;  // of the innermost block
+  bool is_guess_ = false;
+  std::string_view declaring_;  // the value whose expression is resolved
+  Span no_color_;               // the last value read in a place that takes no colour
+  Uses uses_;                   // of the declaration being resolved
+  // Of the object being resolved. Properties hold expressions only, so that there is one such
+  // object at a time (a group puts its own aside); the vectors are kept for the next one.
+  PropertySlots slots_;
+};
+
+class Resolver::Block {
+ public:
+  Block(Resolver& resolver, std::uint32_t end)
+      : block_(resolver.scopes_),
+        scope_end_(resolver.scope_end_),
+        outer_end_(std::exchange(resolver.scope_end_, end)) {}
+  ~Block() { scope_end_ = outer_end_; }
+  Block(const Block&) = delete;
+  Block& operator=(const Block&) = delete;
+
+ private:
+  Scopes::Block block_;
+  std::uint32_t& scope_end_;
+  std::uint32_t outer_end_;
+};
+
+class Resolver::Guess {
+ public:
+  explicit Guess(Resolver& resolver)
+      : resolver_(resolver), outer_(std::exchange(resolver.is_guess_, true)) {}
+  ~Guess() { resolver_.is_guess_ = outer_; }
+  Guess(const Guess&) = delete;
+  Guess& operator=(const Guess&) = delete;
+
+ private:
+  Resolver& resolver_;
+  bool outer_;
+};
+
+}  // namespace sdlc::lang

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "lang/code/code.hpp"
+#include "lang/source/source.hpp"
+#include "lang/syntax/syntax.hpp"
+
+/// Symbols: what the names of a program mean.
+namespace sdlc::lang {
+
+enum class SymbolKind : std::uint8_t {
+  // Declared by a file
+  Let,
+  Param,
+  Import,
+  Fn,
+  Def,
+  Parameter,
+  LoopVariable,
+  Object,  ///< the label of an object: `sphere ball { … }`
+  // Of the language
+  BuiltinValue,
+  BuiltinFunction,
+  BuiltinKind,
+  Type,
+  Property,  ///< of a built-in kind, or a parameter of a built-in function
+  Word,      ///< one of a property's words
+};
+
+/// Names of different spaces do not hide each other.
+enum class NameSpace : std::uint8_t {
+  Values,
+  Functions,
+  Kinds,
+  Types,
+  Members,  ///< of other files
+  Labels,   ///< of properties and arguments
+  Words,
+};
+
+/// Identifies a symbol of a program: by its file and the node that declares it, a statement, a
+/// Parameter or an Object. It holds until the file changes.
+struct SymbolId {
+  static constexpr std::uint32_t kBuiltinFile = 0xFFFFFFFE;
+
+  std::uint32_t file = kNothing;  ///< the module; kBuiltinFile; kNothing: an unknown name
+  std::uint32_t index = 0;        ///< the node; of the language: in builtin_symbols()
+
+  bool is_known() const noexcept { return file != kNothing; }
+  bool is_builtin() const noexcept { return file == kBuiltinFile; }
+  friend bool operator==(const SymbolId&, const SymbolId&) = default;
+};
+
+/// A symbol that a file declares.
+struct Symbol {
+  SymbolKind kind = SymbolKind::Let;
+  bool is_local = false;      ///< in a block: a let or a loop variable
+  bool is_duplicate = false;  ///< an earlier declaration of the scope has the name
+  NodeIndex node = 0;         ///< that declares it
+  NodeIndex owner = 0;        ///< of a parameter: the fn or def
+  std::string_view name;
+  Span where = {};             ///< the name in the declaration
+  Span scope = {};             ///< where it is visible; empty for the label of an object
+  NodeIndex hides = kNothing;  ///< the declaration of a value of that name further out
+};
+
+/// A name in the text.
+struct Occurrence {
+  Span where;
+  SymbolId symbol;
+};
+
+/// A name that means nothing.
+struct UnknownName {
+  Span where;
+  NameSpace space = NameSpace::Values;
+  SymbolId owner = {};  ///< of Labels: the fn or def whose parameter it would be
+};
+
+NameSpace name_space_of(SymbolKind kind) noexcept;
+/// What a message calls it: "value", "function".
+std::string_view describe(SymbolKind kind) noexcept;
+
+}  // namespace sdlc::lang

@@ -1,0 +1,184 @@
+#include "lang/resolve/symbol_types.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "lang/ast/ast.hpp"
+#include "lang/ast/statements.hpp"
+#include "lang/resolve/builtin_symbols.hpp"
+#include "lang/schema/schema.hpp"
+#include "lang/value/builtins.hpp"
+#include "lang/value/constructors.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+using Name = std::string_view;  // of a type; empty: not known
+
+/// The result of a built-in function; "=" is the type of its first argument.
+Name result_of(Name function) {
+  struct Result {
+    Name function, type;
+  };
+  static constexpr auto kResults = std::to_array<Result>({
+      {"sqrt", "number"},   {"abs", "="},         {"min", "="},          {"max", "="},
+      {"clamp", "="},       {"floor", "="},       {"ceil", "="},         {"round", "="},
+      {"exp", "number"},    {"log", "number"},    {"sin", "number"},     {"cos", "number"},
+      {"tan", "number"},    {"asin", "angle"},    {"acos", "angle"},     {"atan2", "angle"},
+      {"mod", "="},         {"len", "number"},    {"str", "string"},     {"dot", "number"},
+      {"cross", "vec3"},    {"length", "number"}, {"normalize", "vec3"}, {"mix", "="},
+      {"random", "number"}, {"noise", "number"},  {"range", "list"},
+  });
+  const auto found = std::ranges::find(kResults, function, &Result::function);
+  if (found != kResults.end()) return found->type;
+  const Constructor* constructor = find_constructor(function);
+  if (constructor == nullptr || function == "line") return {};
+  const auto materials = all_materials();
+  const bool is_material =
+      std::ranges::find(materials, function, &MaterialInfo::name) != materials.end();
+  return is_material ? "material" : "color";
+}
+
+class TypeInference {
+ public:
+  explicit TypeInference(const SymbolIndex& index) : index_(index) {}
+
+  Name of_symbol(SymbolId id) {
+    if (id.is_builtin()) return of_builtin(builtin_symbols()[id.index]);
+    const Symbol* symbol = index_.find(id);
+    if (symbol == nullptr || is_exhausted()) return {};
+    const ast::Node node(index_.table(id.file).tree(), symbol->node);
+    switch (symbol->kind) {
+      case SymbolKind::Let:
+      case SymbolKind::Param:
+      case SymbolKind::Parameter:
+      case SymbolKind::Fn: {
+        if (const auto type = node.first(SyntaxKind::TypeName)) return type->text();
+        const auto value = ast::expression_of(node);
+        return value ? of_expression(id.file, *value) : Name();
+      }
+      case SymbolKind::LoopVariable: {
+        const auto list = node.child(1);
+        return list ? of_element(id.file, *list) : Name();
+      }
+      default: return {};
+    }
+  }
+
+ private:
+  /// Chains of values may be long, and branch.
+  bool is_exhausted() {
+    constexpr int kMaxSteps = 1000, kMaxDepth = 100;
+    return ++steps_ > kMaxSteps || depth_ > kMaxDepth;
+  }
+
+  static Name of_builtin(const BuiltinSymbol& builtin) {
+    if (builtin.kind != SymbolKind::BuiltinValue) return {};
+    return builtin.name == "pi" || builtin.name == "time" ? "number" : "color";
+  }
+
+  Name of_expression(std::uint32_t file, ast::Node node) {
+    if (is_exhausted()) return {};
+    ++depth_;
+    const Name type = of_operation(file, node);
+    --depth_;
+    return type;
+  }
+
+  Name of_child(std::uint32_t file, ast::Node node, std::size_t n) {
+    const auto child = node.child(n);
+    return child ? of_expression(file, *child) : Name();
+  }
+
+  Name of_operation(std::uint32_t file, ast::Node node) {
+    switch (node.kind()) {
+      case SyntaxKind::Number: {
+        const Name text = node.text();
+        const bool is_angle =
+            text.ends_with("deg") || text.ends_with("rad") || text.ends_with("turn");
+        return is_angle ? "angle" : "number";
+      }
+      case SyntaxKind::String: return "string";
+      case SyntaxKind::Color: return "color";
+      case SyntaxKind::True:
+      case SyntaxKind::False:
+      case SyntaxKind::Not:
+      case SyntaxKind::And:
+      case SyntaxKind::Or:
+      case SyntaxKind::Comparison: return "bool";
+      case SyntaxKind::Interval: return "interval";
+      case SyntaxKind::List: return "list";
+      case SyntaxKind::Triple: return of_child(file, node, 0) == "angle" ? "angles" : "vec3";
+      case SyntaxKind::Power: return "number";
+      case SyntaxKind::Group:
+      case SyntaxKind::Negative:
+      case SyntaxKind::Sum: return of_child(file, node, 0);
+      case SyntaxKind::Conditional: return of_child(file, node, 1);
+      case SyntaxKind::Product: return of_product(file, node);
+      case SyntaxKind::Call: return of_call(file, node);
+      case SyntaxKind::Reference: return of_reference(file, node);
+      default: return {};
+    }
+  }
+
+  /// Numbers leave the type of the other factor as it is; a quotient of two angles is a number.
+  Name of_product(std::uint32_t file, ast::Node node) {
+    Name type = "number";
+    for (const ast::Node factor : node.children()) {
+      const Name next = of_expression(file, factor);
+      if (next.empty()) return {};
+      if (type == "angle" && next == "angle" && factor.op() == Operator::Divide) {
+        type = "number";
+      } else if (type == "number") {
+        type = next;
+      }
+    }
+    return type;
+  }
+
+  Name of_call(std::uint32_t file, ast::Node node) {
+    const Occurrence* callee = last_name(file, node.head_span());
+    if (callee == nullptr) return {};
+    if (!callee->symbol.is_builtin()) return of_symbol(callee->symbol);
+    const Name result = result_of(builtin_symbols()[callee->symbol.index].name);
+    return result == "=" ? of_child(file, node, 0) : result;
+  }
+
+  /// Components of vectors are numbers, those of three angles are angles.
+  Name of_reference(std::uint32_t file, ast::Node node) {
+    const Occurrence* name = last_name(file, node.span());
+    if (name == nullptr) return {};
+    const Name type = of_symbol(name->symbol);
+    if (name->where.end == node.span().end) return type;
+    return type == "vec3" ? "number" : type == "angles" ? "angle" : Name();
+  }
+
+  Name of_element(std::uint32_t file, ast::Node list) {
+    if (list.is(SyntaxKind::List)) return of_child(file, list, 0);
+    const bool is_range = list.is(SyntaxKind::Call) && list.head() == "range";
+    return is_range ? "number" : Name();
+  }
+
+  /// The last name in a path that has a meaning of its own: what follows are components.
+  const Occurrence* last_name(std::uint32_t file, Span path) const {
+    const auto names = index_.table(file).occurrences();
+    auto found = std::ranges::upper_bound(names, path.end, {},
+                                          [](const Occurrence& o) { return o.where.end; });
+    if (found == names.begin() || (--found)->where.begin < path.begin) return nullptr;
+    return &*found;
+  }
+
+  const SymbolIndex& index_;
+  int steps_ = 0, depth_ = 0;
+};
+
+}  // namespace
+
+const TypeInfo* type_of(const SymbolIndex& index, SymbolId symbol) {
+  const Name name = TypeInference(index).of_symbol(symbol);
+  return name.empty() ? nullptr : find_type(name);
+}
+
+}  // namespace sdlc::lang

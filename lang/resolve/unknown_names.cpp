@@ -1,0 +1,294 @@
+#include "lang/resolve/unknown_names.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "lang/resolve/path.hpp"
+#include "lang/resolve/record_symbols.hpp"
+#include "lang/schema/find_kind.hpp"
+#include "lang/schema/schema.hpp"
+#include "lang/text/ascii.hpp"
+#include "lang/text/nearest_name.hpp"
+#include "lang/value/builtins.hpp"
+#include "lang/value/colors.hpp"
+#include "lang/value/constructors.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+/// The name here of a function or constant of a library elsewhere: `math.PI` is `pi`.
+std::string member_of_library(std::string_view path) {
+  return lower_case(path.substr(path.rfind('.') + 1));
+}
+
+template <typename Declarations>
+std::vector<std::string_view> names_of(const Declarations& declarations) {
+  std::vector<std::string_view> names;
+  for (const auto& declaration : declarations) names.push_back(declaration.name);
+  return names;
+}
+
+}  // namespace
+
+std::optional<std::string_view> meant_name(const std::optional<Habit>& habit, std::string_view name,
+                                           std::span<const std::string_view> known) {
+  if (!habit) return nearest_name(name, known);
+  const bool is_known = std::ranges::find(known, habit->meant) != known.end();
+  return is_known ? std::optional(habit->meant) : std::nullopt;
+}
+
+// What all reports share
+
+bool UnknownNames::may_suggest(std::size_t names) {
+  constexpr std::uint64_t kMaxCompared = 2'000'000;
+  module_.compared_names += names;
+  return module_.compared_names <= kMaxCompared;
+}
+
+std::optional<std::string> UnknownNames::nearest_import(
+    std::span<const std::string_view> names) const {
+  std::vector<std::string_view> known;
+  for (const auto& [name, import] : module_.imports) known.push_back(name);
+  const auto nearest = nearest_name(names[0], known);
+  if (!nearest) return std::nullopt;
+  return fmt::format("{}.{}", *nearest, fmt::join(names.subspan(1), "."));
+}
+
+bool UnknownNames::is_excused(std::uint32_t module, std::string_view name, std::uint32_t use) {
+  Module& declaring = modules_.module_at(module);
+  if (!declaring.lost_names) declaring.lost_names = std::make_unique<LostNames>(declaring.tree);
+  if (declaring.lost_names->contains(name)) return true;
+  if (module != index_) return false;
+  const Misspelling* misspelling = find_misspelling(use);
+  if (misspelling == nullptr || !misspelling->is_certain) return false;
+  sink_
+      .report(diag::misspelt_declaration, misspelling->declared, misspelling->name,
+              misspelling->meant)
+      .unsafe_fix(misspelling->declared, std::string(misspelling->meant))
+      .label(misspelling->used, fmt::format("`{}` is used here", misspelling->meant));
+  return true;
+}
+
+const Misspelling* UnknownNames::find_misspelling(std::uint32_t use) {
+  if (!module_.misspellings) {
+    module_.misspellings =
+        std::make_unique<Misspellings>(record_symbols(modules_, index_, SymbolDetail::Declared));
+  }
+  return module_.misspellings->find(use);
+}
+
+void UnknownNames::label_unused(DiagnosticBuilder& report, std::uint32_t use,
+                                std::optional<std::string_view> meant) {
+  const Misspelling* misspelling = meant ? find_misspelling(use) : nullptr;
+  if (misspelling == nullptr || misspelling->name != *meant) return;
+  report.label(misspelling->declared,
+               fmt::format("nothing uses `{}`, which is declared here", misspelling->name));
+}
+
+void UnknownNames::suggest_member(DiagnosticBuilder& report, std::string_view import,
+                                  std::string_view name, ast::Node declaration) {
+  report.suggest(fmt::format("{}.{}", import, name));
+  if (const auto declared = declaration.first(SyntaxKind::Name)) {
+    report.label(declared->location(), fmt::format("`{}` is declared here", declared->text()));
+  }
+}
+
+// Values
+
+bool UnknownNames::names_object(std::string_view name) const {
+  for (NodeIndex i = 0; i < module_.tree.nodes().size(); ++i) {
+    const ast::Node node(module_.tree, i);
+    if (!node.is(SyntaxKind::Object)) continue;
+    const auto label = node.first(SyntaxKind::Name);
+    if (label && label->text() == name) return true;
+  }
+  return false;
+}
+
+/// Among equally near names the first is suggested: what nothing uses, then names of the file.
+std::vector<std::string_view> UnknownNames::known_values(std::uint32_t use,
+                                                         std::string_view declaring) {
+  std::vector<std::string_view> known;
+  if (const Misspelling* misspelling = find_misspelling(use)) known.push_back(misspelling->name);
+  for (std::uint32_t slot = 0; slot < scopes_.size(); ++slot)
+    known.push_back(scopes_.name_of(slot));
+  for (const Global& global : module_.globals) {
+    if (global.name != declaring) known.push_back(global.name);
+  }
+  for (const auto& [name, import] : module_.imports) known.push_back(name);
+  for (const NamedColor& color : named_colors()) known.push_back(color.name);
+  known.insert(known.end(), {"pi", "time", "true", "false"});
+  return known;
+}
+
+void UnknownNames::report_value(ast::Node reference, std::string_view name,
+                                const Excluded& excluded) {
+  const bool is_function = module_.function_names.contains(name) ||
+                           find_constructor(name) != nullptr || find_builtin(name) != nullptr;
+  if (is_function) {
+    sink_.report(diag::function_as_value, reference.location(), name)
+        .help(fmt::format("call it: `{}(…)`", name));
+    return;
+  }
+  const std::uint32_t begin = reference.span().begin;
+  if (is_excused(index_, name, begin)) return;
+  const std::string_view path = reference.text();
+  if (is_foreign_library(name) && path.size() > name.size()) {
+    sink_.report(diag::unknown_name, reference.location(), path)
+        .help(fmt::format("there are no libraries; write `{}`", member_of_library(path)));
+    return;
+  }
+  const Location where =
+      reference.tree().location({begin, begin + static_cast<std::uint32_t>(name.size())});
+  auto report = sink_.report(diag::unknown_name, where, name);
+  if (!report.is_kept() || !may_suggest(module_.globals.size())) return;
+  if (names_object(name)) {
+    report.help(
+        fmt::format("`{}` names an object; what several share gets its name by `let`", name));
+    return;
+  }
+  const auto habit = name_habit(name);
+  auto nearest = meant_name(habit, name, known_values(begin, excluded.declaring));
+  const bool is_color = nearest && find_named_color(*nearest) && !scopes_.find(*nearest) &&
+                        !module_.global_names.contains(*nearest);
+  if (is_color && reference.span() == excluded.no_color) nearest = std::nullopt;
+  report.suggest(nearest);
+  if (habit) report.help_if(habit->help);
+  label_unused(report, begin, nearest);
+}
+
+void UnknownNames::report_imported_value(ast::Node reference,
+                                         std::span<const std::string_view> names,
+                                         std::uint32_t module_index) {
+  const Module& module = modules_.module_at(module_index);
+  const std::vector<std::string_view> known = names_of(module.globals);
+  if (names.size() == 1) {
+    auto report = sink_.report(diag::import_as_value, reference.location(), names[0]);
+    if (!known.empty()) report.help(fmt::format("name what is in it: `{}.{}`", names[0], known[0]));
+    return;
+  }
+  if (module.function_names.contains(names[1])) {
+    sink_.report(diag::function_as_value, reference.location(), reference.text())
+        .help(fmt::format("call it: `{}(…)`", reference.text()));
+    return;
+  }
+  if (is_excused(module_index, names[1], reference.span().begin)) return;
+  auto report = sink_.report(diag::unknown_name, reference.location(), reference.text());
+  if (!report.is_kept()) return;
+  if (const auto nearest = nearest_name(names[1], known)) {
+    const Global& global = module.globals[module.global_names.at(*nearest)];
+    suggest_member(report, names[0], *nearest, {module.tree, global.node});
+  }
+}
+
+// Functions
+
+std::optional<std::string_view> UnknownNames::report_function(ast::Call call) {
+  const std::string_view callee = call.callee();
+  const std::uint32_t begin = call.node.span().begin;
+  if (is_excused(index_, callee, begin)) return std::nullopt;
+  if (!may_suggest(module_.functions.size())) {
+    sink_.report(diag::unknown_function, call.callee_location(), callee);
+    return std::nullopt;
+  }
+  std::vector<std::string_view> known = names_of(module_.functions);
+  for (const Constructor& constructor : all_constructors()) known.push_back(constructor.name);
+  for (const Builtin& builtin : all_builtins()) known.push_back(builtin.name);
+  const auto habit = function_habit(callee);
+  const auto nearest = meant_name(habit, callee, known);
+  auto report =
+      sink_.report(diag::unknown_function, call.callee_location(), callee).suggest(nearest);
+  if (habit) report.help_if(habit->help);
+  label_unused(report, begin, nearest);
+  if (module_.def_names.contains(callee)) {
+    report.help(fmt::format("`{}` is a kind of object; write `{} {{ … }}`", callee, callee));
+  }
+  return nearest;
+}
+
+void UnknownNames::report_imported_function(ast::Call call, std::span<const std::string_view> names,
+                                            std::optional<std::uint32_t> module) {
+  const std::string_view name = module ? names.back() : names.front();
+  if (is_excused(module.value_or(index_), name, call.node.span().begin)) return;
+  auto report = sink_.report(diag::unknown_function, call.callee_location(), call.callee());
+  if (!module) {
+    if (is_foreign_library(names.front())) {
+      report.help(
+          fmt::format("there are no libraries; write `{}(…)`", member_of_library(call.callee())));
+    } else {
+      report.suggest(nearest_import(names));
+    }
+    return;
+  }
+  const Module& declaring = modules_.module_at(*module);
+  const auto nearest =
+      report.is_kept() ? nearest_name(name, names_of(declaring.functions)) : std::nullopt;
+  if (!nearest) return;
+  const Definition& function = declaring.functions[declaring.function_names.at(*nearest)];
+  suggest_member(report, names[0], *nearest, {declaring.tree, function.node});
+}
+
+// Kinds and properties
+
+UnknownNames::MeantKind UnknownNames::report_kind_of_no_import(
+    ast::Object object, std::span<const std::string_view> names) {
+  if (is_excused(index_, names[0], object.node.span().begin)) return {.is_excused = true};
+  sink_.report(diag::unknown_kind, object.kind_location(), object.kind())
+      .suggest(nearest_import(names));
+  return {};
+}
+
+UnknownNames::MeantKind UnknownNames::report_kind(ast::Object object, std::uint32_t module_index) {
+  const Module& module = modules_.module_at(module_index);
+  const bool is_own = module_index == index_;
+  const std::uint32_t begin = object.node.span().begin;
+  std::vector<std::string_view> names = names_of(module.defs);
+  std::string_view written = object.kind();
+  if (is_own) {
+    for (const Kind& known : all_kinds()) names.push_back(known.name);
+  } else {
+    written = split_path(written).back();
+  }
+  if (is_excused(module_index, written, begin)) return {.is_excused = true};
+  auto report = sink_.report(diag::unknown_kind, object.kind_location(), object.kind());
+  if (!may_suggest(names.size())) return {};
+  const auto habit = is_own ? kind_habit(written) : std::nullopt;
+  const auto nearest = report.is_kept() ? meant_name(habit, written, names) : std::nullopt;
+  if (habit) report.help_if(habit->help);
+  if (is_own) {
+    report.suggest(nearest);
+    label_unused(report, begin, nearest);
+  } else if (nearest) {
+    const Definition& def = module.defs[module.def_names.at(*nearest)];
+    suggest_member(report, split_path(object.kind())[0], *nearest, {module.tree, def.node});
+  }
+  if (module_.function_names.contains(object.kind())) {
+    report.help(fmt::format("`{}` is a function; `def` makes a kind of object", object.kind()));
+  }
+  return {.name = nearest};
+}
+
+UnknownNames::MeantProperty UnknownNames::report_property(ast::Labeled property,
+                                                          std::string_view kind_name,
+                                                          std::span<const std::string_view> names,
+                                                          bool is_broken) {
+  const bool is_own = module_.def_names.contains(kind_name);
+  const Kind* kind = is_own ? nullptr : find_kind(kind_name);
+  const auto habit = kind != nullptr ? property_habit(*kind, property.label()) : std::nullopt;
+  const auto nearest = meant_name(habit, property.label(), names);
+  const std::uint32_t begin = property.node.span().begin;
+  const bool is_silent = is_broken || (is_own && is_excused(index_, property.label(), begin));
+  if (!is_silent) {
+    auto report =
+        sink_.report(diag::unknown_property, property.label_location(), property.label(), kind_name)
+            .suggest(nearest);
+    if (habit) report.help_if(habit->help);
+    if (is_own) label_unused(report, begin, nearest);
+  }
+  return {.name = nearest, .in_place_of = habit ? habit->in_place_of : std::string_view()};
+}
+
+}  // namespace sdlc::lang
