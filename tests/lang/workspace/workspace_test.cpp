@@ -1,0 +1,112 @@
+#include "lang/workspace/workspace.hpp"
+
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sdlc::lang {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+namespace fs = std::filesystem;
+
+class Files final : public FileSystem {
+ public:
+  std::optional<std::string> read(const fs::path& path, std::uint64_t /*most*/,
+                                  std::error_code& error) const override {
+    ++reads;
+    const auto found = texts.find(path.lexically_normal().string());
+    if (found != texts.end()) return found->second;
+    error = std::make_error_code(std::errc::no_such_file_or_directory);
+    return std::nullopt;
+  }
+
+  std::map<std::string, std::string> texts;
+  mutable int reads = 0;
+};
+
+class WorkspaceTest : public testing::Test {
+ protected:
+  std::shared_ptr<const Document> load(const fs::path& path, std::uint64_t max_bytes = 100) {
+    std::error_code error;
+    auto document = workspace_.load(path, max_bytes, error);
+    EXPECT_EQ(document == nullptr, bool(error));
+    return document;
+  }
+
+  Files files_;
+  Workspace workspace_{files_};
+};
+
+TEST_F(WorkspaceTest, PrefersOpenTextsToFiles) {
+  files_.texts["a.scene"] = "disk";
+  workspace_.open("a.scene", "editor", 7);
+  EXPECT_EQ(load("a.scene")->text(), "editor");
+  EXPECT_EQ(load("./a.scene")->version(), 7);
+  EXPECT_TRUE(workspace_.is_open("./a.scene"));
+  workspace_.close("a.scene");
+  EXPECT_EQ(load("a.scene")->text(), "disk");
+  EXPECT_EQ(load("a.scene")->version(), 0);
+}
+
+TEST_F(WorkspaceTest, OpensTextsWithoutFiles) {
+  EXPECT_EQ(load("new.scene"), nullptr);
+  workspace_.open("new.scene", "scene 1");
+  EXPECT_EQ(load("new.scene")->text(), "scene 1");
+  EXPECT_EQ(load("new.scene", 3)->text(), "scen");
+}
+
+TEST_F(WorkspaceTest, SharesWhatIsInUseAndUnchanged) {
+  files_.texts["a.scene"] = "scene 1";
+  const auto first = load("a.scene");
+  EXPECT_EQ(load("a.scene"), first);
+  files_.texts["a.scene"] = "scene 1 ";
+  const auto second = load("a.scene");
+  EXPECT_NE(second, first);
+  EXPECT_EQ(second->text(), "scene 1 ");
+  EXPECT_EQ(first->text(), "scene 1");  // still whole for those who use it
+}
+
+TEST_F(WorkspaceTest, ParsesADocumentOnceAndReportsItsErrorsEachTime) {
+  files_.texts["a.scene"] = "scene 1\nlet = 3";
+  const auto document = load("a.scene");
+  DiagnosticSink first, second;
+  const SyntaxTree& tree = document->tree(first);
+  EXPECT_EQ(&document->tree(second), &tree);
+  EXPECT_EQ(first.error_count(), 1u);
+  EXPECT_EQ(second.error_count(), 1u);
+}
+
+TEST_F(WorkspaceTest, ParsesAgainAfterAStop) {
+  const Document document("a.scene", "scene 1\nlet = 3");
+  std::stop_source source;
+  source.request_stop();
+  DiagnosticSink stopped(source.get_token()), sink;
+  EXPECT_THROW(document.tree(stopped), StopRequested);
+  document.tree(sink);
+  EXPECT_EQ(sink.error_count(), 1u);
+}
+
+TEST_F(WorkspaceTest, KnowsWhoDependsOnAFile) {
+  workspace_.set_dependencies("root.scene", {"lib/a.scene"});
+  workspace_.set_dependencies("lib/a.scene", {"lib/b.scene"});
+  workspace_.set_dependencies("other.scene", {"lib/./b.scene"});
+  EXPECT_THAT(workspace_.dependents("lib/b.scene"),
+              ElementsAre("lib/a.scene", "other.scene", "root.scene"));
+  EXPECT_THAT(workspace_.roots("lib/b.scene"), ElementsAre("other.scene", "root.scene"));
+  workspace_.set_dependencies("other.scene", {});
+  EXPECT_THAT(workspace_.roots("lib/b.scene"), ElementsAre("root.scene"));
+  EXPECT_THAT(workspace_.dependents("root.scene"), IsEmpty());
+}
+
+TEST_F(WorkspaceTest, EndsWhereFilesDependOnEachOther) {
+  workspace_.set_dependencies("a.scene", {"b.scene"});
+  workspace_.set_dependencies("b.scene", {"a.scene"});
+  EXPECT_THAT(workspace_.dependents("a.scene"), ElementsAre("b.scene"));
+}
+
+}  // namespace
+}  // namespace sdlc::lang
