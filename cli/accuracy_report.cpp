@@ -58,10 +58,10 @@ std::string rare_light(const std::vector<render::RarePath>& rare) {
 }  // namespace
 
 std::string describe_samples(const render::RenderResult& result) {
-  if (result.least_samples == result.most_samples) {
-    return fmt::format("{} sample{}", result.most_samples, result.most_samples == 1 ? "" : "s");
+  if (result.min_samples == result.max_samples) {
+    return fmt::format("{} sample{}", result.max_samples, result.max_samples == 1 ? "" : "s");
   }
-  return fmt::format("{} to {} samples", result.least_samples, result.most_samples);
+  return fmt::format("{} to {} samples", result.min_samples, result.max_samples);
 }
 
 std::string describe_error(const render::RenderResult& result) {
@@ -69,7 +69,7 @@ std::string describe_error(const render::RenderResult& result) {
   if (result.error) {
     text += fmt::format(", error {} % ({} to {} %)", percent(result.error->relative_error),
                         percent(result.error->interval.from), percent(result.error->interval.to));
-  } else if (result.least_samples >= render::kMinReplicatedSamples) {
+  } else if (result.min_samples >= render::kMinReplicatedSamples) {
     text += ", error unknown";
   }
   const double cut = static_cast<double>(result.truncated_paths) /
@@ -87,7 +87,7 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
         result.error ? fmt::format("it is up to {:.5g} %", 100 * result.error->interval.to)
                      : std::string("what it is cannot be told");
     const char* limit =
-        settings.seconds && result.most_samples < static_cast<std::uint64_t>(settings.samples)
+        settings.seconds && result.max_samples < static_cast<std::uint64_t>(settings.samples)
             ? "the time that is allowed"
             : "the samples that are allowed";
     warnings.push_back(fmt::format("the error did not come down to {} % with {}: {}",
@@ -95,7 +95,7 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
   }
   if (!result.rare_paths.empty()) warnings.push_back(rare_light(result.rare_paths));
   // A picture of fewer samples is a draft that claims nothing of its error.
-  const bool claims_error = result.least_samples >= render::kMinReplicatedSamples;
+  const bool claims_error = result.min_samples >= render::kMinReplicatedSamples;
   if (claims_error && !result.scarce_emitters.empty()) {
     warnings.push_back(scarce_light(settings, result.scarce_emitters));
   }
@@ -106,9 +106,9 @@ std::vector<std::pair<std::string, std::string>> picture_metadata(
     const render::RenderSettings& settings, const render::RenderResult& result,
     std::optional<render::Tone> tone) {
   std::vector<std::pair<std::string, std::string>> entries{
-      {"sdlc:samples", result.least_samples == result.most_samples
-                           ? fmt::to_string(result.most_samples)
-                           : fmt::format("{}-{}", result.least_samples, result.most_samples)}};
+      {"sdlc:samples", result.min_samples == result.max_samples
+                           ? fmt::to_string(result.max_samples)
+                           : fmt::format("{}-{}", result.min_samples, result.max_samples)}};
   render::for_each_setting([&](const auto& setting) {
     entries.emplace_back(fmt::format("sdlc:{}", setting.name),
                          fmt::format("{}", render::shown(settings.*setting.member)));

@@ -100,7 +100,7 @@ void add_picture_layers(const Aovs& aovs, const render::RenderSettings& settings
   }
   if (aovs.samples) {
     if (is_counted) {
-      layers.push_back(render::samples_layer(result.samples_of_pixels, result.least_samples,
+      layers.push_back(render::samples_layer(result.samples_of_pixels, result.min_samples,
                                              result.picture.pixels.size()));
     } else {
       missing.push_back("samples");
@@ -110,7 +110,7 @@ void add_picture_layers(const Aovs& aovs, const render::RenderSettings& settings
   const std::string reason =
       result.is_complete
           ? fmt::format("it takes at least {} samples per pixel, and there was time for {}",
-                        render::kMinReplicatedSamples, result.least_samples)
+                        render::kMinReplicatedSamples, result.min_samples)
           : "the render was interrupted";
   err << fmt::format("warning: --aov: without {}, as {}\n", fmt::join(missing, ", "), reason);
 }

@@ -68,9 +68,9 @@ render::Kernel choose_kernel(const render::KernelRequest& flags, const lang::Ove
   request.may_take_double = !overrides.has(lang::render_property::kPrecision);
   render::Kernel kernel = render::choose_kernel(lowered.scene, lowered.settings, request);
   // That there are instances was no wish, and many scenes can do without.
-  constexpr std::uint64_t kMostPlainSpheres = 100'000'000;
+  constexpr std::uint64_t kMaxPlainSpheres = 100'000'000;
   if (!kernel.refusal.empty() && overrides.instancing == lang::Instancing::Auto &&
-      !lowered.scene.instances.empty() && count_spheres(lowered.scene) <= kMostPlainSpheres) {
+      !lowered.scene.instances.empty() && count_spheres(lowered.scene) <= kMaxPlainSpheres) {
     lowered.scene = without_instances(std::move(lowered.scene));
     kernel = render::choose_kernel(lowered.scene, lowered.settings, request);
   }

@@ -75,18 +75,18 @@ render::GivenFlags given_flags(const CLI::App& command) {
   static constexpr std::array<std::string_view, 12> kOwn{
       "FILE",      "--help", "--format", "--color",   "--output", "--budget",
       "--against", "--work", "--quiet",  "--samples", "--error",  "--stdin-filename"};
-  std::vector<std::string> flags_of_way;
+  std::vector<std::string> configuration_flags;
   render::GivenFlags given;
-  render::for_each_way_setting([&](const auto& setting) {
+  render::for_each_configuration_setting([&](const auto& setting) {
     const std::string flag = render::flag_of(setting.name);
-    flags_of_way.push_back(flag);
-    if (command.count(flag) > 0) given.of_way.emplace_back(setting.name);
+    configuration_flags.push_back(flag);
+    if (command.count(flag) > 0) given.of_configuration.emplace_back(setting.name);
   });
   const auto is_given = [](const CLI::Option* option) { return option->count() > 0; };
   for (const CLI::Option* option : command.get_options(is_given)) {
     const std::string name =
         option->get_lnames().empty() ? "FILE" : "--" + option->get_lnames().front();
-    if (std::ranges::count(kOwn, name) || std::ranges::count(flags_of_way, name)) continue;
+    if (std::ranges::count(kOwn, name) || std::ranges::count(configuration_flags, name)) continue;
     const bool has_value = option->get_items_expected_max() > 0;
     for (const std::string& value : option->results()) {
       if (!given.others.empty()) given.others += ' ';
@@ -325,9 +325,10 @@ class MeasureJob {
       measure_other_seconds(picture.picture, lowered);
       if (work_) work_->save(picture);
     };
-    observer.on_picture = [&](const render::Way& way, int samples, const render::Picture& picture,
+    observer.on_picture = [&](const render::Configuration& configuration, int samples,
+                              const render::Picture& picture,
                               const render::ReferencePicture& held_against) {
-      const std::string key = details_->add(way, samples, picture, held_against);
+      const std::string key = details_->add(configuration, samples, picture, held_against);
       if (!work_) return;
       work_->save(key, details_->at(key));
       work_->save(Details::kReferenceKey, details_->at(Details::kReferenceKey));

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "render/math/color.hpp"
-#include "render/scene/ball.hpp"
+#include "render/scene/bounding_sphere.hpp"
 #include "render/scene/instances.hpp"
 
 namespace sdlc::cli {
@@ -24,12 +24,12 @@ Vec3 upper_corner(Vec3 a, Vec3 b) {
 struct PrototypeFigures {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;  // radii
   std::uint64_t spheres = 0, moving = 0;
-  render::Ball ball;
+  render::BoundingSphere ball;
 };
 
 PrototypeFigures measure_prototype(const render::Prototype& prototype) {
   PrototypeFigures figures;
-  figures.ball = ball_around(prototype);
+  figures.ball = bounding_sphere(prototype);
   figures.spheres = prototype.spheres.size();
   for (const render::Sphere& sphere : prototype.spheres) {
     figures.smallest = std::min(figures.smallest, sphere.radius);

@@ -25,7 +25,7 @@ nlohmann::ordered_json interval_or_null(const std::optional<render::ErrorEstimat
 /// A whole number where all pixels have as many.
 nlohmann::ordered_json mean_samples(const render::RenderResult& result,
                                     const render::RenderSettings& settings) {
-  if (result.least_samples == result.most_samples) return result.most_samples;
+  if (result.min_samples == result.max_samples) return result.max_samples;
   return static_cast<double>(result.camera_samples) / settings.width / settings.height;
 }
 
@@ -63,8 +63,8 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"peak_rss_bytes", peak_resident_bytes()},
       {"render_rss_bytes", statistics.render_rss_bytes},
       {"bvh_bytes", result.bvh_bytes},
-      {"least_samples", result.least_samples},
-      {"most_samples", result.most_samples},
+      {"least_samples", result.min_samples},
+      {"most_samples", result.max_samples},
       {"relative_error", number_or_null(result.error, &render::ErrorEstimate::relative_error)},
       {"relative_error_interval", interval_or_null(result.error, &render::ErrorEstimate::interval)},
       {"mean_radiance", number_or_null(result.error, &render::ErrorEstimate::mean)},

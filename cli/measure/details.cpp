@@ -16,7 +16,7 @@
 #include "cli/report/figures.hpp"
 #include "render/compare/color_map.hpp"
 #include "render/image/image.hpp"
-#include "render/measure/way.hpp"
+#include "render/measure/configuration.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -100,8 +100,9 @@ std::pair<int, int> size_of(const Json& json, const std::string& name, int width
 
 }  // namespace
 
-std::string Details::key_of(const render::Way& way, int samples) {
-  std::string key = fmt::format("{}-samples-{}", fmt::join(render::parts_of(way), "-"), samples);
+std::string Details::key_of(const render::Configuration& configuration, int samples) {
+  std::string key =
+      fmt::format("{}-samples-{}", fmt::join(render::parts_of(configuration), "-"), samples);
   std::ranges::replace(key, ' ', '-');
   return key;
 }
@@ -168,8 +169,8 @@ PictureDetails Details::details_of(const Picture& picture,
   return details;
 }
 
-std::string Details::add(const render::Way& way, int samples, const Picture& picture,
-                         const render::ReferencePicture& reference) {
+std::string Details::add(const render::Configuration& configuration, int samples,
+                         const Picture& picture, const render::ReferencePicture& reference) {
   if (windows_.empty()) choose_windows(picture, reference);
   if (!pictures_.contains(kReferenceKey)) {
     PictureDetails details = details_of(reference.picture, nullptr);
@@ -180,7 +181,7 @@ std::string Details::add(const render::Way& way, int samples, const Picture& pic
     details.error_map = png(small);
     pictures_[kReferenceKey] = std::move(details);
   }
-  std::string key = key_of(way, samples);
+  std::string key = key_of(configuration, samples);
   pictures_[key] = details_of(picture, &reference);
   return key;
 }
@@ -217,8 +218,8 @@ void Details::fill(Report& report) const {
 
   std::vector<Shown> own;
   for (const render::Point& point : measurement.points) {
-    const std::string key = key_of(point.way, point.samples);
-    if (point.way != measurement.own || !pictures_.contains(key)) continue;
+    const std::string key = key_of(point.configuration, point.samples);
+    if (point.configuration != measurement.own || !pictures_.contains(key)) continue;
     own.push_back(
         {fmt::format("{} samples, error {}", point.samples, percent(point.error.value)), key});
   }
@@ -235,17 +236,18 @@ void Details::fill(Report& report) const {
 
   // All configurations that have a point with this number of samples.
   constexpr int kSamples = 64;
-  std::vector<Shown> ways;
+  std::vector<Shown> configurations;
   for (const render::Point& point : measurement.points) {
-    const std::string key = key_of(point.way, point.samples);
+    const std::string key = key_of(point.configuration, point.samples);
     if (point.samples != kSamples || !pictures_.contains(key)) continue;
-    ways.push_back({fmt::format("{}, {}, error {}", describe_way(measurement, point.way),
-                                duration(point.seconds.value), percent(point.error.value)),
-                    key});
+    configurations.push_back(
+        {fmt::format("{}, {}, error {}", describe_configuration(measurement, point.configuration),
+                     duration(point.seconds.value), percent(point.error.value)),
+         key});
   }
-  if (ways.size() < 2) return;
-  ways.push_back({"reference", kReferenceKey});
-  add_rows(report, fmt::format("Every configuration with {} samples", kSamples), ways);
+  if (configurations.size() < 2) return;
+  configurations.push_back({"reference", kReferenceKey});
+  add_rows(report, fmt::format("Every configuration with {} samples", kSamples), configurations);
 }
 
 std::vector<std::string> Details::keys() const {

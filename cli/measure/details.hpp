@@ -32,8 +32,8 @@ class Details {
 
   /// Adds a picture and returns its key. The first picture determines the windows and the
   /// brightness of error maps.
-  std::string add(const render::Way& way, int samples, const render::Picture& picture,
-                  const render::ReferencePicture& reference);
+  std::string add(const render::Configuration& configuration, int samples,
+                  const render::Picture& picture, const render::ReferencePicture& reference);
 
   /// Arranges the pictures of a measurement's points in rows.
   void fill(Report& report) const;
@@ -51,7 +51,7 @@ class Details {
     pictures_[key] = std::move(details);
   }
 
-  static std::string key_of(const render::Way& way, int samples);
+  static std::string key_of(const render::Configuration& configuration, int samples);
   static constexpr const char* kReferenceKey = "reference";
 
  private:

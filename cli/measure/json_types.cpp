@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "render/measure/way.hpp"
+#include "render/measure/configuration.hpp"
 #include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
@@ -103,20 +103,20 @@ double positive_field(const Json& json, const std::string& name) {
   return number;
 }
 
-Json way_json(const render::Way& way) {
+Json configuration_json(const render::Configuration& configuration) {
   Json json;
-  render::for_each_way_setting([&](const auto& setting) {
-    json[std::string(setting.name)] = render::shown(way.*setting.member);
+  render::for_each_configuration_setting([&](const auto& setting) {
+    json[std::string(setting.name)] = render::shown(configuration.*setting.member);
   });
   return json;
 }
 
-render::Way way_of(const Json& json) {
-  render::Way way;
-  render::for_each_way_setting([&](const auto& setting) {
-    read_setting(json, std::string(setting.name), way.*setting.member);
+render::Configuration configuration_of(const Json& json) {
+  render::Configuration configuration;
+  render::for_each_configuration_setting([&](const auto& setting) {
+    read_setting(json, std::string(setting.name), configuration.*setting.member);
   });
-  return way;
+  return configuration;
 }
 
 void put(Json& json, const std::string& name, const render::Measured& measured) {

@@ -87,8 +87,8 @@ auto list_field(const Json& json, const std::string& name, Convert convert) {
 /// The max number of samples of any render of a measurement, including the reference.
 inline constexpr int kMaxMeasuredSamples = 1 << 27;
 
-Json way_json(const render::Way& way);
-render::Way way_of(const Json& json);
+Json configuration_json(const render::Configuration& configuration);
+render::Configuration configuration_of(const Json& json);
 
 /// Adds "NAME" and "NAME_interval"; null for numbers that are not finite, which are read back as
 /// infinity.

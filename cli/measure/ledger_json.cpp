@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 5> kKinds{"reference", "point", "repeat",
 
 Json task_json(const StudyTask& task) {
   return {{"kind", kKinds[static_cast<std::size_t>(task.kind)]},
-          {"way", way_json(task.way)},
+          {"way", configuration_json(task.configuration)},
           {"samples", task.samples},
           {"round", task.round}};
 }
@@ -39,20 +39,20 @@ StudyTask task_of(const Json& json) {
   if (kind == kKinds.end()) throw std::invalid_argument("its kind is unknown");
   const auto what = static_cast<StudyTask::Kind>(kind - kKinds.begin());
   return {.kind = what,
-          .way = way_of(any_field(json, "way")),
+          .configuration = configuration_of(any_field(json, "way")),
           .samples = samples_of(json, "samples"),
           .round = whole_field(json, "round", 0)};
 }
 
-Json cost_json(const render::WayCost& cost) {
-  return {{"way", way_json(cost.way)},
+Json cost_json(const render::ConfigurationCost& cost) {
+  return {{"way", configuration_json(cost.configuration)},
           {"build_seconds", cost.build_seconds},
           {"seconds_a_sample", cost.seconds_per_sample},
           {"refusal", cost.refusal}};
 }
 
-render::WayCost cost_of(const Json& json) {
-  return {.way = way_of(any_field(json, "way")),
+render::ConfigurationCost cost_of(const Json& json) {
+  return {.configuration = configuration_of(any_field(json, "way")),
           .build_seconds = field<double>(json, "build_seconds"),
           .seconds_per_sample = field<double>(json, "seconds_a_sample"),
           .refusal = field<std::string>(json, "refusal")};
@@ -62,7 +62,7 @@ Json plan_json(const render::StudyPlan& plan) {
   return {{"width", plan.width},
           {"height", plan.height},
           {"costs", array_json(plan.costs, cost_json)},
-          {"reference_way", way_json(plan.reference_way)},
+          {"reference_way", configuration_json(plan.reference_configuration)},
           {"reference_samples", plan.reference_samples},
           {"depths", plan.depths},
           {"probe_samples", plan.probe_samples},
@@ -76,7 +76,7 @@ render::StudyPlan plan_of(const Json& json) {
   return {.width = whole_field(json, "width", 1),
           .height = whole_field(json, "height", 1),
           .costs = list_field(json, "costs", cost_of),
-          .reference_way = way_of(any_field(json, "reference_way")),
+          .reference_configuration = configuration_of(any_field(json, "reference_way")),
           .reference_samples = samples_of(json, "reference_samples"),
           .depths = list_field(json, "depths", depth),
           .probe_samples = samples_of(json, "probe_samples"),
@@ -84,7 +84,7 @@ render::StudyPlan plan_of(const Json& json) {
 }
 
 Json reference_json(const render::Reference& reference) {
-  Json json{{"way", way_json(reference.way)},
+  Json json{{"way", configuration_json(reference.configuration)},
             {"samples", reference.samples},
             {"seed", reference.seed},
             {"seconds", reference.seconds}};
@@ -95,7 +95,7 @@ Json reference_json(const render::Reference& reference) {
 }
 
 render::Reference reference_of(const Json& json) {
-  return {.way = way_of(any_field(json, "way")),
+  return {.configuration = configuration_of(any_field(json, "way")),
           .samples = samples_of(json, "samples"),
           .seed = field<std::uint64_t>(json, "seed"),
           .seconds = positive_field(json, "seconds"),
@@ -105,7 +105,7 @@ render::Reference reference_of(const Json& json) {
 }
 
 Json render_json(const render::TimedRender& render) {
-  return {{"way", way_json(render.way)},
+  return {{"way", configuration_json(render.configuration)},
           {"samples", render.samples},
           {"seconds", render.seconds},
           {"camera_samples", render.camera_samples},
@@ -113,7 +113,7 @@ Json render_json(const render::TimedRender& render) {
 }
 
 render::TimedRender render_of(const Json& json) {
-  return {.way = way_of(any_field(json, "way")),
+  return {.configuration = configuration_of(any_field(json, "way")),
           .samples = samples_of(json, "samples"),
           .seconds = positive_field(json, "seconds"),
           .camera_samples = field<std::uint64_t>(json, "camera_samples"),
@@ -121,7 +121,7 @@ render::TimedRender render_of(const Json& json) {
 }
 
 Json evaluation_json(const render::Evaluation& evaluation) {
-  Json json{{"way", way_json(evaluation.way)}, {"samples", evaluation.samples}};
+  Json json{{"way", configuration_json(evaluation.configuration)}, {"samples", evaluation.samples}};
   put(json, "error", evaluation.error);
   json["error_spread"] = evaluation.error_spread;
   json["difference"] = difference_json(evaluation.difference);
@@ -132,7 +132,7 @@ Json evaluation_json(const render::Evaluation& evaluation) {
 }
 
 render::Evaluation evaluation_of(const Json& json) {
-  return {.way = way_of(any_field(json, "way")),
+  return {.configuration = configuration_of(any_field(json, "way")),
           .samples = samples_of(json, "samples"),
           .error = measured_of(json, "error"),
           .error_spread = field<double>(json, "error_spread"),
@@ -182,9 +182,9 @@ void check(const render::StudyPlan& plan) {
     refuse(fmt::format("its picture has more than {} pixels", render::kMaxPicturePixels));
   }
   if (plan.costs.empty()) refuse("its `costs` are empty");
-  const render::Way& own = plan.costs.front().way;
+  const render::Configuration& own = plan.costs.front().configuration;
   if (!plan.costs.front().refusal.empty()) refuse("it refuses the scene's own configuration");
-  for (const render::WayCost& cost : plan.costs) {
+  for (const render::ConfigurationCost& cost : plan.costs) {
     if (cost.build_seconds < 0 || cost.seconds_per_sample < 0)
       refuse("one of its `costs` is negative");
   }
@@ -197,7 +197,7 @@ void check(const render::StudyPlan& plan) {
   const bool compares_precisions =
       std::ranges::count(plan.tasks, Kind::Precisions, &StudyTask::kind);
   const bool has_other = std::ranges::any_of(
-      plan.costs, [&](const auto& cost) { return cost.way.precision != own.precision; });
+      plan.costs, [&](const auto& cost) { return cost.configuration.precision != own.precision; });
   if (compares_precisions && !has_other) refuse("its `costs` lack the other precision");
 }
 
@@ -229,7 +229,7 @@ void check(const render::StudyLedger& ledger) {
   }
   for (const render::Evaluation& evaluation : ledger.evaluations) {
     const auto is_of_same = [&](const auto& done) {
-      return done.way == evaluation.way && done.samples == evaluation.samples;
+      return done.configuration == evaluation.configuration && done.samples == evaluation.samples;
     };
     if (std::ranges::count_if(ledger.evaluations, is_of_same) > 1) {
       refuse("one of its `evaluations` is duplicated");

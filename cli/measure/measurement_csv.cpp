@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "render/measure/way.hpp"
+#include "render/measure/configuration.hpp"
 #include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
@@ -59,13 +59,13 @@ std::string to_csv(const render::Measurement& measurement) {
   constexpr const char* kEnd = "\r\n";
   std::string text = "samples";
   const auto add = [&](const auto& cell) { text += fmt::format(",{}", cell); };
-  render::for_each_way_setting([&](const auto& setting) { add(setting.name); });
+  render::for_each_configuration_setting([&](const auto& setting) { add(setting.name); });
   for (const Column& column : kColumns) add(column.name);
   text += kEnd;
   for (const render::Point& point : measurement.points) {
     text += fmt::to_string(point.samples);
-    render::for_each_way_setting(
-        [&](const auto& setting) { add(render::shown(point.way.*setting.member)); });
+    render::for_each_configuration_setting(
+        [&](const auto& setting) { add(render::shown(point.configuration.*setting.member)); });
     for (const Column& column : kColumns) add(column.text(point));
     text += kEnd;
   }

@@ -18,7 +18,7 @@ constexpr const char* kFormat = "sdlc-measurement";
 constexpr int kFormatVersion = 1;
 
 Json point_json(const render::Point& point) {
-  Json json = way_json(point.way);
+  Json json = configuration_json(point.configuration);
   json["samples"] = point.samples;
   json["timings"] = point.timings;
   put(json, "seconds", point.seconds);
@@ -39,7 +39,7 @@ Json point_json(const render::Point& point) {
 
 render::Point point_of(const Json& json) {
   render::Point point{
-      .way = way_of(json),
+      .configuration = configuration_of(json),
       .samples = whole_field(json, "samples", 1, kMaxMeasuredSamples),
       .timings = list_field(json, "timings",
                             [](const Json& seconds) { return number_of(seconds, "timings"); }),
@@ -54,7 +54,7 @@ render::Point point_of(const Json& json) {
 }
 
 Json reference_json(const render::Reference& reference) {
-  Json json = way_json(reference.way);
+  Json json = configuration_json(reference.configuration);
   json["samples"] = reference.samples;
   json["seed"] = reference.seed;
   json["seconds"] = reference.seconds;
@@ -65,7 +65,7 @@ Json reference_json(const render::Reference& reference) {
 }
 
 Json series_json(const render::Series& series) {
-  Json json = way_json(series.way);
+  Json json = configuration_json(series.configuration);
   json["points"] = series.points;
   json["slope"] = nullptr;
   json["slope_interval"] = nullptr;
@@ -94,10 +94,11 @@ Json precision_json(const render::PrecisionDifference& precision) {
 
 Json recommendation_json(const Measurement& measurement,
                          const render::Recommendation& recommendation) {
-  Json json{{"goal", recommendation.goal > 0 ? Json(recommendation.goal) : Json()},
-            {"flags", render_flags(measurement, recommendation.way, recommendation.samples)},
-            {"samples", recommendation.samples}};
-  json.update(way_json(recommendation.way));
+  Json json{
+      {"goal", recommendation.goal > 0 ? Json(recommendation.goal) : Json()},
+      {"flags", render_flags(measurement, recommendation.configuration, recommendation.samples)},
+      {"samples", recommendation.samples}};
+  json.update(configuration_json(recommendation.configuration));
   json["is_measured"] = recommendation.is_measured;
   put(json, "relative_error", recommendation.error);
   put(json, "seconds", recommendation.seconds);
@@ -115,7 +116,7 @@ Json recommendations_json(const Measurement& measurement) {
 }
 
 Json left_out_json(const render::LeftOut& left_out) {
-  Json json = way_json(left_out.way);
+  Json json = configuration_json(left_out.configuration);
   json["samples"] = left_out.samples > 0 ? Json(left_out.samples) : Json();
   json["reason"] = left_out.reason;
   return json;
@@ -124,7 +125,7 @@ Json left_out_json(const render::LeftOut& left_out) {
 Json against_json(const render::Comparison& against) {
   Json points = Json::array();
   for (const render::PointChange& point : against.points) {
-    Json json = way_json(point.way);
+    Json json = configuration_json(point.configuration);
     json["samples"] = point.samples;
     put(json, "relative_error_before", point.error_before);
     put(json, "relative_error", point.error_after);
@@ -168,7 +169,7 @@ std::string to_json(const Report& report, const std::string& scene_digest) {
       {"other_seconds", measurement.other_seconds},
       {"nonfinite_samples", measurement.nonfinite_samples},
       {"is_complete", measurement.is_complete},
-      {"own", way_json(measurement.own)},
+      {"own", configuration_json(measurement.own)},
       {"reference", measurement.reference ? reference_json(*measurement.reference) : Json()},
       {"points", array_json(measurement.points, point_json)},
       {"series", array_json(measurement.series, series_json)},

@@ -70,7 +70,7 @@ std::string points_text(const Measurement& measurement) {
       const render::Point& point = measurement.points[i];
       table.add({fmt::to_string(point.samples), reading(point.seconds, duration),
                  reading(point.error, percent), figure(point.flip, 2),
-                 plain(describe_way(measurement, point.way)),
+                 plain(describe_configuration(measurement, point.configuration)),
                  kDominance[static_cast<std::size_t>(point.dominance)]});
     }
   }
@@ -83,7 +83,8 @@ std::string slopes_text(const Measurement& measurement) {
   for (const render::Series& series : measurement.series) {
     if (!series.slope) continue;
     text += fmt::format("  {}: error proportional to samples to the power of {}\n",
-                        describe_way(measurement, series.way), reading(*series.slope, exponent));
+                        describe_configuration(measurement, series.configuration),
+                        reading(*series.slope, exponent));
   }
   return text;
 }
@@ -128,7 +129,7 @@ std::string against_text(const Report& report) {
     table.add({fmt::to_string(point.samples), reading(point.error_before, percent),
                reading(point.error_after, percent),
                kVerdicts[static_cast<std::size_t>(point.error)],
-               plain(describe_way(report.measurement, point.way))});
+               plain(describe_configuration(report.measurement, point.configuration))});
   }
   if (!against.points.empty()) text += table.text();
   if (against.time_ratio) {
@@ -146,18 +147,20 @@ std::string left_out_text(const Measurement& measurement) {
   for (const render::LeftOut& left_out : measurement.left_out) {
     const std::string samples =
         left_out.samples > 0 ? fmt::format("{} samples, ", left_out.samples) : std::string();
-    text += fmt::format("  {}{}: {}\n", samples, describe_way(left_out.way), left_out.reason);
+    text += fmt::format("  {}{}: {}\n", samples, describe_configuration(left_out.configuration),
+                        left_out.reason);
   }
   return text;
 }
 
 std::string recommendation_text(const Measurement& measurement, const std::string& what,
                                 const render::Recommendation& recommendation) {
-  return plain(fmt::format("{}: {}, about {}; {} {}\n", what,
-                           render_flags(measurement, recommendation.way, recommendation.samples),
-                           reading(recommendation.seconds, duration),
-                           recommendation.is_measured ? "error" : "estimated error",
-                           reading(recommendation.error, percent)));
+  return plain(
+      fmt::format("{}: {}, about {}; {} {}\n", what,
+                  render_flags(measurement, recommendation.configuration, recommendation.samples),
+                  reading(recommendation.seconds, duration),
+                  recommendation.is_measured ? "error" : "estimated error",
+                  reading(recommendation.error, percent)));
 }
 
 /// The last part of the output: the recommendations.
@@ -193,7 +196,8 @@ std::string to_text(const Report& report) {
   if (measurement.reference) {
     const render::Reference& reference = *measurement.reference;
     text += fmt::format("reference: {} samples, {}, error {}\n", reference.samples,
-                        plain(describe_way(reference.way)), reading(reference.error, percent));
+                        plain(describe_configuration(reference.configuration)),
+                        reading(reference.error, percent));
   }
   text += "\n" + points_text(measurement);
   const std::string slopes = slopes_text(measurement);

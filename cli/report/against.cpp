@@ -43,7 +43,7 @@ std::string against_section(const Report& report) {
                   seconds_after = read(change.seconds_after, duration);
     table.row()
         .cell(format_whole(static_cast<std::uint64_t>(change.samples)))
-        .cell(escaped(describe_way(report.measurement, change.way)))
+        .cell(escaped(describe_configuration(report.measurement, change.configuration)))
         .cell(error_before.value, error_before.interval)
         .cell(error_after.value, error_after.interval)
         .cell(fmt::format("<span class=\"verdict {}\">{}</span>", class_of(change.error),

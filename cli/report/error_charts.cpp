@@ -36,7 +36,7 @@ std::vector<ChartSeries> series_over(const render::Measurement& measurement, X&&
     const render::Series& series = measurement.series[i];
     ChartSeries drawn{.style = i,
                       .key = series_key(i),
-                      .name = describe_way(measurement, series.way),
+                      .name = describe_configuration(measurement, series.configuration),
                       .points = {},
                       .slope = {}};
     for (const std::size_t index : series.points) {
@@ -111,11 +111,11 @@ std::string legend(const render::Measurement& measurement) {
   std::string html = "<ul class=\"legend\">\n";
   for (std::size_t i = 0; i < measurement.series.size(); ++i) {
     const render::Series& series = measurement.series[i];
-    html +=
-        fmt::format("<li>{} <b>{}</b> <span>{}<br/><small>{}</small></span></li>\n",
-                    legend_sample(i), series_key(i), escaped(describe_way(measurement, series.way)),
-                    series.slope ? "slope " + read(*series.slope, plain).text()
-                                 : std::string("no slope: fewer than three renders"));
+    html += fmt::format("<li>{} <b>{}</b> <span>{}<br/><small>{}</small></span></li>\n",
+                        legend_sample(i), series_key(i),
+                        escaped(describe_configuration(measurement, series.configuration)),
+                        series.slope ? "slope " + read(*series.slope, plain).text()
+                                     : std::string("no slope: fewer than three renders"));
   }
   return html + "</ul>\n";
 }

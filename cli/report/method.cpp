@@ -21,11 +21,11 @@ class Facts {
 };
 
 std::string describe_reference(const render::Reference& reference) {
-  std::string text =
-      fmt::format("{}, {}, seed {}, rendered in {}; its own error is {}, and its mean radiance {}",
-                  count_of(static_cast<std::uint64_t>(reference.samples), "sample"),
-                  describe_way(reference.way), reference.seed, duration(reference.seconds),
-                  read(reference.error, percent).text(), figure(reference.mean_radiance));
+  std::string text = fmt::format(
+      "{}, {}, seed {}, rendered in {}; its own error is {}, and its mean radiance {}",
+      count_of(static_cast<std::uint64_t>(reference.samples), "sample"),
+      describe_configuration(reference.configuration), reference.seed, duration(reference.seconds),
+      read(reference.error, percent).text(), figure(reference.mean_radiance));
   if (reference.scarce_emitters > 0) {
     text += fmt::format("; {} reached by very few of its paths, so that light may be missing",
                         count_of(reference.scarce_emitters, "emitter"));
@@ -43,7 +43,7 @@ std::string method_section(const Report& report) {
   facts.add("The scene's own settings",
             escaped(fmt::format(
                 "{}, {}", count_of(static_cast<std::uint64_t>(measurement.own_samples), "sample"),
-                describe_way(measurement.own))));
+                describe_configuration(measurement.own))));
   facts.add("Size", fmt::format("{} × {} pixels", measurement.width, measurement.height));
   facts.add("Seed", fmt::to_string(measurement.seed));
   facts.add("Threads", fmt::to_string(measurement.threads));

@@ -56,7 +56,8 @@ std::string points_table(const render::Measurement& measurement) {
   for (std::size_t i = 0; i < measurement.series.size(); ++i) {
     const render::Series& series = measurement.series[i];
     table.group(fmt::format(
-        "{} {} {}{}", legend_sample(i), series_key(i), escaped(describe_way(series.way)),
+        "{} {} {}{}", legend_sample(i), series_key(i),
+        escaped(describe_configuration(series.configuration)),
         series.slope ? fmt::format(" <small>slope {}</small>", read(*series.slope, plain).text())
                      : ""));
     for (const std::size_t index : series.points) write_point(measurement.points[index], table);
@@ -69,7 +70,7 @@ std::string left_out_table(const render::Measurement& measurement) {
   for (const render::LeftOut& left : measurement.left_out) {
     table.row()
         .cell(left.samples > 0 ? format_whole(static_cast<std::uint64_t>(left.samples)) : "all")
-        .cell(escaped(describe_way(left.way)))
+        .cell(escaped(describe_configuration(left.configuration)))
         .cell(escaped(left.reason));
   }
   return std::move(table).finish();

@@ -46,15 +46,16 @@ struct Report {
 
 /// The flags of `sdlc render` for a configuration and samples: those that differ from the scene's
 /// own, and those that were given and affect the picture.
-std::string render_flags(const render::Measurement& measurement, const render::Way& way,
-                         int samples);
+std::string render_flags(const render::Measurement& measurement,
+                         const render::Configuration& configuration, int samples);
 
 /// "Sobol', light sampling on, float, depth 16".
-std::string describe_way(const render::Way& way);
+std::string describe_configuration(const render::Configuration& configuration);
 
 /// The same without the parts that all series of the measurement share; complete if nothing would
 /// be left.
-std::string describe_way(const render::Measurement& measurement, const render::Way& way);
+std::string describe_configuration(const render::Measurement& measurement,
+                                   const render::Configuration& configuration);
 
 /// The page: self-contained HTML, without scripts and network access.
 std::string html_report(const Report& report);

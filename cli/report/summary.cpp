@@ -15,7 +15,7 @@ namespace {
 /// The flags as typed; a line may only break between flags.
 std::string flags_element(const render::Measurement& measurement,
                           const render::Recommendation& choice) {
-  const std::string flags = render_flags(measurement, choice.way, choice.samples);
+  const std::string flags = render_flags(measurement, choice.configuration, choice.samples);
   std::string html;
   for (std::size_t begin = 0; begin < flags.size();) {
     const std::size_t end = std::min(flags.find(" --", begin), flags.size());

@@ -34,7 +34,7 @@ render::RenderSettings trial_of(const render::RenderSettings& asked, double aspe
 void check_error_out_of_reach(LintContext& context) {
   const LoweredScene& lowered = context.lowered();
   const render::RenderSettings& asked = lowered.settings;
-  if (!asked.error || lowered.checked_cameras.empty() || asked.samples == render::kMostSamples) {
+  if (!asked.error || lowered.checked_cameras.empty() || asked.samples == render::kMaxSamples) {
     return;
   }
   if (context.spheres().size() > kMostSpheres || !context.scene().instances.empty()) return;
@@ -49,7 +49,7 @@ void check_error_out_of_reach(LintContext& context) {
 
   constexpr double kMargin = 2;
   const double more = static_cast<double>(asked.samples) / trial.samples;
-  const double at_best = render::least_error(result.error->interval.from, more);
+  const double at_best = render::min_error(result.error->interval.from, more);
   if (at_best <= kMargin * *asked.error) return;
   const double needed =
       trial.samples * render::usual_growth(*asked.error / result.error->relative_error);

@@ -267,7 +267,8 @@ std::optional<std::uint32_t> GroupRepeats::make_prototype(
   prototype.spheres.shrink_to_fit();
   prototype.shifts.shrink_to_fit();
   const auto smallest = std::ranges::min_element(prototype.spheres, {}, &render::Sphere::radius);
-  reaches_.push_back({.ball = render::ball_around(prototype), .smallest_radius = smallest->radius});
+  reaches_.push_back(
+      {.ball = render::bounding_sphere(prototype), .smallest_radius = smallest->radius});
   prototype_spheres_ += prototype.spheres.size();
   prototype_slots_ += slots_of(prototype.spheres.size());
   prototypes_.push_back(std::move(prototype));

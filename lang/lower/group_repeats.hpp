@@ -12,7 +12,7 @@
 
 #include "lang/lower/group_contents.hpp"
 #include "lang/lower/material_table.hpp"
-#include "render/scene/ball.hpp"
+#include "render/scene/bounding_sphere.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::lang {
@@ -160,7 +160,7 @@ class GroupRepeats {
   std::vector<render::Prototype> prototypes_;
   /// What decides whether the numbers of a placed prototype are within double.
   struct Reach {
-    render::Ball ball;  ///< bounding sphere
+    render::BoundingSphere ball;  ///< bounding sphere
     double smallest_radius;
   };
   std::vector<Reach> reaches_;

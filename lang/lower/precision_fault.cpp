@@ -60,7 +60,7 @@ std::optional<PrecisionFault> find_scale_fault(const render::Scene& scene,
                                                std::optional<Precision> wanted) {
   if (wanted == Precision::Double) return std::nullopt;
   const render::ScaleRatio scale = measure_scale(scene, camera);
-  if (scale.ratio <= render::kMostScaleInDouble) return std::nullopt;
+  if (scale.ratio <= render::kMaxScaleInDouble) return std::nullopt;
   return beyond_double_fault(scale);
 }
 

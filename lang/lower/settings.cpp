@@ -56,8 +56,8 @@ void lower_goals(const WantedSettings& wanted, LoweredScene& lowered) {
   // The scene's samples limit its own goal only, and only if they are written.
   const bool takes_samples =
       flags.has(kSamples) || (!is_by_flag && (wanted.is_written(kSamples) || !settings.error));
-  settings.samples = takes_samples ? wanted.get_as<int>(kSamples).value_or(settings.samples)
-                                   : render::kMostSamples;
+  settings.samples =
+      takes_samples ? wanted.get_as<int>(kSamples).value_or(settings.samples) : render::kMaxSamples;
   warn_of_few_samples(wanted, lowered);
 }
 

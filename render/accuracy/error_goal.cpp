@@ -14,7 +14,7 @@ std::uint64_t whole_replicates(std::uint64_t samples) {
 
 }  // namespace
 
-double least_error(double error, double more_samples) noexcept {
+double min_error(double error, double more_samples) noexcept {
   return error * std::pow(more_samples, -0.75);
 }
 

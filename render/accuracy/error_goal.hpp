@@ -7,10 +7,10 @@
 
 namespace sdlc::render {
 
-/// The error falls as a power of the number of samples. least_error() is the smallest error to hope
+/// The error falls as a power of the number of samples. min_error() is the smallest error to hope
 /// for with `more_samples` times as many samples (Sobol' points, plain edges); usual_growth() is
 /// the usual factor in samples for multiplying the error by `part`.
-double least_error(double error, double more_samples) noexcept;
+double min_error(double error, double more_samples) noexcept;
 double usual_growth(double part) noexcept;
 
 /// Decides after each pass over a picture how many samples to take next, until the error is known

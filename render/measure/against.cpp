@@ -79,11 +79,11 @@ Comparison compare_measurements(const std::vector<Point>& now, const std::vector
   std::vector<const Point*> pairs;
   for (const Point& point : now) {
     const auto earlier = std::ranges::find_if(before, [&](const Point& other) {
-      return other.way == point.way && other.samples == point.samples;
+      return other.configuration == point.configuration && other.samples == point.samples;
     });
     if (earlier == before.end()) continue;
     pairs.push_back(&point);
-    comparison.points.push_back({.way = point.way,
+    comparison.points.push_back({.configuration = point.configuration,
                                  .samples = point.samples,
                                  .error_before = earlier->error,
                                  .error_after = point.error,

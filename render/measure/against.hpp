@@ -17,7 +17,7 @@ std::string_view name_of(Verdict verdict) noexcept;
 
 /// A point that is also in an earlier measurement of the same scene.
 struct PointChange {
-  Way way{};
+  Configuration configuration{};
   int samples = 0;
   Measured error_before, error_after;
   Measured seconds_before, seconds_after;

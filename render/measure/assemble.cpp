@@ -28,7 +28,7 @@ double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 std::vector<Point> points_of(const StudyLedger& ledger) {
   std::vector<Point> points;
   for (const Evaluation& evaluation : ledger.evaluations) {
-    Point point{.way = evaluation.way,
+    Point point{.configuration = evaluation.configuration,
                 .samples = evaluation.samples,
                 .error = evaluation.error,
                 .error_spread = evaluation.error_spread,
@@ -37,7 +37,7 @@ std::vector<Point> points_of(const StudyLedger& ledger) {
                 .scarce_emitters = evaluation.scarce_emitters,
                 .cut_share = evaluation.cut_share};
     for (const TimedRender& render : ledger.renders) {
-      if (render.way != point.way || render.samples != point.samples) continue;
+      if (render.configuration != point.configuration || render.samples != point.samples) continue;
       point.timings.push_back(render.seconds);
       point.samples_per_second = static_cast<double>(render.camera_samples);
       point.rays_per_second = static_cast<double>(render.rays);
@@ -47,7 +47,8 @@ std::vector<Point> points_of(const StudyLedger& ledger) {
   // Points of the scene's own configuration first; per configuration in ascending order of samples.
   const auto rank = [&](const Point& point) {
     const auto& costs = ledger.plan->costs;
-    return std::ranges::find(costs, point.way, &WayCost::way) - costs.begin();
+    return std::ranges::find(costs, point.configuration, &ConfigurationCost::configuration) -
+           costs.begin();
   };
   std::ranges::stable_sort(points, [&](const Point& a, const Point& b) {
     return std::pair(rank(a), a.samples) < std::pair(rank(b), b.samples);
@@ -90,11 +91,11 @@ std::vector<DepthLoss> losses_of(const StudyLedger& ledger, int own) {
 }
 
 std::optional<PrecisionDifference> precision_of(const StudyLedger& ledger) {
-  const Way& own = ledger.plan->costs.front().way;
-  const WayCost* const other = ledger.plan->other_precision();
+  const Configuration& own = ledger.plan->costs.front().configuration;
+  const ConfigurationCost* const other = ledger.plan->other_precision();
   if (other == nullptr) return std::nullopt;
   PrecisionDifference difference{.taken = own.precision,
-                                 .other = other->way.precision,
+                                 .other = other->configuration.precision,
                                  .refusal = other->refusal,
                                  .bound = ledger.precision_bound};
   if (!difference.refusal.empty()) return difference;
@@ -117,19 +118,20 @@ std::optional<PrecisionDifference> precision_of(const StudyLedger& ledger) {
 std::vector<LeftOut> left_out_of(const StudyLedger& ledger, const std::vector<Point>& points,
                                  int own_samples) {
   std::vector<LeftOut> left_out;
-  for (const WayCost& cost : ledger.plan->costs) {
-    if (!cost.refusal.empty()) left_out.push_back({cost.way, 0, cost.refusal});
+  for (const ConfigurationCost& cost : ledger.plan->costs) {
+    if (!cost.refusal.empty()) left_out.push_back({cost.configuration, 0, cost.refusal});
   }
   const auto add = [&](const StudyTask& task) {
     const bool is_there = std::ranges::any_of(points, [&](const Point& point) {
-      return point.way == task.way && point.samples == task.samples;
+      return point.configuration == task.configuration && point.samples == task.samples;
     });
-    if (!is_there) left_out.push_back({task.way, task.samples, "there was no time left"});
+    if (!is_there) left_out.push_back({task.configuration, task.samples, "there was no time left"});
   };
   for (const StudyTask& task : ledger.plan->tasks) {
     if (task.kind == StudyTask::Kind::Point) add(task);
   }
-  const StudyTask as_it_is{.way = ledger.plan->costs.front().way, .samples = own_samples};
+  const StudyTask as_it_is{.configuration = ledger.plan->costs.front().configuration,
+                           .samples = own_samples};
   if (!std::ranges::count(ledger.plan->tasks, as_it_is)) add(as_it_is);
   return left_out;
 }
@@ -158,8 +160,8 @@ class FullSize {
 
   bool is_measured() const { return area_ == 1; }
 
-  Measured seconds(const Way& way, const Measured& measured) const {
-    const double building = ledger_.plan->cost_of(way).build_seconds;
+  Measured seconds(const Configuration& configuration, const Measured& measured) const {
+    const double building = ledger_.plan->cost_of(configuration).build_seconds;
     const double tracing = std::max(measured.value - building, 0.0) * area_ + building;
     // The time to load the picture codec is known only to within 50 %.
     constexpr double kOfOther = 1.5;
@@ -177,13 +179,15 @@ class FullSize {
 std::optional<Recommendation> as_it_is(const Measurement& measurement, const NoiseOfTime& noise,
                                        const FullSize& full_size) {
   for (const Point& point : measurement.points) {
-    if (point.way != measurement.own || point.samples != measurement.own_samples) continue;
-    return Recommendation{.way = point.way,
-                          .samples = point.samples,
-                          .is_measured = full_size.is_measured(),
-                          .error = point.error,
-                          .seconds = full_size.seconds(
-                              point.way, noise.next(point.seconds.value, point.timings.size()))};
+    if (point.configuration != measurement.own || point.samples != measurement.own_samples)
+      continue;
+    return Recommendation{
+        .configuration = point.configuration,
+        .samples = point.samples,
+        .is_measured = full_size.is_measured(),
+        .error = point.error,
+        .seconds = full_size.seconds(point.configuration,
+                                     noise.next(point.seconds.value, point.timings.size()))};
   }
   return std::nullopt;
 }
@@ -192,8 +196,8 @@ std::optional<Recommendation> as_it_is(const Measurement& measurement, const Noi
 std::optional<Recommendation> without_noise(const Measurement& measurement,
                                             const NoiseOfTime& noise) {
   for (const Point& point : measurement.points) {
-    if (point.way != measurement.own || point.error.interval.to != 0) continue;
-    return Recommendation{.way = point.way,
+    if (point.configuration != measurement.own || point.error.interval.to != 0) continue;
+    return Recommendation{.configuration = point.configuration,
                           .samples = point.samples,
                           .is_measured = true,
                           .error = point.error,
@@ -210,7 +214,7 @@ std::vector<Recommendation> recommendations_of(const Measurement& measurement,
     std::optional<Recommendation> found = recommend(goal, measurement.series, points, noise);
     if (!found) continue;
     // If one configuration is enough for both goals, report it once, for the smaller error.
-    const bool is_same = !all.empty() && all.back().way == found->way &&
+    const bool is_same = !all.empty() && all.back().configuration == found->configuration &&
                          all.back().samples == found->samples &&
                          all.back().goal != measurement.goal;
     if (is_same) all.pop_back();
@@ -238,7 +242,7 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
                           .goal = options.goal,
                           .nonfinite_samples = ledger.nonfinite_samples};
   if (!ledger.plan) return measurement;
-  measurement.own = ledger.plan->costs.front().way;
+  measurement.own = ledger.plan->costs.front().configuration;
   measurement.width = ledger.plan->width;
   measurement.height = ledger.plan->height;
   measurement.points = points_of(ledger);
@@ -250,7 +254,7 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
     point.rays_per_second /= point.seconds.value;
   }
   mark_dominance(points);
-  measurement.series = group_by_way(points);
+  measurement.series = group_by_configuration(points);
   measurement.depths = losses_of(ledger, measurement.own.depth);
   measurement.depths_have_converged = depths_have_converged(ledger.depths);
   measurement.precision = precision_of(ledger);
@@ -261,7 +265,8 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
   measurement.recommendations = recommendations_of(measurement, noise);
   measurement.main_recommendation = main_of(measurement.recommendations, options.goal);
   for (Recommendation& recommendation : measurement.recommendations) {
-    recommendation.seconds = full_size.seconds(recommendation.way, recommendation.seconds);
+    recommendation.seconds =
+        full_size.seconds(recommendation.configuration, recommendation.seconds);
     recommendation.is_measured = recommendation.is_measured && full_size.is_measured();
   }
   return measurement;

@@ -9,7 +9,7 @@
 
 #include "render/compare/difference.hpp"
 #include "render/math/interval.hpp"
-#include "render/measure/way.hpp"
+#include "render/measure/configuration.hpp"
 #include "render/scene/precision.hpp"
 
 /// How error depends on render time: a scene is rendered with many configurations, each compared
@@ -34,7 +34,7 @@ std::string_view name_of(Dominance dominance) noexcept;
 
 /// A render that was timed and compared with the reference.
 struct Point {
-  Way way{};
+  Configuration configuration{};
   int samples = 0;
   std::vector<double> timings{};  ///< building and tracing, per repetition
   Measured seconds{};             ///< median
@@ -51,7 +51,7 @@ struct Point {
 
 /// The points of one configuration, with increasing numbers of samples.
 struct Series {
-  Way way{};
+  Configuration configuration{};
   std::vector<std::size_t> points{};  ///< indices, ascending in samples
   /// The exponent with which the error falls with the samples, from a line fit; -1/2 for
   /// independent samples. nullopt for fewer than two points.
@@ -81,7 +81,7 @@ struct PrecisionDifference {
 
 /// The reference that all pictures are compared with.
 struct Reference {
-  Way way{};
+  Configuration configuration{};
   int samples = 0;
   std::uint64_t seed = 0;
   double seconds = 0;
@@ -93,7 +93,7 @@ struct Reference {
 /// The settings recommended for reaching an error.
 struct Recommendation {
   double goal = 0;  ///< relative error
-  Way way{};
+  Configuration configuration{};
   int samples = 0;
   bool is_measured = false;  ///< this number of samples was rendered; otherwise extrapolated along
                              ///< the series
@@ -102,20 +102,20 @@ struct Recommendation {
 };
 
 struct LeftOut {
-  Way way{};
+  Configuration configuration{};
   int samples = 0;  ///< 0: any number
   std::string reason{};
 };
 
 /// The flags of the command line that the picture depends on, and that a recommendation repeats.
 struct GivenFlags {
-  std::vector<std::string> of_way{};  ///< names in kWaySettings
-  std::string others{};               ///< as they are typed: "--width 320 --seed 7"
+  std::vector<std::string> of_configuration{};  ///< names in kConfigurationSettings
+  std::string others{};                         ///< as they are typed: "--width 320 --seed 7"
 };
 
 struct Measurement {
   // The scene's own settings.
-  Way own{};
+  Configuration own{};
   int width = 0, height = 0;  ///< the measured size
   int full_width = 0, full_height = 0;
   int own_samples = 0;

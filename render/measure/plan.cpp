@@ -49,7 +49,7 @@ class PlanBuilder {
     plan_.width = width;
     plan_.height = height;
     plan_.costs = request.costs;
-    plan_.reference_way = request.reference_way;
+    plan_.reference_configuration = request.reference_configuration;
     plan_.reference_samples = 4 * max_samples;
     plan_.depths = depths_around(request.settings.depth);
     plan_.probe_samples = std::max(kFirstSamples, max_samples / 32);
@@ -57,9 +57,9 @@ class PlanBuilder {
   }
 
   StudyPlan build() {
-    const Way own = plan_.costs.front().way;
+    const Configuration own = plan_.costs.front().configuration;
     plan_.tasks.push_back({.kind = StudyTask::Kind::Reference,
-                           .way = plan_.reference_way,
+                           .configuration = plan_.reference_configuration,
                            .samples = plan_.reference_samples});
     const int step = extent_ == Extent::Full ? 2 : 4;
     for (int samples = max_samples_; samples >= kFirstSamples; samples /= step)
@@ -68,9 +68,9 @@ class PlanBuilder {
     // The scene's current settings come first.
     if (settings_.samples <= 4 * max_samples_) add_point(own, settings_.samples);
     if (extent_ == Extent::Minimal) return std::move(plan_);
-    for (const WayCost& cost : plan_.costs) {
-      if (cost.way == own || !cost.refusal.empty()) continue;
-      add_others(cost.way, own);
+    for (const ConfigurationCost& cost : plan_.costs) {
+      if (cost.configuration == own || !cost.refusal.empty()) continue;
+      add_others(cost.configuration, own);
     }
     if (extent_ == Extent::Reduced) return std::move(plan_);
     for (int seed = 0; seed < kProbeSeeds; ++seed) {
@@ -86,25 +86,25 @@ class PlanBuilder {
   }
 
  private:
-  void add_point(const Way& way, int samples) {
-    const StudyTask task{.way = way, .samples = samples};
+  void add_point(const Configuration& configuration, int samples) {
+    const StudyTask task{.configuration = configuration, .samples = samples};
     if (std::ranges::count(plan_.tasks, task) == 0) plan_.tasks.push_back(task);
   }
 
-  void add_others(const Way& way, const Way& own) {
+  void add_others(const Configuration& configuration, const Configuration& own) {
     // If only the depth differs, its bias dominates, whatever the samples.
-    if (way.depth != own.depth || extent_ == Extent::Reduced)
-      return add_point(way, std::min(max_samples_, kMinLadderEnd));
+    if (configuration.depth != own.depth || extent_ == Extent::Reduced)
+      return add_point(configuration, std::min(max_samples_, kMinLadderEnd));
     // Another precision has nearly the same error; only its time matters.
-    const bool is_whole = way.precision == own.precision;
+    const bool is_whole = configuration.precision == own.precision;
     const int last = is_whole ? max_samples_ : max_samples_ / 4;
     int samples = 2 * kFirstSamples;
-    for (; samples <= last; samples *= 4) add_point(way, samples);
-    if (is_whole && samples != 4 * last) add_point(way, last);
+    for (; samples <= last; samples *= 4) add_point(configuration, samples);
+    if (is_whole && samples != 4 * last) add_point(configuration, last);
   }
 
   bool has_other_precision() const {
-    const WayCost* const other = plan_.other_precision();
+    const ConfigurationCost* const other = plan_.other_precision();
     return other != nullptr && other->refusal.empty();
   }
 
@@ -143,57 +143,57 @@ double building_seconds(StudyPlan plan) {
 
 }  // namespace
 
-const WayCost& StudyPlan::cost_of(const Way& way) const {
+const ConfigurationCost& StudyPlan::cost_of(const Configuration& configuration) const {
   // Other depths and the reference were not tried: use a similar configuration.
-  const auto found = std::ranges::find(costs, way, &WayCost::way);
+  const auto found = std::ranges::find(costs, configuration, &ConfigurationCost::configuration);
   if (found != costs.end()) return *found;
-  const auto near = std::ranges::find_if(costs, [&](const WayCost& cost) {
-    Way like = cost.way;
-    like.sampler = way.sampler;
-    like.depth = way.depth;
-    return like == way;
+  const auto near = std::ranges::find_if(costs, [&](const ConfigurationCost& cost) {
+    Configuration like = cost.configuration;
+    like.sampler = configuration.sampler;
+    like.depth = configuration.depth;
+    return like == configuration;
   });
   return near != costs.end() ? *near : costs.front();
 }
 
-const WayCost* StudyPlan::other_precision() const {
-  const Way& own = costs.front().way;
-  const auto found = std::ranges::find_if(costs, [&](const WayCost& cost) {
-    Way way = cost.way;
-    way.precision = own.precision;
-    return way == own && cost.way != own;
+const ConfigurationCost* StudyPlan::other_precision() const {
+  const Configuration& own = costs.front().configuration;
+  const auto found = std::ranges::find_if(costs, [&](const ConfigurationCost& cost) {
+    Configuration configuration = cost.configuration;
+    configuration.precision = own.precision;
+    return configuration == own && cost.configuration != own;
   });
   return found == costs.end() ? nullptr : &*found;
 }
 
 double StudyPlan::seconds_of(const StudyTask& task) const {
   const double pixels = static_cast<double>(width) * height;
-  const auto render = [&](const Way& way) {
-    const WayCost& cost = cost_of(way);
+  const auto render = [&](const Configuration& configuration) {
+    const ConfigurationCost& cost = cost_of(configuration);
     return cost.build_seconds + cost.seconds_per_sample * pixels * task.samples;
   };
   switch (task.kind) {
     case StudyTask::Kind::Reference:
-    case StudyTask::Kind::Repeat: return render(task.way);
-    case StudyTask::Kind::Point: return render(task.way) + pixels * kComparingSeconds;
+    case StudyTask::Kind::Repeat: return render(task.configuration);
+    case StudyTask::Kind::Point: return render(task.configuration) + pixels * kComparingSeconds;
     case StudyTask::Kind::Depths:
-      return static_cast<double>(depths.size()) * render(costs.front().way);
+      return static_cast<double>(depths.size()) * render(costs.front().configuration);
     case StudyTask::Kind::Precisions: {
       constexpr double kOther = 2;  // usual slowdown of double
-      return (1 + kOther) * render(costs.front().way);
+      return (1 + kOther) * render(costs.front().configuration);
     }
   }
   return 0;
 }
 
 std::string describe(const StudyTask& task) {
-  const auto of_way = [&] {
-    return fmt::format("{} samples, {}", task.samples, describe(task.way));
+  const auto of_configuration = [&] {
+    return fmt::format("{} samples, {}", task.samples, describe(task.configuration));
   };
   switch (task.kind) {
-    case StudyTask::Kind::Reference: return "reference: " + of_way();
-    case StudyTask::Kind::Point: return of_way();
-    case StudyTask::Kind::Repeat: return of_way() + ", again for its time";
+    case StudyTask::Kind::Reference: return "reference: " + of_configuration();
+    case StudyTask::Kind::Point: return of_configuration();
+    case StudyTask::Kind::Repeat: return of_configuration() + ", again for its time";
     case StudyTask::Kind::Depths:
       return fmt::format("depths, {} of {}", task.round + 1, kProbeSeeds);
     case StudyTask::Kind::Precisions:

@@ -12,8 +12,8 @@
 namespace sdlc::render {
 
 /// The cost of a configuration, from a short trial.
-struct WayCost {
-  Way way{};
+struct ConfigurationCost {
+  Configuration configuration{};
   double build_seconds = 0;
   double seconds_per_sample = 0;  ///< per pixel
   std::string refusal{};          ///< why it cannot be rendered; it is then excluded from the plan
@@ -29,7 +29,7 @@ struct StudyTask {
     Precisions  ///< both precisions with one seed
   };
   Kind kind = Kind::Point;
-  Way way{};
+  Configuration configuration{};
   int samples = 0;
   int round = 0;  ///< Repeat: from 1; Depths, Precisions: index of the seed
 
@@ -42,17 +42,17 @@ std::string describe(const StudyTask& task);
 /// The renders to make, in order.
 struct StudyPlan {
   int width = 0, height = 0;
-  std::vector<WayCost> costs{};  ///< the scene's own configuration first
-  Way reference_way{};
+  std::vector<ConfigurationCost> costs{};  ///< the scene's own configuration first
+  Configuration reference_configuration{};
   int reference_samples = 0;
   std::vector<int> depths{};  ///< ascending, including the scene's own; the first probe may add
                               ///< some
   int probe_samples = 0;      ///< for the pictures of Depths and Precisions
   std::vector<StudyTask> tasks{};
 
-  const WayCost& cost_of(const Way& way) const;
+  const ConfigurationCost& cost_of(const Configuration& configuration) const;
   /// The scene's own configuration with the other precision; null if that was not tried.
-  const WayCost* other_precision() const;
+  const ConfigurationCost* other_precision() const;
   double seconds_of(const StudyTask& task) const;
 };
 
@@ -61,10 +61,10 @@ inline constexpr int kProbeSeeds = 4;
 
 /// The input of plan_study().
 struct StudyRequest {
-  RenderSettings settings{};     ///< the scene's own; `depth` etc. are those of the first
-                                 ///< configuration
-  std::vector<WayCost> costs{};  ///< the scene's own configuration first
-  Way reference_way{};
+  RenderSettings settings{};               ///< the scene's own; `depth` etc. are those of the first
+                                           ///< configuration
+  std::vector<ConfigurationCost> costs{};  ///< the scene's own configuration first
+  Configuration reference_configuration{};
   double budget_seconds = 0;
   /// A fixed size, for comparison with another measurement.
   std::optional<std::array<int, 2>> size{};

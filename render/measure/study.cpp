@@ -52,7 +52,7 @@ Study::Study(const Scene& scene, const RenderSettings& settings, KernelRequest r
   settings_.is_adaptive = false;
   const Kernel kernel = choose_kernel(scene, settings, request);
   if (!kernel.refusal.empty()) throw std::invalid_argument(kernel.refusal);
-  for_each_way_setting([&](const auto& row) {
+  for_each_configuration_setting([&](const auto& row) {
     if (row.setting != nullptr) own_.*row.member = settings.*row.setting;
   });
   own_.precision = kernel.precision;
@@ -60,55 +60,58 @@ Study::Study(const Scene& scene, const RenderSettings& settings, KernelRequest r
   ledger_.precision_bound = describe(clause, kernel.bounds[clause]);
 }
 
-KernelRequest Study::request_of(const Way& way) const {
-  if (way == own_) return request_;
+KernelRequest Study::request_of(const Configuration& configuration) const {
+  if (configuration == own_) return request_;
   // Fix the precision: the automatic choice might change with the depth.
   KernelRequest request = request_;
-  request.precision = way.precision == Precision::Mixed ? Precision::Float : way.precision;
+  request.precision =
+      configuration.precision == Precision::Mixed ? Precision::Float : configuration.precision;
   request.may_take_double = false;
   return request;
 }
 
-RenderSettings Study::settings_of(const Way& way, int samples, std::uint64_t seed) const {
+RenderSettings Study::settings_of(const Configuration& configuration, int samples,
+                                  std::uint64_t seed) const {
   RenderSettings settings = settings_;
   if (ledger_.plan) {
     settings.width = ledger_.plan->width;
     settings.height = ledger_.plan->height;
   }
-  for_each_way_setting([&](const auto& row) {
-    if (row.setting != nullptr) settings.*row.setting = way.*row.member;
+  for_each_configuration_setting([&](const auto& row) {
+    if (row.setting != nullptr) settings.*row.setting = configuration.*row.member;
   });
   settings.samples = samples;
   settings.seed = seed;
   return settings;
 }
 
-std::vector<Way> Study::ways() const {
-  std::vector<Way> ways{own_};
-  const auto add = [&](auto Way::*member, auto value) {
-    Way way = own_;
-    way.*member = value;
-    ways.push_back(way);
+std::vector<Configuration> Study::configurations() const {
+  std::vector<Configuration> configurations{own_};
+  const auto add = [&](auto Configuration::*member, auto value) {
+    Configuration configuration = own_;
+    configuration.*member = value;
+    configurations.push_back(configuration);
   };
-  add(&Way::sampler,
+  add(&Configuration::sampler,
       own_.sampler == SamplerKind::Sobol ? SamplerKind::Independent : SamplerKind::Sobol);
   const auto lights = choose_lights(scene_, own_.light_sampling);
   for (const LightSampling other : {LightSampling::On, LightSampling::Off}) {
-    if (choose_lights(scene_, other) != lights) add(&Way::light_sampling, other);
+    if (choose_lights(scene_, other) != lights) add(&Configuration::light_sampling, other);
   }
-  add(&Way::precision, own_.precision == Precision::Double ? Precision::Float : Precision::Double);
-  if (own_.depth > 2) add(&Way::depth, own_.depth / 2);
-  if (own_.depth <= 64) add(&Way::depth, 2 * own_.depth);
-  return ways;
+  add(&Configuration::precision,
+      own_.precision == Precision::Double ? Precision::Float : Precision::Double);
+  if (own_.depth > 2) add(&Configuration::depth, own_.depth / 2);
+  if (own_.depth <= 64) add(&Configuration::depth, 2 * own_.depth);
+  return configurations;
 }
 
-WayCost Study::try_way(const Way& way) {
-  WayCost cost{.way = way};
-  RenderSettings settings = settings_of(way, 8, settings_.seed);
-  const Kernel kernel = choose_kernel(scene_, settings, request_of(way));
+ConfigurationCost Study::try_configuration(const Configuration& configuration) {
+  ConfigurationCost cost{.configuration = configuration};
+  RenderSettings settings = settings_of(configuration, 8, settings_.seed);
+  const Kernel kernel = choose_kernel(scene_, settings, request_of(configuration));
   cost.refusal = kernel.refusal;
   if (!cost.refusal.empty()) return cost;
-  cost.way.precision = kernel.precision;
+  cost.configuration.precision = kernel.precision;
   // Small enough to be cheap, large enough to keep all lanes and threads busy.
   constexpr double kPixels = 1 << 15;
   const double scale = std::sqrt(kPixels / (static_cast<double>(settings.width) * settings.height));
@@ -116,23 +119,25 @@ WayCost Study::try_way(const Way& way) {
     settings.width = std::max(1, static_cast<int>(settings.width * scale));
     settings.height = std::max(1, static_cast<int>(settings.height * scale));
   }
-  const RenderResult result = render(scene_, settings, monitor_, request_of(way));
+  const RenderResult result = render(scene_, settings, monitor_, request_of(configuration));
   cost.build_seconds = result.build_seconds;
   cost.seconds_per_sample = result.render_seconds / (static_cast<double>(settings.width) *
                                                      settings.height * settings.samples);
   return cost;
 }
 
-WayCost Study::guess_way(const Way& way, const WayCost& own) const {
-  const Kernel kernel = choose_kernel(scene_, settings_of(way, 8, settings_.seed), request_of(way));
-  WayCost cost = own;
-  cost.way = way;
-  cost.way.precision = kernel.precision;
+ConfigurationCost Study::guess_configuration(const Configuration& configuration,
+                                             const ConfigurationCost& own) const {
+  const Kernel kernel = choose_kernel(scene_, settings_of(configuration, 8, settings_.seed),
+                                      request_of(configuration));
+  ConfigurationCost cost = own;
+  cost.configuration = configuration;
+  cost.configuration.precision = kernel.precision;
   cost.refusal = kernel.refusal;
   // Upper bounds for usual scenes.
   constexpr double kOfLights = 2, kOfDouble = 2;
-  if (way.light_sampling == LightSampling::On) cost.seconds_per_sample *= kOfLights;
-  if (way.precision == Precision::Double && own_.precision != Precision::Double) {
+  if (configuration.light_sampling == LightSampling::On) cost.seconds_per_sample *= kOfLights;
+  if (configuration.precision == Precision::Double && own_.precision != Precision::Double) {
     cost.seconds_per_sample *= kOfDouble;
   }
   return cost;
@@ -143,24 +148,25 @@ void Study::make_plan() {
       .settings = settings_, .budget_seconds = options_.budget_seconds, .size = options_.size};
   // The first render of a process is slower than later ones, so run it twice. If one trial alone
   // takes a good part of the time, guess the others.
-  WayCost own = try_way(own_);
+  ConfigurationCost own = try_configuration(own_);
   constexpr double kShareOfTrials = 0.1;
-  for (const Way& way : ways()) {
+  for (const Configuration& configuration : configurations()) {
     if (monitor_.cancel.load()) return;
     const double spent = options_.budget_seconds - seconds_left();
     const bool is_quick = spent < kShareOfTrials * options_.budget_seconds;
-    request.costs.push_back(is_quick ? try_way(way) : guess_way(way, own));
+    request.costs.push_back(is_quick ? try_configuration(configuration)
+                                     : guess_configuration(configuration, own));
   }
-  request.reference_way = own_;
-  request.reference_way.sampler = SamplerKind::Sobol;
+  request.reference_configuration = own_;
+  request.reference_configuration.sampler = SamplerKind::Sobol;
   // Sampled lights are not missed.
   if (!choose_lights(scene_, LightSampling::On).empty()) {
-    request.reference_way.light_sampling = LightSampling::On;
+    request.reference_configuration.light_sampling = LightSampling::On;
   }
   ledger_.plan = plan_study(request);
   // The trials extrapolate from a few pixels. One render at the planned size corrects them.
   const StudyTask task{.kind = StudyTask::Kind::Repeat,
-                       .way = own_,
+                       .configuration = own_,
                        .samples = static_cast<int>(kMinReplicatedSamples)};
   const double expected = ledger_.plan->seconds_of(task);
   constexpr double kShareOfCorrection = 0.05;
@@ -169,18 +175,19 @@ void Study::make_plan() {
     const auto result = rendered(own_, task.samples, settings_.seed);
     if (!result) return;
     const double factor = result->render_seconds / (expected - own.build_seconds);
-    for (WayCost& cost : request.costs) cost.seconds_per_sample *= factor;
+    for (ConfigurationCost& cost : request.costs) cost.seconds_per_sample *= factor;
     ledger_.plan = plan_study(request);
   }
   std::erase_if(ledger_.plan->depths, [&](int depth) {
-    Way way = own_;
-    way.depth = depth;
-    return !is_possible(way);
+    Configuration configuration = own_;
+    configuration.depth = depth;
+    return !is_possible(configuration);
   });
 }
 
-bool Study::is_possible(const Way& way) const {
-  return choose_kernel(scene_, settings_of(way, 8, settings_.seed), request_of(way))
+bool Study::is_possible(const Configuration& configuration) const {
+  return choose_kernel(scene_, settings_of(configuration, 8, settings_.seed),
+                       request_of(configuration))
       .refusal.empty();
 }
 
@@ -193,13 +200,13 @@ void Study::account() {
   if (observer_.on_progress) observer_.on_progress(ledger_);
 }
 
-std::optional<RenderResult> Study::rendered(const Way& way, int samples, std::uint64_t seed,
-                                            bool keeps_variance) {
-  RenderSettings settings = settings_of(way, samples, seed);
+std::optional<RenderResult> Study::rendered(const Configuration& configuration, int samples,
+                                            std::uint64_t seed, bool keeps_variance) {
+  RenderSettings settings = settings_of(configuration, samples, seed);
   settings.keeps_variance = keeps_variance;
   monitor_.samples_done = 0;
   monitor_.rays_done = 0;
-  RenderResult result = render(scene_, settings, monitor_, request_of(way));
+  RenderResult result = render(scene_, settings, monitor_, request_of(configuration));
   if (!result.is_complete) return std::nullopt;
   ledger_.nonfinite_samples += result.nonfinite_samples;
   return result;
@@ -207,7 +214,7 @@ std::optional<RenderResult> Study::rendered(const Way& way, int samples, std::ui
 
 bool Study::is_done(const StudyTask& task) const {
   const auto is_same = [&](const auto& done) {
-    return done.way == task.way && done.samples == task.samples;
+    return done.configuration == task.configuration && done.samples == task.samples;
   };
   const auto of_round = [&](const auto& probe) { return probe.round == task.round; };
   switch (task.kind) {
@@ -225,9 +232,9 @@ bool Study::is_done(const StudyTask& task) const {
 
 bool Study::run_reference(const StudyTask& task) {
   const std::uint64_t seed = settings_.seed + kReferenceSeed;
-  std::optional<RenderResult> result = rendered(task.way, task.samples, seed, true);
+  std::optional<RenderResult> result = rendered(task.configuration, task.samples, seed, true);
   if (!result) return false;
-  Reference reference{.way = task.way,
+  Reference reference{.configuration = task.configuration,
                       .samples = task.samples,
                       .seed = seed,
                       .seconds = seconds_of(*result),
@@ -244,16 +251,17 @@ bool Study::run_reference(const StudyTask& task) {
 }
 
 bool Study::run_point(const StudyTask& task) {
-  const std::optional<RenderResult> result = rendered(task.way, task.samples, settings_.seed);
+  const std::optional<RenderResult> result =
+      rendered(task.configuration, task.samples, settings_.seed);
   if (!result) return false;
-  ledger_.renders.push_back({.way = task.way,
+  ledger_.renders.push_back({.configuration = task.configuration,
                              .samples = task.samples,
                              .seconds = seconds_of(*result),
                              .camera_samples = result->camera_samples,
                              .rays = result->rays});
   if (task.kind == StudyTask::Kind::Repeat) return true;
   const Picture& picture = result->picture;
-  ledger_.evaluations.push_back({.way = task.way,
+  ledger_.evaluations.push_back({.configuration = task.configuration,
                                  .samples = task.samples,
                                  .error = error_against(picture, *reference_),
                                  .error_spread = error_spread(picture, *reference_),
@@ -262,7 +270,7 @@ bool Study::run_point(const StudyTask& task) {
                                  .scarce_emitters = result->scarce_emitters.size(),
                                  .cut_share = cut_share(*result)});
   if (observer_.on_picture) {
-    observer_.on_picture(task.way, task.samples, picture, *reference_);
+    observer_.on_picture(task.configuration, task.samples, picture, *reference_);
   }
   return true;
 }
@@ -295,23 +303,23 @@ bool Study::run_depths(const StudyTask& task) {
   std::vector<int> depths = ledger_.plan->depths;
   std::vector<DepthProbe> probes;
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    Way way = own_;
-    way.depth = depths[i];
-    const auto result = rendered(way, task.samples,
+    Configuration configuration = own_;
+    configuration.depth = depths[i];
+    const auto result = rendered(configuration, task.samples,
                                  settings_.seed + kProbeSeed + static_cast<unsigned>(task.round));
     if (!result) return false;
-    probes.push_back({.depth = way.depth,
+    probes.push_back({.depth = configuration.depth,
                       .round = task.round,
                       .mean = mean_radiance(result->picture),
                       .seconds = seconds_of(*result),
                       .cut_share = cut_share(*result)});
     // The first round goes on until no more light is found; the others use the same depths.
     if (task.round > 0 || i + 1 < depths.size() || depths_have_converged(probes)) continue;
-    if (way.depth > kMaxProbedDepth / 2) continue;
-    way.depth *= 2;
+    if (configuration.depth > kMaxProbedDepth / 2) continue;
+    configuration.depth *= 2;
     const double seconds = kProbeSeeds * 2 * probes.back().seconds;  // upper bound over all rounds
-    if (seconds > seconds_left() || !is_possible(way)) continue;
-    depths.push_back(way.depth);
+    if (seconds > seconds_left() || !is_possible(configuration)) continue;
+    depths.push_back(configuration.depth);
   }
   ledger_.plan->depths = std::move(depths);
   ledger_.depths.insert(ledger_.depths.end(), probes.begin(), probes.end());
@@ -320,10 +328,10 @@ bool Study::run_depths(const StudyTask& task) {
 
 bool Study::run_precisions(const StudyTask& task) {
   const std::uint64_t seed = settings_.seed + kProbeSeed + static_cast<unsigned>(task.round);
-  const WayCost* const other = ledger_.plan->other_precision();
+  const ConfigurationCost* const other = ledger_.plan->other_precision();
   const auto first = rendered(own_, task.samples, seed);
   if (!first) return false;
-  const auto second = rendered(other->way, task.samples, seed);
+  const auto second = rendered(other->configuration, task.samples, seed);
   if (!second) return false;
   ledger_.precisions.push_back(
       {.round = task.round,
@@ -390,12 +398,12 @@ void Study::run_longer() {
   while (!monitor_.cancel.load()) {
     int max_samples = 0;
     for (const Evaluation& evaluation : ledger_.evaluations) {
-      if (evaluation.way == own_) max_samples = std::max(max_samples, evaluation.samples);
+      if (evaluation.configuration == own_) max_samples = std::max(max_samples, evaluation.samples);
     }
     // Double the samples.
     int samples = static_cast<int>(kMinReplicatedSamples);
     while (samples <= max_samples) samples *= 2;
-    const StudyTask task{.way = own_, .samples = samples};
+    const StudyTask task{.configuration = own_, .samples = samples};
     const bool is_known = max_samples > 0 && 2 * samples <= ledger_.plan->reference_samples;
     if (!is_known || 1.2 * expected_seconds(task) > seconds_left()) return;
     if (!run_and_account(task)) return;
@@ -411,7 +419,7 @@ void Study::run_recommended() {
       const Measurement now = measurement();
       if (i >= now.recommendations.size() || now.recommendations[i].is_measured) break;
       const Recommendation& next = now.recommendations[i];
-      const StudyTask task{.way = next.way, .samples = next.samples};
+      const StudyTask task{.configuration = next.configuration, .samples = next.samples};
       if (is_done(task) || expected_seconds(task) > seconds_left()) break;
       if (!run_and_account(task)) return;
     }

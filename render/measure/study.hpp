@@ -20,7 +20,7 @@ namespace sdlc::render {
 
 /// A render of a point, for its time.
 struct TimedRender {
-  Way way{};
+  Configuration configuration{};
   int samples = 0;
   double seconds = 0;  ///< building and tracing
   std::uint64_t camera_samples = 0, rays = 0;
@@ -28,7 +28,7 @@ struct TimedRender {
 
 /// A picture that was compared with the reference.
 struct Evaluation {
-  Way way{};
+  Configuration configuration{};
   int samples = 0;
   Measured error{};
   double error_spread = 0;
@@ -80,7 +80,7 @@ struct StudyObserver {
   /// After a reference was rendered.
   std::function<void(const ReferencePicture& reference)> on_reference;
   /// For each picture of a point, once.
-  std::function<void(const Way& way, int samples, const Picture& picture,
+  std::function<void(const Configuration& configuration, int samples, const Picture& picture,
                      const ReferencePicture& reference)>
       on_picture;
   /// After the ledger has grown.
@@ -111,16 +111,18 @@ class Study {
   Measurement measurement() const;
 
  private:
-  RenderSettings settings_of(const Way& way, int samples, std::uint64_t seed) const;
-  KernelRequest request_of(const Way& way) const;
-  std::vector<Way> ways() const;
-  WayCost try_way(const Way& way);
+  RenderSettings settings_of(const Configuration& configuration, int samples,
+                             std::uint64_t seed) const;
+  KernelRequest request_of(const Configuration& configuration) const;
+  std::vector<Configuration> configurations() const;
+  ConfigurationCost try_configuration(const Configuration& configuration);
   /// From the trial of the own configuration.
-  WayCost guess_way(const Way& way, const WayCost& own) const;
+  ConfigurationCost guess_configuration(const Configuration& configuration,
+                                        const ConfigurationCost& own) const;
   void make_plan();
-  bool is_possible(const Way& way) const;
-  std::optional<RenderResult> rendered(const Way& way, int samples, std::uint64_t seed,
-                                       bool keeps_variance = false);
+  bool is_possible(const Configuration& configuration) const;
+  std::optional<RenderResult> rendered(const Configuration& configuration, int samples,
+                                       std::uint64_t seed, bool keeps_variance = false);
   bool is_done(const StudyTask& task) const;
   /// Returns false if cancelled.
   bool run_task(const StudyTask& task);
@@ -148,7 +150,7 @@ class Study {
   StudyLedger& ledger_;
   const StudyObserver& observer_;
   RenderMonitor& monitor_;
-  Way own_{};
+  Configuration own_{};
   std::optional<ReferencePicture> reference_{};
   double spent_before_ = 0;
   double predicted_ = 0, taken_ = 0;  // totals of this run

@@ -164,11 +164,12 @@ void mark_dominance(std::span<Point> points) {
   }
 }
 
-std::vector<Series> group_by_way(std::span<const Point> points) {
+std::vector<Series> group_by_configuration(std::span<const Point> points) {
   std::vector<Series> all;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    auto series = std::ranges::find(all, points[i].way, &Series::way);
-    if (series == all.end()) series = all.insert(all.end(), Series{.way = points[i].way});
+    auto series = std::ranges::find(all, points[i].configuration, &Series::configuration);
+    if (series == all.end())
+      series = all.insert(all.end(), Series{.configuration = points[i].configuration});
     series->points.push_back(i);
   }
   for (Series& series : all) {
@@ -226,7 +227,7 @@ std::optional<Recommendation> recommend(double goal, std::span<const Series> ser
   std::optional<SamplesForError> best;
   const Series* of_best = nullptr;
   for (const Series& candidate : series) {
-    if (candidate.way.depth != series.front().way.depth) continue;
+    if (candidate.configuration.depth != series.front().configuration.depth) continue;
     std::optional<SamplesForError> found = samples_for(goal, candidate, points);
     if (!found) continue;
     // Others have to be faster than the first by more than the noise of times.
@@ -237,7 +238,7 @@ std::optional<Recommendation> recommend(double goal, std::span<const Series> ser
   }
   if (!best) return std::nullopt;
   return Recommendation{.goal = goal,
-                        .way = of_best->way,
+                        .configuration = of_best->configuration,
                         .samples = best->samples,
                         .is_measured = best->is_measured,
                         .error = best->error,

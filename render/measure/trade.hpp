@@ -20,7 +20,7 @@ void mark_dominance(std::span<Point> points);
 /// least-squares line through the logarithms. Its confidence interval comes from the points'
 /// scatter about the line, which is not only noise, because Sobol' points converge in steps; for
 /// two points it is a typical value.
-std::vector<Series> group_by_way(std::span<const Point> points);
+std::vector<Series> group_by_configuration(std::span<const Point> points);
 
 /// The number of samples with which a series reaches an error.
 struct SamplesForError {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "render/scene/ball.hpp"
+#include "render/scene/bounding_sphere.hpp"
 #include "render/scene/camera_surface.hpp"
 #include "render/scene/ranges.hpp"
 #include "render/scene/suspects.hpp"
@@ -30,7 +30,7 @@ struct SeenInstance {
   double moves = 0;   // distance moved until the shutter closes
   double radius = 0;  // of its bounding sphere
 
-  SeenInstance(const Instance& instance, const Ball& bounds, const CameraFrame& frame)
+  SeenInstance(const Instance& instance, const BoundingSphere& bounds, const CameraFrame& frame)
       : away(moderate_length(frame.place(instance.placement.apply(bounds.center)))),
         moves(moderate_length(frame.size(instance.shift))),
         radius(frame.size(bounds.radius * instance.placement.scale)) {}
@@ -85,7 +85,7 @@ Scene without_instances(Scene scene) {
 InstanceExtremes extremes_of_instances(const Scene& scene, const CameraFrame& frame) {
   const InstanceExtremes none{.radius = kInfinity, .extent = 0, .distance = kInfinity};
   if (scene.instances.empty()) return none;
-  const std::vector<Ball> all_bounds = bounding_spheres(scene.prototypes);
+  const std::vector<BoundingSphere> all_bounds = bounding_spheres(scene.prototypes);
   std::vector<double> smallest;
   for (const Prototype& prototype : scene.prototypes) {
     smallest.push_back(smallest_radius(prototype));
@@ -127,7 +127,7 @@ InstanceExtremes extremes_of_instances(const Scene& scene, const CameraFrame& fr
 }
 
 double extent_of_instances(const Scene& scene, const CameraFrame& frame) {
-  const std::vector<Ball> all_bounds = bounding_spheres(scene.prototypes);
+  const std::vector<BoundingSphere> all_bounds = bounding_spheres(scene.prototypes);
   return largest_of(scene.instances.size(), 0, [&](std::size_t i) {
     const Instance& instance = scene.instances[i];
     return SeenInstance(instance, all_bounds[instance.prototype], frame).extent();
@@ -138,10 +138,10 @@ std::vector<InstancedSphere> find_instanced_under_camera(const Scene& scene) {
   std::vector<InstancedSphere> found;
   if (scene.instances.empty()) return found;
   const Rebase rebase(scene);
-  const std::vector<Ball> all_bounds = bounding_spheres(scene.prototypes);
+  const std::vector<BoundingSphere> all_bounds = bounding_spheres(scene.prototypes);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Prototype& prototype = scene.prototypes[scene.instances[i].prototype];
-    const Ball& bounds = all_bounds[scene.instances[i].prototype];
+    const BoundingSphere& bounds = all_bounds[scene.instances[i].prototype];
     // A moving sphere touches the camera only for an instant.
     if (scene.instances[i].shift != Vec3{}) continue;
     const Sphere around =

@@ -117,7 +117,7 @@ struct ScaleRatio {
 ScaleRatio measure_scale(const Scene& scene, const Camera& camera);
 
 /// The max ratio that double resolves.
-inline constexpr double kMostScaleInDouble = 0x1p53 / 2500;
+inline constexpr double kMaxScaleInDouble = 0x1p53 / 2500;
 
 /// Describes the bound in words such as "a hit is off by 0.3 of the smallest radius, where 0.01 is
 /// allowed".

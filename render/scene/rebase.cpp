@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/math/power_of_two.hpp"
-#include "render/scene/ball.hpp"
+#include "render/scene/bounding_sphere.hpp"
 #include "render/scene/instances.hpp"
 #include "render/scene/near_pairs.hpp"
 #include "render/scene/ranges.hpp"
@@ -29,10 +29,10 @@ int moderate_exponent(const Scene& scene, Vec3 camera) {
   });
   largest = largest_of(scene.shifts.size(), largest,
                        [&](std::size_t i) { return largest_part(scene.shifts[i]); });
-  const std::vector<Ball> all_bounds = bounding_spheres(scene.prototypes);
+  const std::vector<BoundingSphere> all_bounds = bounding_spheres(scene.prototypes);
   largest = largest_of(scene.instances.size(), largest, [&](std::size_t i) {
     const auto& [prototype, placement, shift] = scene.instances[i];
-    const Ball& bounds = all_bounds[prototype];
+    const BoundingSphere& bounds = all_bounds[prototype];
     return std::max({largest_part(placement.apply(bounds.center)), largest_part(shift),
                      bounds.radius * placement.scale});
   });
@@ -70,7 +70,7 @@ Rebase::Rebase(const Scene& scene, std::span<const std::uint32_t> left_out)
   second_ = power_of_two(e - e / 2);
 }
 
-Instance Rebase::instance(const Instance& from, const Ball& bounds) const noexcept {
+Instance Rebase::instance(const Instance& from, const BoundingSphere& bounds) const noexcept {
   const Placement& placement = from.placement;
   const int e = exponent_of(bounds.radius);
   const auto turned = [&](Vec3 column) { return scaled_by_power_of_two(shift(column), e); };
@@ -83,7 +83,7 @@ Instance Rebase::instance(const Instance& from, const Ball& bounds) const noexce
           .shift = shift(from.shift)};
 }
 
-void center_prototype(Prototype& prototype, const Ball& bounds) noexcept {
+void center_prototype(Prototype& prototype, const BoundingSphere& bounds) noexcept {
   const int e = -exponent_of(bounds.radius);
   for (Sphere& sphere : prototype.spheres) {
     sphere.center = scaled_by_power_of_two(sphere.center - bounds.center, e);
@@ -99,7 +99,7 @@ void rebase_to_camera(Scene& scene, std::span<const std::uint32_t> left_out) {
                  [&](std::size_t i) { scene.spheres[i] = rebase.sphere(scene.spheres[i]); });
   for_each_index(scene.shifts.size(),
                  [&](std::size_t i) { scene.shifts[i] = rebase.shift(scene.shifts[i]); });
-  const std::vector<Ball> all_bounds = bounding_spheres(scene.prototypes);
+  const std::vector<BoundingSphere> all_bounds = bounding_spheres(scene.prototypes);
   for_each_index(scene.instances.size(), [&](std::size_t i) {
     scene.instances[i] =
         rebase.instance(scene.instances[i], all_bounds[scene.instances[i].prototype]);

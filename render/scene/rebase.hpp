@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "render/scene/ball.hpp"
+#include "render/scene/bounding_sphere.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::render {
@@ -55,7 +55,7 @@ class Rebase {
   }
   /// The instance for the prototype after center_prototype(); `bounds` is the prototype's bounding
   /// sphere before that.
-  Instance instance(const Instance& from, const Ball& bounds) const noexcept;
+  Instance instance(const Instance& from, const BoundingSphere& bounds) const noexcept;
 
  private:
   double size(double v) const noexcept { return frame_.size(v) * first_ * second_; }
@@ -67,7 +67,7 @@ class Rebase {
 
 /// Moves the centre of a prototype's bounding sphere, `bounds`, to the origin and scales the
 /// prototype by a power of two, so that the bounding radius is in [1, 2).
-void center_prototype(Prototype& prototype, const Ball& bounds) noexcept;
+void center_prototype(Prototype& prototype, const BoundingSphere& bounds) noexcept;
 
 /// Moves the scene so that the camera is at the origin, and scales it by a power of two so that its
 /// extent E = max(|centre| + radius), over both ends of the shutter, is in [1, 2). The spheres

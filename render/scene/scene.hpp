@@ -96,7 +96,7 @@ enum class LightSampling : std::uint8_t {
 };
 
 /// The max camera paths per pixel if there is a goal and no explicit limit.
-inline constexpr int kMostSamples = 1 << 24;
+inline constexpr int kMaxSamples = 1 << 24;
 
 /// How the picture is rendered.
 struct RenderSettings {

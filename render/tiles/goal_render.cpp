@@ -15,7 +15,7 @@ namespace sdlc::render {
 bool has_unseen_error(const RenderResult& result, const EmitterTally& emitters) {
   if (!result.error || !emitters.is_counting()) return false;
   const double unseen = unseen_error(emitters.rare(), result.error->mean,
-                                     result.picture.pixels.size(), result.least_samples);
+                                     result.picture.pixels.size(), result.min_samples);
   return unseen > result.error->interval.to / 2;
 }
 
@@ -56,13 +56,13 @@ void GoalRender::report_progress(double share) {
 
 void GoalRender::estimate() {
   spreads_.resize(film_.size());
-  result_.least_samples = result_.most_samples = film_.samples(0);
+  result_.min_samples = result_.max_samples = film_.samples(0);
   for (std::size_t i = 1; i < film_.size(); ++i) {
     const std::uint64_t samples = film_.samples(i);
-    result_.least_samples = std::min(result_.least_samples, samples);
-    result_.most_samples = std::max(result_.most_samples, samples);
+    result_.min_samples = std::min(result_.min_samples, samples);
+    result_.max_samples = std::max(result_.max_samples, samples);
   }
-  const bool is_known = result_.least_samples >= kMinReplicatedSamples;
+  const bool is_known = result_.min_samples >= kMinReplicatedSamples;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film_.size(), 1024),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t i = range.begin(); i < range.end(); ++i) {
@@ -83,7 +83,7 @@ void GoalRender::run() {
   estimate();
   result_.has_reached_error =
       settings_.error && result_.error && result_.error->interval.to <= *settings_.error;
-  if (result_.least_samples != result_.most_samples) {
+  if (result_.min_samples != result_.max_samples) {
     result_.samples_of_pixels.resize(film_.size());
     for (std::size_t i = 0; i < film_.size(); ++i) {
       result_.samples_of_pixels[i] = static_cast<std::uint32_t>(film_.samples(i));
@@ -149,7 +149,7 @@ void GoalRender::run_adaptive() {
     if (!result_.error) return;
     const double left = result_.error->interval.to / *settings_.error;
     report_progress(1 / (left * left));
-    if (left <= 1 || result_.least_samples >= max_samples) return;
+    if (left <= 1 || result_.min_samples >= max_samples) return;
     // Scale all by the same factor: the error falls at least with the square root of the samples.
     const double factor = std::clamp(left * left, 1.02, 1.25);
     for (std::uint32_t& n : samples) {

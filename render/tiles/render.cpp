@@ -29,7 +29,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 void render_at_once(PictureTracer& tracer, const RenderSettings& settings,
                     const RenderMonitor& monitor, RenderResult& result) {
   const auto samples = static_cast<std::uint64_t>(settings.samples);
-  result.most_samples = samples;
+  result.max_samples = samples;
   const bool has_replicates = samples >= kMinReplicatedSamples;
   std::vector<PixelSpread> spreads(has_replicates ? result.picture.pixels.size() : 0);
   if (has_replicates && settings.keeps_variance) {
@@ -37,7 +37,7 @@ void render_at_once(PictureTracer& tracer, const RenderSettings& settings,
   }
   tracer.trace_at_once(result, spreads);
   if (monitor.cancel.load()) return;  // some pixels have no sample
-  result.least_samples = samples;
+  result.min_samples = samples;
   if (has_replicates) result.error = estimate_error(result.picture, spreads);
   if (settings.keeps_variance) result.spreads = std::move(spreads);
 }

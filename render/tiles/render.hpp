@@ -38,8 +38,8 @@ struct RenderResult {
   std::uint64_t truncated_paths = 0;
   std::uint64_t nonfinite_samples = 0;  ///< excluded from their pixel's sum; not 0 indicates a
                                         ///< defect
-  std::uint64_t least_samples = 0;      ///< of any pixel
-  std::uint64_t most_samples = 0;
+  std::uint64_t min_samples = 0;        ///< of any pixel
+  std::uint64_t max_samples = 0;
   bool has_reached_error = false;  ///< RenderSettings::error
   /// For a complete picture with at least 8 samples per pixel; nullopt if rare kinds of path may
   /// add more than half of the interval's upper end (unseen_error()).

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/scene/ball.hpp"
+#include "render/scene/bounding_sphere.hpp"
 #include "render/scene/instances.hpp"
 
 namespace sdlc::render {
@@ -25,7 +25,7 @@ void InstanceTable::add_row(const Placement& placement, std::uint32_t root_of_pr
 }
 
 Prototype instance_bounds(const Scene& scene) {
-  const std::vector<Ball> all_bounds = bounding_spheres(scene.prototypes);
+  const std::vector<BoundingSphere> all_bounds = bounding_spheres(scene.prototypes);
   const bool is_moving = std::ranges::any_of(
       scene.instances, [](const Instance& instance) { return instance.shift != Vec3{}; });
   // The error of a point on a ray is a few units of rounding times its distance, which is at most
@@ -34,7 +34,7 @@ Prototype instance_bounds(const Scene& scene) {
   Prototype all;
   all.spheres.reserve(scene.instances.size());
   for (const Instance& instance : scene.instances) {
-    const Ball& bounds = all_bounds[instance.prototype];
+    const BoundingSphere& bounds = all_bounds[instance.prototype];
     Sphere around = placed(instance, {.center = bounds.center, .radius = bounds.radius});
     around.radius += around.radius * kRelativeSlack + kSlack;
     all.spheres.push_back(around);

@@ -82,8 +82,8 @@ TEST_F(ChosenPrecision, IsThatOfTheBoundsForScenesOfManyScales) {
     add_sphere(scene, {0, 0.1, 0}, 0.1, diffuse(LinearRgb{0.5}));
     return measure_scale(scene, scene.camera).ratio;
   };
-  EXPECT_LT(most(1e11), render::kMostScaleInDouble);
-  EXPECT_GT(most(1e15), render::kMostScaleInDouble);
+  EXPECT_LT(most(1e11), render::kMaxScaleInDouble);
+  EXPECT_GT(most(1e15), render::kMaxScaleInDouble);
 }
 
 // A pixel may be narrow in only one direction.

@@ -144,7 +144,7 @@ TEST_P(Calibrated, AGoalIsMetAndHardlyMore) {
     EXPECT_TRUE(result.has_reached_error);
     calibration.add(result, goal);
     const double ratio = realised_error(result.picture) / goal;
-    needed += static_cast<double>(result.most_samples) * ratio * ratio;
+    needed += static_cast<double>(result.max_samples) * ratio * ratio;
   }
   EXPECT_GE(calibration.met, 90);
   EXPECT_NEAR(calibration.ratio / calibration.pictures, 1, 0.1);
@@ -189,10 +189,10 @@ TEST(Goal, GivesThePictureOfAsManySamples) {
   settings.error = 0.01;
   const RenderResult by_goal = rendered(settings);
   ASSERT_TRUE(by_goal.has_reached_error);
-  ASSERT_EQ(by_goal.least_samples, by_goal.most_samples);
-  ASSERT_GT(by_goal.least_samples, 100u);
+  ASSERT_EQ(by_goal.min_samples, by_goal.max_samples);
+  ASSERT_GT(by_goal.min_samples, 100u);
   settings.error.reset();
-  settings.samples = static_cast<int>(by_goal.most_samples);
+  settings.samples = static_cast<int>(by_goal.max_samples);
   const RenderResult by_samples = rendered(settings);
   EXPECT_EQ(by_goal.picture.pixels, by_samples.picture.pixels);
   EXPECT_EQ(by_goal.error->relative_error, by_samples.error->relative_error);

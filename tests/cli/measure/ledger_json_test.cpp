@@ -16,11 +16,11 @@ using render::StudyLedger;
 
 /// Every field with a different number.
 StudyLedger full_ledger() {
-  const render::Way way{.sampler = render::SamplerKind::Independent,
-                        .light_sampling = render::LightSampling::Off,
-                        .precision = render::Precision::Mixed,
-                        .depth = 7};
-  render::Way other = way;
+  const render::Configuration configuration{.sampler = render::SamplerKind::Independent,
+                                            .light_sampling = render::LightSampling::Off,
+                                            .precision = render::Precision::Mixed,
+                                            .depth = 7};
+  render::Configuration other = configuration;
   other.precision = render::Precision::Double;
   StudyLedger ledger{.precision_bound = "a \"bound\"",
                      .other_seconds = 0.1,
@@ -29,24 +29,32 @@ StudyLedger full_ledger() {
   ledger.plan = render::StudyPlan{
       .width = 4,
       .height = 3,
-      .costs = {{.way = way, .build_seconds = 0.25, .seconds_per_sample = 1e-7},
-                {.way = other, .refusal = "no"}},
-      .reference_way = way,
+      .costs = {{.configuration = configuration, .build_seconds = 0.25, .seconds_per_sample = 1e-7},
+                {.configuration = other, .refusal = "no"}},
+      .reference_configuration = configuration,
       .reference_samples = 512,
       .depths = {2, 7},
       .probe_samples = 8,
-      .tasks = {{.kind = render::StudyTask::Kind::Reference, .way = way, .samples = 512},
-                {.kind = render::StudyTask::Kind::Repeat, .way = way, .samples = 16, .round = 2}}};
-  ledger.reference = render::Reference{.way = way,
+      .tasks = {{.kind = render::StudyTask::Kind::Reference,
+                 .configuration = configuration,
+                 .samples = 512},
+                {.kind = render::StudyTask::Kind::Repeat,
+                 .configuration = configuration,
+                 .samples = 16,
+                 .round = 2}}};
+  ledger.reference = render::Reference{.configuration = configuration,
                                        .samples = 512,
                                        .seed = 1'000'003,
                                        .seconds = 2.5,
                                        .error = {0.01, {0.009, 0.011}},
                                        .mean_radiance = 0.7,
                                        .scarce_emitters = 1};
-  ledger.renders.push_back(
-      {.way = way, .samples = 16, .seconds = 0.3, .camera_samples = 192, .rays = 500});
-  ledger.evaluations.push_back({.way = way,
+  ledger.renders.push_back({.configuration = configuration,
+                            .samples = 16,
+                            .seconds = 0.3,
+                            .camera_samples = 192,
+                            .rays = 500});
+  ledger.evaluations.push_back({.configuration = configuration,
                                 .samples = 16,
                                 .error = {0.1, {0.09, 0.11}},
                                 .error_spread = 0.004,

@@ -29,17 +29,18 @@ Measured around(double value, double relative) {
 /// The cost and accuracy of a configuration: seconds and error of one sample, and the slope of the
 /// error.
 struct Law {
-  render::Way way;
+  render::Configuration configuration;
   double seconds, error, slope, bias;
 };
 
 void add_series(render::Measurement& measurement, const Law& law, int first, int count) {
-  render::Series series{.way = law.way, .points = {}, .slope = around(law.slope, -0.04)};
+  render::Series series{
+      .configuration = law.configuration, .points = {}, .slope = around(law.slope, -0.04)};
   for (int i = 0; i < count; ++i) {
     const int samples = first << (2 * i);
     const auto number = static_cast<std::uint32_t>(measurement.points.size());
     render::Point point;
-    point.way = law.way;
+    point.configuration = law.configuration;
     point.samples = samples;
     const double seconds = 0.05 + law.seconds * samples * (1 + 0.03 * noise(number));
     point.seconds = around(seconds, samples < 64 ? 0.12 : 0.04);
@@ -58,8 +59,9 @@ void add_series(render::Measurement& measurement, const Law& law, int first, int
                                     .y = 97,
                                     .channel = static_cast<int>(number % 3)}};
     point.flip = 0.6 * std::sqrt(error);
-    point.cut_share = law.way.depth > 8 ? 0.0004 : 0.031;
-    point.scarce_emitters = law.way.light_sampling == render::LightSampling::Off && samples < 64;
+    point.cut_share = law.configuration.depth > 8 ? 0.0004 : 0.031;
+    point.scarce_emitters =
+        law.configuration.light_sampling == render::LightSampling::Off && samples < 64;
     series.points.push_back(measurement.points.size());
     measurement.points.push_back(point);
   }
@@ -126,7 +128,7 @@ render::Measurement sample_measurement() {
   measurement.spent_seconds = 287;
   measurement.other_seconds = 0.034;
   measurement.is_complete = true;
-  measurement.reference = render::Reference{.way = {.light_sampling = On, .depth = 64},
+  measurement.reference = render::Reference{.configuration = {.light_sampling = On, .depth = 64},
                                             .samples = 65536,
                                             .seed = 8,
                                             .seconds = 141,
@@ -162,26 +164,26 @@ render::Measurement sample_measurement() {
       .seconds = 1.83,
       .bound = "a hit is off by 0.0021 of the smallest radius, where 0.01 is allowed"};
   measurement.recommendations = {{.goal = 0.05,
-                                  .way = measurement.own,
+                                  .configuration = measurement.own,
                                   .samples = 48,
                                   .error = around(0.0498, 0.05),
                                   .seconds = around(0.876, 0.06)},
                                  {.goal = 0.01,
-                                  .way = measurement.own,
+                                  .configuration = measurement.own,
                                   .samples = 1024,
                                   .is_measured = true,
                                   .error = around(0.0075, 0.05),
                                   .seconds = around(17.7, 0.05)},
                                  {.goal = 0.002,
-                                  .way = {.light_sampling = On, .depth = 16},
+                                  .configuration = {.light_sampling = On, .depth = 16},
                                   .samples = 7424,
                                   .error = around(0.00197, 0.05),
                                   .seconds = around(171, 0.05)}};
   measurement.main_recommendation = 1;
-  measurement.left_out = {{.way = measurement.series[2].way,
+  measurement.left_out = {{.configuration = measurement.series[2].configuration,
                            .samples = 4096,
                            .reason = "its render would take 65 s, and 13 s are left"},
-                          {.way = {.precision = render::Precision::Double},
+                          {.configuration = {.precision = render::Precision::Double},
                            .samples = 64,
                            .reason = "float and double are not distinguished"}};
   return measurement;
@@ -208,7 +210,7 @@ cli::Report sample_report(const render::Measurement& measurement) {
   for (std::size_t i = 0; i < 4; ++i) {
     const render::Point& point = measurement.points[i];
     against.points.push_back(
-        {.way = point.way,
+        {.configuration = point.configuration,
          .samples = point.samples,
          .error_before = around(point.error.value * (i == 2 ? 1.4 : 1.01), 0.06),
          .error_after = point.error,

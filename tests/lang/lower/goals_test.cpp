@@ -42,7 +42,7 @@ TEST(Goals, WithoutOneTheSamplesAreThoseOfTheSceneOrTheFlag) {
 
 TEST(Goals, TheSamplesOfASceneWithAnErrorAreItsMost) {
   EXPECT_EQ(settings_of("error: 3%").error, 0.03);
-  EXPECT_EQ(settings_of("error: 3%").samples, render::kMostSamples);
+  EXPECT_EQ(settings_of("error: 3%").samples, render::kMaxSamples);
   EXPECT_EQ(settings_of("error: 3%, samples: 64").samples, 64);
   EXPECT_EQ(settings_of("error: 3%, samples: 64").error, 0.03);
   EXPECT_EQ(settings_of("error: 3%, samples: 64", {.render = {{kSamples, 10}}}).samples, 10);
@@ -53,7 +53,7 @@ TEST(Goals, AnErrorByFlagTakesThePlaceOfTheScenesSamplesAndError) {
   const RenderSettings settings =
       settings_of("samples: 20, error: 3%", {.render = {{kError, 0.1}}});
   EXPECT_EQ(settings.error, 0.1);
-  EXPECT_EQ(settings.samples, render::kMostSamples);
+  EXPECT_EQ(settings.samples, render::kMaxSamples);
   EXPECT_EQ(settings.seconds, std::nullopt);
   EXPECT_EQ(settings_of("samples: 20", {.render = {{kSamples, 30}, {kError, 0.1}}}).samples, 30);
 }
@@ -62,7 +62,7 @@ TEST(Goals, ATimeByFlagTakesThePlaceOfTheScenesSamplesAndError) {
   const RenderSettings settings = settings_of("samples: 20, error: 3%", {.seconds = 5});
   EXPECT_EQ(settings.error, std::nullopt);
   EXPECT_EQ(settings.seconds, 5);
-  EXPECT_EQ(settings.samples, render::kMostSamples);
+  EXPECT_EQ(settings.samples, render::kMaxSamples);
   EXPECT_EQ(settings_of("samples: 20", {.render = {{kSamples, 30}}, .seconds = 5}).samples, 30);
 }
 
@@ -71,7 +71,7 @@ TEST(Goals, ErrorAndTimeByFlagAreBothKept) {
       settings_of("samples: 20", {.render = {{kError, 0.1}}, .seconds = 5});
   EXPECT_EQ(settings.error, 0.1);
   EXPECT_EQ(settings.seconds, 5);
-  EXPECT_EQ(settings.samples, render::kMostSamples);
+  EXPECT_EQ(settings.samples, render::kMaxSamples);
 }
 
 TEST(Goals, OnlyWithAnErrorIsARenderAdaptive) {

@@ -45,7 +45,7 @@ TEST(ErrorGoal, IsReachedWithHardlyMoreSamplesThanItTakes) {
 }
 
 TEST(ErrorGoal, FallsWithAPowerOfTheSamples) {
-  EXPECT_NEAR(least_error(0.08, 16), 0.01, 1e-12);
+  EXPECT_NEAR(min_error(0.08, 16), 0.01, 1e-12);
   EXPECT_NEAR(usual_growth(0.5), 3.374, 1e-3);
   EXPECT_EQ(usual_growth(1), 1);
 }

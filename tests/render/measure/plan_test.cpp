@@ -13,19 +13,20 @@ using render::StudyRequest;
 using render::StudyTask;
 using Kind = render::StudyTask::Kind;
 
-constexpr render::Way kOwn{};
+constexpr render::Configuration kOwn{};
 
 /// A megapixel; ten million samples take a second.
 StudyRequest request(double budget_seconds, double seconds_per_sample = 1e-7) {
   StudyRequest request{.settings = {.width = 1000, .height = 1000, .samples = 48},
-                       .reference_way = kOwn,
+                       .reference_configuration = kOwn,
                        .budget_seconds = budget_seconds};
-  render::Way independent = kOwn;
+  render::Configuration independent = kOwn;
   independent.sampler = render::SamplerKind::Independent;
-  render::Way twice = kOwn;
+  render::Configuration twice = kOwn;
   twice.precision = render::Precision::Double;
-  for (const render::Way& way : {kOwn, independent, twice}) {
-    request.costs.push_back({.way = way, .seconds_per_sample = seconds_per_sample});
+  for (const render::Configuration& configuration : {kOwn, independent, twice}) {
+    request.costs.push_back(
+        {.configuration = configuration, .seconds_per_sample = seconds_per_sample});
   }
   return request;
 }
@@ -36,7 +37,7 @@ double seconds_of(const StudyPlan& plan) {
   return sum;
 }
 
-int most_samples(const StudyPlan& plan) {
+int max_samples(const StudyPlan& plan) {
   int most = 0;
   for (const StudyTask& task : plan.tasks) {
     if (task.kind == Kind::Point) most = std::max(most, task.samples);
@@ -54,7 +55,7 @@ TEST(StudyPlan, FitsIntoItsBudgetAndUsesIt) {
 }
 
 TEST(StudyPlan, TakesMoreSamplesWithMoreTime) {
-  EXPECT_GT(most_samples(plan_study(request(3600))), most_samples(plan_study(request(200))));
+  EXPECT_GT(max_samples(plan_study(request(3600))), max_samples(plan_study(request(200))));
 }
 
 TEST(StudyPlan, MakesThePictureSmallerWhereTimeIsShort) {
@@ -62,7 +63,7 @@ TEST(StudyPlan, MakesThePictureSmallerWhereTimeIsShort) {
   EXPECT_LT(plan.width, 500);
   EXPECT_EQ(plan.width, plan.height);
   EXPECT_LE(seconds_of(plan), 10);
-  EXPECT_EQ(most_samples(plan), 64);
+  EXPECT_EQ(max_samples(plan), 64);
 }
 
 TEST(StudyPlan, UsesItsBudgetWhereThePictureIsSmaller) {
@@ -78,12 +79,12 @@ TEST(StudyPlan, BeginsWithAReferenceOfFourTimesTheMostSamples) {
   const StudyPlan plan = plan_study(request(600));
   EXPECT_EQ(plan.tasks.front().kind, Kind::Reference);
   EXPECT_EQ(plan.tasks.front().samples, plan.reference_samples);
-  EXPECT_GE(plan.reference_samples, 4 * most_samples(plan));
+  EXPECT_GE(plan.reference_samples, 4 * max_samples(plan));
 }
 
 TEST(StudyPlan, HasTheScenesOwnSamplesToo) {
   const StudyPlan plan = plan_study(request(600));
-  const StudyTask own{.way = kOwn, .samples = 48};
+  const StudyTask own{.configuration = kOwn, .samples = 48};
   EXPECT_EQ(std::ranges::count(plan.tasks, own), 1);
 }
 
@@ -99,7 +100,7 @@ TEST(StudyPlan, PlansNothingOfWhatIsRefused) {
   refused.costs[2].refusal = "--precision double: no";
   const StudyPlan plan = plan_study(refused);
   for (const StudyTask& task : plan.tasks) {
-    EXPECT_NE(task.way.precision, render::Precision::Double);
+    EXPECT_NE(task.configuration.precision, render::Precision::Double);
     EXPECT_NE(task.kind, Kind::Precisions);
   }
 }
@@ -128,17 +129,17 @@ TEST(StudyPlan, SpreadsRepeatsOverTheWholeTime) {
 
 TEST(StudyPlan, RendersFewerThingsWhereBuildingTakesMostOfTheTime) {
   StudyRequest heavy = request(60);
-  for (render::WayCost& cost : heavy.costs) cost.build_seconds = 1.5;
+  for (render::ConfigurationCost& cost : heavy.costs) cost.build_seconds = 1.5;
   const StudyPlan lean = plan_study(heavy);
   EXPECT_LE(seconds_of(lean), 60);
   EXPECT_LT(lean.tasks.size(), 10u);
   EXPECT_GT(lean.width, 250) << "not at the price of a picture of nothing";
-  const bool has_others =
-      std::ranges::any_of(lean.tasks, [](const StudyTask& task) { return task.way != kOwn; });
+  const bool has_others = std::ranges::any_of(
+      lean.tasks, [](const StudyTask& task) { return task.configuration != kOwn; });
   EXPECT_TRUE(has_others);
 
-  for (render::WayCost& cost : heavy.costs) cost.build_seconds = 100;
-  for (const StudyTask& task : plan_study(heavy).tasks) EXPECT_EQ(task.way, kOwn);
+  for (render::ConfigurationCost& cost : heavy.costs) cost.build_seconds = 100;
+  for (const StudyTask& task : plan_study(heavy).tasks) EXPECT_EQ(task.configuration, kOwn);
 }
 
 TEST(StudyPlan, HoldsForAPictureOfOnePixel) {

@@ -9,14 +9,15 @@ inline render::Measured measured(double value, double share) {
 }
 
 /// A point whose intervals are ±2 %.
-inline render::Point point(int samples, double seconds, double error, render::Way way = {}) {
-  return {.way = way,
+inline render::Point point(int samples, double seconds, double error,
+                           render::Configuration configuration = {}) {
+  return {.configuration = configuration,
           .samples = samples,
           .timings = {seconds},
           .seconds = measured(seconds, 0.02),
           .error = measured(error, 0.02)};
 }
 
-inline const render::Way kIndependent{.sampler = render::SamplerKind::Independent};
+inline const render::Configuration kIndependent{.sampler = render::SamplerKind::Independent};
 
 }  // namespace sdlc::test

@@ -24,19 +24,22 @@ constexpr render::StudyOptions kOptions{.budget_seconds = 600};
 /// A ledger with a plan of so few samples that it takes about a second on any machine.
 StudyLedger short_ledger() {
   StudyLedger ledger;
-  render::Way own{.precision = render::Precision::Float, .depth = 6};
-  render::StudyRequest request{
-      .settings = kSettings, .reference_way = own, .budget_seconds = kOptions.budget_seconds};
+  render::Configuration own{.precision = render::Precision::Float, .depth = 6};
+  render::StudyRequest request{.settings = kSettings,
+                               .reference_configuration = own,
+                               .budget_seconds = kOptions.budget_seconds};
   // So slow that 64 samples are the maximum.
   const double seconds_per_sample = 0.5;
-  request.costs.push_back({.way = own, .seconds_per_sample = seconds_per_sample / (24 * 16)});
-  render::Way independent = own;
+  request.costs.push_back(
+      {.configuration = own, .seconds_per_sample = seconds_per_sample / (24 * 16)});
+  render::Configuration independent = own;
   independent.sampler = render::SamplerKind::Independent;
   request.costs.push_back(
-      {.way = independent, .seconds_per_sample = seconds_per_sample / (24 * 16)});
-  render::Way exact = own;
+      {.configuration = independent, .seconds_per_sample = seconds_per_sample / (24 * 16)});
+  render::Configuration exact = own;
   exact.precision = render::Precision::Double;
-  request.costs.push_back({.way = exact, .seconds_per_sample = seconds_per_sample / (24 * 16)});
+  request.costs.push_back(
+      {.configuration = exact, .seconds_per_sample = seconds_per_sample / (24 * 16)});
   ledger.plan = plan_study(request);
   // Without repetitions, whose number depends on timing.
   std::erase_if(ledger.plan->tasks, [](const render::StudyTask& task) {
@@ -62,7 +65,7 @@ class StudyTest : public testing::Test {
 
   static Point point_of(const Measurement& measurement, const render::StudyTask& task) {
     const auto found = std::ranges::find_if(measurement.points, [&](const Point& point) {
-      return point.way == task.way && point.samples == task.samples;
+      return point.configuration == task.configuration && point.samples == task.samples;
     });
     EXPECT_NE(found, measurement.points.end()) << describe(task);
     return found != measurement.points.end() ? *found : Point{};
@@ -83,7 +86,7 @@ TEST_F(StudyTest, MeasuresEveryPointOfItsPlan) {
   ASSERT_TRUE(result.reference);
   EXPECT_TRUE(result.left_out.empty());
   ASSERT_GE(result.series.size(), 3u);
-  EXPECT_EQ(result.series[0].way, result.own);
+  EXPECT_EQ(result.series[0].configuration, result.own);
   for (const Point& point : result.points) {
     EXPECT_GT(point.seconds.value, 0);
     EXPECT_GT(point.error.value, 0);
@@ -209,7 +212,7 @@ TEST_F(StudyTest, SaysWhatThereWasNoTimeFor) {
 
 TEST_F(StudyTest, RecommendsForTheFullSizeWhereASmallerPictureWasMeasured) {
   StudyLedger ledger = short_ledger();
-  for (render::WayCost& cost : ledger.plan->costs) cost.build_seconds = 1000;
+  for (render::ConfigurationCost& cost : ledger.plan->costs) cost.build_seconds = 1000;
   run(ledger);
   for (render::TimedRender& render : ledger.renders) render.seconds += 1000;
   ledger.other_seconds = 50;

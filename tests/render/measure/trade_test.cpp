@@ -55,7 +55,7 @@ TEST(Standings, WhatIsClearlySlowerAndHardlyNearerIsNotDistinguished) {
 TEST(SeriesOfAWay, HaveTheSlopeOfTheirLine) {
   std::vector<Point> points = sobol_points();
   points.push_back(point(16, 1, 0.3, kIndependent));
-  const std::vector<Series> series = group_by_way(points);
+  const std::vector<Series> series = group_by_configuration(points);
   ASSERT_EQ(series.size(), 2u);
   ASSERT_TRUE(series[0].slope);
   EXPECT_NEAR(series[0].slope->value, -0.75, 1e-12);
@@ -66,14 +66,15 @@ TEST(SeriesOfAWay, HaveTheSlopeOfTheirLine) {
 TEST(SeriesOfAWay, SayHowFarTheirPointsAreFromTheLine) {
   std::vector<Point> points = sobol_points();
   points[1].error = measured(points[1].error.value * 1.3, 0.02);
-  const Series series = group_by_way(points).front();
+  const Series series = group_by_configuration(points).front();
   EXPECT_LT(series.slope->interval.from, -0.8);
   EXPECT_GT(series.slope->interval.to, -0.7);
 }
 
 TEST(SamplesForAnError, AreMeasuredWhereAPointHasItAlready) {
   const std::vector<Point> points = sobol_points();
-  const auto found = samples_for(points[0].error.interval.to, group_by_way(points).front(), points);
+  const auto found =
+      samples_for(points[0].error.interval.to, group_by_configuration(points).front(), points);
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->is_measured);
   EXPECT_EQ(found->samples, 8);
@@ -82,7 +83,7 @@ TEST(SamplesForAnError, AreMeasuredWhereAPointHasItAlready) {
 TEST(SamplesForAnError, AreBetweenPointsOnTheLineThroughThem) {
   const std::vector<Point> points = sobol_points();
   // 8 (.4 / .1)^(4/3) = 50.8 for the error itself, 52 for the interval's upper end.
-  const auto found = samples_for(0.1, group_by_way(points).front(), points);
+  const auto found = samples_for(0.1, group_by_configuration(points).front(), points);
   ASSERT_TRUE(found);
   EXPECT_FALSE(found->is_measured);
   EXPECT_EQ(found->samples, 56) << "the next of 4, 5, 6, 7 times a power of two";
@@ -93,7 +94,7 @@ TEST(SamplesForAnError, AreBetweenPointsOnTheLineThroughThem) {
 
 TEST(SamplesForAnError, AreBeyondThePointsByTheSlopeAndNotForEver) {
   const std::vector<Point> points = sobol_points();
-  const Series series = group_by_way(points).front();
+  const Series series = group_by_configuration(points).front();
   const double last = points.back().error.value;
   const auto found = samples_for(last / 4, series, points);
   ASSERT_TRUE(found);
@@ -105,7 +106,7 @@ TEST(SamplesForAnError, AreBeyondThePointsByTheSlopeAndNotForEver) {
 
 TEST(SeriesOfAWay, HaveAnUncertainSlopeOfTwoPoints) {
   const std::vector<Point> points{point(16, 1, 0.1), point(64, 4, 0.05)};
-  const Series series = group_by_way(points).front();
+  const Series series = group_by_configuration(points).front();
   ASSERT_TRUE(series.slope);
   EXPECT_NEAR(series.slope->value, -0.5, 1e-12);
   EXPECT_LT(series.slope->interval.from, -0.6) << "not exact, though no point is off the line";
@@ -114,12 +115,13 @@ TEST(SeriesOfAWay, HaveAnUncertainSlopeOfTwoPoints) {
 
 TEST(Recommendations, KnowAWayOfTwoPointsBeyondThem) {
   std::vector<Point> points{point(8, 1, 0.4), point(32, 4, 0.2), point(128, 16, 0.1)};
-  const render::Way lights{.light_sampling = render::LightSampling::On};
+  const render::Configuration lights{.light_sampling = render::LightSampling::On};
   points.push_back(point(16, 3, 0.02, lights));
   points.push_back(point(64, 12, 0.01, lights));
-  const auto found = recommend(0.008, group_by_way(points), points, render::NoiseOfTime({}));
+  const auto found =
+      recommend(0.008, group_by_configuration(points), points, render::NoiseOfTime({}));
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->way, lights);
+  EXPECT_EQ(found->configuration, lights);
   EXPECT_FALSE(found->is_measured);
   EXPECT_GT(found->samples, 100) << "64 (.01 / .008)² = 100, and more to be sure";
   EXPECT_LT(found->samples, 400);
@@ -127,12 +129,12 @@ TEST(Recommendations, KnowAWayOfTwoPointsBeyondThem) {
 
 TEST(SamplesForAnError, DoNotComeOfASeriesThatStandsStill) {
   std::vector<Point> points{point(8, 1, 0.1), point(32, 2, 0.1), point(128, 3, 0.1)};
-  EXPECT_FALSE(samples_for(0.01, group_by_way(points).front(), points));
+  EXPECT_FALSE(samples_for(0.01, group_by_configuration(points).front(), points));
 }
 
 TEST(SamplesForAnError, OfAPictureWithoutNoiseAreThoseOfItsPoint) {
   std::vector<Point> points{point(8, 1, 0.1), point(32, 2, 0)};
-  const auto found = samples_for(0.01, group_by_way(points).front(), points);
+  const auto found = samples_for(0.01, group_by_configuration(points).front(), points);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->samples, 32);
   EXPECT_TRUE(found->is_measured);
@@ -147,13 +149,13 @@ TEST(Goals, AreRoundErrorsThatThePointsReach) {
 
 TEST(Recommendations, TakeTheQuickestWay) {
   std::vector<Point> points{point(8, 1, 0.1), point(32, 4, 0.05)};
-  const render::Way lights{.light_sampling = render::LightSampling::On};
+  const render::Configuration lights{.light_sampling = render::LightSampling::On};
   points.push_back(point(8, 1.5, 0.04, lights));
-  const auto series = group_by_way(points);
+  const auto series = group_by_configuration(points);
   const render::NoiseOfTime noise({});
   const auto found = recommend(0.055, series, points, noise);
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->way, lights);
+  EXPECT_EQ(found->configuration, lights);
   EXPECT_EQ(found->samples, 8);
   EXPECT_TRUE(found->is_measured);
   EXPECT_DOUBLE_EQ(found->seconds.value, 1.5);
@@ -164,17 +166,19 @@ TEST(Recommendations, TakeTheQuickestWay) {
 TEST(Recommendations, KeepTheScenesOwnWayWhereNoOtherIsClearlyQuicker) {
   std::vector<Point> points{point(8, 1, 0.1), point(32, 4, 0.05)};
   points.push_back(point(32, 3.9, 0.05, kIndependent));
-  const auto found = recommend(0.055, group_by_way(points), points, render::NoiseOfTime({}));
+  const auto found =
+      recommend(0.055, group_by_configuration(points), points, render::NoiseOfTime({}));
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->way, render::Way{});
+  EXPECT_EQ(found->configuration, render::Configuration{});
 }
 
 TEST(Recommendations, NeverChangeTheDepth) {
-  const render::Way shallow{.depth = 4};
+  const render::Configuration shallow{.depth = 4};
   const std::vector<Point> points{point(32, 4, 0.05), point(32, 1, 0.05, shallow)};
-  const auto found = recommend(0.055, group_by_way(points), points, render::NoiseOfTime({}));
+  const auto found =
+      recommend(0.055, group_by_configuration(points), points, render::NoiseOfTime({}));
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->way, render::Way{});
+  EXPECT_EQ(found->configuration, render::Configuration{});
 }
 
 }  // namespace

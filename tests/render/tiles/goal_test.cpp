@@ -59,7 +59,7 @@ TEST(GoalForTheError, EndsWithTheMostSamplesAndSaysSo) {
       settings.is_adaptive = is_adaptive;
       settings.samples = most;
       const RenderResult result = rendered(sphere_under_the_sky(), settings);
-      EXPECT_EQ(result.most_samples, static_cast<std::uint64_t>(most));
+      EXPECT_EQ(result.max_samples, static_cast<std::uint64_t>(most));
       EXPECT_FALSE(result.has_reached_error);
       EXPECT_EQ(result.error.has_value(), most >= 8);
     }
@@ -72,7 +72,7 @@ TEST(GoalForTheError, IsReachedAtOnceWhereThereIsNoNoise) {
   const RenderResult black =
       rendered(test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{0}), settings);
   EXPECT_TRUE(black.has_reached_error);
-  EXPECT_LE(black.most_samples, 32u);
+  EXPECT_LE(black.max_samples, 32u);
   EXPECT_EQ(black.error->relative_error, 0);
   settings.width = settings.height = 1;
   EXPECT_TRUE(
@@ -119,7 +119,7 @@ TEST(GoalForTheError, IsNotReachedWhereNoPathFoundACaustic) {
     const RenderResult result = rendered(scene, settings);
     EXPECT_EQ(result.sampled_lights, 1u);
     EXPECT_FALSE(result.has_reached_error);
-    EXPECT_EQ(result.most_samples, 256u);
+    EXPECT_EQ(result.max_samples, 256u);
     EXPECT_NE(result.error.has_value(), !result.rare_paths.empty());
     // The error of the same picture without a goal is also unknown.
     settings.error.reset();
@@ -173,7 +173,7 @@ TEST(GoalForTime, GivesEveryPixelASampleHoweverShortItIs) {
   settings.seconds = 1e-9;
   const RenderResult result = rendered(sphere_under_the_sky(), settings);
   EXPECT_TRUE(result.is_complete);
-  EXPECT_EQ(result.least_samples, 1u);
+  EXPECT_EQ(result.min_samples, 1u);
   EXPECT_EQ(result.camera_samples, 40u * 30);
   EXPECT_FALSE(result.error);
 }
@@ -188,7 +188,7 @@ TEST(GoalForTime, CountsTheSamplesOfEachPixel) {
   std::uint64_t samples = 0;
   const std::size_t pixels = result.picture.pixels.size();
   for (std::size_t i = 0; i < pixels; ++i) {
-    samples += result.samples_of_pixels.empty() ? result.most_samples : result.samples_of_pixels[i];
+    samples += result.samples_of_pixels.empty() ? result.max_samples : result.samples_of_pixels[i];
   }
   EXPECT_EQ(samples, result.camera_samples);
   EXPECT_EQ(result.variance.pixels.size(), result.error ? pixels : 0);
@@ -208,7 +208,7 @@ TEST(Goals, EndSoonWhenTheyAreCancelled) {
     const RenderResult result = render(sphere_under_the_sky(), settings, monitor);
     canceller.join();
     EXPECT_FALSE(result.is_complete);
-    EXPECT_GE(result.least_samples, 32u);
+    EXPECT_GE(result.min_samples, 32u);
     for (const LinearRgb& pixel : result.picture.pixels) EXPECT_FALSE(is_black(pixel));
   }
 }
@@ -217,7 +217,7 @@ TEST(Render, TellsOfNoSamplesThatACancelledRenderDoesNotHave) {
   RenderMonitor monitor;
   monitor.on_tracing = [&] { monitor.cancel = true; };
   const RenderResult result = render(sphere_under_the_sky(), kSmall, monitor);
-  EXPECT_EQ(result.least_samples, 0u);
+  EXPECT_EQ(result.min_samples, 0u);
   EXPECT_FALSE(result.error);
 }
 

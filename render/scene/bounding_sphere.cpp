@@ -1,4 +1,4 @@
-#include "render/scene/ball.hpp"
+#include "render/scene/bounding_sphere.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -17,7 +17,7 @@ Vec3 closing(const Prototype& prototype, std::size_t i) noexcept {
 
 }  // namespace
 
-Ball ball_around(const Prototype& prototype) noexcept {
+BoundingSphere bounding_sphere(const Prototype& prototype) noexcept {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Vec3 low{kInfinity, kInfinity, kInfinity}, high = -low;
   const auto take = [&](Vec3 p) {
@@ -28,7 +28,7 @@ Ball ball_around(const Prototype& prototype) noexcept {
     take(prototype.spheres[i].center);
     take(closing(prototype, i));
   }
-  Ball bounds{.center = low * 0.5 + high * 0.5, .radius = 0};
+  BoundingSphere bounds{.center = low * 0.5 + high * 0.5, .radius = 0};
   for (std::size_t i = 0; i < prototype.spheres.size(); ++i) {
     const double from_center =
         std::max(moderate_length(prototype.spheres[i].center - bounds.center),
@@ -38,10 +38,10 @@ Ball ball_around(const Prototype& prototype) noexcept {
   return bounds;
 }
 
-std::vector<Ball> bounding_spheres(const std::vector<Prototype>& prototypes) {
-  std::vector<Ball> all_bounds;
+std::vector<BoundingSphere> bounding_spheres(const std::vector<Prototype>& prototypes) {
+  std::vector<BoundingSphere> all_bounds;
   all_bounds.reserve(prototypes.size());
-  for (const Prototype& prototype : prototypes) all_bounds.push_back(ball_around(prototype));
+  for (const Prototype& prototype : prototypes) all_bounds.push_back(bounding_sphere(prototype));
   return all_bounds;
 }
 

@@ -10,12 +10,13 @@ namespace {
 using enum render::SamplerKind;
 using enum render::LightSampling;
 using enum render::Precision;
-using render::Way;
+using render::Configuration;
 
 TEST(RenderFlags, SayWhatDiffersFromTheScenesOwn) {
-  const Way own{.sampler = Sobol, .light_sampling = Auto, .precision = Float, .depth = 16};
+  const Configuration own{
+      .sampler = Sobol, .light_sampling = Auto, .precision = Float, .depth = 16};
   const struct {
-    Way own, way;
+    Configuration own, configuration;
     const char* flags;
   } cases[] = {
       {own, own, "--samples 64"},
@@ -33,32 +34,34 @@ TEST(RenderFlags, SayWhatDiffersFromTheScenesOwn) {
        {.sampler = Independent, .light_sampling = On, .precision = Double, .depth = 4},
        "--samples 64 --sampler independent --light-sampling on --precision double --depth 4"},
   };
-  for (const auto& [of, way, flags] : cases) {
+  for (const auto& [of, configuration, flags] : cases) {
     render::Measurement measurement;
     measurement.own = of;
-    EXPECT_EQ(render_flags(measurement, way, 64), flags);
+    EXPECT_EQ(render_flags(measurement, configuration, 64), flags);
   }
 }
 
 TEST(DescribeWay, NamesAllOfIt) {
-  EXPECT_EQ(describe_way({.sampler = Sobol, .light_sampling = On, .precision = Float, .depth = 16}),
+  EXPECT_EQ(describe_configuration(
+                {.sampler = Sobol, .light_sampling = On, .precision = Float, .depth = 16}),
             "Sobol', light sampling on, float, depth 16");
-  EXPECT_EQ(describe_way({.sampler = Independent, .precision = Mixed, .depth = 4}),
+  EXPECT_EQ(describe_configuration({.sampler = Independent, .precision = Mixed, .depth = 4}),
             "independent, light sampling auto, mixed, depth 4");
 }
 
 TEST(DescribeWay, AmongOthersLeavesOutWhatAllShare) {
   render::Measurement measurement;
-  const auto add = [&](Way way) {
-    measurement.series.push_back({.way = way, .points = {}, .slope = {}});
+  const auto add = [&](Configuration configuration) {
+    measurement.series.push_back({.configuration = configuration, .points = {}, .slope = {}});
   };
   add({.sampler = Sobol});
-  EXPECT_EQ(describe_way(measurement, measurement.series[0].way),
+  EXPECT_EQ(describe_configuration(measurement, measurement.series[0].configuration),
             "Sobol', light sampling auto, float, depth 16");
   add({.sampler = Independent});
-  EXPECT_EQ(describe_way(measurement, measurement.series[0].way), "Sobol'");
+  EXPECT_EQ(describe_configuration(measurement, measurement.series[0].configuration), "Sobol'");
   add({.sampler = Sobol, .depth = 4});
-  EXPECT_EQ(describe_way(measurement, measurement.series[2].way), "Sobol', depth 4");
+  EXPECT_EQ(describe_configuration(measurement, measurement.series[2].configuration),
+            "Sobol', depth 4");
 }
 
 }  // namespace

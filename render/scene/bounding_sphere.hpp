@@ -8,11 +8,11 @@
 namespace sdlc::render {
 
 /// The bounding sphere of all spheres of a prototype, over the whole shutter.
-struct Ball {
+struct BoundingSphere {
   Vec3 center;
   double radius = 0;
 };
-Ball ball_around(const Prototype& prototype) noexcept;
-std::vector<Ball> bounding_spheres(const std::vector<Prototype>& prototypes);
+BoundingSphere bounding_sphere(const Prototype& prototype) noexcept;
+std::vector<BoundingSphere> bounding_spheres(const std::vector<Prototype>& prototypes);
 
 }  // namespace sdlc::render
