@@ -66,7 +66,7 @@ std::string points_table(const render::Measurement& measurement) {
 }
 
 std::string left_out_table(const render::Measurement& measurement) {
-  HtmlTable table("What was left out", "#Samples|Way|Why");
+  HtmlTable table("What was left out", "#Samples|Configuration|Why");
   for (const render::LeftOut& left : measurement.left_out) {
     table.row()
         .cell(left.samples > 0 ? format_whole(static_cast<std::uint64_t>(left.samples)) : "all")
