@@ -48,7 +48,7 @@ Evaluator::Evaluator(Program& program, const EvaluationOptions& options, Diagnos
     : program_(program),
       options_(options),
       sink_(sink),
-      most_steps_(std::min(options.steps.value_or(program.limits().steps), kMaxSteps)) {
+      max_steps_(std::min(options.steps.value_or(program.limits().steps), kMaxSteps)) {
   sink_.set_chain(this);
   find_settings();
   evaluate_all_globals(Globals::TimeFree);
@@ -57,12 +57,12 @@ Evaluator::Evaluator(Program& program, const EvaluationOptions& options, Diagnos
     const double time = options_.frame.value_or(animation_->first) / animation_->fps;
     times_ = {time, time};
   }
-  // What the shutter is made of is wanted at the frame's own time. That is a time at which nothing
-  // else may be asked for, so that nothing is wrong with what has no value then.
+  // The shutter is evaluated at the frame's own time. Other values may have none at that time, so
+  // the sink is muted.
   sink_.set_muted(true);
-  const auto before = std::tuple(steps_, most_steps_, has_given_up_);
+  const auto before = std::tuple(steps_, max_steps_, has_given_up_);
   evaluate_all_globals(Globals::TimeDependent);
-  std::tie(steps_, most_steps_, has_given_up_) = before;  // of a limit everybody is to be told
+  std::tie(steps_, max_steps_, has_given_up_) = before;  // a limit is reported in the second run
   sink_.set_muted(false);
   find_shutter();
   evaluate_all_globals(Globals::TimeDependent);
@@ -74,7 +74,7 @@ Evaluator::~Evaluator() { sink_.set_chain(nullptr); }
 // The chain
 
 std::vector<ChainLink> Evaluator::chain() const {
-  // Of a deep recursion the two ends tell enough.
+  // Of a deep recursion, show the two ends.
   constexpr std::ptrdiff_t kMaxLinksAtAnEnd = 5;
   std::vector<ChainLink> links;
   for (auto step = steps_inside_.rbegin(); step != steps_inside_.rend(); ++step) {
@@ -301,7 +301,7 @@ Evaluator::Varying Evaluator::with_setting(std::uint32_t index, Varying value) {
   return {};
 }
 
-/// A default that is written out is of the parameter's type, whether or not a call ever needs it.
+/// A literal default must have the parameter's type, even if no call needs it.
 void Evaluator::check_defaults() {
   for (std::uint32_t i = 0; i < program_.module_count(); ++i) {
     const Module& file = program_.module(i);

@@ -23,8 +23,8 @@
 
 namespace sdlc::lang {
 
-/// Runs code. Expressions recur as deep as the tree does, which the parser has limited, and into
-/// functions and kinds of the file's own, which kMaxCalls limits.
+/// Runs code. Expressions recur as deep as the tree, which the parser limits, and into user-defined
+/// functions and kinds, which kMaxCalls limits.
 class Evaluator final : public ChainSource {
  public:
   Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink);
@@ -32,7 +32,7 @@ class Evaluator final : public ChainSource {
 
   const std::optional<Animation>& animation() const { return animation_; }
   void run(ObjectSink& objects);
-  /// Steps that no sphere has allowed for.
+  /// Steps beyond those that spheres allow for.
   std::uint64_t steps() const noexcept;
 
   std::vector<ChainLink> chain() const override;
@@ -42,7 +42,7 @@ class Evaluator final : public ChainSource {
   struct Varying {
     std::array<Value, 2> values = {};
     bool reads_time = false;  ///< depends on the time
-    bool varies = false;      ///< and the shutter is open: the second value holds
+    bool varies = false;      ///< and the shutter is open: the second value is set
   };
 
   /// A step into what is being evaluated.
@@ -73,7 +73,7 @@ class Evaluator final : public ChainSource {
   void evaluate_globals(std::uint32_t module, Globals which);
   void evaluate_all_globals(Globals which);
   Varying evaluate_global(std::uint32_t module, std::uint32_t index);
-  /// The param's value, or that of --set in its place.
+  /// The value of --set if there is one, else the param's.
   Varying with_setting(std::uint32_t index, Varying value);
   void run_settings();
   void run_file(std::uint32_t module);
@@ -86,29 +86,29 @@ class Evaluator final : public ChainSource {
   void run_assert(const Code& code, const Statement& statement);
   void run_group(const Code& code, const Statement& statement);
   void run_instance(const Code& code, const Statement& statement);
-  /// The steps of placing object_, a group that has been read.
+  /// Takes the steps of placing object_, a group.
   void take_rotation();
-  /// What tells the contents of an instance, whose arguments stand in the frame from `base` on,
-  /// from those of other instances of its def; nothing: it is not to be remembered.
+  /// The key of the contents of an instance among those of its def. Its arguments are in the frame
+  /// from `base`. nullopt: the contents are not memoized.
   std::optional<std::string> identify_contents(InstanceMemo::Def def, std::size_t base,
                                                std::span<const std::uint32_t> arguments) const;
   void run_include(const Code& code, const Statement& statement);
-  /// Whether the file is being run already, which is reported.
+  /// Whether the file includes itself through others, which is reported.
   bool is_in_circle(const Code& code, const Statement& statement, std::uint32_t file);
   void run_object(const Code& code, const Statement& statement);
-  /// Makes object_ of the pairs of property and expression.
+  /// Fills object_ from pairs of property and expression.
   void read_object(const Code& code, const Statement& statement, const Kind& kind,
                    std::span<const std::uint32_t> pairs);
   void read_changing(const Code& code, std::size_t property, std::uint32_t expression);
   Varying evaluate_over_shutter(const Code& code, std::uint32_t expression);
-  /// What expression and statement nesting costs of the machine's stack; false, once reported, when
-  /// there is too much of it.
+  /// Limits the use of the stack by nested expressions and statements; false, once reported, if it
+  /// is exceeded.
   bool may_nest(const Code& code, NodeIndex node);
 
   // Expressions
   Value evaluate(const Code& code, std::uint32_t expression);
-  /// The same where a number is likely: the value if it is one; else kNoNumber, with the value in
-  /// `other`. Numbers stay in registers on their way through arithmetic.
+  /// Fast path for numbers, which stay in registers: the value if it is a number; else kNoNumber,
+  /// with the value in `other`.
   Scalar evaluate_number(const Code& code, std::uint32_t expression, Value& other);
   Scalar evaluate_chain(const Code& code, const Expression& e, Value& other);
   Value evaluate_operation(const Code& code, const Expression& e);
@@ -130,7 +130,7 @@ class Evaluator final : public ChainSource {
   const Value& read(const Varying& variable);
   void check_defaults();
   void check_default(const Module& file, const Parameter& parameter);
-  /// The value if it is of the declared type; else that is reported, and it has failed.
+  /// The value if it has the declared type; else Nothing, once reported.
   Value check_type(const Module& module, std::string_view name, const TypeInfo* type,
                    NodeIndex declaration, Value value, Location where);
   /// Errors and warnings that have been told so far.
@@ -138,15 +138,15 @@ class Evaluator final : public ChainSource {
   /// Counts steps; false, once reported, when there are too many, or the values take too much
   /// memory. Then nothing more is evaluated.
   bool take_steps(const Code& code, NodeIndex node, std::uint64_t count);
-  /// From now on nothing is evaluated; false where that has been said before.
+  /// Ends the evaluation; false if it has ended before.
   bool give_up();
-  /// Whether values may take so many bytes more; if not, that is reported.
+  /// Whether values may take this many more bytes; if not, that is reported.
   bool may_take_memory(const Code& code, NodeIndex node, std::uint64_t bytes);
-  /// Makes room for a frame behind the present one: where it begins, or nothing, once reported.
+  /// Appends a frame: the index of its first slot, or nullopt, once reported.
   std::optional<std::size_t> open_frame(const Code& code, NodeIndex node, std::size_t slots);
-  /// What spheres or instances allow for.
+  /// Allows the steps of so many spheres or instances.
   void allow_steps(std::uint64_t spheres);
-  /// Whether one more call or instance may stand inside those that there are; if not, that has been
+  /// Whether one more call or instance may be nested in the current ones; if not, that has been
   /// reported.
   bool may_call(const Code& code, NodeIndex node);
   void end_call();
@@ -176,32 +176,32 @@ class Evaluator final : public ChainSource {
   std::array<double, 2> times_{0, 0};  // at the opening and the closing, seconds
   bool is_open_ = false;               // the shutter is: they may differ
   std::optional<render::Interval> shutter_;
-  std::size_t moment_ = 0;          // which of them it is now
+  std::size_t moment_ = 0;          // index of the current one
   bool reads_time_ = false;         // set by whatever depends on the time
   bool center_reads_time_ = false;  // of the sphere being read
 
   std::vector<std::vector<Varying>> globals_;      // by module
   std::array<std::vector<bool>, 2> globals_done_;  // by Globals and module
   std::vector<Varying> locals_;
-  std::size_t frame_ = 0;  // where the present frame begins in locals_
+  std::size_t frame_ = 0;  // index of the first slot of the current frame
 
   InstanceMemo memo_;
   std::vector<Step> steps_inside_;
   Object object_;  // the one being read
   int depth_ = 0;
   int calls_ = 0;
-  int deepest_calls_ = 0;  // calls_ at most, in what is being evaluated
+  int deepest_calls_ = 0;  // the maximum of calls_ in the current instance
   bool has_called_too_deep_ = false;
-  std::vector<std::uint32_t> files_inside_;  // that are being run through includes
+  std::vector<std::uint32_t> files_inside_;  // includes being run, the innermost last
   std::unordered_set<std::uint32_t> included_;
 
   std::uint64_t steps_ = 0, allowed_steps_ = 0;
-  std::uint64_t most_steps_;  // with what is allowed for spheres
+  std::uint64_t max_steps_;  // with those allowed for spheres
   bool has_given_up_ = false;
   CountedBytes locals_bytes_;
 };
 
-/// A step that lasts as long as it lives.
+/// Pushes a step for its own lifetime.
 class Evaluator::Nested {
  public:
   Nested(Evaluator& evaluator, const Step& step) : evaluator_(evaluator) {

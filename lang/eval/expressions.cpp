@@ -20,14 +20,14 @@ namespace {
 
 constexpr std::uint64_t kPowerSteps = 100, kStringSteps = 4;
 
-/// Of looking at all of a value.
+/// The steps of reading all of a value.
 std::uint64_t steps_to_read(const Value& value) noexcept {
   if (const auto* list = get_if<ListValue>(&value)) return list->weight();
   if (const auto* text = get_if<std::string>(&value)) return text->size() / work::kBytes;
   return 0;
 }
 
-/// What stands for "no number" where a Scalar is asked for: no value has this unit.
+/// A Scalar that is no number: no value has this unit.
 constexpr Scalar kNoNumber{0, static_cast<Unit>(0xFF)};
 
 bool is_number(Scalar scalar) noexcept { return scalar.unit != kNoNumber.unit; }
@@ -36,10 +36,10 @@ bool are_compatible(Unit a, Unit b) noexcept {
   return a == b || a == Unit::None || b == Unit::None;
 }
 
-/// `a op b` of two numbers where nothing can be wrong with it, what most expressions consist of;
-/// else kNoNumber.
+/// `a op b`, the fast path of most expressions; kNoNumber if an operand is no number or there is
+/// anything to report.
 Scalar combine_numbers(Scalar a, Operator op, Scalar b) noexcept {
-  // Units are in the way of few sums and fewer products; one test finds those without any.
+  // Most operands have no unit: one test for both.
   const bool has_unit = a.unit != Unit::None || b.unit != Unit::None;
   if (has_unit) {
     const bool is_sum = op == Operator::Add || op == Operator::Subtract;
@@ -76,8 +76,7 @@ bool Evaluator::may_nest(const Code& code, NodeIndex node) {
 }
 
 bool Evaluator::may_call(const Code& code, NodeIndex node) {
-  // Where each call makes two, all of them would come here one after the other: the outermost call
-  // is given up.
+  // If each call makes two, exponentially many would come here: end the outermost call.
   if (has_called_too_deep_) return false;
   if (calls_ < kMaxCalls) return true;
   has_called_too_deep_ = true;
@@ -90,7 +89,7 @@ void Evaluator::end_call() {
 }
 
 bool Evaluator::take_steps(const Code& code, NodeIndex node, std::uint64_t count) {
-  if (steps_ <= most_steps_ && count <= most_steps_ - steps_) [[likely]] {
+  if (steps_ <= max_steps_ && count <= max_steps_ - steps_) [[likely]] {
     steps_ += count;
     return may_take_memory(code, node, 0);
   }
@@ -104,7 +103,7 @@ bool Evaluator::take_steps(const Code& code, NodeIndex node, std::uint64_t count
 }
 
 bool Evaluator::give_up() {
-  most_steps_ = 0;
+  max_steps_ = 0;
   ++steps_;
   return !std::exchange(has_given_up_, true);
 }
@@ -120,7 +119,7 @@ void Evaluator::allow_steps(std::uint64_t spheres) {
   const std::uint64_t steps =
       spheres * std::min(program_.limits().steps / work::kSpheres, kMaxPerSphere);
   allowed_steps_ += steps;
-  most_steps_ += steps;
+  max_steps_ += steps;
 }
 
 bool Evaluator::may_take_memory(const Code& code, NodeIndex node, std::uint64_t bytes) {
@@ -301,7 +300,7 @@ Scalar Evaluator::evaluate_chain(const Code& code, const Expression& e, Value& o
 }
 
 Value Evaluator::evaluate_logic(const Code& code, const Expression& e) {
-  // No more operands are evaluated than it needs.
+  // Short-circuit evaluation.
   const bool is_and = e.op == Op::And;
   for (const std::uint32_t operand : code.operands_of(e)) {
     const auto value = evaluate_condition(code, operand, is_and ? "and" : "or");

@@ -5,7 +5,7 @@
 #include "lang/object/check.hpp"
 #include "lang/value/logic.hpp"
 
-// Values in the place of properties: what each type takes, and what changes with the time.
+// Values of properties: their types, and what changes with the time.
 namespace sdlc::lang {
 
 namespace {

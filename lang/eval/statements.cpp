@@ -13,7 +13,7 @@
 namespace sdlc::lang {
 namespace {
 
-/// Of finding out whether an instance is like another one.
+/// The steps of looking an instance up.
 constexpr std::uint64_t kLookupSteps = 70;
 
 /// The whole numbers of the interval `a .. b` as a list: `range(a, b + 1)`.
@@ -24,15 +24,15 @@ std::string as_range(ast::Node interval, const Bounds& bounds) {
                      is_literal ? to_text(bounds.to + 1) : fmt::format("{} + 1", to));
 }
 
-/// Whether it is a sphere of which something can be seen: others take no memory, so a loop of them
-/// would never end if they allowed for steps.
+/// Whether it is a sphere that can be seen. Others take no memory, so that a loop of them would
+/// never reach a limit if they allowed for steps.
 bool is_visible_sphere(const Object& object) {
   if (object.kind->id != ObjectKind::Sphere) return false;
   const auto* radius = get_if<Scalar>(&object.slots[sphere_property::kRadius].value);
   return radius != nullptr && radius->value > 0;
 }
 
-/// Hands the objects of a config on, which are spheres, and counts the visible ones.
+/// Passes the spheres of a config on and counts the visible ones.
 class CountingSink final : public ObjectSink {
  public:
   explicit CountingSink(ObjectSink& objects) : objects_(objects) {}
@@ -95,7 +95,7 @@ void Evaluator::run_for(const Code& code, const Statement& statement) {
     }
     return;
   }
-  // Elements that depend on the time do so one by one, as long as their number does not.
+  // Each element may depend on the time, but not their number.
   const auto* closing = lists.varies ? get_if<ListValue>(&lists.values[1]) : nullptr;
   if (closing != nullptr && closing->size() != list->size()) {
     sink_.report(diag::changes_in_shutter, place(code, expression), "for");
@@ -110,7 +110,7 @@ void Evaluator::run_for(const Code& code, const Statement& statement) {
                             .name = name ? name->text() : std::string_view(),
                             .local = frame_ + slot});
   const std::size_t step_index = steps_inside_.size() - 1;
-  // What is wrong in one turn is most likely wrong in all: it is told once.
+  // A mistake in one turn is most likely in all of them: stop after the first.
   const std::size_t errors = sink_.error_count();
   for (std::size_t i = 0; i < list->size() && sink_.error_count() == errors; ++i) {
     steps_inside_[step_index].turn = i;
@@ -174,8 +174,8 @@ void Evaluator::run_object(const Code& code, const Statement& statement) {
 
 void Evaluator::run_group(const Code& code, const Statement& statement) {
   auto operands = code.operands_of(statement);
-  // The lets run for the properties here and in their places again: by then a loop before them may
-  // have used their slots.
+  // The lets run here for the properties, and again in their places: a loop before them may have
+  // used their slots by then.
   run_block(code, operands.subspan(1, operands[0]));
   operands = operands.subspan(1 + operands[0]);
   steps_ += work::kGroup;
@@ -232,13 +232,13 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
     steps_ += kLookupSteps + identity->size() / work::kBytes;
     contents = memo_.look_up(key, *identity);
   }
-  // What is higher than may be is evaluated, and then reported.
+  // Nesting beyond the limit is evaluated again, which reports it.
   const bool is_known =
       contents.number != 0 && !contents.is_new && calls_ + contents.height <= kMaxCalls;
   const std::uint64_t bytes = CountedBytes::sum();
   if (is_known && objects_->repeat(object_, contents.number)) {
     deepest_calls_ = std::max(deepest_calls_, calls_ + contents.height);
-    // What is empty, or the same as an earlier one, takes no memory: a loop of it would never end.
+    // Empty or duplicate contents take no memory: a loop of them would never reach a limit.
     if (CountedBytes::sum() > bytes) allow_steps(1);
   } else if (!is_broken) {
     const std::size_t reports = report_count();
@@ -257,7 +257,7 @@ void Evaluator::run_instance(const Code& code, const Statement& statement) {
     frame_ = frame;
     objects_->leave();
     if (contents.is_new && report_count() != reports) {
-      // What is wrong, or is warned of, is told of each instance.
+      // Errors and warnings are reported for each instance.
       memo_.forget(key, *identity);
       objects_->forget_contents(contents.number);
     } else if (contents.is_new) {
@@ -275,7 +275,7 @@ std::optional<std::string> Evaluator::identify_contents(
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const Varying& value = locals_[base + i];
     if (arguments[i] == kNothing) {
-      identity += 'd';  // follows from the others
+      identity += 'd';  // a default, which depends on the others only
       continue;
     }
     identity += value.varies ? 'v' : value.reads_time ? 'r' : 'c';
@@ -283,14 +283,14 @@ std::optional<std::string> Evaluator::identify_contents(
       if (!append_identity(value.values[moment], identity)) return std::nullopt;
     }
   }
-  // In what files they are run decides whether an include comes back to itself.
+  // The files being run decide whether an include is circular.
   for (const std::uint32_t file : files_inside_) identity += fmt::format("/{}", file);
   return identity;
 }
 
 bool Evaluator::is_in_circle(const Code& code, const Statement& statement, std::uint32_t file) {
-  // Most circles are found when the files are read. One that an import has read before is not: it
-  // placed nothing.
+  // Most circles are found when the files are read, but not one through a file that an import has
+  // read before.
   const auto first = std::find(files_inside_.begin(), files_inside_.end(), file);
   if (first == files_inside_.end()) return false;
   std::vector<std::string> circle;
