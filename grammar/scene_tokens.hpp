@@ -113,9 +113,9 @@ struct string_token : seq<one<'"'>, star<string_part>, one<'"'>> {};
 struct string_open  : seq<one<'"'>, star<string_part>> {};
 
 struct number_point    : seq<one<'.'>, not_at<one<'.'>>> {};
-struct number_sign     : seq<sor<digit, number_point>, one<'e', 'E'>, one<'+', '-'>> {};
-struct number_token    : seq<at<opt<one<'.'>>, digit>,
-                             plus<sor<number_sign, idchar, one<'%'>, number_point>>> {};
+struct number_digits   : plus<sor<digit, number_point>> {};
+struct number_sign     : seq<one<'e', 'E'>, one<'+', '-'>> {};
+struct number_token    : plus<sor<seq<number_digits, opt<number_sign>>, idchar, one<'%'>>> {};
 
 // Latin letters with accents, Greek and Cyrillic, without the signs for times and divided by.
 struct identifier_foreign : tao::pegtl::utf8::ranges<0xC0, 0xD6, 0xD8, 0xF6, 0xF8, 0x53F> {};

@@ -19,12 +19,12 @@ void PlacedTokens::read_gap() {
     if (comments_.size() > before) comments_.back().ends_line = true;
   };
   std::uint32_t breaks = 0;
-  Token token = reader_.next();
-  for (; is_trivia(token.kind); token = reader_.next()) {
+  Token token = reader_.next_in_line();
+  for (; is_trivia(token.kind); token = reader_.next_in_line()) {
     if (token.kind == TokenKind::LineEnd) {
       ++breaks;
       end_line();
-    } else if (is_comment(token.kind)) {
+    } else {
       const bool follows_line = !comments_.empty() && comments_.back().ends_line;
       comments_.push_back({.span = token.span,
                            .is_block = token.kind == TokenKind::BlockComment,

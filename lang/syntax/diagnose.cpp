@@ -16,6 +16,7 @@
 #include "lang/syntax/tree_builder.hpp"
 #include "lang/text/ascii.hpp"
 #include "lang/text/nearest_name.hpp"
+#include "lang/text/utf8.hpp"
 #include "lang/token/brackets.hpp"
 #include "lang/token/lines.hpp"
 #include "lang/token/name_characters.hpp"
@@ -225,7 +226,8 @@ class Diagnosis {
     if (found_.size() == 0) return "the end of the file";
     if (builder_.is_added(found_.begin)) return "the end of the block";
     const std::string_view token = text(found_);
-    return fmt::format("`{}`", token.size() <= 40 ? token : token.substr(0, 1));
+    return fmt::format("`{}`",
+                       token.size() <= 40 ? token : token.substr(0, decode_utf8(token).size));
   }
 
   /// What is missing at the end of a line is reported there, not at whatever the next line begins

@@ -7,64 +7,47 @@ namespace {
 
 namespace json = grammar::json;
 
-/// The first of the rules that matches gives the token's end.
+/// Moves `at` to the end of what the first of the rules that matches there matches.
 template <typename... Rules>
-std::uint32_t end_of_any(std::string_view text, std::uint32_t at) noexcept {
-  std::uint32_t end = at;
-  static_cast<void>((((end = end_of_match<Rules>(text, at)) > at) || ...));
-  return end;
+bool take(std::string_view text, std::uint32_t& at) noexcept {
+  const std::uint32_t begin = at;
+  return (((at = end_of_match<Rules>(text, at)) > begin) || ...);
 }
 
-Token string(std::string_view text, std::uint32_t at) noexcept {
-  const std::uint32_t end =
-      end_of_any<json::token_string, json::token_single_quoted, json::token_curly_quoted>(text, at);
-  if (end > at) return {{at, end}, TokenKind::String};
-  return {{at, end_of_match<json::token_open_string>(text, at)}, TokenKind::UnclosedString};
-}
-
-Token comment(std::string_view text, std::uint32_t at) noexcept {
-  if (text[at] == '#' || text.substr(at).starts_with("//")) {
-    return {{at, end_of_match<json::line_comment>(text, at)}, TokenKind::LineComment};
+TokenKind take_string(std::string_view text, std::uint32_t& at) noexcept {
+  if (take<json::token_string, json::token_single_quoted, json::token_curly_quoted>(text, at)) {
+    return TokenKind::String;
   }
-  if (!text.substr(at).starts_with("/*")) return {{at, at + 1}, TokenKind::Unknown};
-  const std::uint32_t end = end_of_match<json::token_comment>(text, at);
-  if (end > at) return {{at, end}, TokenKind::BlockComment};
-  return {{at, static_cast<std::uint32_t>(text.size())}, TokenKind::UnclosedComment};
+  take<json::token_open_string>(text, at);
+  return TokenKind::UnclosedString;
+}
+
+TokenKind take_comment(std::string_view text, std::uint32_t& at) noexcept {
+  if (take<json::line_comment>(text, at)) return TokenKind::LineComment;
+  if (take<json::token_comment>(text, at)) return TokenKind::BlockComment;
+  const bool is_open = text.substr(at).starts_with("/*");
+  at = is_open ? static_cast<std::uint32_t>(text.size()) : at + 1;
+  return is_open ? TokenKind::UnclosedComment : TokenKind::Unknown;
 }
 
 }  // namespace
 
-Token json_token(std::string_view text, std::uint32_t at) noexcept {
-  if (at >= text.size()) return {{at, at}, TokenKind::End};
+TokenKind take_json_token(std::string_view text, std::uint32_t& at) noexcept {
   switch (text[at]) {
-    case '{':
-    case '[':
-    case '(': return {{at, at + 1}, TokenKind::Open};
-    case '}':
-    case ']':
-    case ')': return {{at, at + 1}, TokenKind::Close};
-    case ',':
-    case ':':
-    case '=': return {{at, at + 1}, TokenKind::Mark};
+    case '=': ++at; return TokenKind::Mark;
     case '"':
-    case '\'': return string(text, at);
+    case '\'': return take_string(text, at);
     case '#':
-    case '/': return comment(text, at);
-    case '\n':
-    case '\r': return {{at, end_of_match<json::token_line_end>(text, at)}, TokenKind::LineEnd};
+    case '/': return take_comment(text, at);
     default: break;
   }
-  if (const auto end = end_of_match<json::token_blank>(text, at); end > at) {
-    return {{at, end}, TokenKind::Space};
-  }
-  if (const auto end = end_of_match<json::word>(text, at); end > at) {
-    return {{at, end}, TokenKind::Name};
-  }
-  if (const auto end = end_of_match<json::malformed_number>(text, at); end > at) {
-    return {{at, end}, TokenKind::Number};
-  }
-  if (end_of_match<json::curly_quote>(text, at) > at) return string(text, at);
-  return {{at, end_of_any<json::token_bytes, json::token_character>(text, at)}, TokenKind::Unknown};
+  if (take<json::token_line_end>(text, at)) return TokenKind::LineEnd;
+  if (take<json::token_blank>(text, at)) return TokenKind::Space;
+  if (take<json::word>(text, at)) return TokenKind::Name;
+  if (take<json::malformed_number>(text, at)) return TokenKind::Number;
+  if (end_of_match<json::curly_quote>(text, at) > at) return take_string(text, at);
+  take<json::token_bytes, json::token_character>(text, at);
+  return TokenKind::Unknown;
 }
 
 }  // namespace sdlc::lang

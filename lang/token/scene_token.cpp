@@ -19,18 +19,27 @@ constexpr std::array<TokenKind, 256> kKinds = [] {
     if (is_letter(static_cast<char>(c))) kinds[static_cast<std::size_t>(c)] = TokenKind::Name;
   }
   set(" \t", TokenKind::Space);
-  set("\n\r", TokenKind::LineEnd);
+  set("\r", TokenKind::LineEnd);
   set("0123456789", TokenKind::Number);
   set("\"", TokenKind::String);
   set("#", TokenKind::Color);
-  set("([{", TokenKind::Open);
-  set(")]}", TokenKind::Close);
-  set(":,.=!<>+-*/^", TokenKind::Mark);
+  set(".=!<>+-*/^", TokenKind::Mark);
   return kinds;
 }();
 
+/// Moves `at` to the end of what the rule matches there; false if it does not match.
+template <typename Rule>
+bool take(std::string_view text, std::uint32_t& at) noexcept {
+  const std::uint32_t begin = at;
+  at = end_of_match<Rule>(text, at);
+  return at > begin;
+}
+
+// Each of these moves `at` to the end of a token. What is rare is kept out of the way of what is
+// not: with it the caller would save registers for every token.
+
 /// Nested comments are counted: a rule would recurse as deep as they nest.
-Token block_comment(std::string_view text, std::uint32_t at) noexcept {
+[[gnu::noinline]] TokenKind take_block_comment(std::string_view text, std::uint32_t& at) noexcept {
   std::size_t depth = 0;
   for (std::size_t i = at; i + 1 < text.size();) {
     if (text[i] == '/' && text[i + 1] == '*') {
@@ -38,74 +47,84 @@ Token block_comment(std::string_view text, std::uint32_t at) noexcept {
       i += 2;
     } else if (text[i] == '*' && text[i + 1] == '/') {
       i += 2;
-      if (--depth == 0) return {{at, static_cast<std::uint32_t>(i)}, TokenKind::BlockComment};
+      if (--depth > 0) continue;
+      at = static_cast<std::uint32_t>(i);
+      return TokenKind::BlockComment;
     } else {
       ++i;
     }
   }
-  return {{at, static_cast<std::uint32_t>(text.size())}, TokenKind::UnclosedComment};
+  at = static_cast<std::uint32_t>(text.size());
+  return TokenKind::UnclosedComment;
 }
 
-Token name(std::string_view text, std::uint32_t at) noexcept {
-  const std::uint32_t end = end_of_match<grammar::identifier>(text, at);
-  const bool may_go_on = end < text.size() && static_cast<unsigned char>(text[end]) >= 0x80;
-  if (!may_go_on) [[likely]]
-    return {{at, end}, TokenKind::Name};
-  const std::uint32_t foreign_end = end_of_match<grammar::identifier_token>(text, at);
-  return {{at, foreign_end}, foreign_end > end ? TokenKind::ForeignName : TokenKind::Name};
+[[gnu::noinline]] TokenKind take_comment(std::string_view text, std::uint32_t& at) noexcept {
+  if (text[at + 1] == '*') return take_block_comment(text, at);
+  if (take<grammar::doc>(text, at)) return TokenKind::DocComment;
+  take<grammar::comment_line>(text, at);
+  return TokenKind::LineComment;
 }
 
-Token string(std::string_view text, std::uint32_t at) noexcept {
-  const std::uint32_t end = end_of_match<grammar::string_token>(text, at);
-  if (end > at) return {{at, end}, TokenKind::String};
-  return {{at, end_of_match<grammar::string_open>(text, at)}, TokenKind::UnclosedString};
+[[gnu::noinline]] TokenKind take_string(std::string_view text, std::uint32_t& at) noexcept {
+  if (take<grammar::string_token>(text, at)) return TokenKind::String;
+  take<grammar::string_open>(text, at);
+  return TokenKind::UnclosedString;
+}
+
+[[gnu::noinline]] TokenKind take_color(std::string_view text, std::uint32_t& at) noexcept {
+  if (take<grammar::color>(text, at)) return TokenKind::Color;
+  ++at;
+  return TokenKind::Unknown;
 }
 
 /// What is no token of a correct text.
-Token unknown(std::string_view text, std::uint32_t at) noexcept {
-  if (at == 0 && text.starts_with("\xEF\xBB\xBF")) return {{0, 3}, TokenKind::Space};
-  const std::uint32_t name_end = end_of_match<grammar::identifier_token>(text, at);
-  if (name_end > at) return {{at, name_end}, TokenKind::ForeignName};
-  const std::uint32_t bytes_end = end_of_match<grammar::character_bytes>(text, at);
-  if (bytes_end > at) return {{at, bytes_end}, TokenKind::Unknown};
-  return {{at, end_of_match<grammar::character_other>(text, at)}, TokenKind::Unknown};
+[[gnu::noinline]] TokenKind take_unknown(std::string_view text, std::uint32_t& at) noexcept {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (at == 0 && text.starts_with(kByteOrderMark)) {
+    at = kByteOrderMark.size();
+    return TokenKind::Space;
+  }
+  if (take<grammar::identifier_token>(text, at)) return TokenKind::ForeignName;
+  if (!take<grammar::character_bytes>(text, at)) take<grammar::character_other>(text, at);
+  return TokenKind::Unknown;
 }
 
-Token mark(std::string_view text, std::uint32_t at) noexcept {
+/// A name that goes on with a byte that is not ASCII.
+[[gnu::noinline]] TokenKind take_foreign_name(std::string_view text, std::uint32_t& at) noexcept {
+  return take<grammar::identifier_token>(text, at) ? TokenKind::ForeignName : TokenKind::Name;
+}
+
+TokenKind take_name(std::string_view text, std::uint32_t& at) noexcept {
+  take<grammar::identifier>(text, at);
+  const bool is_foreign = at < text.size() && static_cast<unsigned char>(text[at]) >= 0x80;
+  return is_foreign ? take_foreign_name(text, at) : TokenKind::Name;
+}
+
+TokenKind take_mark(std::string_view text, std::uint32_t& at) noexcept {
   const char c = text[at], next = char_at(text, at + 1);
-  if (c == '/' && next == '*') return block_comment(text, at);
-  if (c == '/' && next == '/') {
-    const std::uint32_t doc_end = end_of_match<grammar::doc>(text, at);
-    if (doc_end > at) return {{at, doc_end}, TokenKind::DocComment};
-    return {{at, end_of_match<grammar::comment_line>(text, at)}, TokenKind::LineComment};
-  }
+  if (c == '/' && (next == '/' || next == '*')) return take_comment(text, at);
   if (c == '.' && is_digit(next)) {
-    return {{at, end_of_match<grammar::number_token>(text, at)}, TokenKind::Number};
+    take<grammar::number_token>(text, at);
+    return TokenKind::Number;
   }
-  const std::uint32_t end = end_of_match<grammar::compare_token>(text, at);
-  if (end > at) return {{at, end}, TokenKind::Mark};
-  return {{at, at + 1}, c == '!' ? TokenKind::Unknown : TokenKind::Mark};
+  if (take<grammar::compare_token>(text, at)) return TokenKind::Mark;
+  ++at;
+  return c == '!' ? TokenKind::Unknown : TokenKind::Mark;
 }
 
 }  // namespace
 
-Token scene_token(std::string_view text, std::uint32_t at) noexcept {
-  if (at >= text.size()) return {{at, at}, TokenKind::End};
+TokenKind take_scene_token(std::string_view text, std::uint32_t& at) noexcept {
   const TokenKind kind = kKinds[static_cast<unsigned char>(text[at])];
   switch (kind) {
-    case TokenKind::Space: return {{at, end_of_match<grammar::space_in_line>(text, at)}, kind};
-    case TokenKind::LineEnd: return {{at, end_of_match<grammar::space_line_end>(text, at)}, kind};
-    case TokenKind::Name: return name(text, at);
-    case TokenKind::Number: return {{at, end_of_match<grammar::number_token>(text, at)}, kind};
-    case TokenKind::String: return string(text, at);
-    case TokenKind::Color: {
-      const std::uint32_t end = end_of_match<grammar::color>(text, at);
-      return end > at ? Token{{at, end}, kind} : Token{{at, at + 1}, TokenKind::Unknown};
-    }
-    case TokenKind::Open:
-    case TokenKind::Close: return {{at, at + 1}, kind};
-    case TokenKind::Mark: return mark(text, at);
-    default: return unknown(text, at);
+    case TokenKind::Space: take<grammar::space_in_line>(text, at); return kind;
+    case TokenKind::LineEnd: take<grammar::space_line_end>(text, at); return kind;
+    case TokenKind::Name: return take_name(text, at);
+    case TokenKind::Number: take<grammar::number_token>(text, at); return kind;
+    case TokenKind::String: return take_string(text, at);
+    case TokenKind::Color: return take_color(text, at);
+    case TokenKind::Mark: return take_mark(text, at);
+    default: return take_unknown(text, at);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -9,10 +10,21 @@
 
 namespace sdlc::lang {
 
-/// The token of a scene at `at`. Any text has tokens; one after the other, they are the whole text.
-Token scene_token(std::string_view text, std::uint32_t at) noexcept;
-/// The token of a JSON text at `at`, likewise.
-Token json_token(std::string_view text, std::uint32_t at) noexcept;
+/// What a byte is that is a token by itself in both formats; End for all others.
+inline constexpr std::array<TokenKind, 256> kOneByteTokens = [] {
+  std::array<TokenKind, 256> kinds{};
+  kinds.fill(TokenKind::End);
+  for (const unsigned char c : {'(', '[', '{'}) kinds[c] = TokenKind::Open;
+  for (const unsigned char c : {')', ']', '}'}) kinds[c] = TokenKind::Close;
+  for (const unsigned char c : {',', ':'}) kinds[c] = TokenKind::Mark;
+  kinds['\n'] = TokenKind::LineEnd;
+  return kinds;
+}();
+
+/// The kind of the token at `at`, which is moved to the token's end. Precondition: `at` is in the
+/// text, and the token is none of kOneByteTokens.
+TokenKind take_scene_token(std::string_view text, std::uint32_t& at) noexcept;
+TokenKind take_json_token(std::string_view text, std::uint32_t& at) noexcept;
 
 /// Reads tokens one by one and stores none, so that the size of the text does not matter. A copy
 /// looks ahead.
@@ -23,23 +35,34 @@ class TokenReader {
                        SourceFormat format = SourceFormat::Scene) noexcept
       : text_(text), at_(at), format_(format) {}
 
-  /// The next token, trivia included; at the end of the text End.
+  /// The next token, trivia included; at the end of the text End. Any text has tokens; one after
+  /// the other, they are the whole text.
   Token next() noexcept {
-    const Token token =
-        format_ == SourceFormat::Scene ? scene_token(text_, at_) : json_token(text_, at_);
-    at_ = token.span.end;
-    return token;
+    const std::uint32_t begin = at_;
+    if (begin >= text_.size()) return {{begin, begin}, TokenKind::End};
+    // More than half of all tokens end here.
+    TokenKind kind = kOneByteTokens[static_cast<unsigned char>(text_[begin])];
+    if (kind != TokenKind::End) {
+      ++at_;
+    } else if (format_ == SourceFormat::Scene) {
+      kind = take_scene_token(text_, at_);
+    } else {
+      kind = take_json_token(text_, at_);
+    }
+    return {{begin, at_}, kind};
   }
   /// The next token that is not Space: a line end or a comment is not skipped.
   Token next_in_line() noexcept {
+    // Most spaces need no call.
+    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
     Token token = next();
     while (token.kind == TokenKind::Space) token = next();
     return token;
   }
   /// The next token that is no trivia.
   Token next_solid() noexcept {
-    Token token = next();
-    while (is_trivia(token.kind)) token = next();
+    Token token = next_in_line();
+    while (is_trivia(token.kind)) token = next_in_line();
     return token;
   }
 
@@ -56,6 +79,13 @@ class TokenReader {
   std::uint32_t at_;
   SourceFormat format_;
 };
+
+inline Token scene_token(std::string_view text, std::uint32_t at) noexcept {
+  return TokenReader(text, at).next();
+}
+inline Token json_token(std::string_view text, std::uint32_t at) noexcept {
+  return TokenReader(text, at, SourceFormat::Json).next();
+}
 
 /// All tokens of a text, without End.
 std::vector<Token> tokenize(std::string_view text, SourceFormat format = SourceFormat::Scene);

@@ -1,12 +1,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "lang/source/limits.hpp"
 #include "lang/syntax/syntax.hpp"
+#include "lang/text/utf8.hpp"
 #include "tests/lang/syntax/tree_checks.hpp"
 
 // Whatever a file is damaged by, its tree has a sound shape and its tokens spell the file.
@@ -61,6 +63,27 @@ TEST(DamagedScene, IsSoundBeforeTheDamage) {
     EXPECT_FALSE(sink.has_errors()) << text;
     expect_sound(text);
   }
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const DecodedChar c = decode_utf8(text);
+    if (!c.is_valid) return false;
+    text.remove_prefix(c.size);
+  }
+  return true;
+}
+
+TEST(DamagedScene, CutsALongTokenBetweenCharacters) {
+  std::string text = "scene 1\n";
+  while (text.size() <= kMaxMendedText) text += "\u00E9";
+  const SourceFile file("test.scene", text);
+  DiagnosticSink sink;
+  parse(file, sink);
+  ASSERT_TRUE(sink.has_errors());
+  const std::string& message = sink.diagnostics().front().message;
+  EXPECT_TRUE(is_utf8(message)) << message;
+  EXPECT_LT(message.size(), 200u);
 }
 
 TEST(DamagedScene, MayEndAnywhere) {
