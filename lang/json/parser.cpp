@@ -195,9 +195,11 @@ class Parser {
   void mend_bare_string(Span span, std::string_view what, bool is_name) {
     const std::string_view word = text_.substr(span.begin, span.size());
     auto report = sink_->report(diag::not_in_json, at(span), what);
-    // A value without quotes may be the name of a constant.
+    // A value without quotes may be the name of a constant, and a quote beside a name may be its
+    // own.
     const bool is_certain =
-        is_name && std::ranges::all_of(word, [](char c) { return is_ascii_letter(c) || c == '_'; });
+        is_name && !is_beside_quote(span) &&
+        std::ranges::all_of(word, [](char c) { return is_ascii_letter(c) || c == '_'; });
     const std::string quoted = fmt::format("\"{}\"", word);
     is_certain ? report.fix(at(span), quoted) : report.unsafe_fix(at(span), quoted);
     begin_string({span.begin, span.begin});
@@ -358,10 +360,7 @@ class Parser {
   };
 
   Location at(Span span) const { return {file_, in_file(span)}; }
-  Span in_file(Span span) const {
-    return mended_ == nullptr ? span
-                              : mended_->in_source(span);
-  }
+  Span in_file(Span span) const { return mended_ == nullptr ? span : mended_->in_source(span); }
 
   /// Whether the file itself has the character that stands for something mended.
   bool is_of_file(Span mark) const {
@@ -374,6 +373,14 @@ class Parser {
     } else {
       is_complete_ = false;
     }
+  }
+
+  /// Whether the file has a quote right before or after the span.
+  bool is_beside_quote(Span span) const {
+    const Span place = in_file(span);
+    const std::string_view text = file_->text();
+    const auto is_quote = [&](std::size_t i) { return i < text.size() && text[i] == '"'; };
+    return is_quote(place.end) || (place.begin > 0 && is_quote(place.begin - 1));
   }
 
   bool follows_quote(std::uint32_t offset) const { return offset > 0 && text_[offset - 1] == '"'; }
