@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/report/findings.hpp"
 #include "lang/source/source.hpp"
 
 // What a text is taken for when its brackets do not match.
@@ -22,7 +23,7 @@ Repaired repaired(const std::string& text) {
   DiagnosticSink sink;
   const auto result = repair_scene(file, file.text(), {}, sink);
   Repaired repaired{result ? result->text() : text, {}};
-  for (const Diagnostic* diagnostic : sink.sorted()) {
+  for (const Diagnostic* diagnostic : select_findings(sink).shown) {
     repaired.codes.emplace_back(diagnostic->info->code);
   }
   return repaired;
