@@ -65,7 +65,6 @@ class Linted final : public lang::CheckedText {
  public:
   Linted(std::string name, std::string text, const LintOptions& options, const Environment& env)
       : file_(std::move(name), std::move(text)) {
-    sink_.set_max_kept(kMaxKept);
     compiler_.emplace(file_, program_options(options.reading, env), sink_);
     lang::lint(*compiler_, file_, sink_);
   }
@@ -79,9 +78,6 @@ class Linted final : public lang::CheckedText {
   const lang::Findings& findings() const override { return findings_; }
 
  private:
-  // A round of fixes reads the whole text, so each applies as many as memory allows.
-  static constexpr std::size_t kMaxKept = 100'000;
-
   lang::SourceFile file_;
   lang::DiagnosticSink sink_;
   std::optional<lang::Compiler> compiler_;  // holds texts that the sink refers to

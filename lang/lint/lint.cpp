@@ -246,6 +246,9 @@ class Linter {
 }  // namespace
 
 void lint(Compiler& compiler, const SourceFile& file, DiagnosticSink& sink) {
+  // All warnings must be known before an allowance is found to be unused.
+  constexpr std::size_t kMaxFindings = 100'000;
+  sink.set_max_kept(kMaxFindings);
   Linter(compiler, file, sink).run();
 }
 

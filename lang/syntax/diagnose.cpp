@@ -524,6 +524,33 @@ Resumption diagnose_statement(TreeBuilder& builder, std::uint32_t at) {
   return Diagnosis(builder, at).statement();
 }
 
+namespace {
+
+/// Whether the text has the word after something other than a number: as a name, however declared.
+bool is_name_in(std::string_view text, std::string_view word) {
+  TokenReader reader(text);
+  TokenKind before = TokenKind::End;
+  for (Token token = reader.next(); token.kind != TokenKind::End; token = reader.next()) {
+    if (is_trivia(token.kind)) continue;
+    const std::string_view written = text.substr(token.span.begin, token.span.size());
+    if (token.kind == TokenKind::Name && before != TokenKind::Number && written == word) {
+      return true;
+    }
+    before = token.kind;
+  }
+  return false;
+}
+
+/// Only units of one letter are likely to be names.
+bool may_be_name(TreeBuilder& builder, std::string_view unit) {
+  if (unit != "m" && unit != "s") return false;
+  std::optional<bool>& answer = builder.uses_as_name[unit == "s" ? 1 : 0];
+  if (!answer) answer = is_name_in(builder.text(), unit);
+  return *answer;
+}
+
+}  // namespace
+
 std::uint32_t diagnose_separate_unit(TreeBuilder& builder, Span number) {
   const std::string_view text = builder.text();
   if (!is_digit(text[number.end - 1]) && text[number.end - 1] != '.') return number.end;
@@ -545,14 +572,13 @@ std::uint32_t diagnose_separate_unit(TreeBuilder& builder, Span number) {
     builder.sink().report(diag::foreign, builder.location(unit), kDegree).fix(where, fixed);
   } else {
     auto report = builder.sink().report(diag::separate_unit, where, written);
-    // `2 s 3` lacks more than that, and `m` and `s` may be names.
+    // `2 s 3` lacks more than that, and `s` may be a name.
     const bool is_end = std::string_view(",)]}\n\r*/^<>=!&|;").find(c) != std::string_view::npos ||
                         c == '+' || c == '-' || next >= text.size() || is_letter(c);
     const bool is_sum = (c == '+' || c == '-') && written == "%";
     const bool is_word = is_letter(c) && !is_one_of(word_at(text, next), kJoints) &&
                          !looks_like_statement(text, next);
-    const bool may_be_name = written == "m" || written == "s";
-    add_fix(report, is_end && !is_sum && !is_word && !may_be_name, where, fixed);
+    add_fix(report, is_end && !is_sum && !is_word && !may_be_name(builder, written), where, fixed);
   }
   return unit.end;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -118,6 +119,8 @@ class TreeBuilder {
   bool has_version = false;         ///< the file began with its version
   bool has_misplaced = false;       ///< a statement stands where its object should have ended
   Operator op = Operator::None;     ///< the last one read
+  /// Whether the text uses `m` and `s` as names; empty until somebody asks.
+  std::array<std::optional<bool>, 2> uses_as_name;
 
   static constexpr NodeIndex kNone = 0xFFFFFFFF;
 

@@ -41,7 +41,7 @@ TEST(LintConfig, OfAnEmptyFileWantsAll) {
   const auto [config, errors] = parse("");
   EXPECT_THAT(errors, IsEmpty());
   EXPECT_TRUE(config.wants("W402", "/tree/a.scene"));
-  EXPECT_EQ(config.most_warnings, std::nullopt);
+  EXPECT_EQ(config.max_warnings, std::nullopt);
 }
 
 TEST(LintConfig, OverridesItselfForSomeFiles) {
@@ -57,7 +57,7 @@ files = ["library/new/"]
 select = ["W402"]
 )");
   EXPECT_THAT(errors, IsEmpty());
-  EXPECT_EQ(config.most_warnings, 3u);
+  EXPECT_EQ(config.max_warnings, 3u);
   EXPECT_TRUE(config.wants("W402", "/tree/a.scene"));
   EXPECT_FALSE(config.wants("W402", "/tree/library/a.scene"));
   EXPECT_FALSE(config.wants("W402", "/tree/b/a.json"));
@@ -111,7 +111,7 @@ TEST(LintConfig, OfTheDocumentationIsRead) {
   const std::size_t first = begin + fence.size();
   const auto [config, errors] = parse(page.substr(first, page.find("```", first) - first));
   EXPECT_THAT(errors, IsEmpty());
-  EXPECT_EQ(config.most_warnings, 5u);
+  EXPECT_EQ(config.max_warnings, 5u);
   EXPECT_FALSE(config.wants("W403", "/tree/a.scene"));
   EXPECT_TRUE(config.wants("W402", "/tree/a.scene"));
   EXPECT_FALSE(config.wants("W402", "/tree/library/shapes/a.scene"));
