@@ -213,8 +213,7 @@ struct compare : seq<at<one<'=', '!', '<', '>'>>,
                          one<'>'>>> {};
 
 struct interval_end : seq<sum> {};
-struct interval_dots : token<seq<text<'.', '.'>, not_at<one<'.'>>>> {};
-struct interval     : seq<sum, opt<interval_dots, must<interval_end>>> {};
+struct interval     : seq<sum, opt<mark<'.', '.'>, must<interval_end>>> {};
 
 struct sum_operator : one<'+', '-'> {};
 struct sum_operand  : seq<product> {};

@@ -210,7 +210,10 @@ std::string_view foreign_sign_at(std::string_view text) noexcept {
       return false;
     });
   }
-  return longest == "!" && text.starts_with("!=") ? std::string_view() : longest;
+  // `!=` is a sign of ours, and `...5` is `..` and a number.
+  const bool is_own = (longest == "!" && text.starts_with("!=")) ||
+                      (longest == "..." && text.size() > 3 && is_ascii_digit(text[3]));
+  return is_own ? std::string_view() : longest;
 }
 
 bool is_color_without_sign(std::string_view text) noexcept {

@@ -583,6 +583,7 @@ struct Build<grammar::file_header> : pegtl::maybe_nothing {
 template <>
 struct Build<grammar::statement> : pegtl::maybe_nothing {
   SDLC_SURROUND {
+    builder.sink().stop_if_requested();
     const Surroundings before(builder);
     const std::uint32_t begin = builder.offset(in.current());
     try {

@@ -370,8 +370,8 @@ TEST_F(CompareCommand, RefusesOutputsThatCannotBe) {
     EXPECT_THAT(refusal(std::string("-o d.png --top ") + top),
                 HasSubstr("--top: takes a number above 0, such as `0.5`, not `"));
   }
-  EXPECT_THAT(refusal("--top 1"), HasSubstr("--top is of the picture that -o writes"));
-  EXPECT_THAT(refusal("--what flip"), HasSubstr("--what is of the picture that -o writes"));
+  EXPECT_THAT(refusal("--top 1"), HasSubstr("--top applies to the picture that -o writes"));
+  EXPECT_THAT(refusal("--what flip"), HasSubstr("--what applies to the picture that -o writes"));
   EXPECT_THAT(refusal("-o d.png --what flipp"), HasSubstr("(did you mean `flip`?)"));
   EXPECT_THAT(names_in(folder_.path()), ElementsAre("a.exr", "b.exr", "link.exr"));
 }
@@ -523,7 +523,7 @@ std::vector<BrokenCase> broken_cases() {
        "the first is -inf in green of the pixel (5, 3)"},
       {"LinearAndCodes", "good.exr", "good.png", nothing,
        "`good.exr` holds linear radiance and `good.png` the codes of a tone curve; compare two "
-       "files of one kind"},
+       "files of the same kind"},
       {"GreyAndColour", "bad.ppm", "good.png",
        [](const TemporaryFolder& folder) {
          write_text(folder / "bad.ppm", "P5\n12 8\n255\n" + std::string(96, 'x'));
@@ -545,7 +545,7 @@ std::vector<BrokenCase> broken_cases() {
        },
        "it holds 12 x 8 pixels at (0, 0) of a picture of 100 x 8 at (0, 0), a crop"},
       {"PartOfAVariance", "bad.exr", "good.exr", channels({"R", "G", "B", "variance.G"}),
-       "of variance.R, variance.G, variance.B it has some but not all"},
+       "it has some but not all of variance.R, variance.G, variance.B"},
       {"NegativeVariance", "bad.exr", "good.exr",
        channels({"R", "G", "B", "variance.R", "variance.G", "variance.B"}, -0.25F),
        "288 of its variances are negative or not finite; the first is -0.25 in red of the pixel "

@@ -197,7 +197,7 @@ TEST_F(LintWithConfig, RefusesAWrongConfigBeforeAnythingIsChecked) {
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.out, "");
   EXPECT_THAT(result.err, HasSubstr("error: .sdlc.toml:2:1: unknown key `slect` in [lint]"));
-  EXPECT_THAT(result.err, HasSubstr("error: .sdlc.toml:3:11: no diagnostic has a code"));
+  EXPECT_THAT(result.err, HasSubstr("error: .sdlc.toml:3:11: no diagnostic code begins with"));
 }
 
 TEST_F(LintWithConfig, AsksTheConfigOfAnImportedFileToo) {

@@ -129,8 +129,8 @@ TEST_F(MeasureFolder, IsRefusedWhereItsStudyDoesNotGoTogether) {
   };
   expect_told("/ledger/renders", json::array(), "one of its `evaluations` was never timed");
   expect_told("/ledger/plan/width", -16, "its `width` is not a whole number from 1 to");
-  expect_told("/ledger/plan/tasks/1/samples", 0, "`tasks`, number 2: its `samples` is no whole");
-  expect_told("/ledger/plan/tasks/1/samples", 1e300, "its `samples` is no whole number");
+  expect_told("/ledger/plan/tasks/1/samples", 0, "`tasks`, number 2: its `samples` is not a whole");
+  expect_told("/ledger/plan/tasks/1/samples", 1e300, "its `samples` is not a whole number");
   expect_told("/ledger/plan", nullptr, "it has results but no `plan`");
   expect_told("/details/windows", json::array(), "its `windows` are empty");
   expect_told("/details", nullptr, "it has `pictures` but no `windows`");

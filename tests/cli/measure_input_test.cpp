@@ -115,7 +115,8 @@ TEST_F(MeasureInput, OfAnEarlierReportIsToldByTheFieldThatIsWrong) {
   expect_told("/machine/processor", 7, "its `processor` is no text");
   expect_told("/points", 7, "its `points` is not a list");
   expect_told("/points/1", 7, "`points`, number 2: ");
-  expect_told("/points/0/samples", 1e300, "`points`, number 1: its `samples` is no whole number");
+  expect_told("/points/0/samples", 1e300,
+              "`points`, number 1: its `samples` is not a whole number");
   expect_told("/points/0/seconds", 0, "`points`, number 1: it took no time");
   expect_told("/points/0/timings/0", -1, "`points`, number 1: it took no time");
   expect_told("/points/0/seconds_interval", 1,

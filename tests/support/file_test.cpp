@@ -279,7 +279,7 @@ std::vector<FileCase> load_cases(std::string_view folder) {
   std::vector<fs::path> files;
   for (const auto& entry :
        fs::directory_iterator(fs::path(SDLC_SOURCE_DIR) / "tests/files" / folder)) {
-    files.push_back(entry.path());
+    if (entry.is_regular_file()) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
 

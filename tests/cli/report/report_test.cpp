@@ -277,7 +277,7 @@ TEST(HtmlReport, SaysFirstWhatIsMissing) {
 TEST(HtmlReport, TellsWhyAnotherPrecisionCannotBeHad) {
   Measurement measurement = sample_measurement();
   EXPECT_THAT(html_report(bare_report(measurement)),
-              HasSubstr("float less double: −0.002\u00a0% (−0.006 to 0.002\u00a0%) of the mean "
+              HasSubstr("float minus double: −0.002\u00a0% (−0.006 to 0.002\u00a0%) of the mean "
                         "radiance: <strong>not distinguished"));
   measurement.precision->mean_difference.interval = {-3e-5, -1e-5};
   EXPECT_THAT(html_report(bare_report(measurement)), HasSubstr("a significant difference"));

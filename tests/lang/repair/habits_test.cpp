@@ -29,7 +29,8 @@ TEST(ForeignSigns, AreTheLongestThatFit) {
   EXPECT_EQ(foreign_sign_at("!== b"), "!==");
   EXPECT_EQ(foreign_sign_at("!a"), "!");
   EXPECT_EQ(foreign_sign_at("!= b"), "");
-  EXPECT_EQ(foreign_sign_at("...3"), "...");
+  EXPECT_EQ(foreign_sign_at("... 3"), "...");
+  EXPECT_EQ(foreign_sign_at("...3"), "");  // the interval to 0.3
   EXPECT_EQ(foreign_sign_at("..3"), "");
   EXPECT_EQ(foreign_sign_at(""), "");
 }

@@ -195,7 +195,8 @@ TEST(Rulings, Ruling05_OtherHabitsAreExplained) {
   };
   EXPECT_THAT(help_of("let a = true ? 1 : 2"), HasSubstr("if … then … else …"));
   EXPECT_THAT(help_of("let a = 1 => 2"), HasSubstr("`>=`"));
-  EXPECT_THAT(help_of("let a = sphere { radius: 1 }"), HasSubstr("a statement and not a value"));
+  EXPECT_THAT(help_of("let a = sphere { center: (0, 0, 0), radius: 1, material: unlit(red) }"),
+              HasSubstr("an object is `sphere a { … }`"));
   EXPECT_THAT(help_of("let b = 3 let a = b % 2"), HasSubstr("mod(a, b)"));
   EXPECT_THAT(help_of("if true then render { }"), HasSubstr("if … { … }"));
 }

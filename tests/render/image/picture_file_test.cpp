@@ -113,7 +113,7 @@ TEST_F(PictureFiles, WithoutRedGreenAndBlueAreRefused) {
 
 TEST_F(PictureFiles, WithAPartOfAVarianceAreRefused) {
   EXPECT_THAT(refusal("a.exr", {float_spec(2, 2, {"R", "G", "B", "variance.R", "variance.G"})}),
-              HasSubstr("of variance.R, variance.G, variance.B it has some but not all"));
+              HasSubstr("it has some but not all of variance.R, variance.G, variance.B"));
 }
 
 TEST_F(PictureFiles, OfSeveralPicturesAreRefused) {
