@@ -138,6 +138,8 @@ class Evaluator final : public ChainSource {
   /// Counts steps; false, once reported, when there are too many, or the values take too much
   /// memory. Then nothing more is evaluated.
   bool take_steps(const Code& code, NodeIndex node, std::uint64_t count);
+  /// Throws StopRequested if the sink says so.
+  void poll();
   /// Ends the evaluation; false if it has ended before.
   bool give_up();
   /// Whether values may take this many more bytes; if not, that is reported.
@@ -196,7 +198,8 @@ class Evaluator final : public ChainSource {
   std::unordered_set<std::uint32_t> included_;
 
   std::uint64_t steps_ = 0, allowed_steps_ = 0;
-  std::uint64_t max_steps_;  // with those allowed for spheres
+  std::uint64_t max_steps_;      // with those allowed for spheres
+  std::uint64_t next_poll_ = 0;  // when steps_ is so many, look whether a stop was requested
   bool has_given_up_ = false;
   CountedBytes locals_bytes_;
 };

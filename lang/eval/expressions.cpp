@@ -91,6 +91,7 @@ void Evaluator::end_call() {
 bool Evaluator::take_steps(const Code& code, NodeIndex node, std::uint64_t count) {
   if (steps_ <= max_steps_ && count <= max_steps_ - steps_) [[likely]] {
     steps_ += count;
+    if (steps_ >= next_poll_) poll();
     return may_take_memory(code, node, 0);
   }
   if (give_up()) {
@@ -100,6 +101,12 @@ bool Evaluator::take_steps(const Code& code, NodeIndex node, std::uint64_t count
         .help("`--limit steps=N` allows more");
   }
   return false;
+}
+
+void Evaluator::poll() {
+  constexpr std::uint64_t kSteps = 100'000;  // about a millisecond
+  next_poll_ = steps_ + kSteps;
+  sink_.stop_if_requested();
 }
 
 bool Evaluator::give_up() {

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -252,6 +253,17 @@ TEST(Values, StopWhenAFileTakesTooManySteps) {
   Evaluation(program, {}, sink).run(objects);
   ASSERT_EQ(sink.error_count(), 1u);
   EXPECT_EQ(sink.diagnostics().front().info->code, "E304");
+}
+
+TEST(Values, StopOnRequest) {
+  const SourceFile file("test.scene", "scene 1\nfor i in range(1000) { for j in range(1000) { } }");
+  std::stop_source source;
+  DiagnosticSink sink(source.get_token());
+  Objects objects;
+  Program program(file, {}, sink);
+  Evaluation evaluation(program, {}, sink);
+  source.request_stop();
+  EXPECT_THROW(evaluation.run(objects), StopRequested);
 }
 
 }  // namespace
