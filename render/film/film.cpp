@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <type_traits>
+#include <utility>
 
 namespace sdlc::render {
 namespace {
@@ -11,64 +14,58 @@ double grey(LinearRgb c) noexcept { return (c.r + c.g + c.b) / 3; }
 
 }  // namespace
 
-Film::Film(std::uint64_t first, std::size_t pixels)
-    : first_(first), counts_(pixels * kReplicates), values_(pixels * kReplicates) {}
+std::size_t Film::bytes_per_pixel(std::uint64_t samples) noexcept {
+  const std::size_t replicates = samples < kMinReplicatedSamples ? 1 : kReplicates;
+  const std::uint64_t count = (samples + replicates - 1) / replicates;
+  const std::size_t values = SampleSum::values_of(0, static_cast<std::uint32_t>(count));
+  return replicates * (values * sizeof(LinearRgb) + sizeof(std::uint32_t));
+}
 
-void Film::reserve(std::uint32_t samples_per_replicate) {
-  const std::size_t stride = SampleSum::storage_for(samples_per_replicate);
-  if (stride <= stride_) return;
-  std::vector<LinearRgb> values(counts_.size() * stride);
+Film::Film(const FilmExtent& extent)
+    : extent_(extent), counts_(extent.pixels * extent.replicates) {}
+
+void Film::Deleter::operator()(LinearRgb* values) const noexcept { ::operator delete(values); }
+
+void Film::reserve(std::span<const ReplicateCounts> counts) {
+  const std::uint32_t first = extent_.first_sample;
+  std::size_t stride = stride_;
+  for (const ReplicateCounts& of_pixel : counts) {
+    for (const std::uint32_t count : of_pixel) {
+      stride = std::max(stride, SampleSum::values_of(first, first + count));
+    }
+  }
+  if (stride == stride_) return;
+  // Left undefined, so that the threads that fill the memory are the first to touch it.
+  static_assert(std::is_trivially_copyable_v<LinearRgb>);
+  Values values(
+      static_cast<LinearRgb*>(::operator new(counts_.size() * stride * sizeof(LinearRgb))));
   for (std::size_t slot = 0; slot < counts_.size(); ++slot) {
-    std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(slot * stride_), stride_,
-                values.begin() + static_cast<std::ptrdiff_t>(slot * stride));
+    if (counts_[slot] == 0) continue;
+    std::copy_n(values_.get() + slot * stride_, stride_, values.get() + slot * stride);
   }
   values_ = std::move(values);
   stride_ = stride;
 }
 
-void Film::plan(std::size_t pixel, const Target& target, std::uint32_t max_blocks,
-                std::vector<SampleRun>& runs) const {
-  for (std::uint32_t replicate = 0; replicate < kReplicates; ++replicate) {
-    const std::size_t slot = pixel * kReplicates + replicate;
-    std::uint32_t next = counts_[slot];
-    SampleRun run{.pixel = first_ + pixel, .replicate = replicate, .sum = sum(slot).open_block()};
-    for (std::uint32_t i = 0; i < max_blocks && next < target[replicate]; ++i) {
-      const std::uint32_t end = (next / SampleSum::kBlock + 1) * SampleSum::kBlock;
-      run.first = next;
-      run.count = std::min(end, target[replicate]) - next;
-      runs.push_back(run);
-      next += run.count;
-      run.sum = LinearRgb{};
-    }
-  }
-}
-
-void Film::add(const SampleRun& run) noexcept {
-  const std::size_t slot = static_cast<std::size_t>(run.pixel - first_) * kReplicates +
-                           static_cast<std::size_t>(run.replicate);
-  SampleSum sum(storage(slot), counts_[slot]);
-  sum.extend(run.sum, run.count);
-  counts_[slot] = static_cast<std::uint32_t>(sum.count());
-}
-
 std::uint64_t Film::samples(std::size_t pixel) const noexcept {
   std::uint64_t samples = 0;
-  for (std::size_t i = 0; i < kReplicates; ++i) samples += counts_[pixel * kReplicates + i];
+  for (std::uint32_t i = 0; i < extent_.replicates; ++i) samples += count(pixel, i);
   return samples;
 }
 
 LinearRgb Film::mean(std::size_t pixel) const noexcept {
   const std::uint64_t count = samples(pixel);
   if (count == 0) return LinearRgb{};
-  const auto total = [&](std::size_t i) { return sum(pixel * kReplicates + i).total(); };
-  return ((total(0) + total(1)) + (total(2) + total(3))) / static_cast<double>(count);
+  const auto total = [&](std::uint32_t i) { return sum(slot(pixel, i)).total(); };
+  const LinearRgb sum =
+      extent_.replicates == 1 ? total(0) : (total(0) + total(1)) + (total(2) + total(3));
+  return sum / static_cast<double>(count);
 }
 
 std::array<LinearRgb, kReplicates> Film::means(std::size_t pixel) const noexcept {
   std::array<LinearRgb, kReplicates> means;
-  for (std::size_t i = 0; i < kReplicates; ++i) {
-    const std::size_t slot = pixel * kReplicates + i;
-    means[i] = sum(slot).total() / static_cast<double>(counts_[slot]);
+  for (std::uint32_t i = 0; i < kReplicates; ++i) {
+    means[i] = sum(slot(pixel, i)).total() / static_cast<double>(count(pixel, i));
   }
   return means;
 }
@@ -77,9 +74,9 @@ LinearRgb Film::variance(std::size_t pixel) const noexcept {
   const std::array<LinearRgb, kReplicates> x = means(pixel);
   const LinearRgb mean = this->mean(pixel);
   LinearRgb squares;
-  for (std::size_t i = 0; i < kReplicates; ++i) {
+  for (std::uint32_t i = 0; i < kReplicates; ++i) {
     const LinearRgb d = x[i] - mean;
-    squares += d * d * counts_[pixel * kReplicates + i];
+    squares += d * d * count(pixel, i);
   }
   return squares / ((kReplicates - 1) * static_cast<double>(samples(pixel)));
 }
@@ -88,9 +85,9 @@ PixelSpread Film::spread(std::size_t pixel) const noexcept {
   const std::array<LinearRgb, kReplicates> x = means(pixel);
   const LinearRgb mean = this->mean(pixel);
   PixelSpread spread;
-  for (std::size_t i = 0; i < kReplicates; ++i) {
+  for (std::uint32_t i = 0; i < kReplicates; ++i) {
     const LinearRgb d = x[i] - mean;
-    const double weight = counts_[pixel * kReplicates + i];
+    const double weight = count(pixel, i);
     spread.squared_error += weight * dot(d, d);
     spread.grey_variance += weight * grey(d) * grey(d);
   }
@@ -117,6 +114,76 @@ PixelSpread Film::spread(std::size_t pixel) const noexcept {
   const double squared = 0.9 * (trace_of_square - trace * trace / kDegrees);
   spread.covariance = std::sqrt(std::max(squared, 0.0)) / kDegrees * unit;
   return spread;
+}
+
+void OpenPixels::open(std::uint32_t largest_target) {
+  const std::size_t first = begin_ * film_.extent_.replicates;
+  const std::size_t slots = targets_.size() * film_.extent_.replicates;
+  ends_.resize(slots);
+  for (std::size_t i = 0; i < slots; ++i) ends_[i] = film_.end_of(first + i);
+  const std::uint32_t first_sample = film_.extent_.first_sample;
+  stride_ = largest_target <= SampleSum::kBlock
+                ? 1
+                : SampleSum::max_values_of(first_sample, first_sample + largest_target);
+  if (stride_ <= film_.stride_) {
+    stride_ = film_.stride_;
+    values_ = film_.values_.get() + first * stride_;
+    return;
+  }
+  own_values_.resize(slots * stride_);
+  values_ = own_values_.data();
+  for (std::size_t i = 0; i < slots; ++i) {
+    if (film_.counts_[first + i] == 0) continue;
+    std::ranges::copy(film_.storage(first + i),
+                      own_values_.begin() + static_cast<std::ptrdiff_t>(i * stride_));
+  }
+}
+
+void OpenPixels::plan(std::uint32_t max_blocks, std::vector<PixelRun>& runs) const {
+  const std::uint32_t replicates = film_.extent_.replicates, first = film_.extent_.first_sample;
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    std::array<std::uint32_t, kReplicates> next{};
+    for (std::uint32_t r = 0; r < replicates; ++r) next[r] = ends_[i * replicates + r];
+    for (std::uint32_t block = 0; block < max_blocks; ++block) {
+      PixelRun run{.pixel = film_.extent_.first_pixel + begin_ + i};
+      for (std::uint32_t r = 0; r < replicates; ++r) {
+        const std::uint32_t target = first + targets_[i][r];
+        if (next[r] >= target) continue;
+        const std::uint32_t end =
+            std::min(target, (next[r] / SampleSum::kBlock + 1) * SampleSum::kBlock);
+        PixelRun::Part& part = run.parts[r];
+        part.first = next[r];
+        part.count = end - next[r];
+        if (block == 0) part.sum = sum(i * replicates + r).open_block();
+        next[r] = end;
+      }
+      if (run.samples() == 0) break;
+      runs.push_back(run);
+    }
+  }
+}
+
+void OpenPixels::add(const PixelRun& run) noexcept {
+  const auto pixel = static_cast<std::size_t>(run.pixel - film_.extent_.first_pixel) - begin_;
+  for (std::uint32_t r = 0; r < film_.extent_.replicates; ++r) {
+    if (run.parts[r].count == 0) continue;
+    const std::size_t slot = pixel * film_.extent_.replicates + r;
+    SampleSum sum = this->sum(slot);
+    sum.extend(run.parts[r].sum, run.parts[r].count);
+    ends_[slot] = sum.end();
+  }
+}
+
+void OpenPixels::close() noexcept {
+  const std::size_t first = begin_ * film_.extent_.replicates;
+  for (std::size_t i = 0; i < ends_.size(); ++i) {
+    if (!own_values_.empty()) {
+      const std::size_t values = SampleSum::values_of(film_.extent_.first_sample, ends_[i]);
+      if (values > film_.stride_) continue;
+      std::copy_n(values_ + i * stride_, values, film_.storage(first + i).begin());
+    }
+    film_.counts_[first + i] = ends_[i] - film_.extent_.first_sample;
+  }
 }
 
 }  // namespace sdlc::render

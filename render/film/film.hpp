@@ -3,26 +3,30 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "render/film/sample_run.hpp"
+#include "render/film/pixel_run.hpp"
 #include "render/film/sample_sum.hpp"
 #include "render/math/color.hpp"
 
 namespace sdlc::render {
 
-/// The number of replicates of a picture: its samples are split into this many parts that are
-/// scrambled independently. The differences between the parts give an estimate of the error.
-inline constexpr std::uint32_t kReplicates = 4;
 /// The minimum number of samples per pixel for replicates; pictures with fewer have one part and no
 /// error estimate.
 inline constexpr std::uint64_t kMinReplicatedSamples = 8;
 
-/// How many of `samples` samples per pixel belong to replicate `index`: a quarter each, the
-/// remainder going to the first replicates.
-constexpr std::uint32_t samples_in_replicate(std::uint64_t samples, std::uint32_t index) noexcept {
-  return static_cast<std::uint32_t>(samples / kReplicates + (index < samples % kReplicates));
+/// How many samples of a pixel belong to each replicate.
+using ReplicateCounts = std::array<std::uint32_t, kReplicates>;
+
+/// A quarter of `samples` each, the remainder going to the first replicates.
+constexpr ReplicateCounts split_in_replicates(std::uint64_t samples) noexcept {
+  ReplicateCounts counts{};
+  for (std::uint32_t i = 0; i < kReplicates; ++i) {
+    counts[i] = static_cast<std::uint32_t>(samples / kReplicates + (i < samples % kReplicates));
+  }
+  return counts;
 }
 
 /// How much the replicates of one pixel differ. See ErrorEstimate.
@@ -36,30 +40,37 @@ struct PixelSpread {
   double grey_variance = 0;
 };
 
-/// The sums of the samples of a range of consecutive pixels. Different threads may work on
-/// different pixels at the same time.
+/// The samples that a film has room for.
+struct FilmExtent {
+  std::uint64_t first_pixel = 0;  ///< row by row from the top left of the picture
+  std::size_t pixels = 0;         ///< consecutive ones
+  /// Of each replicate of each pixel; a multiple of SampleSum::kBlock.
+  std::uint32_t first_sample = 0;
+  std::uint32_t replicates = kReplicates;  ///< 1 or kReplicates
+
+  friend bool operator==(const FilmExtent&, const FilmExtent&) = default;
+};
+
+/// The exact sums of the samples of some pixels, by replicate. A film can be continued, in as many
+/// steps as one likes, with the same bits as in one step. Different threads may work on different
+/// pixels at the same time.
 class Film {
  public:
-  /// Valid up to 64 samples per replicate; each further factor of 2 adds 96 bytes.
-  static constexpr std::size_t kBytesPerPixel =
-      kReplicates * (2 * sizeof(LinearRgb) + sizeof(std::uint32_t));
+  /// The bytes of a pixel that has `samples` samples.
+  static std::size_t bytes_per_pixel(std::uint64_t samples) noexcept;
 
-  /// Covers `pixels` pixels from index `first`, row by row from the top left of the picture.
-  Film(std::uint64_t first, std::size_t pixels);
+  explicit Film(const FilmExtent& extent);
 
-  std::size_t size() const noexcept { return counts_.size() / kReplicates; }
+  const FilmExtent& extent() const noexcept { return extent_; }
+  std::size_t size() const noexcept { return extent_.pixels; }
 
-  /// Reserves memory for this many samples in each replicate. Not thread-safe.
-  void reserve(std::uint32_t samples_per_replicate);
+  /// Makes room for pixels with these samples in their replicates, beside what each has. Not
+  /// thread-safe.
+  void reserve(std::span<const ReplicateCounts> counts);
 
-  /// Appends the next runs towards `target` samples per replicate: at most `max_blocks` blocks,
-  /// nothing once the target is reached.
-  using Target = std::array<std::uint32_t, kReplicates>;
-  void plan(std::size_t pixel, const Target& target, std::uint32_t max_blocks,
-            std::vector<SampleRun>& runs) const;
-  /// Adds a run after it is traced. Runs of one replicate must come in order.
-  void add(const SampleRun& run) noexcept;
-
+  std::uint32_t count(std::size_t pixel, std::uint32_t replicate) const noexcept {
+    return replicate < extent_.replicates ? counts_[slot(pixel, replicate)] : 0;
+  }
   std::uint64_t samples(std::size_t pixel) const noexcept;
   /// Black if there is no sample.
   LinearRgb mean(std::size_t pixel) const noexcept;
@@ -69,18 +80,72 @@ class Film {
   LinearRgb variance(std::size_t pixel) const noexcept;
 
  private:
-  std::span<LinearRgb> storage(std::size_t slot) noexcept {
-    return std::span(values_).subspan(slot * stride_, stride_);
+  friend class OpenPixels;
+
+  struct Deleter {
+    void operator()(LinearRgb* values) const noexcept;
+  };
+  using Values = std::unique_ptr<LinearRgb[], Deleter>;
+
+  std::size_t slot(std::size_t pixel, std::uint32_t replicate) const noexcept {
+    return pixel * extent_.replicates + replicate;
+  }
+  std::uint32_t end_of(std::size_t slot) const noexcept {
+    return extent_.first_sample + counts_[slot];
+  }
+  std::span<LinearRgb> storage(std::size_t slot) const noexcept {
+    return {values_.get() + slot * stride_, stride_};
   }
   SampleSum sum(std::size_t slot) const noexcept {
-    return {const_cast<Film&>(*this).storage(slot), counts_[slot]};
+    return {storage(slot), extent_.first_sample, end_of(slot)};
   }
   std::array<LinearRgb, kReplicates> means(std::size_t pixel) const noexcept;
 
-  std::uint64_t first_;
-  std::size_t stride_ = 1;             // values per sum
-  std::vector<std::uint32_t> counts_;  // number of samples, per replicate of each pixel
-  std::vector<LinearRgb> values_;
+  FilmExtent extent_;
+  std::size_t stride_ = 0;             // values per sum
+  std::vector<std::uint32_t> counts_;  // by slot
+  Values values_;                      // by slot; undefined where there is no sample
+};
+
+/// Some pixels of a film while they are traced. The film has their samples after close().
+class OpenPixels {
+ public:
+  /// The pixels [begin, end) of the film, which has room for `target(pixel)` samples in each
+  /// replicate of a pixel, and keeps a reference.
+  template <typename TargetOf>
+  OpenPixels(Film& film, std::size_t begin, std::size_t end, const TargetOf& target)
+      : film_(film), begin_(begin) {
+    targets_.reserve(end - begin);
+    std::uint32_t largest = 0;
+    for (std::size_t pixel = begin; pixel < end; ++pixel) {
+      targets_.push_back(target(pixel));
+      for (const std::uint32_t count : targets_.back()) largest = std::max(largest, count);
+    }
+    open(largest);
+  }
+
+  /// Appends the next runs: at most `max_blocks` for each pixel, nothing once all targets are
+  /// reached.
+  void plan(std::uint32_t max_blocks, std::vector<PixelRun>& runs) const;
+  /// Adds a run after it is traced. Runs of a pixel come in the order of plan().
+  void add(const PixelRun& run) noexcept;
+  /// Drops new samples of a pixel that stopped short of its target if the film has no room for the
+  /// sum.
+  void close() noexcept;
+
+ private:
+  void open(std::uint32_t largest_target);
+  SampleSum sum(std::size_t slot) const noexcept {
+    return {{values_ + slot * stride_, stride_}, film_.extent_.first_sample, ends_[slot]};
+  }
+
+  Film& film_;
+  std::size_t begin_;
+  std::vector<ReplicateCounts> targets_;
+  std::vector<LinearRgb> own_values_;  // empty if the film has room for all steps
+  std::vector<std::uint32_t> ends_;
+  LinearRgb* values_ = nullptr;
+  std::size_t stride_ = 0;
 };
 
 }  // namespace sdlc::render

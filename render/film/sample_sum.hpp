@@ -9,58 +9,78 @@
 
 namespace sdlc::render {
 
-/// Sums the samples of one stream in an order that depends on their indices only: sequentially
-/// within aligned blocks of 64, then as a binary tree over the blocks. Whole blocks can therefore
-/// be computed anywhere in any order and give the same bits, and the rounding error is that of
-/// pairwise summation. The storage is external, because a picture has millions of such sums.
+/// Sums consecutive samples of one stream in an order that depends on their indices only:
+/// sequentially within aligned blocks of 64, then as a binary tree over the blocks. Whole blocks
+/// can therefore be traced anywhere in any order and give the same bits, and the rounding error is
+/// that of pairwise summation.
+///
+/// A sum is stored as the fewest subtrees that cover its whole blocks, from left to right, and the
+/// sum of its last block if that is incomplete. The storage is external, because a picture has
+/// millions of such sums.
 class SampleSum {
  public:
   static constexpr std::uint32_t kBlock = 64;
 
-  /// The number of values that the sum of this many samples needs.
-  static constexpr std::size_t storage_for(std::uint64_t samples) noexcept {
-    return 1 + static_cast<std::size_t>(std::bit_width(samples / kBlock));
+  /// The number of values of the sum of the samples [first, end).
+  static constexpr std::size_t values_of(std::uint32_t first, std::uint32_t end) noexcept {
+    return subtrees(first / kBlock, end / kBlock) + (end % kBlock != 0);
+  }
+  /// An upper limit for all values_of(first, e) with e ≤ end.
+  static constexpr std::size_t max_values_of(std::uint32_t first, std::uint32_t end) noexcept {
+    const std::uint32_t blocks = (end - first) / kBlock;
+    return static_cast<std::size_t>((first == 0 ? 1 : 2) * std::bit_width(blocks)) + 1;
   }
 
-  /// The sum of the first `count` samples, in `storage`, which must have room for all future ones;
-  /// all 0 if count is 0.
-  SampleSum(std::span<LinearRgb> storage, std::uint64_t count) noexcept
-      : storage_(storage), count_(count) {}
+  /// The samples [first, end), in a storage that has room for all that follow. `first` is a
+  /// multiple of kBlock.
+  SampleSum(std::span<LinearRgb> storage, std::uint32_t first, std::uint32_t end) noexcept
+      : storage_(storage), first_(first), end_(end) {}
 
-  std::uint64_t count() const noexcept { return count_; }
+  std::uint32_t end() const noexcept { return end_; }
 
-  /// The partial sum of the last block, which the next samples continue.
-  LinearRgb open_block() const noexcept { return storage_[0]; }
+  /// The sum of the last block, which the next samples continue.
+  LinearRgb open_block() const noexcept {
+    return end_ % kBlock == 0 ? LinearRgb{} : storage_[closed()];
+  }
 
   /// Adds `samples` samples to the last block, whose new sum is `block`.
   void extend(LinearRgb block, std::uint32_t samples) noexcept {
-    storage_[0] = block;
-    count_ += samples;
-    if (count_ % kBlock == 0) close_block();
+    const std::size_t last = closed();
+    end_ += samples;
+    storage_[last] = block;
+    if (end_ % kBlock == 0) join_subtrees(last);
   }
 
   LinearRgb total() const noexcept {
-    LinearRgb sum = storage_[0];
-    for (std::uint64_t blocks = count_ / kBlock, level = 1; blocks != 0; blocks >>= 1, ++level) {
-      if (blocks & 1) sum = storage_[level] + sum;
-    }
+    std::size_t left = closed();
+    LinearRgb sum = open_block();
+    while (left > 0) sum = storage_[--left] + sum;
     return sum;
   }
 
  private:
-  /// A binary counter: storage_[1 + k] holds the sum of 2^k blocks if bit k of the number of blocks
-  /// is set.
-  void close_block() noexcept {
-    const std::uint64_t blocks = count_ / kBlock;
-    LinearRgb sum = storage_[0];
-    const auto carry = static_cast<std::size_t>(std::countr_zero(blocks));
-    for (std::size_t level = 1; level <= carry; ++level) sum = storage_[level] + sum;
-    storage_[1 + carry] = sum;
-    storage_[0] = LinearRgb{};
+  /// The number of subtrees that cover the blocks [first, end).
+  static constexpr std::size_t subtrees(std::uint32_t first, std::uint32_t end) noexcept {
+    std::size_t count = 0;
+    // Subtrees that end where a larger one begins.
+    while (first != 0 && first + (first & -first) <= end && first < end) {
+      first += first & -first;
+      ++count;
+    }
+    return count + static_cast<std::size_t>(std::popcount(end - first));
+  }
+  std::size_t closed() const noexcept { return subtrees(first_ / kBlock, end_ / kBlock); }
+
+  /// Joins the last block, storage_[last], with the complete subtrees to its left.
+  void join_subtrees(std::size_t last) noexcept {
+    const std::uint32_t first = first_ / kBlock, end = end_ / kBlock;
+    for (std::uint32_t size = 2; end % size == 0 && end - first >= size; size *= 2, --last) {
+      storage_[last - 1] += storage_[last];
+    }
   }
 
   std::span<LinearRgb> storage_;
-  std::uint64_t count_ = 0;
+  std::uint32_t first_, end_;
 };
 
 }  // namespace sdlc::render

@@ -28,7 +28,7 @@ GoalRender::GoalRender(PictureTracer& tracer, const RenderSettings& settings,
       monitor_(monitor),
       result_(result),
       start_(start),
-      film_(0, result.picture.pixels.size()) {
+      film_({.pixels = result.picture.pixels.size()}) {
   if (!settings.seconds) return;
   deadline_ = start + std::chrono::duration_cast<Clock::duration>(
                           std::chrono::duration<double>(std::min(*settings.seconds, 1e9)));
@@ -39,9 +39,16 @@ bool GoalRender::is_late() const {
   return deadline_ && !is_first_pass_ && Clock::now() >= *deadline_;
 }
 
-bool GoalRender::pass(std::uint64_t max_samples, const Target& target) {
-  const bool is_whole =
-      tracer_.trace_pass(film_, max_samples, target, [this] { return is_late(); });
+bool GoalRender::pass(std::span<const std::uint32_t> samples) {
+  std::vector<ReplicateCounts> counts;
+  counts.reserve(samples.size());
+  for (const std::uint32_t of_pixel : samples) counts.push_back(split_in_replicates(of_pixel));
+  film_.reserve(counts);
+  const std::uint64_t most = std::ranges::max(samples);
+  const std::uint64_t added = most - std::min(most, film_.samples(0));
+  const bool is_whole = tracer_.trace_pass(
+      film_, added, [&](std::size_t pixel) { return counts[counts.size() == 1 ? 0 : pixel]; },
+      [this] { return is_late(); });
   is_first_pass_ = false;
   if (deadline_) {
     report_progress(std::chrono::duration<double>(Clock::now() - start_).count() /
@@ -103,7 +110,9 @@ void GoalRender::run_uniform() {
   ErrorGoal goal(settings_.error.value_or(0), max_samples);
   // With only a time limit the first pass is as short as possible, and is finished.
   std::optional<std::uint64_t> samples = settings_.error ? goal.first_samples() : 1;
-  while (samples && pass(*samples, [&](std::size_t) { return *samples; })) {
+  while (samples) {
+    const auto of_pixel = static_cast<std::uint32_t>(*samples);
+    if (!pass(std::span(&of_pixel, 1))) return;
     if (settings_.error) {
       estimate();
       if (!result_.error) return;
@@ -134,8 +143,9 @@ void GoalRender::run_uniform() {
 
 void GoalRender::run_adaptive() {
   const auto max_samples = static_cast<std::uint64_t>(settings_.samples);
-  const std::uint64_t pilot = std::min<std::uint64_t>(kPilotSamples, max_samples);
-  if (!pass(pilot, [&](std::size_t) { return pilot; })) return;
+  const auto pilot =
+      static_cast<std::uint32_t>(std::min<std::uint64_t>(kPilotSamples, max_samples));
+  if (!pass(std::span(&pilot, 1))) return;
   estimate();
   if (!result_.error || result_.error->interval.to <= *settings_.error) return;
   // The confidence interval has a width at the end, so the estimate itself has to be lower than the
@@ -143,8 +153,8 @@ void GoalRender::run_adaptive() {
   const double width = result_.error->relative_error / result_.error->interval.to;
   std::vector<std::uint32_t> samples =
       adaptive_samples(spreads_, *result_.error, settings_.width, *settings_.error * width,
-                       settings_.sampler, static_cast<std::uint32_t>(pilot), max_samples);
-  while (pass(*std::ranges::max_element(samples), [&](std::size_t i) { return samples[i]; })) {
+                       settings_.sampler, pilot, max_samples);
+  while (pass(samples)) {
     estimate();
     if (!result_.error) return;
     const double left = result_.error->interval.to / *settings_.error;

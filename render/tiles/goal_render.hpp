@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render/film/film.hpp"
@@ -30,10 +31,9 @@ class GoalRender {
   void run();
 
  private:
-  using Target = std::function<std::uint64_t(std::size_t pixel)>;
-
-  /// Runs one pass; returns false if it was the last one because of the time limit or cancellation.
-  bool pass(std::uint64_t max_samples, const Target& target);
+  /// Brings the pixels to these samples, or all of them to the only element. Returns false if it
+  /// was the last pass because of the time limit or cancellation.
+  bool pass(std::span<const std::uint32_t> samples);
   void run_uniform();
   void run_adaptive();
   bool is_late() const;

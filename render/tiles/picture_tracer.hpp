@@ -21,25 +21,25 @@ class PictureTracer {
   PictureTracer(const Tracer& tracer, const RenderSettings& settings, int threads,
                 RenderMonitor& monitor);
 
-  /// Traces all samples of each pixel before the next one. Fills the picture, `spreads`, and the
-  /// variances of the result.
-  void trace_at_once(RenderResult& result, std::vector<PixelSpread>& spreads);
+  /// The number of samples that a pixel shall have in each replicate.
+  using Target = std::function<ReplicateCounts(std::size_t pixel)>;
+  using IsLate = std::function<bool()>;
+  /// Told of the pixels [begin, end) when they have reached their targets, on the thread that
+  /// traced them.
+  using OnTile = std::function<void(std::size_t begin, std::size_t end)>;
 
-  /// Brings the pixels of a film of the whole picture to `target(pixel)` samples each;
-  /// `max_samples` is the largest target. Starts no new work after `is_late` returns true. Returns
+  /// Brings the pixels of a film, which has room for them, to their targets; `added` is the largest
+  /// number of samples that a pixel gets. Starts no new work after `is_late` returns true. Returns
   /// false if any work is left.
-  bool trace_pass(Film& film, std::uint64_t max_samples,
-                  const std::function<std::uint64_t(std::size_t pixel)>& target,
-                  const std::function<bool()>& is_late);
+  bool trace_pass(Film& film, std::uint64_t added, const Target& target, const IsLate& is_late,
+                  const OnTile& on_tile = {});
 
   std::uint64_t truncated_paths() const noexcept { return truncated_; }
   std::uint64_t nonfinite_samples() const noexcept { return nonfinite_; }
 
  private:
-  /// Traces the pixels [begin, end) of a film. False if cancelled or late.
-  template <typename TargetOf, typename IsLate>
-  bool trace_pixels(Film& film, std::size_t begin, std::size_t end, const TargetOf& target,
-                    const IsLate& is_late);
+  bool trace_tile(Film& film, std::size_t begin, std::size_t end, const Target& target,
+                  const IsLate& is_late);
   void for_each_tile(std::size_t pixels_per_tile,
                      const std::function<void(std::size_t begin, std::size_t end)>& body) const;
   std::size_t pixels_per_tile(std::uint64_t samples) const noexcept;

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -31,11 +32,25 @@ void render_at_once(PictureTracer& tracer, const RenderSettings& settings,
   const auto samples = static_cast<std::uint64_t>(settings.samples);
   result.max_samples = samples;
   const bool has_replicates = samples >= kMinReplicatedSamples;
-  std::vector<PixelSpread> spreads(has_replicates ? result.picture.pixels.size() : 0);
+  Film film(
+      {.pixels = result.picture.pixels.size(), .replicates = has_replicates ? kReplicates : 1});
+  const ReplicateCounts target = has_replicates
+                                     ? split_in_replicates(samples)
+                                     : ReplicateCounts{static_cast<std::uint32_t>(samples)};
+  film.reserve(std::span(&target, 1));
+  std::vector<PixelSpread> spreads(has_replicates ? film.size() : 0);
   if (has_replicates && settings.keeps_variance) {
     result.variance = Picture(settings.width, settings.height);
   }
-  tracer.trace_at_once(result, spreads);
+  tracer.trace_pass(
+      film, samples, [&](std::size_t) { return target; }, [] { return false; },
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          result.picture.pixels[i] = film.mean(i);
+          if (!spreads.empty()) spreads[i] = film.spread(i);
+          if (!result.variance.pixels.empty()) result.variance.pixels[i] = film.variance(i);
+        }
+      });
   if (monitor.cancel.load()) return;  // some pixels have no sample
   result.min_samples = samples;
   if (has_replicates) result.error = estimate_error(result.picture, spreads);

@@ -17,20 +17,13 @@ class ScalarTracer final : public Tracer {
                     &emitters),
         settings_(settings) {}
 
-  bool trace(std::span<SampleRun> runs, TraceCounts& counts,
+  bool trace(std::span<PixelRun> runs, TraceCounts& counts,
              const std::atomic<bool>& cancel) const override {
-    for (SampleRun& run : runs) {
-      const std::uint64_t key = PathSampler::stream_key(settings_.seed, run.pixel, run.replicate);
-      for (std::uint32_t i = 0; i < run.count; ++i) {
-        const PathSampler sampler(settings_.sampler, key, run.first + i);
-        const LinearRgb radiance = sample(run.pixel, sampler, counts.paths, cancel);
-        if (is_finite(radiance)) {
-          run.sum += radiance;
-        } else {
-          ++counts.nonfinite_samples;
-        }
+    for (PixelRun& run : runs) {
+      for (std::uint32_t replicate = 0; replicate < kReplicates; ++replicate) {
+        trace_part(run.pixel, replicate, run.parts[replicate], counts, cancel);
+        if (cancel.load(std::memory_order_relaxed)) return false;
       }
-      if (cancel.load(std::memory_order_relaxed)) return false;
     }
     return true;
   }
@@ -38,6 +31,20 @@ class ScalarTracer final : public Tracer {
   std::size_t memory_bytes() const noexcept override { return integrator_.bvh().memory_bytes(); }
 
  private:
+  void trace_part(std::uint64_t pixel, std::uint32_t replicate, PixelRun::Part& part,
+                  TraceCounts& counts, const std::atomic<bool>& cancel) const {
+    const std::uint64_t key = PathSampler::stream_key(settings_.seed, pixel, replicate);
+    for (std::uint32_t i = 0; i < part.count; ++i) {
+      const PathSampler sampler(settings_.sampler, key, part.first + i);
+      const LinearRgb radiance = sample(pixel, sampler, counts.paths, cancel);
+      if (is_finite(radiance)) {
+        part.sum += radiance;
+      } else {
+        ++counts.nonfinite_samples;
+      }
+    }
+  }
+
   LinearRgb sample(std::uint64_t pixel, const PathSampler& sampler, PathCounts& counts,
                    const std::atomic<bool>& cancel) const {
     const auto width = static_cast<std::uint64_t>(settings_.width);
@@ -66,7 +73,7 @@ class WideTracer final : public Tracer {
                      .lights = kernel.lights,
                      .emitters = &emitters}) {}
 
-  bool trace(std::span<SampleRun> runs, TraceCounts& counts,
+  bool trace(std::span<PixelRun> runs, TraceCounts& counts,
              const std::atomic<bool>& cancel) const override {
     WideCounts wide;
     if (!integrator_.trace(runs, wide, cancel)) return false;

@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-#include "render/film/sample_run.hpp"
+#include "render/film/pixel_run.hpp"
 #include "render/integrator/path_integrator.hpp"
 #include "render/light/emitter_tally.hpp"
 #include "render/scene/scene.hpp"
@@ -25,9 +25,9 @@ class Tracer {
  public:
   virtual ~Tracer() = default;
 
-  /// Adds the samples of each run to its sum. Returns false, with meaningless sums, if `cancel` was
-  /// set.
-  virtual bool trace(std::span<SampleRun> runs, TraceCounts& counts,
+  /// Adds the samples of each run to its sums. Returns false, with meaningless sums, if `cancel`
+  /// was set.
+  virtual bool trace(std::span<PixelRun> runs, TraceCounts& counts,
                      const std::atomic<bool>& cancel) const = 0;
   virtual std::size_t memory_bytes() const noexcept = 0;  ///< of tables and BVH
 };

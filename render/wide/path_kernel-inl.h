@@ -34,10 +34,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <typename T, typename F>
 class WidePaths {
  public:
-  HWY_INLINE WidePaths(const WideScene<T>& scene, const WideView<T>& view,
-                       std::span<const SampleBlock<T>> blocks, std::span<LinearRgb> sums)
-      : scene_(scene), view_(view), blocks_(blocks), sums_(sums) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) start_block(lane);
+  HWY_INLINE WidePaths(const WideScene<T>& scene, const WideView<T>& view, std::span<PixelRun> runs)
+      : scene_(scene), view_(view), runs_(runs) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) start_run(lane);
   }
 
   void trace(WideCounts& counts, const std::atomic<bool>& cancel);
@@ -57,8 +56,12 @@ class WidePaths {
   static HWY_INLINE V set(double v) { return hn::Set(D(), static_cast<T>(v)); }
   static HWY_INLINE Bits word(std::uint32_t v) { return hn::Set(DU(), v); }
 
-  HWY_INLINE void start_block(std::size_t lane);
-  HWY_INLINE void finish_blocks(Mask finished);
+  template <typename Tag>
+  static HWY_INLINE void put(Tag tag, hn::TFromD<Tag>* state, std::size_t lane,
+                             hn::TFromD<Tag> value);
+  void start_run(std::size_t lane);
+  bool start_part(std::size_t lane, std::uint32_t replicate);
+  void finish_parts(Mask finished);
   /// The distance at which a ray hits the sphere that it leaves again, negative if it does not;
   /// `inwards` is the cosine of ray and outward normal.
   static HWY_INLINE V rehit_distance(V inwards, V radius) {
@@ -81,49 +84,84 @@ class WidePaths {
 
   const WideScene<T>& scene_;
   const WideView<T>& view_;
-  std::span<const SampleBlock<T>> blocks_;
-  std::span<LinearRgb> sums_;
-  std::size_t next_block_ = 0;
+  std::span<PixelRun> runs_;
+  std::size_t next_run_ = 0;
 
-  // State that changes only with the block stays in memory.
+  // State that changes only with the part of a run stays in memory.
   alignas(64) std::array<std::array<T, kLanes>, 3> corner_{};
   alignas(64) std::array<Word, kLanes> stream_key_{};    // lower half
   alignas(64) std::array<Word, kLanes> mixer_{};         // upper half
   alignas(64) std::array<Word, kLanes> sample_{};        // index of the lane's next sample
   alignas(64) std::array<Word, kLanes> samples_left_{};  // 0: the lane is idle
   alignas(64) std::array<std::array<double, kLanes>, 3> sum_{};
-  std::array<std::size_t, kLanes> block_{};
+  std::array<PixelRun*, kLanes> run_{};
+  std::array<std::uint32_t, kLanes> replicate_{};
   // What a path has hit so far, for EmitterTally; maintained only while it counts.
   enum : Word { kHasScattered = 1, kHasMetDiffuse = 2, kLeavesDiffuse = 4 };
   alignas(64) std::array<Word, kLanes> history_{};
 };
 
+/// Sets one lane of a state. A vector is stored where a vector will be loaded: a load that spans
+/// the store of a single lane would have to wait for it.
 template <typename T, typename F>
-void WidePaths<T, F>::start_block(std::size_t lane) {
-  if (next_block_ == blocks_.size()) {
-    samples_left_[lane] = 0;
-    return;
+template <typename Tag>
+HWY_INLINE void WidePaths<T, F>::put(Tag tag, hn::TFromD<Tag>* state, std::size_t lane,
+                                     hn::TFromD<Tag> value) {
+  constexpr std::size_t kInVector = hn::MaxLanes(tag);
+  state += lane / kInVector * kInVector;
+  const auto lane_in_vector = static_cast<hn::TFromD<Tag>>(lane % kInVector);
+  const auto is_lane = hn::Eq(hn::Iota(tag, 0), hn::Set(tag, lane_in_vector));
+  hn::Store(hn::IfThenElse(is_lane, hn::Set(tag, value), hn::Load(tag, state)), tag, state);
+}
+
+/// Gives the lane the next run, or makes it idle if there is none.
+template <typename T, typename F>
+void WidePaths<T, F>::start_run(std::size_t lane) {
+  while (next_run_ < runs_.size()) {
+    PixelRun& run = runs_[next_run_++];
+    run_[lane] = &run;
+    const auto x = static_cast<double>(run.pixel % view_.width);
+    const auto y = static_cast<double>(run.pixel / view_.width + 1);  // the pixel's lower edge
+    const Vec3 corner = view_.corner + view_.right * x + view_.down * y;
+    const D d;
+    put(d, corner_[0].data(), lane, static_cast<T>(corner.x));
+    put(d, corner_[1].data(), lane, static_cast<T>(corner.y));
+    put(d, corner_[2].data(), lane, static_cast<T>(corner.z));
+    if (start_part(lane, 0)) return;
   }
-  const SampleBlock<T>& block = blocks_[next_block_];
-  block_[lane] = next_block_++;
-  for (std::size_t i = 0; i < 3; ++i) {
-    corner_[i][lane] = block.corner[i];
-    sum_[i][lane] = block.sum[i];
+  put(DU(), samples_left_.data(), lane, 0);
+}
+
+/// Gives the lane the samples of its run in `replicate`, or in the next one that has any; false if
+/// none has.
+template <typename T, typename F>
+bool WidePaths<T, F>::start_part(std::size_t lane, std::uint32_t replicate) {
+  const PixelRun& run = *run_[lane];
+  while (run.parts[replicate].count == 0) {
+    if (++replicate == kReplicates) return false;
   }
-  mixer_[lane] = static_cast<std::uint32_t>(block.stream_key >> 32);
-  stream_key_[lane] = static_cast<std::uint32_t>(block.stream_key);
-  sample_[lane] = block.first;
-  samples_left_[lane] = block.count;
+  const PixelRun::Part& part = run.parts[replicate];
+  replicate_[lane] = replicate;
+  const std::uint64_t key = PathSampler::stream_key(view_.seed, run.pixel, replicate);
+  const DU du;
+  const hn::ScalableTag<double> dd;
+  put(du, mixer_.data(), lane, static_cast<std::uint32_t>(key >> 32));
+  put(du, stream_key_.data(), lane, static_cast<std::uint32_t>(key));
+  put(du, sample_.data(), lane, part.first);
+  put(du, samples_left_.data(), lane, part.count);
+  put(dd, sum_[0].data(), lane, part.sum.r);
+  put(dd, sum_[1].data(), lane, part.sum.g);
+  put(dd, sum_[2].data(), lane, part.sum.b);
+  return true;
 }
 
 template <typename T, typename F>
-void WidePaths<T, F>::finish_blocks(Mask finished) {
-  alignas(64) std::array<Word, kLanes> flags;
-  hn::Store(hn::VecFromMask(DU(), hn::RebindMask(DU(), finished)), DU(), flags.data());
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (flags[lane] == 0) continue;
-    sums_[block_[lane]] = {sum_[0][lane], sum_[1][lane], sum_[2][lane]};
-    start_block(lane);
+void WidePaths<T, F>::finish_parts(Mask finished) {
+  for (std::uint32_t lanes = bits_of(D(), finished); lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+    const std::uint32_t replicate = replicate_[lane];
+    run_[lane]->parts[replicate].sum = {sum_[0][lane], sum_[1][lane], sum_[2][lane]};
+    if (replicate + 1 == kReplicates || !start_part(lane, replicate + 1)) start_run(lane);
   }
 }
 
@@ -234,8 +272,8 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
       const Triple<V> corner{hn::Load(d, corner_[0].data()), hn::Load(d, corner_[1].data()),
                              hn::Load(d, corner_[2].data())};
       const Triple<V> place =
-          plus_scaled(plus_scaled(corner, spread(d, view_.right), in_pixel.first),
-                      spread(d, view_.up), in_pixel.second);
+          plus_scaled(plus_scaled(corner, spread(d, view_.spread_right), in_pixel.first),
+                      spread(d, view_.spread_up), in_pixel.second);
       if constexpr (F::kMotion) time = hn::IfThenElse(fresh, sampler.first(kTime), time);
       stream = hn::IfThenElse(
           fresh_bits, add_low_32(start, word(PathSampler::kPairIncrement * kCameraPairs)), stream);
@@ -391,7 +429,7 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     hn::Store(left, du, samples_left_.data());
     const Mask finished = hn::And(fresh, hn::RebindMask(d, hn::Eq(left, hn::Zero(du))));
     if (HWY_UNLIKELY(!hn::AllFalse(d, finished))) {
-      finish_blocks(finished);
+      finish_parts(finished);
       alive = hn::RebindMask(d, hn::Ne(hn::Load(du, samples_left_.data()), hn::Zero(du)));
       fresh = hn::And(fresh, alive);
     }
@@ -399,26 +437,25 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
 }
 
 template <typename T, typename F>
-void trace_blocks(const WideScene<T>& scene, const WideView<T>& view,
-                  std::span<const SampleBlock<T>> blocks, std::span<LinearRgb> sums,
-                  WideCounts& counts, const std::atomic<bool>& cancel) noexcept {
-  WidePaths<T, F>(scene, view, blocks, sums).trace(counts, cancel);
+void trace_runs(const WideScene<T>& scene, const WideView<T>& view, std::span<PixelRun> runs,
+                WideCounts& counts, const std::atomic<bool>& cancel) noexcept {
+  WidePaths<T, F>(scene, view, runs).trace(counts, cancel);
 }
 
 template <typename T, bool kLights, bool kMotion, bool kExactSpheres>
-TraceBlocks<T>* choose_search(WideFeatures features) noexcept {
-  return features.bvh ? &trace_blocks<T, Features<kMotion, kExactSpheres, true, false, kLights>>
-                      : &trace_blocks<T, Features<kMotion, kExactSpheres, false, false, kLights>>;
+TraceRuns<T>* choose_search(WideFeatures features) noexcept {
+  return features.bvh ? &trace_runs<T, Features<kMotion, kExactSpheres, true, false, kLights>>
+                      : &trace_runs<T, Features<kMotion, kExactSpheres, false, false, kLights>>;
 }
 
 /// `kLights` as in `features`; it is a template parameter because each value has its own source
 /// file.
 template <typename T, bool kLights>
-TraceBlocks<T>* choose_kernel(WideFeatures features) noexcept {
+TraceRuns<T>* choose_kernel(WideFeatures features) noexcept {
   if constexpr (sizeof(T) == 8) {
     if (features.instances) {
-      return features.motion ? &trace_blocks<T, Features<true, false, true, true, kLights>>
-                             : &trace_blocks<T, Features<false, false, true, true, kLights>>;
+      return features.motion ? &trace_runs<T, Features<true, false, true, true, kLights>>
+                             : &trace_runs<T, Features<false, false, true, true, kLights>>;
     }
   }
   if constexpr (sizeof(T) == 4) {

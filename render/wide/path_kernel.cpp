@@ -9,10 +9,10 @@ HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
 // Called here, so that all instantiations are compiled for the instruction set.
-TraceBlocks<float>* kernel_for(float /*type*/, WideFeatures features) noexcept {
+TraceRuns<float>* kernel_for(float /*type*/, WideFeatures features) noexcept {
   return choose_kernel<float, false>(features);
 }
-TraceBlocks<double>* kernel_for(double /*type*/, WideFeatures features) noexcept {
+TraceRuns<double>* kernel_for(double /*type*/, WideFeatures features) noexcept {
   return choose_kernel<double, false>(features);
 }
 
@@ -24,7 +24,7 @@ HWY_AFTER_NAMESPACE();
 namespace sdlc::render {
 
 template <typename T>
-TraceBlocks<T>* wide_kernel([[maybe_unused]] Isa isa, WideFeatures features) noexcept {
+TraceRuns<T>* wide_kernel([[maybe_unused]] Isa isa, WideFeatures features) noexcept {
   if (features.lights) return wide_kernel_with_lights<T>(isa, features);
 #if HWY_ARCH_X86_64
   switch (isa) {
@@ -37,8 +37,8 @@ TraceBlocks<T>* wide_kernel([[maybe_unused]] Isa isa, WideFeatures features) noe
 #endif
 }
 
-template TraceBlocks<float>* wide_kernel(Isa isa, WideFeatures features) noexcept;
-template TraceBlocks<double>* wide_kernel(Isa isa, WideFeatures features) noexcept;
+template TraceRuns<float>* wide_kernel(Isa isa, WideFeatures features) noexcept;
+template TraceRuns<double>* wide_kernel(Isa isa, WideFeatures features) noexcept;
 
 }  // namespace sdlc::render
 #endif

@@ -9,10 +9,10 @@ HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
 // Called here, so that all instantiations are compiled for the instruction set.
-TraceBlocks<float>* kernel_with_lights_for(float /*type*/, WideFeatures features) noexcept {
+TraceRuns<float>* kernel_with_lights_for(float /*type*/, WideFeatures features) noexcept {
   return choose_kernel<float, true>(features);
 }
-TraceBlocks<double>* kernel_with_lights_for(double /*type*/, WideFeatures features) noexcept {
+TraceRuns<double>* kernel_with_lights_for(double /*type*/, WideFeatures features) noexcept {
   return choose_kernel<double, true>(features);
 }
 
@@ -24,8 +24,8 @@ HWY_AFTER_NAMESPACE();
 namespace sdlc::render {
 
 template <typename T>
-TraceBlocks<T>* wide_kernel_with_lights([[maybe_unused]] Isa isa,
-                                        [[maybe_unused]] WideFeatures features) noexcept {
+TraceRuns<T>* wide_kernel_with_lights([[maybe_unused]] Isa isa,
+                                      [[maybe_unused]] WideFeatures features) noexcept {
 #if HWY_ARCH_X86_64
   switch (isa) {
     case Isa::Sse4: return N_SSE4::kernel_with_lights_for(T{}, features);
@@ -37,8 +37,8 @@ TraceBlocks<T>* wide_kernel_with_lights([[maybe_unused]] Isa isa,
 #endif
 }
 
-template TraceBlocks<float>* wide_kernel_with_lights(Isa isa, WideFeatures features) noexcept;
-template TraceBlocks<double>* wide_kernel_with_lights(Isa isa, WideFeatures features) noexcept;
+template TraceRuns<float>* wide_kernel_with_lights(Isa isa, WideFeatures features) noexcept;
+template TraceRuns<double>* wide_kernel_with_lights(Isa isa, WideFeatures features) noexcept;
 
 }  // namespace sdlc::render
 #endif

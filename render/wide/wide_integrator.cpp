@@ -1,12 +1,9 @@
 #include "render/wide/wide_integrator.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
-#include <vector>
 
 #include "render/camera/pinhole.hpp"
-#include "render/sampler/sampler.hpp"
 #include "render/scene/rebase.hpp"
 #include "render/scene/touching.hpp"
 #include "render/wide/path_kernel.hpp"
@@ -25,7 +22,7 @@ std::array<T, 3> rounded(Vec3 v) {
 class WideIntegrator::Tracer {
  public:
   virtual ~Tracer() = default;
-  virtual bool trace(std::span<SampleRun> runs, WideCounts& counts,
+  virtual bool trace(std::span<PixelRun> runs, WideCounts& counts,
                      const std::atomic<bool>& cancel) const = 0;
   virtual std::size_t memory_bytes() const noexcept = 0;
 };
@@ -42,54 +39,33 @@ class WideIntegrator::TracerIn final : public Tracer {
                                              .bvh = options.search == Search::Bvh,
                                              .instances = !scene_.instances.empty(),
                                              .lights = scene_.lights.nodes > 0})),
-        width_(static_cast<std::uint64_t>(settings.width)),
-        seed_(settings.seed),
-        corner_(pinhole.place(0, 1)),
-        right_(pinhole.across() / settings.width),
-        down_(-pinhole.upwards() / settings.height) {
-    view_.sampler = settings.sampler;
-    view_.emitters = options.emitters;
+        view_{.width = static_cast<std::uint64_t>(settings.width),
+              .seed = settings.seed,
+              .corner = pinhole.place(0, 1),
+              .right = pinhole.across() / settings.width,
+              .down = -pinhole.upwards() / settings.height,
+              .sampler = settings.sampler,
+              .emitters = options.emitters} {
     if (settings.is_centred()) {
-      corner_ = corner_ + (right_ - down_) * 0.5;
-      return;
+      view_.corner = view_.corner + (view_.right - view_.down) * 0.5;
+    } else {
+      view_.spread_right = rounded<T>(view_.right);
+      view_.spread_up = rounded<T>(-view_.down);
     }
-    view_.right = rounded<T>(right_);
-    view_.up = rounded<T>(-down_);
   }
 
-  bool trace(std::span<SampleRun> runs, WideCounts& counts,
+  bool trace(std::span<PixelRun> runs, WideCounts& counts,
              const std::atomic<bool>& cancel) const override {
-    // thread_local: new memory would have to be mapped each time.
-    thread_local std::vector<SampleBlock<T>> blocks;
-    thread_local std::vector<LinearRgb> sums;
-    blocks.clear();
-    for (const SampleRun& run : runs) blocks.push_back(block_of(run));
-    sums.resize(runs.size());
-    kernel_(scene_, view_, blocks, sums, counts, cancel);
-    if (cancel.load(std::memory_order_relaxed)) return false;
-    for (std::size_t i = 0; i < runs.size(); ++i) runs[i].sum = sums[i];
-    return true;
+    kernel_(scene_, view_, runs, counts, cancel);
+    return !cancel.load(std::memory_order_relaxed);
   }
 
   std::size_t memory_bytes() const noexcept override { return scene_.memory_bytes(); }
 
  private:
-  SampleBlock<T> block_of(const SampleRun& run) const {
-    const auto x = static_cast<double>(run.pixel % width_);
-    const auto y = static_cast<double>(run.pixel / width_ + 1);  // the pixel's lower edge
-    return {.corner = rounded<T>(corner_ + right_ * x + down_ * y),
-            .first = run.first,
-            .count = run.count,
-            .stream_key = PathSampler::stream_key(seed_, run.pixel, run.replicate),
-            .sum = {run.sum.r, run.sum.g, run.sum.b}};
-  }
-
   WideScene<T> scene_;
-  TraceBlocks<T>* kernel_;
-  std::uint64_t width_, seed_;
-  Vec3 corner_;        // upper left corner of the picture
-  Vec3 right_, down_;  // a pixel's sides
-  WideView<T> view_{};
+  TraceRuns<T>* kernel_;
+  WideView<T> view_;
 };
 
 WideIntegrator::WideIntegrator(Scene scene, const RenderSettings& settings,
@@ -106,7 +82,7 @@ WideIntegrator::WideIntegrator(Scene scene, const RenderSettings& settings,
 
 WideIntegrator::~WideIntegrator() = default;
 
-bool WideIntegrator::trace(std::span<SampleRun> runs, WideCounts& counts,
+bool WideIntegrator::trace(std::span<PixelRun> runs, WideCounts& counts,
                            const std::atomic<bool>& cancel) const {
   return tracer_->trace(runs, counts, cancel);
 }

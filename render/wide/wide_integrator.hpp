@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "render/film/sample_run.hpp"
+#include "render/film/pixel_run.hpp"
 #include "render/light/emitter_tally.hpp"
 #include "render/scene/near_pairs.hpp"
 #include "render/scene/precision.hpp"
@@ -45,7 +45,7 @@ class WideIntegrator {
   ~WideIntegrator();
 
   /// Traces all runs, one lane each. Returns false, with meaningless sums, if `cancel` is set.
-  bool trace(std::span<SampleRun> runs, WideCounts& counts, const std::atomic<bool>& cancel) const;
+  bool trace(std::span<PixelRun> runs, WideCounts& counts, const std::atomic<bool>& cancel) const;
 
   std::size_t memory_bytes() const noexcept;  ///< of tables and BVH
 

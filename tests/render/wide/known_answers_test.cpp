@@ -210,12 +210,13 @@ TEST_P(KnownAnswer, AGroundMetInDoubleIsMetWhereItIs) {
   const render::WideIntegrator integrator(
       scene, settings,
       {.precision = render::Precision::Mixed, .isa = GetParam().isa, .exact_spheres = ground});
-  std::vector<render::SampleRun> runs;
-  for (std::uint64_t pixel = 0; pixel < 64; ++pixel)
-    runs.push_back({.pixel = pixel, .count = 16, .sum = {}});
+  std::vector<render::PixelRun> runs;
+  for (std::uint64_t pixel = 0; pixel < 64; ++pixel) {
+    runs.push_back({.pixel = pixel, .parts = {{{.first = 0, .count = 16, .sum = {}}}}});
+  }
   render::WideCounts counts;
   ASSERT_TRUE(integrator.trace(runs, counts, std::atomic<bool>{false}));
-  for (const render::SampleRun& run : runs) EXPECT_EQ(run.sum, LinearRgb{16});
+  for (const render::PixelRun& run : runs) EXPECT_EQ(run.parts[0].sum, LinearRgb{16});
 }
 
 TEST_P(KnownAnswer, TheOffsetFromTheOriginDoesNotMatter) {
