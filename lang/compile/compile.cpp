@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What a message says of it.
+/// The end of the message "this …".
 std::string_view describe(const DroppedSphere& sphere) {
   if (!sphere.is_exact) {
     return sphere.has_other_material
@@ -30,10 +30,10 @@ std::string_view describe(const DroppedSphere& sphere) {
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
-/// Counts spheres as a SceneBuilder does, and remembers where the wanted ones come from.
+/// Counts spheres as a SceneBuilder does, and records the origins of the wanted ones.
 class Tracer final : public ObjectSink {
  public:
-  /// `wanted`: numbers of spheres in the order in which they are added, ascending.
+  /// `wanted`: numbers of spheres in the order of addition, ascending.
   Tracer(const SourceFile& file, const Limits& limits, std::span<const std::uint64_t> wanted,
          DiagnosticSink& sink)
       : builder_(file, limits, sink), wanted_(wanted), sink_(sink) {}
@@ -68,7 +68,7 @@ class Tracer final : public ObjectSink {
 
   bool is_full() const override { return builder_.is_full() || next_ == wanted_.size(); }
 
-  // Of what repeats only that is looked into which holds a wanted sphere.
+  // Repeated contents are evaluated only if they contain a wanted sphere.
   bool wants_contents() const override { return true; }
   void begin_contents(std::uint32_t contents) override {
     begun_.push_back({.contents = contents, .depth = materials_.size(), .count = count()});
@@ -77,7 +77,7 @@ class Tracer final : public ObjectSink {
     const auto known = counts_.find(contents);
     if (known == counts_.end()) return false;
     const auto& [spheres, had_material] = known->second;
-    // A check leaves out spheres without material.
+    // A check omits spheres without a material, so the count depends on it.
     const bool has_own = group.slot(group_property::kMaterial).is_written;
     if ((has_own || has_material()) != had_material) return false;
     if (next_ < wanted_.size() && wanted_[next_] < count() + spheres) return false;
@@ -90,13 +90,13 @@ class Tracer final : public ObjectSink {
  private:
   struct Begun {
     std::uint32_t contents;
-    std::size_t depth;    // of groups
+    std::size_t depth;    // number of open groups
     std::uint64_t count;  // of spheres before
   };
 
   struct Contents {
     std::uint64_t spheres = 0;
-    bool has_material = false;  // of a group around, or of its own
+    bool has_material = false;  // from the group or one around it
   };
 
   bool has_material() const { return !materials_.empty() && materials_.back().file != nullptr; }
@@ -108,7 +108,7 @@ class Tracer final : public ObjectSink {
   }
 
   SceneBuilder builder_;
-  std::vector<Location> materials_;  // of the groups around
+  std::vector<Location> materials_;  // of the open groups
   std::span<const std::uint64_t> wanted_;
   std::size_t next_ = 0;
   DiagnosticSink& sink_;
@@ -164,7 +164,7 @@ LoweredScene Compiler::build(const Overrides& overrides, std::optional<int> fram
   check_output(lowered, purpose);
   dropped_ = builder.dropped();
   instance_runs_ = builder.instance_runs();
-  // What went wrong may be why two are equal.
+  // An error may be the reason why two spheres are equal.
   if (!sink_.has_errors()) {
     report_dropped();
     report_scale(lowered, purpose);
@@ -205,7 +205,7 @@ void Compiler::check_output(const LoweredScene& lowered, Purpose purpose) {
   const std::string& output = lowered.output.output;
   if (!options_.is_sandboxed || options_.files == nullptr || output.empty()) return;
   if (overrides_.names_output) return;
-  // A text that is only checked may be rendered from anywhere, from its own folder at best.
+  // A check does not know the working directory of a render: assume the folder of the text.
   std::filesystem::path path = output;
   if (purpose == Purpose::Check) path = std::filesystem::path(file_.name()).parent_path() / output;
   if (Sandbox(*options_.files, file_.name()).resolve(path)) return;
@@ -214,7 +214,7 @@ void Compiler::check_output(const LoweredScene& lowered, Purpose purpose) {
 }
 
 void Compiler::report_dropped() {
-  // More would not be shown, but many may be of one place, which is told once.
+  // Larger than any number shown, because many may share a place, which is reported once.
   constexpr std::size_t kMostTraced = 10'000;
   const std::size_t count = std::min(dropped_.size(), kMostTraced);
   std::vector<std::uint32_t> wanted;
@@ -255,12 +255,12 @@ void Compiler::report_scale(const LoweredScene& lowered, Purpose purpose) {
 
 void Compiler::warn_of_precision(const LoweredScene& lowered, render::Precision taken,
                                  const render::PrecisionBounds& bounds) {
-  if (sink_.has_errors()) return;  // what went wrong may be why
+  if (sink_.has_errors()) return;  // an error may be the reason
   const auto fault = find_bounds_fault(bounds, taken);
   if (!fault) return;
   const render::PrecisionClause clause = bounds.deciding();
   if (!told_precision_.insert({taken, clause, bounds[clause].sphere}).second) return;
-  // A wish for float that was not granted is not to blame.
+  // A request for float that was not granted is not the cause.
   const bool is_granted =
       lowered.precision != render::Precision::Float || taken != render::Precision::Double;
   const bool is_to_blame = is_granted && !overrides_.has(render_property::kPrecision);
@@ -297,11 +297,11 @@ std::vector<Origin> Compiler::trace_added(std::span<const std::uint32_t> spheres
   }
   DiagnosticSink ignored(sink_.stop_token());
   Tracer tracer(file_, options_.limits, wanted, ignored);
-  // All traces together may take as long as two evaluations.
+  // Limit all traces together to the steps of two evaluations.
   const std::uint64_t most = 2 * std::min(options_.limits.steps, std::uint64_t{1} << 62);
   trace_steps_ += read(tracer, ignored, most - std::min(most, trace_steps_));
   std::vector<Origin> origins = tracer.take();
-  // No place is known of spheres that were an instance's, nor of those that were not found in time.
+  // Spheres of instances, and those not found within the limit, have no place.
   origins.resize(spheres.size());
   return origins;
 }
@@ -310,7 +310,7 @@ std::vector<Origin> Compiler::trace(std::span<const std::uint32_t> spheres) {
   std::vector<std::uint32_t> added;
   auto dropped = dropped_.begin();
   for (const std::uint32_t sphere : spheres) {
-    // Each dropped sphere before it moved it one place down.
+    // Each dropped sphere before it has shifted its index by one.
     auto index = static_cast<std::uint32_t>(sphere + (dropped - dropped_.begin()));
     for (; dropped != dropped_.end() && dropped->sphere <= index; ++dropped) ++index;
     added.push_back(index);
@@ -320,8 +320,8 @@ std::vector<Origin> Compiler::trace(std::span<const std::uint32_t> spheres) {
 
 void Compiler::read_all_files() {
   if (!program_) return;
-  // Declarations were resolved when their file was read. The other statements of a file matter, and
-  // are resolved, once some code includes it.
+  // Declarations were resolved when their file was loaded. The other statements of a file are
+  // resolved when it is included.
   std::vector<std::uint32_t> included{Program::kRoot};
   std::vector<bool> is_included{true};
   const auto take_includes = [&](const Code& code) {

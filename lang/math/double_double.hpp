@@ -23,7 +23,7 @@ constexpr DoubleDouble two_sum(double a, double b) noexcept {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-/// Precondition: |a| and |b| below 2^995. Exact but where the low half of the product would be
+/// Precondition: |a| and |b| below 2^995. Exact, unless the low half of the product is
 /// subnormal.
 constexpr DoubleDouble two_product(double a, double b) noexcept {
   const auto split = [](double x) -> DoubleDouble {
@@ -63,7 +63,7 @@ constexpr DoubleDouble operator/(DoubleDouble a, DoubleDouble b) noexcept {
 inline DoubleDouble sqrt(DoubleDouble a) noexcept {
   if (a.hi == 0) return {};
   const double root = std::sqrt(a.hi);
-  return fast_two_sum(root, (a - two_product(root, root)).hi / (2 * root));  // a step of Newton's
+  return fast_two_sum(root, (a - two_product(root, root)).hi / (2 * root));  // one Newton step
 }
 
 /// value * 2^exponent, rounded once even where the result is subnormal.
@@ -72,7 +72,7 @@ inline double scaled(DoubleDouble value, int exponent) noexcept {
   if (exponent < -1200) return 0;
   if (std::fabs(value.hi) >= std::ldexp(1.0, -1022 - exponent))
     return std::ldexp(value.hi, exponent);
-  // Added to a number whose ulp is that of the subnormal result, the value is rounded there.
+  // The sum with a number whose ulp is that of the subnormal result rounds the value to that ulp.
   const double grid = std::copysign(std::ldexp(1.0, 52 - 1074 - exponent), value.hi);
   return std::ldexp((DoubleDouble{grid, 0} + value).hi - grid, exponent);
 }

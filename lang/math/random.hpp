@@ -5,11 +5,11 @@
 
 #include "render/math/vec3.hpp"
 
-/// The language's random numbers: functions of their arguments and of nothing else.
+/// Random numbers of the language: pure functions of their arguments.
 namespace sdlc::lang {
 
-/// Takes the arguments of `random(a, ...)` one after the other (ruling 26). Arguments of different
-/// types are different, -0 is 0.
+/// A hash of the arguments of `random(a, ...)`, added one by one (ruling 26). Arguments of
+/// different types give different hashes; -0 is 0.
 class RandomHash {
  public:
   RandomHash& add_number(double number) noexcept;

@@ -21,13 +21,13 @@
 
 namespace sdlc::lang {
 
-/// The value that the command line gives a param: the text after `--set NAME=`.
+/// An option `--set NAME=VALUE`: the value of a param.
 struct SetOption {
   std::string name;
   std::string value;
 };
 
-/// Where the files of a program come from, and their limits.
+/// Sources and limits of a program.
 struct ProgramOptions {
   const FileSystem* files = nullptr;  ///< null: the root is the only file
   Limits limits;
@@ -35,21 +35,21 @@ struct ProgramOptions {
   std::vector<SetOption> sets = {};
 };
 
-/// Whether the file is within its limit of size; reports if it is not.
+/// Whether the file is within the limit on its size; if not, that is reported.
 bool check_file_size(const SourceFile& file, const Limits& limits, DiagnosticSink& sink);
 
-/// A SetOption of the root's param `global`; `file` has its value as text.
+/// A SetOption, resolved: `global` is the root's param, `file` has the value as its text.
 struct ParamSetting {
   std::uint32_t global;
   const SourceFile* file;
 };
 
-/// A root file and the files that it imports and includes, each read once.
+/// A root file and the files that it imports and includes, each loaded once.
 class Program final : public Modules {
  public:
   static constexpr std::uint32_t kRoot = 0;
 
-  /// Reads the root and what it imports, and reports errors. `root` must outlive the program.
+  /// Loads the root and its imports, and reports errors. `root` must outlive the program.
   Program(const SourceFile& root, const ProgramOptions& options, DiagnosticSink& sink);
 
   const Module& module(std::uint32_t index) const { return *modules_[index]; }
@@ -57,16 +57,16 @@ class Program final : public Modules {
     return static_cast<std::uint32_t>(modules_.size());
   }
   Module& module_at(std::uint32_t index) override { return *modules_[index]; }
-  /// What the names of a module mean: symbols of files only. Recorded when it is first asked for.
+  /// The symbols of a module, in SymbolDetail::Declared. Recorded on first use.
   const SymbolTable& names_of(std::uint32_t module);
   const SourceFile& config(std::uint32_t index) const { return *configs_[index - kConfigs]; }
   const Limits& limits() const noexcept override { return options_.limits; }
-  /// Every file but the root, in the order in which they were read.
+  /// All files except the root, in the order of loading.
   const std::vector<std::filesystem::path>& dependencies() const noexcept { return dependencies_; }
 
-  /// What --set gives the root's param.
+  /// The value that --set gives the root's param, if it does.
   std::optional<ParamSetting> setting_of(std::uint32_t global) const;
-  /// The value of the setting as an expression over built-ins.
+  /// The value as code; `expression` is its index. It can use built-in names only.
   const Code& resolve_setting(const ParamSetting& setting, std::uint32_t& expression,
                               DiagnosticSink& sink);
 
@@ -76,7 +76,7 @@ class Program final : public Modules {
   std::uint32_t add_module(const SourceFile& file, std::filesystem::path path, std::uint32_t parent,
                            DiagnosticSink& sink);
   void add_setting(const SetOption& option, DiagnosticSink& sink);
-  /// A text that is the same for every path of one file.
+  /// A key of the file: the same for all paths to it.
   std::string identity(const std::filesystem::path& path) const;
   std::optional<std::string> read(const std::filesystem::path& path, ast::Node name,
                                   DiagnosticSink& sink) const;
@@ -85,7 +85,7 @@ class Program final : public Modules {
   std::optional<Sandbox> sandbox_;
   std::vector<std::unique_ptr<Module>> modules_;
   std::vector<const SourceFile*> configs_;
-  std::deque<SourceFile> sources_;                         ///< of all files but the root
+  std::deque<SourceFile> sources_;                         ///< all except the root
   std::unordered_map<std::string, std::uint32_t> loaded_;  ///< by identity; kNothing: unreadable
   std::vector<std::filesystem::path> dependencies_;
   std::vector<ParamSetting> settings_;
