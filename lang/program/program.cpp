@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of the language that the parser reads.
+/// The version of the language that the parser reads.
 constexpr std::string_view kVersion = "1";
 
 }  // namespace
@@ -73,7 +73,7 @@ void Program::add_setting(const SetOption& option, DiagnosticSink& sink) {
 }
 
 std::optional<ParamSetting> Program::setting_of(std::uint32_t global) const {
-  // The last one wins, as with other flags.
+  // The last one takes precedence, as with other flags.
   const auto found = std::find_if(settings_.rbegin(), settings_.rend(),
                                   [&](const ParamSetting& s) { return s.global == global; });
   return found == settings_.rend() ? std::nullopt : std::optional(*found);
@@ -121,7 +121,7 @@ std::optional<std::string> Program::read(const fs::path& path, ast::Node name,
     return std::nullopt;
   }
   std::error_code error;
-  // A file of this name, not standard input.
+  // "-" is a file here, not standard input.
   const fs::path read_path = path == "-" ? fs::path("./-") : path;
   std::optional<std::string> text =
       options_.files->read(read_path, options_.limits.any_file(), error);
@@ -148,7 +148,7 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
       std::reverse(circle.begin(), circle.end());
       circle.push_back(circle.front());
       sink.report(diag::file_circle, name.location(), modules_[module]->file->name())
-          .help(fmt::format("the circle is {}", fmt::join(circle, " → ")));
+          .help(fmt::format("the cycle is {}", fmt::join(circle, " → ")));
       return kNothing;
     }
     const bool is_usable = module != kNothing && (is_include || module < kConfigs);
@@ -179,7 +179,7 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
   }
   loaded_[key] = module_count();
   const std::uint32_t added = add_module(file, path, from, sink);
-  // Of a file that was not read no name is unknown.
+  // Unknown names of a file that was not parsed are not reported.
   const auto version = ast::Node(modules_[added]->tree, 0).first(SyntaxKind::Version);
   const bool is_other = version && version->text() != kVersion;
   if (is_other || file.text().size() > options_.limits.file) loaded_[key] = kNothing;

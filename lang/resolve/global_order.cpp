@@ -110,9 +110,9 @@ class Sorter {
     }
     const auto global = std::find_if(component.begin(), component.end(),
                                      [&](std::size_t node) { return graph_.is_global(node); });
-    // Functions may call each other in a circle; values may not depend on themselves.
+    // Functions may call each other in a cycle; values may not depend on themselves.
     if (global == component.end()) return;
-    if (component.size() > 1 || uses_itself(first)) return report_circle(*global);
+    if (component.size() > 1 || uses_itself(first)) return report_cycle(*global);
     module_.order.push_back(static_cast<std::uint32_t>(first));
   }
 
@@ -124,7 +124,7 @@ class Sorter {
   }
 
   /// The shortest path from the node back to itself inside its component.
-  std::vector<std::size_t> circle_of(std::size_t start) const {
+  std::vector<std::size_t> cycle_of(std::size_t start) const {
     std::unordered_map<std::size_t, std::size_t> comes_from;
     std::vector<std::size_t> found{start};
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -136,20 +136,20 @@ class Sorter {
           found.push_back(used);
           continue;
         }
-        std::vector<std::size_t> circle{start};
+        std::vector<std::size_t> cycle{start};
         for (std::size_t node = found[i]; node != start; node = comes_from.at(node)) {
-          circle.push_back(node);
+          cycle.push_back(node);
         }
-        std::reverse(circle.begin() + 1, circle.end());
-        return circle;
+        std::reverse(cycle.begin() + 1, cycle.end());
+        return cycle;
       }
     }
     return {start};
   }
 
-  void report_circle(std::size_t global) {
+  void report_cycle(std::size_t global) {
     std::vector<std::string> names;
-    for (const std::size_t node : circle_of(global)) {
+    for (const std::size_t node : cycle_of(global)) {
       names.push_back(fmt::format("`{}`", graph_.name(node)));
     }
     names.push_back(names.front());
@@ -157,7 +157,7 @@ class Sorter {
     sink_
         .report(diag::depends_on_itself, statement.first(SyntaxKind::Name)->location(),
                 graph_.name(global))
-        .help(fmt::format("the circle is {}", fmt::join(names, " → ")));
+        .help(fmt::format("the cycle is {}", fmt::join(names, " → ")));
   }
 
   Module& module_;

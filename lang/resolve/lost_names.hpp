@@ -9,8 +9,8 @@
 
 namespace sdlc::lang {
 
-/// The names that statements probably declare that could not be read. Their uses are not reported
-/// as unknown.
+/// The names that unreadable statements probably declare. Uses of these names are not reported as
+/// unknown.
 class LostNames {
  public:
   explicit LostNames(const SyntaxTree& tree);
@@ -22,7 +22,7 @@ class LostNames {
   void read_alias(ast::Node import);
 
   std::unordered_set<std::string_view> names_;
-  std::vector<std::string_view> merged_;  ///< two names in one word, and words that may be a name
+  std::vector<std::string_view> merged_;  ///< words that begin or end with a name, or are one
 };
 
 }  // namespace sdlc::lang

@@ -7,9 +7,8 @@
 
 namespace sdlc::lang {
 
-/// The names of a file whose declarations have been collected. Bodies of functions and defs and all
-/// statements are resolved without being run, what cannot be read is left out; nothing is reported
-/// and no file is loaded.
+/// The symbols of a file whose declarations have been collected. All statements and bodies are
+/// resolved without evaluation; unreadable text is omitted. Reports nothing and loads no file.
 SymbolTable record_symbols(Modules& modules, std::uint32_t module, SymbolDetail detail);
 
 }  // namespace sdlc::lang

@@ -21,22 +21,22 @@ struct FileSpan {
   friend bool operator==(const FileSpan&, const FileSpan&) = default;
 };
 
-/// What a rename has to replace.
+/// The replacements of a rename, or why it is refused.
 struct Rename {
   enum class Refusal : std::uint8_t {
     None,
-    NotDeclared,  ///< an unknown name, or one of the language
-    NoName,       ///< the new name is none
-    Conflict,     ///< a name would change its meaning
+    NotDeclared,  ///< the symbol is unknown or built in
+    InvalidName,  ///< the new name is not a valid name
+    Conflict,     ///< the meaning of a name would change
   };
 
   Refusal refusal = Refusal::None;
-  std::vector<FileSpan> places = {};      ///< the name in its declaration, and all its uses
-  std::optional<FileSpan> conflict = {};  ///< a name that is in the way, if it is written
+  std::vector<FileSpan> places = {};      ///< all occurrences, the declaration included
+  std::optional<FileSpan> conflict = {};  ///< the conflicting name, if a file has it
 };
 
-/// The names of all files of a program, for an editor: what is at a place, where else it occurs,
-/// what is visible there. The modules must outlive the index and stay as they are.
+/// The names of all files of a program, for editors: definitions, references, completion, rename.
+/// The modules must outlive the index and must not change.
 class SymbolIndex {
  public:
   /// Records the names of every file that has been loaded.
@@ -49,13 +49,13 @@ class SymbolIndex {
   SymbolId at(std::uint32_t file, std::uint32_t offset) const;
   /// The symbol if a file declares it, else null.
   const Symbol* find(SymbolId id) const;
-  /// Every occurrence in all files, the declaration included; by file, then by place.
+  /// All occurrences in all files, the declaration included, sorted by file and place.
   std::vector<FileSpan> references(SymbolId id) const;
   /// The values, functions and kinds of the file that an import names.
   std::vector<SymbolId> members(SymbolId import) const;
-  /// The doc comment of a declaration, or the description of a name of the language.
+  /// The doc comment of a declaration, or the description of a built-in name.
   std::string documentation(SymbolId id) const;
-  /// What to replace so that the symbol has the new name and the program its old meaning.
+  /// The replacements that rename the symbol and do not change the meaning of the program.
   Rename rename(SymbolId id, std::string_view new_name) const;
 
  private:

@@ -77,8 +77,8 @@ std::vector<const Symbol*> SymbolTable::visible(std::uint32_t offset, NameSpace 
     const bool is_named = symbol.kind != SymbolKind::Object && !symbol.is_duplicate;
     if (is_visible && is_named && name_space_of(symbol.kind) == space) found.push_back(&symbol);
   }
-  // The scopes around a place lie in each other: the later one begins, the further in it is. Those
-  // of the top level are the whole file.
+  // The scopes around a place are nested, so a scope that begins later is further in. That of the
+  // top level begins at 0.
   std::ranges::stable_sort(found, std::greater<>(), [](const Symbol* s) { return s->scope.begin; });
   std::unordered_set<std::string_view> names;
   std::erase_if(found, [&](const Symbol* symbol) { return !names.insert(symbol->name).second; });

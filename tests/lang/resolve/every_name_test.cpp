@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace lang;
 
-/// Where the node has a name of its own; an empty span where it has none.
+/// The span of the name that the node itself has; empty if it has none.
 Span name_in(ast::Node node) {
   switch (node.kind()) {
     case SyntaxKind::Name:
@@ -37,7 +37,7 @@ Span name_in(ast::Node node) {
   }
 }
 
-/// What is wrong with the table; empty if nothing is.
+/// An error in the table; empty if there is none.
 std::string fault_of(const SymbolIndex& index, const SymbolTable& table) {
   const SyntaxTree& tree = table.tree();
   const auto occurrences = table.occurrences();

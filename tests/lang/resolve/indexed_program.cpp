@@ -105,7 +105,7 @@ std::string IndexedProgram::refusal(const std::string& place, const std::string&
   switch (rename.refusal) {
     case Rename::Refusal::None: return "";
     case Rename::Refusal::NotDeclared: return "not declared";
-    case Rename::Refusal::NoName: return "no name";
+    case Rename::Refusal::InvalidName: return "no name";
     case Rename::Refusal::Conflict: break;
   }
   return rename.conflict ? "conflict " + describe(*rename.conflict) : "conflict";

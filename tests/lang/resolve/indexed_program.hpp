@@ -15,7 +15,7 @@
 
 namespace sdlc::test {
 
-/// A program from memory with the index of its names. Places are written as text: "count" is the
+/// A program from memory with the index of its names. A place is given as text: "count" is the
 /// first `count` of the file, "count#3" the third.
 class IndexedProgram {
  public:
@@ -25,10 +25,10 @@ class IndexedProgram {
   const lang::SymbolTable& table(const std::string& file = "test.scene") const;
   std::uint32_t file(const std::string& name) const;
 
-  /// Where the place begins; fails the test if there is none.
+  /// The offset of the place; fails the test if it does not exist.
   std::uint32_t offset(const std::string& place, const std::string& file = "test.scene") const;
   lang::SymbolId at(const std::string& place, const std::string& file = "test.scene") const;
-  /// What the name at the place means: "value 2:5", "parameter lib.scene 1:8", "built-in pi",
+  /// The symbol of the name at the place: "value 2:5", "parameter lib.scene 1:8", "built-in pi" or
   /// "unknown".
   std::string meaning(const std::string& place, const std::string& file = "test.scene") const;
   std::string describe(lang::SymbolId id) const;

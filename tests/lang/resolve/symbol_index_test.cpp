@@ -8,7 +8,7 @@
 
 #include "tests/lang/resolve/indexed_program.hpp"
 
-// What names mean, where they occur and what is visible where.
+// Symbols of names, their occurrences, and the names that are visible at a place.
 namespace sdlc::test {
 namespace {
 
