@@ -35,7 +35,7 @@ bool Evaluator::take_steps(const Code& code, NodeIndex node, std::uint64_t count
   if (steps_ <= max_steps_ && count <= max_steps_ - steps_) [[likely]] {
     steps_ += count;
     if (steps_ >= next_poll_) poll();
-    return may_take_memory(code, node, 0);
+    return CountedBytes::sum() <= program_.limits().memory || may_take_memory(code, node, 0);
   }
   if (give_up()) {
     sink_.report(diag::too_many_steps, location(code, node), program_.limits().steps)

@@ -162,7 +162,7 @@ void UnknownNames::report_value(ast::Node reference, std::string_view name,
   if (is_color && reference.span() == excluded.no_color) nearest = std::nullopt;
   report.suggest(nearest);
   if (habit) report.help_if(habit->help);
-  if (is_color_without_sign(name)) report.help(fmt::format("write the colour as `#{}`", name));
+  if (is_color_without_sign(name)) report.help(fmt::format("a colour is `#{}`", name));
   label_unused(report, begin, nearest);
 }
 
