@@ -44,6 +44,6 @@ class Evaluation {
 };
 
 /// Reads and evaluates a file that needs no other files.
-void evaluate(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink);
+void evaluate(const Document& file, ObjectSink& objects, DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

@@ -97,6 +97,7 @@ bool has_broken_parameters(ast::Node statement) {
 void collect_declarations(Modules& modules, std::uint32_t index, DiagnosticSink& sink) {
   const Module& module = modules.module_at(index);
   for (const ast::Node statement : ast::Node(module.tree, 0).children()) {
+    sink.stop_if_requested();
     const auto name = statement.first(SyntaxKind::Name);
     if (!is_declaration(statement.kind()) || !name || name->span().size() == 0) continue;
     const auto first = declaration_of(module, statement.kind(), name->text());

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "lang/repair/vocabulary.hpp"
 #include "lang/resolve/builtin_symbols.hpp"
 #include "lang/resolve/record_symbols.hpp"
 #include "lang/schema/schema.hpp"
-#include "lang/repair/vocabulary.hpp"
 #include "lang/text/ascii.hpp"
 
 namespace sdlc::lang {
@@ -34,9 +34,9 @@ bool is_captured(const Occurrence& occurrence, const Symbol& symbol) {
 
 }  // namespace
 
-SymbolIndex::SymbolIndex(Modules& modules) : modules_(modules) {
+SymbolIndex::SymbolIndex(Modules& modules, const StopRequest* stop) : modules_(modules) {
   for (std::uint32_t file = 0; file < modules.module_count(); ++file) {
-    tables_.push_back(record_symbols(modules, file, SymbolDetail::All));
+    tables_.push_back(record_symbols(modules, file, SymbolDetail::All, stop));
   }
 }
 
