@@ -133,8 +133,9 @@ class ConvertJob {
   void convert(const Input& input) {
     const std::string shown =
         input.name == kStandardStream ? stdin_name(options_.reading) : input.name;
-    const lang::SourceFile file(
-        shown, read_text(input.name, shown, env_, options_.reading.limits.any_file()));
+    const auto document =
+        read_document(input.name, shown, env_, options_.reading.limits.any_file());
+    const lang::Document& file = *document;
     if (name_of(file.format()) == options_.to) {
       if (!input.folder)
         fail(fmt::format("`{}` already has the format of --to {}", shown, options_.to));
@@ -163,7 +164,7 @@ class ConvertJob {
     }
   }
 
-  std::optional<std::string> convert(const lang::SourceFile& file) {
+  std::optional<std::string> convert(const lang::Document& file) {
     lang::DiagnosticSink sink;
     lang::ProgramOptions program = program_options(options_.reading, env_);
     program.sets = options_.sets;
@@ -206,7 +207,7 @@ class ConvertJob {
     }
     // The folder of an untrusted scene may contain untrusted links.
     if (options_.reading.is_sandboxed && options_.output.empty() &&
-        !lang::Sandbox(env_.files, target).resolve(target)) {
+        !lang::Sandbox(env_.workspace, target).resolve(target)) {
       fail(
           fmt::format("`{}` is outside the scene's folder, which --sandbox refuses; use -o to "
                       "choose another place",

@@ -45,9 +45,9 @@ class InspectJob {
       : options_(options),
         env_(env),
         start_(std::chrono::steady_clock::now()),
-        source_(read_source(options.scene, env)),
+        source_(read_scene(options.scene, env)),
         read_seconds_(seconds_since(start_)),
-        compiler_(source_, program_options(options.scene, env), sink_) {}
+        compiler_(*source_, program_options(options.scene, env), sink_) {}
 
   ExitCode run() {
     if (options_.wants_files) return tell_files();
@@ -170,7 +170,7 @@ class InspectJob {
     std::optional<int> frame;
     if (animation) frame = options_.frame.value_or(animation->first);
     InspectReport report{
-        .scene = source_.name(),
+        .scene = source_->name(),
         .errors = sink_.error_count(),
         .dependencies = dependencies(),
         .animation = animation,
@@ -195,7 +195,7 @@ class InspectJob {
   const InspectOptions& options_;
   Environment& env_;
   std::chrono::steady_clock::time_point start_;
-  lang::SourceFile source_;
+  std::shared_ptr<const lang::Document> source_;
   double read_seconds_;
   lang::DiagnosticSink sink_;
   lang::Compiler compiler_;

@@ -63,24 +63,25 @@ std::string plural(std::size_t count, std::string_view noun) {
 /// One file and its findings.
 class Linted final : public lang::CheckedText {
  public:
-  Linted(std::string name, std::string text, const LintOptions& options, const Environment& env)
-      : file_(std::move(name), std::move(text)) {
-    compiler_.emplace(file_, program_options(options.reading, env), sink_);
-    lang::lint(*compiler_, file_, sink_);
+  Linted(std::shared_ptr<const lang::Document> document, const LintOptions& options,
+         const Environment& env)
+      : document_(std::move(document)),
+        compiler_(*document_, program_options(options.reading, env), sink_) {
+    lang::lint(compiler_, *document_, sink_);
   }
 
   void select(lang::FindingsFilter filter) {
     findings_ = select_unallowed(sink_, std::move(filter));
   }
 
-  const lang::SourceFile& file() const override { return file_; }
+  const lang::SourceFile& file() const override { return *document_; }
   std::size_t error_count() const override { return sink_.error_count(); }
   const lang::Findings& findings() const override { return findings_; }
 
  private:
-  lang::SourceFile file_;
+  std::shared_ptr<const lang::Document> document_;
   lang::DiagnosticSink sink_;
-  std::optional<lang::Compiler> compiler_;  // holds texts that the sink refers to
+  lang::Compiler compiler_;  // holds texts that the sink refers to
   lang::Findings findings_;
 };
 
@@ -142,8 +143,9 @@ class LintJob {
         .wants(info.code, std::filesystem::absolute(place).lexically_normal());
   }
 
-  std::unique_ptr<Linted> linted(const std::string& name, std::string text) {
-    auto result = std::make_unique<Linted>(shown_name(name), std::move(text), options_, env_);
+  std::unique_ptr<Linted> linted(const std::string& name,
+                                 std::shared_ptr<const lang::Document> document) {
+    auto result = std::make_unique<Linted>(std::move(document), options_, env_);
     using Kind = std::pair<const lang::DiagnosticInfo*, const lang::SourceFile*>;
     const auto is_wanted =
         [this, scene = shown_name(name), own = &result->file(), decided = std::map<Kind, bool>()](
@@ -162,11 +164,11 @@ class LintJob {
   void lint(const std::string& name) {
     try {
       if (applies_fixes() && !options_.shows_diff) refuse_special(name, env_);
-      std::string text =
-          read_text(name, shown_name(name), env_, options_.reading.limits.any_file());
+      auto document =
+          read_document(name, shown_name(name), env_, options_.reading.limits.any_file());
       if (!options_.shows_diff) writer_->enter(shown_name(name));
       const std::unique_ptr<lang::CheckedText> result =
-          applies_fixes() ? fix(name, std::move(text)) : linted(name, std::move(text));
+          applies_fixes() ? fix(name, std::move(document)) : linted(name, std::move(document));
       if (!options_.shows_diff) report(*result, shown_name(name));
     } catch (const render::IoError& error) {
       ++unreadable_;
@@ -175,11 +177,15 @@ class LintJob {
     }
   }
 
-  std::unique_ptr<lang::CheckedText> fix(const std::string& name, std::string text) {
-    const std::string original = text;
+  std::unique_ptr<lang::CheckedText> fix(const std::string& name,
+                                         std::shared_ptr<const lang::Document> document) {
+    const std::string original(document->text());
+    const auto check = [&](std::string text) {
+      const std::string shown = shown_name(name);
+      return linted(name, std::make_shared<const lang::Document>(shown, std::move(text)));
+    };
     lang::FixResult result =
-        lang::fix_text(linted(name, std::move(text)), options_.fixes_unsafe,
-                       [&](std::string fixed) { return linted(name, std::move(fixed)); });
+        lang::fix_text(linted(name, std::move(document)), options_.fixes_unsafe, check);
     const std::string fixed(result.checked->file().text());
     if (options_.shows_diff) {
       env_.out << unified_diff(shown_name(name), original, fixed);
@@ -244,7 +250,7 @@ class LintJob {
 
   std::string identity(const lang::Diagnostic& diagnostic) const {
     const auto& [file, span] = diagnostic.where;
-    const std::string path = file == nullptr ? "" : env_.files.identity(file->name()).string();
+    const std::string path = file == nullptr ? "" : env_.workspace.identity(file->name()).string();
     return fmt::format("{}\n{} {} {} {}", path, span.begin, span.end, diagnostic.info->code,
                        diagnostic.message);
   }

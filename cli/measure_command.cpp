@@ -230,9 +230,9 @@ class MeasureJob {
  private:
   void read_earlier() {
     if (options_.against.empty()) return;
-    const std::string text = read_text(options_.against, options_.against, env_);
+    const auto document = read_document(options_.against, options_.against, env_);
     try {
-      earlier_ = read_measurement(text);
+      earlier_ = read_measurement(document->text());
     } catch (const std::exception& error) {
       throw render::IoError("use", options_.against, error.what());
     }
@@ -240,7 +240,7 @@ class MeasureJob {
 
   std::optional<lang::LoweredScene> lower() {
     const auto start = std::chrono::steady_clock::now();
-    source_.emplace(read_source(options_.scene, env_));
+    source_ = read_scene(options_.scene, env_);
     compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
     if (options_.frame && !compiler_->animation() && !sink_.has_errors()) {
       throw UsageError("--frame: the scene has no `animation`, so that all frames are the same");
@@ -440,7 +440,7 @@ class MeasureJob {
   std::vector<std::string> written_;
   std::optional<EarlierMeasurement> earlier_;
   lang::DiagnosticSink sink_;
-  std::optional<lang::SourceFile> source_;
+  std::shared_ptr<const lang::Document> source_;
   std::optional<lang::Compiler> compiler_;
   render::KernelRequest request_;
   std::string scene_digest_;

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 bool looks_like_config(const fs::path& path, const Environment& env) {
   constexpr std::uint64_t kMaxConfig = lang::Limits().config;
   std::error_code error;
-  const std::optional<std::string> text = env.files.read(path, kMaxConfig, error);
+  const std::optional<std::string> text = env.workspace.read(path, kMaxConfig, error);
   if (!text) return true;  // the reader will report why it cannot be read
   const auto is_there = [&](const lang::JsonKey& key) {
     return text->find(fmt::format("\"{}\"", key.key)) != std::string::npos;
@@ -43,7 +43,7 @@ std::vector<std::string> scenes_in(const fs::path& folder, const Environment& en
   // Checked first, because the other checks follow links.
   const auto leads_out = [&](const fs::directory_entry& entry) {
     return is_sandboxed && entry.is_symlink() &&
-           !lang::Sandbox(env.files, entry.path()).resolve(entry.path());
+           !lang::Sandbox(env.workspace, entry.path()).resolve(entry.path());
   };
   for (fs::recursive_directory_iterator entry(folder), end; entry != end; ++entry) {
     const fs::path& path = entry->path();

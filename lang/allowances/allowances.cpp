@@ -10,6 +10,7 @@
 #include "lang/text/ascii.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "lang/token/token_reader.hpp"
+#include "lang/workspace/document.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -156,9 +157,10 @@ Span with_blanks(std::string_view text, Span comment) {
 Allowances::FileAllowances Allowances::read(const SourceFile& file) {
   FileAllowances result;
   const bool has_some = file.text().find(kMark) != std::string_view::npos;
-  if (file.format() != SourceFormat::Scene || !has_some) return result;
+  const auto* document = dynamic_cast<const Document*>(&file);
+  if (document == nullptr || file.format() != SourceFormat::Scene || !has_some) return result;
   DiagnosticSink ignored;
-  const SyntaxTree tree = parse(file, ignored);
+  const SyntaxTree& tree = document->tree(ignored);
   const Statements statements(tree);
   std::vector<std::optional<Span>> places;  // of each allowance
   for (std::size_t i = 0; i < tree.comments().size(); ++i) {

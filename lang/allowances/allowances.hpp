@@ -20,7 +20,7 @@ namespace sdlc::lang {
 /// so, are silenced. `sdlc fmt` keeps what each speaks of. Errors cannot be allowed; JSON has no
 /// comments.
 ///
-/// A file is looked at when something is reported about it.
+/// Only a Document can have allowances. It is read when something is reported about it.
 class Allowances {
  public:
   /// Whether a comment allows the warning at this place; that comment is then of use.

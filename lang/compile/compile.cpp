@@ -120,11 +120,12 @@ class Tracer final : public ObjectSink {
 
 }  // namespace
 
-Compiler::Compiler(const SourceFile& file, const ProgramOptions& options, DiagnosticSink& sink)
+Compiler::Compiler(const Document& file, const ProgramOptions& options, DiagnosticSink& sink)
     : file_(file), options_(options), sink_(sink) {
   const auto start = Clock::now();
   if (file.format() == SourceFormat::Scene) {
     program_ = std::make_unique<Program>(file, options, sink);
+    publish_dependencies();
   } else {
     for (const SetOption& set : options.sets) sink.report(diag::unknown_param, {}, set.name);
   }
@@ -149,6 +150,7 @@ std::uint64_t Compiler::read(ObjectSink& objects, DiagnosticSink& sink,
   const auto camera = overrides_.word(render_property::kCamera);
   Evaluation evaluation(*program_, {.frame = frame_, .camera = camera, .steps = steps}, sink);
   evaluation.run(objects);
+  publish_dependencies();
   return evaluation.steps();
 }
 
@@ -203,12 +205,12 @@ LoweredScene Compiler::check_view(std::optional<int> frame, std::optional<std::s
 
 void Compiler::check_output(const LoweredScene& lowered, Purpose purpose) {
   const std::string& output = lowered.output.output;
-  if (!options_.is_sandboxed || options_.files == nullptr || output.empty()) return;
+  if (!options_.is_sandboxed || options_.workspace == nullptr || output.empty()) return;
   if (overrides_.names_output) return;
   // A check does not know the working directory of a render: assume the folder of the text.
   std::filesystem::path path = output;
   if (purpose == Purpose::Check) path = std::filesystem::path(file_.name()).parent_path() / output;
-  if (Sandbox(*options_.files, file_.name()).resolve(path)) return;
+  if (Sandbox(*options_.workspace, file_.name()).resolve(path)) return;
   sink_.report(diag::outside_sandbox, lowered.places.output, output)
       .help("`-o` names another place for the picture");
 }
@@ -248,6 +250,7 @@ void Compiler::report_scale(const LoweredScene& lowered, Purpose purpose) {
   if (purpose == Purpose::Picture && lowered.camera) cameras = {lowered.scene.camera};
   cameras.resize(cameras_to_judge(cameras.size(), lowered.scene.spheres.size()));
   for (const render::Camera& camera : cameras) {
+    sink_.stop_if_requested();
     const auto fault = find_scale_fault(lowered.scene, camera, lowered.precision);
     if (fault) return report_fault(*fault, {});
   }
@@ -295,7 +298,7 @@ std::vector<Origin> Compiler::trace_added(std::span<const std::uint32_t> spheres
     for (; run != instance_runs_.end() && run->before <= sphere; ++run) of_instances += run->count;
     wanted.push_back(sphere + of_instances);
   }
-  DiagnosticSink ignored(sink_.stop_token());
+  DiagnosticSink ignored(sink_.stop_request());
   Tracer tracer(file_, options_.limits, wanted, ignored);
   // Limit all traces together to the steps of two evaluations.
   const std::uint64_t most = 2 * std::min(options_.limits.steps, std::uint64_t{1} << 62);
@@ -350,13 +353,19 @@ void Compiler::read_all_files() {
       take_includes(program_->module(declarations_done).code);
     }
   }
+  publish_dependencies();
+}
+
+void Compiler::publish_dependencies() {
+  if (options_.workspace == nullptr) return;
+  options_.workspace->set_dependencies(file_.name(), dependencies());
 }
 
 std::vector<std::filesystem::path> Compiler::dependencies() const {
   return program_ ? program_->dependencies() : std::vector<std::filesystem::path>();
 }
 
-std::optional<LoweredScene> compile(const SourceFile& file, const Overrides& overrides,
+std::optional<LoweredScene> compile(const Document& file, const Overrides& overrides,
                                     DiagnosticSink& sink) {
   return Compiler(file, {}, sink).lower(overrides);
 }

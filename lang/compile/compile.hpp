@@ -16,6 +16,7 @@
 #include "lang/lower/scene_builder.hpp"
 #include "lang/program/program.hpp"
 #include "lang/source/source.hpp"
+#include "lang/workspace/document.hpp"
 
 namespace sdlc::lang {
 
@@ -38,7 +39,7 @@ struct Origin {
 class Compiler {
  public:
   /// `file` must outlive the compiler.
-  Compiler(const SourceFile& file, const ProgramOptions& options, DiagnosticSink& sink);
+  Compiler(const Document& file, const ProgramOptions& options, DiagnosticSink& sink);
   ~Compiler();
 
   /// The frames of the scene; nullopt without an `animation`.
@@ -75,7 +76,8 @@ class Compiler {
   /// The loaded program; null for a config.
   const Program* program() const noexcept { return program_.get(); }
   /// The symbols of the text. Precondition: it is no config.
-  const SymbolTable& names() { return program_->names_of(Program::kRoot); }
+  const SymbolTable& names() { return program_->names_of(Program::kRoot, sink_.stop_request()); }
+  const StopRequest* stop_request() const noexcept { return sink_.stop_request(); }
   const ProgramOptions& options() const noexcept { return options_; }
 
   /// Loads all files that any evaluation could include, without evaluating anything.
@@ -84,6 +86,8 @@ class Compiler {
   /// The files that the root imports and includes, as far as they have been loaded, in the order
   /// of loading.
   std::vector<std::filesystem::path> dependencies() const;
+  /// Reports them to the workspace. The compiler does so whenever it has read files.
+  void publish_dependencies();
   const CompileTimes& times() const noexcept { return times_; }
 
  private:
@@ -105,7 +109,7 @@ class Compiler {
   using ToldPrecision =
       std::tuple<render::Precision, render::PrecisionClause, std::optional<std::uint32_t>>;
 
-  const SourceFile& file_;
+  const Document& file_;
   ProgramOptions options_;
   DiagnosticSink& sink_;
   std::unique_ptr<Program> program_;  ///< null for a config
@@ -121,7 +125,7 @@ class Compiler {
 };
 
 /// Compiles a text without an animation and without other files.
-std::optional<LoweredScene> compile(const SourceFile& file, const Overrides& overrides,
+std::optional<LoweredScene> compile(const Document& file, const Overrides& overrides,
                                     DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

@@ -56,7 +56,7 @@ LoweredScene lower_config(const SourceFile& config, DiagnosticSink& sink) {
   return builder.finish({});
 }
 
-LoweredScene lower_scene(const SourceFile& scene, DiagnosticSink& sink) {
+LoweredScene lower_scene(const Document& scene, DiagnosticSink& sink) {
   SceneBuilder builder(scene, {}, sink, Purpose::Picture, Instancing::Never);
   evaluate(scene, builder, sink);
   return builder.finish({});
@@ -70,10 +70,10 @@ void require(bool is_right, const DiagnosticSink& sink) {
 
 }  // namespace
 
-Conversion::Conversion(const SourceFile& file, const ProgramOptions& options, DiagnosticSink& sink)
+Conversion::Conversion(const Document& file, const ProgramOptions& options, DiagnosticSink& sink)
     : file_(file), options_(options), sink_(sink) {
   if (file.format() == SourceFormat::Scene) {
-    DiagnosticSink reading(sink.stop_token());
+    DiagnosticSink reading(sink.stop_request());
     program_ = std::make_unique<Program>(file, options, reading);
     add_findings(reading, sink);
   } else {
@@ -94,7 +94,7 @@ std::optional<std::string> Conversion::run(const ConvertOptions& options) {
 std::optional<std::string> Conversion::to_scene() {
   LoweredScene lowered;
   {
-    DiagnosticSink reading(sink_.stop_token());
+    DiagnosticSink reading(sink_.stop_request());
     SceneBuilder builder(file_, options_.limits, reading, Purpose::Picture, Instancing::Never);
     if (check_file_size(file_, options_.limits, reading)) read_config(file_, builder, reading);
     lowered = builder.finish({});
@@ -102,13 +102,21 @@ std::optional<std::string> Conversion::to_scene() {
   }
   if (sink_.has_errors()) return std::nullopt;
 
-  const SourceFile unformatted("converted.scene", write_scene(file_, sink_, forced_warnings_));
-  if (!may_be_read(unformatted, lowered)) return std::nullopt;
+  const std::optional<std::string> text = scene_text(lowered);
+  if (!text) return std::nullopt;
   DiagnosticSink sink;
-  std::string text = format_file(unformatted, sink).value_or("");
-  const SourceFile scene("converted.scene", text);
+  const Document scene("converted.scene", *text);
   const LoweredScene again = lower_scene(scene, sink);
   require(is_same_picture(lowered, again, true), sink);
+  return text;
+}
+
+std::optional<std::string> Conversion::scene_text(const LoweredScene& lowered) {
+  const Document unformatted("converted.scene", write_scene(file_, sink_, forced_warnings_));
+  if (!may_be_read(unformatted, lowered)) return std::nullopt;
+  DiagnosticSink sink;
+  std::optional<std::string> text = format_file(unformatted, sink);
+  require(text.has_value(), sink);
   return text;
 }
 
@@ -128,7 +136,7 @@ std::optional<std::string> Conversion::to_config(const ConvertOptions& options) 
   Overrides overrides{.names_output = true};
   if (options.tone) overrides.render.emplace_back(render_property::kTone, *options.tone);
   if (options.camera) overrides.render.emplace_back(render_property::kCamera, *options.camera);
-  DiagnosticSink reading(sink_.stop_token());
+  DiagnosticSink reading(sink_.stop_request());
   SceneBuilder builder(file_, options_.limits, reading, Purpose::Picture, Instancing::Never);
   ConfigWriter writer(builder, options.camera,
                       scaled_numbers(program_->module(Program::kRoot).tree), reading);

@@ -11,6 +11,7 @@
 #include "lang/lower/lowered_scene.hpp"
 #include "lang/program/program.hpp"
 #include "lang/source/source.hpp"
+#include "lang/workspace/document.hpp"
 
 namespace sdlc::lang {
 
@@ -26,7 +27,7 @@ class Conversion {
  public:
   /// `file` must outlive the conversion, and the conversion what is done with the sink's
   /// diagnostics.
-  Conversion(const SourceFile& file, const ProgramOptions& options, DiagnosticSink& sink);
+  Conversion(const Document& file, const ProgramOptions& options, DiagnosticSink& sink);
   ~Conversion();
 
   /// The text in the other format, which lowers to the same picture; nothing where an error has
@@ -41,11 +42,13 @@ class Conversion {
 
  private:
   std::optional<std::string> to_scene();
+  /// The config as a formatted scene; nullopt after reporting that a limit forbids it.
+  std::optional<std::string> scene_text(const LoweredScene& lowered);
   std::optional<std::string> to_config(const ConvertOptions& options);
   /// Whether the limits allow for the scene; if not, that is reported.
   bool may_be_read(const SourceFile& scene, const LoweredScene& lowered);
 
-  const SourceFile& file_;
+  const Document& file_;
   ProgramOptions options_;
   DiagnosticSink& sink_;
   std::unique_ptr<Program> program_;  ///< null for a config

@@ -80,7 +80,9 @@ DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where
 
 void DiagnosticSink::add(const Diagnostic& diagnostic) {
   if (add(*diagnostic.info, diagnostic.where, diagnostic.message).is_kept()) {
+    std::vector<ChainLink> links = std::move(diagnostics_.back().chain);
     diagnostics_.back() = diagnostic;
+    if (diagnostic.chain.empty()) diagnostics_.back().chain = std::move(links);
   }
 }
 

@@ -117,21 +117,45 @@ class DiagnosticBuilder {
   bool is_kept_;
 };
 
-/// Thrown by DiagnosticSink::stop_if_requested(). No std::exception: nothing handles it but the
-/// caller that requested the stop.
+/// Thrown by stop_if_requested(). No std::exception: nothing handles it but the caller that
+/// requested the stop.
 struct StopRequested {};
+
+/// A request to stop work, made by any thread and polled by the work.
+class StopRequest {
+ public:
+  StopRequest() = default;
+  StopRequest(const StopRequest&) = delete;
+  StopRequest& operator=(const StopRequest&) = delete;
+  virtual ~StopRequest() = default;
+
+  void make() noexcept { source_.request_stop(); }
+  /// A poll. Virtual so that a test can count polls.
+  virtual bool is_made() const { return source_.stop_requested(); }
+  std::stop_token token() const noexcept { return source_.get_token(); }
+
+ private:
+  std::stop_source source_;
+};
+
+/// Throws StopRequested if `stop` is not null and the request was made. Costs about a nanosecond;
+/// long loops call it at least once a millisecond.
+inline void stop_if_requested(const StopRequest* stop) {
+  if (stop != nullptr && stop->is_made()) throw StopRequested{};
+}
 
 /// Collects what the phases report, in that order. A diagnostic that repeats an earlier one (code,
 /// place and message) is dropped. `lang/report` decides what is shown, and how.
 ///
-/// The sink also carries the stop token of the work, because every phase has the sink.
+/// The sink also carries the request to stop the work, because every phase has the sink.
 class DiagnosticSink {
  public:
   /// Errors that are kept, and as many warnings: a bound on memory. The rest is counted.
   static constexpr std::size_t kMaxKept = 10'000;
 
   DiagnosticSink() = default;
-  explicit DiagnosticSink(std::stop_token stop) : stop_(std::move(stop)) {}
+  /// `stop` may be null; otherwise it must outlive the work.
+  explicit DiagnosticSink(const StopRequest* stop) noexcept : stop_(stop) {}
 
   void set_max_kept(std::size_t count) noexcept { max_kept_ = count; }
 
@@ -146,7 +170,7 @@ class DiagnosticSink {
     return add(info, where, std::move(message));
   }
 
-  /// Adds a diagnostic of another sink.
+  /// Adds a diagnostic of another sink, with the chain of this sink if it has none.
   void add(const Diagnostic& diagnostic);
   /// Adds all that the other sink has, and counts what it did not keep.
   void add(const DiagnosticSink& other);
@@ -174,12 +198,9 @@ class DiagnosticSink {
     return not_kept_;
   }
 
-  const std::stop_token& stop_token() const noexcept { return stop_; }
-  /// Throws StopRequested if a stop was requested. Costs about a nanosecond; long loops call it at
-  /// least once a millisecond.
-  void stop_if_requested() const {
-    if (stop_.stop_requested()) throw StopRequested{};
-  }
+  /// Null if nobody can stop the work.
+  const StopRequest* stop_request() const noexcept { return stop_; }
+  void stop_if_requested() const { lang::stop_if_requested(stop_); }
 
  private:
   DiagnosticBuilder add(const DiagnosticInfo& info, Location where, std::string message);
@@ -193,7 +214,7 @@ class DiagnosticSink {
   std::size_t max_kept_ = kMaxKept;
   std::size_t errors_ = 0, warnings_ = 0;
   std::map<const DiagnosticInfo*, std::size_t> not_kept_;
-  std::stop_token stop_;
+  const StopRequest* stop_ = nullptr;
 };
 
 }  // namespace sdlc::lang

@@ -45,6 +45,6 @@ class Evaluation {
 };
 
 /// Parses and evaluates a file without imports and includes.
-void evaluate(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink);
+void evaluate(const Document& file, ObjectSink& objects, DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/source/source.hpp"
 #include "lang/syntax/syntax.hpp"
+#include "lang/workspace/document.hpp"
 
 /// The one layout of scenes, as docs/format.md describes it.
 namespace sdlc::lang {
@@ -36,7 +36,7 @@ bool is_same_program(const SyntaxTree& a, const SyntaxTree& b);
 /// Formats all of a file, or `lines` of it. What is wrong with it is reported; nothing comes of a
 /// file with errors. Throws std::logic_error if the outcome does not say the same as the file: a
 /// defect of the formatter.
-std::optional<std::string> format_file(const SourceFile& file, DiagnosticSink& sink,
+std::optional<std::string> format_file(const Document& file, DiagnosticSink& sink,
                                        std::optional<LineRange> lines = std::nullopt);
 
 }  // namespace sdlc::lang

@@ -456,6 +456,7 @@ class Parser {
           .help("only `spheres` may have so many values");
       throw Stopped{};
     }
+    sink_->stop_if_requested();
     const auto next = static_cast<std::uint32_t>(tape_.size() + 1);
     return tape_.emplace_back(JsonNode{.span = in_file(span), .next = next, .type = type});
   }

@@ -14,6 +14,7 @@ void check_bent_path(LintContext& context) {
   constexpr double kPixels = 2;
   std::size_t findings = 0;
   for (const BentPath& path : context.lowered().bent_paths) {
+    context.stop_if_requested();
     if (context.is_hidden(path.sphere)) continue;
     const render::Sphere& sphere = context.spheres()[path.sphere];
     double pixel = std::numeric_limits<double>::infinity();

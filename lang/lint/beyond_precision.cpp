@@ -12,6 +12,7 @@ void check_beyond_precision(LintContext& context) {
   const auto& cameras = lowered.checked_cameras;
   const std::size_t count = cameras_to_judge(cameras.size(), context.spheres().size());
   for (std::size_t i = 0; i < count; ++i) {
+    context.stop_if_requested();
     const auto fault = find_precision_fault(context.scene(), cameras[i].camera, lowered.settings,
                                             lowered.precision);
     if (!fault || fault->info != &diag::beyond_precision) continue;

@@ -29,6 +29,7 @@ bool is_outside(const LintContext& context, std::uint32_t a, std::uint32_t b) {
 std::optional<std::uint32_t> smallest_around(const LintContext& context, Vec3 point) {
   std::optional<std::uint32_t> smallest;
   for (std::uint32_t i = 0; i < context.spheres().size(); ++i) {
+    context.stop_if_requested();
     if (context.is_transmissive(i) || !is_inside(context, point, i)) continue;
     if (!smallest || context.spheres()[i].radius < context.spheres()[*smallest].radius) {
       smallest = i;
@@ -40,6 +41,7 @@ std::optional<std::uint32_t> smallest_around(const LintContext& context, Vec3 po
 Enclosed look_into(const LintContext& context, std::uint32_t shell) {
   Enclosed enclosed;
   for (std::uint32_t i = 0; i < context.spheres().size(); ++i) {
+    context.stop_if_requested();
     if (i == shell) continue;
     if (is_outside(context, i, shell)) {
       enclosed.hides_spheres = true;

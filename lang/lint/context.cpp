@@ -12,6 +12,7 @@ std::span<const std::uint32_t> LintContext::closed() {
   const auto& cameras = lowered_.checked_cameras;
   if (is_part() || cameras.size() > kMostCameras) return *closed_;
   for (std::uint32_t i = 0; i < spheres().size(); ++i) {
+    stop_if_requested();
     const bool is_open = std::ranges::any_of(cameras, [&](const CheckedCamera& camera) {
       return may_be_inside(*this, camera.camera.from, i);
     });
@@ -32,6 +33,7 @@ std::span<const LintContext::HiddenSphere> LintContext::hidden() {
     if (!is_member[i]) order.push_back(i);
   }
   for (const std::uint32_t i : order) {
+    stop_if_requested();
     const auto around = tree.find_around(i);
     if (!around) continue;
     hidden_->push_back({.sphere = i, .around = *around});

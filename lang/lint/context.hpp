@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -99,6 +100,12 @@ class LintContext {
   /// Where spheres come from, ascending; evaluates the scene once more.
   std::vector<Origin> trace(std::span<const std::uint32_t> spheres) {
     return compiler_.trace(spheres);
+  }
+
+  void stop_if_requested() const { lang::stop_if_requested(compiler_.stop_request()); }
+  std::stop_token stop_token() const {
+    const StopRequest* stop = compiler_.stop_request();
+    return stop == nullptr ? std::stop_token() : stop->token();
   }
 
   template <typename... Args>

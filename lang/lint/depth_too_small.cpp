@@ -15,6 +15,7 @@ void check_depth_too_small(LintContext& context) {
   if (context.is_part() || cameras.size() > LintContext::kMostCameras) return;
   std::vector<std::uint32_t> members;
   for (std::uint32_t i = 0; i < context.spheres().size(); ++i) {
+    context.stop_if_requested();
     if (!context.is_transmissive(i) || context.is_hidden(i)) continue;
     const bool is_around_camera = std::ranges::any_of(cameras, [&](const CheckedCamera& camera) {
       return may_be_inside(context, camera.camera.from, i);

@@ -42,9 +42,11 @@ void check_error_out_of_reach(LintContext& context) {
   scene.camera = lowered.checked_cameras.front().camera;
   const render::RenderSettings trial = trial_of(asked, scene.camera.aspect);
   render::RenderMonitor monitor;
+  const std::stop_callback cancel(context.stop_token(), [&] { monitor.cancel = true; });
   render::KernelRequest request{.precision = lowered.precision};
   request.may_take_double = true;
   const render::RenderResult result = render::render(std::move(scene), trial, monitor, request);
+  context.stop_if_requested();
   if (!result.error) return;
 
   constexpr double kMargin = 2;

@@ -45,13 +45,14 @@ using Rules = std::set<const DiagnosticInfo*>;
 
 class Linter {
  public:
-  Linter(Compiler& compiler, const SourceFile& file, DiagnosticSink& sink)
+  Linter(Compiler& compiler, const Document& file, DiagnosticSink& sink)
       : compiler_(compiler), file_(file), sink_(sink) {}
 
   void run() {
     compiler_.check([&](const LoweredScene& lowered) { look(lowered); });
     if (sink_.has_errors()) return;
     confirm_held();
+    compiler_.publish_dependencies();  // confirm_held() may have read fewer files
     for (const Found& found : held_) report(found);
     if (is_picture_) diagnose_unused_allowances();
   }
@@ -69,6 +70,7 @@ class Linter {
     for (const Rule& rule : all_rules()) {
       if (rule.scope == RuleScope::Text && (!is_first || tree == nullptr)) continue;
       if (rule.scope == RuleScope::EveryFrame) held.insert(rule.info);
+      context.stop_if_requested();
       rule.check(context);
     }
     std::vector<Found> kept;
@@ -138,7 +140,7 @@ class Linter {
     constexpr std::uint64_t kMostSteps = 200'000'000;  // of all views together: two seconds
     ProgramOptions options = compiler_.options();
     options.limits.steps = std::min(options.limits.steps, kMostSteps / views->size());
-    DiagnosticSink ignored(sink_.stop_token());
+    DiagnosticSink ignored(sink_.stop_request());
     Compiler compiler(file_, options, ignored);
     const bool is_film = compiler.animation().has_value();
     for (const View& view : *views) {
@@ -232,7 +234,7 @@ class Linter {
   }
 
   Compiler& compiler_;
-  const SourceFile& file_;
+  const Document& file_;
   DiagnosticSink& sink_;
   Allowances allowances_;
   std::vector<Found> held_;  // in each view looked at
@@ -245,7 +247,7 @@ class Linter {
 
 }  // namespace
 
-void lint(Compiler& compiler, const SourceFile& file, DiagnosticSink& sink) {
+void lint(Compiler& compiler, const Document& file, DiagnosticSink& sink) {
   // All warnings must be known before an allowance is found to be unused.
   constexpr std::size_t kMaxFindings = 100'000;
   sink.set_max_kept(kMaxFindings);

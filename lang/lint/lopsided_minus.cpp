@@ -13,6 +13,7 @@ void check_sum(LintContext& context, ast::Node sum) {
   const std::string_view text = context.file().text();
   std::uint32_t end = 0;  // of the operand before
   for (const ast::Node operand : sum.children()) {
+    context.stop_if_requested();
     const std::uint32_t begin = operand.span().begin;
     const bool is_lopsided = operand.op() == Operator::Subtract && begin > end + 1 &&
                              text[begin - 1] == '-' && is_blank(text[begin - 2]);

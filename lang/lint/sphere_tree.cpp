@@ -57,6 +57,7 @@ bool may_be_inside(const LintContext& context, Vec3 point, std::uint32_t index) 
 namespace {
 
 constexpr std::uint32_t kLeafSize = 8;
+constexpr std::uint64_t kVisitsPerPoll = 1024;
 
 double component(const Vec3& v, std::size_t axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
@@ -94,6 +95,7 @@ std::uint32_t SphereTree::build(std::uint32_t first, std::uint32_t count) {
   }
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(node);
+  context_.stop_if_requested();
   if (count <= kLeafSize) return index;
 
   const Vec3 size = node.high - node.low;
@@ -147,7 +149,7 @@ void SphereTree::walk(Enter enter, Look look) {
     const std::uint32_t index = waiting[--count];
     const Node& node = nodes_[index];
     if (visits_ >= kMostVisits) return;
-    ++visits_;
+    if (++visits_ % kVisitsPerPoll == 0) context_.stop_if_requested();
     if (!enter(node)) continue;
     if (node.second == 0) {
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {

@@ -112,6 +112,7 @@ std::size_t SceneBuilder::bytes() const noexcept {
 }
 
 bool SceneBuilder::may_take_more_memory(Location where) {
+  sink_->stop_if_requested();
   bytes_.set(bytes());
   if (CountedBytes::sum() <= limits_.memory) return true;
   if (std::exchange(is_full_, true)) return false;
@@ -246,6 +247,7 @@ LoweredScene SceneBuilder::finish(const Overrides& overrides) {
   lower_settings(wanted, cameras_.empty(), lowered);
   lower_size(wanted, camera, lowered);
   if (!overrides.names_output) check_output(wanted, is_animated_, lowered);
+  sink_->stop_if_requested();
   drop_coincident(lowered);
   lowered.dropped_spheres = dropped_.size();
   bytes_.set(0);  // the scene is the caller's now

@@ -9,6 +9,7 @@
 
 #include "lang/resolve/record_symbols.hpp"
 #include "lang/resolve/resolver.hpp"
+#include "lang/syntax/syntax.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "lang/value/literals.hpp"
 
@@ -32,28 +33,28 @@ bool check_file_size(const SourceFile& file, const Limits& limits, DiagnosticSin
   return false;
 }
 
-Program::Program(const SourceFile& root, const ProgramOptions& options, DiagnosticSink& sink)
+Program::Program(const Document& root, const ProgramOptions& options, DiagnosticSink& sink)
     : options_(options) {
   fs::path path = root.name();
-  if (options_.files != nullptr) {
-    if (options_.is_sandboxed) sandbox_.emplace(*options_.files, path);
+  if (options_.workspace != nullptr) {
+    if (options_.is_sandboxed) sandbox_.emplace(*options_.workspace, path);
     loaded_.emplace(identity(path), kRoot);
   }
   add_module(root, std::move(path), kNothing, sink);
   for (const SetOption& option : options_.sets) add_setting(option, sink);
 }
 
-const SymbolTable& Program::names_of(std::uint32_t module) {
+const SymbolTable& Program::names_of(std::uint32_t module, const StopRequest* stop) {
   const auto known = names_.find(module);
   if (known != names_.end()) return known->second;
-  return names_.emplace(module, record_symbols(*this, module, SymbolDetail::Declared))
+  return names_.emplace(module, record_symbols(*this, module, SymbolDetail::Declared, stop))
       .first->second;
 }
 
 void Program::add_setting(const SetOption& option, DiagnosticSink& sink) {
   const Module& root = module(kRoot);
   const SourceFile& file =
-      sources_.emplace_back(fmt::format("--set {}", option.name), option.value);
+      setting_files_.emplace_back(fmt::format("--set {}", option.name), option.value);
   const auto found = root.global_names.find(option.name);
   const bool is_param = found != root.global_names.end() && root.globals[found->second].is_param;
   if (is_param) {
@@ -82,18 +83,18 @@ std::optional<ParamSetting> Program::setting_of(std::uint32_t global) const {
 const Code& Program::resolve_setting(const ParamSetting& setting, std::uint32_t& expression,
                                      DiagnosticSink& sink) {
   const auto index = module_count();
-  modules_.push_back(
-      std::make_unique<Module>(*setting.file, parse_expression(*setting.file, sink)));
+  const SyntaxTree& tree = setting_trees_.emplace_back(parse_expression(*setting.file, sink));
+  modules_.push_back(std::make_unique<Module>(*setting.file, tree));
   expression = Resolver(*this, index, sink).resolve_expression();
   return module(index).code;
 }
 
-std::uint32_t Program::add_module(const SourceFile& file, fs::path path, std::uint32_t parent,
+std::uint32_t Program::add_module(const Document& file, fs::path path, std::uint32_t parent,
                                   DiagnosticSink& sink) {
   const auto index = static_cast<std::uint32_t>(modules_.size());
   const bool is_readable = check_file_size(file, options_.limits, sink);
-  static const SourceFile kEmpty("", "scene 1");
-  modules_.push_back(std::make_unique<Module>(file, parse(is_readable ? file : kEmpty, sink)));
+  const SyntaxTree& tree = (is_readable ? file : unread_).tree(sink);
+  modules_.push_back(std::make_unique<Module>(file, tree));
   modules_[index]->path = std::move(path);
   modules_[index]->parent = parent;
   Resolver(*this, index, sink).resolve_declarations();
@@ -101,35 +102,35 @@ std::uint32_t Program::add_module(const SourceFile& file, fs::path path, std::ui
 }
 
 std::string Program::identity(const fs::path& path) const {
-  if (options_.files == nullptr) return path.string();
-  if (!sandbox_) return options_.files->identity(path).string();
+  if (options_.workspace == nullptr) return path.string();
+  if (!sandbox_) return options_.workspace->identity(path).string();
   return sandbox_->resolve(path).value_or(fs::absolute(path).lexically_normal()).string();
 }
 
-std::optional<std::string> Program::read(const fs::path& path, ast::Node name,
-                                         DiagnosticSink& sink) const {
-  if (options_.files == nullptr) {
+std::shared_ptr<const Document> Program::read(const fs::path& path, ast::Node name,
+                                              DiagnosticSink& sink) const {
+  if (options_.workspace == nullptr) {
     sink.report(diag::unreadable_file, name.location(), path.string(), "there are no other files");
-    return std::nullopt;
+    return nullptr;
   }
   if (sandbox_ && !sandbox_->resolve(path)) {
     sink.report(diag::outside_sandbox, name.location(), path.string());
-    return std::nullopt;
+    return nullptr;
   }
-  if (options_.files->is_special(path)) {
+  if (options_.workspace->is_special(path)) {
     sink.report(diag::unreadable_file, name.location(), path.string(), "it is no regular file");
-    return std::nullopt;
+    return nullptr;
   }
   std::error_code error;
   // "-" is a file here, not standard input.
   const fs::path read_path = path == "-" ? fs::path("./-") : path;
-  std::optional<std::string> text =
-      options_.files->read(read_path, options_.limits.any_file(), error);
-  if (!text) {
+  auto document =
+      options_.workspace->load(read_path, path.string(), options_.limits.any_file(), error);
+  if (!document) {
     sink.report(diag::unreadable_file, name.location(), path.string(), error.message())
         .help("the path is relative to the folder of this file");
   }
-  return text;
+  return document;
 }
 
 std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
@@ -164,10 +165,11 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
   }
 
   loaded_.emplace(key, kNothing);
-  std::optional<std::string> text = read(path, name, sink);
-  if (!text) return kNothing;
+  const std::shared_ptr<const Document> document = read(path, name, sink);
+  if (!document) return kNothing;
   dependencies_.push_back(path);
-  const SourceFile& file = sources_.emplace_back(path.string(), std::move(*text));
+  documents_.push_back(document);
+  const Document& file = *document;
   if (file.format() == SourceFormat::Json) {
     if (!check_file_size(file, options_.limits, sink)) return kNothing;
     loaded_[key] = kConfigs + static_cast<std::uint32_t>(configs_.size());

@@ -18,6 +18,7 @@
 #include "lang/source/limits.hpp"
 #include "lang/source/sandbox.hpp"
 #include "lang/source/source.hpp"
+#include "lang/workspace/workspace.hpp"
 
 namespace sdlc::lang {
 
@@ -29,7 +30,7 @@ struct SetOption {
 
 /// Sources and limits of a program.
 struct ProgramOptions {
-  const FileSystem* files = nullptr;  ///< null: the root is the only file
+  Workspace* workspace = nullptr;  ///< null: the root is the only file
   Limits limits;
   bool is_sandboxed = false;  ///< no file outside the root's folder is read
   std::vector<SetOption> sets = {};
@@ -50,7 +51,7 @@ class Program final : public Modules {
   static constexpr std::uint32_t kRoot = 0;
 
   /// Loads the root and its imports, and reports errors. `root` must outlive the program.
-  Program(const SourceFile& root, const ProgramOptions& options, DiagnosticSink& sink);
+  Program(const Document& root, const ProgramOptions& options, DiagnosticSink& sink);
 
   const Module& module(std::uint32_t index) const { return *modules_[index]; }
   std::uint32_t module_count() const override {
@@ -58,7 +59,7 @@ class Program final : public Modules {
   }
   Module& module_at(std::uint32_t index) override { return *modules_[index]; }
   /// The symbols of a module, in SymbolDetail::Declared. Recorded on first use.
-  const SymbolTable& names_of(std::uint32_t module);
+  const SymbolTable& names_of(std::uint32_t module, const StopRequest* stop);
   const SourceFile& config(std::uint32_t index) const { return *configs_[index - kConfigs]; }
   const Limits& limits() const noexcept override { return options_.limits; }
   /// All files except the root, in the order of loading.
@@ -73,19 +74,22 @@ class Program final : public Modules {
  private:
   std::uint32_t load(std::uint32_t from, ast::Node name, bool is_include,
                      DiagnosticSink& sink) override;
-  std::uint32_t add_module(const SourceFile& file, std::filesystem::path path, std::uint32_t parent,
+  std::uint32_t add_module(const Document& file, std::filesystem::path path, std::uint32_t parent,
                            DiagnosticSink& sink);
   void add_setting(const SetOption& option, DiagnosticSink& sink);
   /// A key of the file: the same for all paths to it.
   std::string identity(const std::filesystem::path& path) const;
-  std::optional<std::string> read(const std::filesystem::path& path, ast::Node name,
-                                  DiagnosticSink& sink) const;
+  std::shared_ptr<const Document> read(const std::filesystem::path& path, ast::Node name,
+                                       DiagnosticSink& sink) const;
 
   ProgramOptions options_;
   std::optional<Sandbox> sandbox_;
   std::vector<std::unique_ptr<Module>> modules_;
   std::vector<const SourceFile*> configs_;
-  std::deque<SourceFile> sources_;                         ///< all except the root
+  std::vector<std::shared_ptr<const Document>> documents_;  ///< all except the root
+  const Document unread_{"", "scene 1"};                    ///< in place of a file that is too large
+  std::deque<SourceFile> setting_files_;
+  std::deque<SyntaxTree> setting_trees_;
   std::unordered_map<std::string, std::uint32_t> loaded_;  ///< by identity; kNothing: unreadable
   std::vector<std::filesystem::path> dependencies_;
   std::vector<ParamSetting> settings_;

@@ -16,6 +16,7 @@ std::optional<RepairedText> repair_json(const SourceFile& file, DiagnosticSink& 
   RepairedText repaired(text);
   TokenList tokens = json_tokens(text);
   repaired.apply(repair_json_syntax(file, tokens, repaired, sink));
+  sink.stop_if_requested();
   if (repaired.is_changed()) tokens = json_tokens(repaired.text());
   if (!tokens.has_matching_brackets() && tokens.is_bracket(0, '{')) {
     repair_brackets(file, tokens, find_json_bracket_faults(tokens), repaired, sink);

@@ -21,7 +21,10 @@ class JsonSyntax : private RepairRound {
   std::vector<Edit> run() {
     if (!tokens_.is_bracket(0, '{')) return {};
     open();
-    while (i_ < tokens_.size() && !open_.empty()) step();
+    while (i_ < tokens_.size() && !open_.empty()) {
+      stop_if_requested();
+      step();
+    }
     return std::move(edits_);
   }
 

@@ -24,6 +24,8 @@ class RepairRound {
       : tokens_(tokens), file_(file), text_(text), sink_(sink) {}
 
  protected:
+  void stop_if_requested() const { sink_.stop_if_requested(); }
+
   template <typename... Args>
   DiagnosticBuilder report(const DiagnosticKind<Args...>& kind, Span span,
                            const std::type_identity_t<Args>&... args) {

@@ -26,6 +26,7 @@ class Phrases : private RepairRound {
 
   std::vector<Edit> run() {
     for (i_ = surrounding_block(); i_ < tokens_.size(); ++i_) {
+      stop_if_requested();
       if (tokens_[i_].is_first) line_ = i_;
       is_skipped_ = false;
       static_cast<void>(statement() || value());

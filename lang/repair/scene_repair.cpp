@@ -40,9 +40,11 @@ void drop_lesser_faults(const TokenList& tokens, std::string_view text,
 
 void repair_brackets_and_marks(const SourceFile& file, bool may_mismatch, RepairedText& repaired,
                                DiagnosticSink& sink) {
+  sink.stop_if_requested();
   const TokenList tokens = scene_tokens(repaired.text());
   if (may_mismatch || !tokens.has_matching_brackets()) {
     BracketFaults faults = find_scene_bracket_faults(tokens);
+    sink.stop_if_requested();
     drop_lesser_faults(tokens, repaired.text(), faults.faults);
     repair_brackets(file, tokens, faults, repaired, sink);
   }

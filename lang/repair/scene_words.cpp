@@ -33,6 +33,7 @@ class Words : private RepairRound {
 
   std::vector<Edit> run(bool signs_only) {
     for (i_ = 0; i_ < tokens_.size(); ++i_) {
+      stop_if_requested();
       note_statement();
       if (tokens_.is(i_, "=")) {
         equals();
@@ -164,9 +165,9 @@ class Words : private RepairRound {
     const bool is_candidate = tokens_.is_name(i_) || is_definition;
     if (!is_candidate || !tokens_.is_same_line(i_ + 1) || i_ + 1 >= tokens_.size()) return {};
     const bool follows_keyword = i_ > 0 && is_one_of(tokens_.written(i_ - 1), kStatementWords);
-    const bool follows_value = i_ > 0 && !follows_keyword &&
-                               (tokens_.is(i_ - 1, TokenClass::Value) ||
-                                tokens_.is(i_ - 1, TokenClass::Close));
+    const bool follows_value =
+        i_ > 0 && !follows_keyword &&
+        (tokens_.is(i_ - 1, TokenClass::Value) || tokens_.is(i_ - 1, TokenClass::Close));
     const bool is_else_if = find_habit(HabitPlace::ElseIf, tokens_.written(i_)).has_value();
     if (follows_value && is_else_if) return "else if";
     if (i_ > 0 && tokens_.is_bracket(i_ - 1, '}') && tokens_.is_bracket(i_ + 1, '{')) {

@@ -78,6 +78,7 @@ bool has_broken_parameters(ast::Node statement) {
 void collect_declarations(Modules& modules, std::uint32_t index, DiagnosticSink& sink) {
   const Module& module = modules.module_at(index);
   for (const ast::Node statement : ast::Node(module.tree, 0).children()) {
+    sink.stop_if_requested();
     const auto name = statement.first(SyntaxKind::Name);
     const auto kind = symbol_kind_of(statement.kind());
     if (!kind || kind == SymbolKind::Object || !name || name->span().size() == 0) continue;

@@ -81,6 +81,7 @@ class Sorter {
   void walk_from(std::size_t root) {
     enter(root);
     while (!path_.empty()) {
+      sink_.stop_if_requested();
       const std::size_t current = path_.back().node;
       if (path_.back().next_use < graph_.degree(current)) {
         const std::size_t used = graph_.used(current, path_.back().next_use++);

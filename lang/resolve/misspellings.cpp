@@ -114,12 +114,13 @@ bool may_be_declared(NameSpace space) {
 
 }  // namespace
 
-Misspellings::Misspellings(const SymbolTable& table) {
+Misspellings::Misspellings(const SymbolTable& table, const StopRequest* stop) {
   if (table.symbols().size() > kMaxSymbols) return;
   const DeclarationSearch search(table);
   std::map<std::pair<const Symbol*, std::string_view>, std::vector<Span>> groups;
   std::size_t searched = 0;
   for (const UnknownName& unknown : table.unknown()) {
+    stop_if_requested(stop);
     if (!may_be_declared(unknown.space)) continue;
     if (++searched > kMaxUnknown) break;
     const Symbol* symbol = search.nearest(unknown);

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "lang/diagnostics/diagnostics.hpp"
 #include "lang/resolve/symbol_table.hpp"
 #include "lang/source/source.hpp"
 
@@ -22,7 +23,7 @@ struct Misspelling {
 /// The misspellings of one file.
 class Misspellings {
  public:
-  explicit Misspellings(const SymbolTable& table);
+  Misspellings(const SymbolTable& table, const StopRequest* stop);
 
   /// The misspelling whose use begins at this byte, or null.
   const Misspelling* find(std::uint32_t use) const;

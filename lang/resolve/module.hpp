@@ -5,7 +5,6 @@
 #include <memory>
 #include <string_view>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "lang/ast/ast.hpp"
@@ -59,12 +58,12 @@ struct Import {
 /// A .scene file with its declarations resolved. Its other statements are resolved one by one when
 /// they are evaluated.
 struct Module {
-  Module(const SourceFile& file_, SyntaxTree tree_) : file(&file_), tree(std::move(tree_)) {}
+  Module(const SourceFile& file_, const SyntaxTree& tree_) : file(&file_), tree(tree_) {}
 
   const SourceFile* file;
   std::filesystem::path path;       ///< its imports are relative to its folder
   std::uint32_t parent = kNothing;  ///< the module that loaded it
-  SyntaxTree tree;
+  const SyntaxTree& tree;
   Code code{tree};
   std::vector<Global> globals;
   std::vector<Definition> functions, defs;

@@ -13,8 +13,9 @@
 
 namespace sdlc::lang {
 
-SymbolTable record_symbols(Modules& modules, std::uint32_t module, SymbolDetail detail) {
-  DiagnosticSink ignored;
+SymbolTable record_symbols(Modules& modules, std::uint32_t module, SymbolDetail detail,
+                           const StopRequest* stop) {
+  DiagnosticSink ignored(stop);
   ignored.set_muted(true);
   SymbolRecorder recorder(modules.module_at(module).tree, module, detail);
   Resolver(modules, module, ignored, &recorder).record_all();

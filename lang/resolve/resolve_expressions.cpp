@@ -24,6 +24,7 @@ bool reads_words(const Property* property) {
 
 /// `property`: the one whose value this is, which may accept a word (ruling 12).
 std::uint32_t Resolver::expression(ast::Node node, const Property* property) {
+  sink_.stop_if_requested();
   switch (node.kind()) {
     case SyntaxKind::Number: return number(node);
     case SyntaxKind::String: return string(node);

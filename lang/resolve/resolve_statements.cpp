@@ -26,6 +26,7 @@ std::uint32_t Resolver::resolve_expression() {
 }
 
 std::uint32_t Resolver::statement(ast::Node node, bool is_top) {
+  sink_.stop_if_requested();
   switch (node.kind()) {
     case SyntaxKind::Object: return object({node}, is_top);
     case SyntaxKind::Let: return is_top ? kNothing : let_statement(node);

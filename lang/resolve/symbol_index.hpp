@@ -40,7 +40,7 @@ struct Rename {
 class SymbolIndex {
  public:
   /// Records the names of every file that has been loaded.
-  explicit SymbolIndex(Modules& modules);
+  explicit SymbolIndex(Modules& modules, const StopRequest* stop = nullptr);
 
   std::uint32_t file_count() const { return static_cast<std::uint32_t>(tables_.size()); }
   const SymbolTable& table(std::uint32_t file) const { return tables_[file]; }

@@ -68,8 +68,9 @@ bool UnknownNames::is_excused(std::uint32_t module, std::string_view name, std::
 
 const Misspelling* UnknownNames::find_misspelling(std::uint32_t use) {
   if (!module_.misspellings) {
-    module_.misspellings =
-        std::make_unique<Misspellings>(record_symbols(modules_, index_, SymbolDetail::Declared));
+    const StopRequest* stop = sink_.stop_request();
+    const SymbolTable names = record_symbols(modules_, index_, SymbolDetail::Declared, stop);
+    module_.misspellings = std::make_unique<Misspellings>(names, stop);
   }
   return module_.misspellings->find(use);
 }
@@ -105,6 +106,7 @@ std::optional<std::string_view> UnknownNames::suggest_member(DiagnosticBuilder& 
 bool UnknownNames::names_object(std::string_view name) const {
   for (NodeIndex i = 0; i < module_.tree.nodes().size(); ++i) {
     const ast::Node node(module_.tree, i);
+    sink_.stop_if_requested();
     if (!node.is(SyntaxKind::Object)) continue;
     const auto label = node.first(SyntaxKind::Name);
     if (label && label->text() == name) return true;

@@ -41,6 +41,7 @@ class SourceFile {
  public:
   /// `name` is the file as the user named it; it is what diagnostics print.
   SourceFile(std::string name, std::string text);
+  virtual ~SourceFile() = default;
 
   const std::string& name() const noexcept { return name_; }
   SourceFormat format() const noexcept { return format_; }

@@ -100,7 +100,10 @@ class CharacterCheck {
       return empty;
     }
     std::uint32_t at = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-    while ((at = next_special(text_, at)) < text_.size()) at = check(at);
+    while ((at = next_special(text_, at)) < text_.size()) {
+      sink_.stop_if_requested();
+      at = check(at);
+    }
     return std::move(mended_);
   }
 
@@ -163,7 +166,10 @@ class CharacterCheck {
 
   /// Whether `at` lies in a comment or string. Asked in the order of the text.
   bool is_opaque(std::uint32_t at) {
-    while (token_.span.end <= at) token_ = tokens_.next();
+    while (token_.span.end <= at) {
+      sink_.stop_if_requested();
+      token_ = tokens_.next();
+    }
     return is_comment(token_.kind) || is_string(token_.kind);
   }
 

@@ -63,6 +63,8 @@ class TreeBuilder {
   std::span<const SyntaxNode> nodes() const noexcept { return nodes_.span(); }
 
   void push(SyntaxKind kind, Span span) {
+    constexpr std::size_t kNodesPerPoll = 1024;
+    if (nodes_.size() % kNodesPerPoll == 0) sink_->stop_if_requested();
     nodes_.push({.begin = span.begin, .end = span.end, .kind = kind});
   }
   void truncate(NodeIndex size) noexcept { nodes_.truncate(size); }

@@ -11,7 +11,10 @@ void Workspace::open(const fs::path& path, std::string text, int version) {
   open_[identity(path)] = {.text = std::move(text), .version = version};
 }
 
-void Workspace::close(const fs::path& path) { open_.erase(identity(path)); }
+void Workspace::close(const fs::path& path) {
+  open_.erase(identity(path));
+  if (open_.empty()) kept_.clear();
+}
 
 bool Workspace::is_open(const fs::path& path) const { return find_open(path) != nullptr; }
 
@@ -21,19 +24,21 @@ const Workspace::OpenText* Workspace::find_open(const fs::path& path) const {
   return found == open_.end() ? nullptr : &found->second;
 }
 
-std::shared_ptr<const Document> Workspace::load(const fs::path& path, std::uint64_t max_bytes,
-                                                std::error_code& error) {
+std::shared_ptr<const Document> Workspace::load(const fs::path& path, const std::string& name,
+                                                std::uint64_t max_bytes, std::error_code& error) {
   std::optional<std::string> text = read(path, max_bytes, error);
   if (!text) return nullptr;
   const OpenText* open = find_open(path);
   const int version = open == nullptr ? 0 : open->version;
-  std::weak_ptr<const Document>& entry = in_use_[path.string()];
+  std::weak_ptr<const Document>& entry = in_use_[name];
   auto document = entry.lock();
   const bool is_same =
       document != nullptr && document->version() == version && document->text() == *text;
-  if (is_same) return document;
-  document = std::make_shared<const Document>(path.string(), std::move(*text), version);
-  entry = document;
+  if (!is_same) {
+    document = std::make_shared<const Document>(name, std::move(*text), version);
+    entry = document;
+  }
+  if (!open_.empty()) kept_[name] = document;
   return document;
 }
 

@@ -33,11 +33,16 @@ class Workspace final : public FileSystem {
 
   // Documents
 
-  /// The text at `path`, as it is now; null with `error` set if it cannot be read. A document that
-  /// is in use is returned again as long as its name and content stay the same, so that it is not
-  /// parsed again. Of a file of more than `max_bytes` bytes the first `max_bytes` + 1 are read.
+  /// The text at `path`, as it is now, called `name` in messages; null with `error` set if it
+  /// cannot be read. A document that is in use is returned again as long as its name and content
+  /// stay the same, so that it is not parsed again; while a text is open, every document counts as
+  /// in use. Of a file of more than `max_bytes` bytes the first `max_bytes` + 1 are read.
+  std::shared_ptr<const Document> load(const std::filesystem::path& path, const std::string& name,
+                                       std::uint64_t max_bytes, std::error_code& error);
   std::shared_ptr<const Document> load(const std::filesystem::path& path, std::uint64_t max_bytes,
-                                       std::error_code& error);
+                                       std::error_code& error) {
+    return load(path, path.string(), max_bytes, error);
+  }
 
   // Imports and includes
 
@@ -74,6 +79,7 @@ class Workspace final : public FileSystem {
   const FileSystem& disk_;
   std::map<std::filesystem::path, OpenText> open_;                                    // by identity
   std::map<std::string, std::weak_ptr<const Document>> in_use_;                       // by name
+  std::map<std::string, std::shared_ptr<const Document>> kept_;                       // by name
   std::map<std::filesystem::path, std::set<std::filesystem::path>> dependents_;       // by identity
   std::map<std::filesystem::path, std::vector<std::filesystem::path>> dependencies_;  // by identity
 };

@@ -1,7 +1,6 @@
 #include "lang/diagnostics/diagnostics.hpp"
 
 #include <set>
-#include <stop_token>
 
 #include <gtest/gtest.h>
 
@@ -43,10 +42,10 @@ TEST(DiagnosticSink, AddsDiagnosticsOfAnotherSink) {
 }
 
 TEST(DiagnosticSink, StopsOnRequest) {
-  std::stop_source source;
-  const DiagnosticSink sink(source.get_token());
+  StopRequest stop;
+  const DiagnosticSink sink(&stop);
   sink.stop_if_requested();
-  source.request_stop();
+  stop.make();
   EXPECT_THROW(sink.stop_if_requested(), StopRequested);
   DiagnosticSink().stop_if_requested();
 }

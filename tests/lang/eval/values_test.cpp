@@ -1,6 +1,5 @@
 #include <cmath>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -20,7 +19,7 @@ class Objects final : public ObjectSink {
 };
 
 std::vector<Object> evaluate_text(const std::string& text) {
-  const SourceFile file("test.scene", "scene 1\n" + text);
+  const Document file("test.scene", "scene 1\n" + text);
   DiagnosticSink sink;
   Objects objects;
   evaluate(file, objects, sink);
@@ -244,7 +243,7 @@ TEST(Values, MayBeChainedAsLongAsAFileIs) {
 }
 
 TEST(Values, StopWhenAFileTakesTooManySteps) {
-  const SourceFile file("test.scene", "scene 1\nfor i in range(100) { for j in range(100) { } }");
+  const Document file("test.scene", "scene 1\nfor i in range(100) { for j in range(100) { } }");
   DiagnosticSink sink;
   Objects objects;
   ProgramOptions options;
@@ -256,13 +255,13 @@ TEST(Values, StopWhenAFileTakesTooManySteps) {
 }
 
 TEST(Values, StopOnRequest) {
-  const SourceFile file("test.scene", "scene 1\nfor i in range(1000) { for j in range(1000) { } }");
-  std::stop_source source;
-  DiagnosticSink sink(source.get_token());
+  const Document file("test.scene", "scene 1\nfor i in range(1000) { for j in range(1000) { } }");
+  StopRequest stop;
+  DiagnosticSink sink(&stop);
   Objects objects;
   Program program(file, {}, sink);
   Evaluation evaluation(program, {}, sink);
-  source.request_stop();
+  stop.make();
   EXPECT_THROW(evaluation.run(objects), StopRequested);
 }
 

@@ -29,7 +29,7 @@ class Checked final : public CheckedText {
   const Findings& findings() const override { return findings_; }
 
  private:
-  SourceFile file_;
+  Document file_;
   DiagnosticSink sink_;
   Findings findings_;
   Compiler compiler_;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 /// The number of warnings for a text.
 DiagnosticCounts lint_counts(const std::string& text) {
-  const SourceFile file("test.scene", text);
+  const Document file("test.scene", text);
   DiagnosticSink sink;
   Compiler compiler(file, {}, sink);
   lint(compiler, file, sink);
@@ -32,12 +32,13 @@ constexpr const char* kHead =
 
 TEST(Lint, SaysNothingOfTheExamples) {
   const DiskFileSystem files;
+  Workspace workspace(files);
   for (const auto& entry : fs::directory_iterator(fs::path(SDLC_SOURCE_DIR) / "examples")) {
     if (entry.path().extension() != ".scene") continue;
-    const SourceFile file(entry.path().string(), test::content_of(entry.path()));
+    const Document file(entry.path().string(), test::content_of(entry.path()));
     DiagnosticSink sink;
     ProgramOptions options;
-    options.files = &files;
+    options.workspace = &workspace;
     Compiler compiler(file, options, sink);
     lint(compiler, file, sink);
     const Findings findings = select_unallowed(sink);

@@ -19,18 +19,17 @@ namespace {
 
 /// Shows a test the spheres of a scene, some of them moving.
 void with_spheres(const std::function<void(const LintContext&, SphereTree&)>& test) {
-  const SourceFile file(
-      "test.scene",
-      "scene 1\n"
-      "camera { from: (0, 0, 90), at: (0, 0, 0), fov: 40deg, shutter: 0s .. 1s }\n"
-      "for i in range(600) {\n"
-      "  let way = mod(i, 3) * time / 4s\n"
-      "  sphere {\n"
-      "    center: 7 * (random(i, 1) + way, random(i, 2), random(i, 3))\n"
-      "    radius: 0.05 + 4 * random(i, 4)^6\n"
-      "    material: transmissive(ior: 1.5 + mod(i, 2))\n"
-      "  }\n"
-      "}\n");
+  const Document file("test.scene",
+                      "scene 1\n"
+                      "camera { from: (0, 0, 90), at: (0, 0, 0), fov: 40deg, shutter: 0s .. 1s }\n"
+                      "for i in range(600) {\n"
+                      "  let way = mod(i, 3) * time / 4s\n"
+                      "  sphere {\n"
+                      "    center: 7 * (random(i, 1) + way, random(i, 2), random(i, 3))\n"
+                      "    radius: 0.05 + 4 * random(i, 4)^6\n"
+                      "    material: transmissive(ior: 1.5 + mod(i, 2))\n"
+                      "  }\n"
+                      "}\n");
   DiagnosticSink sink;
   Compiler compiler(file, {}, sink);
   bool is_called = false;

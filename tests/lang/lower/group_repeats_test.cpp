@@ -72,7 +72,7 @@ const std::string kRow =
 
 Built build(const std::string& text, bool tells_repetitions, Instancing instancing,
             const lang::Limits& limits = {}) {
-  const lang::SourceFile file("test.scene", "scene 1\n" + kCamera + text);
+  const lang::Document file("test.scene", "scene 1\n" + kCamera + text);
   lang::DiagnosticSink sink;
   lang::SceneBuilder builder(file, limits, sink, lang::Purpose::Picture, instancing);
   Builder objects(builder, tells_repetitions);

@@ -22,7 +22,7 @@ struct Compiled {
 
 Compiled compile_text(const std::string& text, const Overrides& overrides = {}) {
   const bool is_json = text.starts_with("{");
-  const SourceFile file(is_json ? "test.json" : "test.scene", is_json ? text : "scene 1\n" + text);
+  const Document file(is_json ? "test.json" : "test.scene", is_json ? text : "scene 1\n" + text);
   DiagnosticSink sink;
   Compiled compiled{.lowered = compile(file, overrides, sink), .codes = {}};
   for (const Diagnostic& diagnostic : sink.diagnostics()) {

@@ -219,9 +219,10 @@ std::vector<MutantError> errors_of(const Mutant& mutant, const SoundTexts& texts
   // A slip may make a scene a large one.
   constexpr lang::Limits kLimits{.steps = 20'000'000, .objects = 100'000};
   const MutantFiles files(texts, mutant);
-  const lang::SourceFile root(mutant.of->root, *files.find(mutant.of->root));
+  lang::Workspace workspace(files);
+  const lang::Document root(mutant.of->root, *files.find(mutant.of->root));
   lang::DiagnosticSink sink;
-  lang::Compiler compiler(root, {.files = &files, .limits = kLimits, .sets = {}}, sink);
+  lang::Compiler compiler(root, {.workspace = &workspace, .limits = kLimits, .sets = {}}, sink);
   compiler.check();
   const auto line = [&](const lang::Location& where) {
     const bool is_here = where.file != nullptr && where.file->name() == mutant.of->name;

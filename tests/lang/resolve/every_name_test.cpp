@@ -68,9 +68,10 @@ std::string fault_of(const SymbolIndex& index, const SymbolTable& table) {
   return {};
 }
 
-std::string fault_of(const SourceFile& file, const FileSystem& files) {
+std::string fault_of(const Document& file, const FileSystem& files) {
+  Workspace workspace(files);
   DiagnosticSink sink;
-  Program program(file, {.files = &files, .limits = {}}, sink);
+  Program program(file, {.workspace = &workspace, .limits = {}}, sink);
   const SymbolIndex index(program);
   for (std::uint32_t i = 0; i < index.file_count(); ++i) {
     const std::string fault = fault_of(index, index.table(i));
@@ -97,7 +98,7 @@ TEST(EveryName, OfTheFileTestsHasASymbolOrIsUnknown) {
       if (file_case.file.extension() != ".scene") continue;
       const CaseFiles files(file_case);
       for (const std::string& text : variants_of(file_case.texts[0].text())) {
-        const SourceFile file("test.scene", text);
+        const Document file("test.scene", text);
         EXPECT_EQ(fault_of(file, files), "") << file_case.file << " " << file_case.name << "\n"
                                              << text;
       }
@@ -115,7 +116,7 @@ TEST(EveryName, OfTheExamplesHasASymbolOrIsUnknown) {
       std::ostringstream text;
       text << std::ifstream(entry.path()).rdbuf();
       for (const std::string& variant : variants_of(text.str())) {
-        const SourceFile file(entry.path().string(), variant);
+        const Document file(entry.path().string(), variant);
         EXPECT_EQ(fault_of(file, files), "") << entry.path();
       }
     }

@@ -14,7 +14,7 @@ using namespace lang;
 
 IndexedProgram::IndexedProgram(const std::string& root, std::map<std::string, std::string> files)
     : files_(std::move(files)), root_("test.scene", root) {
-  program_.emplace(root_, ProgramOptions{.files = &files_, .limits = {}}, sink_);
+  program_.emplace(root_, ProgramOptions{.workspace = &workspace_, .limits = {}}, sink_);
   index_.emplace(*program_);
 }
 

@@ -11,6 +11,7 @@
 #include "lang/program/program.hpp"
 #include "lang/resolve/symbol_index.hpp"
 #include "lang/source/source.hpp"
+#include "lang/workspace/workspace.hpp"
 #include "tests/support/compilation/compilation.hpp"
 
 namespace sdlc::test {
@@ -48,7 +49,8 @@ class IndexedProgram {
 
  private:
   MemoryFiles files_;
-  lang::SourceFile root_;
+  lang::Workspace workspace_{files_};
+  lang::Document root_;
   lang::DiagnosticSink sink_;
   std::optional<lang::Program> program_;
   std::optional<lang::SymbolIndex> index_;

@@ -13,7 +13,7 @@ namespace {
 /// "declared -> used", with "!" if the declaration is misspelt for certain; empty if there is none.
 std::string misspelling(const std::string& text, const std::string& use) {
   const IndexedProgram program(text);
-  const lang::Misspellings misspellings(program.table());
+  const lang::Misspellings misspellings(program.table(), nullptr);
   const lang::Misspelling* found = misspellings.find(program.offset(use));
   if (found == nullptr) return "";
   return std::string(found->name) + " -> " + std::string(found->meant) +

@@ -70,6 +70,24 @@ TEST_F(WorkspaceTest, SharesWhatIsInUseAndUnchanged) {
   EXPECT_EQ(first->text(), "scene 1");  // still whole for those who use it
 }
 
+TEST_F(WorkspaceTest, KeepsDocumentsWhileATextIsOpen) {
+  files_.texts = {{"root.scene", "root"}, {"lib.scene", "lib"}};
+  workspace_.open("root.scene", "scene 1");
+  const std::weak_ptr<const Document> root = load("root.scene"), lib = load("lib.scene");
+  workspace_.open("root.scene", "scene 1 ");
+  EXPECT_EQ(load("lib.scene"), lib.lock());
+  EXPECT_NE(load("root.scene"), root.lock());
+  EXPECT_TRUE(root.expired());
+  workspace_.close("root.scene");
+  EXPECT_TRUE(lib.expired());
+}
+
+TEST_F(WorkspaceTest, CallsADocumentByTheGivenName) {
+  files_.texts["-"] = "scene 1";
+  std::error_code error;
+  EXPECT_EQ(workspace_.load("-", "<stdin>", 100, error)->name(), "<stdin>");
+}
+
 TEST_F(WorkspaceTest, ParsesADocumentOnceAndReportsItsErrorsEachTime) {
   files_.texts["a.scene"] = "scene 1\nlet = 3";
   const auto document = load("a.scene");
@@ -82,9 +100,9 @@ TEST_F(WorkspaceTest, ParsesADocumentOnceAndReportsItsErrorsEachTime) {
 
 TEST_F(WorkspaceTest, ParsesAgainAfterAStop) {
   const Document document("a.scene", "scene 1\nlet = 3");
-  std::stop_source source;
-  source.request_stop();
-  DiagnosticSink stopped(source.get_token()), sink;
+  StopRequest stop;
+  stop.make();
+  DiagnosticSink stopped(&stop), sink;
   EXPECT_THROW(document.tree(stopped), StopRequested);
   document.tree(sink);
   EXPECT_EQ(sink.error_count(), 1u);
