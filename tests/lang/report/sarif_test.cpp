@@ -149,7 +149,7 @@ TEST(SarifReport, ReportsHowManyAreNotListed) {
   const Json run = render(sink)["runs"][0];
   EXPECT_EQ(run["results"].size(), 50u);
   EXPECT_EQ(run["invocations"][0]["toolExecutionNotifications"][0]["message"]["text"],
-            "2 more findings are not listed; the limit is 50 errors and 50 warnings per file");
+            "2 more findings are not listed: the limit is 50 errors and 50 warnings per file");
 }
 
 TEST(SarifReport, ReportsThatAFileCouldNotBeRead) {
