@@ -265,7 +265,7 @@ void add_convert_command(CLI::App& app, Dispatcher& dispatcher) {
       ->required();
   command->add_option("-o,--output", options->output,
                       "Output file; for several inputs a folder, which mirrors the tree; `-`: "
-                      "standard output. Default: beside IN, with the other extension");
+                      "standard output. Default: next to IN, with the other extension");
   command->add_option("--to", options->to, "The format to convert to; default: the other one")
       ->check(one_of(kFormats));
   command->add_flag(

@@ -28,12 +28,12 @@ TokenReader content_of(std::string_view text, Span comment) {
   return TokenReader(text.substr(0, comment.end), comment.begin + 2);
 }
 
-/// Takes `sdlc:`, which begins an allowance.
+/// Consumes `sdlc:`, the beginning of an allowance.
 bool take_mark(TokenReader& tokens) {
   return tokens.text(tokens.next_in_line()) == "sdlc" && tokens.text(tokens.next()) == ":";
 }
 
-/// The codes of `// sdlc: allow(W402, W4) reason`; empty where it cannot be read so.
+/// The codes of `// sdlc: allow(W402, W4) reason`; empty if the comment has another form.
 std::vector<Span> read_codes(TokenReader tokens) {
   const auto next = [&] { return tokens.text(tokens.next_in_line()); };
   if (!take_mark(tokens) || next() != "allow" || next() != "(") return {};
@@ -48,10 +48,10 @@ std::vector<Span> read_codes(TokenReader tokens) {
   return separator == ")" ? codes : std::vector<Span>();
 }
 
-/// The code as the table has it: in capitals.
+/// The code in capitals, as in the table.
 std::string code_text(const SourceFile& file, Span code) { return upper_case(file.text(code)); }
 
-/// Finds the statements that comments speak of, in one pass over the text for all comments.
+/// Finds the statements of all comments in one pass over the tree.
 class Statements {
  public:
   explicit Statements(const SyntaxTree& tree) : tree_(tree), text_(tree.file().text()) {
@@ -68,15 +68,15 @@ class Statements {
   }
 
  private:
-  /// A statement, or a block of one.
+  /// A statement or a block.
   struct Part {
     Span span;
     bool is_block;
-    std::uint32_t around;  ///< kNone: the file
+    std::uint32_t around;  ///< index of the enclosing part; kNone for the file
   };
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-  /// The first token behind each comment.
+  /// Finds the first token after each comment.
   void find_next_tokens() {
     const auto comments = tree_.comments();
     next_tokens_.resize(comments.size());
@@ -108,10 +108,10 @@ class Statements {
   }
 
   std::optional<Span> ending_before(std::uint32_t comment, std::uint32_t line) const {
-    const auto behind = std::ranges::lower_bound(parts_, comment, {},
-                                                 [](const Part& part) { return part.span.begin; });
-    if (behind == parts_.begin()) return std::nullopt;
-    auto around = static_cast<std::uint32_t>(behind - parts_.begin() - 1);
+    const auto after = std::ranges::lower_bound(parts_, comment, {},
+                                                [](const Part& part) { return part.span.begin; });
+    if (after == parts_.begin()) return std::nullopt;
+    auto around = static_cast<std::uint32_t>(after - parts_.begin() - 1);
     std::optional<Span> before;
     for (; around != kNone && parts_[around].span.end <= comment; around = parts_[around].around) {
       before = parts_[around].span;
@@ -124,23 +124,18 @@ class Statements {
   const SyntaxTree& tree_;
   std::string_view text_;
   std::vector<std::uint32_t> next_tokens_;  // by comment
-  std::vector<Part> parts_;                 // by where they begin, outer ones first
+  std::vector<Part> parts_;                 // by beginning, outer ones first
 };
 
-bool fits_some_warning(std::string_view code) {
+/// Whether the code, or a code with this prefix, exists.
+bool is_code(std::string_view code, Severity severity) {
   return std::ranges::any_of(all_diagnostics(), [&](const DiagnosticInfo* info) {
-    return info->severity != Severity::Error && info->code.starts_with(code);
+    return info->severity == severity && info->code.starts_with(code);
   });
 }
 
-bool fits_some_error(std::string_view code) {
-  return std::ranges::any_of(all_diagnostics(), [&](const DiagnosticInfo* info) {
-    return info->severity == Severity::Error && info->code.starts_with(code);
-  });
-}
-
-/// The comment with the blanks before it, and its line if nothing else is on it.
-Span with_blanks(std::string_view text, Span comment) {
+/// The comment with the spaces before it, or with its line if nothing else is on it.
+Span with_space(std::string_view text, Span comment) {
   Span span = comment;
   while (span.begin > 0 && (text[span.begin - 1] == ' ' || text[span.begin - 1] == '\t')) {
     --span.begin;
@@ -169,7 +164,7 @@ Allowances::FileAllowances Allowances::read(const SourceFile& file) {
     const TokenReader content = content_of(file.text(), comment.span);
     if (TokenReader tokens = content; !take_mark(tokens)) continue;
     const std::vector<Span> codes = read_codes(content);
-    if (codes.empty()) result.unreadable.push_back(comment.span);
+    if (codes.empty()) result.malformed.push_back(comment.span);
     for (std::uint32_t k = 0; k < codes.size(); ++k) {
       result.list.push_back({.code = codes[k],
                              .comment = comment.span,
@@ -186,7 +181,7 @@ Allowances::FileAllowances Allowances::read(const SourceFile& file) {
   return result;
 }
 
-/// Statements are inside each other or apart, so each place has one that is next around it.
+/// Statements are nested or disjoint, so each place has at most one innermost place around it.
 void Allowances::find_places(const std::vector<std::optional<Span>>& statements,
                              FileAllowances& allowances) {
   std::vector<Place>& places = allowances.places;
@@ -225,10 +220,10 @@ bool Allowances::allow(const DiagnosticInfo& info, Location where) {
   if (where.file == nullptr || info.severity == Severity::Error) return false;
   std::vector<Place>& places = of(*where.file).places;
   const std::uint32_t at = where.span.begin;
-  const auto behind = std::ranges::upper_bound(
+  const auto after = std::ranges::upper_bound(
       places, at, {}, [](const Place& place) { return place.statement.begin; });
   auto i =
-      behind == places.begin() ? kNowhere : static_cast<std::uint32_t>(behind - places.begin() - 1);
+      after == places.begin() ? kNowhere : static_cast<std::uint32_t>(after - places.begin() - 1);
   bool is_allowed = false;
   for (; i != kNowhere; i = places[i].around) {
     if (places[i].statement.end <= at) continue;
@@ -241,9 +236,9 @@ bool Allowances::allow(const DiagnosticInfo& info, Location where) {
 
 void Allowances::diagnose_unused(const SourceFile& file, DiagnosticSink& sink) {
   const FileAllowances& allowances = of(file);
-  for (const Span comment : allowances.unreadable) {
-    sink.report(diag::bad_allowance, {&file, comment}, "this comment cannot be read")
-        .help("an allowance is written `// sdlc: allow(W402) reason`");
+  for (const Span comment : allowances.malformed) {
+    sink.report(diag::bad_allowance, {&file, comment}, "it has the wrong form")
+        .help("write `// sdlc: allow(W402) reason`");
   }
   for (const Allowance& allowance : allowances.list) {
     diagnose_unused(file, allowances, allowance, sink);
@@ -254,8 +249,8 @@ void Allowances::diagnose_unused(const SourceFile& file, const FileAllowances& a
                                  const Allowance& allowance, DiagnosticSink& sink) {
   const std::string code = code_text(file, allowance.code);
   const Location where{&file, allowance.code};
-  if (!fits_some_warning(code)) {
-    if (fits_some_error(code)) {
+  if (!is_code(code, Severity::Warning)) {
+    if (is_code(code, Severity::Error)) {
       sink.report(diag::bad_allowance, where, fmt::format("`{}` is an error", code))
           .help("errors cannot be allowed: after one there is no picture");
       return;
@@ -270,23 +265,21 @@ void Allowances::diagnose_unused(const SourceFile& file, const FileAllowances& a
   }
   const bool has_place = allowance.place != kNowhere;
   const bool is_used = has_place && allowances.places[allowance.place].is_used.at(code);
-  // What only `sdlc convert` reports cannot be seen to be of use.
+  // Only `sdlc convert` reports this one, so here it always looks unused.
   if (is_used || diag::rounded_color.code.starts_with(code)) return;
   auto report = sink.report(diag::unused_allowance, where, code);
-  if (!has_place) report.help("no statement stands here");
+  if (!has_place) report.help("there is no statement here");
+  const std::string_view text = file.text();
+  const auto separates = [&](std::uint32_t at) { return is_blank(text[at]) || text[at] == ','; };
+  Span removed = allowance.code;
   if (allowance.count == 1) {
-    report.unsafe_fix({&file, with_blanks(file.text(), allowance.comment)}, "");
+    removed = with_space(text, allowance.comment);
   } else if (allowance.index == 0) {
-    Span span = allowance.code;
-    while (is_blank(file.text()[span.end]) || file.text()[span.end] == ',') ++span.end;
-    report.unsafe_fix({&file, span}, "");
+    while (separates(removed.end)) ++removed.end;
   } else {
-    Span span = allowance.code;
-    while (is_blank(file.text()[span.begin - 1]) || file.text()[span.begin - 1] == ',') {
-      --span.begin;
-    }
-    report.unsafe_fix({&file, span}, "");
+    while (separates(removed.begin - 1)) --removed.begin;
   }
+  report.unsafe_fix({&file, removed}, "");
 }
 
 Findings select_unallowed(const DiagnosticSink& sink, FindingsFilter filter) {

@@ -15,6 +15,12 @@ std::span<const DiagnosticInfo* const> all_diagnostics() noexcept {
   return kAll;
 }
 
+std::string title_of(const DiagnosticInfo& info) {
+  std::string title(info.name);
+  std::ranges::replace(title, '_', ' ');
+  return title;
+}
+
 DiagnosticBuilder& DiagnosticBuilder::label(Location where, std::string message) {
   diagnostic_->labels.push_back({where, std::move(message)});
   return *this;

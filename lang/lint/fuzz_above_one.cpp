@@ -3,9 +3,9 @@
 namespace sdlc::lang {
 
 /// A specular material has a fuzz above 1. A reflected ray is the unit mirror direction plus fuzz
-/// times a point of the unit ball, and is lost where that points inwards. Up to 1 a ray that meets
-/// the surface head-on is never lost, the mirror direction being 1 away from the surface; above 1
-/// there are lost rays from each direction, so the surface is darker than its colour everywhere.
+/// times a point of the unit ball, and is absorbed if that points inwards. Up to 1 no ray that hits
+/// the surface head-on is absorbed, because the mirror direction is 1 away from the surface. Above
+/// 1 some rays from each direction are, so the surface is darker than its colour everywhere.
 void check_fuzz_above_one(LintContext& context) {
   for (const std::uint32_t sphere : context.spheres_of_materials()) {
     const render::Material& material = context.material_of(sphere);

@@ -16,8 +16,8 @@ struct Size {
   double width = 0, height = 0;
 };
 
-/// The size that the flags ask for, else the written one. A side that is not given follows from
-/// the other by the proportion: that of the written sides if both are, else `aspect`.
+/// The size of the flags, otherwise the written one. A missing side follows from the other by the
+/// proportion of the written sides, if both are written, otherwise by `aspect`.
 Size choose_size(const WantedSettings& wanted, std::optional<double> width,
                  std::optional<double> height, double aspect) {
   const bool has_both = width && height;
@@ -34,8 +34,8 @@ Size choose_size(const WantedSettings& wanted, std::optional<double> width,
   if (wide) return {*wide, height_of(*wide)};
   if (has_both) return {*width, *height};
   if (height) return {width_of(*height), *height};
-  const double usual = wanted.render.get<double>(kWidth).value_or(0);
-  return {usual, height_of(usual)};
+  const double default_width = wanted.render.get<double>(kWidth).value_or(0);
+  return {default_width, height_of(default_width)};
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ void lower_size(const WantedSettings& wanted, const Object* camera, LoweredScene
   if (wanted.is_written(kWidth)) width = wanted.render.get<double>(kWidth);
   const auto height = wanted.render.get<double>(kHeight);
   lowered.settings.width = lowered.settings.height = 0;
-  // What is wrong has been reported; a size made of the rest would be another one.
+  // Invalid values have been reported; without them the size would be a different one.
   const bool lacks_width = wanted.is_written(kWidth) && !width;
   const bool lacks_height = wanted.is_written(kHeight) && !height;
   const bool lacks_camera = !lowered.camera && wanted.sink.has_errors();
@@ -72,7 +72,7 @@ void lower_size(const WantedSettings& wanted, const Object* camera, LoweredScene
     wanted.sink
         .report(diag::picture_too_large, width ? wanted.place(kWidth) : whole_file,
                 fmt::format("{:.0f}", size.width), fmt::format("{:.0f}", size.height))
-        .help(fmt::format("it may have {} pixels in all", render::kMaxPicturePixels));
+        .help(fmt::format("the limit is {} pixels", render::kMaxPicturePixels));
   } else {
     lowered.settings.width = static_cast<int>(size.width);
     lowered.settings.height = static_cast<int>(size.height);

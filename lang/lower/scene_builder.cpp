@@ -11,7 +11,7 @@
 namespace sdlc::lang {
 namespace {
 
-// With what finding coincident spheres takes, and the tree in which a check looks for neighbours.
+// Includes the search for coincident spheres, and the SphereTree of the lints.
 constexpr std::size_t kBytesPerCheckedSphere = 96;
 constexpr std::size_t kBytesPerSphere = 64, kBytesPerCamera = 2 * sizeof(Object);
 
@@ -135,7 +135,7 @@ void SceneBuilder::forget_spheres() {
 }
 
 bool SceneBuilder::may_hold_another(Location where) {
-  constexpr std::size_t kInterval = 256;  // memory is counted once in so many spheres
+  constexpr std::size_t kInterval = 256;  // count memory once per this many spheres
   const bool is_due = is_full_ || world_.spheres.size() % kInterval == 0;
   if (is_due && !may_take_more_memory(where)) return false;
   if (sphere_count() + repeats_.object_count() < limits_.objects) return true;
@@ -150,13 +150,15 @@ bool SceneBuilder::may_hold_another(Location where) {
 std::optional<render::Material> SceneBuilder::material_of(const Object& sphere) {
   using sphere_property::kMaterial;
   if (const auto own = sphere.get<MaterialValue>(kMaterial)) return lower_material(*own);
-  if (sphere.slot(kMaterial).is_written) return std::nullopt;  // it is wrong, which was reported
+  if (sphere.slot(kMaterial).is_written) return std::nullopt;  // invalid, and reported
   if (!groups_.empty() && groups_.back().placing.material) return groups_.back().placing.material;
   const bool is_reported =
       sphere.is_broken || (!groups_.empty() && groups_.back().has_bad_material);
   if (!is_reported && !is_part()) {
     sink_->report(diag::no_material, sphere.where)
-        .help("give it or a group around it one, such as `material: diffuse(color: white)`");
+        .help(
+            "set it on the sphere or on a group around it, such as "
+            "`material: diffuse(color: white)`");
   }
   return std::nullopt;
 }
@@ -206,14 +208,15 @@ void SceneBuilder::add_to_groups(const Object& object, const InnerSphere& sphere
   if (sphere.add_to(world_, placing, material)) {
     repeats_.add_sphere(sphere);
   } else {
-    sink_->report(diag::beyond_numbers, object.where, "where the groups around this sphere put it");
+    sink_->report(diag::beyond_numbers, object.where,
+                  "the position or size of this sphere in its groups");
   }
 }
 
 void SceneBuilder::add_motion(const Object& object) {
   using namespace sphere_property;
   const auto motion = object.get<MotionValue>(kMotion);
-  if (!motion) return;  // it is wrong, which was reported
+  if (!motion) return;  // invalid, and reported
   moving_.push_back({.sphere = static_cast<std::uint32_t>(world_.spheres.size()),
                      .where = object.location(kMotion),
                      .motion = *motion,
@@ -236,7 +239,7 @@ LoweredScene SceneBuilder::finish(const Overrides& overrides) {
   if (background_) lower_background(*background_, *sink_, lowered.scene.background);
 
   const Object* camera = choose_camera(wanted, cameras_, purpose_ == Purpose::Check);
-  // An earlier error may have taken the camera away.
+  // After an error the camera may be missing for another reason.
   if (camera == nullptr && !sink_->has_errors() && !is_part()) check_for_picture(overrides);
   for (const Object& declared : cameras_) lowered.cameras.push_back(declared.name);
   if (purpose_ == Purpose::Check) {
@@ -250,7 +253,7 @@ LoweredScene SceneBuilder::finish(const Overrides& overrides) {
   sink_->stop_if_requested();
   drop_coincident(lowered);
   lowered.dropped_spheres = dropped_.size();
-  bytes_.set(0);  // the scene is the caller's now
+  bytes_.set(0);  // the caller owns the scene now
   return lowered;
 }
 
@@ -268,7 +271,7 @@ void SceneBuilder::check_for_picture(const Overrides& overrides) const {
   const bool has_color = background_ && background_->slot(background_property::kColor).is_written;
   if (!is_given(kWidth) || !is_given(kHeight) || !has_color) {
     sink_->report(diag::nothing_to_render, whole_file)
-        .help("a file that only declares names is for `import`, one of spheres needs a `camera`");
+        .help("add a `camera`, or `import` this file in a scene if it only declares names");
   }
 }
 
@@ -291,7 +294,7 @@ void SceneBuilder::move_spheres(const Object& camera, render::Scene& scene) {
     if (is_moving) scene.shifts = std::move(shifts);
     return;
   }
-  // A check asks whether any camera has a shutter.
+  // A check considers the shutters of all cameras.
   const bool has_shutter =
       purpose_ == Purpose::Check && std::ranges::any_of(cameras_, [](const Object& other) {
         return other.get<render::Interval>(kShutter).has_value();
@@ -300,8 +303,8 @@ void SceneBuilder::move_spheres(const Object& camera, render::Scene& scene) {
   const Location where = moving_.front().where;
   const bool is_config = where.file->format() == SourceFormat::Json;
   sink_->report(diag::no_effect, where, is_config ? "movement" : "motion")
-      .help(is_config ? "without `time_interval` every sphere stays at its origin"
-                      : "the camera has no `shutter`: everything stands still");
+      .help(is_config ? "without `time_interval` spheres do not move"
+                      : "the camera has no `shutter`, so nothing moves");
 }
 
 void SceneBuilder::drop_coincident(LoweredScene& lowered) {

@@ -357,7 +357,7 @@ void check(const Example& example) {
   } else if (word(block, 0) == "sh") {
     check_commands(example);
   } else {
-    FAIL() << "nobody says what this block is";
+    FAIL() << "the kind of this block is unknown";
   }
 }
 

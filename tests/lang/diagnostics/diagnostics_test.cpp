@@ -50,7 +50,7 @@ TEST(DiagnosticSink, StopsOnRequest) {
   DiagnosticSink().stop_if_requested();
 }
 
-TEST(DiagnosticSink, TellsTheSameOfOnePlaceOnce) {
+TEST(DiagnosticSink, ReportsADuplicateOnce) {
   const SourceFile file("a", "text"), other("b", "text");
   DiagnosticSink sink;
   for (int i = 0; i < 3; ++i) sink.report(diag::unknown_name, {&file, {0, 1}}, "a").help("say it");

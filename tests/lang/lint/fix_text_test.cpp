@@ -10,6 +10,7 @@
 
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
+#include "lang/lint/fix_guard.hpp"
 #include "lang/lint/lint.hpp"
 
 // Results of fixes: safe ones produce the certain meaning, unsafe ones the probable meaning, and
@@ -349,9 +350,10 @@ TEST(FixText, LeavesStringsAndCommentsAlone) {
   EXPECT_EQ(result.refused, 3u);
 }
 
-TEST(KeepsStringsAndComments, MayReplaceThemWholeByWhatContainsThem) {
+TEST(FixGuard, AllowsToReplaceAStringOrCommentByATextThatContainsIt) {
   const auto keeps = [](std::string_view text, Span span, std::string replacement) {
-    return keeps_strings_and_comments(text, {{nullptr, span}, std::move(replacement), true});
+    return FixGuard(text).keeps_strings_and_comments(
+        {{nullptr, span}, std::move(replacement), true});
   };
   EXPECT_TRUE(keeps("a \"red\" b", {2, 7}, "red"));
   EXPECT_FALSE(keeps("a \"red\" b", {2, 7}, "blue"));

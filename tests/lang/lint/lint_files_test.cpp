@@ -61,7 +61,7 @@ std::size_t count_mendable(const FileCase& file_case, const std::string& text, s
   return count;
 }
 
-TEST_P(LintFiles, AreMendedByTheirFixes) {
+TEST_P(LintFiles, AreFixedByTheirFixes) {
   std::string text = GetParam().texts.front().text(), fixed;
   constexpr int kMostRounds = 3;  // overlapping fixes are applied in turns
   for (int round = 0; round < kMostRounds; ++round) {

@@ -30,7 +30,7 @@ DiagnosticCounts lint_counts(const std::string& text) {
 constexpr const char* kHead =
     "scene 1\ncamera main { from: (0, 1, 50), at: (0, 0, 0), fov: 40deg }\n";
 
-TEST(Lint, SaysNothingOfTheExamples) {
+TEST(Lint, ReportsNothingInTheExamples) {
   const DiskFileSystem files;
   Workspace workspace(files);
   for (const auto& entry : fs::directory_iterator(fs::path(SDLC_SOURCE_DIR) / "examples")) {
@@ -46,7 +46,7 @@ TEST(Lint, SaysNothingOfTheExamples) {
   }
 }
 
-TEST(Lint, TellsAPlaceThatFailsManyTimesOnce) {
+TEST(Lint, ReportsAPlaceOnce) {
   const auto counts = lint_counts(std::string(kHead) +
                                   "sphere { center: (0, 0, 0), radius: 20, material: unlit(red) }\n"
                                   "for i in range(5000) { sphere { center: (i / 1000, 0, 0), "

@@ -36,9 +36,9 @@ void with_spheres(const std::function<void(const LintContext&, SphereTree&)>& te
   compiler.check([&](const LoweredScene& lowered) {
     is_called = true;
     const LintContext context(file, nullptr, compiler, lowered);
-    std::vector<std::uint32_t> members(lowered.scene.spheres.size());
-    std::iota(members.begin(), members.end(), 0);
-    SphereTree tree(context, members);
+    std::vector<std::uint32_t> spheres(lowered.scene.spheres.size());
+    std::iota(spheres.begin(), spheres.end(), 0);
+    SphereTree tree(context, spheres);
     test(context, tree);
   });
   ASSERT_TRUE(is_called);
@@ -56,7 +56,7 @@ TEST(SphereTree, FindsASphereAroundAnotherWhereThereIsOne) {
       for (std::uint32_t b = 0; b < context.spheres().size(); ++b) {
         is_there = is_there || (a != b && is_inside(context, a, b));
       }
-      const auto found = tree.find_around(a);
+      const auto found = tree.find_container(a);
       EXPECT_EQ(found.has_value(), is_there);
       EXPECT_TRUE(!found || is_inside(context, a, *found));
       if (is_there) ++inside;
@@ -91,16 +91,16 @@ TEST(SphereTree, FindsAnEarlierSphereThatCrossesWhereThereIsOne) {
 
 TEST(SphereTree, CountsTheSpheresAroundAPoint) {
   with_spheres([](const LintContext& context, SphereTree& tree) {
-    std::size_t most = 0;
+    std::size_t max_count = 0;
     for (const render::Sphere& point : context.spheres()) {
       std::size_t count = 0;
       for (const render::Sphere& other : context.spheres()) {
         if (length(other.center - point.center) < other.radius) ++count;
       }
-      EXPECT_EQ(tree.count_around(point.center), count);
-      most = std::max(most, count);
+      EXPECT_EQ(tree.count_containing(point.center), count);
+      max_count = std::max(max_count, count);
     }
-    EXPECT_GT(most, 5u);
+    EXPECT_GT(max_count, 5u);
   });
 }
 
