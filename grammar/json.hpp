@@ -25,7 +25,7 @@ struct mended_name   : seq<one<'\x1D'>, star<word_char>> {};
 struct array;
 struct object;
 struct value_by_habit : sor<malformed_number, single_quoted, curly_quoted, word, mended_value> {};
-struct value          : sor<string, number, array, object, literal, value_by_habit> {};
+struct value          : sor<number, string, array, object, literal, value_by_habit> {};
 struct begins_value   : at<sor<ranges<'0', '9', 'a', 'z', 'A', 'Z'>,
                                one<'"', '\'', '{', '[', '-', '+', '.', '\x1A', '\x1D'>, curly_quote>> {};
 
