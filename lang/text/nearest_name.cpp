@@ -66,8 +66,8 @@ class EditDistance {
 /// A third of the length. Names of one or two letters get one edit if there are few candidates:
 /// with many, any such name is one edit from some candidate.
 constexpr std::size_t max_edits(std::size_t size, std::size_t names) noexcept {
-  constexpr std::size_t kFew = 16;
-  return std::max<std::size_t>(size / 3, names <= kFew ? 1 : 0);
+  constexpr std::size_t kFewNames = 16;
+  return std::max<std::size_t>(size / 3, names <= kFewNames ? 1 : 0);
 }
 
 }  // namespace
