@@ -16,8 +16,8 @@
 namespace sdlc::lang {
 namespace {
 
-/// Adds to `to` what `from` reports about the conversion: errors and rounded colours. Other
-/// warnings are about the text itself, and `lint` reports them.
+/// Adds errors and rounded colours to `to`. Other warnings are about the text itself; `lint`
+/// reports them.
 void add_findings(const DiagnosticSink& from, DiagnosticSink& to) {
   for (const Diagnostic& diagnostic : from.diagnostics()) {
     const bool is_error = diagnostic.info->severity == Severity::Error;
@@ -34,7 +34,7 @@ void collect_number(std::string_view spelling, std::vector<double>& numbers) {
   if (error == std::errc() && stop == end) numbers.push_back(number);
 }
 
-/// The numbers that stand in calls of `linear255`, ascending.
+/// The numbers in calls of `linear255`, ascending.
 std::vector<double> scaled_numbers(const SyntaxTree& tree) {
   std::vector<double> numbers;
   const auto nodes = tree.nodes();
@@ -50,22 +50,19 @@ std::vector<double> scaled_numbers(const SyntaxTree& tree) {
   return numbers;
 }
 
-LoweredScene lower_config(const SourceFile& config, DiagnosticSink& sink) {
-  SceneBuilder builder(config, {}, sink, Purpose::Picture, Instancing::Never);
-  read_config(config, builder, sink);
-  return builder.finish({});
-}
-
-LoweredScene lower_scene(const Document& scene, DiagnosticSink& sink) {
-  SceneBuilder builder(scene, {}, sink, Purpose::Picture, Instancing::Never);
-  evaluate(scene, builder, sink);
-  return builder.finish({});
-}
-
-void require(bool is_right, const DiagnosticSink& sink) {
-  if (is_right && !sink.has_errors()) return;
+/// Throws std::logic_error unless the converted text lowers to the same picture.
+void check_result(const Document& converted, const LoweredScene& lowered, bool compares_colors) {
+  DiagnosticSink sink;
+  SceneBuilder builder(converted, {}, sink, Purpose::Picture, Instancing::Never);
+  if (converted.format() == SourceFormat::Json) {
+    read_config(converted, builder, sink);
+  } else {
+    evaluate(converted, builder, sink);
+  }
+  const bool is_same = is_same_picture(lowered, builder.finish({}), compares_colors);
+  if (is_same && !sink.has_errors()) return;
   const std::string reason = sink.has_errors() ? sink.diagnostics().front().message : "";
-  throw std::logic_error("the converted text is another picture; " + reason);
+  throw std::logic_error("the converted text has another picture; " + reason);
 }
 
 }  // namespace
@@ -103,26 +100,20 @@ std::optional<std::string> Conversion::to_scene() {
   if (sink_.has_errors()) return std::nullopt;
 
   const std::optional<std::string> text = scene_text(lowered);
-  if (!text) return std::nullopt;
-  DiagnosticSink sink;
-  const Document scene("converted.scene", *text);
-  const LoweredScene again = lower_scene(scene, sink);
-  require(is_same_picture(lowered, again, true), sink);
+  if (text) check_result(Document("converted.scene", *text), lowered, true);
   return text;
 }
 
 std::optional<std::string> Conversion::scene_text(const LoweredScene& lowered) {
   const Document unformatted("converted.scene", write_scene(file_, sink_, forced_warnings_));
-  if (!may_be_read(unformatted, lowered)) return std::nullopt;
+  if (!check_limits(unformatted, lowered)) return std::nullopt;
   DiagnosticSink sink;
-  std::optional<std::string> text = format_file(unformatted, sink);
-  require(text.has_value(), sink);
-  return text;
+  return format_file(unformatted, sink).value_or("");
 }
 
-bool Conversion::may_be_read(const SourceFile& scene, const LoweredScene& lowered) {
+bool Conversion::check_limits(const SourceFile& scene, const LoweredScene& lowered) {
   const Limits& limits = options_.limits;
-  const char* help = "no limit holds for a config, but this one for the scene that comes of it";
+  const char* help = "the limit applies to the converted scene, not to the config";
   if (lowered.output.output.size() > limits.string) {
     sink_.report(diag::string_too_long, {&file_, {0, 0}}, limits.string).help(help);
   }
@@ -159,10 +150,7 @@ std::optional<std::string> Conversion::to_config(const ConvertOptions& options) 
   add_findings(reading, sink_);
   if (sink_.has_errors()) return std::nullopt;
 
-  const SourceFile config("converted.json", text);
-  DiagnosticSink sink;
-  const LoweredScene again = lower_config(config, sink);
-  require(is_same_picture(lowered, again, writer.has_all_colors()), sink);
+  check_result(Document("converted.json", text), lowered, writer.has_all_colors());
   return text;
 }
 

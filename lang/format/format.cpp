@@ -20,7 +20,7 @@ std::optional<std::string> format_file(const Document& file, DiagnosticSink& sin
   DiagnosticSink faults;
   const SyntaxTree& outcome = formatted.tree(faults);
   if (faults.has_errors() || !is_same_program(tree, outcome)) {
-    throw std::logic_error(file.name() + ": formatting would change what the file says");
+    throw std::logic_error(file.name() + ": formatting would change the program");
   }
   return std::string(formatted.text());
 }

@@ -10,7 +10,7 @@ namespace sdlc::lang {
 std::optional<RepairedText> repair_json(const SourceFile& file, DiagnosticSink& sink) {
   constexpr std::string_view kMarks("\x1A\x1C\x1D", 3);
   const std::string_view text = file.text();
-  if (text.size() > kMaxMendedText || text.find_first_of(kMarks) != std::string_view::npos) {
+  if (text.size() > kMaxRepairedText || text.find_first_of(kMarks) != std::string_view::npos) {
     return std::nullopt;
   }
   RepairedText repaired(text);

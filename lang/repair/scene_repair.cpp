@@ -58,7 +58,7 @@ void repair_brackets_and_marks(const SourceFile& file, bool may_mismatch, Repair
 
 std::optional<RepairedText> repair_scene(const SourceFile& file, std::string_view text,
                                          SceneRepairOptions options, DiagnosticSink& sink) {
-  if (text.size() > kMaxMendedText) return std::nullopt;
+  if (text.size() > kMaxRepairedText) return std::nullopt;
   RepairedText repaired(text);
   repaired.apply(repair_phrases(file, scene_tokens(text), repaired, sink));
   repaired.apply(

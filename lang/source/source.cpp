@@ -85,7 +85,7 @@ std::error_code last_error() { return {errno, std::generic_category()}; }
 }  // namespace
 
 std::optional<std::string> DiskFileSystem::read(const std::filesystem::path& path,
-                                                std::uint64_t most, std::error_code& error) const {
+                                                std::uint64_t max, std::error_code& error) const {
   error.clear();
   const Descriptor file(path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) {
@@ -98,10 +98,10 @@ std::optional<std::string> DiskFileSystem::read(const std::filesystem::path& pat
     return std::nullopt;
   }
 
-  // Places in a text have 32 bits.
-  constexpr std::uint64_t kMostText = std::numeric_limits<std::uint32_t>::max();
-  const std::uint64_t end = std::min(most, kMostText) + 1;
-  // A regular file says how long it is; a pipe does not. One byte more than that finds the end.
+  // Offsets have 32 bits.
+  constexpr std::uint64_t kMaxText = std::numeric_limits<std::uint32_t>::max();
+  const std::uint64_t end = std::min(max, kMaxText) + 1;
+  // One byte more than the size of a regular file, so that one read finds its end.
   const std::uint64_t expected =
       S_ISREG(info.st_mode) ? static_cast<std::uint64_t>(info.st_size) + 1 : 1 << 16;
   std::string text(std::min(expected, end), '\0');
@@ -117,7 +117,7 @@ std::optional<std::string> DiskFileSystem::read(const std::filesystem::path& pat
     if (got == 0) break;
     used += static_cast<std::size_t>(got);
   }
-  if (used > kMostText) {
+  if (used > kMaxText) {
     error = std::make_error_code(std::errc::file_too_large);
     return std::nullopt;
   }

@@ -90,7 +90,7 @@ long megabytes_at_most() {
 /// the ones that are missing once kept all that it had thought of: 1.5 GB.
 TEST(Nestings, ThatAreNeverClosedTakeLittleMemory) {
   const std::string begin = "scene 1\nlet a = ";
-  const SourceFile file("test.scene", begin + std::string(kMaxMendedText - begin.size(), '('));
+  const SourceFile file("test.scene", begin + std::string(kMaxRepairedText - begin.size(), '('));
   const auto parse_alone = [&] {
     DiagnosticSink sink;
     parse(file, sink);
