@@ -106,6 +106,7 @@ class Parser {
 
   void end_element() {
     if (!is_streaming_ || depth_ != 2) return;
+    sink_->stop_if_requested();
     const std::uint32_t element = open_[1].node + 1;
     parts_->take_element(tape_, element);
     tape_.resize(element);
@@ -456,7 +457,8 @@ class Parser {
           .help("only `spheres` may have so many values");
       throw Stopped{};
     }
-    sink_->stop_if_requested();
+    constexpr std::size_t kNodesPerPoll = 256;
+    if (tape_.size() % kNodesPerPoll == 0) sink_->stop_if_requested();
     const auto next = static_cast<std::uint32_t>(tape_.size() + 1);
     return tape_.emplace_back(JsonNode{.span = in_file(span), .next = next, .type = type});
   }
