@@ -34,7 +34,8 @@ void count_bytes(benchmark::State& state, const std::string& text) {
 }
 
 /// A document that has not been parsed. The copy of the text is not measured.
-std::unique_ptr<const lang::Document> fresh_document(benchmark::State& state, const std::string& text) {
+std::unique_ptr<const lang::Document> fresh_document(benchmark::State& state,
+                                                     const std::string& text) {
   state.PauseTiming();
   auto document = std::make_unique<const lang::Document>("field.scene", text);
   state.ResumeTiming();

@@ -45,7 +45,7 @@ bool Evaluator::take_steps(const Code& code, NodeIndex node, std::uint64_t count
 }
 
 void Evaluator::poll() {
-  constexpr std::uint64_t kSteps = 100'000;  // about a millisecond
+  constexpr std::uint64_t kSteps = 1'000;  // a step takes 10 ns, in lists up to a microsecond
   next_poll_ = steps_ + kSteps;
   sink_.stop_if_requested();
 }

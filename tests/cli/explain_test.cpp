@@ -36,9 +36,13 @@ struct Explained {
 Explained explain(std::vector<std::string> arguments, bool is_terminal = false,
                   bool no_color = false) {
   const NoFiles files;
+  lang::Workspace workspace(files);
   std::ostringstream out, err;
-  cli::Environment env{
-      .files = files, .out = out, .err = err, .out_is_terminal = is_terminal, .no_color = no_color};
+  cli::Environment env{.workspace = workspace,
+                       .out = out,
+                       .err = err,
+                       .out_is_terminal = is_terminal,
+                       .no_color = no_color};
   arguments.insert(arguments.begin(), "explain");
   const cli::ExitCode code = cli::run_program(arguments, env);
   return {.code = code, .out = out.str(), .err = err.str()};

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lang/compile/compile.hpp"
+
 namespace sdlc::lang {
 namespace {
 
@@ -118,6 +120,21 @@ TEST_F(WorkspaceTest, KnowsWhoDependsOnAFile) {
   workspace_.set_dependencies("other.scene", {});
   EXPECT_THAT(workspace_.roots("lib/b.scene"), ElementsAre("root.scene"));
   EXPECT_THAT(workspace_.dependents("root.scene"), IsEmpty());
+}
+
+TEST_F(WorkspaceTest, LearnsFromTheCompilerWhatAFileDependsOn) {
+  files_.texts = {
+      {"root.scene", "scene 1\nimport \"lib.scene\" as lib\ngroup { include \"part.scene\" }\n"},
+      {"lib.scene", "scene 1\n"},
+      {"part.scene", "scene 1\nimport \"base.scene\" as base\n"},
+      {"base.scene", "scene 1\n"}};
+  const auto root = load("root.scene");
+  DiagnosticSink sink;
+  Compiler compiler(*root, {.workspace = &workspace_, .limits = {}}, sink);
+  EXPECT_THAT(workspace_.roots("lib.scene"), ElementsAre("root.scene"));
+  EXPECT_THAT(workspace_.roots("base.scene"), IsEmpty());
+  compiler.check();
+  EXPECT_THAT(workspace_.roots("base.scene"), ElementsAre("root.scene"));
 }
 
 TEST_F(WorkspaceTest, EndsWhereFilesDependOnEachOther) {
