@@ -12,9 +12,8 @@ namespace {
 
 class BracketReport : private RepairRound {
  public:
-  BracketReport(const SourceFile& file, const TokenList& tokens, RepairedText& text,
-                DiagnosticSink& sink)
-      : RepairRound(file, tokens, text, sink), is_scene_(file.format() == SourceFormat::Scene) {}
+  BracketReport(const RepairContext& context, const TokenList& tokens)
+      : RepairRound(context, tokens), is_scene_(context.file.format() == SourceFormat::Scene) {}
 
   std::vector<Edit> run(const std::vector<BracketFault>& faults) {
     for (std::size_t i = 0; i < faults.size();) {
@@ -247,14 +246,14 @@ class BracketReport : private RepairRound {
 
 }  // namespace
 
-void repair_brackets(const SourceFile& file, const TokenList& tokens, const BracketFaults& faults,
-                     RepairedText& text, DiagnosticSink& sink) {
+void repair_brackets(const RepairContext& context, const TokenList& tokens,
+                     const BracketFaults& faults) {
   constexpr std::size_t kMaxFaults = 64;  // a text beyond that is no text
   if (faults.faults.empty() || faults.faults.size() > kMaxFaults) return;
-  std::vector<Edit> edits = BracketReport(file, tokens, text, sink).run(faults.faults);
+  std::vector<Edit> edits = BracketReport(context, tokens).run(faults.faults);
   std::vector<std::uint32_t> uncertain;
   for (const std::uint32_t token : faults.uncertain) uncertain.push_back(tokens[token].begin);
-  text.apply(std::move(edits), uncertain);
+  context.text.apply(std::move(edits), uncertain);
 }
 
 }  // namespace sdlc::lang

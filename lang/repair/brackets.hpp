@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lang/diagnostics/diagnostics.hpp"
-#include "lang/repair/repaired_text.hpp"
+#include "lang/repair/scene_repair.hpp"
 #include "lang/repair/tokens.hpp"
 
 /// Which bracket is missing, one too many or of the wrong kind in a text whose brackets do not
@@ -38,7 +37,7 @@ BracketFaults find_scene_bracket_faults(const TokenList& tokens);
 BracketFaults find_json_bracket_faults(const TokenList& tokens);
 
 /// Reports the faults and makes the edits that remove them.
-void repair_brackets(const SourceFile& file, const TokenList& tokens, const BracketFaults& faults,
-                     RepairedText& text, DiagnosticSink& sink);
+void repair_brackets(const RepairContext& context, const TokenList& tokens,
+                     const BracketFaults& faults);
 
 }  // namespace sdlc::lang

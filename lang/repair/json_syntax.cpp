@@ -357,9 +357,8 @@ class JsonSyntax : private RepairRound {
 
 }  // namespace
 
-std::vector<Edit> repair_json_syntax(const SourceFile& file, const TokenList& tokens,
-                                     RepairedText& text, DiagnosticSink& sink) {
-  return JsonSyntax(file, tokens, text, sink).run();
+std::vector<Edit> repair_json_syntax(const RepairContext& context, const TokenList& tokens) {
+  return JsonSyntax(context, tokens).run();
 }
 
 }  // namespace sdlc::lang

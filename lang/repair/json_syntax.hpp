@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "lang/diagnostics/diagnostics.hpp"
-#include "lang/repair/repaired_text.hpp"
+#include "lang/repair/scene_repair.hpp"
 #include "lang/repair/tokens.hpp"
 
 namespace sdlc::lang {
@@ -18,7 +17,6 @@ constexpr bool is_repair_mark(char c) noexcept {
 
 /// Finds what the grammar of JSON does not get past: expressions, strings that are never closed,
 /// characters without a place. Reports it, and returns the edits that replace it by these marks.
-std::vector<Edit> repair_json_syntax(const SourceFile& file, const TokenList& tokens,
-                                     RepairedText& text, DiagnosticSink& sink);
+std::vector<Edit> repair_json_syntax(const RepairContext& context, const TokenList& tokens);
 
 }  // namespace sdlc::lang

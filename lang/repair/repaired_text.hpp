@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -8,6 +9,9 @@
 #include "lang/source/source.hpp"
 
 namespace sdlc::lang {
+
+/// Bytes of the longest text that is repaired. Longer ones are hardly written by hand.
+inline constexpr std::size_t kMaxRepairedText = std::size_t{256} << 10;
 
 /// A part of a text and what replaces it.
 struct Edit {

@@ -1,5 +1,3 @@
-#include "lang/repair/scene_marks.hpp"
-
 #include <string_view>
 
 #include "lang/repair/certainty.hpp"
@@ -60,9 +58,9 @@ class Marks : private RepairRound {
     if (tokens_.is(i_, TokenClass::Comma)) ++open.commas;
     const bool is_pair = tokens_.is(i_, TokenClass::Close) && is_plain() && open.commas == 1 &&
                          !tokens_.is(i_ - 1, TokenClass::Comma);
-    if (!is_pair || open.has_fault) return;
+    if (!is_pair) return;
+    if (!open.has_fault) report_expected(i_, "`,` and a third value: a point has three", true);
     open.has_fault = true;
-    report_expected(i_, "`,` and a third value: a point has three", true);
     edit(gap_before(i_), ", 0");
   }
 
@@ -147,9 +145,11 @@ class Marks : private RepairRound {
 
 }  // namespace
 
-std::vector<Edit> repair_marks(const SourceFile& file, const TokenList& tokens, RepairedText& text,
-                               DiagnosticSink& sink, std::vector<std::uint32_t>& uncertain) {
-  return Marks(file, tokens, text, sink).run(uncertain);
+void repair_marks(const RepairContext& context) {
+  const TokenList tokens = scene_tokens(context.text.text());
+  std::vector<std::uint32_t> uncertain;
+  std::vector<Edit> edits = Marks(context, tokens).run(uncertain);
+  context.text.apply(std::move(edits), uncertain);
 }
 
 }  // namespace sdlc::lang

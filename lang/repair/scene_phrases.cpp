@@ -1,5 +1,3 @@
-#include "lang/repair/scene_phrases.hpp"
-
 #include <algorithm>
 #include <array>
 #include <set>
@@ -612,9 +610,9 @@ class Phrases : private RepairRound {
 
 }  // namespace
 
-std::vector<Edit> repair_phrases(const SourceFile& file, const TokenList& tokens,
-                                 RepairedText& text, DiagnosticSink& sink) {
-  return Phrases(file, tokens, text, sink).run();
+void repair_phrases(const RepairContext& context) {
+  const TokenList tokens = scene_tokens(context.text.text());
+  context.text.apply(Phrases(context, tokens).run());
 }
 
 }  // namespace sdlc::lang

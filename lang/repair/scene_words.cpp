@@ -1,5 +1,3 @@
-#include "lang/repair/scene_words.hpp"
-
 #include <algorithm>
 #include <initializer_list>
 #include <string>
@@ -31,14 +29,14 @@ class Words : private RepairRound {
  public:
   using RepairRound::RepairRound;
 
-  std::vector<Edit> run(bool signs_only) {
+  std::vector<Edit> run() {
     for (i_ = 0; i_ < tokens_.size(); ++i_) {
       note_statement();
       if (tokens_.is(i_, "=")) {
         equals();
       } else if (tokens_.is(i_, TokenClass::Operator)) {
         sign();
-      } else if (!signs_only) {
+      } else {
         word();
       }
       follow_brackets();
@@ -164,9 +162,9 @@ class Words : private RepairRound {
     const bool is_candidate = tokens_.is_name(i_) || is_definition;
     if (!is_candidate || !tokens_.is_same_line(i_ + 1) || i_ + 1 >= tokens_.size()) return {};
     const bool follows_keyword = i_ > 0 && is_one_of(tokens_.written(i_ - 1), kStatementWords);
-    const bool follows_value = i_ > 0 && !follows_keyword &&
-                               (tokens_.is(i_ - 1, TokenClass::Value) ||
-                                tokens_.is(i_ - 1, TokenClass::Close));
+    const bool follows_value =
+        i_ > 0 && !follows_keyword &&
+        (tokens_.is(i_ - 1, TokenClass::Value) || tokens_.is(i_ - 1, TokenClass::Close));
     const bool is_else_if = find_habit(HabitPlace::ElseIf, tokens_.written(i_)).has_value();
     if (follows_value && is_else_if) return "else if";
     if (i_ > 0 && tokens_.is_bracket(i_ - 1, '}') && tokens_.is_bracket(i_ + 1, '{')) {
@@ -225,9 +223,9 @@ class Words : private RepairRound {
 
 }  // namespace
 
-std::vector<Edit> repair_words(const SourceFile& file, const TokenList& tokens, bool signs_only,
-                               RepairedText& text, DiagnosticSink& sink) {
-  return Words(file, tokens, text, sink).run(signs_only);
+void repair_words(const RepairContext& context) {
+  const TokenList tokens = scene_tokens(context.text.text());
+  context.text.apply(Words(context, tokens).run());
 }
 
 }  // namespace sdlc::lang
