@@ -157,7 +157,11 @@ class JsonSyntax : private RepairRound {
     }
     if (is_quoted(i_) && is_unclosed(i_)) {
       unclosed(i_);
-      return drop_member(i_);
+      const std::size_t next = i_ + 1;  // perhaps the rest of a key with a line end in it
+      if (!tokens_.is(next, TokenClass::Label) || name(next) != "\"") return drop_member(i_);
+      unclosed(next);
+      put({tokens_[i_].begin, name_span(next).end}, kRepairedName);
+      return go_on(next + 1, State::Value);
     }
     if (is_quoted(i_) || (is_value(i_) && is_letter)) return read_separator();
     const bool has_colon = tokens_.is(i_ + 1, ":");

@@ -57,10 +57,8 @@ class RepairRound {
   }
 
   const TokenList& tokens_;
-  std::vector<Edit> edits_;
-
- private:
   const RepairContext& context_;
+  std::vector<Edit> edits_;
 };
 
 }  // namespace sdlc::lang

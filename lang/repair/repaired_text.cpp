@@ -72,6 +72,12 @@ Span RepairedText::in_source(Span span) const noexcept {
   return {begin, std::max(begin, end)};
 }
 
+bool RepairedText::is_reported(std::uint32_t at) const noexcept {
+  const std::uint32_t place = in_source(at);
+  return std::ranges::any_of(reported_,
+                             [&](Span span) { return span.begin <= place && place < span.end; });
+}
+
 bool RepairedText::is_added(std::uint32_t at) const noexcept {
   for (auto round = rounds_.rbegin(); round != rounds_.rend(); ++round) {
     const Piece* piece = piece_at(*round, at);

@@ -26,11 +26,17 @@ class RepairedText {
   explicit RepairedText(std::string_view source) : text_(source) {}
 
   const std::string& text() const noexcept { return text_; }
-  bool is_changed() const noexcept { return !rounds_.empty(); }
+  /// Whether anything was edited or reported.
+  bool is_changed() const noexcept { return !rounds_.empty() || !reported_.empty(); }
 
   /// Makes the edits. One that begins inside another is dropped; of several insertions at one place
   /// the order is kept. `uncertain` are brackets of the text before, for is_uncertain().
   void apply(std::vector<Edit> edits, const std::vector<std::uint32_t>& uncertain = {});
+
+  /// Suppresses further reports of a part of the source.
+  void note_reported(Span source) { reported_.push_back(source); }
+  /// Whether the place in this text is in a part that note_reported() was called for.
+  bool is_reported(std::uint32_t at) const noexcept;
 
   /// The place in the source of a place in this text.
   std::uint32_t in_source(std::uint32_t at) const noexcept;
@@ -55,6 +61,7 @@ class RepairedText {
 
   std::string text_;
   std::vector<Round> rounds_;
+  std::vector<Span> reported_;
   std::vector<std::uint32_t> uncertain_;  ///< places in `text_`, ascending
 };
 

@@ -1,6 +1,6 @@
 #include "lang/repair/bracket_stack.hpp"
 #include "lang/repair/brackets.hpp"
-#include "lang/repair/certainty.hpp"
+#include "lang/repair/property_names.hpp"
 #include "lang/repair/vocabulary.hpp"
 
 namespace sdlc::lang {

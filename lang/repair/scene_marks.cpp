@@ -1,7 +1,7 @@
 #include <string_view>
 
-#include "lang/repair/certainty.hpp"
 #include "lang/repair/habits.hpp"
+#include "lang/repair/property_names.hpp"
 #include "lang/repair/repair_report.hpp"
 #include "lang/repair/vocabulary.hpp"
 #include "lang/schema/type_names.hpp"

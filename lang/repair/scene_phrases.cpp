@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "lang/repair/certainty.hpp"
 #include "lang/repair/habits.hpp"
-#include "lang/repair/repair_report.hpp"
+#include "lang/repair/property_names.hpp"
+#include "lang/repair/scene_round.hpp"
 #include "lang/repair/vocabulary.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/schema/type_names.hpp"
@@ -18,19 +18,16 @@ namespace sdlc::lang {
 namespace {
 
 /// Tries each rule at each token. A rule that applies reports, makes its edits and returns true.
-class Phrases : private RepairRound {
+class Phrases : private SceneRound {
  public:
-  using RepairRound::RepairRound;
+  using SceneRound::SceneRound;
 
   std::vector<Edit> run() {
-    for (i_ = surrounding_block(); i_ < tokens_.size(); ++i_) {
+    i_ = surrounding_block();
+    walk([this] {
       if (tokens_[i_].is_first) line_ = i_;
-      is_skipped_ = false;
       static_cast<void>(statement() || value());
-      if (is_skipped_) continue;
-      if (tokens_.is(i_, TokenClass::Open)) open_ += tokens_[i_].bracket;
-      if (tokens_.is(i_, TokenClass::Close) && !open_.empty()) open_.pop_back();
-    }
+    });
     edits_.insert(edits_.end(), block_ends_.rbegin(), block_ends_.rend());
     return std::move(edits_);
   }
@@ -48,11 +45,7 @@ class Phrases : private RepairRound {
            other_letters();
   }
 
-  bool in_block() const { return open_.empty() || open_.back() == '{'; }
   bool is_last_of_line(std::size_t i) const { return tokens_[i + 1].is_first; }
-  DiagnosticBuilder expected(Span span, std::string_view what) {
-    return report(diag::expected, span, fmt::format("{}, found `{}`", what, text_of(span)));
-  }
   /// The brace in the line of the token that opens a block after it; size() if there is none.
   std::size_t brace_of_line(std::size_t i) const {
     constexpr int kMaxTokens = 100;
@@ -195,12 +188,6 @@ class Phrases : private RepairRound {
     return true;
   }
 
-  /// Leaves the tokens up to this one to the phrase.
-  void skip_to(std::size_t last) {
-    i_ = last;
-    is_skipped_ = true;
-  }
-
   // Functions
 
   bool is_head(std::size_t word) const {
@@ -315,6 +302,7 @@ class Phrases : private RepairRound {
       const Span head{tokens_[i_].begin, tokens_[brace].begin};
       message.unsafe_fix(where(head), fmt::format("{} {} ", kind, name));
       edit({tokens_[i_].begin, tokens_[i_ + 3].begin}, "");
+      edit({tokens_[brace].end, tokens_[brace].end}, " ");  // its properties are not checked
     } else {
       auto message = report_expected(i_ + 2, "`{`", false);
       message.help(help);
@@ -600,9 +588,7 @@ class Phrases : private RepairRound {
     return true;
   }
 
-  std::size_t i_ = 0, line_ = 0;  ///< the token, and the first of its line
-  bool is_skipped_ = false;       ///< the token ends a phrase of several
-  std::string open_;              ///< the brackets around it
+  std::size_t line_ = 0;          ///< the first token of the line
   std::vector<Edit> block_ends_;  ///< of indented blocks, the outer ones first
   std::set<std::string> told_words_;
   int dashed_ = 0;  ///< names declared with dashes

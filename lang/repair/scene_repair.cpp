@@ -34,7 +34,9 @@ void drop_lesser_faults(const TokenList& tokens, std::vector<BracketFault>& faul
 
 void repair_spelling(const RepairContext& context) {
   repair_phrases(context);
+  repair_signs(context);
   repair_words(context);
+  repair_statements(context);
 }
 
 void repair_structure(const RepairContext& context, bool may_mismatch) {

@@ -25,8 +25,12 @@ void repair_structure(const RepairContext& context, bool may_mismatch);
 
 /// Several tokens that are one mistake: `for (i in list) {`, `let f(x) = …`, `1, 2, 3` for a point.
 void repair_phrases(const RepairContext& context);
-/// Signs of other languages, and misspelt keywords.
+/// Operators, quotes, comments and separated units as other languages write them.
+void repair_signs(const RepairContext& context);
+/// Misspelt keywords.
 void repair_words(const RepairContext& context);
+/// Statements without a colon, and calls in place of statements.
+void repair_statements(const RepairContext& context);
 /// What is missing between values in parentheses and lists: commas, colons, the third value of a
 /// point.
 void repair_marks(const RepairContext& context);

@@ -464,10 +464,7 @@ struct Build<grammar::number> : pegtl::maybe_nothing {
   SDLC_SURROUND {
     const std::uint32_t begin = builder.offset(in.current());
     if (match_or_rewind<Rule, A, Action, Ctrl>(in, builder)) {
-      const std::uint32_t end = builder.offset(in.current());
-      const std::uint32_t behind = in.empty() ? end : end_with_unit(in, builder, {begin, end});
-      builder.push(behind == end ? SyntaxKind::Number : SyntaxKind::Error, {begin, behind});
-      in.bump(behind - end);
+      builder.push(SyntaxKind::Number, {begin, builder.offset(in.current())});
       return true;
     }
     const std::size_t digit = !in.empty() && in.peek_char() == '.' ? 1 : 0;
@@ -476,15 +473,6 @@ struct Build<grammar::number> : pegtl::maybe_nothing {
     builder.push(SyntaxKind::Error, {begin, end});
     in.bump(end - begin);
     return true;
-  }
-
- private:
-  /// Where the number ends with the unit that a blank keeps apart from it.
-  template <typename Input>
-  static std::uint32_t end_with_unit(const Input& in, TreeBuilder& builder, Span number) {
-    const char c = in.peek_char();
-    const bool may_be = c == ' ' || c == '\t' || static_cast<unsigned char>(c) >= 0x80;
-    return may_be ? diagnose_separate_unit(builder, number) : number.end;
   }
 };
 
@@ -532,7 +520,13 @@ struct Build<grammar::object_block> : pegtl::maybe_nothing {
   SDLC_SURROUND {
     const bool outer = std::exchange(builder.in_object, true);
     const bool was_group = std::exchange(builder.in_group, is_group(builder));
+    const std::uint32_t begin = builder.offset(in.current());
     const bool matched = SDLC_MATCH;
+    const std::uint32_t end = builder.token_end();
+    // Properties may be missing because of another mistake.
+    if (matched && !builder.in_group && builder.is_repaired({begin, end})) {
+      builder.push(SyntaxKind::Error, {end, end});
+    }
     builder.in_object = outer;
     builder.in_group = was_group;
     return matched;
@@ -562,9 +556,7 @@ struct Build<grammar::block_inside> : Nest<Opener::Bracket, 1> {
 template <>
 struct Build<grammar::file_header> : pegtl::maybe_nothing {
   SDLC_SURROUND {
-    const std::uint32_t first = builder.offset(in.current());
-    const std::uint32_t begin = skip_foreign_comments(builder, first);
-    in.bump(begin - first);
+    const std::uint32_t begin = builder.offset(in.current());
     if (!match_or_rewind<Rule, A, Action, Ctrl>(in, builder)) {
       in.bump(diagnose_header(builder, begin) - begin);
       return true;

@@ -26,12 +26,18 @@ struct Reading {
   bool is_sound() const { return !sink.has_errors() && !has_misplaced; }
 };
 
-/// Converts positions in the repaired text to positions in the file.
-void move_to_file(Reading& reading, const RepairedText& repaired) {
+/// Converts positions in the repaired text to positions in the file. The value of a literal is read
+/// from the file later: a literal that was repaired is an Error.
+void move_to_file(Reading& reading, const SourceFile& file, const RepairedText& repaired) {
   for (SyntaxNode& node : reading.nodes.span()) {
-    const Span span = repaired.in_source(node.span());
+    const Span span = repaired.in_source(node.span()), before = node.span();
     node.begin = span.begin;
     node.end = span.end;
+    const bool is_literal = node.kind == SyntaxKind::Number || node.kind == SyntaxKind::String;
+    if (!is_literal) continue;
+    const std::string_view read =
+        std::string_view(repaired.text()).substr(before.begin, before.size());
+    if (file.text(span) != read) node.kind = SyntaxKind::Error;
   }
   for (Comment& comment : reading.comments) comment.span = repaired.in_source(comment.span);
 }
@@ -53,7 +59,7 @@ Reading read(const SourceFile& file, std::string_view text, const RepairedText* 
   builder.node(0).end = static_cast<std::uint32_t>(text.size());
   Reading reading{builder.take_nodes(), builder.take_comments(), std::move(sink),
                   builder.has_misplaced};
-  if (repaired != nullptr) move_to_file(reading, *repaired);
+  if (repaired != nullptr) move_to_file(reading, file, *repaired);
   return reading;
 }
 

@@ -1,11 +1,8 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <optional>
 #include <string_view>
-#include <unordered_set>
 #include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
@@ -46,13 +43,22 @@ class TreeBuilder {
   Span in_file(Span span) const noexcept {
     return repaired_ == nullptr ? span : repaired_->in_source(span);
   }
-  /// Whether the bracket at `at` is one that the file lacks.
+  /// Whether a repair has reported the place `at`.
+  bool is_reported(std::uint32_t at) const noexcept {
+    return repaired_ != nullptr && repaired_->is_reported(at);
+  }
+  /// Whether the bracket at `at` is missing in the file.
   bool is_added(std::uint32_t at) const noexcept {
     return repaired_ != nullptr && repaired_->is_added(at);
   }
   /// Whether the bracket at `at` ends a pair that perhaps should end elsewhere.
   bool is_uncertain(std::uint32_t at) const noexcept {
     return repaired_ != nullptr && repaired_->is_uncertain(at);
+  }
+  /// Whether a repair has changed the text of the span.
+  bool is_repaired(Span span) const {
+    return repaired_ != nullptr &&
+           file_->text(in_file(span)) != text_.substr(span.begin, span.size());
   }
   std::uint32_t offset(const char* at) const noexcept {
     return static_cast<std::uint32_t>(at - text_.data());
@@ -103,9 +109,6 @@ class TreeBuilder {
   NodeBuffer<SyntaxNode> take_nodes() { return std::move(nodes_); }
   std::vector<Comment> take_comments() { return std::move(comments_); }
 
-  /// What the defs of the text declare, once a mistake has asked for it.
-  std::optional<std::unordered_set<std::string_view>> def_names;
-
   // What surrounds the place being read.
   std::uint32_t depth = 0;          ///< of nesting
   std::uint32_t brackets = 0;       ///< open in the current statement
@@ -119,8 +122,6 @@ class TreeBuilder {
   bool has_version = false;         ///< the file began with its version
   bool has_misplaced = false;       ///< a statement stands where its object should have ended
   Operator op = Operator::None;     ///< the last one read
-  /// Whether the text uses `m` and `s` as names; empty until somebody asks.
-  std::array<std::optional<bool>, 2> uses_as_name;
 
   static constexpr NodeIndex kNone = 0xFFFFFFFF;
 
@@ -211,11 +212,6 @@ struct Resumption {
 };
 /// No statement begins at `at`; the resumption lies beyond.
 Resumption diagnose_statement(TreeBuilder& builder, std::uint32_t at);
-/// Reports the unit behind the number, if there is one and a blank between; returns where the
-/// number ends, with its unit.
-std::uint32_t diagnose_separate_unit(TreeBuilder& builder, Span number);
-/// Reports the comments of other languages at `at`, and returns where they end.
-std::uint32_t skip_foreign_comments(TreeBuilder& builder, std::uint32_t at);
 /// The file does not begin with `scene 1`; returns where its statements begin.
 std::uint32_t diagnose_header(TreeBuilder& builder, std::uint32_t at);
 
