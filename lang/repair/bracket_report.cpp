@@ -247,13 +247,10 @@ class BracketReport : private RepairRound {
 }  // namespace
 
 void repair_brackets(const RepairContext& context, const TokenList& tokens,
-                     const BracketFaults& faults) {
+                     const std::vector<BracketFault>& faults) {
   constexpr std::size_t kMaxFaults = 64;  // a text beyond that is no text
-  if (faults.faults.empty() || faults.faults.size() > kMaxFaults) return;
-  std::vector<Edit> edits = BracketReport(context, tokens).run(faults.faults);
-  std::vector<std::uint32_t> uncertain;
-  for (const std::uint32_t token : faults.uncertain) uncertain.push_back(tokens[token].begin);
-  context.text.apply(std::move(edits), uncertain);
+  if (faults.empty() || faults.size() > kMaxFaults) return;
+  context.text.apply(BracketReport(context, tokens).run(faults));
 }
 
 }  // namespace sdlc::lang

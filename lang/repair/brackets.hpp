@@ -28,16 +28,12 @@ struct BracketFault {
   std::uint32_t partner = kNone;  ///< the other bracket of the pair, if the text has it
 };
 
-struct BracketFaults {
-  std::vector<BracketFault> faults;      ///< in the order of their tokens
-  std::vector<std::uint32_t> uncertain;  ///< tokens that close a pair in a value with a fault
-};
-
-BracketFaults find_scene_bracket_faults(const TokenList& tokens);
-BracketFaults find_json_bracket_faults(const TokenList& tokens);
+/// In the order of their tokens.
+std::vector<BracketFault> find_scene_bracket_faults(const TokenList& tokens);
+std::vector<BracketFault> find_json_bracket_faults(const TokenList& tokens);
 
 /// Reports the faults and makes the edits that remove them.
 void repair_brackets(const RepairContext& context, const TokenList& tokens,
-                     const BracketFaults& faults);
+                     const std::vector<BracketFault>& faults);
 
 }  // namespace sdlc::lang

@@ -30,8 +30,8 @@ class RepairedText {
   bool is_changed() const noexcept { return !rounds_.empty() || !reported_.empty(); }
 
   /// Makes the edits. One that begins inside another is dropped; of several insertions at one place
-  /// the order is kept. `uncertain` are brackets of the text before, for is_uncertain().
-  void apply(std::vector<Edit> edits, const std::vector<std::uint32_t>& uncertain = {});
+  /// the order is kept.
+  void apply(std::vector<Edit> edits);
 
   /// Suppresses further reports of a part of the source.
   void note_reported(Span source) { reported_.push_back(source); }
@@ -44,9 +44,6 @@ class RepairedText {
   Span in_source(Span span) const noexcept;
   /// Whether the byte was written by an edit and has no counterpart in the source.
   bool is_added(std::uint32_t at) const noexcept;
-  /// Whether the bracket at `at` may be in the wrong place: it was added, or closes a pair in a
-  /// value with a wrong bracket.
-  bool is_uncertain(std::uint32_t at) const noexcept;
 
  private:
   /// The replacement of one edit: a part of the new text for a part of the old.
@@ -62,7 +59,6 @@ class RepairedText {
   std::string text_;
   std::vector<Round> rounds_;
   std::vector<Span> reported_;
-  std::vector<std::uint32_t> uncertain_;  ///< places in `text_`, ascending
 };
 
 }  // namespace sdlc::lang

@@ -13,13 +13,12 @@ class Marks : private RepairRound {
  public:
   using RepairRound::RepairRound;
 
-  std::vector<Edit> run(std::vector<std::uint32_t>& uncertain) {
+  std::vector<Edit> run() {
     for (i_ = 0; i_ < tokens_.size(); ++i_) {
       if (is_between_values()) look();
       if (tokens_.is(i_, TokenClass::Open)) {
         open_.push_back({.opener = i_});
       } else if (tokens_.is(i_, TokenClass::Close) && !open_.empty()) {
-        if (open_.back().has_fault) uncertain.push_back(tokens_[i_].begin);
         open_.pop_back();
       }
     }
@@ -147,9 +146,7 @@ class Marks : private RepairRound {
 
 void repair_marks(const RepairContext& context) {
   const TokenList tokens = scene_tokens(context.text.text());
-  std::vector<std::uint32_t> uncertain;
-  std::vector<Edit> edits = Marks(context, tokens).run(uncertain);
-  context.text.apply(std::move(edits), uncertain);
+  context.text.apply(Marks(context, tokens).run());
 }
 
 }  // namespace sdlc::lang

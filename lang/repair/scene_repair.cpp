@@ -42,8 +42,8 @@ void repair_spelling(const RepairContext& context) {
 void repair_structure(const RepairContext& context, bool may_mismatch) {
   const TokenList tokens = scene_tokens(context.text.text());
   if (may_mismatch || !tokens.has_matching_brackets()) {
-    BracketFaults faults = find_scene_bracket_faults(tokens);
-    drop_lesser_faults(tokens, faults.faults);
+    std::vector<BracketFault> faults = find_scene_bracket_faults(tokens);
+    drop_lesser_faults(tokens, faults);
     repair_brackets(context, tokens, faults);
   }
   repair_marks(context);

@@ -80,8 +80,8 @@ class Signs : private SceneRound {
     const std::string_view written = is_degree ? "deg" : tokens_.written(unit);
     const bool is_unit = is_one_of(written, kUnits) && (is_degree || !tokens_.is_joined(unit));
     if (!is_unit) return unknown_unit(unit);
-    const bool is_remainder = written == "%" && tokens_.is(unit + 1, TokenClass::Value) &&
-                              tokens_.is_same_line(unit + 1);
+    const bool is_remainder =
+        written == "%" && tokens_.is(unit + 1, TokenClass::Value) && tokens_.is_same_line(unit + 1);
     const bool is_name = tokens_.is_bracket(unit + 1, '(') || tokens_.begins_object(unit);
     if (!is_degree && (is_remainder || is_name)) return;
     auto message = is_degree ? report(diag::foreign, span_of(unit), "°")

@@ -196,9 +196,12 @@ struct Nest : pegtl::maybe_nothing {
     const bool matched = SDLC_MATCH;
     level.leave();
     if constexpr (kOpener == Opener::Bracket) {
-      // What such a bracket holds may not be what was meant: no one should count on it.
-      const std::uint32_t last = builder.token_end();
-      if (matched && builder.is_uncertain(last - 1)) builder.push(SyntaxKind::Error, {last, last});
+      // A repaired value may not be the intended one; a repaired block may end too soon.
+      const std::uint32_t last = builder.token_end(), begin = end - kLength;
+      const bool is_block = builder.text()[begin] == '{';
+      if (matched && builder.is_repaired({is_block ? last - 1 : begin, last})) {
+        builder.push(SyntaxKind::Error, {last, last});
+      }
     }
     return matched;
   }

@@ -51,10 +51,6 @@ class TreeBuilder {
   bool is_added(std::uint32_t at) const noexcept {
     return repaired_ != nullptr && repaired_->is_added(at);
   }
-  /// Whether the bracket at `at` ends a pair that perhaps should end elsewhere.
-  bool is_uncertain(std::uint32_t at) const noexcept {
-    return repaired_ != nullptr && repaired_->is_uncertain(at);
-  }
   /// Whether a repair has changed the text of the span.
   bool is_repaired(Span span) const {
     return repaired_ != nullptr &&

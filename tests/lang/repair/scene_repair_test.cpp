@@ -109,7 +109,6 @@ TEST(SceneRepair, KnowsWhereInTheFileItsBytesAre) {
     EXPECT_EQ(result.text()[i], text[result.in_source(i)]);
   }
   EXPECT_TRUE(result.is_added(3));
-  EXPECT_TRUE(result.is_uncertain(6));
 }
 
 }  // namespace
