@@ -142,7 +142,7 @@ class BracketReport : private RepairRound {
     const std::uint32_t at = tokens_[fault.token].begin;
     auto message = report(diag::missing_brace, span_of(fault.token));
     message.label(where(span_of(fault.partner)), "opened here")
-        .help("close the block in front of this line, or indent what belongs to it")
+        .help("close the block before this line, or indent the lines that belong to it")
         .unsafe_fix(where({at, at}), "}\n" + std::string(tokens_[fault.partner].indent, ' '));
     edit(gap_before(fault.token), brackets);
   }

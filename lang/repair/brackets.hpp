@@ -8,7 +8,7 @@
 
 /// Which bracket is missing, one too many or of the wrong kind in a text whose brackets do not
 /// match. One scan with a stack; where more than one place is possible, lines and indentation
-/// decide: what is indented belongs to the block before it, and a bracket that is the first of its
+/// decide: indented text belongs to the block before it, and a bracket that is the first of its
 /// line closes one of a line with the same indentation.
 namespace sdlc::lang {
 
@@ -23,7 +23,7 @@ struct BracketFault {
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
   Kind kind;
-  char bracket;                   ///< what is missing, or what is too much
+  char bracket;                   ///< the missing or surplus bracket
   std::uint32_t token;            ///< the number of tokens: the end of the text
   std::uint32_t partner = kNone;  ///< the other bracket of the pair, if the text has it
 };

@@ -238,7 +238,7 @@ class JsonSyntax : private RepairRound {
     read_run();
   }
 
-  /// What is in the place of one value: tokens of a line up to a mark, a bracket or the next key.
+  /// The tokens in place of one value: those of a line up to a mark, a bracket or the next key.
   void read_run() {
     std::size_t end = i_, values = 0, odd = 0, inner_quote = 0;
     bool is_broken = false;
@@ -274,7 +274,7 @@ class JsonSyntax : private RepairRound {
     const Span begin{tokens_[i_].begin, tokens_[i_].begin};
     if (is_unclosed(i_)) return unclosed(i_);
     if (lacks_quote(i_)) {
-      auto message = report(diag::expected, span_of(i_), "`\"` in front of a text");
+      auto message = report(diag::expected, span_of(i_), "`\"` before a text");
       message.unsafe_fix(where(begin), "\"");
     } else if (inner_quote != 0) {
       report(diag::expected, gap_before(inner_quote), "`,`")

@@ -97,7 +97,7 @@ class JsonTokens {
     reader_.seek(span.end);
   }
 
-  /// The end of a key whose quotes have slipped, as in `""key":`, `k"ey":` and `"ke"y:`; 0 if none
+  /// The end of a key with misplaced quotes, as in `""key":`, `k"ey":` and `"ke"y:`; 0 if none
   /// is at `at`.
   std::uint32_t end_of_slipped_key(std::uint32_t at) const {
     if (!tokens_.empty() && tokens_.back().kind == TokenClass::Label) return 0;

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// What the schema says about a name in a broken text.
+/// Queries of the schema by the name of a property or material.
 namespace sdlc::lang {
 
 /// Whether an object or a material of the language has a property of this name.

@@ -40,7 +40,7 @@ class RepairedText {
 
   /// The place in the source of a place in this text.
   std::uint32_t in_source(std::uint32_t at) const noexcept;
-  /// What was removed beside the span is not part of it.
+  /// Text removed next to the span is not part of it.
   Span in_source(Span span) const noexcept;
   /// Whether the byte was written by an edit and has no counterpart in the source.
   bool is_added(std::uint32_t at) const noexcept;

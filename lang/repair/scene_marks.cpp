@@ -111,7 +111,7 @@ class Marks : private RepairRound {
       message.help("an argument is `name: value`");
       if (is_property_name(first)) message.unsafe_fix(where(gap), ":");
     } else {
-      message.label(where(span_of(opener)), "opened here").help("commas stand between values");
+      message.label(where(span_of(opener)), "opened here").help("separate values with commas");
       add_fix(message, is_certain_comma(), where(gap), ",");
     }
   }

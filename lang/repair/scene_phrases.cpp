@@ -98,7 +98,7 @@ class Phrases : private SceneRound {
     std::size_t end = i_ + 1;
     while (end < tokens_.size() && (!tokens_[end].is_first || tokens_[end].indent > indent)) ++end;
     auto message = expected(colon, "`{`");
-    message.help("a block stands in braces");
+    message.help("a block is in braces");
     fix(message, false, colon, " {");
     if (tokens_.is_bracket(end, '}') && tokens_[end].indent == indent) return true;
     const Edit closing{gap_before(end), fmt::format("\n{}}}", std::string(indent, ' '))};
@@ -116,8 +116,7 @@ class Phrases : private SceneRound {
     return true;
   }
 
-  // Loops. What they go through is made an empty list if it cannot be known: the block is read, and
-  // never run.
+  // Loops. An unknown list is replaced by an empty one: the block is checked, but never run.
 
   bool loop() {
     if (!tokens_.is(i_, "for")) return false;
@@ -334,7 +333,7 @@ class Phrases : private SceneRound {
     for (char& c : name) c = is_idchar(c) ? c : '_';
     if (!is_identifier(name)) name = "_" + name;
     auto message = expected(span_of(i_), "a name");
-    message.help("names stand without quotes");
+    message.help("names have no quotes");
     fix(message, is_plain, span_of(i_), name);
     return true;
   }
@@ -345,7 +344,7 @@ class Phrases : private SceneRound {
     const std::string_view name = content(i_);
     if (!is_label || name.empty() || end_of_identifier(name, 0) != name.size()) return false;
     auto message = expected(span_of(i_), "a name");
-    message.help("names of properties stand without quotes");
+    message.help("names of properties have no quotes");
     // Edited quote by quote: the label's bytes stay where they are.
     const Span span = span_of(i_);
     add_fix(message, true, where(span), std::string(name));

@@ -199,7 +199,7 @@ class Signs : private SceneRound {
     if (inside() == Inside::Loop) return;
     auto message = report(diag::foreign, span_of(i_), ";");
     if (!in_block()) {
-      message.help("commas stand between values");
+      message.help("separate values with commas");
       return fix(message, false, span_of(i_), ",");
     }
     message.help_if(help);
@@ -236,7 +236,7 @@ class Signs : private SceneRound {
     const Span content{begin + 1, begin + 1 + static_cast<std::uint32_t>(is_closed ? size : 0)};
     const Span span{begin, content.end + (is_closed ? 1 : 0)};
     auto message = report(diag::foreign, span, text_of(span));
-    message.help("strings stand in double quotes");
+    message.help("strings are in double quotes");
     if (is_closed && is_plain_string(text_of(content))) {
       fix(message, true, span, fmt::format("\"{}\"", text_of(content)));
     } else {

@@ -73,7 +73,7 @@ class Statements : private SceneRound {
     auto message = report(diag::call_as_statement, span_of(i_), name());
     context_.text.note_reported(where(span_of(i_)).span);
     if (!is_known || !holds_objects) {
-      message.help("a call is a value, and a value stands behind `name:` or `let name =`");
+      message.help("a call is a value; a value follows `name:` or `let name =`");
     }
     if (!holds_objects) return;
     message.help(fmt::format("an object is `{} {{ … }}`", name()));

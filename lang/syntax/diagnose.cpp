@@ -41,7 +41,7 @@ class Diagnosis {
     } else if (!follows_comma && begins_value() && !looks_like_statement(text_, at_)) {
       if (!is_on_next_line_) builder_.poison_last_name();
       const std::uint32_t end = builder_.token_end();
-      report.help("commas stand between values");
+      report.help("separate values with commas");
       if (end < at_) report.unsafe_fix(where({end, end}), ",");
     }
   }
@@ -109,7 +109,7 @@ class Diagnosis {
         if (c == '=') report.help_if(kNoLoop);
         break;
       case Wanted::Block:
-        if (c == ':') report.help("a block stands in braces");
+        if (c == ':') report.help("a block is in braces");
         if (word() == "then") {
           report.help("`if … then …` is a value; a statement is `if … { … }`");
         }
@@ -142,7 +142,7 @@ class Diagnosis {
     return commas;
   }
 
-  /// Continues with the statement after the blanks at `end`.
+  /// Continues with the statement after the spaces at `end`.
   Resumption here(std::uint32_t end) const { return {skip_blanks(text_, end), true}; }
   Location where(Span span) const { return builder_.location(span); }
   std::string_view text(Span span) const { return text_.substr(span.begin, span.size()); }
@@ -214,7 +214,7 @@ class Diagnosis {
     if (char_at(text_, next) == '(') {
       builder_.sink()
           .report(diag::call_as_statement, where(name), word())
-          .help("a call is a value, and a value stands behind `name:` or `let name =`");
+          .help("a call is a value; a value follows `name:` or `let name =`");
       return {name.end};
     }
     found_ = token_at(text_, next);
@@ -235,7 +235,7 @@ class Diagnosis {
       builder_.sink()
           .report(diag::expected, where(version),
                   fmt::format("a statement, found `{}`", text(version)))
-          .help("the version stands once, at the beginning of the file")
+          .help("the version is given once, at the beginning of the file")
           .unsafe_fix(where(version), "");
     }
     return here(version.end);

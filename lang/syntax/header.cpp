@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kScene = "scene";
 
-/// Where the line `scene N` begins that stands behind other statements; npos if there is none.
+/// The beginning of a line `scene N` after other statements; npos if there is none.
 std::size_t find_version(std::string_view text, std::uint32_t from) {
   for (std::size_t at = text.find("scene ", from); at != std::string_view::npos;
        at = text.find("scene ", at + 1)) {
@@ -26,7 +26,7 @@ std::size_t find_version(std::string_view text, std::uint32_t from) {
   return std::string_view::npos;
 }
 
-/// Whether the word is `scene` but for capitals, or for one letter.
+/// Whether the word differs from `scene` by one letter only.
 bool resembles_scene(std::string_view word) {
   return word.size() > 3 && nearest_name(word, std::span(&kScene, 1)).has_value();
 }
@@ -78,7 +78,7 @@ std::uint32_t diagnose_header(TreeBuilder& builder, std::uint32_t at) {
     return at;
   }
 
-  // `scene` without a number, or with one that is none of a version.
+  // `scene` without a number, or with one that is no version.
   const std::uint32_t version = skip_space(text, found.end);
   std::uint32_t end = version;
   while (is_idchar(char_at(text, end)) || char_at(text, end) == '.') ++end;

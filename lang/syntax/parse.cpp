@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "lang/repair/scene_repair.hpp"
-#include "lang/syntax/actions.hpp"
 #include "lang/syntax/characters.hpp"
+#include "lang/syntax/statements.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "lang/syntax/tree_builder.hpp"
 
