@@ -1,5 +1,3 @@
-#include "lang/repair/scene_phrases.hpp"
-
 #include <algorithm>
 #include <array>
 #include <set>
@@ -7,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "lang/repair/certainty.hpp"
 #include "lang/repair/habits.hpp"
-#include "lang/repair/repair_report.hpp"
+#include "lang/repair/property_names.hpp"
+#include "lang/repair/scene_round.hpp"
 #include "lang/repair/vocabulary.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/schema/type_names.hpp"
@@ -20,20 +18,16 @@ namespace sdlc::lang {
 namespace {
 
 /// Tries each rule at each token. A rule that applies reports, makes its edits and returns true.
-class Phrases : private RepairRound {
+class Phrases : private SceneRound {
  public:
-  using RepairRound::RepairRound;
+  using SceneRound::SceneRound;
 
   std::vector<Edit> run() {
-    for (i_ = surrounding_block(); i_ < tokens_.size(); ++i_) {
-      stop_if_requested();
+    i_ = surrounding_block();
+    walk([this] {
       if (tokens_[i_].is_first) line_ = i_;
-      is_skipped_ = false;
       static_cast<void>(statement() || value());
-      if (is_skipped_) continue;
-      if (tokens_.is(i_, TokenClass::Open)) open_ += tokens_[i_].bracket;
-      if (tokens_.is(i_, TokenClass::Close) && !open_.empty()) open_.pop_back();
-    }
+    });
     edits_.insert(edits_.end(), block_ends_.rbegin(), block_ends_.rend());
     return std::move(edits_);
   }
@@ -51,11 +45,7 @@ class Phrases : private RepairRound {
            other_letters();
   }
 
-  bool in_block() const { return open_.empty() || open_.back() == '{'; }
   bool is_last_of_line(std::size_t i) const { return tokens_[i + 1].is_first; }
-  DiagnosticBuilder expected(Span span, std::string_view what) {
-    return report(diag::expected, span, fmt::format("{}, found `{}`", what, text_of(span)));
-  }
   /// The brace in the line of the token that opens a block after it; size() if there is none.
   std::size_t brace_of_line(std::size_t i) const {
     constexpr int kMaxTokens = 100;
@@ -108,7 +98,7 @@ class Phrases : private RepairRound {
     std::size_t end = i_ + 1;
     while (end < tokens_.size() && (!tokens_[end].is_first || tokens_[end].indent > indent)) ++end;
     auto message = expected(colon, "`{`");
-    message.help("a block stands in braces");
+    message.help("a block is in braces");
     fix(message, false, colon, " {");
     if (tokens_.is_bracket(end, '}') && tokens_[end].indent == indent) return true;
     const Edit closing{gap_before(end), fmt::format("\n{}}}", std::string(indent, ' '))};
@@ -126,8 +116,7 @@ class Phrases : private RepairRound {
     return true;
   }
 
-  // Loops. What they go through is made an empty list if it cannot be known: the block is read, and
-  // never run.
+  // Loops. An unknown list is replaced by an empty one: the block is checked, but never run.
 
   bool loop() {
     if (!tokens_.is(i_, "for")) return false;
@@ -196,12 +185,6 @@ class Phrases : private RepairRound {
     edit({tokens_[i_].begin, tokens_[brace - 1].end}, "if true");
     skip_to(brace - 1);
     return true;
-  }
-
-  /// Leaves the tokens up to this one to the phrase.
-  void skip_to(std::size_t last) {
-    i_ = last;
-    is_skipped_ = true;
   }
 
   // Functions
@@ -318,6 +301,7 @@ class Phrases : private RepairRound {
       const Span head{tokens_[i_].begin, tokens_[brace].begin};
       message.unsafe_fix(where(head), fmt::format("{} {} ", kind, name));
       edit({tokens_[i_].begin, tokens_[i_ + 3].begin}, "");
+      edit({tokens_[brace].end, tokens_[brace].end}, " ");  // its properties are not checked
     } else {
       auto message = report_expected(i_ + 2, "`{`", false);
       message.help(help);
@@ -349,7 +333,7 @@ class Phrases : private RepairRound {
     for (char& c : name) c = is_idchar(c) ? c : '_';
     if (!is_identifier(name)) name = "_" + name;
     auto message = expected(span_of(i_), "a name");
-    message.help("names stand without quotes");
+    message.help("names have no quotes");
     fix(message, is_plain, span_of(i_), name);
     return true;
   }
@@ -360,7 +344,7 @@ class Phrases : private RepairRound {
     const std::string_view name = content(i_);
     if (!is_label || name.empty() || end_of_identifier(name, 0) != name.size()) return false;
     auto message = expected(span_of(i_), "a name");
-    message.help("names of properties stand without quotes");
+    message.help("names of properties have no quotes");
     // Edited quote by quote: the label's bytes stay where they are.
     const Span span = span_of(i_);
     add_fix(message, true, where(span), std::string(name));
@@ -603,9 +587,7 @@ class Phrases : private RepairRound {
     return true;
   }
 
-  std::size_t i_ = 0, line_ = 0;  ///< the token, and the first of its line
-  bool is_skipped_ = false;       ///< the token ends a phrase of several
-  std::string open_;              ///< the brackets around it
+  std::size_t line_ = 0;          ///< the first token of the line
   std::vector<Edit> block_ends_;  ///< of indented blocks, the outer ones first
   std::set<std::string> told_words_;
   int dashed_ = 0;  ///< names declared with dashes
@@ -613,9 +595,9 @@ class Phrases : private RepairRound {
 
 }  // namespace
 
-std::vector<Edit> repair_phrases(const SourceFile& file, const TokenList& tokens,
-                                 RepairedText& text, DiagnosticSink& sink) {
-  return Phrases(file, tokens, text, sink).run();
+void repair_phrases(const RepairContext& context) {
+  const TokenList tokens = scene_tokens(context.text.text());
+  context.text.apply(Phrases(context, tokens).run());
 }
 
 }  // namespace sdlc::lang

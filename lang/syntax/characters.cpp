@@ -44,8 +44,8 @@ bool is_bidi_control(char32_t c) noexcept {
          (c >= 0x2066 && c <= 0x2069);
 }
 
-/// A blank that looks like a space, or like nothing at all.
-bool is_foreign_blank(char32_t c) noexcept {
+/// A Unicode space, or a character of zero width.
+bool is_unicode_space(char32_t c) noexcept {
   return c == 0xA0 || c == 0x1680 || (c >= 0x2000 && c <= 0x200D) || c == 0x2028 || c == 0x2029 ||
          c == 0x202F || c == 0x205F || c == 0x2060 || c == 0x3000 || c == 0xFEFF || c == 0x85;
 }
@@ -54,12 +54,12 @@ bool is_control(char32_t c) noexcept {
   return (c < 0x20 && c != '\t' && c != '\n') || (c >= 0x7F && c < 0xA0 && c != 0x85);
 }
 
-/// The first byte from `at` on that is not of the plain characters nearly all text consists of.
+/// The first byte from `at` on that is not printable ASCII, tab or LF.
 std::uint32_t next_special(std::string_view text, std::uint32_t at) noexcept {
   constexpr std::uint64_t kOnes = 0x0101010101010101, kHighs = 0x8080808080808080;
   const auto is_plain = [](char c) { return (c >= ' ' && c <= '~') || c == '\n' || c == '\t'; };
   while (at < text.size()) {
-    // Eight bytes at once while none is below U+0020 (which most line ends are) or above U+007E.
+    // SWAR: eight bytes at once while none is below U+0020 or above U+007E.
     while (at + 8 <= text.size()) {
       std::uint64_t word;
       std::memcpy(&word, text.data() + at, 8);
@@ -76,7 +76,7 @@ std::uint32_t next_special(std::string_view text, std::uint32_t at) noexcept {
   return at;
 }
 
-/// With a byte order mark, or where of the first letters every other byte is NUL.
+/// Whether the text has a byte order mark of UTF-16, or every other of its first bytes is NUL.
 bool is_utf16(std::string_view text) noexcept {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
   constexpr std::size_t kMaxBytes = 64, kMinBytes = 8;
@@ -104,7 +104,7 @@ class CharacterCheck {
       sink_.stop_if_requested();
       at = check(at);
     }
-    return std::move(mended_);
+    return std::move(repaired_);
   }
 
  private:
@@ -114,7 +114,7 @@ class CharacterCheck {
     const Span span{at, at + c.size};
     if (!c.is_valid) return bad_bytes(at);
     if (c.value == '\r') {
-      mend(span, '\n');
+      replace(span, '\n');
       if (!has_lone_return_) {
         sink_.report(diag::bad_character, {&file_, span}, "a carriage return without a line feed")
             .help("save the file with LF or CRLF line ends");
@@ -124,8 +124,8 @@ class CharacterCheck {
       const char* what =
           is_bidi_control(c.value) ? "a control of text direction" : "a control character";
       return report(at, c, what, "");
-    } else if (is_foreign_blank(c.value) && !is_opaque(at)) {
-      return report(at, c, "a blank that is no space", " ");
+    } else if (is_unicode_space(c.value) && !is_opaque(at)) {
+      return report(at, c, "a space other than U+0020", " ");
     }
     return span.end;
   }
@@ -134,11 +134,11 @@ class CharacterCheck {
     std::uint32_t end = at + 1;
     while (end < text_.size() && !decode(text_, end).is_valid) ++end;
     sink_.report(diag::bad_utf8, {&file_, {at, end}}).help("save the file as UTF-8");
-    mend({at, end}, ' ');
+    replace({at, end}, ' ');
     return end;
   }
 
-  /// Of a run of one character, as one; returns where it ends.
+  /// Reports a run of one character once; returns its end.
   std::uint32_t report(std::uint32_t at, CodePoint c, std::string_view what,
                        std::string_view replacement) {
     const std::string_view character = text_.substr(at, c.size);
@@ -155,13 +155,13 @@ class CharacterCheck {
     } else {
       report.fix({&file_, run}, std::move(fix));
     }
-    mend(run, ' ');
+    replace(run, ' ');
     return run.end;
   }
 
-  void mend(Span span, char replacement) {
-    if (!mended_) mended_ = text_;
-    for (std::uint32_t i = span.begin; i < span.end; ++i) (*mended_)[i] = replacement;
+  void replace(Span span, char replacement) {
+    if (!repaired_) repaired_ = text_;
+    for (std::uint32_t i = span.begin; i < span.end; ++i) (*repaired_)[i] = replacement;
   }
 
   /// Whether `at` lies in a comment or string. Asked in the order of the text.
@@ -176,7 +176,7 @@ class CharacterCheck {
   const SourceFile& file_;
   std::string_view text_;
   DiagnosticSink& sink_;
-  std::optional<std::string> mended_;
+  std::optional<std::string> repaired_;
   TokenReader tokens_;
   Token token_;  ///< the last one that was read
   bool has_lone_return_ = false;

@@ -10,7 +10,7 @@
 
 namespace sdlc::lang {
 
-/// What a byte is that is a token by itself in both formats; End for all others.
+/// The kind of each byte that is a whole token in both formats; End for all others.
 inline constexpr std::array<TokenKind, 256> kOneByteTokens = [] {
   std::array<TokenKind, 256> kinds{};
   kinds.fill(TokenKind::End);

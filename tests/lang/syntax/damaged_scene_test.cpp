@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lang/repair/repaired_text.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "lang/text/utf8.hpp"

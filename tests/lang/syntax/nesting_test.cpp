@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include "lang/repair/repaired_text.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "tests/lang/syntax/tree_checks.hpp"
