@@ -16,7 +16,6 @@ class Marks : private RepairRound {
   std::vector<Edit> run() {
     for (i_ = 0; i_ < tokens_.size(); ++i_) {
       stop_if_requested();
-      stop_if_requested();
       if (is_between_values()) look();
       if (tokens_.is(i_, TokenClass::Open)) {
         open_.push_back({.opener = i_});
