@@ -11,11 +11,6 @@ namespace sdlc::lang {
 /// Brackets inside brackets, in both formats. Whatever walks a tree recursively relies on it.
 inline constexpr int kMaxNesting = 128;
 
-/// Bytes of a text whose brackets and foreign spellings are mended before it is read again. Longer
-/// ones are hardly written by hand, and the search for the likeliest mistake takes some 5
-/// microseconds a byte.
-inline constexpr std::size_t kMaxMendedText = std::size_t{256} << 10;
-
 /// Calls inside calls of functions of the file's own.
 inline constexpr int kMaxCalls = 128;
 
