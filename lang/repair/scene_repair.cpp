@@ -33,7 +33,8 @@ void drop_lesser_faults(const TokenList& tokens, std::vector<BracketFault>& faul
 }  // namespace
 
 void repair_spelling(const RepairContext& context) {
-  repair_phrases(context);
+  repair_blocks(context);
+  repair_values(context);
   repair_signs(context);
   repair_words(context);
   repair_statements(context);

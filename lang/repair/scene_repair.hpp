@@ -23,8 +23,10 @@ void repair_structure(const RepairContext& context, bool may_mismatch);
 
 // The rounds of these repairs. Each reports what it finds and edits the text.
 
-/// Several tokens that are one mistake: `for (i in list) {`, `let f(x) = …`, `1, 2, 3` for a point.
-void repair_phrases(const RepairContext& context);
+/// Heads of blocks, loops and functions: `for (i in list) {`, `let f(x) = …`.
+void repair_blocks(const RepairContext& context);
+/// Declarations, names and values: `let size: number = 1`, `1, 2, 3` for a point.
+void repair_values(const RepairContext& context);
 /// Operators, quotes, comments and separated units as other languages write them.
 void repair_signs(const RepairContext& context);
 /// Misspelt keywords.

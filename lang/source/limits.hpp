@@ -11,10 +11,6 @@ namespace sdlc::lang {
 /// Nested brackets, in both formats. It bounds the recursion over trees.
 inline constexpr int kMaxNesting = 128;
 
-/// Bytes of a text that lang/repair repairs. Longer texts are rarely written by hand, and the
-/// search for the most likely repair takes about 5 microseconds per byte.
-inline constexpr std::size_t kMaxRepairedText = std::size_t{256} << 10;
-
 /// Nested calls of user-defined functions.
 inline constexpr int kMaxCalls = 128;
 
