@@ -105,14 +105,15 @@ class Parser {
   void note_separator(std::uint32_t offset) { separator_ = offset; }
 
   void end_element() {
-    if (!is_streaming_ || depth_ != 2) return;
     sink_->stop_if_requested();
+    if (!is_streaming_ || depth_ != 2) return;
     const std::uint32_t element = open_[1].node + 1;
     parts_->take_element(tape_, element);
     tape_.resize(element);
   }
 
   void end_member() {
+    sink_->stop_if_requested();
     if (depth_ != 1) return;
     parts_->take_member(tape_);
     tape_.clear();
@@ -457,8 +458,6 @@ class Parser {
           .help("only `spheres` may have so many values");
       throw Stopped{};
     }
-    constexpr std::size_t kNodesPerPoll = 256;
-    if (tape_.size() % kNodesPerPoll == 0) sink_->stop_if_requested();
     const auto next = static_cast<std::uint32_t>(tape_.size() + 1);
     return tape_.emplace_back(JsonNode{.span = in_file(span), .next = next, .type = type});
   }
