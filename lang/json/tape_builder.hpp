@@ -51,8 +51,6 @@ class TapeBuilder {
 
   JsonNode& add(JsonNodeType type, Span span) {
     if (tape_.size() == kMaxNodes) stop_at_size(span);
-    constexpr std::size_t kNodesPerPoll = 256;
-    if (tape_.size() % kNodesPerPoll == 0) sink_.stop_if_requested();
     return tape_.emplace_back(
         JsonNode{.span = text_.in_file(span), .next = size() + 1, .type = type});
   }
@@ -88,13 +86,14 @@ class TapeBuilder {
   }
 
   void end_element() {
-    if (!is_streaming_ || depth_ != 2) return;
     sink_.stop_if_requested();
+    if (!is_streaming_ || depth_ != 2) return;
     const std::uint32_t element = open_[1].node + 1;
     parts_.take_element(tape_, element);
     tape_.resize(element);
   }
   void end_member() {
+    sink_.stop_if_requested();
     if (depth_ != 1) return;
     parts_.take_member(tape_);
     tape_.clear();

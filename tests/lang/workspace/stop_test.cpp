@@ -63,9 +63,10 @@ std::string mistakes() {
   return text;
 }
 
-std::string config(const std::string& separator) {
+/// `separator`: of the spheres.
+std::string config(int spheres, const std::string& separator) {
   std::string text = R"({"background": [0, 0, 0], "spheres": [)";
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < spheres; ++i) {
     text += fmt::format(
         "{}{{\"origin\": [{}, 0, 0], \"radius\": 0.4, \"material\": "
         "{{\"type\": \"no_texture\", \"color\": [255, 0, 0]}}}}",
@@ -79,8 +80,8 @@ std::map<std::string, std::string> texts() {
       {"large.scene", kLarge},
       {"lib.scene", "scene 1\nfn wave(x) = 3 * sin(x * 1deg)\n"},
       {"mistakes.scene", mistakes()},
-      {"good.json", config(",")},
-      {"bad.json", config(" ")},
+      {"good.json", config(3000, ",")},
+      {"bad.json", config(2000, " ")},
       {"root.scene", "scene 1\n" + kPicture + "include \"good.json\"\ninclude \"large.scene\""}};
 }
 
@@ -135,7 +136,7 @@ TEST(Stop, IsPolledByEveryPhase) {
   Workspace workspace(disk);
   const ProgramOptions options{.workspace = &workspace, .limits = {}};
   const Document file("large.scene", kLarge), wrong("mistakes.scene", mistakes());
-  const Document good("good.json", config(",")), bad("bad.json", config(" "));
+  const Document good("good.json", config(3000, ",")), bad("bad.json", config(2000, " "));
   IgnoredObjects objects;
   EXPECT_GT(polls_of([&](DiagnosticSink& sink) { file.tree(sink); }), 10u);
   EXPECT_GT(polls_of([&](DiagnosticSink& sink) { wrong.tree(sink); }), 1000u) << "repair";
