@@ -16,7 +16,7 @@
 namespace sdlc::lang {
 namespace {
 
-/// Adds errors and rounded colours to `to`. Other warnings are about the text itself; `lint`
+/// Copies errors and warnings about rounded colours. Other warnings concern the text itself; `lint`
 /// reports them.
 void add_findings(const DiagnosticSink& from, DiagnosticSink& to) {
   for (const Diagnostic& diagnostic : from.diagnostics()) {
@@ -34,11 +34,12 @@ void collect_number(std::string_view spelling, std::vector<double>& numbers) {
   if (error == std::errc() && stop == end) numbers.push_back(number);
 }
 
-/// The numbers in calls of `linear255`, ascending.
+/// The number literals in calls of `linear255`, ascending. They are on the scale of configs, so the
+/// config keeps them where it can.
 std::vector<double> scaled_numbers(const SyntaxTree& tree) {
   std::vector<double> numbers;
   const auto nodes = tree.nodes();
-  std::size_t end = 0;  // of the call
+  std::size_t end = 0;  // index of the first node after the call
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const SyntaxNode& node = nodes[i];
     const bool is_call = node.kind == SyntaxKind::Call &&
@@ -61,8 +62,8 @@ void check_result(const Document& converted, const LoweredScene& lowered, bool c
   }
   const bool is_same = is_same_picture(lowered, builder.finish({}), compares_colors);
   if (is_same && !sink.has_errors()) return;
-  const std::string reason = sink.has_errors() ? sink.diagnostics().front().message : "";
-  throw std::logic_error("the converted text has another picture; " + reason);
+  const std::string reason = sink.has_errors() ? "; " + sink.diagnostics().front().message : "";
+  throw std::logic_error("the converted text has another picture" + reason);
 }
 
 }  // namespace

@@ -5,11 +5,11 @@
 #include "lang/object/check.hpp"
 #include "lang/value/logic.hpp"
 
-// Values of properties: type, range, and change while the shutter is open.
+// Evaluates properties: checks type and range, and finds changes while the shutter is open.
 namespace sdlc::lang {
 namespace {
 
-/// Whether properties of the kind, such as the size of the picture, must not depend on the time.
+/// Whether the kind's properties, such as the picture's width, must not depend on the time.
 bool is_timeless(const Kind& kind) noexcept {
   return kind.id == ObjectKind::Render || kind.id == ObjectKind::Animation;
 }

@@ -4,7 +4,7 @@ namespace sdlc::lang {
 
 /// A let, loop variable or parameter has the same name as a value of the file that is visible
 /// there, and hides it. Names of the language may be hidden without a warning, so that new ones
-/// break no file (ruling 10); so may names that begin with `_`.
+/// break no file; so may names that begin with `_`.
 void check_hides_name(LintContext& context) {
   const SymbolTable& names = context.names();
   for (const Symbol& symbol : names.symbols()) {

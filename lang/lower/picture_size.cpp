@@ -16,15 +16,17 @@ struct Size {
   double width = 0, height = 0;
 };
 
-/// The size of the flags, otherwise the written one. A missing side follows from the other by the
-/// proportion of the written sides, if both are written, otherwise by `aspect`.
+/// The size of the picture, in pixels. A flag takes precedence over both written sides. A missing
+/// side follows from the other one and the ratio width / height: that of the written sides if both
+/// are written, else `aspect`. Without any side, the width is the default.
 Size choose_size(const WantedSettings& wanted, std::optional<double> width,
                  std::optional<double> height, double aspect) {
   const bool has_both = width && height;
   const double proportion = has_both ? *width / *height : aspect;
   const auto width_of = [&](double rows) { return std::max(1.0, std::round(rows * proportion)); };
   const auto height_of = [&](double columns) {
-    // A product of whole numbers below 2^53 is exact, and so is the floor of its quotient.
+    // Multiply first: a product of whole numbers is exact below 2^53, and the floor of its quotient
+    // is then exact too.
     return std::floor(has_both ? columns * *height / *width : columns / proportion);
   };
   const auto wide = wanted.overrides.get<double>(kWidth);
@@ -45,7 +47,8 @@ void lower_size(const WantedSettings& wanted, const Object* camera, LoweredScene
   if (wanted.is_written(kWidth)) width = wanted.render.get<double>(kWidth);
   const auto height = wanted.render.get<double>(kHeight);
   lowered.settings.width = lowered.settings.height = 0;
-  // Invalid values have been reported; without them the size would be a different one.
+  // An invalid side or camera has been reported: the size stays unknown, because one computed
+  // without it would be wrong.
   const bool lacks_width = wanted.is_written(kWidth) && !width;
   const bool lacks_height = wanted.is_written(kHeight) && !height;
   const bool lacks_camera = !lowered.camera && wanted.sink.has_errors();
@@ -66,8 +69,7 @@ void lower_size(const WantedSettings& wanted, const Object* camera, LoweredScene
     const double proportion = width && height ? *width / *height : aspect;
     wanted.sink.report(diag::no_rows, where, static_cast<int>(size.width), to_text(proportion))
         .help(
-            "the height is width / aspect, rounded down; make the picture wider, or the aspect "
-            "smaller");
+            "the height is width / aspect, rounded down; increase the width or reduce the aspect");
   } else if (!(size.width * size.height <= static_cast<double>(render::kMaxPicturePixels))) {
     wanted.sink
         .report(diag::picture_too_large, width ? wanted.place(kWidth) : whole_file,

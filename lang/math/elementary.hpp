@@ -18,7 +18,7 @@ std::optional<double> log(double x) noexcept;
 /// x^y for x > 0. Subnormal results are rounded twice: within 0.75 ulp.
 double power(double x, double y) noexcept;
 
-/// x^y of the language (ruling 22): x^2 and x^3 are products, 1/x is a quotient, 0^0 is 1.
+/// x^y of the language: x^2 and x^3 are products, 1/x is a quotient, 0^0 is 1.
 /// nullopt for negative powers of zero, and for x < 0 where y is not a whole number.
 std::optional<double> raise(double x, double y) noexcept;
 

@@ -42,7 +42,7 @@ struct Object {
   bool is_broken = false;  ///< a part could not be read: do not report missing properties
   std::array<Slot, kMaxProperties> slots;
   /// Values that change while the shutter is open, at its closing; `slots` has those at the
-  /// opening. Only centres of spheres and translations and rotations of groups change (ruling 29).
+  /// opening. Only centres of spheres and translations and rotations of groups change.
   std::vector<ClosingValue> closing;
 
   const Slot& slot(std::size_t property) const { return slots[property]; }

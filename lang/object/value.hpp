@@ -18,7 +18,7 @@
 /// The values of the language: what expressions compute and properties hold.
 namespace sdlc::lang {
 
-/// The tag of a number (ruling 20): lengths are in metres, times in seconds; they do not add up.
+/// The tag of a number: lengths are in metres, times in seconds; they do not add up.
 enum class Unit : std::uint8_t { None, Length, Time };
 
 /// No value: none is written, or an error has been reported. Computing with it gives Nothing again

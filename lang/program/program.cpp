@@ -69,12 +69,12 @@ void Program::add_setting(const SetOption& option, DiagnosticSink& sink) {
   if (const auto nearest = nearest_name(option.name, names)) {
     report.help(fmt::format("did you mean `{}`?", *nearest));
   } else if (!names.empty()) {
-    report.help(fmt::format("its params are {}", fmt::join(names, ", ")));
+    report.help(fmt::format("the scene's params are {}", fmt::join(names, ", ")));
   }
 }
 
 std::optional<ParamSetting> Program::setting_of(std::uint32_t global) const {
-  // The last one takes precedence, as with other flags.
+  // The last --set of a param takes precedence, as with other flags.
   const auto found = std::find_if(settings_.rbegin(), settings_.rend(),
                                   [&](const ParamSetting& s) { return s.global == global; });
   return found == settings_.rend() ? std::nullopt : std::optional(*found);
@@ -110,7 +110,8 @@ std::string Program::identity(const fs::path& path) const {
 std::shared_ptr<const Document> Program::read(const fs::path& path, ast::Node name,
                                               DiagnosticSink& sink) const {
   if (options_.workspace == nullptr) {
-    sink.report(diag::unreadable_file, name.location(), path.string(), "there are no other files");
+    sink.report(diag::unreadable_file, name.location(), path.string(),
+                "this program cannot read other files");
     return nullptr;
   }
   if (sandbox_ && !sandbox_->resolve(path)) {
@@ -118,11 +119,11 @@ std::shared_ptr<const Document> Program::read(const fs::path& path, ast::Node na
     return nullptr;
   }
   if (options_.workspace->is_special(path)) {
-    sink.report(diag::unreadable_file, name.location(), path.string(), "it is no regular file");
+    sink.report(diag::unreadable_file, name.location(), path.string(), "it is not a regular file");
     return nullptr;
   }
   std::error_code error;
-  // "-" is a file here, not standard input.
+  // An imported "-" is a file with this name, not standard input.
   const fs::path read_path = path == "-" ? fs::path("./-") : path;
   auto document =
       options_.workspace->load(read_path, path.string(), options_.limits.any_file(), error);
@@ -181,7 +182,8 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
   }
   loaded_[key] = module_count();
   const std::uint32_t added = add_module(file, path, from, sink);
-  // Unknown names of a file that was not parsed are not reported.
+  // A file of another version or above the size limit is unusable. kNothing, so that other files
+  // may use its names without an error for each.
   const auto version = ast::Node(modules_[added]->tree, 0).first(SyntaxKind::Version);
   const bool is_other = version && version->text() != kVersion;
   if (is_other || file.text().size() > options_.limits.file) loaded_[key] = kNothing;

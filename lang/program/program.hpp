@@ -30,16 +30,17 @@ struct SetOption {
 
 /// Sources and limits of a program.
 struct ProgramOptions {
-  Workspace* workspace = nullptr;  ///< null: the root is the only file
+  Workspace* workspace = nullptr;  ///< null: no file except the root can be read
   Limits limits;
   bool is_sandboxed = false;  ///< no file outside the root's folder is read
   std::vector<SetOption> sets = {};
 };
 
-/// Whether the file is within the limit on its size; if not, that is reported.
+/// Whether the file is within its size limit; reports an error if it is not.
 bool check_file_size(const SourceFile& file, const Limits& limits, DiagnosticSink& sink);
 
-/// A SetOption, resolved: `global` is the root's param, `file` has the value as its text.
+/// A resolved SetOption. `global` is the index of the param in the root's globals; the text of
+/// `file` is the value.
 struct ParamSetting {
   std::uint32_t global;
   const SourceFile* file;
@@ -58,16 +59,17 @@ class Program final : public Modules {
     return static_cast<std::uint32_t>(modules_.size());
   }
   Module& module_at(std::uint32_t index) override { return *modules_[index]; }
-  /// The symbols of a module, in SymbolDetail::Declared. Recorded on first use.
+  /// The symbols of a module, with SymbolDetail::Declared; recorded on first use.
   const SymbolTable& names_of(std::uint32_t module, const StopRequest* stop);
   const SourceFile& config(std::uint32_t index) const { return *configs_[index - kConfigs]; }
   const Limits& limits() const noexcept override { return options_.limits; }
   /// All files except the root, in the order of loading.
   const std::vector<std::filesystem::path>& dependencies() const noexcept { return dependencies_; }
 
-  /// The value that --set gives the root's param, if it does.
+  /// The setting of a global of the root; nullopt if no --set gives it a value.
   std::optional<ParamSetting> setting_of(std::uint32_t global) const;
-  /// The value as code; `expression` is its index. It can use built-in names only.
+  /// Resolves the value of a setting, which can use only built-in names. Returns the code and sets
+  /// `expression` to the index of the value in it.
   const Code& resolve_setting(const ParamSetting& setting, std::uint32_t& expression,
                               DiagnosticSink& sink);
 
@@ -77,7 +79,7 @@ class Program final : public Modules {
   std::uint32_t add_module(const Document& file, std::filesystem::path path, std::uint32_t parent,
                            DiagnosticSink& sink);
   void add_setting(const SetOption& option, DiagnosticSink& sink);
-  /// A key of the file: the same for all paths to it.
+  /// A key of the file, the same for all paths of one file.
   std::string identity(const std::filesystem::path& path) const;
   std::shared_ptr<const Document> read(const std::filesystem::path& path, ast::Node name,
                                        DiagnosticSink& sink) const;
@@ -87,10 +89,10 @@ class Program final : public Modules {
   std::vector<std::unique_ptr<Module>> modules_;
   std::vector<const SourceFile*> configs_;
   std::vector<std::shared_ptr<const Document>> documents_;  ///< all except the root
-  const Document unread_{"", "scene 1"};                    ///< in place of a file that is too large
+  const Document unread_{"", "scene 1"};                    ///< parsed for a file that is too large
   std::deque<SourceFile> setting_files_;
   std::deque<SyntaxTree> setting_trees_;
-  std::unordered_map<std::string, std::uint32_t> loaded_;  ///< by identity; kNothing: unreadable
+  std::unordered_map<std::string, std::uint32_t> loaded_;  ///< by identity; kNothing: unusable
   std::vector<std::filesystem::path> dependencies_;
   std::vector<ParamSetting> settings_;
   std::unordered_map<std::uint32_t, SymbolTable> names_;  ///< by module

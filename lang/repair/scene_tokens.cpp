@@ -42,7 +42,8 @@ class SceneTokens {
     return static_cast<std::uint32_t>(std::min(text_.find('\n', at), text_.size()));
   }
 
-  /// `# text` and, at the beginning of a line, `-- text`. `#fff` and `#declare name =` are none.
+  /// Whether a comment of another language begins here: `# text`, or `-- text` at the beginning of
+  /// a line. But `#fff` is a colour, and `#declare name =` is a declaration.
   bool is_foreign_comment(Span token) const {
     const std::string_view rest = text_.substr(token.begin);
     if (is_first_ && rest.starts_with("--")) return true;
@@ -77,7 +78,7 @@ class SceneTokens {
     push(span, TokenClass::Value);
   }
 
-  /// A name, a path, or either with the colon after it.
+  /// Adds a name or a dotted name such as `file.name`. A label includes the colon after it.
   void add_word(Span span) {
     const auto is_dot_before_name = [&] {
       return char_at(text_, span.end) == '.' && is_letter(char_at(text_, span.end + 1));
@@ -90,7 +91,7 @@ class SceneTokens {
     push(span, is_label ? TokenClass::Label : TokenClass::Value);
   }
 
-  /// Signs of other languages are one token, however long.
+  /// Adds a comma or an operator. An operator of another language, such as `&&`, is one token.
   void add_sign(Span span) {
     if (text_[span.begin] == ',') return push(span, TokenClass::Comma);
     const std::string_view rest = text_.substr(span.begin);

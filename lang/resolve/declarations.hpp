@@ -12,7 +12,7 @@
 namespace sdlc::lang {
 
 /// Collects the names of a file's top level into its Module, and loads its imports. Expressions are
-/// resolved later, since the order of declarations does not matter (ruling 9).
+/// resolved later, since the order of declarations does not matter.
 void collect_declarations(Modules& modules, std::uint32_t module, DiagnosticSink& sink);
 
 /// The name and the parameters of a fn or def, without types and defaults. Reports duplicates.

@@ -21,7 +21,7 @@ struct Uses {
 };
 
 /// Sorts the globals of a file topologically into Module::order, since their order in the text does
-/// not matter (ruling 9), and sets `uses_time` of globals and functions. A global that depends on
+/// not matter, and sets `uses_time` of globals and functions. A global that depends on
 /// itself is reported and omitted.
 void order_globals(Module& module, const std::vector<Uses>& of_globals,
                    const std::vector<Uses>& of_functions, DiagnosticSink& sink);

@@ -22,7 +22,7 @@ bool reads_words(const Property* property) {
 
 }  // namespace
 
-/// `property`: the one whose value this is, which may accept a word (ruling 12).
+/// `property`: the one whose value this is, which may accept a word.
 std::uint32_t Resolver::expression(ast::Node node, const Property* property) {
   sink_.stop_if_requested();
   switch (node.kind()) {

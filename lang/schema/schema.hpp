@@ -8,8 +8,8 @@
 #include <string_view>
 #include <variant>
 
-/// The tables of kinds, properties, materials and JSON keys: the only place that describes them.
-/// Checks, lowering, reference pages and schemas read it.
+/// The tables of kinds, properties, materials and JSON keys, each described only here. Checks,
+/// lowering, reference pages and schemas read these tables.
 namespace sdlc::lang {
 
 /// The type of a value, for checks and messages.
@@ -33,7 +33,7 @@ enum class Type : std::uint8_t {
 /// The type in messages: "a number", "a colour".
 std::string_view describe(Type type) noexcept;
 
-/// Which values of the type are allowed.
+/// The values of a type that are allowed.
 enum class Range : std::uint8_t {
   Any,
   NonNegative,
@@ -43,7 +43,7 @@ enum class Range : std::uint8_t {
   ByteCode,                ///< 0 to 255
   Fraction,                ///< 0 to 1
   PositiveFraction,        ///< greater than 0, at most 1
-  Kelvin,                  ///< 1667 to 25000: the fit of black-body colours is valid
+  Kelvin,                  ///< 1667 to 25000, where the fit of black-body colours is valid
   BetweenZeroAndHalfTurn,  ///< both ends excluded
 };
 
@@ -62,9 +62,9 @@ struct Property {
   Range range = Range::Any;
   Presence presence = Presence::Optional;
   Default default_value = {};
-  std::string_view default_text = {};            ///< its spelling in the language
+  std::string_view default_text = {};            ///< the default as written in a scene
   std::span<const std::string_view> words = {};  ///< for Type::Word; empty: any name
-  bool reads_none = false;                       ///< `none` is a value too
+  bool reads_none = false;                       ///< the word `none` is allowed too
   std::string_view doc;
 };
 
@@ -97,8 +97,8 @@ const Kind& kind_info(ObjectKind kind) noexcept;
 std::span<const MaterialInfo> all_materials() noexcept;
 const MaterialInfo& material_info(MaterialKind kind) noexcept;
 
-/// The rows of the tables in lang/schema/kinds.cpp. The row of a property is also the index of its
-/// slot in an Object.
+/// The row numbers of properties in the tables of lang/schema/kinds.cpp, which are also the indices
+/// of their slots in an Object.
 namespace camera_property {
 enum : std::size_t { kFrom, kAt, kUp, kFov, kViewHeight, kAspect, kShutter, kCount };
 }
@@ -156,7 +156,7 @@ std::string_view describe(JsonType type) noexcept;
 
 struct JsonObject;
 
-/// The meaning of a key that is not the value of one property.
+/// The keys of a config that do not simply give one property its value.
 enum class JsonSetting : std::uint8_t { None, GammaCorrect, InParallel, NumberCores };
 
 /// One key of an object of the JSON config format.
@@ -164,10 +164,10 @@ struct JsonKey {
   std::string_view key;
   JsonType type;
   Presence presence = Presence::Optional;
-  /// The value is a property of `target`. Without a target, see `object` and `setting`; a key with
-  /// none of the three has no effect.
+  /// The kind whose property the key sets. Null for arguments of materials, for the list of
+  /// spheres, for keys with an `object` or `setting`, and for keys without effect.
   const Kind* target = nullptr;
-  std::size_t property = 0;            ///< in the target's table or the material's arguments
+  std::size_t property = 0;            ///< row in the table of the target or material
   const JsonObject* object = nullptr;  ///< for JsonType::Object: its keys
   JsonSetting setting = JsonSetting::None;
   Range range = Range::Any;  ///< of the value
@@ -179,7 +179,8 @@ struct JsonObject {
   std::span<const JsonKey> keys;
 };
 
-/// The whole config. `camera`, `rendering` and `saving` are required unless there is an `image`.
+/// The whole config. `saving` is always required, `camera` and `rendering` unless there is an
+/// `image`.
 const JsonObject& json_config() noexcept;
 const JsonObject& json_sphere() noexcept;
 /// The JSON key of a property; empty if there is none.

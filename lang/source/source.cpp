@@ -65,7 +65,7 @@ std::uint32_t SourceFile::line_count() const noexcept {
 
 namespace {
 
-/// A file descriptor that closes itself.
+/// Owns a file descriptor: closes it on destruction, unless it is a standard stream.
 class Descriptor {
  public:
   explicit Descriptor(int fd) noexcept : fd_(fd) {}
@@ -98,10 +98,11 @@ std::optional<std::string> DiskFileSystem::read(const std::filesystem::path& pat
     return std::nullopt;
   }
 
-  // Offsets have 32 bits.
+  // Offsets into the text have 32 bits, so a longer text is an error.
   constexpr std::uint64_t kMaxText = std::numeric_limits<std::uint32_t>::max();
   const std::uint64_t end = std::min(max, kMaxText) + 1;
-  // One byte more than the size of a regular file, so that one read finds its end.
+  // One byte more than a regular file has, so that its end is found without growing the buffer.
+  // Pipes and devices have no size.
   const std::uint64_t expected =
       S_ISREG(info.st_mode) ? static_cast<std::uint64_t>(info.st_size) + 1 : 1 << 16;
   std::string text(std::min(expected, end), '\0');

@@ -15,7 +15,7 @@ namespace {
 
 enum class Measure : std::uint8_t { Plain, Length, Time, Angle };
 
-/// A unit. One of factor and divisor is 1, so that the product is rounded once (ruling 2).
+/// A unit. One of factor and divisor is 1, so that the product is rounded once.
 struct UnitInfo {
   std::string_view name;
   Measure measure;

@@ -8,7 +8,7 @@
 
 namespace sdlc::lang {
 
-/// Whether numbers of these units add up (ruling 20): a number without a unit takes the other's.
+/// Whether numbers of these units add up: a number without a unit takes the other's.
 constexpr bool are_compatible(Unit a, Unit b) noexcept {
   return a == b || a == Unit::None || b == Unit::None;
 }

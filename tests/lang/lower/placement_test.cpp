@@ -11,7 +11,7 @@
 
 #include "tests/support/compilation/compilation.hpp"
 
-// p' = translate + Rz Ry Rx (scale p), right-handed (ruling 31).
+// p' = translate + Rz Ry Rx (scale p), right-handed.
 namespace sdlc::lang {
 namespace {
 
