@@ -123,7 +123,7 @@ class Deviations : public SyntaxErrors {
     const Location gap = text_.gap_before(offset);
     if (offset > 0 && text_[offset - 1] == '"') {
       sink_.report(diag::expected, gap, "`,`").help("a quote inside a string is written `\\\"`");
-      throw ParseStopped{};
+      throw JsonAbandoned{};
     }
     // If a new item begins after a bracket or on another line, only a comma can be missing. `1 2`
     // may have been one number.

@@ -154,7 +154,7 @@ bool parse_config(const SourceFile& file, ConfigParts& parts, DiagnosticSink& si
       parser.text.data(), parser.text.data() + parser.text.size(), file.name().c_str());
   try {
     return pegtl::parse<grammar::text, Action, Control>(in, parser) && parser.tape.is_complete();
-  } catch (const ParseStopped&) {
+  } catch (const JsonAbandoned&) {
     parser.tape.give_up();
     return false;
   }

@@ -23,23 +23,23 @@ class SyntaxErrors {
 
   [[noreturn]] void expected(std::string_view what, std::uint32_t offset) const {
     report_unexpected(what, offset);
-    throw ParseStopped{};
+    throw JsonAbandoned{};
   }
   [[noreturn]] void unclosed_string() const {
     const Span quote = tape_.opening_quote();
     sink_.report(diag::unclosed, text_.at(quote), text_.text(quote));
-    throw ParseStopped{};
+    throw JsonAbandoned{};
   }
   [[noreturn]] void unclosed_comment(Span opening) const {
     sink_.report(diag::unclosed, text_.at(opening), "/*");
-    throw ParseStopped{};
+    throw JsonAbandoned{};
   }
   [[noreturn]] void text_after_config(std::uint32_t offset) const {
     std::string_view line = text_.text().substr(offset);
     line = line.substr(0, line.find('\n'));
     const auto size = static_cast<std::uint32_t>(line.find_last_not_of(kJsonSpaces) + 1);
     sink_.report(diag::text_after_end, text_.at({offset, offset + size}), "the config");
-    throw ParseStopped{};
+    throw JsonAbandoned{};
   }
 
  protected:

@@ -19,7 +19,7 @@
 namespace sdlc::lang {
 
 /// Thrown after the report of a mistake that ends the parse.
-struct ParseStopped {};
+struct JsonAbandoned {};
 
 /// Builds the tape of each part of a config and passes it on when the part ends. Spans are those of
 /// the parsed text.
@@ -31,7 +31,7 @@ class TapeBuilder {
   void open(JsonNodeType type, Span bracket) {
     if (depth_ == kMaxNesting) {
       sink_.report(diag::too_deep, text_.at(bracket), kMaxNesting);
-      throw ParseStopped{};
+      throw JsonAbandoned{};
     }
     if (depth_ == 0) parts_.begin(text_.in_file(bracket));
     is_streaming_ |= depth_ == 1 && type == JsonNodeType::Array && is_streamed_name();
@@ -134,7 +134,7 @@ class TapeBuilder {
   [[noreturn]] void stop_at_size(Span span) {
     sink_.report(diag::too_much_memory, text_.at(span), kMaxNodes * sizeof(JsonNode))
         .help("only `spheres` may have so many values");
-    throw ParseStopped{};
+    throw JsonAbandoned{};
   }
   /// Whether a number out of the range of double is too large and not too small: the decimal
   /// exponent of its first digit other than 0 decides. Precondition: `text` is a number of JSON and

@@ -8,7 +8,7 @@
 /// All limits on files and their evaluation.
 namespace sdlc::lang {
 
-/// Nested brackets, in both formats. It bounds the recursion over trees.
+/// Nested brackets, prefixes and conditionals, in both formats. It bounds the recursion over trees.
 inline constexpr int kMaxNesting = 128;
 
 /// Nested calls of user-defined functions.

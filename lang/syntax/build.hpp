@@ -8,6 +8,7 @@
 
 #include "grammar/scene.hpp"
 #include "lang/repair/recovery.hpp"
+#include "lang/source/limits.hpp"
 #include "lang/syntax/expected.hpp"
 #include "lang/syntax/tree_builder.hpp"
 #include "lang/token/lines.hpp"
@@ -33,11 +34,11 @@ struct Control : pegtl::normal<Rule> {
     if constexpr (std::is_same_v<Rule, grammar::block_end>) {
       const std::uint32_t begin = builder.opener;
       builder.sink().report(diag::unclosed, builder.location({begin, begin + 1}), "{");
-      throw Stopped{};
+      throw ParseAbandoned{};
     } else if constexpr (std::is_same_v<Rule, grammar::comment_block_end>) {
       const std::uint32_t begin = builder.comment_begin;
       builder.sink().report(diag::unclosed, builder.location({begin, begin + 2}), "/*");
-      throw Stopped{};
+      throw ParseAbandoned{};
     } else {
       // An added bracket was reported as missing; what it ends too soon follows from that.
       if (!builder.is_added(at)) diagnose_expected(builder, at, expected<Rule>);
@@ -213,8 +214,8 @@ struct Nest : pegtl::maybe_nothing {
       if (builder.depth == kMaxNesting) {
         builder.mark_error(opener.end);
         builder.brackets += kOpener == Opener::Bracket;
-        builder.sink().report(diag::too_deep, builder.location(opener), int{kMaxNesting});
-        if (kOpener == Opener::Comment) throw Stopped{};
+        builder.sink().report(diag::too_deep, builder.location(opener), kMaxNesting);
+        if (kOpener == Opener::Comment) throw ParseAbandoned{};
         throw Reported{};
       }
       ++builder.depth;

@@ -52,7 +52,7 @@ Reading read(const SourceFile& file, std::string_view text, const RepairedText* 
   builder.push(SyntaxKind::File, {0, 0});
   try {
     pegtl::parse<Rule, Build, Control>(in, builder);
-  } catch (const Stopped&) {
+  } catch (const ParseAbandoned&) {
   } catch (const Reported&) {
   }
   builder.close(0);

@@ -13,13 +13,10 @@
 
 namespace sdlc::lang {
 
-/// How deep brackets, prefixes and conditionals may nest. Every walker of a tree may rely on it.
-inline constexpr std::uint32_t kMaxNesting = 128;
-
 /// Thrown after a mistake was reported; the enclosing statement catches it and continues after it.
 struct Reported {};
 /// Thrown where the rest of the text cannot be read.
-struct Stopped {};
+struct ParseAbandoned {};
 
 /// The nodes of the growing tree, and the context that error messages need.
 ///
