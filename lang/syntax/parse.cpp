@@ -75,7 +75,7 @@ Reading read_repaired(const SourceFile& file, std::string_view text, Reading rea
     if (reading.is_sound()) return reading;
   }
   RepairedText repaired = spelled;
-  DiagnosticSink repairs;
+  DiagnosticSink repairs(stop);
   repair_structure({file, repaired, repairs}, reading.has_misplaced);
   if (repaired.is_changed()) {
     Reading again = read<grammar::file>(file, repaired.text(), &repaired, stop);
