@@ -1,29 +1,18 @@
 #include "lang/resolve/lost_names.hpp"
 
 #include <algorithm>
+#include <utility>
 
-#include "lang/token/lines.hpp"
 #include "lang/token/name_characters.hpp"
+#include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
-namespace {
 
-/// Calls `function(begin, end)` for each identifier of the text.
-template <typename Function>
-void for_each_identifier(std::string_view text, Function function) {
-  for (std::uint32_t at = 0; at < text.size();) {
-    const std::uint32_t end = end_of_identifier(text, at);
-    if (end > at) function(at, end);
-    at = std::max(end, at + 1);
-  }
-}
-
-}  // namespace
-
-LostNames::LostNames(const SyntaxTree& tree) {
+LostNames::LostNames(const SyntaxTree& tree, const StopRequest* stop) {
   for (NodeIndex i = 0; i < tree.nodes().size(); ++i) {
+    stop_if_requested(stop);
     const ast::Node node(tree, i);
-    if (node.is(SyntaxKind::Error)) read_skipped(node.text());
+    if (node.is(SyntaxKind::Error)) read_skipped(node.text(), stop);
     if (node.is(SyntaxKind::Import) && !node.first(SyntaxKind::Name)) read_alias(node);
     const bool declares = node.is(SyntaxKind::Fn) || node.is(SyntaxKind::Def);
     if (!declares) continue;
@@ -39,30 +28,32 @@ LostNames::LostNames(const SyntaxTree& tree) {
 void LostNames::read_alias(ast::Node import) {
   const auto file = import.first(SyntaxKind::String);
   if (!file) return;
-  std::string_view rest = import.tree().file().text().substr(file->span().end);
-  rest = rest.substr(0, rest.find('\n'));
-  for_each_identifier(rest, [&](std::uint32_t begin, std::uint32_t end) {
-    merged_.push_back(rest.substr(begin, end - begin));
-  });
+  TokenReader tokens(import.tree().file().text(), file->span().end);
+  Token token = tokens.next();
+  for (; token.kind != TokenKind::LineEnd && token.kind != TokenKind::End; token = tokens.next()) {
+    if (token.kind == TokenKind::Name) merged_.push_back(tokens.text(token));
+  }
 }
 
 /// A skipped text declares a name that is between a word and `=`, `(` or `:`, or after `as`, or
 /// that begins the text and is followed by `=`.
-void LostNames::read_skipped(std::string_view text) {
-  std::string_view last;
-  std::uint32_t last_end = 0;
-  for_each_identifier(text, [&](std::uint32_t begin, std::uint32_t end) {
-    const std::string_view word = text.substr(begin, end - begin);
-    const char next = char_at(text, skip_blanks(text, end));
-    const bool follows_word = !last.empty() && skip_blanks(text, last_end) == begin;
+void LostNames::read_skipped(std::string_view text, const StopRequest* stop) {
+  TokenReader tokens(text);
+  std::string_view last;  // the token before if it is a word of the same line
+  Token token = tokens.next_in_line();
+  for (; token.kind != TokenKind::End; token = tokens.next_in_line()) {
+    stop_if_requested(stop);
+    const std::string_view before = std::exchange(last, {});
+    if (token.kind != TokenKind::Name) continue;
+    const std::string_view word = last = tokens.text(token);
+    TokenReader ahead = tokens;
+    const char next = char_at(text, ahead.next_in_line().span.begin);
     const bool is_declared =
-        follows_word && (next == '=' || next == '(' || next == ':' || last == "as");
-    const bool is_assigned = begin == 0 && next == '=';
+        !before.empty() && (next == '=' || next == '(' || next == ':' || before == "as");
+    const bool is_assigned = token.span.begin == 0 && next == '=';
     if (is_declared || is_assigned) names_.insert(word);
     if (is_assigned) merged_.push_back(word);
-    last = word;
-    last_end = end;
-  });
+  }
 }
 
 bool LostNames::contains(std::string_view name) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lang/ast/ast.hpp"
+#include "lang/diagnostics/diagnostics.hpp"
 #include "lang/syntax/syntax.hpp"
 
 namespace sdlc::lang {
@@ -13,12 +14,13 @@ namespace sdlc::lang {
 /// unknown.
 class LostNames {
  public:
-  explicit LostNames(const SyntaxTree& tree);
+  /// `stop` may be null.
+  explicit LostNames(const SyntaxTree& tree, const StopRequest* stop = nullptr);
 
   bool contains(std::string_view name) const;
 
  private:
-  void read_skipped(std::string_view text);
+  void read_skipped(std::string_view text, const StopRequest* stop);
   void read_alias(ast::Node import);
 
   std::unordered_set<std::string_view> names_;
