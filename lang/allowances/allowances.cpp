@@ -54,9 +54,10 @@ std::string code_text(const SourceFile& file, Span code) { return upper_case(fil
 /// Finds the statements of all comments in one pass over the tree.
 class Statements {
  public:
-  explicit Statements(const SyntaxTree& tree) : tree_(tree), text_(tree.file().text()) {
-    find_next_tokens();
-    find_parts();
+  Statements(const SyntaxTree& tree, const StopRequest* stop)
+      : tree_(tree), text_(tree.file().text()) {
+    find_next_tokens(stop);
+    find_parts(stop);
   }
 
   std::optional<Span> of_comment(std::size_t comment) const {
@@ -77,10 +78,11 @@ class Statements {
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
   /// Finds the first token after each comment.
-  void find_next_tokens() {
+  void find_next_tokens(const StopRequest* stop) {
     const auto comments = tree_.comments();
     next_tokens_.resize(comments.size());
     for (std::size_t i = comments.size(); i-- > 0;) {
+      stop_if_requested(stop);
       std::uint32_t at = comments[i].span.end;
       while (at < text_.size() && is_blank(text_[at])) ++at;
       const bool is_comment = i + 1 < comments.size() && comments[i + 1].span.begin == at;
@@ -88,9 +90,10 @@ class Statements {
     }
   }
 
-  void find_parts() {
+  void find_parts(const StopRequest* stop) {
     std::uint32_t around = kNone;
     for (const SyntaxNode& node : tree_.nodes()) {
+      stop_if_requested(stop);
       const bool is_block = node.kind == SyntaxKind::Block;
       if (!is_statement(node.kind) && !is_block) continue;
       while (around != kNone && parts_[around].span.end <= node.begin)
@@ -149,16 +152,17 @@ Span with_space(std::string_view text, Span comment) {
 
 }  // namespace
 
-Allowances::FileAllowances Allowances::read(const SourceFile& file) {
+Allowances::FileAllowances Allowances::read(const SourceFile& file) const {
   FileAllowances result;
   const bool has_some = file.text().find(kMark) != std::string_view::npos;
   const auto* document = dynamic_cast<const Document*>(&file);
   if (document == nullptr || file.format() != SourceFormat::Scene || !has_some) return result;
-  DiagnosticSink ignored;
+  DiagnosticSink ignored(stop_);
   const SyntaxTree& tree = document->tree(ignored);
-  const Statements statements(tree);
+  const Statements statements(tree, stop_);
   std::vector<std::optional<Span>> places;  // of each allowance
   for (std::size_t i = 0; i < tree.comments().size(); ++i) {
+    stop_if_requested(stop_);
     const Comment& comment = tree.comments()[i];
     if (comment.kind != CommentKind::Line) continue;
     const TokenReader content = content_of(file.text(), comment.span);
@@ -241,6 +245,7 @@ void Allowances::diagnose_unused(const SourceFile& file, DiagnosticSink& sink) {
         .help("write `// sdlc: allow(W402) reason`");
   }
   for (const Allowance& allowance : allowances.list) {
+    sink.stop_if_requested();
     diagnose_unused(file, allowances, allowance, sink);
   }
 }
@@ -283,7 +288,7 @@ void Allowances::diagnose_unused(const SourceFile& file, const FileAllowances& a
 }
 
 Findings select_unallowed(const DiagnosticSink& sink, FindingsFilter filter) {
-  Allowances allowances;
+  Allowances allowances(sink.stop_request());
   filter.is_allowed = [&](const DiagnosticInfo& info, Location where) {
     return allowances.allow(info, where);
   };

@@ -23,6 +23,9 @@ namespace sdlc::lang {
 /// Only a Document can have allowances. Its tree is read on demand.
 class Allowances {
  public:
+  /// `stop` may be null.
+  explicit Allowances(const StopRequest* stop) noexcept : stop_(stop) {}
+
   /// Whether a comment allows the warning at this place. Marks that comment as used.
   bool allow(const DiagnosticInfo& info, Location where);
 
@@ -52,12 +55,13 @@ class Allowances {
   static constexpr std::uint32_t kNowhere = 0xFFFFFFFF;
 
   FileAllowances& of(const SourceFile& file);
-  static FileAllowances read(const SourceFile& file);
+  FileAllowances read(const SourceFile& file) const;
   static void find_places(const std::vector<std::optional<Span>>& statements,
                           FileAllowances& allowances);
   static void diagnose_unused(const SourceFile& file, const FileAllowances& allowances,
                               const Allowance& allowance, DiagnosticSink& sink);
 
+  const StopRequest* stop_;
   std::unordered_map<const SourceFile*, FileAllowances> files_;
 };
 

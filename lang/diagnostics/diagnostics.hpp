@@ -141,7 +141,8 @@ class StopRequest {
 };
 
 /// Throws StopRequested if `stop` is not null and the request was made. Costs about a nanosecond;
-/// long loops call it at least once a millisecond.
+/// long loops of `lang` call it about once a millisecond. The functions of `render` that checks use
+/// do not poll.
 inline void stop_if_requested(const StopRequest* stop) {
   if (stop != nullptr && stop->is_made()) throw StopRequested{};
 }

@@ -106,9 +106,10 @@ class LintContext {
     return compiler_.trace(spheres);
   }
 
-  void stop_if_requested() const { lang::stop_if_requested(compiler_.stop_request()); }
+  const StopRequest* stop_request() const { return compiler_.stop_request(); }
+  void stop_if_requested() const { lang::stop_if_requested(stop_request()); }
   std::stop_token stop_token() const {
-    const StopRequest* stop = compiler_.stop_request();
+    const StopRequest* stop = stop_request();
     return stop == nullptr ? std::stop_token() : stop->token();
   }
 

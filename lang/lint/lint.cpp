@@ -223,7 +223,7 @@ class Linter {
   Compiler& compiler_;
   const Document& file_;
   DiagnosticSink& sink_;
-  Allowances allowances_;
+  Allowances allowances_{sink_.stop_request()};
   std::vector<Finding> pending_;  // of rules that must hold in every frame
   std::set<decltype(place_of(std::declval<Finding>()))> reported_;
   std::vector<std::string> cameras_;  // see remember_cameras()

@@ -34,6 +34,7 @@ void check_sum(LintContext& context, ast::Node sum) {
 void check_lopsided_minus(LintContext& context) {
   const SyntaxTree& tree = *context.tree();
   for (NodeIndex i = 0; i < tree.nodes().size(); ++i) {
+    context.stop_if_requested();
     if (tree[i].kind == SyntaxKind::Sum) check_sum(context, ast::Node(tree, i));
   }
 }

@@ -60,7 +60,7 @@ void check_unused(LintContext& context) {
   if (context.is_part() || !has_objects(tree)) return;
   const std::string_view text = context.file().text();
   const std::span<const Symbol> symbols = context.names().symbols();
-  const std::vector<std::uint32_t> uses = context.names().count_uses(false);
+  const std::vector<std::uint32_t> uses = context.names().count_uses(false, context.stop_request());
   for (std::size_t i = 0; i < symbols.size(); ++i) {
     const Symbol& symbol = symbols[i];
     if (uses[i] > 0 || may_be_unused(symbol)) continue;

@@ -181,11 +181,13 @@ void order_globals(Module& module, const std::vector<Uses>& of_globals,
   std::vector<std::vector<std::size_t>> users(graph.size());
   std::vector<std::size_t> found;
   for (std::size_t node = 0; node < graph.size(); ++node) {
+    sink.stop_if_requested();
     for (std::size_t i = 0; i < graph.degree(node); ++i) users[graph.used(node, i)].push_back(node);
     graph.uses_time(node) = graph.uses(node).time;
     if (graph.uses(node).time) found.push_back(node);
   }
   while (!found.empty()) {
+    sink.stop_if_requested();
     const std::size_t node = found.back();
     found.pop_back();
     for (const std::size_t user : users[node]) {

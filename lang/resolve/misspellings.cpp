@@ -56,8 +56,8 @@ class Words {
 /// Finds the most similar declaration of an unknown name.
 class DeclarationSearch {
  public:
-  explicit DeclarationSearch(const SymbolTable& table)
-      : table_(table), uses_(table.count_uses(true)) {}
+  DeclarationSearch(const SymbolTable& table, const StopRequest* stop)
+      : table_(table), uses_(table.count_uses(true, stop)) {}
 
   /// The most similar declaration if nothing uses it, else null.
   const Symbol* nearest(const UnknownName& unknown) const {
@@ -116,7 +116,7 @@ bool may_be_declared(NameSpace space) {
 
 Misspellings::Misspellings(const SymbolTable& table, const StopRequest* stop) {
   if (table.symbols().size() > kMaxSymbols) return;
-  const DeclarationSearch search(table);
+  const DeclarationSearch search(table, stop);
   std::map<std::pair<const Symbol*, std::string_view>, std::vector<Span>> groups;
   std::size_t searched = 0;
   for (const UnknownName& unknown : table.unknown()) {

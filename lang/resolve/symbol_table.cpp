@@ -54,9 +54,11 @@ const Occurrence* SymbolTable::at(std::uint32_t offset) const noexcept {
   return offset <= found.where.end ? &found : nullptr;
 }
 
-std::vector<std::uint32_t> SymbolTable::count_uses(bool counts_recursion) const {
+std::vector<std::uint32_t> SymbolTable::count_uses(bool counts_recursion,
+                                                   const StopRequest* stop) const {
   std::vector<std::uint32_t> uses(symbols_.size());
   for (const Occurrence& occurrence : occurrences_) {
+    stop_if_requested(stop);
     if (occurrence.symbol.file != file_) continue;
     const Symbol* symbol = find(occurrence.symbol.index);
     if (occurrence.where == symbol->where) continue;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lang/diagnostics/diagnostics.hpp"
 #include "lang/resolve/symbol.hpp"
 #include "lang/source/source.hpp"
 #include "lang/syntax/syntax.hpp"
@@ -46,8 +47,8 @@ class SymbolTable {
   /// The occurrence at the offset, its end included; or null.
   const Occurrence* at(std::uint32_t offset) const noexcept;
   /// The number of uses of each symbol. Uses of a fn or def in its own body count only if
-  /// `counts_recursion`.
-  std::vector<std::uint32_t> count_uses(bool counts_recursion) const;
+  /// `counts_recursion`. `stop` may be null.
+  std::vector<std::uint32_t> count_uses(bool counts_recursion, const StopRequest* stop) const;
   /// The symbols of a name space that are visible at the offset, inner scopes first; hidden ones
   /// are omitted.
   std::vector<const Symbol*> visible(std::uint32_t offset, NameSpace space) const;

@@ -81,5 +81,14 @@ TEST(Lint, KnowsManyLocalNamesAndAllowances) {
   EXPECT_EQ(lint_counts(allowed).warnings, 0u);
 }
 
+TEST(Allowances, StopOnRequest) {
+  const Document file("test.scene", std::string(kHead) + "let a = 1  // sdlc: allow(W402)\n");
+  StopRequest stop;
+  Allowances allowances(&stop);
+  EXPECT_FALSE(allowances.allow(diag::zero_radius, {&file, {0, 1}}));
+  stop.make();
+  EXPECT_THROW(Allowances(&stop).allow(diag::zero_radius, {&file, {0, 1}}), StopRequested);
+}
+
 }  // namespace
 }  // namespace sdlc::lang

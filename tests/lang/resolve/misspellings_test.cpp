@@ -35,6 +35,14 @@ TEST(Misspellings, BlameTheDeclarationThatSeveralUsesContradict) {
             "haf -> half!");
 }
 
+TEST(Misspellings, StopOnRequest) {
+  const IndexedProgram program("scene 1\nlet radius = 1\nlet b = radius\n");
+  lang::StopRequest stop;
+  EXPECT_TRUE(lang::Misspellings(program.table(), &stop).find(0) == nullptr);
+  stop.make();
+  EXPECT_THROW(lang::Misspellings(program.table(), &stop), lang::StopRequested);
+}
+
 TEST(Misspellings, FollowScopesAndNameSpaces) {
   EXPECT_EQ(misspelling("scene 1\nfn f(colour) = color\n", "color"), "colour -> color");
   EXPECT_EQ(misspelling("scene 1\nfn f(colour) = 1\nlet b = color\n", "color"), "");
