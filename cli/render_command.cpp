@@ -308,7 +308,7 @@ class RenderJob {
     }
     if (!lowered) return std::nullopt;
     check_goals(overrides, *lowered);
-    sink_.forget_shown();
+    sink_.clear();
     statistics.scene = source_->name();
     statistics.compile = compiler_->times();
     if (is_first) statistics.compile.parse_seconds += read_seconds_;

@@ -69,7 +69,8 @@ DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where
   if (seen_.size() < kMaxDistinct && !seen_.insert(hash(place) * 31 + hash(message)).second) {
     return discard();
   }
-  if (++(info.severity == Severity::Error ? errors_ : warnings_) > max_kept_) {
+  const bool is_error = info.severity == Severity::Error;
+  if (++(is_error ? errors_ : warnings_) > (is_error ? kMaxErrors : kMaxWarnings)) {
     ++not_kept_[&info];
     return discard();
   }
@@ -93,6 +94,7 @@ void DiagnosticSink::add(const Diagnostic& diagnostic) {
 }
 
 void DiagnosticSink::add(const DiagnosticSink& other) {
+  if (is_muted_) return;
   for (const Diagnostic& diagnostic : other.diagnostics()) add(diagnostic);
   for (const auto& [info, count] : other.not_kept()) {
     not_kept_[info] += count;
@@ -100,7 +102,7 @@ void DiagnosticSink::add(const DiagnosticSink& other) {
   }
 }
 
-void DiagnosticSink::forget_shown() {
+void DiagnosticSink::clear() {
   diagnostics_.clear();
   not_kept_.clear();
   errors_ = warnings_ = 0;

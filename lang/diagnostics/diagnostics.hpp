@@ -153,14 +153,13 @@ inline void stop_if_requested(const StopRequest* stop) {
 /// The sink also carries the request to stop, because every phase has access to the sink.
 class DiagnosticSink {
  public:
-  /// Max errors kept, and as many warnings, to bound memory. The rest is only counted.
-  static constexpr std::size_t kMaxKept = 10'000;
+  /// Max errors and warnings kept, to bound memory. The rest is only counted. More warnings are
+  /// kept because comments allow warnings by place: a lint must know the place of each.
+  static constexpr std::size_t kMaxErrors = 10'000, kMaxWarnings = 100'000;
 
   DiagnosticSink() = default;
   /// `stop` may be null; otherwise it must outlive the work.
   explicit DiagnosticSink(const StopRequest* stop) noexcept : stop_(stop) {}
-
-  void set_max_kept(std::size_t count) noexcept { max_kept_ = count; }
 
   template <typename... Args>
   DiagnosticBuilder report(const DiagnosticKind<Args...>& kind, Location where,
@@ -188,7 +187,7 @@ class DiagnosticSink {
   void set_muted(bool is_muted) noexcept { is_muted_ = is_muted; }
 
   /// Empties the sink. Repetitions of earlier diagnostics are still dropped.
-  void forget_shown();
+  void clear();
 
   bool has_errors() const noexcept { return errors_ > 0; }
   /// Errors reported, including those not kept.
@@ -214,7 +213,6 @@ class DiagnosticSink {
   std::unordered_set<std::size_t> seen_;  // hashes: messages may be long, and many
   const ChainSource* chain_ = nullptr;
   bool is_muted_ = false;
-  std::size_t max_kept_ = kMaxKept;
   std::size_t errors_ = 0, warnings_ = 0;
   std::map<const DiagnosticInfo*, std::size_t> not_kept_;
   const StopRequest* stop_ = nullptr;

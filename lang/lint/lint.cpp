@@ -235,9 +235,6 @@ class Linter {
 }  // namespace
 
 void lint(Compiler& compiler, const Document& file, DiagnosticSink& sink) {
-  // All warnings must be known before an allowance is found to be unused.
-  constexpr std::size_t kMaxFindings = 100'000;
-  sink.set_max_kept(kMaxFindings);
   Linter(compiler, file, sink).run();
 }
 
