@@ -155,9 +155,9 @@ class LintJob {
           if (is_new) answer->second = wants(info, is_own ? scene : file->name(), scene);
           return answer->second;
         };
-    result->select({.is_wanted = is_wanted,
-                    .max_per_severity = applies_fixes() ? std::numeric_limits<std::size_t>::max()
-                                                        : lang::FindingsFilter::kMaxShown});
+    // report() limits what is shown, without findings that another file has shown.
+    result->select(
+        {.is_wanted = is_wanted, .max_per_severity = std::numeric_limits<std::size_t>::max()});
     return result;
   }
 
@@ -211,7 +211,7 @@ class LintJob {
   /// Prints each finding once, even if several of the files read its text.
   void report(const lang::CheckedText& linted, const std::string& place) {
     lang::DiagnosticCounts counts = linted.findings().counts;
-    std::size_t other_warnings = counts.warnings;  // those not shown
+    std::size_t other_warnings = counts.warnings;  // those not kept
     lang::DiagnosticCounts shown;
     for (const lang::Diagnostic* diagnostic : linted.findings().shown) {
       const bool is_error = diagnostic->info->severity == lang::Severity::Error;
@@ -248,9 +248,16 @@ class LintJob {
         warnings_, [](const auto& each) { return each.second.found <= each.second.allowed; });
   }
 
-  std::string identity(const lang::Diagnostic& diagnostic) const {
+  /// Finds each path once: there may be a hundred thousand findings.
+  const std::string& path_of(const std::string& name) {
+    const auto [path, is_new] = paths_.try_emplace(name);
+    if (is_new) path->second = env_.workspace.identity(name).string();
+    return path->second;
+  }
+
+  std::string identity(const lang::Diagnostic& diagnostic) {
     const auto& [file, span] = diagnostic.where;
-    const std::string path = file == nullptr ? "" : env_.workspace.identity(file->name()).string();
+    const std::string path = file == nullptr ? "" : path_of(file->name());
     return fmt::format("{}\n{} {} {} {}", path, span.begin, span.end, diagnostic.info->code,
                        diagnostic.message);
   }
@@ -290,6 +297,7 @@ class LintJob {
   LintConfigs configs_;
   std::ostream& out_;
   std::unique_ptr<lang::DiagnosticWriter> writer_;
+  std::map<std::string, std::string> paths_;  // by name
   std::unordered_set<std::string> reported_;
   lang::DiagnosticCounts counts_;
   std::map<const LintConfig*, WarningCount> warnings_;

@@ -73,6 +73,16 @@ TEST_F(LintCommand, CountsTheFindingsOfAllFilesOnce) {
   EXPECT_THAT(result.out, HasSubstr("\n4 errors\n"));
 }
 
+TEST_F(LintCommand, ShowsTheFindingsOfAFileThatReadsOneWithMoreThanAreShown) {
+  std::string library = "scene 1\n";
+  for (int i = 0; i < 60; ++i) library += "let x" + std::to_string(i) + " = 1 / 0\n";
+  write("lib.scene", library);
+  write("root.scene", std::string(kClean) + "import \"lib.scene\" as lib\nlet own = lib.x1 + y\n");
+  const ProgramResult result = run("lib.scene root.scene --format concise");
+  EXPECT_EQ(std::ranges::count(result.out, '\n'), 51);
+  EXPECT_THAT(result.out, HasSubstr("\nroot.scene:5:22: error[E101]: unknown name `y`"));
+}
+
 TEST_F(LintCommand, MakesOneJsonDocumentOfAllFiles) {
   write("warns.scene",
         std::string(kClean) + "sphere { center: (3, 0, 0), radius: 0, material: unlit(red) }\n");
