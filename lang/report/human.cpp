@@ -34,9 +34,6 @@ std::string_view without_trailing_space(std::string_view text) {
 
 /// The fix without the unchanged text at both ends.
 Fix narrowed(Fix fix) {
-  const auto is_inside_character = [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-  };
   Span& span = fix.where.span;
   std::string_view old = fix.where.file->text(span), wanted = fix.replacement;
   while (!old.empty() && !wanted.empty() && old.back() == wanted.back()) {
@@ -45,7 +42,7 @@ Fix narrowed(Fix fix) {
   std::size_t same = 0;
   while (same < std::min(old.size(), wanted.size()) && old[same] == wanted[same]) ++same;
   const auto splits_character = [&](std::string_view text) {
-    return same < text.size() && is_inside_character(text[same]);
+    return same < text.size() && is_continuation(text[same]);
   };
   while (same > 0 && (splits_character(old) || splits_character(wanted))) --same;
   span.begin += static_cast<std::uint32_t>(same);

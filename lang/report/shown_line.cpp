@@ -19,7 +19,7 @@ constexpr std::uint32_t kReach = 4096;
 
 ShownLine::ShownLine(std::string_view line, std::uint32_t around) {
   const auto is_inside_character = [&](std::uint32_t byte) {
-    return byte < line.size() && (static_cast<unsigned char>(line[byte]) & 0xC0) == 0x80;
+    return byte < line.size() && is_continuation(line[byte]);
   };
   std::uint32_t begin = around > kReach ? around - kReach : 0;
   while (begin > 0 && begin < around && is_inside_character(begin)) ++begin;

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <string_view>
 
+#include "lang/text/utf8.hpp"
+
 namespace sdlc::lang {
 namespace {
-
-constexpr bool is_continuation(char c) noexcept {
-  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
 
 /// Units that the byte adds to a column. The first byte of a code point counts for the whole code
 /// point; four bytes are two units of UTF-16.

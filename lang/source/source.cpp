@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <functional>
 #include <limits>
 #include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "lang/text/utf8.hpp"
 
 namespace sdlc::lang {
 
@@ -40,9 +43,8 @@ Position SourceFile::position(std::uint32_t offset) const noexcept {
   const auto after = std::upper_bound(begins.begin(), begins.end(), offset);
   const auto line = static_cast<std::uint32_t>(after - begins.begin());
   const std::uint32_t begin = begins[line - 1];
-  const auto is_first_byte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
   const auto before = std::string_view(text_).substr(begin, offset - begin);
-  const auto column = std::count_if(before.begin(), before.end(), is_first_byte) + 1;
+  const auto column = std::ranges::count_if(before, std::not_fn(is_continuation)) + 1;
   return {.line = line, .column = static_cast<std::uint32_t>(column)};
 }
 

@@ -7,37 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "lang/text/utf8.hpp"
 #include "lang/token/name_characters.hpp"
 #include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
 namespace {
-
-/// One code point of the text, or a byte that is part of none.
-struct CodePoint {
-  char32_t value = 0;
-  std::uint32_t size = 1;
-  bool is_valid = false;
-};
-
-CodePoint decode(std::string_view text, std::uint32_t at) noexcept {
-  const auto byte = [&](std::uint32_t i) {
-    return static_cast<unsigned char>(char_at(text, at + i));
-  };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return {first, 1, true};
-  const std::uint32_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC0 ? 2 : 0;
-  if (size == 0 || first > 0xF4) return {};
-  char32_t value = first & (0x7F >> size);
-  for (std::uint32_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return {};
-    value = value << 6 | (byte(i) & 0x3F);
-  }
-  constexpr std::array<char32_t, 5> kSmallest{0, 0, 0x80, 0x800, 0x10000};
-  const bool is_surrogate = value >= 0xD800 && value <= 0xDFFF;
-  if (value < kSmallest[size] || value > 0x10FFFF || is_surrogate) return {};
-  return {value, size, true};
-}
 
 bool is_bidi_control(char32_t c) noexcept {
   return c == 0x061C || c == 0x200E || c == 0x200F || (c >= 0x202A && c <= 0x202E) ||
@@ -110,21 +85,21 @@ class CharacterCheck {
  private:
   std::uint32_t check(std::uint32_t at) {
     if (text_[at] == '\r' && char_at(text_, at + 1) == '\n') return at + 2;
-    const CodePoint c = decode(text_, at);
+    const DecodedChar c = decode_utf8(text_.substr(at));
     const Span span{at, at + c.size};
     if (!c.is_valid) return bad_bytes(at);
-    if (c.value == '\r') {
+    if (c.code_point == '\r') {
       replace(span, '\n');
       if (!has_lone_return_) {
         sink_.report(diag::bad_character, {&file_, span}, "a carriage return without a line feed")
             .help("save the file with LF or CRLF line ends");
       }
       has_lone_return_ = true;
-    } else if (is_control(c.value) || is_bidi_control(c.value)) {
+    } else if (is_control(c.code_point) || is_bidi_control(c.code_point)) {
       const char* what =
-          is_bidi_control(c.value) ? "a control of text direction" : "a control character";
+          is_bidi_control(c.code_point) ? "a control of text direction" : "a control character";
       return report(at, c, what, "");
-    } else if (is_unicode_space(c.value) && !is_opaque(at)) {
+    } else if (is_unicode_space(c.code_point) && !is_opaque(at)) {
       return report(at, c, "a space other than U+0020", " ");
     }
     return span.end;
@@ -132,14 +107,14 @@ class CharacterCheck {
 
   std::uint32_t bad_bytes(std::uint32_t at) {
     std::uint32_t end = at + 1;
-    while (end < text_.size() && !decode(text_, end).is_valid) ++end;
+    while (end < text_.size() && !decode_utf8(text_.substr(end)).is_valid) ++end;
     sink_.report(diag::bad_utf8, {&file_, {at, end}}).help("save the file as UTF-8");
     replace({at, end}, ' ');
     return end;
   }
 
   /// Reports a run of one character once; returns its end.
-  std::uint32_t report(std::uint32_t at, CodePoint c, std::string_view what,
+  std::uint32_t report(std::uint32_t at, DecodedChar c, std::string_view what,
                        std::string_view replacement) {
     const std::string_view character = text_.substr(at, c.size);
     std::string fix;
@@ -147,7 +122,7 @@ class CharacterCheck {
     for (; text_.substr(run.end).starts_with(character); run.end += c.size) fix += replacement;
     auto report =
         sink_.report(diag::bad_character, {&file_, run},
-                     fmt::format("U+{:04X}, {},", static_cast<std::uint32_t>(c.value), what));
+                     fmt::format("U+{:04X}, {},", static_cast<std::uint32_t>(c.code_point), what));
     const bool is_in_word =
         at > 0 && is_idchar(text_[at - 1]) && is_idchar(char_at(text_, run.end));
     if (is_in_word || is_opaque(at)) {

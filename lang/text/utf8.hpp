@@ -14,6 +14,11 @@ struct DecodedChar {
   bool is_valid = false;
 };
 
+/// Whether the byte continues a code point that an earlier byte begins.
+constexpr bool is_continuation(char c) noexcept {
+  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
+
 /// Precondition: `text` is not empty. Overlong forms, surrogates and code points beyond U+10FFFF
 /// are not valid.
 DecodedChar decode_utf8(std::string_view text) noexcept;
