@@ -21,6 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The end of the comment or string at `at`; `at` if there is none.
+std::uint32_t end_of_opaque(std::string_view text, std::uint32_t at) {
+  if (text[at] != '"' && text[at] != '/') return at;
+  const lang::Token token = lang::scene_token(text, at);
+  return is_comment(token.kind) || is_string(token.kind) ? token.span.end : at;
+}
+
 std::string read_text(const fs::path& path) {
   std::error_code error;
   auto text = lang::DiskFileSystem().read(path, lang::Limits().any_file(), error);
@@ -151,7 +158,7 @@ Mutator::Mutator(const SoundTexts& texts, std::uint64_t seed) : texts_(texts), r
     const bool is_json = sound.name.ends_with(".json");
     for (std::uint32_t at = 0; at < text.size();) {
       // The words of a config are its strings.
-      const std::uint32_t behind = lang::end_of_opaque(text, at);
+      const std::uint32_t behind = end_of_opaque(text, at);
       const std::uint32_t end = is_json ? behind : lang::end_of_identifier(text, at);
       if (end > at + (is_json ? 2 : 0)) {
         places.words.push_back(is_json ? lang::Span{at + 1, end - 1} : lang::Span{at, end});
