@@ -7,8 +7,8 @@
 
 namespace sdlc::cli {
 
-/// Adds the flags that override settings of the scene: one for each property of `render` except
-/// `output`, with name and help from the table of properties.
+/// Adds the flags that override settings of the scene, with names and help from the table of
+/// properties: one for each property of `render` that is a whole number or a word, and for `error`.
 void add_override_options(CLI::App& command, lang::Overrides& overrides);
 
 /// Throws UsageError for --adaptive without a requested error.

@@ -1,6 +1,7 @@
 #include <array>
 
 #include "lang/schema/schema.hpp"
+#include "render/image/tone.hpp"
 #include "render/scene/settings.hpp"
 
 namespace sdlc::lang {
@@ -9,8 +10,8 @@ namespace {
 using Text = std::string_view;
 using Words = std::span<const std::string_view>;
 
-constexpr std::array<Text, 3> kToneWords{"srgb", "sqrt", "linear"};
-constexpr std::array<Text, 3> kPrecisionWords{"auto", "float", "double"};
+constexpr std::array<Text, 3> kPrecisionWords{"auto", render::kWords<render::Precision>.front(),
+                                              render::kWords<render::Precision>.back()};
 constexpr std::array<Text, 2> kFresnelWords{"schlick", "exact"};
 
 // A row of a table: `required` and `optional` have no default, `defaulted` has one with its
@@ -91,7 +92,7 @@ constexpr auto kRenderProperties = std::to_array<Property>({
               "Rays per path, including the camera's; a path that reaches the limit is black."),
     optional("output", Type::String, Range::Any,
              "The picture's file; the extension selects the format."),
-    choice("tone", kToneWords, "srgb",
+    choice("tone", render::kToneWords, "srgb",
            "Tone curve of png, jpg and other 8-bit pictures; exr and hdr stay linear."),
     optional("camera", Type::Word, Range::Any, "Which camera to use, if there are several."),
     defaulted("seed", Type::WholeNumber, Range::NonNegativeExact, 0.0, "0",
