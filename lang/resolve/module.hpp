@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "lang/ast/ast.hpp"
@@ -74,6 +76,7 @@ struct Module {
   // For diagnostics of unknown names: made for the first one.
   std::unique_ptr<const Misspellings> misspellings;
   std::unique_ptr<const LostNames> lost_names;
+  std::optional<std::unordered_set<std::string_view>> object_names;
   std::uint64_t compared_names = 0;  ///< in all searches for similar names
 };
 
