@@ -135,8 +135,9 @@ Compiler::Compiler(const Document& file, const ProgramOptions& options, Diagnost
 Compiler::~Compiler() = default;
 
 std::optional<Animation> Compiler::animation() {
-  if (program_ && !std::exchange(knows_animation_, true)) {
+  if (program_ && !knows_animation_) {
     animation_ = Evaluation(*program_, {}, sink_).animation();
+    knows_animation_ = true;
   }
   return animation_;
 }
