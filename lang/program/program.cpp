@@ -82,11 +82,19 @@ std::optional<ParamSetting> Program::setting_of(std::uint32_t global) const {
 
 const Code& Program::resolve_setting(const ParamSetting& setting, std::uint32_t& expression,
                                      DiagnosticSink& sink) {
-  const auto index = module_count();
-  const SyntaxTree& tree = setting_trees_.emplace_back(parse_expression(*setting.file, sink));
-  modules_.push_back(std::make_unique<Module>(*setting.file, tree));
-  expression = Resolver(*this, index, sink).resolve_expression();
-  return module(index).code;
+  auto known = setting_values_.find(setting.file);
+  if (known == setting_values_.end()) {
+    DiagnosticSink errors(sink.stop_request());
+    const auto index = module_count();
+    const SyntaxTree& tree = setting_trees_.emplace_back(parse_expression(*setting.file, errors));
+    modules_.push_back(std::make_unique<Module>(*setting.file, tree));
+    const auto value = Resolver(*this, index, errors).resolve_expression();
+    known = setting_values_.emplace(setting.file, SettingValue{index, value}).first;
+    known->second.errors.add(errors);
+  }
+  sink.add(known->second.errors);
+  expression = known->second.expression;
+  return module(known->second.module).code;
 }
 
 std::uint32_t Program::add_module(const Document& file, fs::path path, std::uint32_t parent,
