@@ -74,7 +74,7 @@ bool Evaluator::is_setting(const Module& file, ast::Node statement) {
 }
 
 void Evaluator::run_file(std::uint32_t module) {
-  const Module& file = program_.module(module);
+  Module& file = program_.module_at(module);
   Code code(file.tree);
   Resolver resolver(program_, module, sink_);
   for (const ast::Node statement : ast::Node(file.tree, 0).children()) {
@@ -89,6 +89,7 @@ void Evaluator::run_file(std::uint32_t module) {
     run(code, index);
     locals_.resize(frame_);
   }
+  file.is_resolved = true;
 }
 
 }  // namespace sdlc::lang

@@ -63,8 +63,13 @@ class Program final : public Modules {
   const SymbolTable& names_of(std::uint32_t module, const StopRequest* stop);
   const SourceFile& config(std::uint32_t index) const { return *configs_[index - kConfigs]; }
   const Limits& limits() const noexcept override { return options_.limits; }
+  void load_all(DiagnosticSink& sink) override;
+  /// Whether no evaluation can include further files.
+  bool has_loaded_all() const;
   /// All files that have been loaded except the root, in the order of loading.
   const std::vector<std::filesystem::path>& dependencies() const noexcept { return dependencies_; }
+  /// The same with files that could not be read: they may be created later.
+  const std::vector<std::filesystem::path>& wanted() const noexcept { return wanted_; }
 
   /// The setting of a global of the root; nullopt if no --set gives it a value.
   std::optional<ParamSetting> setting_of(std::uint32_t global) const;
@@ -88,7 +93,7 @@ class Program final : public Modules {
   /// A key of the file, the same for all paths of one file.
   std::string identity(const std::filesystem::path& path) const;
   std::shared_ptr<const Document> read(const std::filesystem::path& path, ast::Node name,
-                                       DiagnosticSink& sink) const;
+                                       DiagnosticSink& sink);
 
   ProgramOptions options_;
   std::optional<Sandbox> sandbox_;
@@ -100,7 +105,7 @@ class Program final : public Modules {
   std::deque<SyntaxTree> setting_trees_;
   std::unordered_map<const SourceFile*, SettingValue> setting_values_;  ///< resolved on first use
   std::unordered_map<std::string, std::uint32_t> loaded_;  ///< by identity; kNothing: unusable
-  std::vector<std::filesystem::path> dependencies_;
+  std::vector<std::filesystem::path> dependencies_, wanted_;
   std::vector<ParamSetting> settings_;
   std::unordered_map<std::uint32_t, SymbolTable> names_;  ///< by module
 };
