@@ -6,9 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "lang/ast/ast.hpp"
 #include "lang/json/json.hpp"
-#include "lang/resolve/resolver.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -125,7 +123,6 @@ Compiler::Compiler(const Document& file, const ProgramOptions& options, Diagnost
   const auto start = Clock::now();
   if (file.format() == SourceFormat::Scene) {
     program_ = std::make_unique<Program>(file, options, sink);
-    publish_dependencies();
   } else {
     for (const SetOption& set : options.sets) sink.report(diag::unknown_param, {}, set.name);
   }
@@ -135,8 +132,9 @@ Compiler::Compiler(const Document& file, const ProgramOptions& options, Diagnost
 Compiler::~Compiler() = default;
 
 std::optional<Animation> Compiler::animation() {
-  if (program_ && !std::exchange(knows_animation_, true)) {
+  if (program_ && !knows_animation_) {
     animation_ = Evaluation(*program_, {}, sink_).animation();
+    knows_animation_ = true;
   }
   return animation_;
 }
@@ -150,7 +148,6 @@ std::uint64_t Compiler::read(ObjectSink& objects, DiagnosticSink& sink,
   const auto camera = overrides_.word(render_property::kCamera);
   Evaluation evaluation(*program_, {.frame = frame_, .camera = camera, .steps = steps}, sink);
   evaluation.run(objects);
-  publish_dependencies();
   return evaluation.steps();
 }
 
@@ -192,9 +189,11 @@ void Compiler::check(const std::function<void(const LoweredScene&)>& look) {
   };
   const std::optional<Animation> film = animation();
   check_frame({});
-  if (!film) return;
-  const int last = film->first + (film->last - film->first) / film->step * film->step;
-  if (last != film->first) check_frame(last);
+  if (film) {
+    const int last = film->first + (film->last - film->first) / film->step * film->step;
+    if (last != film->first) check_frame(last);
+  }
+  publish_dependencies();
 }
 
 LoweredScene Compiler::check_view(std::optional<int> frame, std::optional<std::string> camera) {
@@ -322,43 +321,23 @@ std::vector<Origin> Compiler::trace(std::span<const std::uint32_t> spheres) {
 }
 
 void Compiler::read_all_files() {
-  if (!program_) return;
-  // Declarations were resolved when their file was loaded. The other statements of a file are
-  // resolved when it is included.
-  std::vector<std::uint32_t> included{Program::kRoot};
-  std::vector<bool> is_included{true};
-  const auto take_includes = [&](const Code& code) {
-    for (const Statement& statement : code.statements) {
-      if (statement.action != Action::Include) continue;
-      const std::uint32_t module = code.operands_of(statement)[0];
-      if (module >= kConfigs) continue;  // a config includes nothing
-      is_included.resize(program_->module_count());
-      if (is_included[module]) continue;
-      is_included[module] = true;
-      included.push_back(module);
-    }
-  };
-  std::uint32_t declarations_done = 0;
-  for (std::size_t i = 0; i < included.size(); ++i) {
-    const Module& file = program_->module(included[i]);
-    Code code(file.tree);
-    Resolver resolver(*program_, included[i], sink_);
-    for (const ast::Node statement : ast::Node(file.tree, 0).children()) {
-      std::uint32_t frame_size = 0;
-      code.clear();
-      resolver.resolve_statement(statement, code, frame_size);
-      take_includes(code);
-    }
-    for (; declarations_done < program_->module_count(); ++declarations_done) {
-      take_includes(program_->module(declarations_done).code);
-    }
-  }
+  if (program_) program_->load_all(sink_);
   publish_dependencies();
 }
 
 void Compiler::publish_dependencies() {
   if (options_.workspace == nullptr) return;
-  options_.workspace->set_dependencies(file_.name(), dependencies());
+  const auto publish = [&](const std::vector<std::filesystem::path>& files) {
+    options_.workspace->set_dependencies(file_.name(), files);
+  };
+  if (!program_) return publish({});
+  if (program_->has_loaded_all()) return publish(program_->wanted());
+  // Some includes were not reached. Load them into another program: an error in a file is reported
+  // only when an evaluation includes it.
+  DiagnosticSink ignored(sink_.stop_request());
+  Program all(file_, options_, ignored);
+  all.load_all(ignored);
+  publish(all.wanted());
 }
 
 std::vector<std::filesystem::path> Compiler::dependencies() const {

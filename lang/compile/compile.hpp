@@ -35,7 +35,8 @@ struct Origin {
 };
 
 /// A text of either format with the files it needs: loaded once, lowered once per frame.
-/// Diagnostics go to the sink and refer to texts that this object owns.
+/// Diagnostics go to the sink and refer to `file` and to documents that the compiler shares with
+/// the workspace: they are valid as long as both exist.
 class Compiler {
  public:
   /// `file` must outlive the compiler.
@@ -55,7 +56,8 @@ class Compiler {
 
   /// Reports the errors and warnings of the text for all cameras: evaluates the first and the last
   /// frame. A file without a camera is accepted, since others may include it. Calls `look` with the
-  /// scene of each frame as long as there are no errors; it may trace spheres of the scene.
+  /// scene of each frame as long as there are no errors; it may trace spheres of the scene. At the
+  /// end the workspace learns what the text imports and includes.
   void check(const std::function<void(const LoweredScene&)>& look = {});
 
   /// The scene of one frame with the shutter of one camera (default: the first, the camera of the
@@ -74,20 +76,19 @@ class Compiler {
   std::vector<Origin> trace(std::span<const std::uint32_t> spheres);
 
   /// The loaded program; null for a config.
-  const Program* program() const noexcept { return program_.get(); }
+  Program* program() const noexcept { return program_.get(); }
   /// The symbols of the text. Precondition: it is no config.
   const SymbolTable& names() { return program_->names_of(Program::kRoot, sink_.stop_request()); }
   const StopRequest* stop_request() const noexcept { return sink_.stop_request(); }
   const ProgramOptions& options() const noexcept { return options_; }
 
-  /// Loads all files that any evaluation could include, without evaluating anything.
+  /// Loads all files that any evaluation could include, without evaluating anything, and tells the
+  /// workspace.
   void read_all_files();
 
   /// The files that the root imports and includes, as far as they have been loaded, in the order
   /// of loading.
   std::vector<std::filesystem::path> dependencies() const;
-  /// Reports them to the workspace. The compiler does so whenever it has read files.
-  void publish_dependencies();
   const CompileTimes& times() const noexcept { return times_; }
 
  private:
@@ -103,6 +104,8 @@ class Compiler {
   void report_dropped();
   /// Reports a scene whose extent double does not resolve.
   void report_scale(const LoweredScene& lowered, Purpose purpose);
+  /// Passes all files that the text can import and include to the workspace.
+  void publish_dependencies();
   /// `setting`: the place of the setting that causes it; without a file: none, report the sphere.
   void report_fault(const PrecisionFault& fault, Location setting);
 

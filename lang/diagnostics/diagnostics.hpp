@@ -120,7 +120,7 @@ class DiagnosticBuilder {
 };
 
 /// Thrown by stop_if_requested(). Not a std::exception, so that only the caller who requested the
-/// stop handles it.
+/// stop handles it. A program or compiler that was stopped is incomplete: discard it.
 struct StopRequested {};
 
 /// A request to stop work, made by any thread and polled by the work.

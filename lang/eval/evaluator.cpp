@@ -19,14 +19,26 @@ bool is_declaration(SyntaxKind kind) noexcept {
          kind == SyntaxKind::Error;
 }
 
+/// Mutes a sink for its own lifetime.
+class MuteScope {
+ public:
+  explicit MuteScope(DiagnosticSink& sink) : sink_(sink) { sink_.set_muted(true); }
+  ~MuteScope() { sink_.set_muted(false); }
+  MuteScope(const MuteScope&) = delete;
+  MuteScope& operator=(const MuteScope&) = delete;
+
+ private:
+  DiagnosticSink& sink_;
+};
+
 }  // namespace
 
 Evaluator::Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink)
     : program_(program),
       options_(options),
       sink_(sink),
+      chain_(sink, *this),
       max_steps_(std::min(options.steps.value_or(program.limits().steps), kMaxSteps)) {
-  sink_.set_chain(this);
   find_settings();
   evaluate_all_globals(Globals::TimeFree);
   find_animation();
@@ -36,17 +48,16 @@ Evaluator::Evaluator(Program& program, const EvaluationOptions& options, Diagnos
   }
   // The shutter is evaluated at the frame's own time, for which other globals may be undefined:
   // mute their errors.
-  sink_.set_muted(true);
   const auto before = std::tuple(steps_, max_steps_, has_given_up_);
-  evaluate_all_globals(Globals::TimeDependent);
+  {
+    const MuteScope muted(sink_);
+    evaluate_all_globals(Globals::TimeDependent);
+  }
   std::tie(steps_, max_steps_, has_given_up_) = before;  // the second run reports exceeded limits
-  sink_.set_muted(false);
   find_shutter();
   evaluate_all_globals(Globals::TimeDependent);
   check_defaults();
 }
-
-Evaluator::~Evaluator() { sink_.set_chain(nullptr); }
 
 void Evaluator::run(ObjectSink& objects) {
   objects_ = &objects;
@@ -63,7 +74,7 @@ bool Evaluator::is_setting(const Module& file, ast::Node statement) {
 }
 
 void Evaluator::run_file(std::uint32_t module) {
-  const Module& file = program_.module(module);
+  Module& file = program_.module_at(module);
   Code code(file.tree);
   Resolver resolver(program_, module, sink_);
   for (const ast::Node statement : ast::Node(file.tree, 0).children()) {
@@ -78,6 +89,7 @@ void Evaluator::run_file(std::uint32_t module) {
     run(code, index);
     locals_.resize(frame_);
   }
+  file.is_resolved = true;
 }
 
 }  // namespace sdlc::lang

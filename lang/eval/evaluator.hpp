@@ -33,7 +33,6 @@ namespace sdlc::lang {
 class Evaluator final : public ChainSource {
  public:
   Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink);
-  ~Evaluator() override;
 
   const std::optional<Animation>& animation() const { return animation_; }
   void run(ObjectSink& objects);
@@ -60,6 +59,19 @@ class Evaluator final : public ChainSource {
     std::uint64_t iteration = 0;  ///< from 0
   };
   class Nested;
+  /// Sets the chain of a sink for its own lifetime.
+  class ChainScope {
+   public:
+    ChainScope(DiagnosticSink& sink, const ChainSource& chain) : sink_(sink) {
+      sink_.set_chain(&chain);
+    }
+    ~ChainScope() { sink_.set_chain(nullptr); }
+    ChainScope(const ChainScope&) = delete;
+    ChainScope& operator=(const ChainScope&) = delete;
+
+   private:
+    DiagnosticSink& sink_;
+  };
 
   /// An instance of a def that is being placed.
   struct DefInstance {
@@ -223,6 +235,7 @@ class Evaluator final : public ChainSource {
   Program& program_;
   const EvaluationOptions options_;
   DiagnosticSink& sink_;
+  ChainScope chain_;
   ObjectSink* objects_ = nullptr;
 
   std::optional<Animation> animation_;

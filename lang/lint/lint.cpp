@@ -47,7 +47,6 @@ class Linter {
     compiler_.check([&](const LoweredScene& lowered) { check_frame(lowered); });
     if (sink_.has_errors()) return;
     confirm_pending();
-    compiler_.publish_dependencies();  // confirm_pending() may have read fewer files
     for (const Finding& found : pending_) report(found);
     if (is_picture_) diagnose_unused_allowances();
   }

@@ -41,6 +41,7 @@ Program::Program(const Document& root, const ProgramOptions& options, Diagnostic
     loaded_.emplace(identity(path), kRoot);
   }
   add_module(root, std::move(path), kNothing, sink);
+  modules_[kRoot]->is_included = true;
   for (const SetOption& option : options_.sets) add_setting(option, sink);
 }
 
@@ -82,11 +83,19 @@ std::optional<ParamSetting> Program::setting_of(std::uint32_t global) const {
 
 const Code& Program::resolve_setting(const ParamSetting& setting, std::uint32_t& expression,
                                      DiagnosticSink& sink) {
-  const auto index = module_count();
-  const SyntaxTree& tree = setting_trees_.emplace_back(parse_expression(*setting.file, sink));
-  modules_.push_back(std::make_unique<Module>(*setting.file, tree));
-  expression = Resolver(*this, index, sink).resolve_expression();
-  return module(index).code;
+  auto known = setting_values_.find(setting.file);
+  if (known == setting_values_.end()) {
+    DiagnosticSink errors(sink.stop_request());
+    const auto index = module_count();
+    const SyntaxTree& tree = setting_trees_.emplace_back(parse_expression(*setting.file, errors));
+    modules_.push_back(std::make_unique<Module>(*setting.file, tree));
+    const auto value = Resolver(*this, index, errors).resolve_expression();
+    known = setting_values_.emplace(setting.file, SettingValue{index, value}).first;
+    known->second.errors.add(errors);
+  }
+  sink.add(known->second.errors);
+  expression = known->second.expression;
+  return module(known->second.module).code;
 }
 
 std::uint32_t Program::add_module(const Document& file, fs::path path, std::uint32_t parent,
@@ -101,6 +110,31 @@ std::uint32_t Program::add_module(const Document& file, fs::path path, std::uint
   return index;
 }
 
+void Program::load_all(DiagnosticSink& sink) {
+  // Declarations were resolved when their file was loaded. Resolving a statement loads the files
+  // that it includes, which may also include a file that was only imported before.
+  const auto is_pending = [](const auto& module) {
+    return module->is_included && !module->is_resolved;
+  };
+  for (auto next = std::ranges::find_if(modules_, is_pending); next != modules_.end();
+       next = std::ranges::find_if(modules_, is_pending)) {
+    Module& file = **next;
+    Resolver resolver(*this, static_cast<std::uint32_t>(next - modules_.begin()), sink);
+    Code code(file.tree);
+    for (const ast::Node statement : ast::Node(file.tree, 0).children()) {
+      std::uint32_t frame_size = 0;
+      code.clear();
+      resolver.resolve_statement(statement, code, frame_size);
+    }
+    file.is_resolved = true;
+  }
+}
+
+bool Program::has_loaded_all() const {
+  return std::ranges::all_of(
+      modules_, [](const auto& module) { return !module->is_included || module->is_resolved; });
+}
+
 std::string Program::identity(const fs::path& path) const {
   if (options_.workspace == nullptr) return path.string();
   if (!sandbox_) return options_.workspace->identity(path).string();
@@ -108,7 +142,7 @@ std::string Program::identity(const fs::path& path) const {
 }
 
 std::shared_ptr<const Document> Program::read(const fs::path& path, ast::Node name,
-                                              DiagnosticSink& sink) const {
+                                              DiagnosticSink& sink) {
   if (options_.workspace == nullptr) {
     sink.report(diag::unreadable_file, name.location(), path.string(),
                 "this program cannot read other files");
@@ -118,6 +152,7 @@ std::shared_ptr<const Document> Program::read(const fs::path& path, ast::Node na
     sink.report(diag::outside_sandbox, name.location(), path.string());
     return nullptr;
   }
+  wanted_.push_back(path);
   if (options_.workspace->is_special(path)) {
     sink.report(diag::unreadable_file, name.location(), path.string(), "it is not a regular file");
     return nullptr;
@@ -155,6 +190,7 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
     }
     const bool is_usable = module != kNothing && (is_include || module < kConfigs);
     if (!is_usable && module != kNothing) sink.report(diag::import_of_config, name.location());
+    if (is_include && module < kConfigs) modules_[module]->is_included = true;
     return is_usable ? module : kNothing;
   }
 
@@ -187,6 +223,7 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
   const auto version = ast::Node(modules_[added]->tree, 0).first(SyntaxKind::Version);
   const bool is_other = version && version->text() != kVersion;
   if (is_other || file.text().size() > options_.limits.file) loaded_[key] = kNothing;
+  modules_[added]->is_included = is_include && loaded_[key] != kNothing;
   return loaded_[key];
 }
 

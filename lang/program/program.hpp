@@ -63,17 +63,28 @@ class Program final : public Modules {
   const SymbolTable& names_of(std::uint32_t module, const StopRequest* stop);
   const SourceFile& config(std::uint32_t index) const { return *configs_[index - kConfigs]; }
   const Limits& limits() const noexcept override { return options_.limits; }
-  /// All files except the root, in the order of loading.
+  void load_all(DiagnosticSink& sink) override;
+  /// Whether no evaluation can include further files.
+  bool has_loaded_all() const;
+  /// All files that have been loaded except the root, in the order of loading.
   const std::vector<std::filesystem::path>& dependencies() const noexcept { return dependencies_; }
+  /// The same with files that could not be read: they may be created later.
+  const std::vector<std::filesystem::path>& wanted() const noexcept { return wanted_; }
 
   /// The setting of a global of the root; nullopt if no --set gives it a value.
   std::optional<ParamSetting> setting_of(std::uint32_t global) const;
-  /// Resolves the value of a setting, which can use only built-in names. Returns the code and sets
-  /// `expression` to the index of the value in it.
+  /// The resolved value of a setting, which can use only built-in names. Returns the code and sets
+  /// `expression` to the index of the value in it. Reports its errors at every call.
   const Code& resolve_setting(const ParamSetting& setting, std::uint32_t& expression,
                               DiagnosticSink& sink);
 
  private:
+  struct SettingValue {
+    std::uint32_t module;
+    std::uint32_t expression;
+    DiagnosticSink errors = {};
+  };
+
   std::uint32_t load(std::uint32_t from, ast::Node name, bool is_include,
                      DiagnosticSink& sink) override;
   std::uint32_t add_module(const Document& file, std::filesystem::path path, std::uint32_t parent,
@@ -82,7 +93,7 @@ class Program final : public Modules {
   /// A key of the file, the same for all paths of one file.
   std::string identity(const std::filesystem::path& path) const;
   std::shared_ptr<const Document> read(const std::filesystem::path& path, ast::Node name,
-                                       DiagnosticSink& sink) const;
+                                       DiagnosticSink& sink);
 
   ProgramOptions options_;
   std::optional<Sandbox> sandbox_;
@@ -92,8 +103,9 @@ class Program final : public Modules {
   const Document unread_{"", "scene 1"};                    ///< parsed for a file that is too large
   std::deque<SourceFile> setting_files_;
   std::deque<SyntaxTree> setting_trees_;
+  std::unordered_map<const SourceFile*, SettingValue> setting_values_;  ///< resolved on first use
   std::unordered_map<std::string, std::uint32_t> loaded_;  ///< by identity; kNothing: unusable
-  std::vector<std::filesystem::path> dependencies_;
+  std::vector<std::filesystem::path> dependencies_, wanted_;
   std::vector<ParamSetting> settings_;
   std::unordered_map<std::uint32_t, SymbolTable> names_;  ///< by module
 };

@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "lang/ast/ast.hpp"
@@ -70,10 +72,13 @@ struct Module {
   std::unordered_map<std::string_view, std::uint32_t> global_names, function_names, def_names;
   std::unordered_map<std::string_view, Import> imports;
   std::vector<std::uint32_t> order;  ///< of evaluation: each global after those that it uses
+  bool is_included = false;  ///< is the root or included: its other statements are resolved too
+  bool is_resolved = false;  ///< they are: the files that they include are loaded
 
   // For diagnostics of unknown names: made for the first one.
   std::unique_ptr<const Misspellings> misspellings;
   std::unique_ptr<const LostNames> lost_names;
+  std::optional<std::unordered_set<std::string_view>> object_names;
   std::uint64_t compared_names = 0;  ///< in all searches for similar names
 };
 
@@ -88,6 +93,8 @@ class Modules {
   /// `is_include`), or kNothing, which is reported.
   virtual std::uint32_t load(std::uint32_t from, ast::Node name, bool is_include,
                              DiagnosticSink& sink) = 0;
+  /// Loads all files that any evaluation could include, without evaluating anything.
+  virtual void load_all(DiagnosticSink& sink) = 0;
   virtual const Limits& limits() const = 0;
 };
 

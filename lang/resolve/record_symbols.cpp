@@ -1,6 +1,5 @@
 #include "lang/resolve/record_symbols.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -76,10 +75,14 @@ void Resolver::record_declaration(ast::Node statement) {
 }
 
 void Resolver::record_duplicate_parameters(const Definition& definition) {
+  auto known = definition.parameters.begin();  // in the order of the text, as the children are
   for (const ast::Node child : ast::Node(module_.tree, definition.node).children()) {
-    const bool is_known = std::ranges::any_of(
-        definition.parameters, [&](const Parameter& p) { return p.node == child.index(); });
-    if (!child.is(SyntaxKind::Parameter) || is_known) continue;
+    sink_.stop_if_requested();
+    if (!child.is(SyntaxKind::Parameter)) continue;
+    if (known != definition.parameters.end() && known->node == child.index()) {
+      ++known;
+      continue;
+    }
     recorder_->declare({.kind = SymbolKind::Parameter,
                         .is_duplicate = true,
                         .node = child.index(),

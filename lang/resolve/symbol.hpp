@@ -41,7 +41,7 @@ enum class NameSpace : std::uint8_t {
 };
 
 /// Identifies a symbol of a program by its file and the node that declares it: a statement, a
-/// Parameter or an Object. Valid until the file changes.
+/// Parameter or an Object. Valid for the program whose modules it indexes.
 struct SymbolId {
   static constexpr std::uint32_t kBuiltinFile = 0xFFFFFFFE;
 

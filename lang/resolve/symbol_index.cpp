@@ -33,9 +33,10 @@ bool is_captured(const Occurrence& occurrence, const Symbol& symbol) {
 
 }  // namespace
 
-SymbolIndex::SymbolIndex(Modules& modules, const StopRequest* stop) : modules_(modules) {
+SymbolIndex::SymbolIndex(Modules& modules, DiagnosticSink& sink) : modules_(modules) {
+  modules.load_all(sink);
   for (std::uint32_t file = 0; file < modules.module_count(); ++file) {
-    tables_.push_back(record_symbols(modules, file, SymbolDetail::All, stop));
+    tables_.push_back(record_symbols(modules, file, SymbolDetail::All, sink.stop_request()));
   }
 }
 

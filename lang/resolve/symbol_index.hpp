@@ -39,8 +39,9 @@ struct Rename {
 /// The modules must outlive the index and must not change.
 class SymbolIndex {
  public:
-  /// Records the names of every file that has been loaded.
-  explicit SymbolIndex(Modules& modules, const StopRequest* stop = nullptr);
+  /// Loads all files that the program can include, and records the names of every file. Errors go
+  /// to `sink`: files that are loaded here are not reported again by an evaluation.
+  SymbolIndex(Modules& modules, DiagnosticSink& sink);
 
   std::uint32_t file_count() const { return static_cast<std::uint32_t>(tables_.size()); }
   const SymbolTable& table(std::uint32_t file) const { return tables_[file]; }

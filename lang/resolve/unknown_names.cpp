@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -87,7 +89,10 @@ std::optional<std::string_view> UnknownNames::suggest_member(DiagnosticBuilder& 
                                                              std::span<const std::string_view> path,
                                                              const Module& module,
                                                              NameSpace space) {
-  if (!report.is_kept()) return std::nullopt;
+  const std::size_t count = space == NameSpace::Functions ? module.functions.size()
+                            : space == NameSpace::Kinds   ? module.defs.size()
+                                                          : module.globals.size();
+  if (!report.is_kept() || !may_suggest(count)) return std::nullopt;
   const auto known = space == NameSpace::Functions ? names_of(module.functions)
                      : space == NameSpace::Kinds   ? names_of(module.defs)
                                                    : names_of(module.globals);
@@ -103,15 +108,18 @@ std::optional<std::string_view> UnknownNames::suggest_member(DiagnosticBuilder& 
 
 // Values
 
-bool UnknownNames::names_object(std::string_view name) const {
-  for (NodeIndex i = 0; i < module_.tree.nodes().size(); ++i) {
-    const ast::Node node(module_.tree, i);
-    sink_.stop_if_requested();
-    if (!node.is(SyntaxKind::Object)) continue;
-    const auto label = node.first(SyntaxKind::Name);
-    if (label && label->text() == name) return true;
+bool UnknownNames::names_object(std::string_view name) {
+  if (!module_.object_names) {
+    std::unordered_set<std::string_view> names;
+    for (NodeIndex i = 0; i < module_.tree.nodes().size(); ++i) {
+      const ast::Node node(module_.tree, i);
+      sink_.stop_if_requested();
+      if (!node.is(SyntaxKind::Object)) continue;
+      if (const auto label = node.first(SyntaxKind::Name)) names.insert(label->text());
+    }
+    module_.object_names = std::move(names);
   }
-  return false;
+  return module_.object_names->contains(name);
 }
 
 /// Candidates in the order of preference among equally near ones: an unused name, names of the
@@ -254,12 +262,10 @@ UnknownNames::IntendedKind UnknownNames::report_kind(ast::Object object,
   const std::string_view name = is_own ? object.kind() : path.back();
   if (is_excused(module_index, name, begin)) return {.is_excused = true};
   auto report = sink_.report(diag::unknown_kind, object.kind_location(), object.kind());
-  std::vector<std::string_view> known = names_of(module.defs);
-  if (is_own) {
-    for (const Kind& kind : all_kinds()) known.push_back(kind.name);
-  }
-  if (!may_suggest(known.size())) return {};
   if (!is_own) return {.name = suggest_member(report, path, module, NameSpace::Kinds)};
+  if (!may_suggest(module.defs.size())) return {};
+  std::vector<std::string_view> known = names_of(module.defs);
+  for (const Kind& kind : all_kinds()) known.push_back(kind.name);
   const auto habit = find_habit(HabitPlace::Kind, object.kind());
   const auto nearest = report.is_kept() ? intended_name(habit, object.kind(), known) : std::nullopt;
   if (habit) report.help_if(habit->help);

@@ -73,7 +73,7 @@ class UnknownNames {
                     std::optional<std::string_view> meant);
   /// Suggests the nearest name that an imported module declares in place of the end of the path;
   /// returns it.
-  static std::optional<std::string_view> suggest_member(DiagnosticBuilder& report,
+  std::optional<std::string_view> suggest_member(DiagnosticBuilder& report,
                                                         std::span<const std::string_view> path,
                                                         const Module& module, NameSpace space);
   /// Whether the nearest of this many names may be searched. The number of comparisons is limited:
@@ -82,7 +82,7 @@ class UnknownNames {
   /// The path with the nearest import as its first name.
   std::optional<std::string> nearest_import(std::span<const std::string_view> names) const;
   /// Whether an object of the file has this name.
-  bool names_object(std::string_view name) const;
+  bool names_object(std::string_view name);
 
   Modules& modules_;
   std::uint32_t index_;

@@ -143,8 +143,11 @@ std::optional<std::filesystem::path> DiskFileSystem::link_target(
 
 std::filesystem::path DiskFileSystem::identity(const std::filesystem::path& path) const {
   std::error_code error;
-  const std::filesystem::path absolute = std::filesystem::weakly_canonical(path, error);
-  return error ? path.lexically_normal() : absolute;
+  // weakly_canonical() alone keeps a relative path of which nothing exists.
+  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+  if (error) return path.lexically_normal();
+  const std::filesystem::path canonical = std::filesystem::weakly_canonical(absolute, error);
+  return error ? absolute.lexically_normal() : canonical;
 }
 
 }  // namespace sdlc::lang

@@ -103,7 +103,7 @@ class DiskFileSystem final : public FileSystem {
   bool is_special(const std::filesystem::path& path) const override;
   std::optional<std::filesystem::path> link_target(
       const std::filesystem::path& path) const override;
-  /// The absolute path with symbolic links resolved.
+  /// The absolute path with symbolic links resolved, whether the file exists or not.
   std::filesystem::path identity(const std::filesystem::path& path) const override;
 };
 

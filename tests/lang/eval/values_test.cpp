@@ -254,6 +254,24 @@ TEST(Values, StopWhenAFileTakesTooManySteps) {
   EXPECT_EQ(sink.diagnostics().front().info->code, "E304");
 }
 
+TEST(Values, OfSettingsAreResolvedOnce) {
+  const Document file("test.scene", "scene 1\nparam a = 1\nparam b = 2\nparam c = time\n");
+  DiagnosticSink sink;
+  Program program(file, {.limits = {}, .sets = {{"a", "2 + 3"}, {"b", "2 +"}, {"c", "$"}}}, sink);
+  EXPECT_EQ(sink.error_count(), 0u);
+  std::uint32_t modules = 0;
+  std::size_t errors = 0;
+  for (int i = 0; i < 3; ++i) {
+    DiagnosticSink evaluating;
+    const Evaluation evaluation(program, {.frame = i}, evaluating);
+    if (i == 0) errors = evaluating.error_count();
+    if (i == 0) modules = program.module_count();
+    EXPECT_EQ(evaluating.error_count(), errors);
+    EXPECT_EQ(program.module_count(), modules);
+  }
+  EXPECT_GE(errors, 2u);
+}
+
 TEST(Values, StopOnRequest) {
   const Document file("test.scene", "scene 1\nfor i in range(1000) { for j in range(1000) { } }");
   StopRequest stop;

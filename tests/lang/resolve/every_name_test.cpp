@@ -72,7 +72,7 @@ std::string fault_of(const Document& file, const FileSystem& files) {
   Workspace workspace(files);
   DiagnosticSink sink;
   Program program(file, {.workspace = &workspace, .limits = {}}, sink);
-  const SymbolIndex index(program);
+  const SymbolIndex index(program, sink);
   for (std::uint32_t i = 0; i < index.file_count(); ++i) {
     const std::string fault = fault_of(index, index.table(i));
     if (!fault.empty()) return fault;

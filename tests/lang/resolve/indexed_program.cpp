@@ -15,7 +15,7 @@ using namespace lang;
 IndexedProgram::IndexedProgram(const std::string& root, std::map<std::string, std::string> files)
     : files_(std::move(files)), root_("test.scene", root) {
   program_.emplace(root_, ProgramOptions{.workspace = &workspace_, .limits = {}}, sink_);
-  index_.emplace(*program_);
+  index_.emplace(*program_, sink_);
 }
 
 std::uint32_t IndexedProgram::file(const std::string& name) const {

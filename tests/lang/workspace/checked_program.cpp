@@ -49,7 +49,7 @@ CheckedProgram check_program(Workspace& workspace, const std::filesystem::path& 
   CheckedProgram checked{.diagnostics = render_diagnostics(sink, {}), .symbols = {}};
   if (document->format() != SourceFormat::Scene) return checked;
   Program program(*document, options, ignored);
-  const SymbolIndex index(program, stop);
+  const SymbolIndex index(program, ignored);
   for (std::uint32_t i = 0; i < index.file_count(); ++i) {
     checked.symbols += symbols_of(index.table(i));
   }

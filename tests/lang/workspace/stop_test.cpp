@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -75,6 +76,13 @@ std::string config(int spheres, const std::string& separator) {
   return text + "]}";
 }
 
+/// The line with each of the numbers below `count`.
+std::string lines(fmt::format_string<int&> line, int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += fmt::format(line, i);
+  return text;
+}
+
 std::map<std::string, std::string> texts() {
   return {
       {"large.scene", kLarge},
@@ -90,6 +98,11 @@ class StopTest : public testing::TestWithParam<const char*> {
   CheckedProgram check(const StopRequest* stop = nullptr) {
     return check_program(workspace_, GetParam(), {}, stop);
   }
+  std::map<std::string, std::vector<std::filesystem::path>> roots() const {
+    std::map<std::string, std::vector<std::filesystem::path>> roots;
+    for (const auto& [name, text] : texts()) roots[name] = workspace_.roots(name);
+    return roots;
+  }
 
   MemoryFiles disk_{texts()};
   Workspace workspace_{disk_};
@@ -97,6 +110,7 @@ class StopTest : public testing::TestWithParam<const char*> {
 
 TEST_P(StopTest, LeavesAWorkspaceThatGoesOn) {
   const CheckedProgram expected = check();
+  const auto expected_roots = roots();
   StopAtPoll counter;
   EXPECT_EQ(check(&counter), expected);
   const std::uint64_t polls = counter.polls();
@@ -109,6 +123,7 @@ TEST_P(StopTest, LeavesAWorkspaceThatGoesOn) {
     const StopAtPoll stop(poll);
     EXPECT_THROW(check(&stop), StopRequested) << poll;
     EXPECT_EQ(stop.polls(), poll) << "work went on after the stop";
+    EXPECT_EQ(roots(), expected_roots) << poll;
     ASSERT_EQ(check(), expected) << poll;
   }
 }
@@ -122,6 +137,25 @@ class IgnoredObjects final : public ObjectSink {
   void add(const Object& /*object*/) override {}
 };
 
+TEST(Stop, LeavesTheSinkWithoutTheEvaluation) {
+  const std::string text = "scene 1\nlet a = 1\nlet late = 1 + time\nlet b = late + a\n" + kPicture;
+  const Document file("test.scene", text);
+  StopAtPoll counter;
+  DiagnosticSink counted(&counter);
+  Program program(file, {}, counted);
+  const std::uint64_t before = counter.polls();
+  const Evaluation whole(program, {}, counted);
+  ASSERT_GT(counter.polls(), before);
+  for (std::uint64_t poll = 1; poll <= counter.polls() - before; ++poll) {
+    const StopAtPoll stop(poll);
+    DiagnosticSink sink(&stop);
+    EXPECT_THROW(Evaluation(program, {}, sink), StopRequested);
+    EXPECT_TRUE(sink.chain().empty());
+    sink.report(diag::file_circle, {&file, {0, 0}}, "test");
+    EXPECT_EQ(sink.error_count(), 1u) << "it is muted";
+  }
+}
+
 /// How often the request is polled by the phase.
 template <typename Phase>
 std::uint64_t polls_of(Phase phase) {
@@ -131,38 +165,74 @@ std::uint64_t polls_of(Phase phase) {
   return counter.polls();
 }
 
-TEST(Stop, IsPolledByEveryPhase) {
+// Each text makes one phase long and the phases before it short: they poll less than `kFew` times.
+constexpr std::uint64_t kFew = 20, kMany = 500;
+
+TEST(Stop, IsPolledByTheParser) {
+  const Document file("large.scene", "scene 1\n" + lines("let a{0} = {0}\n", 5000));
+  const Document wrong("mistakes.scene", mistakes());
+  EXPECT_GT(polls_of([&](DiagnosticSink& sink) { file.tree(sink); }), kFew);
+  EXPECT_GT(polls_of([&](DiagnosticSink& sink) { wrong.tree(sink); }), kMany) << "repair";
+}
+
+TEST(Stop, IsPolledByTheResolver) {
+  const Document file(
+      "large.scene", "scene 1\n" + lines("def d{0}(a) {{ sphere {{ radius: a + {0} }} }}\n", 1000));
+  std::string parameters;
+  for (int i = 0; i < 1000; ++i) parameters += fmt::format("p{}, ", i);
+  const Document wide("wide.scene", "scene 1\nfn f(" + parameters + "last) = last\n");
+  DiagnosticSink ignored;
+  file.tree(ignored), wide.tree(ignored);  // parsed now, so not below
+  EXPECT_GT(polls_of([&](DiagnosticSink& sink) { Program(file, {}, sink); }), kMany);
+  for (const Document* document : {&file, &wide}) {
+    Program program(*document, {}, ignored);
+    EXPECT_GT(polls_of([&](DiagnosticSink& sink) { SymbolIndex(program, sink); }), kMany);
+  }
+}
+
+TEST(Stop, IsPolledByEvaluationAndLowering) {
+  const std::string head = "scene 1\n" + kPicture;
+  const Document loop("loop.scene", head + "for i in range(100000) { let a = i * i }\n");
+  const Document spheres("spheres.scene",
+                         head +
+                             "for i in range(20000) { sphere { center: (i, 0, 0), radius: 1, "
+                             "material: unlit(red) } }\n");
+  IgnoredObjects objects;
+  DiagnosticSink ignored;
+  Program of_loop(loop, {}, ignored), of_spheres(spheres, {}, ignored);
+  const auto evaluate = [&](Program& program, ObjectSink& to) {
+    return polls_of([&](DiagnosticSink& sink) { Evaluation(program, {}, sink).run(to); });
+  };
+  const Document empty("empty.scene", head);
+  Program of_nothing(empty, {}, ignored);
+  EXPECT_LT(evaluate(of_nothing, objects), kFew);
+  EXPECT_GT(evaluate(of_loop, objects), 5 * kFew);
+  const std::uint64_t evaluating = evaluate(of_spheres, objects);
+  const auto lowering = polls_of([&](DiagnosticSink& sink) {
+    SceneBuilder builder(spheres, {}, sink);
+    Evaluation(of_spheres, {}, sink).run(builder);
+    builder.finish({});
+  });
+  EXPECT_GT(lowering, evaluating + kFew);
+}
+
+TEST(Stop, IsPolledByLintRules) {
   const MemoryFiles disk(texts());
   Workspace workspace(disk);
   const ProgramOptions options{.workspace = &workspace, .limits = {}};
-  const Document file("large.scene", kLarge), wrong("mistakes.scene", mistakes());
-  const Document good("good.json", config(3000, ",")), bad("bad.json", config(2000, " "));
-  IgnoredObjects objects;
-  EXPECT_GT(polls_of([&](DiagnosticSink& sink) { file.tree(sink); }), 10u);
-  EXPECT_GT(polls_of([&](DiagnosticSink& sink) { wrong.tree(sink); }), 1000u) << "repair";
-
-  DiagnosticSink ignored;
-  EXPECT_GT(polls_of([&](DiagnosticSink& sink) { Program(file, options, sink); }), 20u);
-  Program program(file, options, ignored);
-  EXPECT_GT(polls_of([&](DiagnosticSink& sink) { SymbolIndex(program, sink.stop_request()); }),
-            20u);
-  const auto evaluating =
-      polls_of([&](DiagnosticSink& sink) { Evaluation(program, {}, sink).run(objects); });
-  EXPECT_GT(evaluating, 1u);
-  const auto lowering = polls_of([&](DiagnosticSink& sink) {
-    SceneBuilder builder(file, {}, sink);
-    Evaluation(program, {}, sink).run(builder);
-    builder.finish({});
-  });
-  EXPECT_GT(lowering, evaluating);
+  const Document file("large.scene", kLarge);
   const auto checking =
       polls_of([&](DiagnosticSink& sink) { Compiler(file, options, sink).check(); });
   const auto linting = polls_of([&](DiagnosticSink& sink) {
     Compiler compiler(file, options, sink);
     lint(compiler, file, sink);
   });
-  EXPECT_GT(linting, checking);
+  EXPECT_GT(linting, checking + kMany);
+}
 
+TEST(Stop, IsPolledByTheReaderOfConfigs) {
+  const Document good("good.json", config(3000, ",")), bad("bad.json", config(2000, " "));
+  IgnoredObjects objects;
   EXPECT_GT(polls_of([&](DiagnosticSink& sink) { read_config(good, objects, sink); }), 3000u);
   EXPECT_GT(polls_of([&](DiagnosticSink& sink) { read_config(bad, objects, sink); }), 6000u);
 }
