@@ -49,10 +49,15 @@ std::vector<std::string> scenes_in(const fs::path& folder, const Environment& en
     const fs::path& path = entry->path();
     const bool is_hidden = path.filename().string().starts_with('.');
     if (leads_out(*entry)) continue;
-    if (entry->is_directory()) {
+    std::error_code error;  // of a link that leads nowhere or to itself
+    const fs::file_status status = entry->status(error);
+    const bool is_file = fs::is_regular_file(status);
+    const bool is_broken = error || status.type() == fs::file_type::not_found;
+    if (fs::is_directory(status)) {
       if (is_hidden) entry.disable_recursion_pending();
-    } else if (!is_hidden && entry->is_regular_file() && is_wanted(path, env, wanted)) {
-      names.push_back(path.lexically_normal().string());
+    } else if (!is_hidden && ((is_file && is_wanted(path, env, wanted)) ||
+                              (is_broken && path.extension() == ".scene"))) {
+      names.push_back(path.lexically_normal().string());  // reading a broken link is an error
     }
   }
   std::ranges::sort(names);

@@ -147,6 +147,11 @@ std::string_view streamed_key() noexcept {
 }
 
 bool parse_config(const SourceFile& file, ConfigParts& parts, DiagnosticSink& sink) {
+  if (file.text().starts_with("scene ")) {
+    sink.report(diag::expected, {&file, {0, 5}}, "an object { … }")
+        .help("this is a scene text; the name of a scene file ends in `.scene`");
+    return false;
+  }
   const std::optional<RepairedText> repaired = repair_json(file, sink);
   const ParsedText text(file, repaired);
   Parser parser(text, parts, sink);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -164,11 +165,13 @@ class Fixer {
   }
 
  private:
-  /// Errors, then warnings; compared in this order.
-  using Score = std::pair<std::size_t, std::size_t>;
+  /// Errors, warnings and bytes, compared in this order. The bytes count because the removal of an
+  /// unused name may leave another unused.
+  using Score = std::tuple<std::size_t, std::size_t, std::size_t>;
 
   Score score() const {
-    return {now_.checked->error_count(), now_.checked->findings().counts.warnings};
+    return {now_.checked->error_count(), now_.checked->findings().counts.warnings,
+            now_.checked->file().text().size()};
   }
   bool is_progress() const { return score() < best_score_; }
 

@@ -84,6 +84,8 @@ constexpr auto kRows = std::to_array<Row>({
     {Unit, "sec secs second seconds", {"s"}},
     {Unit, "msec", {"ms"}},
     {Unit, "percent", {"%"}},
+    {Unit, "μm µm", {"", "a micrometre is `1e-3mm`"}},
+    {Unit, "π", {"", "write `2 * pi` for 2π"}},
 
     {Kind, "ball", {"sphere"}},
     {Kind, "sky environment world", {"background"}},
@@ -161,7 +163,8 @@ constexpr auto kRows = std::to_array<Row>({
     {Name, "null NULL None nil undefined", {"", kNothing}},
     {Name, "True TRUE yes on", {"true"}},
     {Name, "False FALSE no off", {"false"}},
-    {Name, "M_PI", {"pi"}},
+    {Name, "M_PI π", {"pi"}},
+    {Name, "τ", {"", "write `2 * pi`"}},
     {Name, "inf infinity", {"", kInfinity}},
 
     {Library, "math Math numpy np std", {}},

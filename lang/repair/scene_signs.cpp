@@ -169,6 +169,7 @@ class Signs : private SceneRound {
     message.help_if(habit->help);
     if (habit->meant == "\"") return typographic_quote(message);
     if (habit->meant.empty() || habit->meant == "deg") return leave(span);
+    if (written == "!" && follows_value()) return edit(span, " ");  // 5!
     const bool is_certain = is_certain_sign();
     if (is_certain || written != "!") {
       add_fix(message, is_certain, where(span), std::string(habit->meant));

@@ -79,7 +79,8 @@ class Statements : private SceneRound {
     message.help(fmt::format("an object is `{} {{ … }}`", name()));
     if (!is_labeled || !is_known) return;
     const Span arguments{tokens_[open].end, tokens_[close].begin};
-    add_fix(message, true, where({tokens_[i_].end, tokens_[close].end}),
+    const bool has_block = tokens_.is_bracket(close + 1, '{');
+    add_fix(message, !has_block, where({tokens_[i_].end, tokens_[close].end}),
             fmt::format(" {{ {} }}", text_of(arguments)));
     edit(span_of(open), "{");
     edit(span_of(close), "}");

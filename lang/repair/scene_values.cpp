@@ -180,15 +180,18 @@ class Values : private SceneRound {
   /// Words with letters that no name has.
   bool other_letters() {
     const bool is_text = tokens_.is_word(i_) || tokens_.is(i_, TokenClass::Label);
-    const auto is_other = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
-    if (!is_text || std::ranges::none_of(tokens_.written(i_), is_other)) return false;
+    if (!is_text || is_ascii(tokens_.written(i_))) return false;
     std::string plain(tokens_.label(i_));
     const Span span{tokens_[i_].begin,
                     tokens_[i_].begin + static_cast<std::uint32_t>(plain.size())};
     if (reported_words_.insert(plain).second) {
-      report(diag::foreign, span, plain).help_if(kNameLetters);
+      const auto habit = find_habit(HabitPlace::Name, plain);
+      auto message = report(diag::foreign, span, plain);
+      message.help_if(habit ? habit->help : kNameLetters);
+      if (habit && !habit->meant.empty()) message.suggest(habit->meant);
     }
-    std::ranges::replace_if(plain, is_other, '_');
+    std::ranges::replace_if(
+        plain, [](char c) { return !is_ascii(c); }, '_');
     edit(span, plain);
     return true;
   }

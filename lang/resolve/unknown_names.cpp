@@ -54,6 +54,7 @@ std::optional<std::string> UnknownNames::nearest_import(
 }
 
 bool UnknownNames::is_excused(std::uint32_t module, std::string_view name, std::uint32_t use) {
+  if (!is_ascii(name)) return true;  // the parser has reported its letters
   Module& declaring = modules_.module_at(module);
   if (!declaring.lost_names) declaring.lost_names = std::make_unique<LostNames>(declaring.tree);
   if (declaring.lost_names->contains(name)) return true;

@@ -8,6 +8,7 @@
 #include "lang/repair/vocabulary.hpp"
 #include "lang/schema/type_names.hpp"
 #include "lang/syntax/tree_builder.hpp"
+#include "lang/text/ascii.hpp"
 #include "lang/text/utf8.hpp"
 #include "lang/token/lines.hpp"
 #include "lang/token/name_characters.hpp"
@@ -100,7 +101,7 @@ class Diagnosis {
         break;
       case Wanted::Name:
         if (c == '(') report.help_if(kNoLoop);
-        if (static_cast<unsigned char>(c) >= 0x80) report.help_if(kNameLetters);
+        if (!is_ascii(c)) report.help_if(kNameLetters);
         if (is_one_of(word(), kReservedWords)) {
           report.help(fmt::format("`{}` is a word of the language and cannot be a name", word()));
         }

@@ -31,10 +31,33 @@ bool resembles_scene(std::string_view word) {
   return word.size() > 3 && nearest_name(word, std::span(&kScene, 1)).has_value();
 }
 
+/// Where the documentation of the statement at `at` begins; `at` if it has none.
+std::uint32_t begin_of_documentation(std::string_view text, std::uint32_t at) {
+  TokenReader reader(text);
+  for (Token token = reader.next(); token.span.begin < at; token = reader.next()) {
+    if (token.kind == TokenKind::DocComment) return token.span.begin;
+  }
+  return at;
+}
+
+/// Whether a JSON object begins at `at`.
+bool is_json_object(std::string_view text, std::uint32_t at) {
+  if (char_at(text, at) != '{') return false;
+  const char next = char_at(text, skip_space(text, at + 1));
+  return next == '"' || next == '}';
+}
+
 }  // namespace
 
 std::uint32_t diagnose_header(TreeBuilder& builder, std::uint32_t at) {
   const std::string_view text = builder.text();
+  if (is_json_object(text, at)) {
+    builder.sink()
+        .report(diag::missing_version, builder.location({at, at + 1}))
+        .help("this is JSON; the name of a JSON config ends in `.json`");
+    builder.is_foreign = true;
+    throw ParseAbandoned{};
+  }
   const Span found = token_at(text, at);
   const std::string_view word = text.substr(found.begin, found.size());
   const std::uint32_t next = skip_blanks(text, found.end);
@@ -61,7 +84,8 @@ std::uint32_t diagnose_header(TreeBuilder& builder, std::uint32_t at) {
     }
     const std::size_t version = find_version(text, at);
     if (version == std::string_view::npos) {
-      missing(found).fix(builder.location({at, at}), "scene 1\n");
+      const std::uint32_t first = begin_of_documentation(text, at);
+      missing(found).fix(builder.location({first, first}), "scene 1\n");
       return at;
     }
     const auto begin = static_cast<std::uint32_t>(version);

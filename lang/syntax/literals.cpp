@@ -19,6 +19,7 @@ struct NumberFault {
   std::string reason;
   std::string replacement;  ///< empty: none is known
   bool is_certain = true;
+  std::string help = {};  ///< empty: a general one
 };
 
 /// The end of the longest number at the beginning of `text`, without its unit; misplaced `_` and a
@@ -85,8 +86,10 @@ NumberFault number_fault(std::string_view text) {
     return {"a digit is missing after the point", tidied(number) + std::string(suffix), false};
   }
   const auto unit = find_habit(HabitPlace::Unit, suffix);
+  const bool has_meaning = unit && !unit->meant.empty();
   return {.reason = fmt::format("there is no unit `{}`", suffix),
-          .replacement = unit ? fmt::format("{}{}", number, unit->meant) : ""};
+          .replacement = has_meaning ? fmt::format("{}{}", number, unit->meant) : "",
+          .help = unit ? std::string(unit->help) : ""};
 }
 
 }  // namespace
@@ -103,6 +106,8 @@ std::uint32_t diagnose_number(TreeBuilder& builder, std::uint32_t begin) {
   } else if (may_be_color(number) || is_color_without_sign(number)) {
     const std::string color = fmt::format("#{}", number.substr(may_be_color(number) ? 2 : 0));
     report.help(fmt::format("a colour is `{}`", color)).unsafe_fix(where, color);
+  } else if (!fault.help.empty()) {
+    report.help(fault.help);
   } else if (fault.reason.starts_with("there is no unit")) {
     report.help(fmt::format("units are {}", fmt::join(kUnits, ", ")));
   }

@@ -21,7 +21,7 @@ struct Reading {
   NodeBuffer<SyntaxNode> nodes;
   std::vector<Comment> comments;
   DiagnosticSink sink;
-  bool has_misplaced = false;
+  bool has_misplaced = false, is_foreign = false;
 
   bool is_sound() const { return !sink.has_errors() && !has_misplaced; }
 };
@@ -58,7 +58,7 @@ Reading read(const SourceFile& file, std::string_view text, const RepairedText* 
   builder.close(0);
   builder.node(0).end = static_cast<std::uint32_t>(text.size());
   Reading reading{builder.take_nodes(), builder.take_comments(), std::move(sink),
-                  builder.has_misplaced};
+                  builder.has_misplaced, builder.is_foreign};
   if (repaired != nullptr) move_to_file(reading, file, *repaired);
   return reading;
 }
@@ -72,7 +72,7 @@ Reading read_repaired(const SourceFile& file, std::string_view text, Reading rea
   repair_spelling({file, spelled, sink});
   if (spelled.is_changed()) {
     reading = read<grammar::file>(file, spelled.text(), &spelled, stop);
-    if (reading.is_sound()) return reading;
+    if (reading.is_sound() || reading.is_foreign) return reading;
   }
   RepairedText repaired = spelled;
   DiagnosticSink repairs(stop);
@@ -93,7 +93,7 @@ SyntaxTree parse(const SourceFile& file, DiagnosticSink& sink) {
   const std::optional<std::string> checked = check_characters(file, sink);
   const std::string_view text = checked ? std::string_view(*checked) : file.text();
   Reading reading = read<grammar::file>(file, text, nullptr, sink.stop_request());
-  if (!reading.is_sound() && text.size() <= kMaxRepairedText) {
+  if (!reading.is_sound() && !reading.is_foreign && text.size() <= kMaxRepairedText) {
     reading = read_repaired(file, text, std::move(reading), sink);
   }
   sink.add(reading.sink);

@@ -72,6 +72,7 @@ struct Build<grammar::file_header> : pegtl::maybe_nothing {
     builder.has_version = true;
     if (text == "1") return true;
     builder.sink().report(diag::unsupported_version, builder.location(version.span()), text);
+    builder.is_foreign = true;
     throw ParseAbandoned{};
   }
 };

@@ -111,6 +111,7 @@ class TreeBuilder {
   bool in_group = false;            ///< that object is a group
   bool in_head = false;             ///< in the list of a `for` or the condition of an `if`
   bool has_version = false;         ///< the file began with its version
+  bool is_foreign = false;          ///< the text is of another version or format
   bool has_misplaced = false;       ///< a statement in an object is not indented
   Operator op = Operator::None;     ///< the last one read
 

@@ -358,8 +358,8 @@ assert 1 > 2, "this is not looked at"
   const ProgramResult result = run("rare.scene --deps");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out,
-            "rare.scene\nlit.scene\nmore.scene\nconfig.json\nmost.scene\n"
-            "library/materials.scene\nlibrary/lamp.scene\n");
+            "rare.scene\nlit.scene\nmore.scene\nconfig.json\nlibrary/lamp.scene\nmost.scene\n"
+            "library/materials.scene\n");
 }
 
 TEST_F(InspectCommand, ListsTheFilesOfASceneWithErrors) {

@@ -80,7 +80,7 @@ TEST_F(LintCommand, ShowsTheFindingsOfAFileThatReadsOneWithMoreThanAreShown) {
   write("root.scene", std::string(kClean) + "import \"lib.scene\" as lib\nlet own = lib.x1 + y\n");
   const ProgramResult result = run("lib.scene root.scene --format concise");
   EXPECT_EQ(std::ranges::count(result.out, '\n'), 51);
-  EXPECT_THAT(result.out, HasSubstr("\nroot.scene:5:22: error[E101]: unknown name `y`"));
+  EXPECT_THAT(result.out, HasSubstr("\nroot.scene:5:20: error[E101]: unknown name `y`"));
 }
 
 TEST_F(LintCommand, MakesOneJsonDocumentOfAllFiles) {
@@ -115,6 +115,22 @@ TEST_F(LintCommand, LooksIntoFolders) {
   EXPECT_THAT(result.out, HasSubstr("scenes/b/deep.scene:2:14"));
   EXPECT_THAT(result.out, Not(HasSubstr("hidden")));
   EXPECT_THAT(result.out, Not(HasSubstr("package")));
+}
+
+TEST_F(LintCommand, ReportsBrokenLinksOfAFolderAndChecksTheRest) {
+  write("scenes/clean.scene", std::string(kClean));
+  std::filesystem::create_symlink("b.scene", folder_ / "scenes/a.scene");
+  std::filesystem::create_symlink("a.scene", folder_ / "scenes/b.scene");
+  std::filesystem::create_symlink("nowhere", folder_ / "scenes/c.scene");
+  std::filesystem::create_symlink("nowhere", folder_ / "scenes/note.txt");
+  write("scenes/wrong.scene", "scene 1\nlet a =\n");
+  const ProgramResult result = run("scenes --format concise");
+  EXPECT_EQ(result.exit_code, 2);
+  for (const char* name : {"a", "b", "c"}) {
+    EXPECT_THAT(result.err, HasSubstr(std::string("cannot read `scenes/") + name + ".scene`"));
+  }
+  EXPECT_THAT(result.err, Not(HasSubstr("note")));
+  EXPECT_THAT(result.out, HasSubstr("scenes/wrong.scene:2:8"));
 }
 
 TEST_F(LintCommand, RefusesAFolderWithoutScenes) {

@@ -227,7 +227,8 @@ TEST(ToConfig, RoundsAColorThatNoNumbersAre) {
   // Of the 256 codes only 118 is not a number divided by 255.
   const Converted converted = convert("background { color: #760000 }");
   ASSERT_TRUE(converted.text);
-  EXPECT_THAT(converted.told, ElementsAre(HasSubstr("W405 no numbers of a JSON config")));
+  EXPECT_THAT(converted.told,
+              ElementsAre(HasSubstr("W405 a JSON config cannot represent this colour exactly")));
   const double red = json::parse(*converted.text)["background"][0];
   EXPECT_NEAR(red / 255, decode_srgb(118), 0x1p-53);
 }

@@ -81,6 +81,33 @@ TEST(SafeFixes, GlueNoWordsAndLeaveWhatIsInQuotes) {
   EXPECT_EQ(safely(quoted), quoted);
 }
 
+TEST(UnsafeFixes, RemoveAChainOfUnusedNames) {
+  std::string chain = "let a0 = 1\n";
+  for (int i = 1; i < 30; ++i) {
+    chain += "let a" + std::to_string(i) + " = a" + std::to_string(i - 1) + "\n";
+  }
+  const std::string picture =
+      "camera main { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }\n"
+      "sphere { center: (0, 0, 0), radius: 1, material: diffuse(color: tan) }\n";
+  EXPECT_EQ(by_guesses(chain + picture), picture);
+}
+
+TEST(SafeFixes, ChangeNoForeignLetters) {
+  expect_left_alone({"let a = 50μm\n", "let a = 10µm\n", "let a = 2π\n", "let a = 3é\n",
+                     "let a = 1Å * 2\n", "let a = 5!\n", "let a = 5é3\n"});
+}
+
+TEST(SafeFixes, LeaveATextOfTheOtherFormat) {
+  const std::string config = "{\"camera\": {\"x\": 1,}, \"spheres\": []}\n";
+  EXPECT_EQ(fix("a.scene", config, false).checked->file().text(), config);
+  expect_configs_left_alone({"scene 1\nsphere { center: (0, 0, 0), radius: 1, }\n"});
+}
+
+TEST(SafeFixes, KeepDocumentationAtItsStatement) {
+  EXPECT_EQ(fix("a.scene", "// File\n/// The ball\nlet a = 1\n", false).checked->file().text(),
+            "// File\nscene 1\n/// The ball\nlet a = 1\n");
+}
+
 // `:=` was half replaced, which left `==`, and `=>` became `:>`.
 TEST(SafeFixes, TakeASignAsAWhole) {
   EXPECT_EQ(safely("let a := 3\n"), "let a = 3\n");

@@ -166,7 +166,7 @@ std::uint64_t polls_of(Phase phase) {
 }
 
 // Each text makes one phase long and the phases before it short: they poll less than `kFew` times.
-constexpr std::uint64_t kFew = 20, kMany = 500;
+constexpr std::uint64_t kFew = 50, kMany = 500;
 
 TEST(Stop, IsPolledByTheParser) {
   const Document file("large.scene", "scene 1\n" + lines("let a{0} = {0}\n", 5000));
