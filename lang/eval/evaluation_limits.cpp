@@ -37,7 +37,7 @@ bool Evaluator::take_steps(const Code& code, NodeIndex node, std::uint64_t count
     if (steps_ >= next_poll_) poll();
     return CountedBytes::sum() <= program_.limits().memory || may_take_memory(code, node, 0);
   }
-  if (give_up()) {
+  if (give_up() && !is_allowance_withheld_) {
     sink_.report(diag::too_many_steps, location(code, node), program_.limits().steps)
         .help("`--limit steps=N` allows more");
   }
@@ -63,6 +63,10 @@ std::uint64_t Evaluator::steps() const noexcept {
 void Evaluator::allow_steps(std::uint64_t spheres) {
   if (objects_->is_full()) give_up();
   if (has_given_up_) return;
+  if (sink_.has_errors()) {
+    is_allowance_withheld_ = true;
+    return;
+  }
   constexpr std::uint64_t kMaxPerSphere = std::uint64_t{1} << 32;  // so that no sum overflows
   const std::uint64_t steps =
       spheres * std::min(program_.limits().steps / work::kSpheres, kMaxPerSphere);

@@ -267,6 +267,9 @@ class Evaluator final : public ChainSource {
   std::uint64_t max_steps_;      // with those that spheres add
   std::uint64_t next_poll_ = 0;  // steps_ at which a requested stop is checked next
   bool has_given_up_ = false;
+  /// Spheres have allowed no steps, since there are errors: broken ones, which are dropped, would
+  /// never reach a limit. With too few steps the evaluation then ends in silence.
+  bool is_allowance_withheld_ = false;
   CountedBytes locals_bytes_;
 };
 

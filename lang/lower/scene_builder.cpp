@@ -138,7 +138,7 @@ bool SceneBuilder::may_hold_another(Location where) {
   constexpr std::size_t kInterval = 256;  // count memory once per this many spheres
   const bool is_due = is_full_ || world_.spheres.size() % kInterval == 0;
   if (is_due && !may_take_more_memory(where)) return false;
-  if (sphere_count() + repeats_.object_count() < limits_.objects) return true;
+  if (sphere_count() + skipped_ + repeats_.object_count() < limits_.objects) return true;
   if (std::exchange(is_full_, true)) return false;  // reported once
   sink_->report(diag::too_many_objects, where, limits_.objects)
       .help("`--limit objects=N` allows more");
@@ -169,7 +169,11 @@ void SceneBuilder::add_sphere(const Object& object) {
   const auto center = object.get<render::Vec3>(kCenter);
   const auto radius = object.get<double>(kRadius);
   const auto material = material_of(object);
-  if (!center || !radius || !material) return;  // reported where it was read
+  if (!center || !radius || !material) {  // reported where it was read
+    ++skipped_;
+    static_cast<void>(may_hold_another(object.where));
+    return;
+  }
   if (*radius == 0) {
     sink_->report(diag::zero_radius, object.location(kRadius));
     return;

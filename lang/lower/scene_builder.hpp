@@ -138,6 +138,8 @@ class SceneBuilder final : public ObjectSink {
   bool had_spheres_ = false;          ///< including invalid ones
   bool is_full_ = false;              ///< a limit was exceeded, which was reported
   std::size_t forgotten_ = 0;         ///< number of forgotten spheres
+  std::size_t skipped_ = 0;           ///< number of spheres with errors, and those of a part that
+                                      ///< get their material where it is included
   CountedBytes bytes_;
   MaterialTable materials_;
 };

@@ -254,6 +254,19 @@ TEST(Values, StopWhenAFileTakesTooManySteps) {
   EXPECT_EQ(sink.diagnostics().front().info->code, "E304");
 }
 
+TEST(Values, OfBrokenSpheresEndInSilence) {
+  std::string text = "scene 1\n";
+  for (int i = 0; i < 30; ++i) text += "for i in range(3) { ";
+  text += "sphere { center: (0, 0, 0), radius: 1, material: unknown }" + std::string(30, '}');
+  const Document file("test.scene", text);
+  DiagnosticSink sink;
+  Objects objects;
+  Program program(file, {.limits = {.steps = 100'000}}, sink);
+  Evaluation(program, {}, sink).run(objects);
+  ASSERT_EQ(sink.error_count(), 1u);
+  EXPECT_EQ(sink.diagnostics().front().info->code, "E101");
+}
+
 TEST(Values, OfSettingsAreResolvedOnce) {
   const Document file("test.scene", "scene 1\nparam a = 1\nparam b = 2\nparam c = time\n");
   DiagnosticSink sink;

@@ -96,7 +96,7 @@ std::map<std::string, std::string> texts() {
 class StopTest : public testing::TestWithParam<const char*> {
  protected:
   CheckedProgram check(const StopRequest* stop = nullptr) {
-    return check_program(workspace_, GetParam(), {}, stop);
+    return check_program(workspace_, GetParam(), {.steps = 1'000'000}, stop);
   }
   std::map<std::string, std::vector<std::filesystem::path>> roots() const {
     std::map<std::string, std::vector<std::filesystem::path>> roots;
