@@ -12,21 +12,22 @@
 namespace sdlc::cli {
 namespace {
 
-/// Two digits more than the interval is wide do not matter: three significant ones in all.
+/// Three significant digits: the interval is wider than any further ones.
 std::string percent(double share) { return fmt::format("{:.3g}", 100 * share); }
 
-/// Light that was met so seldom that the picture may lack some, and its error not show it.
+/// The warning about emissive spheres that few paths reached: their light may be missing in both
+/// the picture and the estimated error.
 std::string scarce_light(const render::RenderSettings& settings,
                          const std::vector<render::ReachedEmitter>& emitters) {
   const bool is_one = emitters.size() == 1;
   const auto fewest = std::ranges::min_element(
       emitters, {}, [](const render::ReachedEmitter& emitter) { return emitter.paths; });
   const char* hint = settings.light_sampling == render::LightSampling::On
-                         ? "more samples find it, if it is not hidden"
-                         : "more samples, or --light-sampling on, find it, if it is not hidden";
+                         ? "more samples find it unless it is hidden"
+                         : "more samples, or --light-sampling on, find it unless it is hidden";
   return fmt::format(
       "{} emissive sphere{} reached by fewer than {} paths, {}by {}: {} light may be missing in "
-      "the picture and in its error; {}",
+      "the picture and in its error estimate; {}",
       emitters.size(), is_one ? " was" : "s were", render::EmitterTally::kEnough,
       is_one ? "" : "one of them ", fewest->paths, is_one ? "its" : "their", hint);
 }
@@ -34,13 +35,13 @@ std::string scarce_light(const render::RenderSettings& settings,
 std::string_view words_of(render::LightPath kind) {
   switch (kind) {
     case render::LightPath::Visible: return "directly from the camera";
-    case render::LightPath::Reflected: return "from the camera by way of mirrors or glass";
+    case render::LightPath::Reflected: return "from the camera through mirrors or glass";
     case render::LightPath::Direct: return "from a diffuse surface";
-    default: return "from a diffuse surface by way of mirrors or glass (a caustic)";
+    default: return "from a diffuse surface through mirrors or glass (a caustic)";
   }
 }
 
-/// Why the error is unknown although the replicates agree.
+/// The warning that the error is unknown although the replicates agree.
 std::string rare_light(const std::vector<render::RarePath>& rare) {
   // On ties the reverse order prefers caustics, the likeliest to be missing.
   const auto weight = [](const render::RarePath& path) {
@@ -48,9 +49,8 @@ std::string rare_light(const std::vector<render::RarePath>& rare) {
   };
   const auto worst = std::ranges::max_element(rare.rbegin(), rare.rend(), {}, weight);
   return fmt::format(
-      "the error is unknown: {} path{} reached a light {}, too few to know how much of its light "
-      "is "
-      "missing in the picture; more samples may find it",
+      "the error is unknown: {} path{} reached a light {}, so some of its light may be missing in "
+      "the picture; more samples may find it",
       worst->paths == 0 ? "no" : fmt::format("only {}", worst->paths), worst->paths > 1 ? "s" : "",
       words_of(worst->kind));
 }
@@ -74,8 +74,8 @@ std::string describe_error(const render::RenderResult& result) {
   }
   const double cut = static_cast<double>(result.truncated_paths) /
                      static_cast<double>(std::max<std::uint64_t>(result.camera_samples, 1));
-  constexpr double kWorthTelling = 1e-3;
-  if (cut >= kWorthTelling) text += fmt::format(", {} % of paths cut by depth", percent(cut));
+  constexpr double kMinReported = 1e-3;
+  if (cut >= kMinReported) text += fmt::format(", {} % of paths cut by depth", percent(cut));
   return text;
 }
 
@@ -85,18 +85,18 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
   if (settings.error && !result.has_reached_error) {
     const std::string reached =
         result.error ? fmt::format("it is up to {:.5g} %", 100 * result.error->interval.to)
-                     : std::string("what it is cannot be told");
+                     : std::string("it is unknown");
     const char* limit =
         settings.seconds && result.max_samples < static_cast<std::uint64_t>(settings.samples)
-            ? "the time that is allowed"
-            : "the samples that are allowed";
-    warnings.push_back(fmt::format("the error did not come down to {} % with {}: {}",
+            ? "time"
+            : "number of samples";
+    warnings.push_back(fmt::format("the error did not reach {} % within the allowed {}: {}",
                                    percent(*settings.error), limit, reached));
   }
   if (!result.rare_paths.empty()) warnings.push_back(rare_light(result.rare_paths));
-  // A picture of fewer samples is a draft that claims nothing of its error.
-  const bool claims_error = result.min_samples >= render::kMinReplicatedSamples;
-  if (claims_error && !result.scarce_emitters.empty()) {
+  // With fewer samples the error is not estimated, so nothing can be missing in it.
+  const bool has_estimate = result.min_samples >= render::kMinReplicatedSamples;
+  if (has_estimate && !result.scarce_emitters.empty()) {
     warnings.push_back(scarce_light(settings, result.scarce_emitters));
   }
   return warnings;

@@ -133,8 +133,9 @@ class ConvertJob {
   void convert(const Input& input) {
     const std::string shown =
         input.name == kStandardStream ? stdin_name(options_.reading) : input.name;
-    const lang::SourceFile file(
-        shown, read_text(input.name, shown, env_, options_.reading.limits.any_file()));
+    const auto document =
+        read_document(input.name, shown, env_, options_.reading.limits.any_file());
+    const lang::Document& file = *document;
     if (name_of(file.format()) == options_.to) {
       if (!input.folder)
         fail(fmt::format("`{}` already has the format of --to {}", shown, options_.to));
@@ -163,7 +164,7 @@ class ConvertJob {
     }
   }
 
-  std::optional<std::string> convert(const lang::SourceFile& file) {
+  std::optional<std::string> convert(const lang::Document& file) {
     lang::DiagnosticSink sink;
     lang::ProgramOptions program = program_options(options_.reading, env_);
     program.sets = options_.sets;
@@ -206,7 +207,7 @@ class ConvertJob {
     }
     // The folder of an untrusted scene may contain untrusted links.
     if (options_.reading.is_sandboxed && options_.output.empty() &&
-        !lang::Sandbox(env_.files, target).resolve(target)) {
+        !lang::Sandbox(env_.workspace, target).resolve(target)) {
       fail(
           fmt::format("`{}` is outside the scene's folder, which --sandbox refuses; use -o to "
                       "choose another place",
@@ -264,7 +265,7 @@ void add_convert_command(CLI::App& app, Dispatcher& dispatcher) {
       ->required();
   command->add_option("-o,--output", options->output,
                       "Output file; for several inputs a folder, which mirrors the tree; `-`: "
-                      "standard output. Default: beside IN, with the other extension");
+                      "standard output. Default: next to IN, with the other extension");
   command->add_option("--to", options->to, "The format to convert to; default: the other one")
       ->check(one_of(kFormats));
   command->add_flag(

@@ -10,9 +10,9 @@
 
 namespace sdlc::cli {
 
-Environment process_environment(const lang::FileSystem& files) {
+Environment process_environment(lang::Workspace& workspace) {
   const char* no_color = std::getenv("NO_COLOR");
-  return {.files = files,
+  return {.workspace = workspace,
           .out = std::cout,
           .err = std::cerr,
           .out_is_terminal = isatty(STDOUT_FILENO) != 0,

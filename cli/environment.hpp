@@ -4,13 +4,13 @@
 #include <span>
 #include <string>
 
-#include "lang/source/source.hpp"
+#include "lang/workspace/workspace.hpp"
 
 namespace sdlc::cli {
 
 /// The environment of a command, which tests can replace.
 struct Environment {
-  const lang::FileSystem& files;
+  lang::Workspace& workspace;
   std::ostream& out;  ///< pictures and requested text
   std::ostream& err;  ///< everything else
   bool out_is_terminal = false;
@@ -21,7 +21,7 @@ struct Environment {
 };
 
 /// The environment of this process.
-Environment process_environment(const lang::FileSystem& files);
+Environment process_environment(lang::Workspace& workspace);
 
 /// Resident memory of this process in bytes, current and peak; 0 if unknown.
 std::size_t resident_bytes();

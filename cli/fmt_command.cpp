@@ -67,7 +67,7 @@ class FmtJob {
     if (options_.lines && names_.size() > 1) {
       throw UsageError("--range: only possible for a single file");
     }
-    for (const std::string& name : names_) refuse_json(name, name, {});
+    for (const std::string& name : names_) refuse_json(name, {name, ""});
     for (const std::string& name : names_) visit(name);
     if (counts_.errors > 0) writer_->finish(counts_);
     env_.out.flush();
@@ -80,12 +80,11 @@ class FmtJob {
  private:
   bool only_reports() const { return options_.checks || options_.shows_diff; }
 
-  static void refuse_json(const std::string& name, const std::string& shown,
-                          std::string_view text) {
-    if (name == kStandardStream && text.empty()) return;
-    if (lang::source_format_of(shown, text) == lang::SourceFormat::Scene) return;
+  static void refuse_json(const std::string& name, const lang::Document& file) {
+    if (name == kStandardStream && file.text().empty()) return;
+    if (file.format() == lang::SourceFormat::Scene) return;
     throw UsageError(fmt::format("`{}` is a JSON config, and `fmt` is for .scene files",
-                                 lang::printable(shown)));
+                                 lang::printable(file.name())));
   }
 
   void visit(const std::string& name) {
@@ -95,13 +94,13 @@ class FmtJob {
           !is_stdin ? name
                     : (options_.stdin_filename.empty() ? "<stdin>" : options_.stdin_filename);
       if (!only_reports()) refuse_special(name, env_);
-      const std::string text = read_text(name, shown, env_, options_.limits.file);
-      refuse_json(name, shown, text);
+      const auto document = read_document(name, shown, env_, options_.limits.file);
+      const lang::Document& file = *document;
+      refuse_json(name, file);
       lang::DiagnosticSink sink;
-      const lang::SourceFile file(shown, text);
       if (!lang::check_file_size(file, options_.limits, sink)) return leave_alone(shown, sink);
       if (const auto formatted = lang::format_file(file, sink, options_.lines)) {
-        settle(name, shown, text, *formatted);
+        settle(name, shown, file.text(), *formatted);
       } else {
         leave_alone(shown, sink);
       }
@@ -111,7 +110,7 @@ class FmtJob {
     }
   }
 
-  void settle(const std::string& name, const std::string& shown, const std::string& text,
+  void settle(const std::string& name, const std::string& shown, std::string_view text,
               const std::string& formatted) {
     const bool is_changed = text != formatted;
     if (options_.shows_diff) {
@@ -127,7 +126,7 @@ class FmtJob {
     if (is_changed) ++changed_;
   }
 
-  void show_diff(const std::string& shown, const std::string& text, const std::string& formatted) {
+  void show_diff(const std::string& shown, std::string_view text, const std::string& formatted) {
     const std::string diff = unified_diff(shown, text, formatted);
     if (!wants_color(options_.diagnostics, env_.out_is_terminal, env_)) {
       env_.out << diff;

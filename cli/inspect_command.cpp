@@ -45,15 +45,15 @@ class InspectJob {
       : options_(options),
         env_(env),
         start_(std::chrono::steady_clock::now()),
-        source_(read_source(options.scene, env)),
+        source_(read_scene(options.scene, env)),
         read_seconds_(seconds_since(start_)),
-        compiler_(source_, program_options(options.scene, env), sink_) {}
+        compiler_(*source_, program_options(options.scene, env), sink_) {}
 
   ExitCode run() {
-    if (options_.wants_files) return tell_files();
+    if (options_.wants_files) return print_files();
     const std::optional<lang::Animation> animation = compiler_.animation();
     if (options_.frame && !animation && !sink_.has_errors()) {
-      throw UsageError("--frame: the scene has no `animation`, so that all frames are the same");
+      throw UsageError("--frame: the scene has no `animation`, so all frames are the same");
     }
     lang::Overrides overrides = options_.overrides;
     overrides.instancing = instancing_for(options_.kernel, overrides);
@@ -61,11 +61,11 @@ class InspectJob {
     render::Kernel kernel = choose_kernel(options_.kernel, options_.overrides, lowered, compiler_);
     print_new_diagnostics();
     if (!sink_.has_errors()) check_goals(overrides, lowered);
-    // Of a scene with errors the rest is told. That of one which says nothing is nothing.
+    // A scene with errors is reported without its invalid parts, unless nothing is left.
     const bool is_empty = render::count_spheres(lowered.scene) == 0 && !lowered.camera;
     if (sink_.has_errors() && is_empty) return ExitCode::Findings;
     if (!options_.traced.empty()) {
-      tell_origins(lowered.scene);
+      print_origins(lowered.scene);
     } else {
       const InspectReport report = make_report(std::move(lowered), std::move(kernel), animation);
       env_.out << (options_.is_json() ? to_json(report) : to_text(report));
@@ -79,18 +79,18 @@ class InspectJob {
                    env_.err_is_terminal, env_);
   }
 
-  /// What has been read beside the scene itself.
+  /// The files that were read in addition to the scene.
   std::vector<std::string> dependencies() const {
     std::vector<std::string> names;
     for (const auto& path : compiler_.dependencies()) names.push_back(path.string());
     return names;
   }
 
-  ExitCode tell_files() {
+  ExitCode print_files() {
     compiler_.read_all_files();
     print_new_diagnostics();
     std::vector<std::string> names = dependencies();
-    // Standard input is no file unless it was given the name of one.
+    // Standard input counts as a file only if it has a name.
     const std::string scene = options_.scene.given_name();
     if (!scene.empty()) names.insert(names.begin(), scene);
     if (options_.is_json()) {
@@ -103,7 +103,7 @@ class InspectJob {
     return sink_.has_errors() ? ExitCode::Findings : ExitCode::Success;
   }
 
-  void tell_origins(const render::Scene& scene) {
+  void print_origins(const render::Scene& scene) {
     std::vector<std::uint32_t> wanted = options_.traced;
     std::ranges::sort(wanted);
     wanted.erase(std::ranges::unique(wanted).begin(), wanted.end());
@@ -112,14 +112,14 @@ class InspectJob {
       throw UsageError(fmt::format(
           "--where: there is no sphere {}; {}{}", wanted.back(),
           count == 0 ? "the scene has none" : fmt::format("they are 0 to {}", count - 1),
-          scene.instances.empty() ? "" : "; those of instances have no numbers"));
+          scene.instances.empty() ? "" : "; spheres of instances have no numbers"));
     }
     const std::vector<lang::Origin> origins = compiler_.trace(wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       if (origins[i].where.file != nullptr) continue;
       throw UsageError(fmt::format(
-          "--where: of sphere {}, which was an instance's, no place is known; --instances never "
-          "tells those of all",
+          "--where: the place of sphere {} is unknown, because it is from an instance; use "
+          "--instances never",
           wanted[i]));
     }
     std::vector<TracedSphere> spheres;
@@ -170,7 +170,7 @@ class InspectJob {
     std::optional<int> frame;
     if (animation) frame = options_.frame.value_or(animation->first);
     InspectReport report{
-        .scene = source_.name(),
+        .scene = source_->name(),
         .errors = sink_.error_count(),
         .dependencies = dependencies(),
         .animation = animation,
@@ -195,7 +195,7 @@ class InspectJob {
   const InspectOptions& options_;
   Environment& env_;
   std::chrono::steady_clock::time_point start_;
-  lang::SourceFile source_;
+  std::shared_ptr<const lang::Document> source_;
   double read_seconds_;
   lang::DiagnosticSink sink_;
   lang::Compiler compiler_;
@@ -206,17 +206,16 @@ class InspectJob {
 void add_inspect_command(CLI::App& app, Dispatcher& dispatcher) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* command =
-      app.add_subcommand("inspect", "Tell what a scene lowers to and requires, without rendering");
+      app.add_subcommand("inspect", "Show what a scene contains and requires, without rendering");
   add_scene_options(*command, options->scene);
-  command->get_option("--format")
-      ->description("How diagnostics are printed; json: what is asked for is JSON too");
+  command->get_option("--format")->description("Format of diagnostics; json: also of the report");
   add_whole_number(
       *command, "--frame", {.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber)},
       [options](std::uint64_t frame) { options->frame = static_cast<int>(frame); },
-      "The frame to look at; default: the first of the scene's animation");
+      "The frame to inspect; default: the first of the scene's animation");
   CLI::Option* deps =
       command->add_flag("--deps", options->wants_files,
-                        "Only the files that the scene reads: one a line, the scene itself first");
+                        "Only list the files that the scene reads, one per line, the scene first");
   command
       ->add_option_function<std::vector<std::string>>(
           "--where",
@@ -226,16 +225,16 @@ void add_inspect_command(CLI::App& app, Dispatcher& dispatcher) {
                   parse_whole_number("--where", text, {.highest = UINT32_MAX})));
             }
           },
-          "Only where the N-th sphere, counted from 0, stands in the text, and by which groups, "
-          "loops and files (may be repeated)")
+          "Only show the origin of sphere N, counted from 0: its place in the text, and the "
+          "groups, loops and files that lead to it (may be repeated)")
       ->type_name("N")
       ->take_all()
       ->expected(1)
       ->excludes(deps);
   add_override_options(*command, options->overrides);
   add_kernel_options(*command, options->kernel);
-  // All commands take it; this one has nothing else to say there.
-  command->add_flag("--quiet")->description("Nothing on standard error but diagnostics");
+  // Accepted because all commands have it; without effect here.
+  command->add_flag("--quiet")->description("Only diagnostics on standard error");
   command->footer(
       "Examples:\n"
       "  sdlc inspect ball.scene\n"
@@ -243,7 +242,7 @@ void add_inspect_command(CLI::App& app, Dispatcher& dispatcher) {
       "  sdlc inspect ring.scene --where 17\n"
       "  sdlc inspect ring.scene --deps\n"
       "  sdlc inspect ring.scene --format json | jq .memory.total_bytes\n\n"
-      "Of a scene with errors it tells what is left without them, and exits with 1. Nothing is "
+      "A scene with errors is reported without its invalid parts, with exit status 1. Nothing is "
       "rendered or\nwritten. docs/inspect.md explains the figures and the JSON fields.");
   dispatcher.on(command, [options](Environment& env) { return InspectJob(*options, env).run(); });
 }

@@ -12,27 +12,27 @@
 #include "lang/lower/lowered_scene.hpp"
 #include "render/tiles/render.hpp"
 
-/// What `sdlc inspect` prints.
+/// The output of `sdlc inspect`.
 namespace sdlc::cli {
 
-/// How near the scene comes to what numbers of one precision resolve.
+/// How close the scene is to the bounds of a precision.
 struct PrecisionFigures {
   render::Precision precision;
   render::PrecisionBounds bounds;
-  std::vector<std::uint32_t> exact_spheres;  ///< of Mixed
-  /// Where the spheres that decide stand in the text, in the order of their roles.
+  std::vector<std::uint32_t> exact_spheres;  ///< traced in double; for Mixed only
+  /// The places of the deciding spheres, in the order of their roles.
   std::vector<lang::Location> places;
 };
 
 /// Everything about a scene at one frame.
 struct InspectReport {
   std::string scene;                      ///< the file, as the user named it
-  std::size_t errors = 0;                 ///< that the scene has; without what they are about
-  std::vector<std::string> dependencies;  ///< the files that were read beside it
+  std::size_t errors = 0;                 ///< if any, the report excludes the invalid parts
+  std::vector<std::string> dependencies;  ///< the other files that were read
   std::optional<lang::Animation> animation;
-  int frame = 0;  ///< of the animation: what follows is at its time
+  int frame = 0;  ///< the reported frame of the animation
   lang::LoweredScene lowered;
-  std::optional<std::string> output;  ///< the picture's file; nothing where nothing names it
+  std::optional<std::string> output;  ///< the picture's file; nullopt without a name
   MaterialCounts materials;
   std::optional<SphereFigures> spheres;
   MemoryFigures memory;
@@ -42,7 +42,7 @@ struct InspectReport {
   lang::CompileTimes times;
 };
 
-/// A sphere and where it comes from.
+/// A sphere and its origin.
 struct TracedSphere {
   std::uint32_t index = 0;
   render::Sphere sphere;

@@ -30,12 +30,12 @@ std::string triple(double x, double y, double z) {
 std::string triple(render::Vec3 v) { return triple(v.x, v.y, v.z); }
 std::string linear(render::LinearRgb c) { return "linear" + triple(c.r, c.g, c.b); }
 
-/// A name as the user may have given it, or what stands in its place.
+/// The name, or `otherwise` if it is empty.
 std::string name_or(const std::string& name, std::string_view otherwise) {
   return name.empty() ? std::string(otherwise) : lang::printable(name);
 }
 
-/// Rows of two columns: what it is, and what is said of it.
+/// Rows with a label and a text.
 class Sheet {
  public:
   void row(std::string_view label, std::string_view text) {
@@ -61,13 +61,13 @@ void write_files(const InspectReport& report, Sheet& sheet) {
   }
   sheet.row("scene", text);
   if (report.errors > 0) {
-    sheet.detail("incomplete", fmt::format("{}; what follows is the scene without what is wrong",
+    sheet.detail("incomplete", fmt::format("{}; the report excludes the invalid parts",
                                            plural(report.errors, "error")));
   }
   if (!report.animation) return;
   const auto& [first, last, step, fps, where] = *report.animation;
   const auto count = frame_count({.first = first, .last = last, .step = step});
-  sheet.row("animation", fmt::format("{}: {} .. {}{}, {} a second",
+  sheet.row("animation", fmt::format("{}: {} .. {}{}, {} per second",
                                      plural(static_cast<std::size_t>(count), "frame"), first, last,
                                      step == 1 ? "" : fmt::format(" in steps of {}", step),
                                      format_rounded(fps)));
@@ -97,10 +97,9 @@ void write_spheres(const InspectReport& report, Sheet& sheet) {
   }
   sheet.row("spheres", text);
   if (!scene.instances.empty()) {
-    sheet.detail("instances",
-                 fmt::format("{} of {}, beside {}", format_whole(scene.instances.size()),
-                             plural(scene.prototypes.size(), "prototype"),
-                             plural(scene.spheres.size(), "plain sphere")));
+    sheet.detail("instances", fmt::format("{} of {}, and {}", format_whole(scene.instances.size()),
+                                          plural(scene.prototypes.size(), "prototype"),
+                                          plural(scene.spheres.size(), "plain sphere")));
   }
   sheet.detail("bounds", fmt::format("{} to {}{}", triple(figures.low), triple(figures.high),
                                      figures.moving > 0 ? ", while the shutter is open" : ""));
@@ -234,7 +233,7 @@ void write_memory(const InspectReport& report, Sheet& sheet) {
   const MemoryFigures& memory = report.memory;
   const std::uint64_t count = render::count_spheres(report.lowered.scene);
   std::string text = format_bytes(memory.total());
-  if (count > 0) text += fmt::format(", {:.0f} B a sphere", memory.per_sphere(count));
+  if (count > 0) text += fmt::format(", {:.0f} B per sphere", memory.per_sphere(count));
   sheet.row("memory", text);
   if (count > 0) {
     sheet.detail("spheres", format_bytes(memory.spheres));

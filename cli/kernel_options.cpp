@@ -52,9 +52,9 @@ void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
 
 lang::Instancing instancing_for(const render::KernelRequest& flags,
                                 const lang::Overrides& overrides) {
-  const bool takes_them = flags.kind.value_or(KernelKind::Bvh) == KernelKind::Bvh &&
-                          overrides.word(lang::render_property::kPrecision) != "float";
-  if (overrides.instancing == lang::Instancing::Auto && !takes_them) {
+  const bool are_supported = flags.kind.value_or(KernelKind::Bvh) == KernelKind::Bvh &&
+                             overrides.word(lang::render_property::kPrecision) != "float";
+  if (overrides.instancing == lang::Instancing::Auto && !are_supported) {
     return lang::Instancing::Never;
   }
   return overrides.instancing;
@@ -64,10 +64,10 @@ render::Kernel choose_kernel(const render::KernelRequest& flags, const lang::Ove
                              lang::LoweredScene& lowered, lang::Compiler& compiler) {
   render::KernelRequest request = flags;
   request.precision = lowered.precision;
-  // What the scene says is a wish, what a flag says is an order.
+  // A precision in the scene is a preference; one from a flag is required.
   request.may_take_double = !overrides.has(lang::render_property::kPrecision);
   render::Kernel kernel = render::choose_kernel(lowered.scene, lowered.settings, request);
-  // That there are instances was no wish, and many scenes can do without.
+  // Instances were not requested explicitly, and most scenes fit into memory without them.
   constexpr std::uint64_t kMaxPlainSpheres = 100'000'000;
   if (!kernel.refusal.empty() && overrides.instancing == lang::Instancing::Auto &&
       !lowered.scene.instances.empty() && count_spheres(lowered.scene) <= kMaxPlainSpheres) {

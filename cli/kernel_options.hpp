@@ -11,17 +11,16 @@
 
 namespace sdlc::cli {
 
-/// Whether a scene may have instances: `auto` makes none where the kernel or the precision that is
-/// asked for cannot take them.
+/// Whether a scene may have instances: with `auto`, not if the requested kernel or precision does
+/// not support them.
 lang::Instancing instancing_for(const render::KernelRequest& flags,
                                 const lang::Overrides& overrides);
 
-/// Adds --kernel and --isa, which force what is otherwise chosen by itself.
+/// Adds --kernel and --isa, which override the automatic choice.
 void add_kernel_options(CLI::App& command, render::KernelRequest& request);
 
-/// The kernel that flags and scene ask for together. Where its precision does not resolve the scene
-/// that `compiler` lowered last, there is a warning of that. Instances that nobody asked for, and
-/// that no kernel can take, become spheres of their own.
+/// Chooses the kernel for the flags and the scene, which `compiler` lowered last. Warns if its
+/// precision does not resolve the scene. Expands automatic instances if no kernel supports them.
 render::Kernel choose_kernel(const render::KernelRequest& flags, const lang::Overrides& overrides,
                              lang::LoweredScene& lowered, lang::Compiler& compiler);
 

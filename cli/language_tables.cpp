@@ -61,8 +61,8 @@ Json constructor_row(const lang::Constructor& constructor) {
 Json function_row(const lang::Builtin& function) {
   return {{"name", function.name},
           {"signature", function.signature},
-          {"least_arguments", function.least},
-          {"most_arguments", function.most},
+          {"least_arguments", function.min_arguments},
+          {"most_arguments", function.max_arguments},
           {"topic", function.topic},
           {"doc", function.doc}};
 }

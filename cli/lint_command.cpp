@@ -63,24 +63,25 @@ std::string plural(std::size_t count, std::string_view noun) {
 /// One file and its findings.
 class Linted final : public lang::CheckedText {
  public:
-  Linted(std::string name, std::string text, const LintOptions& options, const Environment& env)
-      : file_(std::move(name), std::move(text)) {
-    compiler_.emplace(file_, program_options(options.reading, env), sink_);
-    lang::lint(*compiler_, file_, sink_);
+  Linted(std::shared_ptr<const lang::Document> document, const LintOptions& options,
+         const Environment& env)
+      : document_(std::move(document)),
+        compiler_(*document_, program_options(options.reading, env), sink_) {
+    lang::lint(compiler_, *document_, sink_);
   }
 
   void select(lang::FindingsFilter filter) {
     findings_ = select_unallowed(sink_, std::move(filter));
   }
 
-  const lang::SourceFile& file() const override { return file_; }
+  const lang::SourceFile& file() const override { return *document_; }
   std::size_t error_count() const override { return sink_.error_count(); }
   const lang::Findings& findings() const override { return findings_; }
 
  private:
-  lang::SourceFile file_;
+  std::shared_ptr<const lang::Document> document_;
   lang::DiagnosticSink sink_;
-  std::optional<lang::Compiler> compiler_;  // holds texts that the sink refers to
+  lang::Compiler compiler_;  // holds texts that the sink refers to
   lang::Findings findings_;
 };
 
@@ -142,8 +143,9 @@ class LintJob {
         .wants(info.code, std::filesystem::absolute(place).lexically_normal());
   }
 
-  std::unique_ptr<Linted> linted(const std::string& name, std::string text) {
-    auto result = std::make_unique<Linted>(shown_name(name), std::move(text), options_, env_);
+  std::unique_ptr<Linted> linted(const std::string& name,
+                                 std::shared_ptr<const lang::Document> document) {
+    auto result = std::make_unique<Linted>(std::move(document), options_, env_);
     using Kind = std::pair<const lang::DiagnosticInfo*, const lang::SourceFile*>;
     const auto is_wanted =
         [this, scene = shown_name(name), own = &result->file(), decided = std::map<Kind, bool>()](
@@ -153,20 +155,20 @@ class LintJob {
           if (is_new) answer->second = wants(info, is_own ? scene : file->name(), scene);
           return answer->second;
         };
-    result->select({.is_wanted = is_wanted,
-                    .max_per_severity = applies_fixes() ? std::numeric_limits<std::size_t>::max()
-                                                        : lang::FindingsFilter::kMaxShown});
+    // report() limits what is shown, without findings that another file has shown.
+    result->select(
+        {.is_wanted = is_wanted, .max_per_severity = std::numeric_limits<std::size_t>::max()});
     return result;
   }
 
   void lint(const std::string& name) {
     try {
       if (applies_fixes() && !options_.shows_diff) refuse_special(name, env_);
-      std::string text =
-          read_text(name, shown_name(name), env_, options_.reading.limits.any_file());
+      auto document =
+          read_document(name, shown_name(name), env_, options_.reading.limits.any_file());
       if (!options_.shows_diff) writer_->enter(shown_name(name));
       const std::unique_ptr<lang::CheckedText> result =
-          applies_fixes() ? fix(name, std::move(text)) : linted(name, std::move(text));
+          applies_fixes() ? fix(name, std::move(document)) : linted(name, std::move(document));
       if (!options_.shows_diff) report(*result, shown_name(name));
     } catch (const render::IoError& error) {
       ++unreadable_;
@@ -175,11 +177,15 @@ class LintJob {
     }
   }
 
-  std::unique_ptr<lang::CheckedText> fix(const std::string& name, std::string text) {
-    const std::string original = text;
+  std::unique_ptr<lang::CheckedText> fix(const std::string& name,
+                                         std::shared_ptr<const lang::Document> document) {
+    const std::string original(document->text());
+    const auto check = [&](std::string text) {
+      const std::string shown = shown_name(name);
+      return linted(name, std::make_shared<const lang::Document>(shown, std::move(text)));
+    };
     lang::FixResult result =
-        lang::fix_text(linted(name, std::move(text)), options_.fixes_unsafe,
-                       [&](std::string fixed) { return linted(name, std::move(fixed)); });
+        lang::fix_text(linted(name, std::move(document)), options_.fixes_unsafe, check);
     const std::string fixed(result.checked->file().text());
     if (options_.shows_diff) {
       env_.out << unified_diff(shown_name(name), original, fixed);
@@ -205,7 +211,7 @@ class LintJob {
   /// Prints each finding once, even if several of the files read its text.
   void report(const lang::CheckedText& linted, const std::string& place) {
     lang::DiagnosticCounts counts = linted.findings().counts;
-    std::size_t other_warnings = counts.warnings;  // those not shown
+    std::size_t other_warnings = counts.warnings;  // those not kept
     lang::DiagnosticCounts shown;
     for (const lang::Diagnostic* diagnostic : linted.findings().shown) {
       const bool is_error = diagnostic->info->severity == lang::Severity::Error;
@@ -242,9 +248,16 @@ class LintJob {
         warnings_, [](const auto& each) { return each.second.found <= each.second.allowed; });
   }
 
-  std::string identity(const lang::Diagnostic& diagnostic) const {
+  /// Finds each path once: there may be a hundred thousand findings.
+  const std::string& path_of(const std::string& name) {
+    const auto [path, is_new] = paths_.try_emplace(name);
+    if (is_new) path->second = env_.workspace.identity(name).string();
+    return path->second;
+  }
+
+  std::string identity(const lang::Diagnostic& diagnostic) {
     const auto& [file, span] = diagnostic.where;
-    const std::string path = file == nullptr ? "" : env_.files.identity(file->name()).string();
+    const std::string path = file == nullptr ? "" : path_of(file->name());
     return fmt::format("{}\n{} {} {} {}", path, span.begin, span.end, diagnostic.info->code,
                        diagnostic.message);
   }
@@ -284,6 +297,7 @@ class LintJob {
   LintConfigs configs_;
   std::ostream& out_;
   std::unique_ptr<lang::DiagnosticWriter> writer_;
+  std::map<std::string, std::string> paths_;  // by name
   std::unordered_set<std::string> reported_;
   lang::DiagnosticCounts counts_;
   std::map<const LintConfig*, WarningCount> warnings_;

@@ -257,16 +257,16 @@ const LintConfig& LintConfigs::in_folder(const fs::path& folder, const fs::path&
 
 std::optional<LintConfig> LintConfigs::read(const fs::path& path) {
   constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 20;
-  if (searches_ && is_sandboxed_ && !lang::Sandbox(env_.files, path).resolve(path)) {
+  if (searches_ && is_sandboxed_ && !lang::Sandbox(env_.workspace, path).resolve(path)) {
     throw render::IoError("read", shown_name(path),
                           "it is outside its folder, which --sandbox refuses");
   }
   const bool is_searched = path.filename() == kLintConfigName;
-  if (is_searched && env_.files.is_special(path)) {
+  if (is_searched && env_.workspace.is_special(path)) {
     throw render::IoError("read", shown_name(path), "it is not a regular file");
   }
   std::error_code error;
-  const std::optional<std::string> text = env_.files.read(path, kMaxBytes, error);
+  const std::optional<std::string> text = env_.workspace.read(path, kMaxBytes, error);
   if (text && text->size() > kMaxBytes) {
     throw render::IoError("read", shown_name(path),
                           fmt::format("it has more than {} bytes", kMaxBytes));

@@ -67,8 +67,9 @@ int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   int status = 0;
   const bool has_stack = sdlc::cli::run_on_large_stack([&] {
-    const sdlc::lang::DiskFileSystem files;
-    sdlc::cli::Environment env = sdlc::cli::process_environment(files);
+    const sdlc::lang::DiskFileSystem disk;
+    sdlc::lang::Workspace workspace(disk);
+    sdlc::cli::Environment env = sdlc::cli::process_environment(workspace);
     status = static_cast<int>(sdlc::cli::run_program(arguments, env));
   });
   if (has_stack) return status;

@@ -69,9 +69,9 @@ struct MeasureOptions {
   render::GivenFlags given;
 };
 
-/// What of the command line a render of the same picture has to be told too.
+/// The flags of this command line that a render of the same picture needs too.
 render::GivenFlags given_flags(const CLI::App& command) {
-  // What is about measuring, and what a recommendation says itself.
+  // Flags about measuring, and those that a recommendation contains itself.
   static constexpr std::array<std::string_view, 12> kOwn{
       "FILE",      "--help", "--format", "--color",   "--output", "--budget",
       "--against", "--work", "--quiet",  "--samples", "--error",  "--stdin-filename"};
@@ -97,24 +97,24 @@ render::GivenFlags given_flags(const CLI::App& command) {
   return given;
 }
 
-/// A file to be written, and what.
+/// A report to write.
 struct ReportFile {
   fs::path path;
   std::string extension;  ///< "html", "json" or "csv"
 };
 
-/// Refuses reports that would take the place of this file, which is read.
+/// Rejects reports that would replace `read`, an input file.
 void check_kept(const std::vector<ReportFile>& files, const fs::path& read, std::string_view what) {
   const InputSet inputs({read.string()});
   for (const ReportFile& file : files) {
-    // Where a report of an interrupted measurement goes is refused too: that may always happen.
+    // Also the file of a partial report, because any measurement may be interrupted.
     for (const fs::path& name : {file.path, partial_name(file.path)}) {
-      // It need not be there yet.
+      // The file may not exist yet.
       const bool is_same = render::written_path(name) == render::written_path(read);
       if (!is_same && !inputs.contains(name.string())) continue;
       throw UsageError(fmt::format("-o: `{}` is {}, and would be overwritten{}",
                                    lang::printable(name.string()), what,
-                                   name == file.path ? "" : " by what an interruption leaves"));
+                                   name == file.path ? "" : " by a partial report"));
     }
   }
 }
@@ -124,12 +124,12 @@ std::vector<ReportFile> plan_files(const MeasureOptions& options) {
   std::vector<ReportFile> files;
   for (const std::string& name : options.outputs) {
     if (name == kStandardStream) {
-      throw UsageError("-o -: standard output gets what --format says; name a file");
+      throw UsageError("-o -: --format selects the report on standard output; name a file");
     }
     std::string extension = fs::path(name).extension().string();
     if (!extension.empty()) extension.erase(0, 1);
     if (!std::ranges::count(kExtensions, extension)) {
-      throw UsageError(fmt::format("-o: `{}` names no report; reports are .html, .json and .csv{}",
+      throw UsageError(fmt::format("-o: `{}` is not a report; reports are .html, .json and .csv{}",
                                    lang::printable(name), did_you_mean(extension, kExtensions)));
     }
     render::check_writable(name);
@@ -147,16 +147,14 @@ std::vector<ReportFile> plan_files(const MeasureOptions& options) {
 
 void check_supported(const MeasureOptions& options) {
   if (options.overrides.seconds) {
-    throw UsageError(
-        "--time is for `render`; --budget is the time that measuring may take, and the report says "
-        "how accurate a picture is after how long");
+    throw UsageError("--time is for `render`; use --budget to limit the time of the measurement");
   }
   if (options.overrides.is_adaptive) {
-    throw UsageError("--adaptive is not measured: how many samples a pixel gets differs");
+    throw UsageError("--adaptive cannot be measured: the number of samples differs per pixel");
   }
 }
 
-/// Refuses what would not fit before anything is rendered.
+/// Rejects a picture that does not fit into memory, before anything is rendered.
 void check_memory(const render::RenderSettings& settings) {
   // Three pictures, the reference's spread, FLIP's colours of two, and the report's maps.
   constexpr std::size_t kBytesPerPixel =
@@ -166,7 +164,7 @@ void check_memory(const render::RenderSettings& settings) {
   if (pixels * kBytesPerPixel > physical_memory_bytes()) throw std::bad_alloc();
 }
 
-/// Tells what is done, one thing after the other, on standard error.
+/// Prints the current step on standard error.
 class StudyProgress {
  public:
   StudyProgress(bool is_quiet, Environment& env) : is_quiet_(is_quiet), env_(env) {}
@@ -176,9 +174,9 @@ class StudyProgress {
   StudyProgress(const StudyProgress&) = delete;
   StudyProgress& operator=(const StudyProgress&) = delete;
 
-  void tell(const std::string& what, double share) {
+  void show(const std::string& step, double share) {
     if (is_quiet_) return;
-    const std::string text = fmt::format("{:3.0f} %  {}", 100 * share, what);
+    const std::string text = fmt::format("{:3.0f} %  {}", 100 * share, step);
     if (env_.err_is_terminal) {
       env_.err << '\r' << text << "\x1b[K" << std::flush;
       has_line_ = true;
@@ -210,15 +208,15 @@ class MeasureJob {
     check_memory(settings);
     scene_digest_ = fmt::format("{:016x}", render::digest_of(lowered->scene));
     check_earlier(settings);
-    // Until here there is nothing to save, and a signal ends the process.
+    // Until here there is nothing to save, and a signal may end the process.
     std::atomic<bool> interrupted{false};
     const InterruptGuard guard(interrupted);
-    const bool is_whole = study(*lowered);
+    const bool is_complete = study(*lowered);
     if (ledger_.nonfinite_samples > 0) {
       env_.err << fmt::format("error: {} samples are not finite and were left out\n",
                               ledger_.nonfinite_samples);
     }
-    if (!is_whole) return tell_interrupted(settings);
+    if (!is_complete) return finish_interrupted(settings);
     ExitCode code = write(settings, true);
     if (interrupted.load()) {
       env_.err << "interrupted; the measurement was finished\n";
@@ -230,9 +228,9 @@ class MeasureJob {
  private:
   void read_earlier() {
     if (options_.against.empty()) return;
-    const std::string text = read_text(options_.against, options_.against, env_);
+    const auto document = read_document(options_.against, options_.against, env_);
     try {
-      earlier_ = read_measurement(text);
+      earlier_ = read_measurement(document->text());
     } catch (const std::exception& error) {
       throw render::IoError("use", options_.against, error.what());
     }
@@ -240,10 +238,10 @@ class MeasureJob {
 
   std::optional<lang::LoweredScene> lower() {
     const auto start = std::chrono::steady_clock::now();
-    source_.emplace(read_source(options_.scene, env_));
+    source_ = read_scene(options_.scene, env_);
     compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
     if (options_.frame && !compiler_->animation() && !sink_.has_errors()) {
-      throw UsageError("--frame: the scene has no `animation`, so that all frames are the same");
+      throw UsageError("--frame: the scene has no `animation`, so all frames are the same");
     }
     lang::Overrides overrides = options_.overrides;
     overrides.instancing = instancing_for(options_.kernel, overrides);
@@ -277,8 +275,7 @@ class MeasureJob {
     if (!earlier_) return;
     const auto fail = [&](const std::string& what) {
       throw UsageError(
-          fmt::format("--against: `{}` is of another {}, so that nothing can be held "
-                      "against it",
+          fmt::format("--against: `{}` cannot be compared: it is a report of another {}",
                       lang::printable(options_.against), what));
     };
     if (earlier_->scene_digest != scene_digest_) fail("scene");
@@ -287,7 +284,7 @@ class MeasureJob {
     }
   }
 
-  /// What has to be the same for a measurement to be gone on with.
+  /// The values that must be unchanged to resume a measurement.
   Json identity(const lang::LoweredScene& lowered) const {
     const render::RenderSettings& settings = lowered.settings;
     Json json{
@@ -308,7 +305,7 @@ class MeasureJob {
 
   static std::string full_version() { return fmt::format("{} ({})", kVersion, kCommit); }
 
-  /// False when it was interrupted.
+  /// Returns false if it was interrupted.
   bool study(const lang::LoweredScene& lowered) {
     details_.emplace(lowered.output.tone);
     std::optional<render::ReferencePicture> reference;
@@ -320,15 +317,15 @@ class MeasureJob {
     const InterruptGuard interrupt(monitor.cancel);
     StudyProgress progress(options_.quiet, env_);
     render::StudyObserver observer;
-    observer.on_task = [&](const std::string& what, double share) { progress.tell(what, share); };
+    observer.on_task = [&](const std::string& step, double share) { progress.show(step, share); };
     observer.on_reference = [&](const render::ReferencePicture& picture) {
       measure_other_seconds(picture.picture, lowered);
       if (work_) work_->save(picture);
     };
     observer.on_picture = [&](const render::Configuration& configuration, int samples,
                               const render::Picture& picture,
-                              const render::ReferencePicture& held_against) {
-      const std::string key = details_->add(configuration, samples, picture, held_against);
+                              const render::ReferencePicture& reference_picture) {
+      const std::string key = details_->add(configuration, samples, picture, reference_picture);
       if (!work_) return;
       work_->save(key, details_->at(key));
       work_->save(Details::kReferenceKey, details_->at(Details::kReferenceKey));
@@ -344,13 +341,13 @@ class MeasureJob {
 
   render::StudyOptions study_options(const render::RenderSettings& settings) const {
     render::StudyOptions options{.budget_seconds = options_.budget_seconds, .goal = settings.error};
-    // What it is held against has errors of its own size only.
+    // Errors are only comparable at the size of the earlier measurement.
     if (earlier_) options.size = {earlier_->width, earlier_->height};
     return options;
   }
 
-  /// Reading was timed; writing is done here, to nowhere. The codec is loaded once, whatever the
-  /// size.
+  /// Determines the time to read the scene, which was measured, and to encode a picture of full
+  /// size. The codec is loaded once, independent of the size.
   void measure_other_seconds(const render::Picture& picture, const lang::LoweredScene& lowered) {
     const auto seconds_to_encode = [&](const render::Picture& any) {
       const auto start = std::chrono::steady_clock::now();
@@ -384,7 +381,8 @@ class MeasureJob {
     return command;
   }
 
-  /// To standard output and to the files; how the command ends by what it is held against.
+  /// Writes the report to standard output and to the files. The result depends on the comparison
+  /// with the earlier report.
   ExitCode write(const render::RenderSettings& settings, bool is_complete) {
     ExitCode code = ExitCode::Success;
     render::Measurement measurement = measurement_of(ledger_, settings, study_options(settings));
@@ -403,7 +401,7 @@ class MeasureJob {
       try {
         render::write_file_atomically(name, std::as_bytes(std::span(text)));
         written_.push_back(lang::printable(name.string()));
-      } catch (const render::IoError& error) {  // the others may be written
+      } catch (const render::IoError& error) {  // the other files may be writable
         env_.err << fmt::format("error: {}\n", lang::printable(error.what()));
         code = ExitCode::Usage;
       }
@@ -411,7 +409,7 @@ class MeasureJob {
     if (is_complete || files_.empty()) env_.out << text_of(options_.format);
     if (!report.against) return code;
     if (report.against->points.empty()) {
-      env_.err << fmt::format("error: nothing was held against `{}`: {}\n",
+      env_.err << fmt::format("error: no comparison with `{}`: {}\n",
                               lang::printable(options_.against),
                               fmt::join(report.against->notes, "; "));
       return ExitCode::Usage;
@@ -419,17 +417,17 @@ class MeasureJob {
     return graver(code, is_worse(*report.against) ? ExitCode::Findings : ExitCode::Success);
   }
 
-  ExitCode tell_interrupted(const render::RenderSettings& settings) {
+  ExitCode finish_interrupted(const render::RenderSettings& settings) {
     ExitCode code = ExitCode::Interrupted;
     if (!ledger_.evaluations.empty()) code = graver(code, write(settings, false));
     env_.err << "interrupted";
     if (ledger_.evaluations.empty()) env_.err << " before the first point was measured";
     for (std::size_t i = 0; i < written_.size(); ++i) {
-      env_.err << (i == 0 ? "; what there is was saved as " : ", ") << written_[i];
+      env_.err << (i == 0 ? "; the partial report was saved as " : ", ") << written_[i];
     }
-    env_.err << (work_ ? fmt::format("; the same command goes on from {}\n",
+    env_.err << (work_ ? fmt::format("; run the same command to resume from {}\n",
                                      lang::printable(options_.work))
-                       : "; with --work FOLDER the same command would go on\n");
+                       : "; use --work FOLDER to make a measurement resumable\n");
     return code;
   }
 
@@ -440,7 +438,7 @@ class MeasureJob {
   std::vector<std::string> written_;
   std::optional<EarlierMeasurement> earlier_;
   lang::DiagnosticSink sink_;
-  std::optional<lang::SourceFile> source_;
+  std::shared_ptr<const lang::Document> source_;
   std::optional<lang::Compiler> compiler_;
   render::KernelRequest request_;
   std::string scene_digest_;
@@ -455,36 +453,36 @@ class MeasureJob {
 void add_measure_command(CLI::App& app, Dispatcher& dispatcher) {
   auto options = std::make_shared<MeasureOptions>();
   CLI::App* command = app.add_subcommand(
-      "measure", "Measure what error a scene's picture has after what time on this machine");
+      "measure", "Measure the error of a scene's picture against render time on this machine");
   add_scene_options(*command, options->scene);
   command->remove_option(command->get_option("--format"));
-  command->add_option("--format", options->format, "What standard output gets")
+  command->add_option("--format", options->format, "Format of the report on standard output")
       ->check(one_of(kFormats));
   command
       ->add_option("-o,--output", options->outputs,
                    "A report to write, by its extension: html, json or csv (may be repeated)")
       ->take_all()
       ->expected(1)
-      ->allow_extra_args(false);  // FILE may stand behind it
+      ->allow_extra_args(false);  // FILE may follow
   command
       ->add_option_function<std::string>(
           "--budget",
           [options](const std::string& text) {
             options->budget_seconds = parse_duration("--budget", text);
           },
-          "How long measuring may take, such as `5min`; default: 1min")
+          "Time limit of the measurement, such as `5min`; default: 1min")
       ->type_name("T");
   command->add_option("--against", options->against,
-                      "Compare with this earlier report (.json); exits with 1 where it is worse");
+                      "Compare with this earlier report (.json); exit status 1 if worse");
   command->add_option("--work", options->work,
-                      "Keep all that is done in this folder; the same command goes on from there");
+                      "Save all results in this folder, so that the same command can resume");
   add_whole_number(
       *command, "--frame", {.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber)},
       [options](std::uint64_t frame) { options->frame = static_cast<int>(frame); },
       "The frame to measure; default: the first of the scene's animation");
   add_override_options(*command, options->overrides);
   add_kernel_options(*command, options->kernel);
-  command->add_flag("--quiet", options->quiet, "Nothing on standard error but diagnostics");
+  command->add_flag("--quiet", options->quiet, "Only diagnostics on standard error");
   command->footer(
       "Examples:\n"
       "  sdlc measure ball.scene\n"
@@ -492,9 +490,9 @@ void add_measure_command(CLI::App& app, Dispatcher& dispatcher) {
       "  sdlc measure ball.scene --error 1% --format json | jq '.recommendations[].flags'\n"
       "  sdlc measure ball.scene --budget 1h --work ball.work -o ball.html   # Ctrl-C, and again\n"
       "  sdlc measure ball.scene -o new.json --against old.json\n\n"
-      "Renders the scene in many ways, and holds every picture against a long reference of its "
-      "own.\n"
-      "--error is what a recommendation is made for. docs/measure.md explains the report.");
+      "Renders the scene in several configurations, and compares each picture with a long "
+      "reference.\n"
+      "--error is the goal of the recommendation. docs/measure.md explains the report.");
   dispatcher.on(command, [options, command](Environment& env) {
     options->given = given_flags(*command);
     return MeasureJob(*options, env).run();

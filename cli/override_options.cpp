@@ -62,8 +62,8 @@ void add_instances(CLI::App& command, lang::Instancing& instancing) {
             const auto found = std::ranges::find(kWords, word);
             instancing = kMeanings[static_cast<std::size_t>(found - kWords.begin())];
           },
-          "Hold what a def places again and again once: slower to trace, as it saves memory; auto: "
-          "in scenes of more than a million spheres")
+          "Share equal groups in memory: saves memory, but tracing is slower; auto: in scenes of "
+          "more than a million spheres")
       ->check(one_of(kWords));
 }
 
@@ -86,11 +86,11 @@ void add_goals(CLI::App& command, lang::Overrides& overrides) {
       "E", std::string(error.doc));
   add_amount(
       command, "--time", parse_duration, [&](double seconds) { overrides.seconds = seconds; }, "T",
-      "Go on until so much time has passed, such as `10s`, `500ms`, `2min` or `1h`. --error "
-      "and --time take the place of the scene's samples and error; with both, whichever is "
-      "reached first ends it; --samples: the most of them");
+      "Time limit, such as `10s`, `500ms`, `2min` or `1h`. --error and --time replace the scene's "
+      "samples and error; with both, the render ends when the first is reached; --samples is the "
+      "max number");
   command.add_flag("--adaptive", overrides.is_adaptive,
-                   "More samples where there is more noise, up to the error to reach");
+                   "More samples where there is more noise; needs a requested error");
 }
 
 }  // namespace
@@ -110,11 +110,12 @@ void add_override_options(CLI::App& command, lang::Overrides& overrides) {
 void check_goals(const lang::Overrides& overrides, const lang::LoweredScene& lowered) {
   const bool is_plain = !lowered.camera;
   if (!overrides.is_adaptive || lowered.settings.error || is_plain) return;
-  throw UsageError(overrides.seconds
-                       ? "--adaptive: --time alone is no error to reach; add one, such as "
-                         "--error 1%"
-                       : "--adaptive: there is no error to reach; add one, such as --error 1%, or "
-                         "`error: 1%` in the scene's `render`");
+  throw UsageError(
+      overrides.seconds
+          ? "--adaptive needs a requested error in addition to --time, such as "
+            "--error 1%"
+          : "--adaptive needs a requested error, such as --error 1%, or `error: 1%` in "
+            "the scene's `render`");
 }
 
 }  // namespace sdlc::cli

@@ -7,11 +7,11 @@
 
 namespace sdlc::cli {
 
-/// The flags that win over the scene's own settings: one for each property of `render` but its
-/// output, named and explained by the property's row in its table.
+/// Adds the flags that override settings of the scene, with names and help from the table of
+/// properties: one for each property of `render` that is a whole number or a word, and for `error`.
 void add_override_options(CLI::App& command, lang::Overrides& overrides);
 
-/// Throws UsageError where the flags ask for what neither they nor the scene say how to reach.
+/// Throws UsageError for --adaptive without a requested error.
 void check_goals(const lang::Overrides& overrides, const lang::LoweredScene& lowered);
 
 }  // namespace sdlc::cli

@@ -79,7 +79,7 @@ class PageWriter {
     const std::vector<std::string> words = words_of(fence);
     const bool is_message = words.size() > 1 && words[1] == "message";
     if (is_message) {
-      out_ += "sdlc says:\n\n";
+      out_ += "sdlc reports:\n\n";
     } else if (words.size() > 3) {
       out_ +=
           fmt::format("{}, with {}:\n\n", words[2], fmt::join(words.begin() + 3, words.end(), " "));

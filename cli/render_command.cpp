@@ -240,7 +240,7 @@ class RenderJob {
   RenderJob(const RenderOptions& options, Environment& env) : options_(options), env_(env) {}
 
   ExitCode run() {
-    source_.emplace(read_source(options_.scene, env_));
+    source_ = read_scene(options_.scene, env_);
     read_seconds_ = seconds_since(start_);
     compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
     choose_frames();
@@ -309,7 +309,7 @@ class RenderJob {
     }
     if (!lowered) return std::nullopt;
     check_goals(overrides, *lowered);
-    sink_.forget_shown();
+    sink_.clear();
     statistics.scene = source_->name();
     statistics.compile = compiler_->times();
     if (is_first) statistics.compile.parse_seconds += read_seconds_;
@@ -347,7 +347,7 @@ class RenderJob {
     for (const fs::path& part : compiler_->dependencies()) inputs_.push_back(part.string());
     if (!options_.scene.reading.is_sandboxed) return;
     // The default folder is ours, but the file in it may be a link made by the scene's author.
-    sandbox_.emplace(env_.files, lowered.output.output.empty() ? "" : options_.scene.name());
+    sandbox_.emplace(env_.workspace, lowered.output.output.empty() ? "" : options_.scene.name());
   }
 
   ExitCode render_frame(std::optional<int> frame, bool is_last) {
@@ -400,7 +400,7 @@ class RenderJob {
   const RenderOptions& options_;
   Environment& env_;
   lang::DiagnosticSink sink_;
-  std::optional<lang::SourceFile> source_;
+  std::shared_ptr<const lang::Document> source_;
   std::optional<lang::Compiler> compiler_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::vector<std::optional<int>> frames_;  // nullopt for a scene without an animation

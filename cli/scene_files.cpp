@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 bool looks_like_config(const fs::path& path, const Environment& env) {
   constexpr std::uint64_t kMaxConfig = lang::Limits().config;
   std::error_code error;
-  const std::optional<std::string> text = env.files.read(path, kMaxConfig, error);
+  const std::optional<std::string> text = env.workspace.read(path, kMaxConfig, error);
   if (!text) return true;  // the reader will report why it cannot be read
   const auto is_there = [&](const lang::JsonKey& key) {
     return text->find(fmt::format("\"{}\"", key.key)) != std::string::npos;
@@ -43,16 +43,21 @@ std::vector<std::string> scenes_in(const fs::path& folder, const Environment& en
   // Checked first, because the other checks follow links.
   const auto leads_out = [&](const fs::directory_entry& entry) {
     return is_sandboxed && entry.is_symlink() &&
-           !lang::Sandbox(env.files, entry.path()).resolve(entry.path());
+           !lang::Sandbox(env.workspace, entry.path()).resolve(entry.path());
   };
   for (fs::recursive_directory_iterator entry(folder), end; entry != end; ++entry) {
     const fs::path& path = entry->path();
     const bool is_hidden = path.filename().string().starts_with('.');
     if (leads_out(*entry)) continue;
-    if (entry->is_directory()) {
+    std::error_code error;  // of a link that leads nowhere or to itself
+    const fs::file_status status = entry->status(error);
+    const bool is_file = fs::is_regular_file(status);
+    const bool is_broken = error || status.type() == fs::file_type::not_found;
+    if (fs::is_directory(status)) {
       if (is_hidden) entry.disable_recursion_pending();
-    } else if (!is_hidden && entry->is_regular_file() && is_wanted(path, env, wanted)) {
-      names.push_back(path.lexically_normal().string());
+    } else if (!is_hidden && ((is_file && is_wanted(path, env, wanted)) ||
+                              (is_broken && path.extension() == ".scene"))) {
+      names.push_back(path.lexically_normal().string());  // reading a broken link is an error
     }
   }
   std::ranges::sort(names);

@@ -97,21 +97,22 @@ std::string stdin_name(const ReadingOptions& options) {
   return options.stdin_filename.empty() ? "<stdin>" : options.stdin_filename;
 }
 
-std::string read_text(const std::string& path, const std::string& name, const Environment& env,
-                      std::uint64_t max_bytes) {
+std::shared_ptr<const lang::Document> read_document(const std::string& path,
+                                                    const std::string& name, const Environment& env,
+                                                    std::uint64_t max_bytes) {
   std::error_code error;
-  std::optional<std::string> text = env.files.read(path, max_bytes, error);
-  if (!text) throw render::IoError("read", name, error.message());
-  return std::move(*text);
+  auto document = env.workspace.load(path, name, max_bytes, error);
+  if (!document) throw render::IoError("read", name, error.message());
+  return document;
 }
 
 void refuse_special(const std::string& path, const Environment& env) {
-  if (path == kStandardStream || !env.files.is_special(path)) return;
+  if (path == kStandardStream || !env.workspace.is_special(path)) return;
   throw render::IoError("replace", path, "it is not a regular file");
 }
 
 lang::ProgramOptions program_options(const ReadingOptions& options, const Environment& env) {
-  return {.files = &env.files,
+  return {.workspace = &env.workspace,
           .limits = options.limits,
           .is_sandboxed = options.is_sandboxed,
           .sets = {}};
@@ -149,9 +150,9 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
   add_diagnostics_options(command, options.diagnostics);
 }
 
-lang::SourceFile read_source(const SceneOptions& options, const Environment& env) {
-  return lang::SourceFile(options.name(), read_text(options.file, options.name(), env,
-                                                    options.reading.limits.any_file()));
+std::shared_ptr<const lang::Document> read_scene(const SceneOptions& options,
+                                                 const Environment& env) {
+  return read_document(options.file, options.name(), env, options.reading.limits.any_file());
 }
 
 lang::ProgramOptions program_options(const SceneOptions& options, const Environment& env) {

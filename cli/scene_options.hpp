@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,7 +11,7 @@
 #include "cli/environment.hpp"
 #include "lang/program/program.hpp"
 #include "lang/source/limits.hpp"
-#include "lang/source/source.hpp"
+#include "lang/workspace/document.hpp"
 
 namespace sdlc::cli {
 
@@ -28,10 +30,11 @@ void add_reading_options(CLI::App& command, ReadingOptions& options);
 /// The name of a scene from standard input in messages.
 std::string stdin_name(const ReadingOptions& options);
 
-/// Reads `path`, called `name` in messages; returns at most the first `max_bytes` + 1 bytes. Throws
+/// Reads `path`, called `name` in messages; at most the first `max_bytes` + 1 bytes. Throws
 /// render::IoError.
-std::string read_text(const std::string& path, const std::string& name, const Environment& env,
-                      std::uint64_t max_bytes = lang::Limits().any_file());
+std::shared_ptr<const lang::Document> read_document(
+    const std::string& path, const std::string& name, const Environment& env,
+    std::uint64_t max_bytes = lang::Limits().any_file());
 
 lang::ProgramOptions program_options(const ReadingOptions& options, const Environment& env);
 
@@ -56,8 +59,9 @@ void add_scene_options(CLI::App& command, SceneOptions& options);
 /// Throws render::IoError for a pipe, a device or the like, which cannot be replaced.
 void refuse_special(const std::string& path, const Environment& env);
 
-/// Reads the scene's text. Throws render::IoError.
-lang::SourceFile read_source(const SceneOptions& options, const Environment& env);
+/// Throws render::IoError.
+std::shared_ptr<const lang::Document> read_scene(const SceneOptions& options,
+                                                 const Environment& env);
 lang::ProgramOptions program_options(const SceneOptions& options, const Environment& env);
 
 }  // namespace sdlc::cli

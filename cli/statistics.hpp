@@ -10,7 +10,7 @@
 
 namespace sdlc::cli {
 
-/// What `render --stats` tells of one picture, beside what the render itself counted.
+/// Data about one picture for `render --stats`, in addition to the counts of the render.
 struct RenderStatistics {
   std::string scene;          ///< the file, as the user named it
   std::uint64_t spheres = 0;  ///< those of instances among them

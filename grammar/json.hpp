@@ -18,14 +18,14 @@ struct name_separator  : one<':'> {};
 struct value_separator : one<','> {};
 
 // What a reader has reported and replaced before; see lang/repair/json_syntax.hpp.
-struct mended_value  : one<'\x1A'> {};
-struct mended_member : one<'\x1C'> {};
-struct mended_name   : seq<one<'\x1D'>, star<word_char>> {};
+struct repaired_value  : one<'\x1A'> {};
+struct repaired_member : one<'\x1C'> {};
+struct repaired_name   : seq<one<'\x1D'>, star<word_char>> {};
 
 struct array;
 struct object;
-struct value_by_habit : sor<malformed_number, single_quoted, curly_quoted, word, mended_value> {};
-struct value          : sor<string, number, array, object, literal, value_by_habit> {};
+struct value_by_habit : sor<malformed_number, single_quoted, curly_quoted, word, repaired_value> {};
+struct value          : sor<number, string, array, object, literal, value_by_habit> {};
 struct begins_value   : at<sor<ranges<'0', '9', 'a', 'z', 'A', 'Z'>,
                                one<'"', '\'', '{', '[', '-', '+', '.', '\x1A', '\x1D'>, curly_quote>> {};
 
@@ -45,12 +45,12 @@ struct equals_sign            : one<'='> {};
 struct missing_name_separator : begins_value {};
 struct name_separation        : sor<name_separator, equals_sign, missing_name_separator> {};
 struct bare_name      : seq<ranges<'a', 'z', 'A', 'Z'>, star<word_char>, opt<one<'"'>>> {};
-struct member_name    : sor<string, single_quoted, curly_quoted, bare_name, mended_name> {};
+struct member_name    : sor<string, single_quoted, curly_quoted, bare_name, repaired_name> {};
 struct missing_value  : at<sor<value_separator, end_object>> {};
 struct member_value   : sor<value, missing_value> {};
 struct missing_member : at<value_separator> {};
 struct present_member : seq<member_name, ws, must<name_separation>, ws, must<member_value>, ws> {};
-struct left_member    : seq<mended_member, ws> {};
+struct left_member    : seq<repaired_member, ws> {};
 struct first_member   : sor<present_member, missing_member, left_member> {};
 struct member         : sor<present_member, missing_member, left_member> {};
 struct next_member    : sor<seq<value_separator, ws, sor<trailing_separator, must<member>>>,

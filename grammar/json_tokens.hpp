@@ -66,7 +66,9 @@ struct char_ : sor<plain_ascii, escape, beyond_ascii,
 
 struct opening_quote : one<'"'> {};
 struct closing_quote : one<'"'> {};
-struct string        : seq<opening_quote, star<char_>, must<closing_quote>> {};
+// Most strings are plain ASCII, which is tried first: `char_` has eight alternatives.
+struct string_rest   : seq<star<char_>, must<closing_quote>> {};
+struct string        : seq<opening_quote, opt<plain_ascii>, sor<closing_quote, string_rest>> {};
 
 struct opening_single_quote : one<'\''> {};
 struct closing_single_quote : one<'\''> {};

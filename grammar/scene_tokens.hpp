@@ -30,6 +30,7 @@ struct reserved;
 struct identifier;
 struct number;
 struct digits;
+struct identifier_foreign;
 struct unit;
 struct color;
 struct idchar;
@@ -69,7 +70,8 @@ struct reserved : seq<at<one<'a', 'd', 'e', 'f', 'i', 'l', 'n', 'o', 'p', 't'>>,
 
 struct number_fraction : seq<one<'.'>, digits> {};
 struct number_exponent : seq<one<'e', 'E'>, opt<one<'+', '-'>>, digits> {};
-struct number_end      : not_at<sor<idchar, one<'%'>, seq<one<'.'>, not_at<one<'.'>>>>> {};
+struct number_end      : not_at<sor<idchar, one<'%'>, seq<one<'.'>, not_at<one<'.'>>>,
+                                    identifier_foreign>> {};
 struct number          : seq<sor<seq<digits, opt<number_fraction>>, number_fraction>,
                              opt<number_exponent>, opt<unit>, number_end> {};
 
@@ -83,6 +85,11 @@ struct unit : seq<at<one<'%', 'd', 'r', 't', 'm', 'c', 'k', 's'>>,
 struct color : seq<one<'#'>, plus<idchar>> {};
 
 struct idchar : ranges<'a', 'z', 'A', 'Z', '0', '9', '_'> {};
+
+// Latin letters with accents, Greek and Cyrillic, without the signs for times and divided by, and
+// the micro sign. They end no number: `2π` is one mistake.
+struct identifier_foreign
+    : tao::pegtl::utf8::ranges<0xB5, 0xB5, 0xC0, 0xD6, 0xD8, 0xF6, 0xF8, 0x53F> {};
 
 struct string : seq<one<'"'>, star<sor<plus<character>, escape>>, one<'"'>> {};
 
@@ -115,11 +122,10 @@ struct string_open  : seq<one<'"'>, star<string_part>> {};
 struct number_point    : seq<one<'.'>, not_at<one<'.'>>> {};
 struct number_digits   : plus<sor<digit, number_point>> {};
 struct number_sign     : seq<one<'e', 'E'>, one<'+', '-'>> {};
-struct number_token    : plus<sor<seq<number_digits, opt<number_sign>>, idchar, one<'%'>>> {};
+struct number_token    : plus<sor<seq<number_digits, opt<number_sign>>, idchar, one<'%'>,
+                                  identifier_foreign>> {};
 
-// Latin letters with accents, Greek and Cyrillic, without the signs for times and divided by.
-struct identifier_foreign : tao::pegtl::utf8::ranges<0xC0, 0xD6, 0xD8, 0xF6, 0xF8, 0x53F> {};
-struct identifier_token   : seq<not_at<digit>, plus<sor<idchar, identifier_foreign>>> {};
+struct identifier_token : seq<not_at<digit>, plus<sor<idchar, identifier_foreign>>> {};
 
 struct space_in_line  : plus<one<' ', '\t'>> {};
 struct space_line_end : sor<one<'\n'>, seq<one<'\r'>, opt<one<'\n'>>>> {};

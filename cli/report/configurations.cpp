@@ -18,8 +18,9 @@ std::vector<std::string> report_parts(const render::Configuration& configuration
   return parts;
 }
 
-/// The way as flags ask for it: --precision takes no Mixed, which Float becomes where it must.
-render::Configuration asked_for(render::Configuration configuration) {
+/// The configuration as requested by flags: --precision cannot request Mixed, which is chosen for
+/// Float if necessary.
+render::Configuration requested(render::Configuration configuration) {
   if (configuration.precision == render::Precision::Mixed)
     configuration.precision = render::Precision::Float;
   return configuration;
@@ -29,11 +30,11 @@ render::Configuration asked_for(render::Configuration configuration) {
 
 std::string render_flags(const render::Measurement& measurement,
                          const render::Configuration& configuration, int samples) {
-  const render::Configuration asked = asked_for(configuration), own = asked_for(measurement.own);
+  const render::Configuration wanted = requested(configuration), own = requested(measurement.own);
   const render::GivenFlags& given = measurement.given;
   std::string flags = fmt::format("--samples {}", samples);
   render::for_each_configuration_setting([&](const auto& setting) {
-    const auto value = asked.*setting.member;
+    const auto value = wanted.*setting.member;
     if (value == own.*setting.member && !std::ranges::count(given.of_configuration, setting.name))
       return;
     flags += fmt::format(" {} {}", render::flag_of(setting.name), render::shown(value));
@@ -49,16 +50,16 @@ std::string describe_configuration(const render::Configuration& configuration) {
 std::string describe_configuration(const render::Measurement& measurement,
                                    const render::Configuration& configuration) {
   const std::vector<std::string> parts = report_parts(configuration);
-  std::vector<std::string> told;
+  std::vector<std::string> distinct;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const bool is_shared =
         std::ranges::all_of(measurement.series, [&](const render::Series& series) {
           return report_parts(series.configuration)[i] == parts[i];
         });
-    if (!is_shared) told.push_back(parts[i]);
+    if (!is_shared) distinct.push_back(parts[i]);
   }
-  return told.empty() ? describe_configuration(configuration)
-                      : fmt::format("{}", fmt::join(told, ", "));
+  return distinct.empty() ? describe_configuration(configuration)
+                          : fmt::format("{}", fmt::join(distinct, ", "));
 }
 
 }  // namespace sdlc::cli

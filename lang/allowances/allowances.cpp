@@ -10,6 +10,7 @@
 #include "lang/text/ascii.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "lang/token/token_reader.hpp"
+#include "lang/workspace/document.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -27,12 +28,12 @@ TokenReader content_of(std::string_view text, Span comment) {
   return TokenReader(text.substr(0, comment.end), comment.begin + 2);
 }
 
-/// Takes `sdlc:`, which begins an allowance.
+/// Consumes `sdlc:`, the beginning of an allowance.
 bool take_mark(TokenReader& tokens) {
   return tokens.text(tokens.next_in_line()) == "sdlc" && tokens.text(tokens.next()) == ":";
 }
 
-/// The codes of `// sdlc: allow(W402, W4) reason`; empty where it cannot be read so.
+/// The codes of `// sdlc: allow(W402, W4) reason`; empty if the comment has another form.
 std::vector<Span> read_codes(TokenReader tokens) {
   const auto next = [&] { return tokens.text(tokens.next_in_line()); };
   if (!take_mark(tokens) || next() != "allow" || next() != "(") return {};
@@ -47,15 +48,16 @@ std::vector<Span> read_codes(TokenReader tokens) {
   return separator == ")" ? codes : std::vector<Span>();
 }
 
-/// The code as the table has it: in capitals.
+/// The code in capitals, as in the table.
 std::string code_text(const SourceFile& file, Span code) { return upper_case(file.text(code)); }
 
-/// Finds the statements that comments speak of, in one pass over the text for all comments.
+/// Finds the statements of all comments in one pass over the tree.
 class Statements {
  public:
-  explicit Statements(const SyntaxTree& tree) : tree_(tree), text_(tree.file().text()) {
-    find_next_tokens();
-    find_parts();
+  Statements(const SyntaxTree& tree, const StopRequest* stop)
+      : tree_(tree), text_(tree.file().text()) {
+    find_next_tokens(stop);
+    find_parts(stop);
   }
 
   std::optional<Span> of_comment(std::size_t comment) const {
@@ -67,19 +69,20 @@ class Statements {
   }
 
  private:
-  /// A statement, or a block of one.
+  /// A statement or a block.
   struct Part {
     Span span;
     bool is_block;
-    std::uint32_t around;  ///< kNone: the file
+    std::uint32_t around;  ///< index of the enclosing part; kNone for the file
   };
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-  /// The first token behind each comment.
-  void find_next_tokens() {
+  /// Finds the first token after each comment.
+  void find_next_tokens(const StopRequest* stop) {
     const auto comments = tree_.comments();
     next_tokens_.resize(comments.size());
     for (std::size_t i = comments.size(); i-- > 0;) {
+      stop_if_requested(stop);
       std::uint32_t at = comments[i].span.end;
       while (at < text_.size() && is_blank(text_[at])) ++at;
       const bool is_comment = i + 1 < comments.size() && comments[i + 1].span.begin == at;
@@ -87,9 +90,10 @@ class Statements {
     }
   }
 
-  void find_parts() {
+  void find_parts(const StopRequest* stop) {
     std::uint32_t around = kNone;
     for (const SyntaxNode& node : tree_.nodes()) {
+      stop_if_requested(stop);
       const bool is_block = node.kind == SyntaxKind::Block;
       if (!is_statement(node.kind) && !is_block) continue;
       while (around != kNone && parts_[around].span.end <= node.begin)
@@ -107,10 +111,10 @@ class Statements {
   }
 
   std::optional<Span> ending_before(std::uint32_t comment, std::uint32_t line) const {
-    const auto behind = std::ranges::lower_bound(parts_, comment, {},
-                                                 [](const Part& part) { return part.span.begin; });
-    if (behind == parts_.begin()) return std::nullopt;
-    auto around = static_cast<std::uint32_t>(behind - parts_.begin() - 1);
+    const auto after = std::ranges::lower_bound(parts_, comment, {},
+                                                [](const Part& part) { return part.span.begin; });
+    if (after == parts_.begin()) return std::nullopt;
+    auto around = static_cast<std::uint32_t>(after - parts_.begin() - 1);
     std::optional<Span> before;
     for (; around != kNone && parts_[around].span.end <= comment; around = parts_[around].around) {
       before = parts_[around].span;
@@ -123,23 +127,18 @@ class Statements {
   const SyntaxTree& tree_;
   std::string_view text_;
   std::vector<std::uint32_t> next_tokens_;  // by comment
-  std::vector<Part> parts_;                 // by where they begin, outer ones first
+  std::vector<Part> parts_;                 // by beginning, outer ones first
 };
 
-bool fits_some_warning(std::string_view code) {
+/// Whether the code, or a code with this prefix, exists.
+bool is_code(std::string_view code, Severity severity) {
   return std::ranges::any_of(all_diagnostics(), [&](const DiagnosticInfo* info) {
-    return info->severity != Severity::Error && info->code.starts_with(code);
+    return info->severity == severity && info->code.starts_with(code);
   });
 }
 
-bool fits_some_error(std::string_view code) {
-  return std::ranges::any_of(all_diagnostics(), [&](const DiagnosticInfo* info) {
-    return info->severity == Severity::Error && info->code.starts_with(code);
-  });
-}
-
-/// The comment with the blanks before it, and its line if nothing else is on it.
-Span with_blanks(std::string_view text, Span comment) {
+/// The comment with the spaces before it, or with its line if nothing else is on it.
+Span with_space(std::string_view text, Span comment) {
   Span span = comment;
   while (span.begin > 0 && (text[span.begin - 1] == ' ' || text[span.begin - 1] == '\t')) {
     --span.begin;
@@ -153,21 +152,23 @@ Span with_blanks(std::string_view text, Span comment) {
 
 }  // namespace
 
-Allowances::FileAllowances Allowances::read(const SourceFile& file) {
+Allowances::FileAllowances Allowances::read(const SourceFile& file) const {
   FileAllowances result;
   const bool has_some = file.text().find(kMark) != std::string_view::npos;
-  if (file.format() != SourceFormat::Scene || !has_some) return result;
-  DiagnosticSink ignored;
-  const SyntaxTree tree = parse(file, ignored);
-  const Statements statements(tree);
+  const auto* document = dynamic_cast<const Document*>(&file);
+  if (document == nullptr || file.format() != SourceFormat::Scene || !has_some) return result;
+  DiagnosticSink ignored(stop_);
+  const SyntaxTree& tree = document->tree(ignored);
+  const Statements statements(tree, stop_);
   std::vector<std::optional<Span>> places;  // of each allowance
   for (std::size_t i = 0; i < tree.comments().size(); ++i) {
+    stop_if_requested(stop_);
     const Comment& comment = tree.comments()[i];
     if (comment.kind != CommentKind::Line) continue;
     const TokenReader content = content_of(file.text(), comment.span);
     if (TokenReader tokens = content; !take_mark(tokens)) continue;
     const std::vector<Span> codes = read_codes(content);
-    if (codes.empty()) result.unreadable.push_back(comment.span);
+    if (codes.empty()) result.malformed.push_back(comment.span);
     for (std::uint32_t k = 0; k < codes.size(); ++k) {
       result.list.push_back({.code = codes[k],
                              .comment = comment.span,
@@ -184,7 +185,7 @@ Allowances::FileAllowances Allowances::read(const SourceFile& file) {
   return result;
 }
 
-/// Statements are inside each other or apart, so each place has one that is next around it.
+/// Statements are nested or disjoint, so each place has at most one innermost place around it.
 void Allowances::find_places(const std::vector<std::optional<Span>>& statements,
                              FileAllowances& allowances) {
   std::vector<Place>& places = allowances.places;
@@ -223,10 +224,10 @@ bool Allowances::allow(const DiagnosticInfo& info, Location where) {
   if (where.file == nullptr || info.severity == Severity::Error) return false;
   std::vector<Place>& places = of(*where.file).places;
   const std::uint32_t at = where.span.begin;
-  const auto behind = std::ranges::upper_bound(
+  const auto after = std::ranges::upper_bound(
       places, at, {}, [](const Place& place) { return place.statement.begin; });
   auto i =
-      behind == places.begin() ? kNowhere : static_cast<std::uint32_t>(behind - places.begin() - 1);
+      after == places.begin() ? kNowhere : static_cast<std::uint32_t>(after - places.begin() - 1);
   bool is_allowed = false;
   for (; i != kNowhere; i = places[i].around) {
     if (places[i].statement.end <= at) continue;
@@ -239,11 +240,12 @@ bool Allowances::allow(const DiagnosticInfo& info, Location where) {
 
 void Allowances::diagnose_unused(const SourceFile& file, DiagnosticSink& sink) {
   const FileAllowances& allowances = of(file);
-  for (const Span comment : allowances.unreadable) {
-    sink.report(diag::bad_allowance, {&file, comment}, "this comment cannot be read")
-        .help("an allowance is written `// sdlc: allow(W402) reason`");
+  for (const Span comment : allowances.malformed) {
+    sink.report(diag::bad_allowance, {&file, comment}, "it has the wrong form")
+        .help("write `// sdlc: allow(W402) reason`");
   }
   for (const Allowance& allowance : allowances.list) {
+    sink.stop_if_requested();
     diagnose_unused(file, allowances, allowance, sink);
   }
 }
@@ -252,8 +254,8 @@ void Allowances::diagnose_unused(const SourceFile& file, const FileAllowances& a
                                  const Allowance& allowance, DiagnosticSink& sink) {
   const std::string code = code_text(file, allowance.code);
   const Location where{&file, allowance.code};
-  if (!fits_some_warning(code)) {
-    if (fits_some_error(code)) {
+  if (!is_code(code, Severity::Warning)) {
+    if (is_code(code, Severity::Error)) {
       sink.report(diag::bad_allowance, where, fmt::format("`{}` is an error", code))
           .help("errors cannot be allowed: after one there is no picture");
       return;
@@ -268,27 +270,25 @@ void Allowances::diagnose_unused(const SourceFile& file, const FileAllowances& a
   }
   const bool has_place = allowance.place != kNowhere;
   const bool is_used = has_place && allowances.places[allowance.place].is_used.at(code);
-  // What only `sdlc convert` reports cannot be seen to be of use.
+  // Only `sdlc convert` reports this one, so here it always looks unused.
   if (is_used || diag::rounded_color.code.starts_with(code)) return;
   auto report = sink.report(diag::unused_allowance, where, code);
-  if (!has_place) report.help("no statement stands here");
+  if (!has_place) report.help("there is no statement here");
+  const std::string_view text = file.text();
+  const auto separates = [&](std::uint32_t at) { return is_blank(text[at]) || text[at] == ','; };
+  Span removed = allowance.code;
   if (allowance.count == 1) {
-    report.unsafe_fix({&file, with_blanks(file.text(), allowance.comment)}, "");
+    removed = with_space(text, allowance.comment);
   } else if (allowance.index == 0) {
-    Span span = allowance.code;
-    while (is_blank(file.text()[span.end]) || file.text()[span.end] == ',') ++span.end;
-    report.unsafe_fix({&file, span}, "");
+    while (separates(removed.end)) ++removed.end;
   } else {
-    Span span = allowance.code;
-    while (is_blank(file.text()[span.begin - 1]) || file.text()[span.begin - 1] == ',') {
-      --span.begin;
-    }
-    report.unsafe_fix({&file, span}, "");
+    while (separates(removed.begin - 1)) --removed.begin;
   }
+  report.unsafe_fix({&file, removed}, "");
 }
 
 Findings select_unallowed(const DiagnosticSink& sink, FindingsFilter filter) {
-  Allowances allowances;
+  Allowances allowances(sink.stop_request());
   filter.is_allowed = [&](const DiagnosticInfo& info, Location where) {
     return allowances.allow(info, where);
   };

@@ -13,21 +13,23 @@
 
 namespace sdlc::lang {
 
-/// The comments `// sdlc: allow(W402, W4) reason` of scene files. One that stands alone on its line
-/// speaks of the statement behind it. One behind other text speaks of the statement that ends
-/// before it on its line, the last one and not those inside of it; where none does, of the one
-/// around it. In that, with all it contains, warnings with these codes, or with codes that begin
-/// so, are silenced. `sdlc fmt` keeps what each speaks of. Errors cannot be allowed; JSON has no
-/// comments.
+/// The comments `// sdlc: allow(W402, W4) reason` of scene files. They silence warnings with these
+/// codes or prefixes in one statement and everything inside it. The statement of a comment alone on
+/// its line is the next one. The statement of a comment after other text is the last one that ends
+/// before it on the same line, not one nested in that; if there is none, the one around the
+/// comment. `sdlc fmt` preserves the statement of each comment. Errors cannot be allowed; JSON has
+/// no comments.
 ///
-/// A file is looked at when something is reported about it.
+/// Only a Document can have allowances. Its tree is read on demand.
 class Allowances {
  public:
-  /// Whether a comment allows the warning at this place; that comment is then of use.
+  /// `stop` may be null.
+  explicit Allowances(const StopRequest* stop) noexcept : stop_(stop) {}
+
+  /// Whether a comment allows the warning at this place. Marks that comment as used.
   bool allow(const DiagnosticInfo& info, Location where);
 
-  /// Reports what the file allows without need, and what is no allowance though it looks like one.
-  /// It is known once everything else has been reported.
+  /// Reports unused and malformed allowances of the file. Call it after all other reports.
   void diagnose_unused(const SourceFile& file, DiagnosticSink& sink);
 
  private:
@@ -37,28 +39,29 @@ class Allowances {
     Span comment;                    ///< in the text
     std::uint32_t index = 0;         ///< of the code in its comment
     std::uint32_t count = 1;         ///< codes of the comment
-    std::uint32_t place = kNowhere;  ///< of FileAllowances; kNowhere: there is no statement
+    std::uint32_t place = kNowhere;  ///< in FileAllowances; kNowhere without a statement
   };
-  /// A statement that comments speak of, with their codes and whether one of them was of use.
+  /// A statement with allowances: their codes, and whether they were used.
   struct Place {
     Span statement;
-    std::uint32_t around = kNowhere;  ///< the place that this one is inside of
+    std::uint32_t around = kNowhere;  ///< the enclosing place
     std::map<std::string, bool> is_used = {};
   };
   struct FileAllowances {
     std::vector<Allowance> list;
-    std::vector<Place> places;     ///< by where they begin, outer ones first
-    std::vector<Span> unreadable;  ///< comments
+    std::vector<Place> places;    ///< by beginning, outer ones first
+    std::vector<Span> malformed;  ///< comments
   };
   static constexpr std::uint32_t kNowhere = 0xFFFFFFFF;
 
   FileAllowances& of(const SourceFile& file);
-  static FileAllowances read(const SourceFile& file);
+  FileAllowances read(const SourceFile& file) const;
   static void find_places(const std::vector<std::optional<Span>>& statements,
                           FileAllowances& allowances);
   static void diagnose_unused(const SourceFile& file, const FileAllowances& allowances,
                               const Allowance& allowance, DiagnosticSink& sink);
 
+  const StopRequest* stop_;
   std::unordered_map<const SourceFile*, FileAllowances> files_;
 };
 

@@ -6,9 +6,9 @@
 
 #include "lang/syntax/syntax.hpp"
 
-/// Views of a syntax tree: a pointer and an index each, made where they are needed. Any child of
-/// any node may be an Error, and children may be missing behind one; the accessors say `optional`
-/// where that can be.
+/// Views of a syntax tree: a pointer and an index each, made on demand. Any child of any node may
+/// be an Error, and children may be missing after one; accessors return an optional where that can
+/// happen.
 namespace sdlc::lang::ast {
 
 class Children;
@@ -27,7 +27,7 @@ class Node {
   std::string_view text() const noexcept { return tree_->text(span()); }
   Location location() const noexcept { return tree_->location(span()); }
 
-  /// The label, name or path at the node's beginning.
+  /// The label, name or path that the node begins with.
   Span head_span() const noexcept { return {node().begin, node().begin + node().head}; }
   std::string_view head() const noexcept { return tree_->text(head_span()); }
   Location head_location() const noexcept { return tree_->location(head_span()); }
@@ -45,7 +45,7 @@ class Node {
   NodeIndex index_;
 };
 
-/// The children of a node, in their order.
+/// The children of a node, in the order of the text.
 class Children {
  public:
   class Iterator {
@@ -117,19 +117,19 @@ struct Object {
     const auto first = node.child(0);
     return first && first->is(SyntaxKind::Name) ? first : std::nullopt;
   }
-  /// Whether statements are missing that could not be read, or that behind the end of the file.
+  /// Whether statements may be missing: there is an error, or the file ends before the `}`.
   bool is_broken() const noexcept { return node.is_broken() || !node.text().ends_with('}'); }
   /// The name, if there is one, and the statements.
   Children children() const noexcept { return node.children(); }
 };
 
-/// `callee(arguments)`; an argument is an Argument or, where it has no label, an expression.
+/// `callee(arguments)`; an argument is an Argument or, without a label, an expression.
 struct Call {
   Node node;
 
   std::string_view callee() const noexcept { return node.head(); }
   Location callee_location() const noexcept { return node.head_location(); }
-  /// Whether arguments are missing that could not be read.
+  /// Whether arguments may be missing, because of an error.
   bool is_broken() const noexcept { return node.is_broken() || !node.text().ends_with(')'); }
   Children arguments() const noexcept { return node.children(); }
 };

@@ -5,10 +5,10 @@
 
 #include "lang/ast/ast.hpp"
 
-/// What several phases ask of statements.
+/// Properties of statements that several phases use.
 namespace sdlc::lang::ast {
 
-/// The word that a statement other than a property or object begins with.
+/// The keyword of a statement; empty for properties and objects.
 inline std::string_view statement_word(SyntaxKind kind) noexcept {
   switch (kind) {
     case SyntaxKind::Import: return "import";
@@ -24,19 +24,19 @@ inline std::string_view statement_word(SyntaxKind kind) noexcept {
   }
 }
 
-/// Where that word stands.
+/// The place of the keyword.
 inline Location word_location(Node statement) {
   const auto size = static_cast<std::uint32_t>(statement_word(statement.kind()).size());
   return statement.tree().location({statement.span().begin, statement.span().begin + size});
 }
 
-/// The name that a declaration or a `for` gives; empty where it could not be read.
+/// The name that a declaration or `for` declares; empty if it could not be read.
 inline std::string_view declared_name(Node statement) {
   const auto name = statement.first(SyntaxKind::Name);
   return name ? name->text() : std::string_view();
 }
 
-/// Where the inside of a block or an object ends: at its closing brace, if it has one.
+/// The end of the inside of a block or object: its closing brace, or the end of the node.
 inline std::uint32_t end_of_inside(Node node) {
   return node.span().end - (node.text().ends_with('}') ? 1 : 0);
 }

@@ -8,24 +8,24 @@
 #include "lang/schema/schema.hpp"
 #include "lang/syntax/syntax.hpp"
 
-/// Expressions and statements with resolved names: what the evaluator runs. The code is flat; its
-/// parts refer to each other by index.
+/// The code that the evaluator runs: expressions and statements with resolved names, in flat arrays
+/// that refer to each other by index.
 namespace sdlc::lang {
 
 inline constexpr std::uint32_t kNothing = 0xFFFFFFFF;
 
-/// What an expression does. `operands` are entries of Code::operands, most of them expressions.
+/// Operation of an expression. Its operands are in Code::operands, most are indices of expressions.
 enum class Op : std::uint8_t {
-  Broken,       ///< operands: evaluated for their errors only; the result has failed
-  Number,       ///< first: in Code::numbers; `detail` is the Unit
-  Constant,     ///< first: in Code::constants
+  Broken,       ///< operands, evaluated to report their errors; the value is Nothing
+  Number,       ///< `first`: index in Code::numbers; `detail`: its Unit
+  Constant,     ///< `first`: index in Code::constants
   Time,         ///< `time`
-  Local,        ///< first: slot of the frame
+  Local,        ///< `first`: slot of the frame
   Global,       ///< operands: module, global
   Negative,     ///< operand
   Not,          ///< operand
-  Sum,          ///< operands; each but the first has its operator in `before`
-  Product,      ///< likewise
+  Sum,          ///< operands; all but the first have their operator in `before`
+  Product,      ///< the same
   Power,        ///< base, exponent
   And,          ///< operands
   Or,           ///< operands
@@ -34,34 +34,34 @@ enum class Op : std::uint8_t {
   Triple,       ///< three
   List,         ///< elements
   Conditional,  ///< condition, value, …, value
-  Member,       ///< operand; `detail` is 'x', 'y' or 'z', or 0 for what no value has
+  Member,       ///< operand; `detail`: 'x', 'y' or 'z'; 0: an unknown member
   Index,        ///< list, position
-  Function,     ///< module, function, then an argument or kNothing a parameter
+  Function,     ///< module, function, then per parameter an argument or kNothing
   Builtin,      ///< index in all_builtins(), arguments
-  Constructor,  ///< index in all_constructors(), then an argument or kNothing a parameter
+  Constructor,  ///< index in all_constructors(), then per parameter an argument or kNothing
 };
 
 struct Expression {
   Op op = Op::Broken;
   Operator before = Operator::None;  ///< before an operand of a chain
   std::uint8_t detail = 0;
-  NodeIndex node = 0;       ///< errors of the value are reported there
-  std::uint32_t first = 0;  ///< of the operands
-  std::uint32_t count = 0;  ///< of the operands
+  NodeIndex node = 0;       ///< where errors of the value are reported
+  std::uint32_t first = 0;  ///< operand
+  std::uint32_t count = 0;  ///< of operands
 };
 static_assert(sizeof(Expression) == 16);
 
-/// What a statement does. A block is the number of its statements, then the statements.
+/// Action of a statement, with its operands. A block is its number of statements, then these.
 enum class Action : std::uint8_t {
   Let,       ///< slot, expression
   For,       ///< slot, list, block
   If,        ///< [condition or kNothing, block]...
   Assert,    ///< condition, message
-  Object,    ///< [property or kNothing, expression]... of an object of this `kind`
+  Object,    ///< [property or kNothing, expression]...; its kind is Statement::kind
   Group,     ///< number of lets, lets that properties may use; number of properties, [property or
              ///< kNothing, expression]...; block, which contains the lets too
   Instance,  ///< module, def, number of group properties, [property, expression]..., then an
-             ///< argument or kNothing a parameter
+             ///< argument or kNothing per parameter
   Include,   ///< module, or index of a config plus kConfigs
 };
 
@@ -69,11 +69,11 @@ struct Statement {
   Action action = Action::Let;
   ObjectKind kind = ObjectKind::Sphere;
   NodeIndex node = 0;
-  std::uint32_t first = 0;  ///< of the operands
-  std::uint32_t count = 0;  ///< of the operands
+  std::uint32_t first = 0;  ///< operand
+  std::uint32_t count = 0;  ///< of operands
 };
 
-/// Code of one file, or of one statement of its top level.
+/// The code of a file's declarations, or of one other statement of its top level.
 struct Code {
   explicit Code(const SyntaxTree& tree_) : tree(&tree_) {}
 

@@ -7,13 +7,13 @@
 
 #include "lang/ast/ast.hpp"
 #include "lang/code/code.hpp"
-#include "lang/schema/schema.hpp"
 #include "lang/object/value.hpp"
+#include "lang/schema/schema.hpp"
 
 namespace sdlc::lang {
 
-/// Appends expressions and statements to a Code. Operands are pushed onto a stack; what is added
-/// takes those pushed since a mark.
+/// Appends expressions and statements to a Code. Operands are pushed onto a stack; an expression or
+/// statement takes those above a mark.
 class CodeBuilder {
  public:
   explicit CodeBuilder(Code& code) : code_(&code) {}
@@ -31,7 +31,7 @@ class CodeBuilder {
   void push(const std::vector<std::uint32_t>& operands) {
     pending_.insert(pending_.end(), operands.begin(), operands.end());
   }
-  /// The operand at a position of the stack.
+  /// The operand at this position of the stack.
   std::uint32_t& operator[](std::size_t position) noexcept { return pending_[position]; }
   /// Pushes an operand, which operator[] replaces later; returns its position.
   std::size_t reserve() {
@@ -40,30 +40,30 @@ class CodeBuilder {
   }
   /// Removes the operands [from, to) of the stack.
   void remove(std::size_t from, std::size_t to);
-  /// Removes the operands since `from` that are kNothing.
+  /// Removes the operands from `from` on that are kNothing.
   void remove_nothing(std::size_t from);
-  /// Removes and returns the operands since `from`.
+  /// Removes and returns the operands from `from` on.
   std::vector<std::uint32_t> take(std::size_t from);
 
-  // Expressions: the index of the expression
+  // Expressions; all return the index of the new one
 
   std::uint32_t add(Op op, ast::Node node, std::uint32_t first = 0, std::uint32_t count = 0,
                     std::uint8_t detail = 0);
-  /// The operands are those since `mark`.
+  /// With the operands above `mark`.
   std::uint32_t add_with(Op op, ast::Node node, std::size_t mark, std::uint8_t detail = 0);
   std::uint32_t add_broken(ast::Node node) { return add(Op::Broken, node); }
   std::uint32_t add_constant(ast::Node node, Value value);
   std::uint32_t add_number(ast::Node node, Scalar number);
-  /// A component of a vector; `name` may be none of its components.
+  /// `operand.name`; an unknown name is an error of the evaluation.
   std::uint32_t add_member(ast::Node node, std::uint32_t operand, std::string_view name);
 
-  // Statements: the index of the statement
+  // Statements; returns the index of the new one, with the operands above `mark`
 
   std::uint32_t add_statement(Action action, ast::Node node, std::size_t mark,
                               ObjectKind kind = ObjectKind::Sphere);
 
  private:
-  /// Moves the operands since `mark` to the code; returns where they begin there.
+  /// Moves the operands above `mark` to the code; returns the index of the first.
   std::uint32_t move_operands(std::size_t mark);
 
   Code* code_;

@@ -6,16 +6,14 @@
 #include <unordered_map>
 #include <utility>
 
-#include "lang/ast/ast.hpp"
 #include "lang/json/json.hpp"
-#include "lang/resolve/resolver.hpp"
 
 namespace sdlc::lang {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What a message says of it.
+/// The end of the message "this …".
 std::string_view describe(const DroppedSphere& sphere) {
   if (!sphere.is_exact) {
     return sphere.has_other_material
@@ -30,10 +28,10 @@ std::string_view describe(const DroppedSphere& sphere) {
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
-/// Counts spheres as a SceneBuilder does, and remembers where the wanted ones come from.
+/// Counts spheres as a SceneBuilder does, and records the origins of the wanted ones.
 class Tracer final : public ObjectSink {
  public:
-  /// `wanted`: numbers of spheres in the order in which they are added, ascending.
+  /// `wanted`: numbers of spheres in the order of addition, ascending.
   Tracer(const SourceFile& file, const Limits& limits, std::span<const std::uint64_t> wanted,
          DiagnosticSink& sink)
       : builder_(file, limits, sink), wanted_(wanted), sink_(sink) {}
@@ -68,7 +66,7 @@ class Tracer final : public ObjectSink {
 
   bool is_full() const override { return builder_.is_full() || next_ == wanted_.size(); }
 
-  // Of what repeats only that is looked into which holds a wanted sphere.
+  // Repeated contents are evaluated only if they contain a wanted sphere.
   bool wants_contents() const override { return true; }
   void begin_contents(std::uint32_t contents) override {
     begun_.push_back({.contents = contents, .depth = materials_.size(), .count = count()});
@@ -77,7 +75,7 @@ class Tracer final : public ObjectSink {
     const auto known = counts_.find(contents);
     if (known == counts_.end()) return false;
     const auto& [spheres, had_material] = known->second;
-    // A check leaves out spheres without material.
+    // A check omits spheres without a material, so the count depends on it.
     const bool has_own = group.slot(group_property::kMaterial).is_written;
     if ((has_own || has_material()) != had_material) return false;
     if (next_ < wanted_.size() && wanted_[next_] < count() + spheres) return false;
@@ -90,13 +88,13 @@ class Tracer final : public ObjectSink {
  private:
   struct Begun {
     std::uint32_t contents;
-    std::size_t depth;    // of groups
+    std::size_t depth;    // number of open groups
     std::uint64_t count;  // of spheres before
   };
 
   struct Contents {
     std::uint64_t spheres = 0;
-    bool has_material = false;  // of a group around, or of its own
+    bool has_material = false;  // from the group or one around it
   };
 
   bool has_material() const { return !materials_.empty() && materials_.back().file != nullptr; }
@@ -108,7 +106,7 @@ class Tracer final : public ObjectSink {
   }
 
   SceneBuilder builder_;
-  std::vector<Location> materials_;  // of the groups around
+  std::vector<Location> materials_;  // of the open groups
   std::span<const std::uint64_t> wanted_;
   std::size_t next_ = 0;
   DiagnosticSink& sink_;
@@ -120,7 +118,7 @@ class Tracer final : public ObjectSink {
 
 }  // namespace
 
-Compiler::Compiler(const SourceFile& file, const ProgramOptions& options, DiagnosticSink& sink)
+Compiler::Compiler(const Document& file, const ProgramOptions& options, DiagnosticSink& sink)
     : file_(file), options_(options), sink_(sink) {
   const auto start = Clock::now();
   if (file.format() == SourceFormat::Scene) {
@@ -134,8 +132,9 @@ Compiler::Compiler(const SourceFile& file, const ProgramOptions& options, Diagno
 Compiler::~Compiler() = default;
 
 std::optional<Animation> Compiler::animation() {
-  if (program_ && !std::exchange(knows_animation_, true)) {
+  if (program_ && !knows_animation_) {
     animation_ = Evaluation(*program_, {}, sink_).animation();
+    knows_animation_ = true;
   }
   return animation_;
 }
@@ -164,7 +163,7 @@ LoweredScene Compiler::build(const Overrides& overrides, std::optional<int> fram
   check_output(lowered, purpose);
   dropped_ = builder.dropped();
   instance_runs_ = builder.instance_runs();
-  // What went wrong may be why two are equal.
+  // An error may be the reason why two spheres are equal.
   if (!sink_.has_errors()) {
     report_dropped();
     report_scale(lowered, purpose);
@@ -190,9 +189,11 @@ void Compiler::check(const std::function<void(const LoweredScene&)>& look) {
   };
   const std::optional<Animation> film = animation();
   check_frame({});
-  if (!film) return;
-  const int last = film->first + (film->last - film->first) / film->step * film->step;
-  if (last != film->first) check_frame(last);
+  if (film) {
+    const int last = film->first + (film->last - film->first) / film->step * film->step;
+    if (last != film->first) check_frame(last);
+  }
+  publish_dependencies();
 }
 
 LoweredScene Compiler::check_view(std::optional<int> frame, std::optional<std::string> camera) {
@@ -203,18 +204,18 @@ LoweredScene Compiler::check_view(std::optional<int> frame, std::optional<std::s
 
 void Compiler::check_output(const LoweredScene& lowered, Purpose purpose) {
   const std::string& output = lowered.output.output;
-  if (!options_.is_sandboxed || options_.files == nullptr || output.empty()) return;
+  if (!options_.is_sandboxed || options_.workspace == nullptr || output.empty()) return;
   if (overrides_.names_output) return;
-  // A text that is only checked may be rendered from anywhere, from its own folder at best.
+  // A check does not know the working directory of a render: assume the folder of the text.
   std::filesystem::path path = output;
   if (purpose == Purpose::Check) path = std::filesystem::path(file_.name()).parent_path() / output;
-  if (Sandbox(*options_.files, file_.name()).resolve(path)) return;
+  if (Sandbox(*options_.workspace, file_.name()).resolve(path)) return;
   sink_.report(diag::outside_sandbox, lowered.places.output, output)
       .help("`-o` names another place for the picture");
 }
 
 void Compiler::report_dropped() {
-  // More would not be shown, but many may be of one place, which is told once.
+  // Larger than any number shown, because many may share a place, which is reported once.
   constexpr std::size_t kMostTraced = 10'000;
   const std::size_t count = std::min(dropped_.size(), kMostTraced);
   std::vector<std::uint32_t> wanted;
@@ -248,6 +249,7 @@ void Compiler::report_scale(const LoweredScene& lowered, Purpose purpose) {
   if (purpose == Purpose::Picture && lowered.camera) cameras = {lowered.scene.camera};
   cameras.resize(cameras_to_judge(cameras.size(), lowered.scene.spheres.size()));
   for (const render::Camera& camera : cameras) {
+    sink_.stop_if_requested();
     const auto fault = find_scale_fault(lowered.scene, camera, lowered.precision);
     if (fault) return report_fault(*fault, {});
   }
@@ -255,12 +257,12 @@ void Compiler::report_scale(const LoweredScene& lowered, Purpose purpose) {
 
 void Compiler::warn_of_precision(const LoweredScene& lowered, render::Precision taken,
                                  const render::PrecisionBounds& bounds) {
-  if (sink_.has_errors()) return;  // what went wrong may be why
+  if (sink_.has_errors()) return;  // an error may be the reason
   const auto fault = find_bounds_fault(bounds, taken);
   if (!fault) return;
   const render::PrecisionClause clause = bounds.deciding();
   if (!told_precision_.insert({taken, clause, bounds[clause].sphere}).second) return;
-  // A wish for float that was not granted is not to blame.
+  // A request for float that was not granted is not the cause.
   const bool is_granted =
       lowered.precision != render::Precision::Float || taken != render::Precision::Double;
   const bool is_to_blame = is_granted && !overrides_.has(render_property::kPrecision);
@@ -295,13 +297,13 @@ std::vector<Origin> Compiler::trace_added(std::span<const std::uint32_t> spheres
     for (; run != instance_runs_.end() && run->before <= sphere; ++run) of_instances += run->count;
     wanted.push_back(sphere + of_instances);
   }
-  DiagnosticSink ignored(sink_.stop_token());
+  DiagnosticSink ignored(sink_.stop_request());
   Tracer tracer(file_, options_.limits, wanted, ignored);
-  // All traces together may take as long as two evaluations.
+  // Limit all traces together to the steps of two evaluations.
   const std::uint64_t most = 2 * std::min(options_.limits.steps, std::uint64_t{1} << 62);
   trace_steps_ += read(tracer, ignored, most - std::min(most, trace_steps_));
   std::vector<Origin> origins = tracer.take();
-  // No place is known of spheres that were an instance's, nor of those that were not found in time.
+  // Spheres of instances, and those not found within the limit, have no place.
   origins.resize(spheres.size());
   return origins;
 }
@@ -310,7 +312,7 @@ std::vector<Origin> Compiler::trace(std::span<const std::uint32_t> spheres) {
   std::vector<std::uint32_t> added;
   auto dropped = dropped_.begin();
   for (const std::uint32_t sphere : spheres) {
-    // Each dropped sphere before it moved it one place down.
+    // Each dropped sphere before it has shifted its index by one.
     auto index = static_cast<std::uint32_t>(sphere + (dropped - dropped_.begin()));
     for (; dropped != dropped_.end() && dropped->sphere <= index; ++dropped) ++index;
     added.push_back(index);
@@ -319,44 +321,30 @@ std::vector<Origin> Compiler::trace(std::span<const std::uint32_t> spheres) {
 }
 
 void Compiler::read_all_files() {
-  if (!program_) return;
-  // Declarations were resolved when their file was read. The other statements of a file matter, and
-  // are resolved, once some code includes it.
-  std::vector<std::uint32_t> included{Program::kRoot};
-  std::vector<bool> is_included{true};
-  const auto take_includes = [&](const Code& code) {
-    for (const Statement& statement : code.statements) {
-      if (statement.action != Action::Include) continue;
-      const std::uint32_t module = code.operands_of(statement)[0];
-      if (module >= kConfigs) continue;  // a config includes nothing
-      is_included.resize(program_->module_count());
-      if (is_included[module]) continue;
-      is_included[module] = true;
-      included.push_back(module);
-    }
+  if (program_) program_->load_all(sink_);
+  publish_dependencies();
+}
+
+void Compiler::publish_dependencies() {
+  if (options_.workspace == nullptr) return;
+  const auto publish = [&](const std::vector<std::filesystem::path>& files) {
+    options_.workspace->set_dependencies(file_.name(), files);
   };
-  std::uint32_t declarations_done = 0;
-  for (std::size_t i = 0; i < included.size(); ++i) {
-    const Module& file = program_->module(included[i]);
-    Code code(file.tree);
-    Resolver resolver(*program_, included[i], sink_);
-    for (const ast::Node statement : ast::Node(file.tree, 0).children()) {
-      std::uint32_t frame_size = 0;
-      code.clear();
-      resolver.resolve_statement(statement, code, frame_size);
-      take_includes(code);
-    }
-    for (; declarations_done < program_->module_count(); ++declarations_done) {
-      take_includes(program_->module(declarations_done).code);
-    }
-  }
+  if (!program_) return publish({});
+  if (program_->has_loaded_all()) return publish(program_->wanted());
+  // Some includes were not reached. Load them into another program: an error in a file is reported
+  // only when an evaluation includes it.
+  DiagnosticSink ignored(sink_.stop_request());
+  Program all(file_, options_, ignored);
+  all.load_all(ignored);
+  publish(all.wanted());
 }
 
 std::vector<std::filesystem::path> Compiler::dependencies() const {
   return program_ ? program_->dependencies() : std::vector<std::filesystem::path>();
 }
 
-std::optional<LoweredScene> compile(const SourceFile& file, const Overrides& overrides,
+std::optional<LoweredScene> compile(const Document& file, const Overrides& overrides,
                                     DiagnosticSink& sink) {
   return Compiler(file, {}, sink).lower(overrides);
 }

@@ -13,14 +13,12 @@
 
 #include "lang/convert/config_number.hpp"
 #include "lang/convert/material_names.hpp"
-#include "lang/json/object_reader.hpp"
 
 namespace sdlc::lang {
 namespace {
 
-constexpr std::uint32_t kValue = 1;  // of a member on its tape
-constexpr double kWhite = 255;
-constexpr std::size_t kFewestOfARadius = 4;
+constexpr std::uint32_t kValue = 1;        // the tape index of a member's value
+constexpr std::size_t kMinRadiusUses = 4;  // fewer may be chance
 
 const MaterialInfo& kind_of(const ConfigValue& material) {
   const std::string type = material.find("type")->value.string();
@@ -28,7 +26,7 @@ const MaterialInfo& kind_of(const ConfigValue& material) {
   return *std::ranges::find(kinds, type, &MaterialInfo::json_name);
 }
 
-/// All numbers of the material, as they are before anything is done with them.
+/// The kind and the bits of all numbers of the material: a key for a hash table.
 std::string identity_of(const ConfigValue& material) {
   const MaterialInfo& info = kind_of(material);
   std::string identity(1, static_cast<char>(info.id));
@@ -73,13 +71,13 @@ ConfigMaterial read_material(const ConfigValue& material) {
   return read;
 }
 
-/// Of two spellings that are as frequent the one that comes first in the text is the common one.
+/// Of equally frequent spellings the first in the text is the more common one.
 bool is_less_common(const std::pair<const std::string_view, std::size_t>& a,
                     const std::pair<const std::string_view, std::size_t>& b) {
   return a.second != b.second ? a.second < b.second : a.first.data() > b.first.data();
 }
 
-/// `red` where each component is 0 or 1.
+/// "red" if each component is 0 or 1.
 std::optional<std::string_view> pure_color(const std::vector<ConfigValue>& color) {
   static constexpr std::array<std::string_view, 8> kNames{"black", "blue",    "lime",   "cyan",
                                                           "red",   "magenta", "yellow", "white"};
@@ -92,13 +90,13 @@ std::optional<std::string_view> pure_color(const std::vector<ConfigValue>& color
   return kNames[index];
 }
 
-/// The components on the scale where white is 1, if they are shorter there.
+/// The components divided by 255, if their spelling is shorter.
 std::optional<std::string> fraction_color(const std::vector<ConfigValue>& color) {
   std::string text;
   std::size_t plain_size = 0, size = 0;
   for (const ConfigValue& component : color) {
     const double fraction = component.number() / kWhite;
-    // The way back must lead to the number that was written.
+    // The conversion back must give the number in the config.
     const ScaledComponent back = to_config_scale(fraction, {});
     if (!back.is_exact || !have_same_bits(back.number, component.number())) return std::nullopt;
     const std::string spelling = config_number(fraction);
@@ -151,16 +149,9 @@ void ConfigFacts::take_element(const Tape& tape, std::uint32_t element) {
 
 void ConfigFacts::take_member(const Tape& tape) {
   std::string buffer;
-  const std::string_view name = member_name(*file_, tape[0], buffer);
-  const ConfigValue value(*file_, tape, kValue);
-  if (name == "camera") {
-    has_shutter_ = tape[kValue].type == JsonNodeType::Object && value.find("time_interval");
-  } else if (name == "spheres" && tape[kValue].type == JsonNodeType::Array) {
-    // Empty, unless the key is written with escapes, so that they were not streamed.
-    for (std::uint32_t i = kValue + 1; i < tape[kValue].next; i = tape[i].next) {
-      take_element(tape, i);
-    }
-  }
+  if (member_name(*file_, tape[0], buffer) != "camera") return;
+  has_shutter_ = tape[kValue].type == JsonNodeType::Object &&
+                 ConfigValue(*file_, tape, kValue).find("time_interval");
 }
 
 void ConfigFacts::finish() {
@@ -169,7 +160,7 @@ void ConfigFacts::finish() {
     if (material.uses < 2) continue;
     material.name = names.name_of(material.value);
     const auto& [spelling, uses] = *std::ranges::max_element(material.radii, is_less_common);
-    if (uses < kFewestOfARadius) continue;
+    if (uses < kMinRadiusUses) continue;
     material.radius = {.spelling = spelling, .name = material.name + "_radius"};
   }
 }

@@ -14,24 +14,24 @@
 
 namespace sdlc::lang {
 
-/// A number that stands for the radius of several spheres.
+/// A common radius of the spheres of a material.
 struct ConfigRadius {
   std::string_view spelling;
-  std::string name;  ///< of its declaration; empty where there is none
+  std::string name;  ///< of its declaration; empty: none
 };
 
-/// A material of a config, and how the language writes it.
+/// A material of a config and its text in the language.
 struct ConfigMaterial {
   MaterialValue value;
   std::string text;
   std::size_t uses = 0;
-  std::unordered_map<std::string_view, std::size_t> radii = {};  ///< of its spheres, as spelled
-  std::string name = {};  ///< of its declaration; empty where it is used once and has none
+  std::unordered_map<std::string_view, std::size_t> radii = {};  ///< uses of each spelling
+  std::string name = {};  ///< of its declaration; empty if it is used once
   ConfigRadius radius = {};
 };
 
-/// What one has to know of a whole config before its first line can be written: the materials, in
-/// the order of their first use, and whether anything can be seen moving.
+/// First pass over a config: collects its materials, in the order of their first use, and whether
+/// it has a shutter.
 class ConfigFacts final : public ConfigParts {
  public:
   explicit ConfigFacts(const SourceFile& file) : file_(&file) {}
@@ -40,27 +40,26 @@ class ConfigFacts final : public ConfigParts {
   void take_element(const Tape& tape, std::uint32_t element) override;
   void take_member(const Tape& tape) override;
 
-  /// Gives names to the materials that are used more than once, and to a radius that so many of
-  /// their spheres have that it is hardly chance.
+  /// Names the materials that are used more than once, and their radii that many spheres share.
   void finish();
 
   const std::vector<ConfigMaterial>& materials() const noexcept { return materials_; }
-  /// That of a `material` that was counted.
+  /// Precondition: `material` is of the config.
   const ConfigMaterial& material_of(const ConfigValue& material) const;
   bool has_shutter() const noexcept { return has_shutter_; }
 
  private:
   const SourceFile* file_;
   std::vector<ConfigMaterial> materials_;
-  std::unordered_map<std::string, std::size_t> indices_;  ///< by what the config says, bit for bit
+  std::unordered_map<std::string, std::size_t> indices_;  ///< by identity_of()
   bool has_shutter_ = false;
 };
 
-/// Whether the key's value is, bit for bit, what the property is where nothing is written.
+/// Whether the value equals the default of the property, bit for bit.
 bool is_default(const Property& property, const JsonKey& key, const ConfigValue& value);
 
-/// The language's spelling of a config's colour, three numbers of which 255 is 1: of the same bits,
-/// with the config's own numbers unless there is a plainer way.
+/// The colour in the language, with the same bits: `red`, `linear(…)` if that is shorter, else
+/// `linear255(…)` with the numbers of the config.
 std::string color_text(const ConfigValue& color);
 
 /// "(1, 2, 3)"

@@ -12,9 +12,7 @@
 namespace sdlc::lang {
 namespace {
 
-constexpr double kWhite = 255;
-
-/// Those of `numbers` that are read as the component, shortest first.
+/// Finds the number with the shortest spelling that gives the component.
 class ShortestNumber {
  public:
   explicit ShortestNumber(double component) : component_(component) {}
@@ -54,7 +52,7 @@ ScaledComponent to_config_scale(double component, std::span<const double> prefer
   for (; next != preferred.end() && *next / kWhite == component; ++next) best.consider(*next);
   if (best.is_found()) return {.number = best.number()};
 
-  // The quotient's rounding moves a number by less than an ulp, so the right ones are these.
+  // Division rounds by less than an ulp, so only these numbers can give the component.
   const double middle = component * kWhite;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double number :

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -17,18 +17,13 @@
 namespace sdlc::lang {
 namespace {
 
-constexpr std::uint32_t kValue = 1;  // of a member on its tape
-
-std::string_view streamed_key() {
-  const auto keys = json_config().keys;
-  return std::ranges::find(keys, JsonType::Spheres, &JsonKey::type)->key;
-}
+constexpr std::uint32_t kValue = 1;  // the tape index of a member's value
 
 std::string interval_text(const ConfigValue& from, const ConfigValue& to) {
   return fmt::format("{}s .. {}s", from.spelling(), to.spelling());
 }
 
-/// A config takes the two times in either order; they are written in theirs.
+/// A config accepts the two times in either order; the language needs them ascending.
 std::string shutter_text(const ConfigValue& interval) {
   const auto ends = interval.elements();
   const bool is_backwards = ends[1].number() < ends[0].number();
@@ -59,7 +54,7 @@ std::string value_text(JsonType type, const ConfigValue& value) {
   return std::string(value.spelling());
 }
 
-/// Writes a config in which no mistake has been found, part by part.
+/// Second pass over a config: writes the scene part by part.
 class SceneWriter final : public ConfigParts {
  public:
   SceneWriter(const SourceFile& file, const ConfigFacts& facts, DiagnosticSink& sink)
@@ -79,7 +74,7 @@ class SceneWriter final : public ConfigParts {
         text.add(key.property, property.name,
                  material.name.empty() ? material.text : material.name);
       } else if (key.type == JsonType::Movement && !facts_->has_shutter()) {
-        drop(text, key, *member, "without `time_interval` every sphere stays at its origin");
+        drop(text, key, *member, "without `time_interval` no sphere moves");
       } else if (key.key == "radius" && member->value.spelling() == material.radius.spelling) {
         text.add(key.property, property.name, material.radius.name);
       } else {
@@ -95,16 +90,8 @@ class SceneWriter final : public ConfigParts {
     const auto keys = json_config().keys;
     const JsonKey& key = keys[*find_key(keys, member_name(*file_, tape[0], buffer))];
     const ConfigValue value(*file_, tape, kValue);
-    if (key.type == JsonType::Object) {
-      take_object(key, value);
-    } else if (key.type == JsonType::Spheres) {
-      // Empty, unless the key is written with escapes, so that they were not streamed.
-      for (std::uint32_t i = kValue + 1; i < tape[kValue].next; i = tape[i].next) {
-        take_element(tape, i);
-      }
-    } else {
-      put(key, value);
-    }
+    if (key.type == JsonType::Object) return take_object(key, value);
+    if (key.type != JsonType::Spheres) put(key, value);  // spheres come as elements
   }
 
   std::size_t forced_warnings() const noexcept { return forced_warnings_; }
@@ -112,8 +99,7 @@ class SceneWriter final : public ConfigParts {
   std::string finish() {
     add_tone();
     add_threads();
-    std::string text = "scene 1\n";
-    std::string declarations;
+    std::string text = "scene 1\n", declarations;
     for (const ConfigMaterial& material : facts_->materials()) {
       if (material.name.empty()) continue;
       declarations += fmt::format("let {} = {}\n", material.name, material.text);
@@ -130,7 +116,7 @@ class SceneWriter final : public ConfigParts {
 
  private:
   void take_object(const JsonKey& part, const ConfigValue& object) {
-    // What makes a file a plain picture is that it has a width of its own.
+    // A written width makes a file without camera a plain picture.
     const bool keeps_defaults = part.key == "image";
     for (const JsonKey& key : part.object->keys) {
       const auto member = object.find(key.key);
@@ -141,7 +127,10 @@ class SceneWriter final : public ConfigParts {
         drop(camera_, key, *member, "everything is in focus");
         if (key.presence == Presence::Required) ++forced_warnings_;
       } else {
-        setting(key.setting) = remember(*member);
+        setting(key.setting) = {.is_given = true,
+                                .value = member->value.number(),
+                                .spelling = std::string(member->value.spelling()),
+                                .name = member->name};
       }
     }
   }
@@ -158,7 +147,7 @@ class SceneWriter final : public ConfigParts {
     object_of(*key.target).add(key.property, property.name, value_text(key.type, value));
   }
 
-  /// Keeps a key without effect as a comment.
+  /// Writes a key without effect as a comment.
   void drop(ObjectText& object, const JsonKey& key, const ConfigMember& member,
             std::string_view reason) {
     object.add_comment(fmt::format("{}: {} had no effect", key.key, member.value.on_one_line()));
@@ -166,7 +155,7 @@ class SceneWriter final : public ConfigParts {
         .help(fmt::format("{}; the scene keeps it as a comment", reason));
   }
 
-  /// What is kept of a member until all are known: its tape does not last so long.
+  /// A copy of a member, which outlives its tape.
   struct Setting {
     bool is_given = false;
     double value = 0;
@@ -174,36 +163,25 @@ class SceneWriter final : public ConfigParts {
     Location name;
   };
 
-  static Setting remember(const ConfigMember& member) {
-    return {.is_given = true,
-            .value = member.value.number(),
-            .spelling = std::string(member.value.spelling()),
-            .name = member.name};
-  }
-
-  Setting& setting(JsonSetting which) {
-    return which == JsonSetting::GammaCorrect ? gamma_correct_
-           : which == JsonSetting::InParallel ? in_parallel_
-                                              : number_cores_;
-  }
+  Setting& setting(JsonSetting setting) { return settings_[static_cast<std::size_t>(setting)]; }
 
   void add_tone() {
-    using namespace render_property;
-    const bool is_corrected = gamma_correct_.is_given && gamma_correct_.value != 0;
-    render_.add(kTone, "tone", is_corrected ? "sqrt" : "linear");
+    const bool is_corrected = setting(JsonSetting::GammaCorrect).value != 0;
+    render_.add(render_property::kTone, "tone", is_corrected ? "sqrt" : "linear");
   }
 
   void add_threads() {
     using namespace render_property;
-    const bool is_serial = in_parallel_.is_given && in_parallel_.value == 0;
-    if (is_serial) {
+    const Setting& in_parallel = setting(JsonSetting::InParallel);
+    const Setting& cores = setting(JsonSetting::NumberCores);
+    if (in_parallel.is_given && in_parallel.value == 0) {
       render_.add(kThreads, "threads", "1");
-      if (!number_cores_.is_given) return;
-      render_.add_comment(fmt::format("number_cores: {} had no effect", number_cores_.spelling));
-      sink_->report(diag::no_effect, number_cores_.name, "number_cores")
+      if (!cores.is_given) return;
+      render_.add_comment(fmt::format("number_cores: {} had no effect", cores.spelling));
+      sink_->report(diag::no_effect, cores.name, "number_cores")
           .help("`in_parallel` is false; the scene keeps it as a comment");
-    } else if (number_cores_.is_given && number_cores_.value != 0) {
-      render_.add(kThreads, "threads", number_cores_.spelling);
+    } else if (cores.value != 0) {
+      render_.add(kThreads, "threads", cores.spelling);
     }
   }
 
@@ -212,7 +190,7 @@ class SceneWriter final : public ConfigParts {
   DiagnosticSink* sink_;
   ObjectText camera_{"camera main"}, background_{"background"}, render_{"render"};
   std::string spheres_;
-  Setting gamma_correct_, in_parallel_, number_cores_;
+  std::array<Setting, 4> settings_;  ///< by JsonSetting
   std::size_t forced_warnings_ = 0;
 };
 
@@ -220,12 +198,12 @@ class SceneWriter final : public ConfigParts {
 
 std::string write_scene(const SourceFile& config, DiagnosticSink& sink,
                         std::size_t& forced_warnings) {
-  DiagnosticSink silent;  // what there is to say has been said
+  DiagnosticSink silent;  // the config has been checked
   ConfigFacts facts(config);
-  parse_config(config, streamed_key(), facts, silent);
+  parse_config(config, facts, silent);
   facts.finish();
   SceneWriter writer(config, facts, sink);
-  parse_config(config, streamed_key(), writer, silent);
+  parse_config(config, writer, silent);
   forced_warnings += writer.forced_warnings();
   return writer.finish();
 }

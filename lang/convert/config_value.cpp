@@ -1,7 +1,5 @@
 #include "lang/convert/config_value.hpp"
 
-#include "lang/json/object_reader.hpp"
-
 namespace sdlc::lang {
 
 std::string ConfigValue::string() const { return unescape(file_->text(node().content())); }

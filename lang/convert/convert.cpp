@@ -16,8 +16,8 @@
 namespace sdlc::lang {
 namespace {
 
-/// Adds to `to` what `from` reports about the conversion: errors and rounded colours. Other
-/// warnings are about the text itself, and `lint` reports them.
+/// Copies errors and warnings about rounded colours. Other warnings concern the text itself; `lint`
+/// reports them.
 void add_findings(const DiagnosticSink& from, DiagnosticSink& to) {
   for (const Diagnostic& diagnostic : from.diagnostics()) {
     const bool is_error = diagnostic.info->severity == Severity::Error;
@@ -34,11 +34,12 @@ void collect_number(std::string_view spelling, std::vector<double>& numbers) {
   if (error == std::errc() && stop == end) numbers.push_back(number);
 }
 
-/// The numbers that stand in calls of `linear255`, ascending.
+/// The number literals in calls of `linear255`, ascending. They are on the scale of configs, so the
+/// config keeps them where it can.
 std::vector<double> scaled_numbers(const SyntaxTree& tree) {
   std::vector<double> numbers;
   const auto nodes = tree.nodes();
-  std::size_t end = 0;  // of the call
+  std::size_t end = 0;  // index of the first node after the call
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const SyntaxNode& node = nodes[i];
     const bool is_call = node.kind == SyntaxKind::Call &&
@@ -50,30 +51,27 @@ std::vector<double> scaled_numbers(const SyntaxTree& tree) {
   return numbers;
 }
 
-LoweredScene lower_config(const SourceFile& config, DiagnosticSink& sink) {
-  SceneBuilder builder(config, {}, sink, Purpose::Picture, Instancing::Never);
-  read_config(config, builder, sink);
-  return builder.finish({});
-}
-
-LoweredScene lower_scene(const SourceFile& scene, DiagnosticSink& sink) {
-  SceneBuilder builder(scene, {}, sink, Purpose::Picture, Instancing::Never);
-  evaluate(scene, builder, sink);
-  return builder.finish({});
-}
-
-void require(bool is_right, const DiagnosticSink& sink) {
-  if (is_right && !sink.has_errors()) return;
-  const std::string reason = sink.has_errors() ? sink.diagnostics().front().message : "";
-  throw std::logic_error("the converted text is another picture; " + reason);
+/// Throws std::logic_error unless the converted text lowers to the same picture.
+void check_result(const Document& converted, const LoweredScene& lowered, bool compares_colors) {
+  DiagnosticSink sink;
+  SceneBuilder builder(converted, {}, sink, Purpose::Picture, Instancing::Never);
+  if (converted.format() == SourceFormat::Json) {
+    read_config(converted, builder, sink);
+  } else {
+    evaluate(converted, builder, sink);
+  }
+  const bool is_same = is_same_picture(lowered, builder.finish({}), compares_colors);
+  if (is_same && !sink.has_errors()) return;
+  const std::string reason = sink.has_errors() ? "; " + sink.diagnostics().front().message : "";
+  throw std::logic_error("the converted text has another picture" + reason);
 }
 
 }  // namespace
 
-Conversion::Conversion(const SourceFile& file, const ProgramOptions& options, DiagnosticSink& sink)
+Conversion::Conversion(const Document& file, const ProgramOptions& options, DiagnosticSink& sink)
     : file_(file), options_(options), sink_(sink) {
   if (file.format() == SourceFormat::Scene) {
-    DiagnosticSink reading(sink.stop_token());
+    DiagnosticSink reading(sink.stop_request());
     program_ = std::make_unique<Program>(file, options, reading);
     add_findings(reading, sink);
   } else {
@@ -94,7 +92,7 @@ std::optional<std::string> Conversion::run(const ConvertOptions& options) {
 std::optional<std::string> Conversion::to_scene() {
   LoweredScene lowered;
   {
-    DiagnosticSink reading(sink_.stop_token());
+    DiagnosticSink reading(sink_.stop_request());
     SceneBuilder builder(file_, options_.limits, reading, Purpose::Picture, Instancing::Never);
     if (check_file_size(file_, options_.limits, reading)) read_config(file_, builder, reading);
     lowered = builder.finish({});
@@ -102,19 +100,21 @@ std::optional<std::string> Conversion::to_scene() {
   }
   if (sink_.has_errors()) return std::nullopt;
 
-  const SourceFile unformatted("converted.scene", write_scene(file_, sink_, forced_warnings_));
-  if (!may_be_read(unformatted, lowered)) return std::nullopt;
-  DiagnosticSink sink;
-  std::string text = format_file(unformatted, sink).value_or("");
-  const SourceFile scene("converted.scene", text);
-  const LoweredScene again = lower_scene(scene, sink);
-  require(is_same_picture(lowered, again, true), sink);
+  const std::optional<std::string> text = scene_text(lowered);
+  if (text) check_result(Document("converted.scene", *text), lowered, true);
   return text;
 }
 
-bool Conversion::may_be_read(const SourceFile& scene, const LoweredScene& lowered) {
+std::optional<std::string> Conversion::scene_text(const LoweredScene& lowered) {
+  const Document unformatted("converted.scene", write_scene(file_, sink_, forced_warnings_));
+  if (!check_limits(unformatted, lowered)) return std::nullopt;
+  DiagnosticSink sink;
+  return format_file(unformatted, sink).value_or("");
+}
+
+bool Conversion::check_limits(const SourceFile& scene, const LoweredScene& lowered) {
   const Limits& limits = options_.limits;
-  const char* help = "no limit holds for a config, but this one for the scene that comes of it";
+  const char* help = "the limit applies to the converted scene, not to the config";
   if (lowered.output.output.size() > limits.string) {
     sink_.report(diag::string_too_long, {&file_, {0, 0}}, limits.string).help(help);
   }
@@ -128,7 +128,7 @@ std::optional<std::string> Conversion::to_config(const ConvertOptions& options) 
   Overrides overrides{.names_output = true};
   if (options.tone) overrides.render.emplace_back(render_property::kTone, *options.tone);
   if (options.camera) overrides.render.emplace_back(render_property::kCamera, *options.camera);
-  DiagnosticSink reading(sink_.stop_token());
+  DiagnosticSink reading(sink_.stop_request());
   SceneBuilder builder(file_, options_.limits, reading, Purpose::Picture, Instancing::Never);
   ConfigWriter writer(builder, options.camera,
                       scaled_numbers(program_->module(Program::kRoot).tree), reading);
@@ -151,10 +151,7 @@ std::optional<std::string> Conversion::to_config(const ConvertOptions& options) 
   add_findings(reading, sink_);
   if (sink_.has_errors()) return std::nullopt;
 
-  const SourceFile config("converted.json", text);
-  DiagnosticSink sink;
-  const LoweredScene again = lower_config(config, sink);
-  require(is_same_picture(lowered, again, writer.has_all_colors()), sink);
+  check_result(Document("converted.json", text), lowered, writer.has_all_colors());
   return text;
 }
 

@@ -13,8 +13,8 @@
 namespace sdlc::lang {
 namespace {
 
-/// Oklab (Ottosson 2020), in which distances are differences to the eye: lightness, and two axes of
-/// chroma. The roots are the project's own, so that names are the same on every machine.
+/// Oklab (Ottosson 2020), a perceptually uniform colour space: lightness and two axes of chroma.
+/// The roots are those of lang/math, so that names are the same on every machine.
 render::Vec3 to_oklab(render::LinearRgb c) noexcept {
   const auto root = [](double x) { return x > 0 ? power(x, 1.0 / 3) : 0.0; };
   const double l = root(0.4122214708 * c.r + 0.5363325363 * c.g + 0.0514459929 * c.b);
@@ -34,7 +34,7 @@ const std::vector<KnownColor>& known_colors() {
   static const std::vector<KnownColor> colors = [] {
     std::vector<KnownColor> all;
     for (const NamedColor& color : named_colors()) {
-      // Of two names for one colour the common one.
+      // Skip synonyms.
       if (color.name == "aqua" || color.name == "fuchsia") continue;
       if (color.name.find("grey") != std::string_view::npos) continue;
       all.push_back({color.name, to_oklab(*find_named_color(color.name))});
@@ -44,7 +44,7 @@ const std::vector<KnownColor>& known_colors() {
   return colors;
 }
 
-/// A colour beyond white is called after its hue.
+/// A colour brighter than white is named after its hue.
 render::LinearRgb at_most_white(render::LinearRgb color) noexcept {
   const double largest = std::max({color.r, color.g, color.b});
   return largest > 1 ? color / largest : color;

@@ -7,11 +7,11 @@
 
 namespace sdlc::lang {
 
-/// What a person would call a material: "red_matt", "glass", "white_light", after its kind and the
-/// CSS colour nearest to its own. No such name is one of the language's.
+/// A name for a material: "red_matt", "glass", "white_light", by its kind and the nearest CSS
+/// colour. Never a name of the language.
 std::string describing_name(const MaterialValue& material);
 
-/// Gives names, each once: "red_matt", "red_matt_2".
+/// Makes unique names: "red_matt", "red_matt_2".
 class MaterialNames {
  public:
   std::string name_of(const MaterialValue& material);

@@ -11,9 +11,8 @@
 namespace sdlc::lang {
 namespace {
 
-/// Controls, those of text direction, and blanks that look like others or like nothing: the
-/// language refuses most of them, and nobody would see the others.
-bool is_unseen(char32_t c) noexcept {
+/// Control characters, marks of text direction, and spaces other than U+0020.
+bool is_invisible(char32_t c) noexcept {
   const auto is_between = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
   return c < 0x20 || is_between(0x7F, 0xA0) || c == 0xAD || c == 0x61C || c == 0x1680 ||
          is_between(0x2000, 0x200F) || is_between(0x2028, 0x202F) || is_between(0x205F, 0x206F) ||
@@ -27,7 +26,7 @@ std::string scene_string(std::string_view text) {
   while (!text.empty()) {
     const DecodedChar c = decode_utf8(text);
     if (c.code_point == '"' || c.code_point == '\\') result += '\\';
-    if (c.is_valid && is_unseen(c.code_point)) {
+    if (c.is_valid && is_invisible(c.code_point)) {
       result += fmt::format("\\u{:04x}", static_cast<std::uint32_t>(c.code_point));
     } else {
       result += text.substr(0, c.size);

@@ -3,55 +3,17 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "lang/convert/config_number.hpp"
 #include "lang/convert/writers.hpp"
 #include "lang/schema/schema.hpp"
-#include "render/image/tone.hpp"
 
 namespace sdlc::lang {
 namespace {
 
-constexpr std::string_view kFrameMark = "####";
-constexpr std::size_t kCopies = 3;  // that are made of the text in the end
+constexpr std::size_t kCopies = 3;  // of the text of the spheres, in finish() and its caller
 
-std::string vector_text(render::Vec3 v) {
-  return fmt::format("[{}, {}, {}]", config_number(v.x), config_number(v.y), config_number(v.z));
-}
-
-std::string interval_text(render::Interval interval) {
-  return fmt::format("[{}, {}]", config_number(interval.from), config_number(interval.to));
-}
-
-std::string movement_text(render::Vec3 to, render::Interval over) {
-  return fmt::format(", \"movement\": [{}, {}, {}]", vector_text(to), config_number(over.from),
-                     config_number(over.to));
-}
-
-std::string string_text(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    if (static_cast<unsigned char>(c) < 0x20) {
-      result += fmt::format("\\u{:04x}", static_cast<unsigned char>(c));
-    } else {
-      result += c;
-    }
-  }
-  return result + "\"";
-}
-
-std::string name_of_frame(std::string name, int frame) {
-  for (std::size_t at = 0; (at = name.find(kFrameMark, at)) != std::string::npos;) {
-    const std::string number = fmt::format("{:0{}}", frame, kFrameMark.size());
-    name.replace(at, kFrameMark.size(), number);
-    at += number.size();
-  }
-  return name;
-}
-
-/// Whether the format has no key of its own for the property, and yet it can be converted.
+/// Whether the property can be converted although the format has no key for it.
 bool is_converted_otherwise(const Object& object, std::size_t property) {
   switch (object.kind->id) {
     case ObjectKind::Render:
@@ -102,7 +64,7 @@ void ConfigWriter::diagnose_foreign_properties(const Object& object) {
 void ConfigWriter::enter(const Object& object) {
   next_.enter(object);
   using namespace group_property;
-  // The very arithmetic of SceneBuilder: what is written are the numbers of the lowered scene.
+  // The same arithmetic as in SceneBuilder, so that the numbers are those of the lowered scene.
   const double scale = object.get<double>(kScale).value_or(1);
   const auto placement = [&](auto translate, auto rotate) {
     return placement_of(translate.value_or(render::Vec3{}), rotate.value_or(AngleTriple{}).degrees,
@@ -144,18 +106,22 @@ const Object* ConfigWriter::camera() const {
   return wanted && found != cameras_.end() ? &*found : &cameras_.front();
 }
 
-std::string ConfigWriter::place_text(const Object& sphere) {
+ConfigWriter::Place ConfigWriter::place_of(const Object& sphere) {
   using namespace sphere_property;
+  const auto movement = [](render::Vec3 to, render::Interval over) {
+    return fmt::format(", \"movement\": [{}, {}, {}]", vector_text(to), config_number(over.from),
+                       config_number(over.to));
+  };
   const Object* viewer = camera();
   const auto shutter =
       viewer != nullptr ? viewer->get<render::Interval>(camera_property::kShutter) : std::nullopt;
   const auto center = *sphere.get<render::Vec3>(kCenter);
   const auto motion = sphere.get<MotionValue>(kMotion);
-  const bool is_placed = !groups_.empty();
-  if (motion && !is_placed) return vector_text(center) + movement_text(motion->to, motion->over);
+  const Group* group = groups_.empty() ? nullptr : &groups_.back();
+  if (motion && group == nullptr) return {vector_text(center), movement(motion->to, motion->over)};
 
-  // A moving centre is joined linearly from the opening to the closing: a movement over the time
-  // of the shutter.
+  // The centre moves linearly from its place at the opening to that at the closing: a movement over
+  // the time of the shutter.
   render::Vec3 opening = center, closing = *sphere.get_closing<render::Vec3>(kCenter);
   if (motion && shutter) {
     const render::Interval over = motion->over;
@@ -165,14 +131,14 @@ std::string ConfigWriter::place_text(const Object& sphere) {
     closing = opening + way * ((shutter->to - shutter->from) / duration);
   }
   bool is_moving = motion || !sphere.closing.empty();
-  if (is_placed) {
-    opening = groups_.back().placements[0].apply(opening);
-    closing = groups_.back().placements[1].apply(closing);
-    is_moving = is_moving || groups_.back().is_moving;
+  if (group != nullptr) {
+    opening = group->placements[0].apply(opening);
+    closing = group->placements[1].apply(closing);
+    is_moving = is_moving || group->is_moving;
   }
   const bool is_seen_moving = is_moving && shutter && shutter->from != shutter->to;
-  if (!is_seen_moving || opening == closing) return vector_text(opening);
-  return vector_text(opening) + movement_text(closing, *shutter);
+  if (!is_seen_moving || opening == closing) return {vector_text(opening), ""};
+  return {vector_text(opening), movement(closing, *shutter)};
 }
 
 std::string ConfigWriter::color_text(render::LinearRgb color, Location where) {
@@ -190,7 +156,7 @@ std::string ConfigWriter::color_text(render::LinearRgb color, Location where) {
   if (!is_exact) {
     has_rounded_colors_ = true;
     sink_.report(diag::rounded_color, where)
-        .help("the format divides by 255, and no number gives this result; it is off by 2^-53");
+        .help("the format divides by 255, and no number gives this result; the error is 2^-53");
   }
   return "[" + text + "]";
 }
@@ -198,7 +164,7 @@ std::string ConfigWriter::color_text(render::LinearRgb color, Location where) {
 std::string ConfigWriter::material_text(const MaterialValue& material, Location where) {
   if (material.exact_fresnel) {
     sink_.report(diag::not_in_config, where, "`fresnel: exact`")
-        .help("the format knows Schlick's approximation only");
+        .help("the format has Schlick's approximation only");
   }
   const MaterialInfo& info = material_info(material.kind);
   std::string text = fmt::format("{{ \"type\": \"{}\"", info.json_name);
@@ -221,158 +187,15 @@ void ConfigWriter::add_sphere(const Object& object) {
     material = groups_.back().material;
     material_where = groups_.back().material_where;
   }
-  if (!center || !radius || !material) return;  // reported where it was read
+  if (!center || !radius || !material) return;  // has been reported
 
   const double scale = groups_.empty() ? 1 : groups_.back().placements[0].scale;
-  const std::string place = place_text(object);
-  const std::size_t end = place.find(']') + 1;  // of the centre
-  has_moving_spheres_ = has_moving_spheres_ || end < place.size();
-  spheres_ +=
-      fmt::format("{}\n    {{ \"origin\": {}, \"radius\": {}, \"material\": {}{} }}",
-                  spheres_.empty() ? "" : ",", place.substr(0, end), config_number(*radius * scale),
-                  material_text(*material, material_where), place.substr(end));
+  const Place place = place_of(object);
+  has_moving_spheres_ = has_moving_spheres_ || !place.movement.empty();
+  spheres_ += fmt::format("{}\n    {{ \"origin\": {}, \"radius\": {}, \"material\": {}{} }}",
+                          spheres_.empty() ? "" : ",", place.center, config_number(*radius * scale),
+                          material_text(*material, material_where), place.movement);
   bytes_.set(kCopies * spheres_.capacity());
-}
-
-std::optional<std::string> ConfigWriter::camera_text(const JsonKey& key,
-                                                     const LoweredScene& lowered) {
-  const Object& object = *camera();
-  const auto text_of = [](const auto& value, auto to_text) {
-    return value ? std::optional(to_text(*value)) : std::nullopt;
-  };
-  if (key.property == camera_property::kAspect) return config_number(lowered.scene.camera.aspect);
-  if (key.type == JsonType::Triple) {
-    return text_of(object.get<render::Vec3>(key.property), vector_text);
-  }
-  if (key.type == JsonType::Degrees) {
-    return text_of(object.get<Angle>(key.property),
-                   [](Angle angle) { return config_number(angle.degrees); });
-  }
-  if (key.type == JsonType::Interval) {
-    return text_of(object.get<render::Interval>(key.property), interval_text);
-  }
-  return text_of(object.get<double>(key.property), config_number);
-}
-
-std::optional<std::string> ConfigWriter::render_text(const JsonKey& key,
-                                                     const LoweredScene& lowered) {
-  using namespace render_property;
-  switch (key.property) {
-    case kWidth: return std::to_string(lowered.settings.width);
-    case kHeight: return std::to_string(lowered.settings.height);
-    case kSamples: return std::to_string(lowered.settings.samples);
-    case kDepth: return std::to_string(lowered.settings.depth);
-    default: break;
-  }
-  if (key.type != JsonType::String || !render_ || !render_->slot(kOutput).is_written) return {};
-  const std::string& output = lowered.output.output;
-  return string_text(frame_ ? name_of_frame(output, *frame_) : output);
-}
-
-std::optional<std::string> ConfigWriter::setting_text(JsonSetting setting,
-                                                      const LoweredScene& lowered) {
-  const int threads = lowered.settings.threads;
-  switch (setting) {
-    case JsonSetting::GammaCorrect:
-      return lowered.output.tone == render::Tone::Sqrt ? "true" : "false";
-    case JsonSetting::InParallel: return threads == 1 ? "false" : "true";
-    case JsonSetting::NumberCores:
-      return threads > 1 ? std::optional(std::to_string(threads)) : std::nullopt;
-    case JsonSetting::None: break;
-  }
-  return std::nullopt;
-}
-
-std::optional<std::string> ConfigWriter::background_text(const LoweredScene& lowered) {
-  if (!background_) return std::nullopt;
-  using namespace background_property;
-  const render::Background &background = lowered.scene.background, usual;
-  const std::size_t written = background_->slot(kColor).is_written ? kColor : kTop;
-  const Location where = background_->location(written);
-  if (background.is_constant()) return color_text(background.top, where);
-  const bool is_usual = background.bottom == usual.bottom && background.top == usual.top;
-  if (!is_usual) {
-    sink_.report(diag::not_in_config, where, "a gradient of these colours")
-        .help("the format has one gradient only, from white up to linear(0.5, 0.7, 1)");
-  }
-  return std::nullopt;
-}
-
-std::optional<std::string> ConfigWriter::value_text(const JsonKey& key,
-                                                    const LoweredScene& lowered) {
-  if (key.object != nullptr) return object_text(*key.object, lowered);
-  if (key.type == JsonType::Spheres) {
-    return spheres_.empty() ? std::nullopt : std::optional("[" + spheres_ + "\n  ]");
-  }
-  if (key.setting != JsonSetting::None) return setting_text(key.setting, lowered);
-  // It has no effect, but the format wants it.
-  if (key.target == nullptr) return "1";
-  if (key.target->id == ObjectKind::Camera) return camera_text(key, lowered);
-  if (key.target->id == ObjectKind::Render) return render_text(key, lowered);
-  return background_text(lowered);
-}
-
-std::string ConfigWriter::object_text(const JsonObject& table, const LoweredScene& lowered) {
-  std::vector<std::string> members;
-  for (const JsonKey& key : table.keys) {
-    if (const auto value = value_text(key, lowered)) {
-      members.push_back(fmt::format("    \"{}\": {}", key.key, *value));
-    }
-  }
-  return fmt::format("{{\n{}\n  }}", fmt::join(members, ",\n"));
-}
-
-void ConfigWriter::check_tone(const LoweredScene& lowered) {
-  if (lowered.output.tone != render::Tone::Srgb) return;
-  using namespace render_property;
-  const bool is_written = render_ && render_->slot(kTone).is_written;
-  const Location where = is_written ? render_->location(kTone)
-                         : render_  ? render_->where
-                                    : cameras_.front().where;
-  sink_
-      .report(diag::not_in_config, where,
-              is_written ? "`tone: srgb`" : "`tone: srgb`, which holds where nothing is written,")
-      .help("the format has `sqrt` and `linear`: `--tone sqrt` comes near");
-}
-
-void ConfigWriter::check_shutter() {
-  const auto shutter = camera()->get<render::Interval>(camera_property::kShutter);
-  if (!shutter || shutter->from <= shutter->to || !has_moving_spheres_) return;
-  sink_
-      .report(diag::not_in_config, camera()->location(camera_property::kShutter),
-              "a shutter that closes before it opens")
-      .help("the format has its two times in either order, and takes the earlier one first");
-}
-
-void ConfigWriter::check_height(const LoweredScene& lowered) {
-  const render::RenderSettings& settings = lowered.settings;
-  const double height = std::floor(settings.width / lowered.scene.camera.aspect);
-  if (height == settings.height) return;
-  sink_
-      .report(diag::not_in_config, render_->location(render_property::kHeight),
-              fmt::format("a height of {}", settings.height))
-      .help(fmt::format("the format's height is width / aspect, rounded down: here {}", height));
-}
-
-std::string ConfigWriter::finish(const LoweredScene& lowered, std::optional<int> frame) {
-  if (sink_.has_errors() && lowered.settings.width == 0) return {};  // there is no picture
-  frame_ = frame;
-  const bool is_plain = cameras_.empty();
-  if (!is_plain && !lowered.camera) return {};
-  if (!is_plain || render_) check_tone(lowered);
-  if (!is_plain) {
-    check_shutter();
-    check_height(lowered);
-  }
-  std::vector<std::string> members;
-  for (const JsonKey& key : json_config().keys) {
-    const bool is_of_plain = key.key == "image";
-    if (is_plain != is_of_plain && key.key != "saving") continue;
-    if (const auto value = value_text(key, lowered)) {
-      members.push_back(fmt::format("  \"{}\": {}", key.key, *value));
-    }
-  }
-  return fmt::format("{{\n{}\n}}\n", fmt::join(members, ",\n"));
 }
 
 }  // namespace sdlc::lang

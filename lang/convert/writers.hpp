@@ -16,18 +16,17 @@
 
 namespace sdlc::lang {
 
-/// A config in which no mistake has been found as a scene that a person could have written:
-/// materials used more than once are declared first and have names, numbers are spelled as in the
-/// config, defaults are left out. Keys without effect are kept as comments and warned about; how
-/// often that is so of a key that every config has is added to `forced_warnings`.
+/// The text of a config without mistakes as a scene: materials used more than once are declared
+/// first, numbers keep their spelling, defaults are omitted. Keys without effect become comments
+/// and warnings; `forced_warnings` counts the warnings about required keys.
 std::string write_scene(const SourceFile& config, DiagnosticSink& sink,
                         std::size_t& forced_warnings);
 
-/// Writes the objects of a program as a config while they are handed on. What the format cannot
-/// hold is reported.
+/// Writes the objects of a program as a config and passes them on to `next`. Reports what the
+/// format cannot represent.
 class ConfigWriter final : public ObjectSink {
  public:
-  /// `preferred`: numbers of colours that the program spells out, ascending.
+  /// `preferred`: the numbers in the program's colours, ascending.
   ConfigWriter(ObjectSink& next, std::optional<std::string> camera, std::vector<double> preferred,
                DiagnosticSink& sink)
       : next_(next),
@@ -40,36 +39,41 @@ class ConfigWriter final : public ObjectSink {
   void leave() override;
   bool is_full() const override { return next_.is_full(); }
 
-  /// The config of all that was added, as it was lowered.
+  /// The config. `lowered`: the scene of the added objects.
   std::string finish(const LoweredScene& lowered, std::optional<int> frame);
-  /// Whether the config has the very colours of the scene.
+  /// Whether the config has the exact colours of the scene.
   bool has_all_colors() const noexcept { return !has_rounded_colors_; }
 
  private:
   struct Group {
-    std::array<render::Placement, 2> placements;  ///< at the opening and the closing, in the world
+    std::array<render::Placement, 2> placements;  ///< at opening and closing, in world space
     bool is_moving = false;
     std::optional<MaterialValue> material;
     Location material_where;
   };
 
+  struct Place {
+    std::string center;    ///< at the opening
+    std::string movement;  ///< `, "movement": …`; empty if the sphere is at rest
+  };
+
   const Object* camera() const;
   void diagnose_foreign_properties(const Object& object);
   void add_sphere(const Object& object);
-  /// The centre at the opening, and `, "movement": …` if it moves.
-  std::string place_text(const Object& sphere);
+  Place place_of(const Object& sphere);
   std::string color_text(render::LinearRgb color, Location where);
   std::string material_text(const MaterialValue& material, Location where);
 
-  std::optional<std::string> value_text(const JsonKey& key, const LoweredScene& lowered);
-  std::optional<std::string> camera_text(const JsonKey& key, const LoweredScene& lowered);
-  std::optional<std::string> render_text(const JsonKey& key, const LoweredScene& lowered);
-  std::optional<std::string> setting_text(JsonSetting setting, const LoweredScene& lowered);
-  std::optional<std::string> background_text(const LoweredScene& lowered);
-  std::string object_text(const JsonObject& table, const LoweredScene& lowered);
-  void check_tone(const LoweredScene& lowered);
+  // The rest of the config, in config_settings.cpp.
+  std::optional<std::string> value_text(const JsonKey& key);
+  std::optional<std::string> camera_text(const JsonKey& key);
+  std::optional<std::string> render_text(const JsonKey& key);
+  std::optional<std::string> setting_text(JsonSetting setting);
+  std::optional<std::string> background_text();
+  std::string object_text(const JsonObject& table, std::string_view indent);
+  void check_tone();
   void check_shutter();
-  void check_height(const LoweredScene& lowered);
+  void check_height();
 
   ObjectSink& next_;
   std::optional<std::string> chosen_camera_;
@@ -78,14 +82,17 @@ class ConfigWriter final : public ObjectSink {
   std::vector<Object> cameras_;
   std::optional<Object> background_, render_;
   std::vector<Group> groups_;
-  std::string spheres_;  ///< each on a line
+  std::string spheres_;  ///< one per line
   CountedBytes bytes_;
+  const LoweredScene* lowered_ = nullptr;  ///< during finish()
   std::optional<int> frame_;
   bool has_moving_spheres_ = false;
   bool has_rounded_colors_ = false;
 };
 
-/// Whether both lower to the same picture, bit for bit but for the signs of zeros.
+std::string vector_text(render::Vec3 v);
+
+/// Whether both have the same picture, bit for bit except the signs of zeros.
 bool is_same_picture(const LoweredScene& a, const LoweredScene& b, bool compares_colors);
 
 }  // namespace sdlc::lang

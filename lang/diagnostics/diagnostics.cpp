@@ -15,6 +15,12 @@ std::span<const DiagnosticInfo* const> all_diagnostics() noexcept {
   return kAll;
 }
 
+std::string title_of(const DiagnosticInfo& info) {
+  std::string title(info.name);
+  std::ranges::replace(title, '_', ' ');
+  return title;
+}
+
 DiagnosticBuilder& DiagnosticBuilder::label(Location where, std::string message) {
   diagnostic_->labels.push_back({where, std::move(message)});
   return *this;
@@ -63,7 +69,8 @@ DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where
   if (seen_.size() < kMaxDistinct && !seen_.insert(hash(place) * 31 + hash(message)).second) {
     return discard();
   }
-  if (++(info.severity == Severity::Error ? errors_ : warnings_) > max_kept_) {
+  const bool is_error = info.severity == Severity::Error;
+  if (++(is_error ? errors_ : warnings_) > (is_error ? kMaxErrors : kMaxWarnings)) {
     ++not_kept_[&info];
     return discard();
   }
@@ -80,11 +87,14 @@ DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where
 
 void DiagnosticSink::add(const Diagnostic& diagnostic) {
   if (add(*diagnostic.info, diagnostic.where, diagnostic.message).is_kept()) {
+    std::vector<ChainLink> links = std::move(diagnostics_.back().chain);
     diagnostics_.back() = diagnostic;
+    if (diagnostic.chain.empty()) diagnostics_.back().chain = std::move(links);
   }
 }
 
 void DiagnosticSink::add(const DiagnosticSink& other) {
+  if (is_muted_) return;
   for (const Diagnostic& diagnostic : other.diagnostics()) add(diagnostic);
   for (const auto& [info, count] : other.not_kept()) {
     not_kept_[info] += count;
@@ -92,7 +102,7 @@ void DiagnosticSink::add(const DiagnosticSink& other) {
   }
 }
 
-void DiagnosticSink::forget_shown() {
+void DiagnosticSink::clear() {
   diagnostics_.clear();
   not_kept_.clear();
   errors_ = warnings_ = 0;

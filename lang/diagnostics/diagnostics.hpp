@@ -21,7 +21,7 @@ namespace sdlc::lang {
 
 enum class Severity : std::uint8_t { Error, Warning };
 
-/// What is known of a diagnostic before it happens: a row of diagnostics.def.
+/// The constant part of a diagnostic: a row of diagnostics.def.
 struct DiagnosticInfo {
   std::string_view code;  ///< such as "E104"; never reused for another meaning
   Severity severity;
@@ -29,12 +29,11 @@ struct DiagnosticInfo {
   std::string_view message;
 };
 
-/// A row together with the types of its message's arguments; a call that does not fit does not
+/// A row and the types of its message's arguments, so that a call with wrong arguments does not
 /// compile.
 template <typename... Args>
 struct DiagnosticKind : DiagnosticInfo {
-  /// The message comes twice: fmt checks it as a format but does not give the text back in
-  /// version 9.
+  /// The message is passed twice: version 9 of fmt checks a format, but does not return its text.
   consteval DiagnosticKind(std::string_view code_, Severity severity_, std::string_view name_,
                            std::string_view message_, fmt::format_string<Args...> /*checked*/)
       : DiagnosticInfo{code_, severity_, name_, message_} {}
@@ -48,30 +47,33 @@ namespace diag {
 #undef SDLC_DIAGNOSTIC
 }  // namespace diag
 
-/// Every row of the table, in its order.
+/// All rows of the table, in its order.
 std::span<const DiagnosticInfo* const> all_diagnostics() noexcept;
 
-/// A second place that explains the first.
+/// The name with spaces: "unknown property".
+std::string title_of(const DiagnosticInfo& info);
+
+/// A second place, which helps to understand the first.
 struct Label {
   Location where;
   std::string message;
 };
 
-/// A replacement of one span of the text by another. It is safe when the text can have been meant
-/// in no other way and nothing that a person wrote is lost; `lint --fix` makes those by itself.
+/// A replacement of a span of the text. It is safe if the text allows no other interpretation and
+/// nothing that a person wrote is lost; `lint --fix` applies only safe fixes.
 struct Fix {
   Location where;
   std::string replacement;
   bool is_safe = false;
 };
 
-/// One step of how evaluation came to a place: "in `ring`", and where that was written.
+/// A step of the evaluation that led to a diagnostic, such as "in `ring`", and its place.
 struct ChainLink {
   Location where;
   std::string message;
 };
 
-/// Knows the steps that lead to where evaluation is at this moment, the innermost first.
+/// Provides the steps that led to the current point of the evaluation, the innermost first.
 class ChainSource {
  public:
   virtual ~ChainSource() = default;
@@ -80,13 +82,13 @@ class ChainSource {
 
 struct Diagnostic {
   const DiagnosticInfo* info = nullptr;
-  Location where;  ///< the smallest wrong thing; `where.file` may be null when no text is to blame
+  Location where;  ///< the smallest wrong part; `where.file` is null if it is not in a text
   std::string message;
   std::vector<Label> labels;
-  std::vector<std::string> help;  ///< what to do, in words
+  std::vector<std::string> help;  ///< what to do about it
   std::vector<Fix> fixes;
-  std::string suggestion;        ///< the name that was probably meant; empty where there is none
-  std::vector<ChainLink> chain;  ///< how evaluation came here, the innermost step first
+  std::string suggestion;        ///< the name that was probably intended; may be empty
+  std::vector<ChainLink> chain;  ///< the evaluation up to here, the innermost step first
 };
 
 /// Adds to a diagnostic that was just reported.
@@ -105,11 +107,11 @@ class DiagnosticBuilder {
     return text.empty() ? *this : help(std::string(text));
   }
   DiagnosticBuilder& fix(Location where, std::string replacement);
-  /// A fix that is a guess.
+  /// The same for a guess.
   DiagnosticBuilder& unsafe_fix(Location where, std::string replacement);
-  /// Replaces the chain that the sink knows.
+  /// Replaces the chain that the sink has set.
   DiagnosticBuilder& chain(std::vector<ChainLink> links);
-  /// "did you mean `name`?", with the replacement of the diagnostic's own span as its unsafe fix.
+  /// Suggests `name`, if there is one, and replaces the diagnostic's span by it as an unsafe fix.
   DiagnosticBuilder& suggest(std::optional<std::string_view> name);
 
  private:
@@ -117,23 +119,47 @@ class DiagnosticBuilder {
   bool is_kept_;
 };
 
-/// Thrown by DiagnosticSink::stop_if_requested(). No std::exception: nothing handles it but the
-/// caller that requested the stop.
+/// Thrown by stop_if_requested(). Not a std::exception, so that only the caller who requested the
+/// stop handles it. A program or compiler that was stopped is incomplete: discard it.
 struct StopRequested {};
 
-/// Collects what the phases report, in that order. A diagnostic that repeats an earlier one (code,
-/// place and message) is dropped. `lang/report` decides what is shown, and how.
+/// A request to stop work, made by any thread and polled by the work.
+class StopRequest {
+ public:
+  StopRequest() = default;
+  StopRequest(const StopRequest&) = delete;
+  StopRequest& operator=(const StopRequest&) = delete;
+  virtual ~StopRequest() = default;
+
+  void make() noexcept { source_.request_stop(); }
+  /// A poll. Virtual so that a test can count polls.
+  virtual bool is_made() const { return source_.stop_requested(); }
+  std::stop_token token() const noexcept { return source_.get_token(); }
+
+ private:
+  std::stop_source source_;
+};
+
+/// Throws StopRequested if `stop` is not null and the request was made. Costs about a nanosecond;
+/// long loops of `lang` call it about once a millisecond. The functions of `render` that checks use
+/// do not poll.
+inline void stop_if_requested(const StopRequest* stop) {
+  if (stop != nullptr && stop->is_made()) throw StopRequested{};
+}
+
+/// Collects the diagnostics of all phases, in order. A diagnostic that repeats an earlier one
+/// (code, place and message) is dropped. `lang/report` decides what is shown, and how.
 ///
-/// The sink also carries the stop token of the work, because every phase has the sink.
+/// The sink also carries the request to stop, because every phase has access to the sink.
 class DiagnosticSink {
  public:
-  /// Errors that are kept, and as many warnings: a bound on memory. The rest is counted.
-  static constexpr std::size_t kMaxKept = 10'000;
+  /// Max errors and warnings kept, to bound memory. The rest is only counted. More warnings are
+  /// kept because comments allow warnings by place: a lint must know the place of each.
+  static constexpr std::size_t kMaxErrors = 10'000, kMaxWarnings = 100'000;
 
   DiagnosticSink() = default;
-  explicit DiagnosticSink(std::stop_token stop) : stop_(std::move(stop)) {}
-
-  void set_max_kept(std::size_t count) noexcept { max_kept_ = count; }
+  /// `stop` may be null; otherwise it must outlive the work.
+  explicit DiagnosticSink(const StopRequest* stop) noexcept : stop_(stop) {}
 
   template <typename... Args>
   DiagnosticBuilder report(const DiagnosticKind<Args...>& kind, Location where,
@@ -141,17 +167,17 @@ class DiagnosticSink {
     return add(kind, where, fmt::format(fmt::runtime(kind.message), args...));
   }
 
-  /// The same with a finished message.
+  /// The same with a formatted message.
   DiagnosticBuilder report_as(const DiagnosticInfo& info, Location where, std::string message) {
     return add(info, where, std::move(message));
   }
 
-  /// Adds a diagnostic of another sink.
+  /// Adds a diagnostic of another sink, with the chain of this sink if it has none.
   void add(const Diagnostic& diagnostic);
-  /// Adds all that the other sink has, and counts what it did not keep.
+  /// Adds everything in the other sink, including the counts of what it did not keep.
   void add(const DiagnosticSink& other);
 
-  /// The chain of the next diagnostics; null: none.
+  /// The chain of all further diagnostics; null for none.
   void set_chain(const ChainSource* chain) noexcept { chain_ = chain; }
   std::vector<ChainLink> chain() const {
     return chain_ == nullptr ? std::vector<ChainLink>() : chain_->chain();
@@ -160,8 +186,8 @@ class DiagnosticSink {
   /// A muted sink drops everything.
   void set_muted(bool is_muted) noexcept { is_muted_ = is_muted; }
 
-  /// Empties the sink. What it has dropped or kept so far will not be reported again.
-  void forget_shown();
+  /// Empties the sink. Repetitions of earlier diagnostics are still dropped.
+  void clear();
 
   bool has_errors() const noexcept { return errors_ > 0; }
   /// Errors reported, including those not kept.
@@ -174,12 +200,9 @@ class DiagnosticSink {
     return not_kept_;
   }
 
-  const std::stop_token& stop_token() const noexcept { return stop_; }
-  /// Throws StopRequested if a stop was requested. Costs about a nanosecond; long loops call it at
-  /// least once a millisecond.
-  void stop_if_requested() const {
-    if (stop_.stop_requested()) throw StopRequested{};
-  }
+  /// Null if nobody can stop the work.
+  const StopRequest* stop_request() const noexcept { return stop_; }
+  void stop_if_requested() const { lang::stop_if_requested(stop_); }
 
  private:
   DiagnosticBuilder add(const DiagnosticInfo& info, Location where, std::string message);
@@ -190,10 +213,9 @@ class DiagnosticSink {
   std::unordered_set<std::size_t> seen_;  // hashes: messages may be long, and many
   const ChainSource* chain_ = nullptr;
   bool is_muted_ = false;
-  std::size_t max_kept_ = kMaxKept;
   std::size_t errors_ = 0, warnings_ = 0;
   std::map<const DiagnosticInfo*, std::size_t> not_kept_;
-  std::stop_token stop_;
+  const StopRequest* stop_ = nullptr;
 };
 
 }  // namespace sdlc::lang

@@ -14,7 +14,7 @@ bool may_be_applied(const Diagnostic& diagnostic, const SourceFile& file, bool a
   });
 }
 
-/// Spans that do not touch each other, found in logarithmic time.
+/// Spans that do not touch each other, with lookup in logarithmic time.
 class DisjointSpans {
  public:
   bool touches(Span span) const {

@@ -15,7 +15,7 @@ void Evaluation::run(ObjectSink& objects) { evaluator_->run(objects); }
 
 std::uint64_t Evaluation::steps() const noexcept { return evaluator_->steps(); }
 
-void evaluate(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink) {
+void evaluate(const Document& file, ObjectSink& objects, DiagnosticSink& sink) {
   Program program(file, {}, sink);
   Evaluation(program, {}, sink).run(objects);
 }

@@ -12,23 +12,24 @@
 
 namespace sdlc::lang {
 
-/// The frames of a film, as the root's `animation` gives them.
+/// The `animation` of the root: frames first, first + step, … up to last.
 struct Animation {
   int first = 0, last = 0, step = 1;
   double fps = 24;
-  Location where;  ///< of the statement
+  Location where;  ///< of the word `animation`
 };
 
 struct EvaluationOptions {
   std::optional<int> frame = {};            ///< default: the first of the animation
-  std::optional<std::string> camera = {};   ///< overrides the choice of the file
+  std::optional<std::string> camera = {};   ///< overrides `camera` of `render`
   std::optional<std::uint64_t> steps = {};  ///< overrides the program's limit
 };
 
-/// One evaluation of a program: at one frame, with one shutter. Every object goes to an ObjectSink,
-/// its properties checked: first the cameras, the background and the settings, then the rest in the
-/// order of the file. What is wrong is reported; an object with a mistake in it is passed too, with
-/// its correct properties. A camera's shutter is passed in absolute times.
+/// The evaluation of a program at one frame, with the shutter of one camera. It passes checked
+/// objects to an ObjectSink: first those that only the root may have (cameras, background, render,
+/// animation), then all others in the order of execution. Errors are reported; an object with
+/// errors is passed with its correct properties. The shutter of a camera is passed in absolute
+/// times. The sink must outlive the evaluation; its chain is that of the evaluation until then.
 class Evaluation {
  public:
   Evaluation(Program& program, const EvaluationOptions& options, DiagnosticSink& sink);
@@ -36,14 +37,14 @@ class Evaluation {
 
   const std::optional<Animation>& animation() const;
   void run(ObjectSink& objects);
-  /// Steps taken beyond those that spheres allow for.
+  /// The steps taken (see limits.hpp), less those that spheres add to the limit.
   std::uint64_t steps() const noexcept;
 
  private:
   std::unique_ptr<class Evaluator> evaluator_;
 };
 
-/// Reads and evaluates a file that needs no other files.
-void evaluate(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink);
+/// Parses and evaluates a file without imports and includes.
+void evaluate(const Document& file, ObjectSink& objects, DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,42 +18,71 @@
 #include "lang/object/value.hpp"
 #include "lang/program/program.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/source/limits.hpp"
 #include "lang/value/constructors.hpp"
 
 namespace sdlc::lang {
 
-/// Runs code. Expressions recur as deep as the tree, which the parser limits, and into user-defined
-/// functions and kinds, which kMaxCalls limits.
+/// Runs code. Recursion is as deep as the tree, which the parser limits, times the nesting of calls
+/// and instances, which kMaxCalls limits; kMaxEvaluationDepth limits both together.
+///
+/// evaluator.cpp has the phases of an evaluation, settings.cpp the objects that only the root may
+/// have, globals.cpp the values of the top level; statements.cpp, instances.cpp and includes.cpp
+/// run statements; expressions.cpp, aggregates.cpp and calls.cpp compute values; properties.cpp
+/// checks them; evaluation_limits.cpp counts work and memory.
 class Evaluator final : public ChainSource {
  public:
   Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink);
-  ~Evaluator() override;
 
   const std::optional<Animation>& animation() const { return animation_; }
   void run(ObjectSink& objects);
-  /// Steps beyond those that spheres allow for.
+  /// The steps taken, less those that spheres add to the limit.
   std::uint64_t steps() const noexcept;
 
   std::vector<ChainLink> chain() const override;
 
  private:
-  /// A value at the opening and, where the time matters and the shutter is open, at the closing.
+  /// A value at the opening of the shutter and, if it varies, at the closing.
   struct Varying {
     std::array<Value, 2> values = {};
-    bool reads_time = false;  ///< depends on the time
-    bool varies = false;      ///< and the shutter is open: the second value is set
+    bool reads_time = false;
+    bool varies = false;  ///< it reads the time and the shutter is open: values[1] is set
   };
 
-  /// A step into what is being evaluated.
-  struct Step {
-    enum Kind : std::uint8_t { Turn, Call, Instance, Group, Include } kind;
+  /// An entry of the call stack, which labels of diagnostics show.
+  struct StackEntry {
+    enum Kind : std::uint8_t { Iteration, Call, Instance, Group, Include } kind;
     const Code* code;
-    NodeIndex node;          ///< the statement or call
-    std::string_view name;   ///< of the function or kind, or the loop's variable
-    std::size_t local = 0;   ///< of a Turn: index of the variable
-    std::uint64_t turn = 0;  ///< from 0
+    NodeIndex node;               ///< the statement or call
+    std::string_view name;        ///< of the function or kind, or the loop's variable
+    std::size_t local = 0;        ///< of an Iteration: index of the variable in locals_
+    std::uint64_t iteration = 0;  ///< from 0
   };
   class Nested;
+  /// Sets the chain of a sink for its own lifetime.
+  class ChainScope {
+   public:
+    ChainScope(DiagnosticSink& sink, const ChainSource& chain) : sink_(sink) {
+      sink_.set_chain(&chain);
+    }
+    ~ChainScope() { sink_.set_chain(nullptr); }
+    ChainScope(const ChainScope&) = delete;
+    ChainScope& operator=(const ChainScope&) = delete;
+
+   private:
+    DiagnosticSink& sink_;
+  };
+
+  /// An instance of a def that is being placed.
+  struct DefInstance {
+    const Code& code;  ///< of the instance statement
+    NodeIndex node;
+    InstanceMemo::Def key;
+    const Module& module;  ///< of the def
+    const Definition& def;
+    std::span<const std::uint32_t> arguments;  ///< expressions; kNothing: the default
+    std::size_t base;                          ///< first slot of its frame
+  };
 
   /// A camera, background, render or animation of the root.
   struct Setting {
@@ -62,21 +90,30 @@ class Evaluator final : public ChainSource {
     ast::Object node;
   };
 
+  ChainLink link_of(const StackEntry& entry) const;
+
   // Phases
+  /// Collects the settings of the root; reports duplicates.
   void find_settings();
+  /// Sets animation_ if the root has an animation.
   void find_animation();
+  /// Sets the times of the shutter if the chosen camera has one.
   void find_shutter();
   std::optional<std::string> chosen_camera();
   Code resolve(const Setting& setting);
+  /// The value of one property; Nothing if it is not written.
   Value setting_value(const Setting& setting, std::size_t property);
   enum class Globals : std::uint8_t { TimeFree, TimeDependent };
+  /// Evaluates the globals of a module, after those of its imports, unless that is done.
   void evaluate_globals(std::uint32_t module, Globals which);
   void evaluate_all_globals(Globals which);
   Varying evaluate_global(std::uint32_t module, std::uint32_t index);
-  /// The value of --set if there is one, else the param's.
+  /// The value of --set if there is one, else `value`, that of the declaration.
   Varying with_setting(std::uint32_t index, Varying value);
   void run_settings();
+  /// Runs the statements of a file other than declarations and, in the root, settings.
   void run_file(std::uint32_t module);
+  static bool is_setting(const Module& file, ast::Node statement);
 
   // Statements
   void run(const Code& code, std::uint32_t statement);
@@ -85,34 +122,55 @@ class Evaluator final : public ChainSource {
   void run_if(const Code& code, const Statement& statement);
   void run_assert(const Code& code, const Statement& statement);
   void run_group(const Code& code, const Statement& statement);
+  void report_not_a_list(const Code& code, std::uint32_t expression, const Value& value);
   void run_instance(const Code& code, const Statement& statement);
-  /// Takes the steps of placing object_, a group.
+  /// Adds the contents to the sink, inside object_, the group of the instance.
+  void place_instance(const DefInstance& instance);
+  /// Returns the depth of calls and instances that it reached, this one included.
+  int run_contents(const DefInstance& instance);
+  /// Evaluates argument i, an expression of `from`, into the frame; false if it has failed.
+  bool bind_argument(const DefInstance& instance, std::size_t i, const Code& from,
+                     std::uint32_t expression);
+  /// Takes the steps of rotating object_, a group.
   void take_rotation();
-  /// The key of the contents of an instance among those of its def. Its arguments are in the frame
-  /// from `base`. nullopt: the contents are not memoized.
-  std::optional<std::string> identify_contents(InstanceMemo::Def def, std::size_t base,
-                                               std::span<const std::uint32_t> arguments) const;
+  /// The key of the contents of an instance among those of its def, whose arguments are in the
+  /// frame. nullopt: the contents are not memoized.
+  std::optional<std::string> identify_contents(const DefInstance& instance) const;
   void run_include(const Code& code, const Statement& statement);
   /// Whether the file includes itself through others, which is reported.
-  bool is_in_circle(const Code& code, const Statement& statement, std::uint32_t file);
+  bool is_include_cycle(const Code& code, const Statement& statement, std::uint32_t file);
   void run_object(const Code& code, const Statement& statement);
+  /// Spheres of radius 0 take no memory: a loop of them would never reach a limit if they added
+  /// steps.
+  static bool is_visible_sphere(const Object& object);
   /// Fills object_ from pairs of property and expression.
   void read_object(const Code& code, const Statement& statement, const Kind& kind,
                    std::span<const std::uint32_t> pairs);
+  /// Evaluates a property at the closing of the shutter too. A changed value goes to
+  /// object_.closing if the property may change; otherwise this warns.
   void read_changing(const Code& code, std::size_t property, std::uint32_t expression);
   Varying evaluate_over_shutter(const Code& code, std::uint32_t expression);
-  /// Limits the use of the stack by nested expressions and statements; false, once reported, if it
-  /// is exceeded.
-  bool may_nest(const Code& code, NodeIndex node);
+  /// Whether expressions and statements may be nested one level deeper on the machine's stack; if
+  /// not, that is reported.
+  bool may_nest(const Code& code, NodeIndex node) {
+    return depth_ < kMaxEvaluationDepth || report_too_deep(code, node);
+  }
+  bool report_too_deep(const Code& code, NodeIndex node);
 
   // Expressions
   Value evaluate(const Code& code, std::uint32_t expression);
+  /// A Scalar that is no number: no value has this unit.
+  static constexpr Scalar kNoNumber{0, static_cast<Unit>(0xFF)};
+  static bool is_number(Scalar scalar) noexcept { return scalar.unit != kNoNumber.unit; }
+  static Scalar combine_numbers(Scalar a, Operator op, Scalar b) noexcept;
   /// Fast path for numbers, which stay in registers: the value if it is a number; else kNoNumber,
   /// with the value in `other`.
   Scalar evaluate_number(const Code& code, std::uint32_t expression, Value& other);
+  /// A Sum or Product; the result is as that of evaluate_number().
   Scalar evaluate_chain(const Code& code, const Expression& e, Value& other);
   Value evaluate_operation(const Code& code, const Expression& e);
   Value evaluate_power(const Code& code, const Expression& e);
+  /// `left op right` of any types: arithmetic, or strings joined by `+`.
   Value combine(const Code& code, const Value& left, std::uint32_t left_index, const Value& right,
                 std::uint32_t right_index);
   Value evaluate_triple(const Code& code, const Expression& e);
@@ -125,38 +183,43 @@ class Evaluator final : public ChainSource {
   Value evaluate_function(const Code& code, const Expression& e);
   Value evaluate_builtin(const Code& code, const Expression& e);
   Value evaluate_constructor(const Code& code, const Expression& e);
+  /// nullopt if the value is no bool, which is reported; `word`: "if", "and", …
   std::optional<bool> evaluate_condition(const Code& code, std::uint32_t expression,
                                          std::string_view word);
   const Value& read(const Varying& variable);
   void check_defaults();
   void check_default(const Module& file, const Parameter& parameter);
-  /// The value if it has the declared type; else Nothing, once reported.
+  /// The value if it has the declared type; else Nothing, which is reported.
   Value check_type(const Module& module, std::string_view name, const TypeInfo* type,
                    NodeIndex declaration, Value value, Location where);
-  /// Errors and warnings that have been told so far.
+  /// Errors and warnings so far.
   std::size_t report_count() const { return sink_.error_count() + sink_.warning_count(); }
-  /// Counts steps; false, once reported, when there are too many, or the values take too much
-  /// memory. Then nothing more is evaluated.
+  /// The steps of reading all of a value.
+  static std::uint64_t steps_to_read(const Value& value) noexcept;
+  /// Counts steps. If there are too many, or the values take too much memory, this is reported and
+  /// the evaluation ends: false.
   bool take_steps(const Code& code, NodeIndex node, std::uint64_t count);
   /// Throws StopRequested if the sink says so.
   void poll();
   /// Ends the evaluation; false if it has ended before.
   bool give_up();
-  /// Whether values may take this many more bytes; if not, that is reported.
+  /// Whether values may take this many more bytes; if not, this is reported and the evaluation
+  /// ends.
   bool may_take_memory(const Code& code, NodeIndex node, std::uint64_t bytes);
-  /// Appends a frame: the index of its first slot, or nullopt, once reported.
+  /// Appends a frame to locals_: the index of its first slot; nullopt if memory is exceeded.
   std::optional<std::size_t> open_frame(const Code& code, NodeIndex node, std::size_t slots);
-  /// Allows the steps of so many spheres or instances.
+  /// Raises the limit on steps for this many spheres or instances.
   void allow_steps(std::uint64_t spheres);
-  /// Whether one more call or instance may be nested in the current ones; if not, that has been
-  /// reported.
+  /// Whether one more call or instance may be nested in the current ones; if not, that is reported
+  /// once per outermost call.
   bool may_call(const Code& code, NodeIndex node);
   void end_call();
 
   // Properties
-  /// The value in the place of a property or argument: of its type and in its range, or Nothing.
+  /// The value of a property or argument, of its type and in its range; else Nothing, which is
+  /// reported.
   Value property_value(const Code& code, const Property& property, std::uint32_t expression);
-  /// The same of a property that must not depend on the time.
+  /// The same for a property that must not depend on the time.
   Value timeless_value(const Code& code, const Property& property, std::uint32_t expression);
 
   ast::Node node(const Code& code, std::uint32_t expression) const {
@@ -165,22 +228,25 @@ class Evaluator final : public ChainSource {
   Location place(const Code& code, std::uint32_t expression) const {
     return node(code, expression).location();
   }
+  static Location location(const Code& code, NodeIndex node) {
+    return ast::Node(*code.tree, node).location();
+  }
 
   Program& program_;
   const EvaluationOptions options_;
   DiagnosticSink& sink_;
+  ChainScope chain_;
   ObjectSink* objects_ = nullptr;
 
   std::optional<Animation> animation_;
   std::vector<Setting> settings_;
-  std::map<std::string_view, Location> unique_, cameras_;
 
   std::array<double, 2> times_{0, 0};  // at the opening and the closing, seconds
-  bool is_open_ = false;               // the shutter is: they may differ
+  bool is_open_ = false;               // the chosen camera has a shutter: the times may differ
   std::optional<render::Interval> shutter_;
-  std::size_t moment_ = 0;          // index of the current one
-  bool reads_time_ = false;         // set by whatever depends on the time
-  bool center_reads_time_ = false;  // of the sphere being read
+  std::size_t moment_ = 0;          // index of the current time
+  bool reads_time_ = false;         // set by every expression that depends on the time
+  bool center_reads_time_ = false;  // of the current sphere
 
   std::vector<std::vector<Varying>> globals_;      // by module
   std::array<std::vector<bool>, 2> globals_done_;  // by Globals and module
@@ -188,29 +254,32 @@ class Evaluator final : public ChainSource {
   std::size_t frame_ = 0;  // index of the first slot of the current frame
 
   InstanceMemo memo_;
-  std::vector<Step> steps_inside_;
-  Object object_;  // the one being read
+  std::vector<StackEntry> stack_;
+  Object object_;  // the current one; reused
   int depth_ = 0;
   int calls_ = 0;
   int deepest_calls_ = 0;  // the maximum of calls_ in the current instance
   bool has_called_too_deep_ = false;
-  std::vector<std::uint32_t> files_inside_;  // includes being run, the innermost last
+  std::vector<std::uint32_t> open_includes_;  // the innermost last
   std::unordered_set<std::uint32_t> included_;
 
   std::uint64_t steps_ = 0, allowed_steps_ = 0;
-  std::uint64_t max_steps_;      // with those allowed for spheres
-  std::uint64_t next_poll_ = 0;  // when steps_ is so many, look whether a stop was requested
+  std::uint64_t max_steps_;      // with those that spheres add
+  std::uint64_t next_poll_ = 0;  // steps_ at which a requested stop is checked next
   bool has_given_up_ = false;
+  /// Spheres have allowed no steps, since there are errors: broken ones, which are dropped, would
+  /// never reach a limit. With too few steps the evaluation then ends in silence.
+  bool is_allowance_withheld_ = false;
   CountedBytes locals_bytes_;
 };
 
-/// Pushes a step for its own lifetime.
+/// Pushes an entry for its own lifetime.
 class Evaluator::Nested {
  public:
-  Nested(Evaluator& evaluator, const Step& step) : evaluator_(evaluator) {
-    evaluator_.steps_inside_.push_back(step);
+  Nested(Evaluator& evaluator, const StackEntry& entry) : evaluator_(evaluator) {
+    evaluator_.stack_.push_back(entry);
   }
-  ~Nested() { evaluator_.steps_inside_.pop_back(); }
+  ~Nested() { evaluator_.stack_.pop_back(); }
   Nested(const Nested&) = delete;
   Nested& operator=(const Nested&) = delete;
 

@@ -7,15 +7,15 @@
 namespace sdlc::lang {
 namespace {
 
-// A lookup costs about as much as evaluating one sphere. Keys stay short enough for that.
-constexpr std::uint64_t kMaxHeavy = 64;  // elements of a list
-constexpr std::size_t kMaxText = 1024;   // bytes of a string
+// With keys up to these sizes, a lookup costs about as much as the evaluation of one sphere.
+constexpr std::uint64_t kMaxWeight = 64;  // of a list: see ListValue::weight()
+constexpr std::size_t kMaxText = 1024;    // bytes of a string
 
-// After so many misses, and fewer than one hit in kMinFound lookups, a def is no longer looked up.
-constexpr std::uint64_t kMaxMissed = 16'384, kMinFound = 16;
+// Lookups of a def end when misses exceed kMaxMissed + kMissedPerFound * hits.
+constexpr std::uint64_t kMaxMissed = 16'384, kMissedPerFound = 16;
 
-// Of all keys together, with the memory of a table entry beside its key.
-constexpr std::size_t kMaxBytes = std::size_t{64} << 20, kBytesBeside = 64;
+// Bytes of all entries together; an entry takes its key and about kBytesPerEntry.
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20, kBytesPerEntry = 64;
 
 void append(std::uint64_t word, std::string& to) {
   to.append(reinterpret_cast<const char*>(&word), sizeof word);
@@ -80,7 +80,7 @@ bool append_identity(const Value& value, std::string& identity) {
     begin('w');
     append(std::string_view(word->text), identity);
   } else if (const auto* list = get_if<ListValue>(&value)) {
-    if (list->weight() > kMaxHeavy) return false;
+    if (list->weight() > kMaxWeight) return false;
     begin('l');
     append(std::uint64_t{list->size()}, identity);
     for (std::size_t i = 0; i < list->size(); ++i) {
@@ -96,7 +96,7 @@ bool InstanceMemo::is_worthwhile(Def def) const {
   const auto found = of_def_.find(key(def));
   if (found == of_def_.end()) return true;
   const Instances& instances = found->second;
-  return instances.missed < kMaxMissed + kMinFound * instances.found;
+  return instances.missed < kMaxMissed + kMissedPerFound * instances.found;
 }
 
 InstanceMemo::Contents InstanceMemo::look_up(Def def, const std::string& arguments) {
@@ -107,8 +107,8 @@ InstanceMemo::Contents InstanceMemo::look_up(Def def, const std::string& argumen
     return {.number = found->second.number, .is_new = false, .height = found->second.height};
   }
   ++instances.missed;
-  if (bytes_ + arguments.size() + kBytesBeside > kMaxBytes) return {};
-  bytes_ += arguments.size() + kBytesBeside;
+  if (bytes_ + arguments.size() + kBytesPerEntry > kMaxBytes) return {};
+  bytes_ += arguments.size() + kBytesPerEntry;
   instances.known.emplace(arguments, Known{.number = ++last_number_, .height = 0});
   return {.number = last_number_, .is_new = true, .height = 0};
 }
@@ -118,7 +118,7 @@ void InstanceMemo::set_height(Def def, const std::string& arguments, int height)
 }
 
 void InstanceMemo::forget(Def def, const std::string& arguments) {
-  if (of_def_[key(def)].known.erase(arguments) > 0) bytes_ -= arguments.size() + kBytesBeside;
+  if (of_def_[key(def)].known.erase(arguments) > 0) bytes_ -= arguments.size() + kBytesPerEntry;
 }
 
 }  // namespace sdlc::lang

@@ -5,12 +5,11 @@
 #include "lang/object/check.hpp"
 #include "lang/value/logic.hpp"
 
-// Values of properties: their types, and what changes with the time.
+// Evaluates properties: checks type and range, and finds changes while the shutter is open.
 namespace sdlc::lang {
-
 namespace {
 
-/// Whether the kind's properties hold for all times: there is one picture size, one film.
+/// Whether the kind's properties, such as the picture's width, must not depend on the time.
 bool is_timeless(const Kind& kind) noexcept {
   return kind.id == ObjectKind::Render || kind.id == ObjectKind::Animation;
 }

@@ -1,7 +1,6 @@
 #include "lang/eval/type_hints.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,12 +8,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "lang/text/ascii.hpp"
+#include "lang/token/name_characters.hpp"
 #include "lang/value/colors.hpp"
 
 namespace sdlc::lang {
 namespace {
 
-Location behind(ast::Node node) { return node.tree().location({node.span().end, node.span().end}); }
+Location end_of(ast::Node node) { return node.tree().location({node.span().end, node.span().end}); }
 
 bool is_literal_number(ast::Node node) {
   if (node.is(SyntaxKind::Number)) return true;
@@ -25,33 +26,30 @@ bool is_literal_number(ast::Node node) {
 void hint_angle(DiagnosticBuilder& report, const Value& given, ast::Node written) {
   if (!holds_alternative<Scalar>(given)) return;
   if (is_literal_number(written)) {
-    report.unsafe_fix(behind(written), "deg");
+    report.unsafe_fix(end_of(written), "deg");
   } else {
-    report.help("an angle has a unit: `40deg`, or `(…) * 1deg`");
+    report.help("an angle needs a unit: `40deg`, or `(…) * 1deg`");
   }
 }
 
 void hint_angles(DiagnosticBuilder& report, const Value& given, ast::Node written) {
-  report.help("these are three angles, about x, y and z: `(0deg, 30deg, 0deg)`");
+  report.help("write three angles, about the x, y and z axes: `(0deg, 30deg, 0deg)`");
   if (!holds_alternative<Triple>(given) || !written.is(SyntaxKind::Triple)) return;
   for (const ast::Node component : written.children()) {
-    if (is_literal_number(component)) report.unsafe_fix(behind(component), "deg");
+    if (is_literal_number(component)) report.unsafe_fix(end_of(component), "deg");
   }
 }
 
 bool is_color(std::string_view text) {
-  const auto is_hex = [](unsigned char c) { return std::isxdigit(c) != 0; };
   if (text.starts_with('#')) {
     text.remove_prefix(1);
-    return (text.size() == 3 || text.size() == 6) && std::ranges::all_of(text, is_hex);
+    return (text.size() == 3 || text.size() == 6) && std::ranges::all_of(text, is_hex_digit);
   }
   return find_named_color(text).has_value();
 }
 
 bool is_word(std::string_view text) {
-  const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-  return !text.empty() && std::ranges::all_of(text, is_letter) &&
-         std::isdigit(static_cast<unsigned char>(text[0])) == 0;
+  return !text.empty() && end_of_identifier(text, 0) == text.size();
 }
 
 /// Whether the file declares the name, as a value or a parameter.
@@ -67,8 +65,8 @@ void hint_color(DiagnosticBuilder& report, const Value& given, ast::Node written
   if (const auto* text = get_if<std::string>(&given)) {
     const bool is_written = written.is(SyntaxKind::String) && is_color(*text);
     if (is_written) {
-      report.help("a colour stands without quotes");
-      // Without its quotes the text may be another name than that of the colour.
+      report.help("a colour is written without quotes");
+      // A declaration of the file may hide the colour of this name.
       declares(written.tree(), *text) ? report.unsafe_fix(written.location(), *text)
                                       : report.fix(written.location(), *text);
       return;
@@ -76,10 +74,11 @@ void hint_color(DiagnosticBuilder& report, const Value& given, ast::Node written
   }
   if (holds_alternative<Triple>(given)) {
     report.help(
-        "`rgb(r, g, b)` from 0 to 255 as on a screen, or `linear(r, g, b)` where 1 is white");
+        "write `rgb(r, g, b)` with sRGB values from 0 to 255, or `linear(r, g, b)` where 1 is "
+        "white");
     return;
   }
-  report.help("a colour is `#ff8000`, `rgb(255, 128, 0)` or a name of CSS such as `tomato`");
+  report.help("a colour is `#ff8000`, `rgb(255, 128, 0)` or a CSS name such as `tomato`");
 }
 
 void hint_material(DiagnosticBuilder& report, const Value& given, ast::Node written) {
@@ -96,12 +95,13 @@ void hint_triple(DiagnosticBuilder& report, const Value& given, ast::Node writte
   const bool is_point = list != nullptr && list->size() == 3 && written.is(SyntaxKind::List);
   if (!is_point) return;
   const std::string_view text = written.text();
-  report.help("a point stands in parentheses")
+  report.help("a point is written in parentheses: `(x, y, z)`")
       .fix(written.location(), fmt::format("({})", text.substr(1, text.size() - 2)));
 }
 
 void hint_interval(DiagnosticBuilder& report, Type wanted) {
-  report.help(wanted == Type::Frames ? "two whole numbers: `1 .. 48`" : "two times: `0s .. 20ms`");
+  report.help(wanted == Type::Frames ? "write two whole numbers: `1 .. 48`"
+                                     : "write two times: `0s .. 20ms`");
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ void add_type_hint(DiagnosticBuilder& report, const Property& property, const Va
     case Type::Motion: report.help("a motion is `line(to: (1, 0, 0), over: 0s .. 1s)`"); return;
     case Type::Word:
       if (text != nullptr && written.is(SyntaxKind::String) && is_word(*text)) {
-        report.help("a word stands without quotes");
+        report.help("the word is written without quotes");
         if (property.words.empty() || std::ranges::count(property.words, *text) > 0) {
           report.fix(written.location(), *text);
         }

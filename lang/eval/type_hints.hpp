@@ -7,8 +7,8 @@
 
 namespace sdlc::lang {
 
-/// Adds to a report about a value of the wrong type what to write instead. `written` is the
-/// expression of the value.
+/// Adds a help or a fix to a report on a value of the wrong type. `written`: the expression of the
+/// value.
 void add_type_hint(DiagnosticBuilder& report, const Property& property, const Value& given,
                    ast::Node written);
 

@@ -12,10 +12,4 @@ std::optional<std::string_view> explanation(std::string_view code) {
   return page->text;
 }
 
-std::string title_of(const DiagnosticInfo& info) {
-  std::string title(info.name);
-  std::ranges::replace(title, '_', ' ');
-  return title;
-}
-
 }  // namespace sdlc::lang

@@ -17,12 +17,12 @@ bool is_chain(SyntaxKind kind) {
   }
 }
 
-/// What opens with a bracket that its inside can be indented from.
+/// Whether the node has brackets with indented contents.
 bool is_bracketed(ast::Node node) {
   return node.is(SyntaxKind::Call) || node.is(SyntaxKind::List) || node.is(SyntaxKind::Triple);
 }
 
-/// Whether many of its like read well side by side.
+/// Whether several such elements fit well on one line.
 bool is_plain(ast::Node node) {
   switch (node.kind()) {
     case SyntaxKind::Number:
@@ -51,8 +51,8 @@ bool are_plain(ast::Children nodes) {
 
 }  // namespace
 
-/// `is_aligned`: the expression begins its line, or would if it were broken, so that the lines of a
-/// chain stand below each other without being indented.
+/// `is_aligned`: the expression begins its line if it is broken, so that the lines of a chain are
+/// not indented.
 void Composer::expression(ast::Node node, bool is_aligned) {
   switch (node.kind()) {
     case SyntaxKind::Conditional: conditional(node); break;
@@ -86,18 +86,22 @@ void Composer::expression(ast::Node node, bool is_aligned) {
   }
 }
 
-/// The value behind a `=` or `:`. A chain goes to a line of its own before it is broken itself.
+/// The value after `=` or `:`. A chain moves to its own line before it is broken.
 void Composer::assigned(ast::Node value) {
   if (!is_chain(value.kind()) && !value.is(SyntaxKind::Conditional)) {
     layout_.space();
     return expression(value);
   }
   layout_.open_group();
+  indented_line(value);
+  layout_.close_group();
+}
+
+void Composer::indented_line(ast::Node value) {
   layout_.indent();
   line();
   expression(value, true);
   layout_.dedent();
-  layout_.close_group();
 }
 
 void Composer::chain(ast::Node chain, bool is_aligned) {
@@ -120,7 +124,7 @@ void Composer::power(ast::Node power) {
   expression(*power.child(1));
 }
 
-/// A conditional that its author broke in front of an `else` stays so, as a table of cases does.
+/// A conditional with a line break before an `else` keeps it, like a table of cases.
 void Composer::conditional(ast::Node conditional) {
   leading_comments();
   layout_.open_group();
@@ -135,7 +139,7 @@ void Composer::conditional(ast::Node conditional) {
     }
     is_first = false;
     const ast::Node condition = *part;
-    if (behind(part) == parts.end()) {
+    if (!next_of(part, parts.end())) {
       expression(condition);
       break;
     }
@@ -154,13 +158,13 @@ void Composer::conditional(ast::Node conditional) {
   layout_.close_group();
 }
 
-/// `(value)` or `[index]`
-void Composer::enclosed(ast::Node value) {
+/// Brackets and contents on one line, or the contents indented on lines between the brackets.
+template <typename Contents>
+void Composer::bracketed(Contents contents) {
   token();
   layout_.open_group();
   layout_.indent();
-  soft_line();
-  expression(value, true);
+  contents();
   comments_before_closer();
   layout_.dedent();
   layout_.soft_line();
@@ -168,30 +172,33 @@ void Composer::enclosed(ast::Node value) {
   layout_.close_group();
 }
 
-/// `(a, b, c)`: on one line, or one a line. What is hugged stands between the brackets as it is.
+/// `(value)` or `[index]`
+void Composer::enclosed(ast::Node value) {
+  bracketed([&] {
+    soft_line();
+    expression(value, true);
+  });
+}
+
+/// `(a, b, c)` on one line, or one element per line. A hugged element is not indented.
 template <typename Elements, typename Compose>
 void Composer::sequence(const Elements& elements, bool is_hugged, Compose compose) {
-  token();
   if (is_hugged) {
+    token();
     compose(*elements.begin());
     comma(Comma::None);
     return token();
   }
-  layout_.open_group();
-  layout_.indent();
   bool is_first = true;
-  for (const ast::Node element : elements) {
-    if (!is_first) comma(Comma::Always);
-    is_first ? soft_line() : line();
-    compose(element);
-    is_first = false;
-  }
-  if (!is_first) comma(Comma::IfBroken);
-  comments_before_closer();
-  layout_.dedent();
-  layout_.soft_line();
-  token();
-  layout_.close_group();
+  bracketed([&] {
+    for (const ast::Node element : elements) {
+      if (!is_first) comma(Comma::Always);
+      is_first ? soft_line() : line();
+      compose(element);
+      is_first = false;
+    }
+    if (!is_first) comma(Comma::IfBroken);
+  });
 }
 
 void Composer::parameters(ast::Node declaration) {
@@ -206,20 +213,17 @@ void Composer::call(ast::Node call) {
   tokens_until(call.head_span().end);
   const auto arguments = call.children();
   const bool has_one =
-      arguments.begin() != arguments.end() && behind(arguments.begin()) == arguments.end();
+      arguments.begin() != arguments.end() && !next_of(arguments.begin(), arguments.end());
   sequence(arguments, has_one && is_hugged(*arguments.begin(), tokens_.peek().span.end),
            [this](ast::Node each) { argument(each); });
 }
 
-/// Whether the only argument of a call is bracketed itself, so that two indents would be one too
-/// many: `normalize(cross(`. `inside`: where the call's bracket is open.
+/// Whether the only argument of a call has brackets itself, so that one indent is enough:
+/// `normalize(cross(`. `inside`: the offset after the call's opening bracket.
 bool Composer::is_hugged(ast::Node argument, std::uint32_t inside) const {
   const ast::Node value = argument.is(SyntaxKind::Argument) ? *argument.child(0) : argument;
-  if (!is_bracketed(value) || skip_blanks(inside) != argument.span().begin) return false;
-  const std::string_view text = tree_.file().text();
-  std::uint32_t closer = skip_blanks(argument.span().end);
-  if (text[closer] == ',') closer = skip_blanks(closer + 1);
-  return text[closer] == ')';
+  return is_bracketed(value) && skip_spaces(inside) == argument.span().begin &&
+         closer_after(argument) == ')';
 }
 
 void Composer::argument(ast::Node argument) {
@@ -229,37 +233,31 @@ void Composer::argument(ast::Node argument) {
   assigned(*argument.child(0));
 }
 
-/// A list whose author broke it behind its bracket keeps its rows, as long as they fit.
+/// A list with a line break after its bracket keeps its rows, as long as they fit.
 void Composer::list(ast::Node list) {
-  token();  // [
-  layout_.open_group();
-  const auto elements = list.children();
-  const bool is_empty = elements.begin() == elements.end() && !tokens_.has_comments();
-  const bool keeps_rows = !is_empty && tokens_.is_broken_ahead();
-  const bool is_filled = keeps_rows || are_plain(elements);
-  if (keeps_rows) layout_.break_group();
-  layout_.indent();
-  bool is_first = true, ends_row = false;
-  for (const ast::Node element : elements) {
-    if (!is_first) {
-      ends_row = tokens_.is_broken_ahead();
-      comma(Comma::Always);
-      ends_row = keeps_rows && (ends_row || tokens_.is_broken_ahead());
+  bracketed([&] {
+    const auto elements = list.children();
+    const bool is_empty = elements.begin() == elements.end() && !tokens_.has_comments();
+    const bool keeps_rows = !is_empty && tokens_.is_broken_ahead();
+    const bool is_filled = keeps_rows || are_plain(elements);
+    if (keeps_rows) layout_.break_group();
+    bool is_first = true, ends_row = false;
+    for (const ast::Node element : elements) {
+      if (!is_first) {
+        ends_row = tokens_.is_broken_ahead();
+        comma(Comma::Always);
+        ends_row = keeps_rows && (ends_row || tokens_.is_broken_ahead());
+      }
+      // A line in a group of its own is broken if the element after it does not fit.
+      const bool is_row_filled = is_filled && !is_first && !ends_row;
+      if (is_row_filled) layout_.open_group();
+      is_first ? soft_line() : ends_row ? row_line() : line();
+      expression(element);
+      if (is_row_filled) layout_.close_group();
+      is_first = false;
     }
-    // A line of its own group is broken where the element behind it does not fit.
-    const bool is_row_filled = is_filled && !is_first && !ends_row;
-    if (is_row_filled) layout_.open_group();
-    is_first ? soft_line() : ends_row ? row_line() : line();
-    expression(element);
-    if (is_row_filled) layout_.close_group();
-    is_first = false;
-  }
-  if (!is_first) comma(Comma::IfBroken);
-  comments_before_closer();
-  layout_.dedent();
-  layout_.soft_line();
-  token();  // ]
-  layout_.close_group();
+    if (!is_first) comma(Comma::IfBroken);
+  });
 }
 
 }  // namespace sdlc::lang

@@ -7,7 +7,7 @@
 namespace sdlc::lang {
 namespace {
 
-/// A property of this name would continue the statement in front of it, were there no comma.
+/// Whether a property of this name would continue the previous statement if there were no comma.
 bool continues_statement(std::string_view label) {
   return label == "and" || label == "or" || label == "else";
 }
@@ -16,10 +16,10 @@ bool continues_statement(std::string_view label) {
 
 void Composer::statement(ast::Node statement) {
   switch (statement.kind()) {
-    case SyntaxKind::Version: token(), space_and_token(); break;
+    case SyntaxKind::Version: words(2); break;
     case SyntaxKind::Property: property(statement); break;
-    case SyntaxKind::Import: import(); break;
-    case SyntaxKind::Include: token(), space_and_token(); break;
+    case SyntaxKind::Import: words(4); break;   // import file as name
+    case SyntaxKind::Include: words(2); break;  // include file
     case SyntaxKind::Param:
     case SyntaxKind::Let: param(statement); break;
     case SyntaxKind::Fn: fn(statement); break;
@@ -31,8 +31,8 @@ void Composer::statement(ast::Node statement) {
   }
 }
 
-/// Between two statements: properties in one line have a comma, and nothing else has one unless it
-/// must.
+/// Between two statements. Properties on one line have a comma; other statements only if it is
+/// required.
 void Composer::separator(ast::Node statement, std::optional<ast::Node> next) {
   if (!next || statement.is(SyntaxKind::Version)) {
     comma(Comma::None);
@@ -49,35 +49,27 @@ void Composer::property(ast::Node property) {
   assigned(*property.child(0));
 }
 
-void Composer::import() {
-  token();            // import
-  space_and_token();  // file
-  space_and_token();  // as
-  space_and_token();  // name
+/// `: type`, if it follows.
+void Composer::type() {
+  if (tokens_.peek_text() == ":") words(2);
 }
 
 void Composer::param(ast::Node param) {
-  token();            // param, let
-  space_and_token();  // name
-  if (tokens_.peek_text() == ":") {
-    token();
-    space_and_token();  // type
-  }
+  words(2);  // let name
+  type();
   space_and_token();  // =
   assigned(*ast::expression_of(param));
 }
 
 void Composer::fn(ast::Node fn) {
-  token();            // fn
-  space_and_token();  // name
+  words(2);  // fn name
   parameters(fn);
   space_and_token();  // =
   assigned(*ast::expression_of(fn));
 }
 
 void Composer::def(ast::Node def) {
-  token();            // def
-  space_and_token();  // name
+  words(2);  // def name
   parameters(def);
   const ast::Node body = *def.first(SyntaxKind::Block);
   block(body, body.children().begin());
@@ -90,24 +82,19 @@ void Composer::assertion(ast::Node assertion) {
   layout_.space();
   expression(*assertion.child(0));
   comma(Comma::Always);
-  layout_.indent();
-  line();
-  expression(*assertion.child(1), true);
-  layout_.dedent();
+  indented_line(*assertion.child(1));
   layout_.close_group();
 }
 
 void Composer::for_loop(ast::Node loop) {
-  token();            // for
-  space_and_token();  // name
-  space_and_token();  // in
+  words(3);  // for name in
   layout_.space();
   expression(*loop.child(1));
   const ast::Node body = *loop.child(2);
   block(body, body.children().begin());
 }
 
-/// All blocks of an `if` stand on one line, or none does.
+/// Either all blocks of an `if` are on one line, or none is.
 void Composer::condition(ast::Node condition) {
   leading_comments();
   layout_.open_group();
@@ -145,30 +132,29 @@ void Composer::block(ast::Node block, ast::Children::Iterator first) {
   layout_.close_group();
 }
 
-/// A block with one property, a list, whose author wrote both brackets in one line:
+/// A block whose only property is a list and which opens and closes both brackets on one line:
 ///
 ///     belts saturn { colors: [
 ///       #6f7468, #87826a,
 ///     ] }
-bool Composer::is_hugged_block(ast::Node block, ast::Children::Iterator first) const {
-  const auto end = block.children().end();
-  if (first == end || behind(first) != end || !(*first).is(SyntaxKind::Property)) return false;
+bool Composer::is_hugged_block(ast::Children::Iterator first, ast::Children::Iterator end) const {
+  if (first == end || !(*first).is(SyntaxKind::Property)) return false;
+  if (next_of(first, end)) return false;
   const ast::Node property = *first;
   const ast::Node value = *property.child(0);
   if (!value.is(SyntaxKind::List)) return false;
   const std::string_view text = tree_.file().text();
   const auto has_break = [&](std::uint32_t begin) {
-    return text.substr(begin, skip_blanks(begin) - begin).find('\n') != std::string_view::npos;
+    return text.substr(begin, skip_spaces(begin) - begin).find('\n') != std::string_view::npos;
   };
-  std::uint32_t closer = skip_blanks(property.span().end);
-  if (text[closer] == ',') closer = skip_blanks(closer + 1);
-  return !has_break(tokens_.peek().span.end) && has_break(value.span().begin + 1) &&
-         skip_blanks(tokens_.peek().span.end) == property.span().begin && text[closer] == '}';
+  const std::uint32_t inside = tokens_.peek().span.end;
+  return !has_break(inside) && has_break(value.span().begin + 1) &&
+         skip_spaces(inside) == property.span().begin && closer_after(property) == '}';
 }
 
 void Composer::braces(ast::Node block, ast::Children::Iterator first) {
   const auto end = block.children().end();
-  if (is_hugged_block(block, first)) {
+  if (is_hugged_block(first, end)) {
     token();  // {
     layout_.space();
     statement(*first);
@@ -183,7 +169,7 @@ void Composer::braces(ast::Node block, ast::Children::Iterator first) {
   for (; first != end; ++first) {
     row_line();
     statement(*first);
-    separator(*first, behind(first) == end ? std::nullopt : std::optional(*behind(first)));
+    separator(*first, next_of(first, end));
   }
   comments_before_closer();
   layout_.dedent();
@@ -193,10 +179,7 @@ void Composer::braces(ast::Node block, ast::Children::Iterator first) {
 
 void Composer::parameter(ast::Node parameter) {
   token();  // name
-  if (tokens_.peek_text() == ":") {
-    token();
-    space_and_token();  // type
-  }
+  type();
   if (tokens_.peek_text() == "=") {
     space_and_token();
     assigned(*ast::expression_of(parameter));

@@ -4,8 +4,8 @@
 
 namespace sdlc::lang {
 
-// Tokens and what is between them. A comment keeps its place between two tokens and its place in
-// the line: what had a line of its own keeps that, and what ended its line ends one.
+// A comment keeps its place between two tokens and its place in the line: it stays on its own line,
+// and it still ends its line.
 
 /// Layouts the next comment.
 void Composer::comment() {
@@ -18,7 +18,7 @@ void Composer::comment() {
   }
 }
 
-/// In front of the next token. A group that begins there does not hold them.
+/// The comments before the next token. A group that begins there does not contain them.
 void Composer::leading_comments() {
   const bool has_comments = tokens_.has_comments();
   const bool is_apart = tokens_.peek().breaks_before > 1;
@@ -31,12 +31,16 @@ void Composer::token() {
   layout_.token(tokens_.take().span);
 }
 
+void Composer::words(int count) {
+  token();
+  for (int i = 1; i < count; ++i) space_and_token();
+}
+
 void Composer::tokens_until(std::uint32_t end) {
   while (tokens_.peek().span.begin < end && !tokens_.is_at_end()) token();
 }
 
-/// Those that the author wrote behind the last token, in its line. What stands in one line with the
-/// next token too is left for that.
+/// The comments after the last token on its line, unless the next token is on that line too.
 void Composer::trailing_comments() {
   const std::size_t count = tokens_.count_trailing_comments();
   if (count == 0 || !tokens_.comment(count - 1).ends_line) return;
@@ -53,14 +57,14 @@ void Composer::soft_line() {
   layout_.soft_line();
 }
 
-/// A line that keeps an empty one in front of it.
+/// A line that keeps an empty line before it.
 void Composer::row_line() {
   trailing_comments();
   layout_.line();
   if (tokens_.breaks_ahead() > 1) layout_.blank_line();
 }
 
-/// A space, or where a comment forces a new line, one that is not indented.
+/// A space, or an unindented line if a comment forces one.
 void Composer::space_or_line() {
   if (tokens_.ends_with_line_end()) {
     line();
@@ -69,7 +73,7 @@ void Composer::space_or_line() {
   }
 }
 
-/// In front of a closing bracket: its comments are of what is inside.
+/// Before a closing bracket: the comments belong to the contents.
 void Composer::comments_before_closer() {
   const std::size_t trailing = tokens_.count_trailing_comments();
   for (std::size_t i = 0; i < trailing; ++i) comment();
@@ -77,8 +81,8 @@ void Composer::comments_before_closer() {
   while (tokens_.has_comments()) comment();
 }
 
-/// In a chain of operators, which is broken in front of them. What was a comment on an operator at
-/// a line's end is one on the operand in front of it.
+/// In a chain of operators, which is broken before them. A comment after an operator at the end of
+/// a line moves to the operand before it.
 void Composer::operator_and_line() {
   trailing_comments();
   if (tokens_.has_comments()) {
@@ -96,7 +100,7 @@ void Composer::operator_and_line() {
   layout_.space();
 }
 
-/// The comma that follows, if one does, becomes one of the kind asked for.
+/// Replaces the comma that follows, if any, by one of the given kind.
 void Composer::comma(Comma comma) {
   while (tokens_.has_comments() && !tokens_.peek_comment().has_own_line() &&
          !tokens_.peek_comment().ends_line) {
@@ -111,9 +115,16 @@ void Composer::comma(Comma comma) {
   if (tokens_.peek_text() == ",") tokens_.lift();
 }
 
-std::uint32_t Composer::skip_blanks(std::uint32_t at) const noexcept {
+std::uint32_t Composer::skip_spaces(std::uint32_t at) const noexcept {
   const std::size_t found = tree_.file().text().find_first_not_of(" \t\r\n", at);
   return static_cast<std::uint32_t>(std::min(found, tree_.file().text().size()));
+}
+
+/// The character after the node and its comma.
+char Composer::closer_after(ast::Node node) const noexcept {
+  const std::string_view text = tree_.file().text();
+  const std::uint32_t closer = skip_spaces(node.span().end);
+  return text[text[closer] == ',' ? skip_spaces(closer + 1) : closer];
 }
 
 std::string Composer::file() {
@@ -123,7 +134,7 @@ std::string Composer::file() {
   for (auto at = file.children().begin(); at != end; ++at) {
     row_line();
     statement(*at);
-    separator(*at, behind(at) == end ? std::nullopt : std::optional(*behind(at)));
+    separator(*at, next_of(at, end));
     trailing_comments();
     printer_.print(layout_);
   }
@@ -136,11 +147,8 @@ std::string Composer::file() {
 
 Composer::Run Composer::run(std::span<const ast::Node> statements, std::uint32_t begin,
                             std::optional<ast::Node> next) {
-  tokens_.seek(begin);
-  while (tokens_.has_comments() && !tokens_.peek_comment().has_own_line()) tokens_.take_comment();
   Run run;
-  run.replaced.begin =
-      tokens_.has_comments() ? tokens_.peek_comment().span.begin : tokens_.peek().span.begin;
+  run.replaced.begin = tokens_.seek_line(begin);
   layout_.line();
   for (std::size_t i = 0; i + 1 < statements.size(); ++i) {
     statement(statements[i]);
@@ -149,7 +157,7 @@ Composer::Run Composer::run(std::span<const ast::Node> statements, std::uint32_t
   }
   statement(statements.back());
   run.replaced.end = statements.back().span().end;
-  // A comma behind comments is left there with them.
+  // A comma after comments stays there with them.
   if (!tokens_.has_comments()) {
     if (tokens_.peek_text() == ",") run.replaced.end = tokens_.peek().span.end;
     separator(statements.back(), next);

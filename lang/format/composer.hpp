@@ -13,38 +13,43 @@
 
 namespace sdlc::lang {
 
-inline ast::Children::Iterator behind(ast::Children::Iterator at) noexcept { return ++at; }
+/// The node after `at`, if there is one.
+inline std::optional<ast::Node> next_of(ast::Children::Iterator at, ast::Children::Iterator end) {
+  return ++at == end ? std::nullopt : std::optional(*at);
+}
 
-/// Walks a tree and composes the layout of its text. The tree tells what follows, the tokens are
-/// taken from the text one by one, and with each the comments in front of it.
+/// Walks a tree and composes the layout of its text. The tree determines what follows; the tokens
+/// come from the text one by one, each with the comments before it.
 class Composer {
  public:
-  /// `depth`: of the blocks that the statements stand in.
+  /// `depth`: of the blocks around the statements.
   Composer(const SyntaxTree& tree, std::uint32_t depth)
       : tree_(tree),
         tokens_(tree.file().text()),
         layout_(tree.file().text()),
         printer_(tree.file().text(), depth * kFormatIndent) {}
 
-  /// All of the file.
+  /// The whole file.
   std::string file();
 
   struct Run {
     std::string text;
-    Span replaced;  ///< what it takes the place of, with the blanks around it in its lines
+    Span replaced;  ///< the text that it replaces, with the spaces around it in its lines
   };
-  /// Statements that stand side by side, the first of them first of its line, with the comments
-  /// that stand in front of each and behind it in its line. `begin`: where the token in front of
-  /// the first one ends; `next`: the statement behind them.
+  /// Adjacent statements, each with the comments before it and after it on its line. The first one
+  /// begins its line. `begin`: the end of the token before the first one; `next`: the statement
+  /// after the last one.
   Run run(std::span<const ast::Node> statements, std::uint32_t begin,
           std::optional<ast::Node> next);
 
  private:
-  // Tokens and what is between them
+  // Tokens, and comments and spaces between them
 
   void token();
   void tokens_until(std::uint32_t end);
   void space_and_token() { layout_.space(), token(); }
+  /// `count` tokens with spaces between them.
+  void words(int count);
   void comment();
   void leading_comments();
   void trailing_comments();
@@ -63,7 +68,7 @@ class Composer {
   void statement(ast::Node statement);
   void separator(ast::Node statement, std::optional<ast::Node> next);
   void property(ast::Node property);
-  void import();
+  void type();
   void param(ast::Node param);
   void fn(ast::Node fn);
   void def(ast::Node def);
@@ -73,7 +78,7 @@ class Composer {
   void object(ast::Node object);
   void block(ast::Node block, ast::Children::Iterator first);
   void braces(ast::Node block, ast::Children::Iterator first);
-  bool is_hugged_block(ast::Node block, ast::Children::Iterator first) const;
+  bool is_hugged_block(ast::Children::Iterator first, ast::Children::Iterator end) const;
   void parameters(ast::Node declaration);
   void parameter(ast::Node parameter);
 
@@ -81,17 +86,21 @@ class Composer {
 
   void expression(ast::Node node, bool is_aligned = false);
   void assigned(ast::Node value);
+  void indented_line(ast::Node value);
   void chain(ast::Node chain, bool is_aligned);
   void power(ast::Node power);
   void conditional(ast::Node conditional);
   void enclosed(ast::Node value);
   void list(ast::Node list);
+  template <typename Contents>
+  void bracketed(Contents contents);
   template <typename Elements, typename Compose>
   void sequence(const Elements& elements, bool is_hugged, Compose compose);
   void call(ast::Node call);
   bool is_hugged(ast::Node node, std::uint32_t inside) const;
   void argument(ast::Node argument);
-  std::uint32_t skip_blanks(std::uint32_t at) const noexcept;
+  std::uint32_t skip_spaces(std::uint32_t at) const noexcept;
+  char closer_after(ast::Node node) const noexcept;
 
   const SyntaxTree& tree_;
   PlacedTokens tokens_;

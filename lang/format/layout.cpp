@@ -10,19 +10,19 @@ namespace {
 
 bool is_opener(std::string_view token) { return token == "{" || token == "(" || token == "["; }
 
-/// Only strings and comments hold more than ASCII.
+/// Only strings and comments may contain non-ASCII characters.
 std::uint32_t columns_of(std::string_view token) {
   const bool is_string = token.front() == '"';
   return static_cast<std::uint32_t>(is_string ? count_code_points(token) : token.size());
 }
 
-/// Numbers have a digit in front of their point; a token that begins with a point and is not the
-/// point of a path or `..` is a number.
+/// Whether the token is a number without a digit before its point: it begins with a point and is
+/// neither `.` nor `..`.
 bool lacks_zero(std::string_view token) {
   return token.size() > 1 && token[0] == '.' && token[1] != '.';
 }
 
-std::string_view without_trailing_blanks(std::string_view text) {
+std::string_view without_trailing_spaces(std::string_view text) {
   return text.substr(0, text.find_last_not_of(" \t\r") + 1);
 }
 
@@ -137,9 +137,9 @@ void LayoutPrinter::put_token(const Item& token) {
 void LayoutPrinter::put_comment(const Item& comment) {
   const std::string_view text = source_.substr(comment.begin, comment.end - comment.begin);
   const bool is_line = comment.kind == Kind::LineComment;
-  const bool was_behind_opener = is_behind_opener_;
+  const bool was_after_opener = is_after_opener_;
   if (comment.has_own_line && line_breaks_ == 0) {
-    // It stands where no line is broken else.
+    // A line break where there is no other one.
     line_breaks_ = 1;
     line_indent_ = indent_ + kFormatIndent;
   } else if (line_breaks_ == 0 && is_line) {
@@ -147,12 +147,12 @@ void LayoutPrinter::put_comment(const Item& comment) {
     has_space_ = true;
   } else if (line_breaks_ == 0) {
     const bool is_inside = !text_.empty() && (text_.back() == '(' || text_.back() == '[');
-    has_space_ = !(was_behind_opener && is_inside);
+    has_space_ = !(was_after_opener && is_inside);
   }
   has_only_comments_ = has_only_comments_ || line_breaks_ > 0;
-  put_comment_text(is_line ? without_trailing_blanks(text) : text);
-  // An empty line is none at the beginning of a block behind a comment on its brace either.
-  is_behind_opener_ = was_behind_opener && !comment.has_own_line;
+  put_comment_text(is_line ? without_trailing_spaces(text) : text);
+  // No empty line at the beginning of a block, also after a comment on the line of its brace.
+  is_after_opener_ = was_after_opener && !comment.has_own_line;
   if (!comment.ends_line) {
     has_space_ = true;
     return;
@@ -165,7 +165,7 @@ void LayoutPrinter::put_comment_text(std::string_view comment) {
   begin_text('/');
   std::size_t line_begin = 0;
   for (const char c : comment) {
-    if (c == '\r') continue;  // only in front of a line feed
+    if (c == '\r') continue;  // only before a line feed
     text_ += c;
     if (c == '\n') line_begin = text_.size(), column_ = 0;
   }
@@ -177,7 +177,7 @@ void LayoutPrinter::put_comment_text(std::string_view comment) {
 void LayoutPrinter::begin_text(char first) {
   constexpr std::string_view kTight = ",:)]";
   if (line_breaks_ > 0) {
-    const bool wants_blank = line_breaks_ > 1 && !is_behind_opener_;
+    const bool wants_blank = line_breaks_ > 1 && !is_after_opener_;
     if (!text_.empty()) text_.append(wants_blank ? 2 : 1, '\n');
     text_.append(line_indent_, ' ');
     column_ = line_indent_;
@@ -193,7 +193,7 @@ void LayoutPrinter::put(std::string_view text) {
   begin_text(text.front());
   text_ += text;
   column_ += columns_of(text);
-  is_behind_opener_ = is_opener(text);
+  is_after_opener_ = is_opener(text);
   has_only_comments_ = false;
 }
 

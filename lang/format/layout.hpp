@@ -10,11 +10,11 @@
 
 namespace sdlc::lang {
 
-/// What a text consists of and where it may be broken into lines, after Oppen ("Prettyprinting",
-/// TOPLAS 2(4), 1980) and Wadler ("A prettier printer", 2003): tokens, and groups whose line breaks
-/// are all taken or none is. A group stands on one line if it fits there together with what cannot
-/// be parted from its end, and if nothing in it ends a line. Time is linear: how wide a group is
-/// becomes known while it is built.
+/// The tokens of a text and its possible line breaks, after Oppen ("Prettyprinting", TOPLAS 2(4),
+/// 1980) and Wadler ("A prettier printer", 2003). Either all line breaks of a group are taken, or
+/// none. A group is on one line if it fits there together with the unbreakable text after it, and
+/// if nothing in it ends a line. Takes linear time: widths of groups are computed while they are
+/// built.
 class Layout {
  public:
   /// The tokens are those of `source`.
@@ -22,28 +22,28 @@ class Layout {
 
   void token(Span span);
   void space() { push(Kind::Space), widen(1); }
-  /// Where the group may be broken; a space otherwise.
+  /// A possible line break; a space if the group is on one line.
   void line() { end_tails(), push(Kind::Line), widen(1); }
-  /// The same; nothing otherwise.
+  /// A possible line break; nothing if the group is on one line.
   void soft_line() { end_tails(), push(Kind::SoftLine); }
-  /// The next line is preceded by an empty one, if it begins one.
+  /// An empty line before the next line, if a line begins here.
   void blank_line() { push(Kind::BlankLine); }
 
   void open_group();
   void close_group();
-  /// The innermost open group, and so those around it, do not stand on one line.
+  /// Breaks the innermost open group, and thereby those around it.
   void break_group() noexcept;
 
   void indent() { push(Kind::Indent); }
   void dedent() { push(Kind::Dedent); }
 
   void comma() { push(Kind::Comma), widen(1); }
-  /// A comma where the innermost group stands on one line.
+  /// A comma if the innermost group is on one line.
   void flat_comma() { push(Kind::FlatComma), ++flat_width_; }
-  /// A comma where it does not.
+  /// A comma if the innermost group is broken.
   void broken_comma() { push(Kind::BrokenComma), ++tail_width_; }
 
-  /// A `//` comment that stands behind something, or alone in its line.
+  /// A `//` comment, after other text or on its own line.
   void line_comment(Span span, bool has_own_line);
   void block_comment(Span span, bool has_own_line, bool ends_line);
 
@@ -71,12 +71,11 @@ class Layout {
     Kind kind = Kind::Token;
     bool is_broken = false;                        ///< of a group
     bool has_own_line = false, ends_line = false;  ///< of a comment
-    std::uint32_t begin =
-        0;  ///< in the source; of a group: columns at its beginning, later its width
+    std::uint32_t begin = 0;  ///< in the source; of a group: first its column, then its width
     std::uint32_t end = 0;
   };
 
-  /// A group that is closed, while it is not known what cannot be parted from its end.
+  /// A closed group while the width of the unbreakable text after it is unknown.
   struct Tail {
     std::uint32_t group = 0, begin = 0;
   };
@@ -92,21 +91,21 @@ class Layout {
   std::vector<Item> items_;
   std::vector<std::uint32_t> open_groups_;
   std::vector<Tail> tails_;
-  std::uint32_t flat_width_ = 0;  ///< of all so far, on one line
-  std::uint32_t tail_width_ = 0;  ///< the same, the groups with line breaks broken
+  std::uint32_t flat_width_ = 0;  ///< of all items on one line
+  std::uint32_t tail_width_ = 0;  ///< of all items with all groups broken
 };
 
-/// Writes layouts, one behind the other.
+/// Writes layouts one after the other.
 class LayoutPrinter {
  public:
-  /// `indent`: columns in front of what is not indented.
+  /// `indent`: columns before unindented text.
   LayoutPrinter(std::string_view source, std::uint32_t indent)
       : source_(source), indent_(indent), line_indent_(indent) {}
 
-  /// Makes room for so many bytes.
+  /// Reserves memory for the text.
   void reserve(std::size_t size) { text_.reserve(size); }
 
-  /// Writes what the layout holds and empties it. Precondition: no group is open.
+  /// Writes the layout and clears it. Precondition: no group is open.
   void print(Layout& layout);
   std::string take_text() { return std::move(text_); }
 
@@ -128,12 +127,12 @@ class LayoutPrinter {
   std::vector<bool> flat_;  // of the open groups
   std::uint32_t indent_;
   std::uint32_t column_ = 0;
-  // What is between the last text and the next is settled when that comes.
+  // Pending spaces and line breaks, written before the next text.
   std::uint32_t line_breaks_ = 0;
-  std::uint32_t line_indent_;  // of the line that begins then
+  std::uint32_t line_indent_;  // of the next line
   bool has_space_ = false;
-  bool is_behind_opener_ = true;
-  bool has_only_comments_ = true;  // the line so far
+  bool is_after_opener_ = true;
+  bool has_only_comments_ = true;  // the current line
 };
 
 }  // namespace sdlc::lang

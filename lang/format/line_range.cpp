@@ -10,12 +10,12 @@
 namespace sdlc::lang {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_space(char c) { return c == ' ' || c == '\t'; }
 
-/// The children of a node that are statements, and where they stand.
+/// The statements in a node, and their place.
 struct Statements {
   std::vector<ast::Node> nodes;
-  std::uint32_t begin = 0;  ///< of the space in front of the first
+  std::uint32_t begin = 0;  ///< of the space before the first
 };
 
 /// Formats the statements of a file that touch some of its lines.
@@ -41,10 +41,7 @@ class LineFormatter {
   /// The lines of a statement, with the comments that belong to it.
   LineRange lines_of(ast::Node statement, std::uint32_t gap_begin) const {
     PlacedTokens tokens(text());
-    tokens.seek(gap_begin);
-    while (tokens.has_comments() && !tokens.peek_comment().has_own_line()) tokens.take_comment();
-    const std::uint32_t begin =
-        tokens.has_comments() ? tokens.peek_comment().span.begin : tokens.peek().span.begin;
+    const std::uint32_t begin = tokens.seek_line(gap_begin);
     tokens.seek(statement.span().end);
     std::uint32_t end = statement.span().end;
     if (tokens.peek_text() == ",") end = tokens.take().span.end;
@@ -76,8 +73,8 @@ class LineFormatter {
     }
   }
 
-  /// The last of the statements from `first` on that touch the lines, or share a line with one that
-  /// does.
+  /// The last of the consecutive statements from `first` on that touch the lines or share a line
+  /// with one that does.
   std::size_t end_of_run(const std::vector<ast::Node>& nodes, std::size_t first,
                          LineRange lines) const {
     std::size_t last = first;
@@ -92,7 +89,7 @@ class LineFormatter {
     return last;
   }
 
-  /// The blocks of a statement, if all the lines lie inside them.
+  /// The blocks of a statement that contain all the lines.
   std::vector<Statements> blocks_around(ast::Node statement) const {
     std::vector<Statements> blocks;
     if (statement.is(SyntaxKind::Object)) {
@@ -105,7 +102,7 @@ class LineFormatter {
     return blocks;
   }
 
-  /// Adds the block if its inside has lines of its own, and the lines asked for are among them.
+  /// Adds the block if its contents are on separate lines and contain the requested lines.
   void add_block(ast::Node block, std::vector<Statements>& blocks) const {
     Statements inside;
     for (const ast::Node child : block.children()) {
@@ -125,7 +122,7 @@ class LineFormatter {
     }
   }
 
-  /// Where what stands in front of the brace of an object ends.
+  /// The end of the text before the brace of an object.
   std::uint32_t name_end(ast::Node object) const {
     const auto name = ast::Object{object}.name();
     return name ? name->span().end : object.head_span().end;
@@ -140,22 +137,22 @@ class LineFormatter {
   void replace(std::span<const ast::Node> statements, std::uint32_t begin,
                std::optional<ast::Node> next, std::uint32_t depth) {
     auto [run, replaced] = Composer(tree_, depth).run(statements, begin, next);
-    while (replaced.begin > 0 && is_blank(text()[replaced.begin - 1])) --replaced.begin;
+    while (replaced.begin > 0 && is_space(text()[replaced.begin - 1])) --replaced.begin;
     const bool begins_line = replaced.begin == 0 || text()[replaced.begin - 1] == '\n';
     if (!begins_line) run.replace(0, run.find_first_not_of(' '), " ");
     const std::size_t line_end = text().find('\n', replaced.end);
-    const std::size_t behind = text().find_first_not_of(" \t\r", replaced.end);
-    const bool ends_line = behind == line_end;
-    if (ends_line && behind != std::string_view::npos) {
-      replaced.end = static_cast<std::uint32_t>(behind);
-      if (text()[behind - 1] == '\r') --replaced.end;
+    const std::size_t after = text().find_first_not_of(" \t\r", replaced.end);
+    const bool ends_line = after == line_end;
+    if (ends_line && after != std::string_view::npos) {
+      replaced.end = static_cast<std::uint32_t>(after);
+      if (text()[after - 1] == '\r') --replaced.end;
     }
     result_ += text().substr(copied_, replaced.begin - copied_);
     result_ += has_crlf() ? with_crlf(run) : run;
     copied_ = replaced.end;
   }
 
-  /// The lines between those that stay end as they do.
+  /// Whether the file has CRLF line ends, which new lines get too.
   bool has_crlf() const {
     const std::size_t first = text().find('\n');
     return first != std::string_view::npos && first > 0 && text()[first - 1] == '\r';

@@ -12,6 +12,12 @@ void PlacedTokens::seek(std::uint32_t at) {
   if (at == 0 && has_comments()) comments_[0].breaks_before = 1;
 }
 
+std::uint32_t PlacedTokens::seek_line(std::uint32_t at) {
+  seek(at);
+  while (has_comments() && !peek_comment().has_own_line()) take_comment();
+  return has_comments() ? peek_comment().span.begin : token_.span.begin;
+}
+
 /// Reads the trivia that follows and the token after it.
 void PlacedTokens::read_gap() {
   const std::size_t before = comments_.size();

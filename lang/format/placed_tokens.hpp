@@ -25,13 +25,15 @@ struct PlacedToken {
 };
 
 /// The tokens of a text without trivia, and the comments before each. Precondition: the text has no
-/// mistakes.
+/// syntax errors.
 class PlacedTokens {
  public:
   explicit PlacedTokens(std::string_view text) : reader_(text) { seek(0); }
 
-  /// Goes on with the first token or comment from `at` on.
+  /// Continues with the first token or comment from `at` on.
   void seek(std::uint32_t at);
+  /// The same, skipping comments on the line of `at`; returns the begin of the first item.
+  std::uint32_t seek_line(std::uint32_t at);
 
   /// The next token; empty at the end of the text.
   const PlacedToken& peek() const noexcept { return token_; }
@@ -40,10 +42,10 @@ class PlacedTokens {
   }
   bool is_at_end() const noexcept { return token_.span.size() == 0; }
 
-  /// The comments before the next token that were not yet taken.
+  /// Whether there are untaken comments before the next token.
   bool has_comments() const noexcept { return next_comment_ < comments_.size(); }
   const PlacedComment& peek_comment() const noexcept { return comments_[next_comment_]; }
-  /// How many of them are in the line of the last token.
+  /// The number of them on the line of the last token.
   std::size_t count_trailing_comments() const noexcept;
   const PlacedComment& comment(std::size_t n) const noexcept {
     return comments_[next_comment_ + n];
@@ -51,7 +53,7 @@ class PlacedTokens {
   bool ends_with_line_end() const noexcept;
   PlacedComment take_comment() noexcept { return comments_[next_comment_++]; }
 
-  /// Line ends before whatever comes next.
+  /// Line ends before the next comment or token.
   std::uint32_t breaks_ahead() const noexcept {
     return has_comments() ? peek_comment().breaks_before : token_.breaks_before;
   }

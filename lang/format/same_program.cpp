@@ -9,8 +9,8 @@
 namespace sdlc::lang {
 namespace {
 
-/// A comment by how many tokens stand in front of it, commas and operators not counted: those may
-/// change their side.
+/// A comment and the number of tokens before it, except commas and operators, which may move to its
+/// other side.
 struct CountedComment {
   std::size_t tokens = 0;
   Span span;
@@ -69,7 +69,7 @@ bool is_same_token(std::string_view a, std::string_view b) {
   return a == b || adds_zero(a, b) || adds_zero(b, a);
 }
 
-/// A comment without what a layout may leave out.
+/// A comment without the characters that the formatter removes.
 std::string bare_comment(std::string_view comment) {
   std::string bare(comment);
   std::erase(bare, '\r');

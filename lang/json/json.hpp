@@ -6,13 +6,13 @@
 
 namespace sdlc::lang {
 
-/// Reads a JSON config and hands its objects on: spheres one by one as soon as each is closed, then
-/// the camera, the background and the render settings. All mistakes of the text are reported in one
-/// run; what could only follow from a mistake is not. A sphere with a mistake is not handed on. The
-/// other objects are, with the wrong values left out, unless the text could not be read to its end.
+/// Reads a JSON config and passes its objects to `objects`: each sphere as soon as it is closed,
+/// then the camera, the background and the render settings. Reports all mistakes, except those that
+/// may only follow from another one. A sphere with a mistake is dropped. The other objects are
+/// passed on without their wrong values, unless the parse stopped before the end.
 void read_config(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink);
 
-/// The same, but hands on the spheres only, and requires nothing else to be there.
+/// Reads only the spheres of a JSON config, which may have nothing else.
 void read_spheres(const SourceFile& file, ObjectSink& objects, DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

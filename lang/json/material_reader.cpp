@@ -8,10 +8,7 @@
 namespace sdlc::lang {
 namespace {
 
-constexpr JsonKey kType{.key = "type",
-                        .type = JsonType::String,
-                        .presence = Presence::Required,
-                        .doc = "What light does at the surface; decides the other keys."};
+constexpr JsonKey kType{.key = "type", .type = JsonType::String, .presence = Presence::Required};
 constexpr std::size_t kTypeRow = 0;
 
 std::optional<MaterialKind> kind_of(std::string_view type) {
@@ -25,25 +22,22 @@ std::optional<MaterialKind> kind_of(std::string_view type) {
 
 MaterialReader::MaterialReader(const SourceFile& file, DiagnosticSink& sink)
     : file_(&file), sink_(&sink), values_(file, sink) {
-  any_kind_ = {.name = "a material", .keys = {kType}, .arguments = {nullptr}};
+  any_kind_ = {.name = "a material", .keys = {kType}};
   for (const MaterialInfo& info : all_materials()) {
     const bool has_vowel =
         std::string_view("aeiou").find(info.json_name[0]) != std::string_view::npos;
     Table& table = kinds_.emplace_back();
     table = {.name = fmt::format("{} {} material", has_vowel ? "an" : "a", info.json_name),
-             .keys = {kType},
-             .arguments = {nullptr}};
-    add_kind(info, table);
-    add_kind(info, any_kind_);
+             .keys = {kType}};
+    table.add_keys(info.id);
+    any_kind_.add_keys(info.id);
   }
   for (JsonKey& key : any_kind_.keys) key.presence = Presence::Optional;
 }
 
-void MaterialReader::add_kind(const MaterialInfo& info, Table& table) const {
-  for (const JsonKey& key : json_material_keys(info.id)) {
-    if (find_key(table.keys, key.key)) continue;
-    table.keys.push_back(key);
-    table.arguments.push_back(&info.arguments[key.property]);
+void MaterialReader::Table::add_keys(MaterialKind kind) {
+  for (const JsonKey& key : json_material_keys(kind)) {
+    if (!find_key(keys, key.key)) keys.push_back(key);
   }
 }
 
@@ -56,20 +50,19 @@ Value MaterialReader::read(const Tape& tape, std::uint32_t node, Location where)
   const auto kind = read_kind(tape, node, where);
   const Table& table = kind ? kinds_[static_cast<std::size_t>(*kind)] : any_kind_;
   const JsonObject object{.name = table.name, .keys = table.keys};
-  const Members members = find_members(*file_, tape, node, object, *sink_);
-  if (tape[node].is_complete) check_required(*file_, tape, members, object, where, *sink_);
+  const Members members = find_members(*file_, tape, node, object, where, *sink_);
 
   MaterialValue material;
   material.kind = kind.value_or(MaterialKind::Diffuse);
   bool is_good = kind.has_value() && tape[node].is_complete;
   for (std::size_t row = kTypeRow + 1; row < table.keys.size(); ++row) {
     const JsonKey& key = table.keys[row];
-    const Property& argument = *table.arguments[row];
-    if (!has_value(tape, members, row)) {
+    const std::uint32_t index = members.value(tape, row);
+    if (index == 0) {
       is_good &= key.presence == Presence::Optional;
       continue;
     }
-    const Value value = values_.read(key, argument.range, tape, members.value(row));
+    const Value value = values_.read(key, tape, index);
     if (const auto* color = get_if<render::LinearRgb>(&value)) {
       material.color = *color;
     } else if (const auto* parameter = get_if<Scalar>(&value)) {

@@ -12,23 +12,23 @@
 
 namespace sdlc::lang {
 
-/// Reads `{ "type": …, … }`: the type decides which keys there are.
+/// Reads `{ "type": …, … }`. The type determines the other keys.
 class MaterialReader {
  public:
   MaterialReader(const SourceFile& file, DiagnosticSink& sink);
 
-  /// The material in tape[node]; Nothing if anything of it is wrong. `where` is its key.
+  /// The material in tape[node]; Nothing if it has a mistake. `where` is its key.
   Value read(const Tape& tape, std::uint32_t node, Location where);
 
  private:
-  /// The keys of a material of one kind, and the argument that each one is.
+  /// The keys of a kind of material.
   struct Table {
     std::string name;
     std::vector<JsonKey> keys;
-    std::vector<const Property*> arguments;  ///< null of `type`
+
+    void add_keys(MaterialKind kind);
   };
 
-  void add_kind(const MaterialInfo& info, Table& table) const;
   std::optional<MaterialKind> read_kind(const Tape& tape, std::uint32_t node, Location where);
   std::optional<MaterialKind> read_type(const Tape& tape, std::uint32_t type);
 
@@ -36,7 +36,7 @@ class MaterialReader {
   DiagnosticSink* sink_;
   ValueReader values_;
   std::vector<Table> kinds_;
-  Table any_kind_;  ///< the keys of all, for a material whose type is not known
+  Table any_kind_;  ///< all keys, for a material of unknown type
 };
 
 }  // namespace sdlc::lang

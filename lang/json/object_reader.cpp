@@ -13,16 +13,9 @@
 
 namespace sdlc::lang {
 
-std::string_view member_name(const SourceFile& file, const JsonNode& name, std::string& buffer) {
-  const std::string_view content = file.text(name.content());
-  if (!name.has_escapes) return content;
-  buffer = unescape(content);
-  return buffer;
-}
-
 namespace {
 
-/// Whether the name is what the language, or another habit, calls that which the key stands for.
+/// Whether the name is that of the key's property in the language, or a habitual name of it.
 bool is_called(const JsonKey& key, std::string_view name) {
   if (key.target != nullptr) {
     const std::string_view property = key.target->properties[key.property].name;
@@ -52,8 +45,7 @@ bool is_key_of_material(std::string_view name) {
   });
 }
 
-/// What a message calls the object inside one with these keys that has a key of this name; empty:
-/// none has.
+/// The name in messages of a nested object that has the key; empty: none.
 std::string_view find_home(std::span<const JsonKey> keys, std::string_view name) {
   for (const JsonKey& key : keys) {
     if (key.type == JsonType::Material && is_key_of_material(name)) return "the material";
@@ -65,8 +57,7 @@ std::string_view find_home(std::span<const JsonKey> keys, std::string_view name)
   return {};
 }
 
-/// Where an object with these keys should not have the key, but another one: in words, empty if
-/// none has it.
+/// The object that the key belongs to, in words; empty: none. `keys`: of the object that has it.
 std::string describe_home(std::span<const JsonKey> keys, std::string_view name) {
   if (find_key(keys, "type")) {
     const auto kind = std::ranges::find_if(all_materials(), [&](const MaterialInfo& info) {
@@ -77,7 +68,7 @@ std::string describe_home(std::span<const JsonKey> keys, std::string_view name) 
   std::string_view home = find_home(keys, name);
   if (home.empty() && find_key(json_config().keys, name)) home = json_config().name;
   if (home.empty()) home = find_home(json_config().keys, name);
-  return home.empty() ? "" : fmt::format("it stands in {}", home);
+  return home.empty() ? "" : fmt::format("it belongs in {}", home);
 }
 
 }  // namespace
@@ -101,26 +92,41 @@ void diagnose_duplicate_key(std::string_view name, Location second, Location fir
   sink.report(diag::duplicate, second, "key", name).label(first, "it is given here first");
 }
 
+namespace {
+
+/// Reports each required key that is absent or null.
+void check_required(const SourceFile& file, const Tape& tape, const Members& members,
+                    const JsonObject& table, Location where, DiagnosticSink& sink) {
+  for (std::size_t row = 0; row < table.keys.size(); ++row) {
+    const JsonKey& key = table.keys[row];
+    if (key.presence == Presence::Optional || members.value(tape, row) != 0) continue;
+    const std::uint32_t name = members.names[row];
+    sink.report(diag::missing, name != 0 ? Location{&file, tape[name + 1].span} : where, table.name,
+                key.key);
+  }
+}
+
+}  // namespace
+
 Members find_members(const SourceFile& file, const Tape& tape, std::uint32_t object,
-                     const JsonObject& table, DiagnosticSink& sink) {
+                     const JsonObject& table, Location where, DiagnosticSink& sink) {
   Members members;
   std::vector<std::pair<std::size_t, std::uint32_t>> guesses;  // rows and names of misspelt keys
   std::string buffer;
   std::size_t guess = 0;
   const std::uint32_t end = tape[object].next;
-  // Where the text broke off, the last name may be without a value.
-  constexpr std::size_t kMaxErrors = 4'000'000;
+  // The last name has no value if the parse stopped there.
   for (std::uint32_t i = object + 1; i + 1 < end; i = tape[i + 1].next) {
-    if (sink.error_count() > kMaxErrors) break;
-    if (tape[i].type == JsonNodeType::Error) continue;  // no name, as has been reported
+    if (sink.error_count() > kMaxConfigErrors) break;
+    if (tape[i].type == JsonNodeType::Error) continue;  // a missing name, which has been reported
     const std::string_view name = member_name(file, tape[i], buffer);
     const auto row = find_key(table.keys, name, guess);
-    const Location where{&file, tape[i].content()};
+    const Location place{&file, tape[i].content()};
     if (!row) {
-      const auto meant = diagnose_unknown_key(table.keys, table.name, name, where, sink);
+      const auto meant = diagnose_unknown_key(table.keys, table.name, name, place, sink);
       if (meant) guesses.emplace_back(*meant, i);
     } else if (members.names[*row] != 0) {
-      diagnose_duplicate_key(name, where, {&file, tape[members.names[*row]].content()}, sink);
+      diagnose_duplicate_key(name, place, {&file, tape[members.names[*row]].content()}, sink);
     } else {
       members.names[*row] = i;
       guess = *row + 1;
@@ -129,18 +135,8 @@ Members find_members(const SourceFile& file, const Tape& tape, std::uint32_t obj
   for (const auto& [row, name] : guesses) {
     if (members.names[row] == 0) members.names[row] = name;
   }
+  if (tape[object].is_complete) check_required(file, tape, members, table, where, sink);
   return members;
-}
-
-void check_required(const SourceFile& file, const Tape& tape, const Members& members,
-                    const JsonObject& table, Location where, DiagnosticSink& sink) {
-  for (std::size_t row = 0; row < table.keys.size(); ++row) {
-    const JsonKey& key = table.keys[row];
-    if (key.presence == Presence::Optional || has_value(tape, members, row)) continue;
-    const std::uint32_t null = members.value(row);
-    sink.report(diag::missing, null != 0 ? Location{&file, tape[null].span} : where, table.name,
-                key.key);
-  }
 }
 
 }  // namespace sdlc::lang

@@ -14,20 +14,22 @@ namespace sdlc::lang {
 
 inline constexpr std::size_t kMaxJsonKeys = 16;
 
-/// Which member of an object belongs to which row of its table, as indices into the tape. An index
-/// is 0 where the row has no member: the root of what is looked at stands before every member.
+/// Errors after which the rest of a config is not checked: a text that is no config may have 10^8.
+inline constexpr std::size_t kMaxConfigErrors = 4'000'000;
+
+/// For each row of an object's table the tape index of the member's name; 0 if there is none, which
+/// is the index of the first node of a part and never that of a member of an object.
 struct Members {
   std::array<std::uint32_t, kMaxJsonKeys> names{};
 
-  std::uint32_t value(std::size_t row) const noexcept {
-    return names[row] == 0 ? 0 : names[row] + 1;
+  /// The index of the value; 0 if there is none or it is null.
+  std::uint32_t value(const Tape& tape, std::size_t row) const noexcept {
+    const std::uint32_t value = names[row] + 1;
+    return names[row] == 0 || tape[value].type == JsonNodeType::Null ? 0 : value;
   }
 };
 
-/// The name of a member: a view of the text, or of `buffer` where it has escapes.
-std::string_view member_name(const SourceFile& file, const JsonNode& name, std::string& buffer);
-
-/// The row with the key, tried first at `guess`: most objects list their keys in the same order.
+/// The row of the key. Tries `guess` first: most objects list their keys in the order of the table.
 inline std::optional<std::size_t> find_key(std::span<const JsonKey> keys, std::string_view name,
                                            std::size_t guess = 0) noexcept {
   if (guess < keys.size() && keys[guess].key == name) return guess;
@@ -37,27 +39,17 @@ inline std::optional<std::size_t> find_key(std::span<const JsonKey> keys, std::s
   return std::nullopt;
 }
 
-/// Reports the key, with the one that was probably meant; returns the row of that one.
+/// Reports the key and suggests the intended one; returns the row of the intended one.
 std::optional<std::size_t> diagnose_unknown_key(std::span<const JsonKey> keys,
                                                 std::string_view object, std::string_view name,
                                                 Location where, DiagnosticSink& sink);
 void diagnose_duplicate_key(std::string_view name, Location second, Location first,
                             DiagnosticSink& sink);
 
-/// Assigns the members of tape[object] to the rows, and reports unknown and duplicate keys. Of
-/// duplicates the first counts. A member whose key is misspelt is taken for the one that was meant,
-/// if that is absent: its value is checked too, and nothing is reported as missing.
+/// Assigns the members of tape[object] to the rows of the table. Reports unknown, duplicate and
+/// missing keys, a missing one at its null or else at `where`. The first of duplicates counts. A
+/// member with a misspelt key counts as the intended one if that is absent.
 Members find_members(const SourceFile& file, const Tape& tape, std::uint32_t object,
-                     const JsonObject& table, DiagnosticSink& sink);
-
-/// Whether the row has a value other than null.
-inline bool has_value(const Tape& tape, const Members& members, std::size_t row) noexcept {
-  const std::uint32_t value = members.value(row);
-  return value != 0 && tape[value].type != JsonNodeType::Null;
-}
-
-/// Reports each required key that is absent or null: at the null, else at `where`.
-void check_required(const SourceFile& file, const Tape& tape, const Members& members,
-                    const JsonObject& table, Location where, DiagnosticSink& sink);
+                     const JsonObject& table, Location where, DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

@@ -27,7 +27,7 @@ bool is_low_surrogate(unsigned unit) { return (unit & 0xFC00) == 0xDC00; }
 
 constexpr std::size_t kUnicodeEscapeSize = 6;  // \uXXXX
 
-/// The number in the escape \uXXXX at the beginning of the text.
+/// The value of the escape \uXXXX at the beginning of the text.
 std::optional<unsigned> code_unit_at(std::string_view text) {
   if (text.size() < kUnicodeEscapeSize || !text.starts_with("\\u")) return std::nullopt;
   unsigned unit = 0;
@@ -36,7 +36,7 @@ std::optional<unsigned> code_unit_at(std::string_view text) {
   return unit;
 }
 
-/// Appends what the escape \u… at the beginning of the text stands for; returns how long it is.
+/// Appends the character of the escape \u… at the beginning of the text; returns the escape's size.
 std::size_t append_unicode(std::string_view escape, std::string& out) {
   constexpr char32_t kReplacement = 0xFFFD;
   const auto unit = code_unit_at(escape);
@@ -79,6 +79,13 @@ std::string unescape(std::string_view content) {
     }
     content.remove_prefix(size);
   }
+}
+
+std::string_view member_name(const SourceFile& file, const JsonNode& name, std::string& buffer) {
+  const std::string_view content = file.text(name.content());
+  if (!name.has_escapes) return content;
+  buffer = unescape(content);
+  return buffer;
 }
 
 }  // namespace sdlc::lang

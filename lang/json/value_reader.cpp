@@ -11,7 +11,7 @@
 namespace sdlc::lang {
 namespace {
 
-/// Whether the text between quotes is just a value of that type: the quotes are the mistake then.
+/// Whether the content of a string is a value of the type, so that only the quotes are wrong.
 bool is_quoted_value(std::string_view wanted, std::string_view content) {
   if (wanted == describe(JsonType::Bool)) return content == "true" || content == "false";
   const bool wants_number =
@@ -31,31 +31,32 @@ bool is_quoted_value(std::string_view wanted, std::string_view content) {
 void ValueReader::diagnose_type(std::string_view key, std::string_view wanted,
                                 const JsonNode& node) {
   const bool is_bare_word = node.type == JsonNodeType::String && node.quote_size == 0;
-  if (node.type == JsonNodeType::Error || is_bare_word) return;  // reported when it was read
+  if (node.type == JsonNodeType::Error || is_bare_word) return;  // has been reported
   auto report = sink_->report(diag::wrong_type, at(node.span), key, wanted, describe(node));
   if (node.type != JsonNodeType::String) return;
   const std::string_view content = file_->text(node.content());
   if (is_quoted_value(wanted, content)) report.fix(at(node.span), std::string(content));
 }
 
-Value ValueReader::read(const JsonKey& key, Range range, const Tape& tape, std::uint32_t index) {
+Value ValueReader::read(const JsonKey& key, const Tape& tape, std::uint32_t index) {
   const JsonNode& node = tape[index];
   switch (key.type) {
-    case JsonType::Number: {
-      const auto number = read_number(key.key, describe(key.type), range, node);
-      return number ? Value(Scalar{*number}) : Value();
+    case JsonType::Number:
+    case JsonType::Degrees: {
+      const auto number = read_number(key.key, describe(key.type), key.range, node);
+      if (!number) return {};
+      return key.type == JsonType::Number ? Value(Scalar{*number}) : Value(Angle{*number});
     }
-    case JsonType::WholeNumber: return read_whole_number(key, range, node);
+    case JsonType::WholeNumber: return read_whole_number(key, node);
     case JsonType::Bool: return read_bool(key.key, node);
     case JsonType::String: {
       auto text = read_string(key.key, tape, index);
       return text ? Value(std::move(*text)) : Value();
     }
     case JsonType::Triple: return read_triple(key, tape, index);
-    case JsonType::Color: return read_color(key, range, tape, index);
-    case JsonType::Degrees: return read_degrees(key, range, node);
+    case JsonType::Color: return read_color(key, tape, index);
     case JsonType::Interval: return read_interval(key, tape, index);
-    case JsonType::Movement: return read_movement(key.key, tape, index);
+    case JsonType::Movement: return read_movement(key, tape, index);
     case JsonType::Object:
     case JsonType::Material:
     case JsonType::Spheres: break;
@@ -87,13 +88,13 @@ bool ValueReader::is_array_of(std::string_view key, JsonType type, std::size_t s
   return false;
 }
 
-bool ValueReader::read_numbers(std::string_view key, JsonType type, Range range, const Tape& tape,
+bool ValueReader::read_numbers(const JsonKey& key, JsonType type, const Tape& tape,
                                std::uint32_t array, std::span<double> numbers) {
-  if (!is_array_of(key, type, numbers.size(), tape, array)) return false;
+  if (!is_array_of(key.key, type, numbers.size(), tape, array)) return false;
   bool is_good = true;
   std::uint32_t element = array + 1;
   for (double& number : numbers) {
-    const auto value = read_number(key, describe(JsonType::Number), range, tape[element]);
+    const auto value = read_number(key.key, describe(JsonType::Number), key.range, tape[element]);
     is_good &= value.has_value();
     number = value.value_or(0);
     element = tape[element].next;
@@ -101,9 +102,9 @@ bool ValueReader::read_numbers(std::string_view key, JsonType type, Range range,
   return is_good;
 }
 
-Value ValueReader::read_whole_number(const JsonKey& key, Range range, const JsonNode& node) {
+Value ValueReader::read_whole_number(const JsonKey& key, const JsonNode& node) {
   const auto number = read_number(key.key, describe(JsonType::WholeNumber), Range::Any, node);
-  if (!number || !check_whole_number(key.key, range, *number, at(node.span), *sink_)) return {};
+  if (!number || !check_whole_number(key.key, key.range, *number, at(node.span), *sink_)) return {};
   return Scalar{*number};
 }
 
@@ -123,49 +124,43 @@ std::optional<std::string> ValueReader::read_string(std::string_view key, const 
   const std::string_view content = file_->text(node.content());
   std::string text = node.has_escapes ? unescape(content) : std::string(content);
   if (text.find('\0') == std::string::npos) return text;
-  // No name of a file or of anything else may hold one, and C interfaces would silently end there.
+  // C interfaces would silently end the string there.
   sink_->report(diag::bad_string, at(node.span), "a NUL character");
   return std::nullopt;
 }
 
 Value ValueReader::read_triple(const JsonKey& key, const Tape& tape, std::uint32_t node) {
   std::array<double, 3> v{};
-  if (!read_numbers(key.key, JsonType::Triple, Range::Any, tape, node, v)) return {};
+  if (!read_numbers(key, key.type, tape, node, v)) return {};
   return Triple{{v[0], v[1], v[2]}};
 }
 
-Value ValueReader::read_color(const JsonKey& key, Range range, const Tape& tape,
-                              std::uint32_t node) {
+Value ValueReader::read_color(const JsonKey& key, const Tape& tape, std::uint32_t node) {
   constexpr double kWhite = 255;
   std::array<double, 3> c{};
-  if (!read_numbers(key.key, JsonType::Color, range, tape, node, c)) return {};
+  if (!read_numbers(key, key.type, tape, node, c)) return {};
   return render::LinearRgb{c[0] / kWhite, c[1] / kWhite, c[2] / kWhite};
-}
-
-Value ValueReader::read_degrees(const JsonKey& key, Range range, const JsonNode& node) {
-  const auto degrees = read_number(key.key, describe(JsonType::Degrees), range, node);
-  return degrees ? Value(Angle{*degrees}) : Value();
 }
 
 Value ValueReader::read_interval(const JsonKey& key, const Tape& tape, std::uint32_t node) {
   std::array<double, 2> ends{};
-  if (!read_numbers(key.key, JsonType::Interval, Range::Any, tape, node, ends)) return {};
+  if (!read_numbers(key, key.type, tape, node, ends)) return {};
   return Bounds{std::min(ends[0], ends[1]), std::max(ends[0], ends[1])};
 }
 
-Value ValueReader::read_movement(std::string_view key, const Tape& tape, std::uint32_t index) {
-  if (!is_array_of(key, JsonType::Movement, 3, tape, index)) return {};
+Value ValueReader::read_movement(const JsonKey& key, const Tape& tape, std::uint32_t index) {
+  if (!is_array_of(key.key, key.type, 3, tape, index)) return {};
   const std::uint32_t target = index + 1;
   const std::uint32_t from = tape[target].next;
   const std::uint32_t to = tape[from].next;
   const auto number = describe(JsonType::Number);
 
   std::array<double, 3> v{};
-  const bool has_target = read_numbers(key, JsonType::Triple, Range::Any, tape, target, v);
-  const auto t0 = read_number(key, number, Range::Any, tape[from]);
-  const auto t1 = read_number(key, number, Range::Any, tape[to]);
+  const bool has_target = read_numbers(key, JsonType::Triple, tape, target, v);
+  const auto t0 = read_number(key.key, number, key.range, tape[from]);
+  const auto t1 = read_number(key.key, number, key.range, tape[to]);
   if (t0 && t1 && *t0 == *t1) {
-    sink_->report(diag::empty_interval, at({tape[from].span.begin, tape[to].span.end}), key,
+    sink_->report(diag::empty_interval, at({tape[from].span.begin, tape[to].span.end}), key.key,
                   to_text(*t0));
     return {};
   }

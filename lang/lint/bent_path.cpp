@@ -5,15 +5,16 @@
 
 namespace sdlc::lang {
 
-/// Groups turn while the shutter is open, and the centre of a sphere in them, which goes straight
-/// from where it is at the opening to where it is at the closing, misses the middle of its way by
-/// more than two pixels of the nearest camera. On an arc of radius r and angle θ that is the
-/// sagitta, r (1 − cos(θ / 2)). The true middle is that of translations and angles half-way between
-/// those of the two ends. A pixel is as large as it is at the distance of the sphere's centre.
+/// A group rotates while the shutter is open, so a sphere in it should move on an arc, but it moves
+/// straight from its position at the opening to that at the closing. Half-way the error is the
+/// sagitta of the arc, r (1 − cos(θ / 2)) for a radius r and an angle θ. Reported if it is more
+/// than two pixels, at the distance of the sphere from the nearest camera. The true midpoint is
+/// that of translations and angles half-way between those of the two ends.
 void check_bent_path(LintContext& context) {
-  constexpr double kPixels = 2;
+  constexpr double kMinPixels = 2;
   std::size_t findings = 0;
   for (const BentPath& path : context.lowered().bent_paths) {
+    context.stop_if_requested();
     if (context.is_hidden(path.sphere)) continue;
     const render::Sphere& sphere = context.spheres()[path.sphere];
     double pixel = std::numeric_limits<double>::infinity();
@@ -22,13 +23,13 @@ void check_bent_path(LintContext& context) {
       pixel = std::min(pixel,
                        distance * camera.camera.plane_height / context.lowered().settings.height);
     }
-    if (!(path.sagitta > kPixels * pixel)) continue;
+    if (!(path.sagitta > kMinPixels * pixel)) continue;
     Finding& finding = context.add(diag::bent_path, LintPlace::of_sphere(path.sphere));
-    finding.help.push_back(fmt::format(
-        "half-way it is {:.4g} from where it should be, or {:.3g} pixels; a shorter shutter makes "
-        "that less, half of it a quarter",
-        path.sagitta, path.sagitta / pixel));
-    if (++findings == LintContext::kMostFindings) return;
+    finding.help.push_back(
+        fmt::format("half-way the error is {:.4g}, or {:.3g} pixels; half the shutter time gives a "
+                    "quarter of it",
+                    path.sagitta, path.sagitta / pixel));
+    if (++findings == LintContext::kMaxFindings) return;
   }
 }
 

@@ -3,15 +3,16 @@
 
 namespace sdlc::lang {
 
-/// The precision that `render` chooses, or double where it chooses none, is beyond its bounds as
-/// one of the cameras sees the scene: the renderer's own bounds on rounding, measured on single
-/// rays. That double does not resolve the scene's lengths at all is an error elsewhere. Spheres are
-/// gone through once for each camera, of many spheres not for all cameras.
+/// As seen from one of the cameras, the scene exceeds the renderer's bounds on rounding errors for
+/// the precision that `render` chooses, or for double if it chooses none. A scene whose scales are
+/// too far apart for double is an error (E314), and not reported here. Each camera takes a pass
+/// over the spheres, so scenes of many spheres are checked for the first cameras only.
 void check_beyond_precision(LintContext& context) {
   const LoweredScene& lowered = context.lowered();
   const auto& cameras = lowered.checked_cameras;
   const std::size_t count = cameras_to_judge(cameras.size(), context.spheres().size());
   for (std::size_t i = 0; i < count; ++i) {
+    context.stop_if_requested();
     const auto fault = find_precision_fault(context.scene(), cameras[i].camera, lowered.settings,
                                             lowered.precision);
     if (!fault || fault->info != &diag::beyond_precision) continue;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,8 +20,8 @@
 
 namespace sdlc::lang {
 
-/// Somewhere in the text: a location, or what of a sphere of the scene stands there. Where that is
-/// will be found out for all findings at once.
+/// A place in the text: a location, or that of a sphere of the scene or of its material. Spheres
+/// are located for all findings at once.
 struct LintPlace {
   enum Part : std::uint8_t { Text, Sphere, Material } part = Text;
   Location where = {};
@@ -33,7 +34,7 @@ struct LintPlace {
   }
 };
 
-/// A diagnostic on its way to the sink.
+/// A diagnostic whose places may refer to spheres until they are located.
 struct Finding {
   struct PlaceLabel {
     LintPlace place;
@@ -46,24 +47,26 @@ struct Finding {
   std::vector<PlaceLabel> labels = {};
   std::vector<std::string> help = {};
   std::vector<Fix> fixes = {};
+  std::vector<ChainLink> chain = {};  ///< of the sphere; known once it is located
 };
 
-/// What the rules look at, and where they put what they find.
+/// The input of the rules, and their findings.
 class LintContext {
  public:
-  /// Of one rule no more spheres are told: others of one place would be told once anyway.
-  static constexpr std::size_t kMostFindings = 1000;
-  /// Of more cameras nothing is claimed that all of them must agree on.
-  static constexpr std::size_t kMostCameras = 100;
+  /// Max spheres that a rule reports. Findings with the same source location are merged later, so
+  /// more would hardly be seen.
+  static constexpr std::size_t kMaxFindings = 1000;
+  /// Rules that must hold for all cameras report nothing for scenes with more.
+  static constexpr std::size_t kMaxCameras = 100;
 
   LintContext(const SourceFile& file, const SyntaxTree* tree, Compiler& compiler,
               const LoweredScene& lowered)
       : file_(file), tree_(tree), compiler_(compiler), lowered_(lowered) {}
 
   const SourceFile& file() const noexcept { return file_; }
-  /// Of the root; null of a config.
+  /// The tree of the root; null for a config.
   const SyntaxTree* tree() const noexcept { return tree_; }
-  /// What the names of the root mean. Precondition: it is no config.
+  /// The symbols of the root. Precondition: it is not a config.
   const SymbolTable& names() { return compiler_.names(); }
   const LoweredScene& lowered() const noexcept { return lowered_; }
   const render::Scene& scene() const noexcept { return lowered_.scene; }
@@ -77,28 +80,37 @@ class LintContext {
   render::Vec3 shift_of(std::uint32_t sphere) const {
     return scene().shifts.empty() ? render::Vec3{} : scene().shifts[sphere];
   }
-  /// Whether it has no camera of its own, so that others decide how it is looked at.
+  /// Whether the file has no camera, and so is a part of other scenes.
   bool is_part() const noexcept { return lowered_.checked_cameras.empty(); }
 
-  /// Spheres that let nothing through, that no camera stands in, or nearly, and that hide all that
-  /// is inside; of a part, which others look into, none.
-  std::span<const std::uint32_t> closed();
+  /// Opaque spheres that contain no camera, not even nearly: they hide everything inside. Empty for
+  /// a part, whose cameras are unknown.
+  std::span<const std::uint32_t> occluders();
 
-  /// A sphere wholly inside a closed one while the shutter is open: no path gets there.
+  /// A sphere completely inside an occluder while the shutter is open: no path reaches it.
   struct HiddenSphere {
     std::uint32_t sphere;
-    std::uint32_t around;
+    std::uint32_t container;
   };
-  /// Near ones near each other.
+  /// In an order that keeps near spheres together.
   std::span<const HiddenSphere> hidden();
   bool is_hidden(std::uint32_t sphere);
 
-  /// The first sphere of each material, of those that are not hidden.
+  /// The first sphere of each material that is not hidden.
   std::vector<std::uint32_t> spheres_of_materials();
+  /// The transmissive spheres that are not hidden.
+  std::vector<std::uint32_t> visible_transmissive();
 
-  /// Where spheres come from, ascending; evaluates the scene once more.
+  /// The origins of spheres, whose indices ascend. Evaluates the scene once more.
   std::vector<Origin> trace(std::span<const std::uint32_t> spheres) {
     return compiler_.trace(spheres);
+  }
+
+  const StopRequest* stop_request() const { return compiler_.stop_request(); }
+  void stop_if_requested() const { lang::stop_if_requested(stop_request()); }
+  std::stop_token stop_token() const {
+    const StopRequest* stop = stop_request();
+    return stop == nullptr ? std::stop_token() : stop->token();
   }
 
   template <typename... Args>
@@ -109,7 +121,7 @@ class LintContext {
                          .place = place});
     return findings_.back();
   }
-  /// The same with the message made.
+  /// The same with a formatted message.
   Finding& add_finding(const DiagnosticInfo& info, LintPlace place, std::string message) {
     findings_.push_back({.info = &info, .message = std::move(message), .place = place});
     return findings_.back();
@@ -122,9 +134,22 @@ class LintContext {
   Compiler& compiler_;
   const LoweredScene& lowered_;
   std::vector<Finding> findings_;
-  std::optional<std::vector<std::uint32_t>> closed_;
+  std::optional<std::vector<std::uint32_t>> occluders_;
   std::optional<std::vector<HiddenSphere>> hidden_;
   std::vector<bool> is_hidden_;  ///< by sphere, once `hidden_` is known
+};
+
+/// The origins of some spheres of a scene.
+class SphereOrigins {
+ public:
+  SphereOrigins(LintContext& context, std::vector<std::uint32_t> spheres);
+
+  /// The origin of one of them.
+  const Origin& of(std::uint32_t sphere) const;
+
+ private:
+  std::vector<std::uint32_t> spheres_;  // ascending
+  std::vector<Origin> origins_;
 };
 
 }  // namespace sdlc::lang

@@ -9,11 +9,11 @@
 namespace sdlc::lang {
 namespace {
 
-/// The most spheres of a scene that is tried: more take longer to make ready than all rules do.
-constexpr std::size_t kMostSpheres = 100'000;
+/// Preparing larger scenes would take longer than all other rules together.
+constexpr std::size_t kMaxSpheres = 100'000;
 constexpr int kTrialWidth = 64, kTrialSamples = 32, kTrialDepth = 64;
 
-/// What a trial is to the picture: the same scene, small, and with few samples.
+/// Settings of the trial render.
 render::RenderSettings trial_of(const render::RenderSettings& asked, double aspect) {
   render::RenderSettings trial = asked;
   trial.width = kTrialWidth;
@@ -27,24 +27,26 @@ render::RenderSettings trial_of(const render::RenderSettings& asked, double aspe
 
 }  // namespace
 
-/// By a small picture with few samples, the samples that are allowed do not come near the error
-/// that is asked for, even if it falls as steeply as it does at best. A trial sees less noise than
-/// there is where light is rare, never more but for edges, of which a small picture has more for
-/// its size; so only twice the error is told.
+/// The samples are too few for the requested error: a trial render, a small picture with few
+/// samples, predicts a larger error even at the fastest possible convergence. The trial may miss
+/// rare light and underestimate the noise. It overestimates noise only at edges, which take a
+/// larger share of a small picture; the factor kMargin allows for that.
 void check_error_out_of_reach(LintContext& context) {
   const LoweredScene& lowered = context.lowered();
   const render::RenderSettings& asked = lowered.settings;
   if (!asked.error || lowered.checked_cameras.empty() || asked.samples == render::kMaxSamples) {
     return;
   }
-  if (context.spheres().size() > kMostSpheres || !context.scene().instances.empty()) return;
+  if (context.spheres().size() > kMaxSpheres || !context.scene().instances.empty()) return;
   render::Scene scene = context.scene();
   scene.camera = lowered.checked_cameras.front().camera;
   const render::RenderSettings trial = trial_of(asked, scene.camera.aspect);
   render::RenderMonitor monitor;
+  const std::stop_callback cancel(context.stop_token(), [&] { monitor.cancel = true; });
   render::KernelRequest request{.precision = lowered.precision};
   request.may_take_double = true;
   const render::RenderResult result = render::render(std::move(scene), trial, monitor, request);
+  context.stop_if_requested();
   if (!result.error) return;
 
   constexpr double kMargin = 2;
@@ -59,7 +61,8 @@ void check_error_out_of_reach(LintContext& context) {
                   LintPlace::of(is_written ? lowered.places.samples : lowered.places.error),
                   fmt::format("{}", asked.samples), fmt::format("{:.2g}%", 100 * at_best),
                   fmt::format("{:.6g}%", 100 * *asked.error));
-  finding.help.push_back(fmt::format("by a small trial it takes about {:.0f}", needed));
+  finding.help.push_back(
+      fmt::format("a small trial render predicts that about {:.0f} samples are needed", needed));
 }
 
 }  // namespace sdlc::lang

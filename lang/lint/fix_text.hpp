@@ -12,7 +12,7 @@
 
 namespace sdlc::lang {
 
-/// A text and what was found in it.
+/// A text and its findings.
 class CheckedText {
  public:
   virtual ~CheckedText() = default;
@@ -23,12 +23,12 @@ class CheckedText {
   virtual const Findings& findings() const = 0;
 };
 
-/// Checks a text; called again for every text that fixes make.
+/// Checks a text; called for every text that results from fixes.
 using CheckText = std::function<std::unique_ptr<CheckedText>(std::string)>;
 
-/// A fix that was a guess, and that was applied.
+/// An unsafe fix that was applied.
 struct Guess {
-  Position where;  ///< in the text at that time
+  Position where;  ///< in the text before the fix
   const DiagnosticInfo* info = nullptr;
   std::string change;  ///< "`radus` to `radius`"
 };
@@ -36,19 +36,14 @@ struct Guess {
 struct FixResult {
   std::unique_ptr<CheckedText> checked;  ///< the text after the fixes
   std::size_t applied = 0;               ///< findings that were fixed
-  std::size_t refused = 0;               ///< fixes that remain because of what they would do
+  std::size_t refused = 0;               ///< fixes that were rejected because of their effect
   std::vector<Guess> guesses;            ///< among the applied ones
 };
 
-/// Applies fixes until none is left. Each is tried out: a safe fix that would leave more errors
-/// than there were is refused, and so is one that would change the inside of a string or comment.
-/// An unsafe one is applied only if it leaves fewer errors. The result has no fix left that would
-/// be applied to it, so a second call changes nothing.
+/// Applies fixes until none is left. Each is tried: a safe fix is refused if it would add errors,
+/// or if the FixGuard rejects it; an unsafe one is applied only if it leaves fewer errors. The
+/// result has no fix left that would be applied, so a second call changes nothing.
 FixResult fix_text(std::unique_ptr<CheckedText> checked, bool applies_unsafe,
                    const CheckText& check);
-
-/// Whether the fix leaves all strings and comments of the text as they are: it is outside of them,
-/// or replaces one as a whole by something that contains it.
-bool keeps_strings_and_comments(std::string_view text, const Fix& fix);
 
 }  // namespace sdlc::lang

@@ -2,9 +2,9 @@
 
 namespace sdlc::lang {
 
-/// A let, loop variable or parameter has the name of a value of the file that is visible there too,
-/// and hides it from there on. Names of the language are hidden without a warning, so that new ones
-/// break no file (ruling 10); so are names that begin with `_`.
+/// A let, loop variable or parameter has the same name as a value of the file that is visible
+/// there, and hides it. Names of the language may be hidden without a warning, so that new ones
+/// break no file; so may names that begin with `_`.
 void check_hides_name(LintContext& context) {
   const SymbolTable& names = context.names();
   for (const Symbol& symbol : names.symbols()) {

@@ -4,13 +4,13 @@
 
 #include "lang/compile/compile.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
-#include "lang/source/source.hpp"
+#include "lang/workspace/document.hpp"
 
 namespace sdlc::lang {
 
-/// Reports what is wrong with the text, as Compiler::check() does, and if there are no errors, what
-/// is right and yet probably not what was meant; last of all, what comments allow without need.
-/// `file` and `sink` are those of the compiler, which has done nothing else before.
-void lint(Compiler& compiler, const SourceFile& file, DiagnosticSink& sink);
+/// Reports errors and warnings as Compiler::check() does, then, if there are no errors, the
+/// findings of all rules, and last the allowances that are not needed. `file` and `sink` are those
+/// of the compiler, which must be new.
+void lint(Compiler& compiler, const Document& file, DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

@@ -16,7 +16,7 @@ bool emits(const render::Material& material) {
 }  // namespace
 
 /// The background is black, and no sphere is `emissive` or `unlit` with a colour and an intensity
-/// that are not 0. Light comes from nothing else, so every pixel is black.
+/// above 0. There is no other light, so every pixel is black.
 void check_nothing_emits(LintContext& context) {
   const render::Background& background = context.scene().background;
   if (context.is_part() || !is_black(background.bottom) || !is_black(background.top)) return;
@@ -27,7 +27,7 @@ void check_nothing_emits(LintContext& context) {
   Finding& finding =
       context.add(diag::nothing_emits, LintPlace::of(context.lowered().places.background));
   finding.help.push_back(
-      "give the background a colour, or a sphere a material such as `emissive(color: white, "
+      "set a background colour, or give a sphere a material such as `emissive(color: white, "
       "intensity: 4)`");
 }
 

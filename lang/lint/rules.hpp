@@ -8,22 +8,22 @@
 
 namespace sdlc::lang {
 
-/// What a rule looks at.
+/// What a rule checks.
 enum class RuleScope : std::uint8_t {
   Text,        ///< the root's syntax tree
-  AnyFrame,    ///< the scene; of a film what is so in one of the frames looked at is told
-  EveryFrame,  ///< the scene; of a film what is so in all frames is told
+  AnyFrame,    ///< the scene; in a film, reports what holds in one of the checked frames
+  EveryFrame,  ///< the scene; in a film, reports what holds in all frames
 };
 
-/// What can be done about a finding without its author.
+/// How the findings of a rule can be fixed automatically.
 enum class RuleFix : std::uint8_t { None, Unsafe, Safe };
 
-/// A rule, one file each, whose comment says what it claims and why that is so.
+/// A rule. Each has its own file; the comment there states what it reports, and why.
 struct Rule {
   const DiagnosticInfo* info;
   void (*check)(LintContext& context);
   RuleScope scope;
-  RuleFix fix;  ///< of its findings, where they have one
+  RuleFix fix;  ///< of findings that have a fix
 };
 
 std::span<const Rule> all_rules() noexcept;

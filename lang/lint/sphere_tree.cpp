@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace sdlc::lang {
 
 using render::Vec3;
 
 double rounding_margin(Vec3 a, double radius_a, Vec3 b, double radius_b) {
-  constexpr double kPart = 0x1p-40;
-  return kPart * (max_abs(a) + max_abs(b) + radius_a + radius_b);
+  constexpr double kRelative = 0x1p-40;
+  return kRelative * (max_abs(a) + max_abs(b) + radius_a + radius_b);
 }
 
 namespace {
 
-/// The length, where squares would vanish or overflow too.
+/// The length, without underflow or overflow of the squares.
 double safe_length(Vec3 v) {
   const double largest = max_abs(v);
   if (!(largest > 0)) return 0;
@@ -50,31 +51,29 @@ bool is_inside(const LintContext& context, Vec3 point, std::uint32_t index) {
 bool may_be_inside(const LintContext& context, Vec3 point, std::uint32_t index) {
   constexpr double kNearly = 1 + 0x1p-20;
   const render::Sphere& sphere = context.spheres()[index];
-  const double way = safe_length(context.shift_of(index));
-  return !(safe_length(point - sphere.center) > (sphere.radius + way) * kNearly);
+  const double motion = safe_length(context.shift_of(index));
+  return !(safe_length(point - sphere.center) > (sphere.radius + motion) * kNearly);
 }
 
 namespace {
 
 constexpr std::uint32_t kLeafSize = 8;
+constexpr std::uint64_t kVisitsPerPoll = 1024;
 
 double component(const Vec3& v, std::size_t axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-Vec3 least(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
-Vec3 largest(Vec3 a, Vec3 b) {
-  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-}
+Vec3 min(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
+Vec3 max(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
 }  // namespace
 
-SphereTree::SphereTree(const LintContext& context, std::span<const std::uint32_t> members)
+SphereTree::SphereTree(const LintContext& context, std::span<const std::uint32_t> spheres)
     : context_(context) {
-  items_.reserve(members.size());
-  for (const std::uint32_t member : members) {
-    const render::Sphere& sphere = context.spheres()[member];
-    items_.push_back({sphere.center, sphere.radius, member});
+  items_.reserve(spheres.size());
+  for (const std::uint32_t i : spheres) {
+    items_.push_back({context.spheres()[i].center, context.spheres()[i].radius, i});
   }
   if (!items_.empty()) build(0, static_cast<std::uint32_t>(items_.size()));
 }
@@ -82,22 +81,23 @@ SphereTree::SphereTree(const LintContext& context, std::span<const std::uint32_t
 std::uint32_t SphereTree::build(std::uint32_t first, std::uint32_t count) {
   Node node{.low = items_[first].center,
             .high = items_[first].center,
-            .least = items_[first].radius,
-            .largest = items_[first].radius,
+            .min_radius = items_[first].radius,
+            .max_radius = items_[first].radius,
             .first = first,
             .count = count};
   for (std::uint32_t i = first; i < first + count; ++i) {
-    node.low = least(node.low, items_[i].center);
-    node.high = largest(node.high, items_[i].center);
-    node.least = std::min(node.least, items_[i].radius);
-    node.largest = std::max(node.largest, items_[i].radius);
+    node.low = min(node.low, items_[i].center);
+    node.high = max(node.high, items_[i].center);
+    node.min_radius = std::min(node.min_radius, items_[i].radius);
+    node.max_radius = std::max(node.max_radius, items_[i].radius);
   }
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(node);
+  context_.stop_if_requested();
   if (count <= kLeafSize) return index;
 
   const Vec3 size = node.high - node.low;
-  const std::array<double, 4> sizes{size.x, size.y, size.z, node.largest - node.least};
+  const std::array<double, 4> sizes{size.x, size.y, size.z, node.max_radius - node.min_radius};
   const auto axis = static_cast<std::size_t>(std::ranges::max_element(sizes) - sizes.begin());
   const auto key = [axis](const Item& item) {
     return axis == 3 ? item.radius : component(item.center, axis);
@@ -109,66 +109,68 @@ std::uint32_t SphereTree::build(std::uint32_t first, std::uint32_t count) {
     return of_a != of_b ? of_a < of_b : a.sphere < b.sphere;  // the same tree everywhere
   });
   build(first, half);
-  const std::uint32_t second = build(first + half, count - half);
-  nodes_[index].second = second;
+  const std::uint32_t second_child = build(first + half, count - half);
+  nodes_[index].second_child = second_child;
   return index;
 }
 
-std::vector<std::uint32_t> SphereTree::members() const {
-  std::vector<std::uint32_t> members;
-  members.reserve(items_.size());
-  for (const Item& item : items_) members.push_back(item.sphere);
-  return members;
+std::vector<std::uint32_t> SphereTree::spheres() const {
+  std::vector<std::uint32_t> spheres;
+  spheres.reserve(items_.size());
+  for (const Item& item : items_) spheres.push_back(item.sphere);
+  return spheres;
 }
 
-double SphereTree::least_distance(const Node& node, Vec3 p) const {
+double SphereTree::min_distance(const Node& node, Vec3 p) const {
   const Vec3 outside{std::max(0.0, std::max(node.low.x - p.x, p.x - node.high.x)),
                      std::max(0.0, std::max(node.low.y - p.y, p.y - node.high.y)),
                      std::max(0.0, std::max(node.low.z - p.z, p.z - node.high.z))};
   return length(outside);
 }
 
-double SphereTree::largest_distance(const Node& node, Vec3 p) const {
+double SphereTree::max_distance(const Node& node, Vec3 p) const {
   const Vec3 far{std::max(std::fabs(node.low.x - p.x), std::fabs(node.high.x - p.x)),
                  std::max(std::fabs(node.low.y - p.y), std::fabs(node.high.y - p.y)),
                  std::max(std::fabs(node.low.z - p.z), std::fabs(node.high.z - p.z))};
   return length(far);
 }
 
-/// Goes through the nodes that `enter` lets in; `look` sees items and says whether to go on.
-template <typename Enter, typename Look>
-void SphereTree::walk(Enter enter, Look look) {
+/// Traverses the nodes that `enter` accepts and calls `visit` on their items until it returns
+/// false.
+template <typename Enter, typename Visit>
+void SphereTree::walk(Enter enter, Visit visit) {
   if (nodes_.empty()) return;
-  constexpr std::size_t kMostWaiting = 64;  // halves of halves: 32 deep at most
-  std::array<std::uint32_t, kMostWaiting> waiting;
+  constexpr std::size_t kMaxStack = 64;  // the tree is balanced: at most 32 levels
+  std::array<std::uint32_t, kMaxStack> stack;
   std::size_t count = 0;
-  waiting[count++] = 0;
+  stack[count++] = 0;
   while (count > 0) {
-    const std::uint32_t index = waiting[--count];
+    const std::uint32_t index = stack[--count];
     const Node& node = nodes_[index];
-    if (visits_ >= kMostVisits) return;
-    ++visits_;
+    if (visits_ >= kMaxVisits) return;
+    if (++visits_ % kVisitsPerPoll == 0) context_.stop_if_requested();
     if (!enter(node)) continue;
-    if (node.second == 0) {
+    if (node.second_child == 0) {
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-        if (!look(items_[i])) return;
+        if (!visit(items_[i])) return;
       }
       continue;
     }
-    // The one with the larger spheres first: what is inside of much is found soon.
-    const bool is_second_larger = nodes_[node.second].largest > nodes_[index + 1].largest;
-    waiting[count++] = is_second_larger ? index + 1 : node.second;
-    waiting[count++] = is_second_larger ? node.second : index + 1;
+    // Larger spheres first: they are more likely to contain another one.
+    std::uint32_t first = index + 1, second = node.second_child;
+    if (nodes_[second].max_radius > nodes_[first].max_radius) std::swap(first, second);
+    stack[count++] = second;
+    stack[count++] = first;
   }
 }
 
-std::optional<std::uint32_t> SphereTree::find_around(std::uint32_t sphere) {
+std::optional<std::uint32_t> SphereTree::find_container(std::uint32_t sphere) {
   const render::Sphere& inner = context_.spheres()[sphere];
   std::optional<std::uint32_t> found;
   walk(
       [&](const Node& node) {
-        return node.largest > inner.radius &&
-               least_distance(node, inner.center) + inner.radius <= node.largest;
+        return node.max_radius > inner.radius &&
+               min_distance(node, inner.center) + inner.radius <= node.max_radius;
       },
       [&](const Item& item) {
         if (item.radius > inner.radius && is_inside(context_, sphere, item.sphere)) {
@@ -186,11 +188,11 @@ std::optional<SphereTree::Crossing> SphereTree::find_crossing(std::uint32_t sphe
   std::optional<Crossing> found;
   walk(
       [&](const Node& node) {
-        const double far = largest_distance(node, center);
+        const double far = max_distance(node, center);
         const double margin =
-            rounding_margin(center, radius, largest(-node.low, node.high), node.largest);
-        return least_distance(node, center) < radius + node.largest &&
-               node.least <= radius + far + margin && node.largest + far + margin >= radius;
+            rounding_margin(center, radius, max(-node.low, node.high), node.max_radius);
+        return min_distance(node, center) < radius + node.max_radius &&
+               node.min_radius <= radius + far + margin && node.max_radius + far + margin >= radius;
       },
       [&](const Item& item) {
         if (item.sphere >= sphere) return true;
@@ -210,15 +212,15 @@ std::optional<SphereTree::Crossing> SphereTree::find_crossing(std::uint32_t sphe
   return found;
 }
 
-std::size_t SphereTree::count_around(Vec3 point) {
+std::size_t SphereTree::count_containing(Vec3 point) {
   std::size_t count = 0;
   walk(
       [&](const Node& node) {
-        if (largest_distance(node, point) * (1 + 0x1p-40) < node.least) {
+        if (max_distance(node, point) * (1 + 0x1p-40) < node.min_radius) {
           count += node.count;
           return false;
         }
-        return least_distance(node, point) < node.largest;
+        return min_distance(node, point) < node.max_radius;
       },
       [&](const Item& item) {
         const double margin = rounding_margin(point, 0, item.center, item.radius);

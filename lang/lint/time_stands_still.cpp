@@ -22,9 +22,10 @@ bool is_film(const SyntaxTree& tree) {
 
 }  // namespace
 
-/// The root reads `time`, has no `animation`, and no camera has an open shutter. `time` is the
-/// frame's number over `fps`, 0 without an animation, and varies only while a shutter is open: here
-/// it is always 0. Files without cameras leave that to others.
+/// The root uses `time`, but has no `animation`, and no camera has an open shutter. `time` is the
+/// frame number divided by `fps`, which is 0 without an animation, and advances only while a
+/// shutter is open, so here it is always 0. Files without cameras are checked where others include
+/// them.
 void check_time_stands_still(LintContext& context) {
   if (context.tree() == nullptr || context.is_part() || is_film(*context.tree())) return;
   if (std::ranges::any_of(context.lowered().checked_cameras, is_open)) return;
@@ -35,7 +36,7 @@ void check_time_stands_still(LintContext& context) {
   Finding& finding =
       context.add(diag::time_stands_still, LintPlace::of(context.tree()->location(first->where)));
   finding.help.push_back(
-      "the file has no `animation { frames: …, fps: … }`, and no camera a `shutter: … .. …`");
+      "the file has no `animation { frames: …, fps: … }`, and no camera has a `shutter: … .. …`");
 }
 
 }  // namespace sdlc::lang

@@ -4,9 +4,9 @@
 
 namespace sdlc::lang {
 
-/// Width, height and the camera's aspect are all given, and the height is not width / aspect within
-/// less than a row, up or down: the view plane is stretched over the picture, and a sphere in its
-/// middle is no circle.
+/// Width, height and the camera's aspect are all given, and the height differs from width / aspect
+/// by a row or more: the view plane is stretched over the picture, and a sphere at its centre
+/// becomes an ellipse.
 void check_uneven_pixels(LintContext& context) {
   const Location width = context.lowered().places.width, height = context.lowered().places.height;
   if (width.file == nullptr || height.file == nullptr) return;
@@ -21,8 +21,8 @@ void check_uneven_pixels(LintContext& context) {
                     settings.height, fmt::format("{:.6g}", camera.camera.aspect));
     finding.labels.push_back({LintPlace::of(height), "the height"});
     finding.help.push_back(
-        fmt::format("things look {:.4g} times as {} as they are; without `aspect` it is width / "
-                    "height",
+        fmt::format("the picture is stretched: objects look {:.4g} times as {} as they are; the "
+                    "default of `aspect` is width / height",
                     stretch > 1 ? stretch : 1 / stretch, stretch > 1 ? "tall" : "wide"));
     finding.fixes.push_back(
         {camera.aspect, fmt::format("{} / {}", settings.width, settings.height), false});

@@ -6,8 +6,8 @@
 
 namespace sdlc::lang {
 
-/// Sets the background that a checked `background` describes: one colour, or a gradient. What is
-/// missing or too much is reported, and leaves `background` as it is.
+/// Sets `background` to that of a checked `background` object: one colour, or a gradient. Reports
+/// missing and contradictory properties, and then leaves `background` unchanged.
 void lower_background(const Object& object, DiagnosticSink& sink, render::Background& background);
 
 }  // namespace sdlc::lang

@@ -22,15 +22,15 @@ double tan_half(Angle angle) {
   return half.sin / half.cos;
 }
 
-/// Of a view plane at distance 1: squares of longer sides could overflow.
+/// The max side of a view plane at distance 1: squares of longer sides could overflow.
 constexpr double kMaxPlane = 1e100;
 
-bool is_along(render::Vec3 a, render::Vec3 b) {
-  // Below this the cross product, and with it the picture's horizon, is rounding error.
-  constexpr double kSine = 0x1p-40;
+bool are_parallel(render::Vec3 a, render::Vec3 b) {
+  // Below this the cross product, and so the picture's horizon, is only rounding error.
+  constexpr double kMinSine = 0x1p-40;
   a = render::with_moderate_length(a);
   b = render::with_moderate_length(b);
-  return length(cross(a, b)) <= kSine * length(a) * length(b);
+  return length(cross(a, b)) <= kMinSine * length(a) * length(b);
 }
 
 void report_unknown_camera(const WantedSettings& wanted, const std::string& name,
@@ -41,7 +41,7 @@ void report_unknown_camera(const WantedSettings& wanted, const std::string& name
   std::erase(names, "");
   const std::string all =
       names.empty() ? "" : fmt::format("cameras of the scene: {}", fmt::join(names, ", "));
-  // A name on the command line has no place in a file.
+  // A name from the command line has no location.
   const bool is_by_flag = wanted.overrides.has(render_property::kCamera);
   const Location where = is_by_flag ? Location{} : wanted.place(render_property::kCamera);
   auto report = wanted.sink.report(diag::unknown_camera, where, name);
@@ -62,7 +62,7 @@ const Object* choose_camera(const WantedSettings& wanted, std::span<const Object
                             bool takes_any) {
   using render_property::kCamera;
   const auto named = wanted.get<Word>(kCamera);
-  if (!named && wanted.is_written(kCamera)) return nullptr;  // it is wrong, which was reported
+  if (!named && wanted.is_written(kCamera)) return nullptr;  // invalid, and reported
   if (named && !named->text.empty()) {
     const auto found = std::ranges::find(cameras, named->text, &Object::name);
     if (found != cameras.end()) return &*found;
@@ -86,13 +86,13 @@ std::optional<LoweredCamera> lower_camera(const Object& object, SourceFormat for
   const auto fov = object.get<Angle>(kFov);
   const auto view_height = object.get<double>(kViewHeight);
   const auto aspect = object.get<double>(kAspect);
-  // What is absent here was reported where it was read; the others are checked nonetheless.
+  // Missing values have been reported; check the others anyway.
   const bool has_view = from && at;
   const render::Vec3 view = has_view ? render::direction_between(*from, *at) : render::Vec3{};
   if (has_view && view == render::Vec3{}) {
     sink.report(diag::no_view_direction, object.location(kAt), property_name(object, kFrom, format),
                 property_name(object, kAt, format))
-        .label(object.location(kFrom), "the camera stands here");
+        .label(object.location(kFrom), "the camera is here");
     return std::nullopt;
   }
   const Location up_place =
@@ -102,8 +102,8 @@ std::optional<LoweredCamera> lower_camera(const Object& object, SourceFormat for
         .help("`up` is the direction that points up in the picture, such as (0, 1, 0)");
     return std::nullopt;
   }
-  if (has_view && up && is_along(view, *up)) {
-    sink.report(diag::no_up_direction, up_place, "runs along the view")
+  if (has_view && up && are_parallel(view, *up)) {
+    sink.report(diag::no_up_direction, up_place, "is parallel to the view direction")
         .help(
             "choose an `up` that is not parallel to the line from the camera to the point it "
             "looks at, such as (0, 0, 1)");

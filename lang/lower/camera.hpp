@@ -14,25 +14,25 @@
 
 namespace sdlc::lang {
 
-/// A camera for the renderer, with what is written of it beside that.
+/// A camera for the renderer, and its settings as written.
 struct LoweredCamera {
   render::Camera camera;
   WrittenCamera written;
 };
 
-/// The camera of a checked object; messages call its properties as `format` does. nullopt, once
-/// reported, if it has no direction or no horizon (E207, E208), its view plane is too large (E214),
-/// or a property is missing.
+/// Lowers a checked camera; messages use the property names of `format`. Reports and returns
+/// nullopt if it has no view direction or no horizon (E207, E208), its view plane is too large
+/// (E214), or a property is missing.
 std::optional<LoweredCamera> lower_camera(const Object& object, SourceFormat format,
                                           DiagnosticSink& sink);
 
-/// The camera that a flag or `render` names, else the only one. Null, once reported, if there is
-/// none of that name or there are several; null, unreported, if there is none at all. `takes_any`:
-/// of several the first will do.
+/// The camera that a flag or `render` names, otherwise the only one. Reports and returns null if
+/// the named one does not exist, or if there are several and none is named; with `takes_any` the
+/// first one is chosen instead. Without any camera, returns null and reports nothing.
 const Object* choose_camera(const WantedSettings& wanted, std::span<const Object> cameras,
                             bool takes_any);
 
-/// The name of a property in a format; the language's name if JSON has no key for it.
+/// The name of a property in the format; that of the language if JSON has no key for it.
 std::string_view property_name(const Object& object, std::size_t property, SourceFormat format);
 
 }  // namespace sdlc::lang

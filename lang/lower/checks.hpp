@@ -14,14 +14,14 @@
 #include "render/math/vec3.hpp"
 #include "render/scene/coincident.hpp"
 
-// What checks of a text need beside the scene.
+// Data about a scene that is only computed for checks.
 namespace sdlc::lang {
 
-/// All cameras; what is wrong with one is reported.
+/// Lowers all cameras, reports mistakes, and returns the valid ones.
 std::vector<CheckedCamera> check_cameras(std::span<const Object> cameras, SourceFormat format,
                                          DiagnosticSink& sink);
 
-/// Where the text sets what checks may complain about. `background` may be null.
+/// The places of the settings that checks report. `background` may be null.
 WrittenPlaces find_places(const WantedSettings& wanted, const Object* background);
 
 /// How a group moves between the opening and the closing of the shutter.
@@ -33,13 +33,13 @@ struct GroupPath {
   GroupPath around(const GroupPath& inner) const;
 };
 
-/// How far a centre that is at `opening` and `closing` in the group is from the midpoint of its
-/// straight path half-way.
+/// The half-way error of the straight path of a centre, which is at `opening` and `closing` in the
+/// group: the distance of its midpoint from the true path.
 double sagitta_of(const Placing& group, const GroupPath& path, render::Vec3 opening,
                   render::Vec3 closing);
 
-/// Gives the paths the indices that their spheres have once `dropped`, in order, are removed, and
-/// erases those of removed spheres.
+/// Updates the indices of the paths for the removal of the spheres `dropped`, which are ascending,
+/// and erases the paths of removed spheres.
 void renumber(std::span<const render::CoincidentSphere> dropped, std::vector<BentPath>& paths);
 
 }  // namespace sdlc::lang

@@ -68,7 +68,7 @@ void GroupContents::add_reference(std::uint32_t group, std::uint32_t number,
   count_ += std::min(room, contents.count_);
 }
 
-/// Whether no group from `group` outwards has a material.
+/// Whether neither `group` nor a group around it has a material.
 bool GroupContents::inherits_through(std::uint32_t group) const noexcept {
   for (; group != 0; group = groups_[group - 1].parent) {
     if (groups_[group - 1].placing.material) return false;

@@ -19,7 +19,7 @@ struct Placing {
   bool is_moving = false;
   std::optional<render::Material> material;  ///< of spheres inside without one of their own
 
-  /// The placing of what is inside a group with the placing `inner`, inside this one.
+  /// The placing of the contents of a group with the placing `inner` inside this one.
   Placing around(const Placing& inner) const;
   /// Whether everything inside moves by the same vector.
   bool keeps_shape() const noexcept;
@@ -41,8 +41,8 @@ struct InnerSphere {
   std::optional<std::uint32_t> material;  ///< index in the MaterialTable; nullopt: the group's
   bool is_moving = false;                 ///< without the group
 
-  /// Adds it to `to`, where `placing` puts it, with the given material. False, with nothing added,
-  /// if its numbers there are beyond double.
+  /// Adds the sphere to `to`, placed by `placing`, with the given material. Returns false and adds
+  /// nothing if its numbers would be beyond the range of double.
   bool add_to(PlacedSpheres& to, const Placing& placing, std::uint32_t material_there) const;
 };
 
@@ -62,18 +62,19 @@ class GroupContents {
   void add_sphere(std::uint32_t group, const InnerSphere& sphere);
   void add_reference(std::uint32_t group, std::uint32_t number, const GroupContents& contents);
 
-  /// Spheres with those of references, each as often as it occurs; at most 2^64 - 1.
+  /// The number of spheres, including those of references at each occurrence; saturates at
+  /// 2^64 - 1.
   std::uint64_t count() const noexcept { return count_; }
-  /// Whether any sphere has its material from outside.
+  /// Whether any sphere inherits its material from outside.
   bool inherits() const noexcept { return inherits_; }
   const std::vector<Reference>& references() const noexcept { return references_; }
-  /// Spheres without those of references.
+  /// The number of spheres, excluding those of references.
   std::size_t own_count() const noexcept { return spheres_.size(); }
-  /// Spheres and references.
+  /// The number of spheres and references.
   std::size_t parts() const noexcept { return spheres_.size() + references_.size(); }
 
   /// Calls `on_sphere(sphere, placing)` and `on_reference(reference, placing)` in order, with the
-  /// placing in the world, until a call returns false; then that is the result.
+  /// placing in the world. Stops and returns false once a call returns false.
   template <typename OnSphere, typename OnReference>
   bool for_each(const Placing& outside, const OnSphere& on_sphere,
                 const OnReference& on_reference) const {

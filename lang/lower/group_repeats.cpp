@@ -10,11 +10,11 @@
 namespace sdlc::lang {
 namespace {
 
-// A recording may never be used. Larger contents are rarely those of one def; they are evaluated
+// Limits recordings that may never be used. Larger contents are rarely repeated; they are evaluated
 // again instead.
 constexpr std::size_t kMaxRecordedBytes = std::size_t{96} << 20;
 
-// The tables that spheres are traced from have slots of 32 bits, and some stay empty.
+// The tables of the renderer have 32-bit slot numbers, and some slots stay empty.
 constexpr std::uint64_t kMaxPrototypeSlots = std::uint64_t{1} << 31;
 
 /// An upper bound: on average leaves are at least half full.
@@ -64,7 +64,6 @@ void GroupRepeats::leave() {
 void GroupRepeats::finish_recording() {
   Recording done = std::move(recordings_.back());
   recordings_.pop_back();
-  Recording* const outer = recording();
   if (done.is_spoilt) {
     recorded_bytes_ -= done.bytes;
     spoil();
@@ -76,7 +75,8 @@ void GroupRepeats::finish_recording() {
   if (record.contents.count() > kSpheresPerInstance) {
     places_.insert(identity_of(done.number, record, done.in_world));
   }
-  if (outer != nullptr && !outer->is_spoilt && record.contents.count() > 0) {
+  Recording* const outer = valid_recording();
+  if (outer != nullptr && record.contents.count() > 0) {
     outer->contents.add_reference(outer->groups.back().group, done.number, record.contents);
     record.is_used = true;
     charge(sizeof(GroupContents::Reference));
@@ -84,8 +84,8 @@ void GroupRepeats::finish_recording() {
 }
 
 void GroupRepeats::charge(std::size_t bytes) {
-  Recording* const current = recording();
-  if (current == nullptr || current->is_spoilt) return;
+  Recording* const current = valid_recording();
+  if (current == nullptr) return;
   current->bytes += bytes;
   recorded_bytes_ += bytes;
   if (recorded_bytes_ <= kMaxRecordedBytes) return;
@@ -103,15 +103,15 @@ void GroupRepeats::drop_unused() {
 }
 
 void GroupRepeats::add_sphere(const InnerSphere& sphere) {
-  Recording* const current = recording();
-  if (current == nullptr || current->is_spoilt) return;
+  Recording* const current = valid_recording();
+  if (current == nullptr) return;
   current->contents.add_sphere(current->groups.back().group, sphere);
   charge(sizeof(InnerSphere) + sizeof(std::uint32_t));
 }
 
 void GroupRepeats::spoil() {
-  Recording* const current = recording();
-  if (current == nullptr || current->is_spoilt) return;
+  Recording* const current = valid_recording();
+  if (current == nullptr) return;
   current->is_spoilt = true;
   current->contents = {};
   recorded_bytes_ -= std::exchange(current->bytes, 0);
@@ -183,8 +183,7 @@ GroupRepeats::Outcome GroupRepeats::repeat(std::uint32_t contents, const Placing
   record.is_used = true;
   repeated_spheres_ += world.spheres.spheres.size() - spheres;
   if (may_be_instance) places_.insert(identity);
-  Recording* const current = recording();
-  if (current != nullptr && !current->is_spoilt) {
+  if (Recording* const current = valid_recording()) {
     const std::uint32_t inner = current->contents.add_group(current->groups.back().group, group);
     current->contents.add_reference(inner, contents, record.contents);
     charge(sizeof(Placing) + sizeof(GroupContents::Reference));
@@ -222,20 +221,20 @@ bool GroupRepeats::place(Record& record, const Placing& placing, const World& wo
 
 bool GroupRepeats::stays_plain(const GroupContents& contents, const Placing& placing,
                                const World& world) const {
-  // A rotation while the shutter is open moves each sphere along a line of its own.
+  // A rotation while the shutter is open moves each sphere by a different vector.
   if (instancing_ == Instancing::Never || !placing.keeps_shape()) return true;
   if (instancing_ == Instancing::Always) return false;
   const std::size_t plain = world.spheres.spheres.size();
   if (contents.count() <= kSpheresPerInstance) return true;
   if (plain <= kMaxPlainSpheres && contents.count() <= kMaxPlainSpheres - plain) return true;
-  // With instances, plain spheres take half as much memory again: few repetitions do not pay.
+  // With instances, plain spheres take 50 % more memory, so a few repetitions are not worth it.
   const std::uint64_t repeated =
       repeated_spheres_ + std::min(contents.count(), std::uint64_t{1} << 62);
   return 3 * repeated < plain;
 }
 
-/// Ski rental: a prototype is made once it takes less memory than the parts that were placed one by
-/// one so far. At most twice the memory of the best choice.
+/// Ski rental: makes a prototype once it takes less memory than the parts placed individually so
+/// far. This takes at most twice the memory of the best choice.
 bool GroupRepeats::wants_prototype(const GroupContents& contents, Use& use,
                                    const World& world) const {
   const std::uint64_t objects = objects_in(world);
@@ -263,12 +262,13 @@ std::optional<std::uint32_t> GroupRepeats::make_prototype(
   render::Prototype prototype{.spheres = std::move(placed.spheres),
                               .shifts = std::move(placed.shifts)};
   render::remove_coincident(render::find_coincident(prototype.spheres, prototype.shifts),
-                            prototype.spheres, prototype.shifts);  // the first were reported
+                            prototype.spheres,
+                            prototype.shifts);  // reported at the first occurrence
   prototype.spheres.shrink_to_fit();
   prototype.shifts.shrink_to_fit();
   const auto smallest = std::ranges::min_element(prototype.spheres, {}, &render::Sphere::radius);
   reaches_.push_back(
-      {.ball = render::bounding_sphere(prototype), .smallest_radius = smallest->radius});
+      {.bounding_sphere = render::bounding_sphere(prototype), .smallest_radius = smallest->radius});
   prototype_spheres_ += prototype.spheres.size();
   prototype_slots_ += slots_of(prototype.spheres.size());
   prototypes_.push_back(std::move(prototype));
@@ -281,12 +281,12 @@ bool GroupRepeats::add_instance(const GroupContents& contents, std::uint32_t pro
   const auto& [opening, closing] = placing.placements;
   const render::Instance instance{
       .prototype = prototype, .placement = opening, .shift = closing.translate - opening.translate};
-  const auto& [ball, smallest_radius] = reaches_[prototype];
-  const double radius = ball.radius * opening.scale;
-  const bool is_within_numbers = render::is_finite(opening.apply(ball.center)) &&
-                                 std::isfinite(2 * radius) && smallest_radius * opening.scale > 0 &&
-                                 render::is_finite(instance.shift);
-  if (!is_within_numbers) return false;
+  const auto& [bounds, smallest_radius] = reaches_[prototype];
+  const double radius = bounds.radius * opening.scale;
+  const bool is_in_range = render::is_finite(opening.apply(bounds.center)) &&
+                           std::isfinite(2 * radius) && smallest_radius * opening.scale > 0 &&
+                           render::is_finite(instance.shift);
+  if (!is_in_range) return false;
   instances_.push_back(instance);
   skip(contents.count(), world);
   return true;

@@ -25,12 +25,12 @@ enum class Instancing : std::uint8_t {
   Never,
 };
 
-/// The number of spheres up to which none are made instances: rays take 1.4 to 1.7 times as long
-/// with instances, and a million spheres fit every machine.
+/// Smaller scenes have no instances: rays take 1.4 to 1.7 times as long with them, and a million
+/// spheres fit every machine.
 inline constexpr std::size_t kMaxPlainSpheres = std::size_t{1} << 20;
 
-/// Memory of an instance (264 bytes) and of a prototype beside its spheres (a node, a leaf and
-/// lists, some 2 KB) in spheres of 96 bytes.
+/// Memory of an instance (264 bytes), and of a prototype without its spheres (a node, a leaf and
+/// lists, about 2 KB), in spheres of 96 bytes.
 inline constexpr std::uint64_t kSpheresPerInstance = 3, kSpheresPerPrototype = 20;
 
 /// Records the contents of groups when they are added for the first time, and repeats them later.
@@ -42,8 +42,8 @@ class GroupRepeats {
     MaterialTable& materials;
     std::uint64_t max_objects;  ///< spheres and instances
   };
-  /// Spheres of instances: in the order in which all were added, they come before the plain sphere
-  /// of index `before`.
+  /// Consecutive spheres of instances, which were added before the plain sphere with the index
+  /// `before`.
   struct Run {
     std::size_t before;
     std::uint64_t count;
@@ -51,42 +51,42 @@ class GroupRepeats {
 
   explicit GroupRepeats(Instancing instancing) : instancing_(instancing) {}
 
-  // Called for what is added in the usual way, to record it. A group's placing is relative to the
-  // group around it.
+  // These record what is added without repetition. A group's placing is relative to the group
+  // around it.
   void enter(const Placing& group);
   void leave();
-  /// The group entered just now, which has this placing in the world, is the first with these
+  /// The group that was just entered, with this placing in the world, is the first with these
   /// contents.
   void begin(std::uint32_t contents, const Placing& in_world);
   void add_sphere(const InnerSphere& sphere);
-  /// Something was added that cannot be repeated from a record.
+  /// Something was added that cannot be recorded.
   void spoil();
   /// These contents will not be repeated.
   void forget(std::uint32_t contents);
 
   enum class Outcome : std::uint8_t {
     Added,
-    Duplicate,  ///< nothing done: an equal group is in the same place
-    Unknown,    ///< nothing done: it was not recorded, or something is wrong with it there; adding
-                ///< it in the usual way will report that
+    Duplicate,  ///< not added: an equal group is in the same place
+    Unknown,    ///< not added: it was not recorded, or is invalid there; adding it without
+                ///< repetition reports the reason
   };
   /// Adds a group with these contents to the world. `group` is its placing in the group around it.
   Outcome repeat(std::uint32_t contents, const Placing& group, const Placing& in_world,
                  const World& world);
 
-  /// Spheres of prototypes, plus instances counted as spheres by the memory they take.
+  /// The number of spheres of prototypes, plus kSpheresPerInstance for each instance.
   std::uint64_t object_count() const noexcept {
     return prototype_spheres_ + kSpheresPerInstance * instances_.size();
   }
-  /// Memory of all of it, records aside.
+  /// Memory in bytes, without the records.
   std::size_t bytes() const noexcept {
     return prototype_spheres_ * sizeof(render::Sphere) +
-           instances_.size() * sizeof(render::Instance) + places_.size() * kBytesOfPlace +
+           instances_.size() * sizeof(render::Instance) + places_.size() * kBytesPerPlace +
            runs_.size() * sizeof(Run);
   }
   /// By Run::before.
   const std::vector<Run>& runs() const noexcept { return runs_; }
-  /// Hands them over and forgets all records.
+  /// Moves the prototypes out and forgets all records.
   std::vector<render::Prototype> take_prototypes();
   std::vector<render::Instance> take_instances() { return std::move(instances_); }
 
@@ -114,12 +114,12 @@ class GroupRepeats {
   struct Record {
     GroupContents contents;
     std::size_t bytes = 0;
-    bool is_used = false;  ///< repeated, or a part of other contents
+    bool is_used = false;  ///< repeated, or referred to by other contents
     std::map<std::optional<std::uint32_t>, Use> uses;
   };
-  /// A hash of 128 bits of a group in its place.
+  /// A 128-bit hash of a group and its placing.
   using Identity = std::array<std::uint64_t, 2>;
-  static constexpr std::size_t kBytesOfPlace = 48;  // in a table
+  static constexpr std::size_t kBytesPerPlace = 48;  // in the hash table
   struct IdentityHash {
     std::size_t operator()(const Identity& identity) const noexcept { return identity[0]; }
   };
@@ -129,22 +129,27 @@ class GroupRepeats {
     return world.spheres.spheres.size() + object_count();
   }
   Recording* recording() { return recordings_.empty() ? nullptr : &recordings_.back(); }
+  /// The innermost recording; null if there is none, or if it is spoilt.
+  Recording* valid_recording() {
+    Recording* const current = recording();
+    return current != nullptr && !current->is_spoilt ? current : nullptr;
+  }
   void finish_recording();
-  /// Counts recorded bytes; gives the recording up if there are too many.
+  /// Counts recorded bytes; cancels the recording if there are too many.
   void charge(std::size_t bytes);
-  /// Forgets records that nothing has repeated.
+  /// Forgets records that are not in use.
   void drop_unused();
   Identity identity_of(std::uint32_t contents, const Record& record, const Placing& in_world) const;
   bool place(Record& record, const Placing& placing, const World& world);
   bool stays_plain(const GroupContents& contents, const Placing& placing, const World& world) const;
   bool wants_prototype(const GroupContents& contents, Use& use, const World& world) const;
-  /// nullopt if its numbers are beyond double.
+  /// nullopt if a number would be beyond the range of double.
   std::optional<std::uint32_t> make_prototype(const GroupContents& contents,
                                               const std::optional<render::Material>& material,
                                               MaterialTable& materials);
   bool add_instance(const GroupContents& contents, std::uint32_t prototype, const Placing& placing,
                     const World& world);
-  /// Counts spheres of instances, which the world does not hold.
+  /// Counts spheres of instances, which are not in the world.
   void skip(std::uint64_t spheres, const World& world);
   /// Adds all contents as spheres.
   bool add_spheres(const GroupContents& contents, const Placing& placing, PlacedSpheres& to,
@@ -158,9 +163,9 @@ class GroupRepeats {
   std::unordered_set<Identity, IdentityHash> places_;
   std::uint64_t repeated_spheres_ = 0;  // plain ones in the world
   std::vector<render::Prototype> prototypes_;
-  /// What decides whether the numbers of a placed prototype are within double.
+  /// Determines whether the numbers of a placed prototype are in the range of double.
   struct Reach {
-    render::BoundingSphere ball;  ///< bounding sphere
+    render::BoundingSphere bounding_sphere;
     double smallest_radius;
   };
   std::vector<Reach> reaches_;

@@ -15,37 +15,36 @@
 
 namespace sdlc::lang {
 
-/// What the scene says about saving its picture.
+/// How the scene wants its picture to be saved.
 struct OutputSettings {
-  std::string output;  ///< as written; empty where the scene names none
+  std::string output;  ///< as written; empty if the scene names none
   render::Tone tone = render::Tone::Srgb;
 };
 
-/// What is written of a camera and cannot be read off render::Camera.
+/// Properties of a camera that render::Camera does not have.
 struct WrittenCamera {
-  std::string name;  ///< empty where it has none
+  std::string name;  ///< may be empty
   Angle fov;
   double view_height = 2;
   std::optional<render::Interval> shutter;  ///< absolute times in seconds; nullopt: none
 };
 
-/// A camera that a check found without mistakes. A check reads all cameras, not only the chosen
-/// one.
+/// A valid camera. Checks lower all cameras, not only the chosen one.
 struct CheckedCamera {
-  std::string name;  ///< empty where it has none
+  std::string name;  ///< may be empty
   render::Camera camera;
   std::optional<render::Interval> shutter;
   Location from;    ///< its `from` in the text
   Location aspect;  ///< no file: not written
 };
 
-/// Where the text says something; no file: it does not.
+/// Places in the text; without a file if the setting is not written.
 struct WrittenPlaces {
   Location background, width, height, samples, depth, precision, error, output;
 };
 
-/// A sphere that groups rotate while the shutter is open, and whose centre nevertheless moves on a
-/// straight line.
+/// A sphere in a group that rotates while the shutter is open; its centre moves in a straight line
+/// anyway.
 struct BentPath {
   std::uint32_t sphere;  ///< index in the scene
   double sagitta;        ///< distance of the line's midpoint from the true path
@@ -59,7 +58,7 @@ struct LoweredScene {
   std::vector<std::string> cameras;     ///< the names of all, in the order of declaration
   std::optional<WrittenCamera> camera;  ///< the chosen one; nullopt: a plain picture
   std::size_t dropped_spheres = 0;      ///< that coincided with earlier ones
-  /// The precision that is asked for; nullopt: whatever suits the scene.
+  /// The requested precision; nullopt to choose one for the scene.
   std::optional<render::Precision> precision;
   WrittenPlaces places;
 

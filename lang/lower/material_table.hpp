@@ -14,7 +14,7 @@ render::Material lower_material(const MaterialValue& value) noexcept;
 /// Whether the radiance that it emits is finite.
 bool has_finite_light(const render::Material& material) noexcept;
 
-/// The materials of a scene, each once: spheres with equal materials share it.
+/// The distinct materials of a scene.
 class MaterialTable {
  public:
   /// The index of the material, which is added if it is new.
@@ -24,12 +24,12 @@ class MaterialTable {
     return materials_.size() * sizeof(render::Material) + slots_.size() * sizeof(Slot);
   }
 
-  /// Hands the materials over, in the order in which they were first seen.
+  /// Moves the materials out, in the order in which they were added.
   std::vector<render::Material> take() { return std::move(materials_); }
 
  private:
-  /// The hash is stored, so that a material is compared only if it is most likely equal, and never
-  /// when the table grows: each comparison is a cache miss in large scenes.
+  /// The hash is stored to avoid cache misses in large scenes: a material is only read if it is
+  /// most likely equal, and never when the table grows.
   struct Slot {
     std::uint32_t hash = 0;
     std::uint32_t index = kEmpty;

@@ -8,9 +8,9 @@ void lower_motion(std::span<const MovingSphere> moving, render::Interval shutter
   for (const MovingSphere& each : moving) {
     const render::Interval over = each.motion.over;
     const double duration = over.to - over.from;
-    const render::Vec3 way = each.motion.to - each.center;
-    render::Vec3 opening = each.center + way * ((shutter.from - over.from) / duration);
-    render::Vec3 shift = way * ((shutter.to - shutter.from) / duration);
+    const render::Vec3 path = each.motion.to - each.center;
+    render::Vec3 opening = each.center + path * ((shutter.from - over.from) / duration);
+    render::Vec3 shift = path * ((shutter.to - shutter.from) / duration);
     if (each.groups) {
       const auto& [at_opening, at_closing] = *each.groups;
       const render::Vec3 closing = at_closing.apply(opening + shift);
@@ -18,7 +18,7 @@ void lower_motion(std::span<const MovingSphere> moving, render::Interval shutter
       shift = closing - opening;
     }
     if (!is_finite(opening) || !is_finite(opening + shift)) {
-      sink.report(diag::beyond_numbers, each.where, "where the motion leads");
+      sink.report(diag::beyond_numbers, each.where, "the path of the motion");
       continue;
     }
     spheres[each.sphere].center = opening;

@@ -15,7 +15,7 @@
 
 namespace sdlc::lang {
 
-/// A sphere with a `motion`: its path is known only once the shutter is.
+/// A sphere with a `motion`, whose path depends on the shutter.
 struct MovingSphere {
   std::uint32_t sphere;  ///< index in the scene
   Location where;        ///< of the motion in the text
@@ -25,8 +25,8 @@ struct MovingSphere {
   std::optional<std::array<render::Placement, 2>> groups;
 };
 
-/// Puts the spheres where they are when the shutter opens, and adds how far they move until it
-/// closes to `shifts`, which is as long as `spheres`. Reports a path beyond the range of double.
+/// Moves the spheres to their positions at the opening of the shutter, and sets their shifts until
+/// the closing; `shifts` has the size of `spheres`. Reports paths beyond the range of double.
 void lower_motion(std::span<const MovingSphere> moving, render::Interval shutter,
                   DiagnosticSink& sink, std::vector<render::Sphere>& spheres,
                   std::vector<render::Vec3>& shifts);

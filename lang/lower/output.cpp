@@ -12,7 +12,7 @@
 namespace sdlc::lang {
 namespace {
 
-/// Why no picture of this size can be saved under the name; empty if it can.
+/// Why a picture of this size cannot be saved under the name; empty if it can.
 std::string refusal_of(const std::string& name, const render::RenderSettings& settings) {
   std::string refusal = render::refusal_of_name(name);
   if (!refusal.empty()) return refusal;
@@ -26,7 +26,7 @@ void report_bad_output(const std::string& name, const std::string& refusal, Loca
   const auto nearest = render::image_format_of(name)
                            ? std::nullopt
                            : nearest_name(extension, render::image_extensions());
-  // In a literal only the extension is wrong.
+  // In a string literal, mark only the extension.
   const bool is_literal = nearest && where.file->text(where.span).ends_with(extension + '"');
   if (is_literal) {
     --where.span.end;

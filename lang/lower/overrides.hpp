@@ -22,13 +22,13 @@ struct Override {
   Value value;
 };
 
-/// What the command line sets in place of what the scene says.
+/// Settings of the command line that replace those of the scene.
 struct Overrides {
   std::vector<Override> render = {};
-  std::optional<std::uint64_t> seed = {};  ///< all 64 bits, where a property has 53
+  std::optional<std::uint64_t> seed = {};  ///< 64 bits; a property has only 53
   std::optional<double> seconds = {};      ///< replaces the scene's `error` and `samples`
   bool is_adaptive = false;
-  bool names_output = false;  ///< the scene's own output is not used
+  bool names_output = false;  ///< the scene's `output` is not used
   Instancing instancing = Instancing::Auto;
 
   /// Whether a flag sets the property of `render`.

@@ -16,15 +16,17 @@ struct Size {
   double width = 0, height = 0;
 };
 
-/// The size that the flags ask for, else the written one. A side that is not given follows from
-/// the other by the proportion: that of the written sides if both are, else `aspect`.
+/// The size of the picture, in pixels. A flag takes precedence over both written sides. A missing
+/// side follows from the other one and the ratio width / height: that of the written sides if both
+/// are written, else `aspect`. Without any side, the width is the default.
 Size choose_size(const WantedSettings& wanted, std::optional<double> width,
                  std::optional<double> height, double aspect) {
   const bool has_both = width && height;
   const double proportion = has_both ? *width / *height : aspect;
   const auto width_of = [&](double rows) { return std::max(1.0, std::round(rows * proportion)); };
   const auto height_of = [&](double columns) {
-    // A product of whole numbers below 2^53 is exact, and so is the floor of its quotient.
+    // Multiply first: a product of whole numbers is exact below 2^53, and the floor of its quotient
+    // is then exact too.
     return std::floor(has_both ? columns * *height / *width : columns / proportion);
   };
   const auto wide = wanted.overrides.get<double>(kWidth);
@@ -34,8 +36,8 @@ Size choose_size(const WantedSettings& wanted, std::optional<double> width,
   if (wide) return {*wide, height_of(*wide)};
   if (has_both) return {*width, *height};
   if (height) return {width_of(*height), *height};
-  const double usual = wanted.render.get<double>(kWidth).value_or(0);
-  return {usual, height_of(usual)};
+  const double default_width = wanted.render.get<double>(kWidth).value_or(0);
+  return {default_width, height_of(default_width)};
 }
 
 }  // namespace
@@ -45,7 +47,8 @@ void lower_size(const WantedSettings& wanted, const Object* camera, LoweredScene
   if (wanted.is_written(kWidth)) width = wanted.render.get<double>(kWidth);
   const auto height = wanted.render.get<double>(kHeight);
   lowered.settings.width = lowered.settings.height = 0;
-  // What is wrong has been reported; a size made of the rest would be another one.
+  // An invalid side or camera has been reported: the size stays unknown, because one computed
+  // without it would be wrong.
   const bool lacks_width = wanted.is_written(kWidth) && !width;
   const bool lacks_height = wanted.is_written(kHeight) && !height;
   const bool lacks_camera = !lowered.camera && wanted.sink.has_errors();
@@ -66,13 +69,12 @@ void lower_size(const WantedSettings& wanted, const Object* camera, LoweredScene
     const double proportion = width && height ? *width / *height : aspect;
     wanted.sink.report(diag::no_rows, where, static_cast<int>(size.width), to_text(proportion))
         .help(
-            "the height is width / aspect, rounded down; make the picture wider, or the aspect "
-            "smaller");
+            "the height is width / aspect, rounded down; increase the width or reduce the aspect");
   } else if (!(size.width * size.height <= static_cast<double>(render::kMaxPicturePixels))) {
     wanted.sink
         .report(diag::picture_too_large, width ? wanted.place(kWidth) : whole_file,
                 fmt::format("{:.0f}", size.width), fmt::format("{:.0f}", size.height))
-        .help(fmt::format("it may have {} pixels in all", render::kMaxPicturePixels));
+        .help(fmt::format("the limit is {} pixels", render::kMaxPicturePixels));
   } else {
     lowered.settings.width = static_cast<int>(size.width);
     lowered.settings.height = static_cast<int>(size.height);

@@ -5,8 +5,8 @@
 
 namespace sdlc::lang {
 
-/// The placement p' = translate + Rz Ry Rx (scale p), right-handed (ruling 31): `degrees` about the
-/// x, then the y, then the z axis.
+/// The placement p' = translate + Rz Ry Rx (scale p), right-handed, with rotations by
+/// `degrees` about the x, then the y, then the z axis.
 render::Placement placement_of(render::Vec3 translate, render::Vec3 degrees, double scale) noexcept;
 
 }  // namespace sdlc::lang

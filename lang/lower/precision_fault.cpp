@@ -25,10 +25,10 @@ std::vector<PrecisionFault::Role> roles_of(PrecisionClause clause, const Precisi
       }
       break;
     case PrecisionClause::Across:
-      if (bound.sphere) roles.push_back({*bound.sphere, "the surface that is so near"});
+      if (bound.sphere) roles.push_back({*bound.sphere, "the surface that is too near"});
       break;
     case PrecisionClause::Gap:
-      if (bound.sphere) roles.push_back({*bound.sphere, "one of the two"});
+      if (bound.sphere) roles.push_back({*bound.sphere, "one of the two surfaces"});
       if (bound.other) roles.push_back({*bound.other, "the other one"});
       break;
     default: break;
@@ -44,8 +44,8 @@ PrecisionFault beyond_double_fault(const render::ScaleRatio& scale) {
                                                         : std::string("over 1e308")),
       .roles = {},
       .help =
-          "make a scene of its own of what is so small, or so far away; --precision double "
-          "renders it all the same, wrong as it then is"};
+          "move the smallest or the farthest objects to a scene of their own; --precision double "
+          "renders it anyway, with errors"};
   if (scale.smallest) fault.roles.push_back({*scale.smallest, "the smallest sphere"});
   if (scale.farthest && scale.farthest != scale.smallest) {
     fault.roles.push_back({*scale.farthest, "the farthest"});
@@ -74,8 +74,9 @@ std::optional<PrecisionFault> find_bounds_fault(const PrecisionBounds& bounds,
                              describe(clause, bounds[clause])),
       .roles = roles_of(clause, bounds[clause]),
       .help = precision == Precision::Double
-                  ? "nothing has more digits: what is so small, near or far away is drawn wrong"
-                  : "`auto` takes what resolves it"};
+                  ? "there is no higher precision: objects this small, near or far away are "
+                    "rendered wrong"
+                  : "`auto` chooses a sufficient precision"};
 }
 
 std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,
@@ -92,7 +93,7 @@ std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,
 
 std::size_t cameras_to_judge(std::size_t cameras, std::size_t spheres) noexcept {
   constexpr std::size_t kMaxCost = 2'000'000;
-  // A pair of spheres takes half as long as a sphere; the search for near ones as ten.
+  // A pair of spheres takes half the time of a sphere; the search for near pairs ten times it.
   const std::size_t pairs = spheres <= render::kFewSpheres ? spheres * spheres / 2 : 10 * spheres;
   const std::size_t cost = 1 + spheres + pairs;
   return std::min(cameras, std::max<std::size_t>(1, kMaxCost / cost));

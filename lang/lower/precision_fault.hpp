@@ -12,7 +12,7 @@
 
 namespace sdlc::lang {
 
-/// A scene that its precision does not resolve.
+/// The reason why a precision does not resolve a scene.
 struct PrecisionFault {
   /// A sphere that contributes to it.
   struct Role {
@@ -26,24 +26,23 @@ struct PrecisionFault {
   std::string help;
 };
 
-/// The fault of a scene whose scales, as `camera` sees it, are too far apart for double; none if
-/// double is asked for explicitly. O(n) time.
+/// The fault if the scales of the scene, as seen from `camera`, are too far apart for double;
+/// nullopt if double is requested explicitly. O(n) time.
 std::optional<PrecisionFault> find_scale_fault(const render::Scene& scene,
                                                const render::Camera& camera,
                                                std::optional<render::Precision> wanted);
 
-/// The fault of a scene with these bounds, which are those of `precision`.
+/// The fault if the bounds, which are those of `precision`, are exceeded.
 std::optional<PrecisionFault> find_bounds_fault(const render::PrecisionBounds& bounds,
                                                 render::Precision precision);
 
-/// Either fault, with the precision that is asked for or, without one, with the best. O(n log n)
-/// time.
+/// Either fault, for the wanted precision or, without one, for double. O(n log n) time.
 std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,
                                                    const render::Camera& camera,
                                                    const render::RenderSettings& settings,
                                                    std::optional<render::Precision> wanted);
 
-/// How many of the first cameras of a scene to judge, so that it takes at most 0.2 s.
+/// How many cameras of a scene can be judged within 0.2 s.
 std::size_t cameras_to_judge(std::size_t cameras, std::size_t spheres) noexcept;
 
 }  // namespace sdlc::lang

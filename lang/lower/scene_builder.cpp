@@ -11,7 +11,7 @@
 namespace sdlc::lang {
 namespace {
 
-// With what finding coincident spheres takes, and the tree in which a check looks for neighbours.
+// Includes the search for coincident spheres, and the SphereTree of the lints.
 constexpr std::size_t kBytesPerCheckedSphere = 96;
 constexpr std::size_t kBytesPerSphere = 64, kBytesPerCamera = 2 * sizeof(Object);
 
@@ -112,6 +112,7 @@ std::size_t SceneBuilder::bytes() const noexcept {
 }
 
 bool SceneBuilder::may_take_more_memory(Location where) {
+  sink_->stop_if_requested();
   bytes_.set(bytes());
   if (CountedBytes::sum() <= limits_.memory) return true;
   if (std::exchange(is_full_, true)) return false;
@@ -134,10 +135,10 @@ void SceneBuilder::forget_spheres() {
 }
 
 bool SceneBuilder::may_hold_another(Location where) {
-  constexpr std::size_t kInterval = 256;  // memory is counted once in so many spheres
+  constexpr std::size_t kInterval = 256;  // count memory once per this many spheres
   const bool is_due = is_full_ || world_.spheres.size() % kInterval == 0;
   if (is_due && !may_take_more_memory(where)) return false;
-  if (sphere_count() + repeats_.object_count() < limits_.objects) return true;
+  if (sphere_count() + skipped_ + repeats_.object_count() < limits_.objects) return true;
   if (std::exchange(is_full_, true)) return false;  // reported once
   sink_->report(diag::too_many_objects, where, limits_.objects)
       .help("`--limit objects=N` allows more");
@@ -149,13 +150,15 @@ bool SceneBuilder::may_hold_another(Location where) {
 std::optional<render::Material> SceneBuilder::material_of(const Object& sphere) {
   using sphere_property::kMaterial;
   if (const auto own = sphere.get<MaterialValue>(kMaterial)) return lower_material(*own);
-  if (sphere.slot(kMaterial).is_written) return std::nullopt;  // it is wrong, which was reported
+  if (sphere.slot(kMaterial).is_written) return std::nullopt;  // invalid, and reported
   if (!groups_.empty() && groups_.back().placing.material) return groups_.back().placing.material;
   const bool is_reported =
       sphere.is_broken || (!groups_.empty() && groups_.back().has_bad_material);
   if (!is_reported && !is_part()) {
     sink_->report(diag::no_material, sphere.where)
-        .help("give it or a group around it one, such as `material: diffuse(color: white)`");
+        .help(
+            "set it on the sphere or on a group around it, such as "
+            "`material: diffuse(color: white)`");
   }
   return std::nullopt;
 }
@@ -166,7 +169,11 @@ void SceneBuilder::add_sphere(const Object& object) {
   const auto center = object.get<render::Vec3>(kCenter);
   const auto radius = object.get<double>(kRadius);
   const auto material = material_of(object);
-  if (!center || !radius || !material) return;  // reported where it was read
+  if (!center || !radius || !material) {  // reported where it was read
+    ++skipped_;
+    static_cast<void>(may_hold_another(object.where));
+    return;
+  }
   if (*radius == 0) {
     sink_->report(diag::zero_radius, object.location(kRadius));
     return;
@@ -205,14 +212,15 @@ void SceneBuilder::add_to_groups(const Object& object, const InnerSphere& sphere
   if (sphere.add_to(world_, placing, material)) {
     repeats_.add_sphere(sphere);
   } else {
-    sink_->report(diag::beyond_numbers, object.where, "where the groups around this sphere put it");
+    sink_->report(diag::beyond_numbers, object.where,
+                  "the position or size of this sphere in its groups");
   }
 }
 
 void SceneBuilder::add_motion(const Object& object) {
   using namespace sphere_property;
   const auto motion = object.get<MotionValue>(kMotion);
-  if (!motion) return;  // it is wrong, which was reported
+  if (!motion) return;  // invalid, and reported
   moving_.push_back({.sphere = static_cast<std::uint32_t>(world_.spheres.size()),
                      .where = object.location(kMotion),
                      .motion = *motion,
@@ -235,7 +243,7 @@ LoweredScene SceneBuilder::finish(const Overrides& overrides) {
   if (background_) lower_background(*background_, *sink_, lowered.scene.background);
 
   const Object* camera = choose_camera(wanted, cameras_, purpose_ == Purpose::Check);
-  // An earlier error may have taken the camera away.
+  // After an error the camera may be missing for another reason.
   if (camera == nullptr && !sink_->has_errors() && !is_part()) check_for_picture(overrides);
   for (const Object& declared : cameras_) lowered.cameras.push_back(declared.name);
   if (purpose_ == Purpose::Check) {
@@ -246,9 +254,10 @@ LoweredScene SceneBuilder::finish(const Overrides& overrides) {
   lower_settings(wanted, cameras_.empty(), lowered);
   lower_size(wanted, camera, lowered);
   if (!overrides.names_output) check_output(wanted, is_animated_, lowered);
+  sink_->stop_if_requested();
   drop_coincident(lowered);
   lowered.dropped_spheres = dropped_.size();
-  bytes_.set(0);  // the scene is the caller's now
+  bytes_.set(0);  // the caller owns the scene now
   return lowered;
 }
 
@@ -266,7 +275,7 @@ void SceneBuilder::check_for_picture(const Overrides& overrides) const {
   const bool has_color = background_ && background_->slot(background_property::kColor).is_written;
   if (!is_given(kWidth) || !is_given(kHeight) || !has_color) {
     sink_->report(diag::nothing_to_render, whole_file)
-        .help("a file that only declares names is for `import`, one of spheres needs a `camera`");
+        .help("add a `camera`, or `import` this file in a scene if it only declares names");
   }
 }
 
@@ -289,7 +298,7 @@ void SceneBuilder::move_spheres(const Object& camera, render::Scene& scene) {
     if (is_moving) scene.shifts = std::move(shifts);
     return;
   }
-  // A check asks whether any camera has a shutter.
+  // A check considers the shutters of all cameras.
   const bool has_shutter =
       purpose_ == Purpose::Check && std::ranges::any_of(cameras_, [](const Object& other) {
         return other.get<render::Interval>(kShutter).has_value();
@@ -298,8 +307,8 @@ void SceneBuilder::move_spheres(const Object& camera, render::Scene& scene) {
   const Location where = moving_.front().where;
   const bool is_config = where.file->format() == SourceFormat::Json;
   sink_->report(diag::no_effect, where, is_config ? "movement" : "motion")
-      .help(is_config ? "without `time_interval` every sphere stays at its origin"
-                      : "the camera has no `shutter`: everything stands still");
+      .help(is_config ? "without `time_interval` spheres do not move"
+                      : "the camera has no `shutter`, so nothing moves");
 }
 
 void SceneBuilder::drop_coincident(LoweredScene& lowered) {

@@ -22,8 +22,8 @@
 
 namespace sdlc::lang {
 
-/// A sphere that coincided with an earlier one and was left out. Both are numbers of spheres in the
-/// order in which they were added, those of instances not counted.
+/// A sphere that was dropped because it coincided with an earlier one. `sphere` and
+/// `earlier` are numbers in the order of addition, in which spheres of instances are not counted.
 struct DroppedSphere {
   std::uint32_t sphere;
   std::uint32_t earlier;
@@ -31,24 +31,24 @@ struct DroppedSphere {
   bool has_other_material;
 };
 
-/// The hard limit on spheres and instances: they have numbers of 32 bits, and tables of them must
-/// not be full.
+/// The hard limit on spheres and instances. Their numbers have 32 bits; half of the range leaves
+/// free slots in hash tables of them.
 inline constexpr std::uint64_t kMaxObjects = std::uint64_t{1} << 31;
 
-/// What a scene is made for.
+/// The use of the lowered scene.
 enum class Purpose : std::uint8_t {
-  Picture,  ///< of one camera, which must be there
-  Check,  ///< of the text: all cameras are checked, and a file without one may be a part of others
+  Picture,  ///< a picture by one camera, which is required
+  Check,  ///< diagnostics: all cameras are checked, and a file without one may be a part of others
 };
 
-/// Makes the renderer's scene of checked objects.
+/// Lowers checked objects to the renderer's scene.
 class SceneBuilder final : public ObjectSink {
  public:
-  /// `file` is the root, and the place of a fault that has no other.
+  /// `file` is the root. Diagnostics that have no place of their own point at it.
   SceneBuilder(const SourceFile& file, const Limits& limits, DiagnosticSink& sink,
                Purpose purpose = Purpose::Picture, Instancing instancing = Instancing::Auto);
 
-  /// Reserved memory that no sphere is written to costs nothing.
+  /// Reserves memory for an upper bound: the part that is never used costs nothing.
   void expect(std::size_t objects) override {
     world_.spheres.reserve(std::min<std::size_t>(objects, limits_.objects));
   }
@@ -56,7 +56,7 @@ class SceneBuilder final : public ObjectSink {
   void enter(const Object& group) override;
   void leave() override;
   bool is_full() const override { return is_full_; }
-  /// A check visits every sphere where it is.
+  /// Not for checks: they must visit every sphere, so they cannot repeat contents.
   bool wants_contents() const override { return purpose_ == Purpose::Picture; }
   void begin_contents(std::uint32_t contents) override {
     repeats_.begin(contents, groups_.back().placing);
@@ -64,39 +64,41 @@ class SceneBuilder final : public ObjectSink {
   void forget_contents(std::uint32_t contents) override { repeats_.forget(contents); }
   bool repeat(const Object& group, std::uint32_t contents) override;
 
-  /// The scene: all of it unless an error has been reported, here or before; else what could be
-  /// made, with the size 0 where it is not known. Takes what was added.
+  /// Moves all added objects out, as a scene. After an error, in finish() or before, the scene is
+  /// incomplete; a picture size of 0 is unknown.
   LoweredScene finish(const Overrides& overrides);
 
-  /// Spheres added so far, those of instances not counted.
+  /// The number of spheres added so far, without those of instances.
   std::size_t sphere_count() const noexcept { return forgotten_ + world_.spheres.size(); }
   std::size_t held_spheres() const noexcept { return world_.spheres.size(); }
-  /// Forgets the spheres but not their number: for those who only count.
+  /// Forgets the spheres but keeps their number, for callers that only count.
   void forget_spheres();
 
-  /// Where spheres of instances come among the others in the order in which all were added.
+  /// The runs of spheres of instances: their positions among the plain spheres, ascending.
   const std::vector<GroupRepeats::Run>& instance_runs() const noexcept { return repeats_.runs(); }
 
-  /// What finish() left out, in order.
+  /// The spheres that finish() dropped, ascending.
   const std::vector<DroppedSphere>& dropped() const noexcept { return dropped_; }
 
  private:
-  /// A group around what is added.
+  /// A group that contains the objects added next.
   struct Group {
-    Placing placing;                ///< in the world
-    GroupPath path;                 ///< in the world; filled by checks only
-    bool has_bad_material = false;  ///< a wrong one is written, here or further out
+    Placing placing;  ///< in the world
+    GroupPath path;   ///< in the world; filled by checks only
+    /// Whether a material is written here or in an outer group, or may be missing because of a
+    /// syntax error. It is bad if `placing` has no material.
+    bool has_bad_material = false;
   };
 
-  /// Whether the root says nothing about a picture, as files do that are only included in others.
-  /// The settings are added before anything else.
+  /// Whether a check's root seems to be a part of other scenes: it has no settings of a picture.
+  /// The answer is final once a sphere is added, because settings are added first.
   bool is_part() const noexcept {
     return purpose_ == Purpose::Check && cameras_.empty() && !background_ && !has_render_ &&
            !is_animated_;
   }
 
   // Objects
-  /// The group as it is in the group around it.
+  /// The group of an object. Unlike those in groups_, it is relative to the group around it.
   Group read_group(const Object& object) const;
   Group in_world(const Group& group) const;
   std::optional<render::Material> material_of(const Object& sphere);
@@ -107,9 +109,9 @@ class SceneBuilder final : public ObjectSink {
   // Limits
   bool may_hold_another(Location where);
   bool may_take_more_memory(Location where);
-  /// Memory of all that was added.
+  /// Memory of all added objects, in bytes.
   std::size_t bytes() const noexcept;
-  /// How many spheres there may be now.
+  /// The max number of spheres and instances, by the limit on objects and by the free memory.
   std::uint64_t max_objects() const noexcept;
 
   // The scene
@@ -127,15 +129,17 @@ class SceneBuilder final : public ObjectSink {
   Object render_;  ///< empty if there is none
   bool has_render_ = false;
   bool is_animated_ = false;
-  PlacedSpheres world_;  ///< those of instances excluded
+  PlacedSpheres world_;  ///< without the spheres of instances
   GroupRepeats repeats_;
   std::vector<MovingSphere> moving_;
   std::vector<Group> groups_;  ///< the innermost last
   std::vector<DroppedSphere> dropped_;
-  std::vector<BentPath> bent_paths_;  ///< by the order in which spheres were added
-  bool had_spheres_ = false;          ///< also those that were wrong
+  std::vector<BentPath> bent_paths_;  ///< in the order in which spheres were added
+  bool had_spheres_ = false;          ///< including invalid ones
   bool is_full_ = false;              ///< a limit was exceeded, which was reported
-  std::size_t forgotten_ = 0;         ///< spheres
+  std::size_t forgotten_ = 0;         ///< number of forgotten spheres
+  std::size_t skipped_ = 0;           ///< number of spheres with errors, and those of a part that
+                                      ///< get their material where it is included
   CountedBytes bytes_;
   MaterialTable materials_;
 };

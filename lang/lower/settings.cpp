@@ -21,7 +21,7 @@ std::size_t property_named(std::string_view name) {
 
 int lower_threads(const WantedSettings& wanted, int otherwise) {
   const int threads = wanted.get_as<int>(kThreads).value_or(otherwise);
-  // A config's number_cores is a wish: more than there are means all.
+  // A config's number_cores may exceed the number of cores, which means all.
   const bool is_wish =
       wanted.file.format() == SourceFormat::Json && !wanted.overrides.has(kThreads);
   const auto available = static_cast<int>(std::thread::hardware_concurrency());
@@ -39,13 +39,13 @@ void warn_of_few_samples(const WantedSettings& wanted, const LoweredScene& lower
       wanted.sink.report(diag::samples_below_error, wanted.place(is_by_flag ? kError : kSamples),
                          fmt::format("{} sample{}", samples, samples == 1 ? "" : "s"),
                          fmt::format("{:.6g}%", 100 * *error),
-                         fmt::format("of fewer than {} no error is known", kMinSamples));
-  if (!is_by_flag) report.label(wanted.place(kError), "the error to reach");
-  report.help(fmt::format("leave `{}` out, or give {} or more",
+                         fmt::format("fewer than {} give no estimate of the error", kMinSamples));
+  if (!is_by_flag) report.label(wanted.place(kError), "the requested error");
+  report.help(fmt::format("remove `{}`, or set it to at least {}",
                           is_by_flag ? "--samples" : "samples", kMinSamples));
 }
 
-/// The error and the time to reach, and the samples that may be taken for them.
+/// The requested error and time, and the max samples to reach them.
 void lower_goals(const WantedSettings& wanted, LoweredScene& lowered) {
   const Overrides& flags = wanted.overrides;
   render::RenderSettings& settings = lowered.settings;
@@ -53,7 +53,7 @@ void lower_goals(const WantedSettings& wanted, LoweredScene& lowered) {
   settings.error = is_by_flag ? flags.get<double>(kError) : wanted.render.get<double>(kError);
   settings.seconds = flags.seconds;
   settings.is_adaptive = flags.is_adaptive && settings.error;
-  // The scene's samples limit its own goal only, and only if they are written.
+  // The scene's samples limit only its own goal, and only if they are written.
   const bool takes_samples =
       flags.has(kSamples) || (!is_by_flag && (wanted.is_written(kSamples) || !settings.error));
   settings.samples =

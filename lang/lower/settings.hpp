@@ -13,7 +13,7 @@
 
 namespace sdlc::lang {
 
-/// What settings are made of: the scene's `render`, and the flags that win over it.
+/// The sources of settings: the scene's `render`, and the flags, which take precedence.
 struct WantedSettings {
   const SourceFile& file;
   const Object& render;  ///< empty if the scene has none
@@ -21,17 +21,17 @@ struct WantedSettings {
   DiagnosticSink& sink;
 
   bool is_written(std::size_t property) const { return render.slot(property).is_written; }
-  /// Where the property is written; no file: nowhere.
+  /// The place of the property; without a file if it is not written.
   Location place(std::size_t property) const {
     return is_written(property) ? render.location(property) : Location{};
   }
-  /// The value of the flag, else the written one, else the default; nullopt where what is written
-  /// is wrong, or nothing is and there is no default.
+  /// The value of the flag, otherwise the written one, otherwise the default; nullopt if the
+  /// written value is invalid, or there is none and no default.
   template <typename T>
   std::optional<T> get(std::size_t property) const {
     return overrides.has(property) ? overrides.get<T>(property) : render.get<T>(property);
   }
-  /// The same of a property that is a whole number or a word, as the renderer has it.
+  /// The same for a whole number or a word, as the type of the renderer.
   template <typename T>
   std::optional<T> get_as(std::size_t property) const {
     if constexpr (render::Choice<T>) {
@@ -45,11 +45,11 @@ struct WantedSettings {
   }
 };
 
-/// Reads all settings but the size. `is_plain`: the picture has no camera.
+/// Lowers all settings except the size. `is_plain`: the picture has no camera.
 void lower_settings(const WantedSettings& wanted, bool is_plain, LoweredScene& lowered);
 
-/// Sets the picture's size and the camera's aspect: flags decide first, then `width` and `height`,
-/// then the aspect of `camera`, which may be null. A size that cannot be known is 0.
+/// Sets the picture's size and the camera's aspect, from the flags, `width` and `height`, and the
+/// aspect of `camera`, which may be null, in this order of precedence. An unknown size is 0.
 void lower_size(const WantedSettings& wanted, const Object* camera, LoweredScene& lowered);
 
 /// Reports an output that names no picture, or that every frame of a film would overwrite.

@@ -39,8 +39,8 @@ struct Exponential {
   int exponent = 0;
 };
 
-/// e^z by its Taylor series around the nearest multiple of ln 2; far out of the range of doubles
-/// where e^z is out of it.
+/// e^z by its Taylor series around the nearest multiple of ln 2. An exponent of ±2000 means
+/// a result out of the range of doubles.
 Exponential exponential(DoubleDouble z) noexcept {
   if (z.hi > 709.79) return {DoubleDouble{1, 0}, 2000};
   if (z.hi < -745.14) return {DoubleDouble{1, 0}, -2000};
@@ -69,7 +69,7 @@ std::optional<double> log(double x) noexcept {
 }
 
 double power(double x, double y) noexcept {
-  // Beyond this the result is 1 to the last bit, 0 or infinite, and the products below could
+  // For larger |y| the result is 1, 0 or infinite to the last bit, and the products below could
   // overflow.
   constexpr double kLargest = 0x1p900;
   if (x == 1 || y == 0) return 1;

@@ -8,7 +8,7 @@
 namespace sdlc::lang {
 namespace {
 
-/// The first word of an argument: its type.
+/// The word before each argument: its type.
 constexpr std::uint64_t kNumber = 1, kBool = 2, kString = 3, kVec3 = 4, kAngle = 5;
 
 double fade(double t) noexcept { return t * t * t * (t * (t * 6 - 15) + 10); }

@@ -5,11 +5,11 @@
 
 #include "render/math/vec3.hpp"
 
-/// The language's random numbers: functions of their arguments and of nothing else.
+/// The random numbers of the language. They are pure functions of their arguments.
 namespace sdlc::lang {
 
-/// Takes the arguments of `random(a, ...)` one after the other (ruling 26). Arguments of different
-/// types are different, -0 is 0.
+/// Hashes the arguments of `random(a, ...)`, which are added one by one. The type of an
+/// argument is part of the hash, so 1 and `1deg` differ; -0 and 0 are equal.
 class RandomHash {
  public:
   RandomHash& add_number(double number) noexcept;
@@ -18,7 +18,7 @@ class RandomHash {
   RandomHash& add_vec3(render::Vec3 v) noexcept;
   RandomHash& add_angle(double degrees) noexcept;
 
-  /// Uniform in [0, 1), never 1: a multiple of 2^-53.
+  /// The random number: uniform in [0, 1), a multiple of 2^-53.
   double uniform() const noexcept { return static_cast<double>(hash_ >> 11) * 0x1p-53; }
 
  private:
@@ -28,9 +28,10 @@ class RandomHash {
   std::uint64_t hash_ = 0;
 };
 
-/// Value noise between -1 and 1, smooth in `p`: the eight corners of the unit cube around `p`,
-/// each of value 2 random("noise", x, y, z) - 1, mixed along x, then y, then z (ruling 27).
-/// Perlin, Improving noise, SIGGRAPH 2002, for the weight t^3 (6 t^2 - 15 t + 10).
+/// Value noise between -1 and 1, smooth in `p`. A point with integer coordinates has the value
+/// 2 random("noise", x, y, z) - 1. The values of the eight such points around `p` are interpolated
+/// along x, then y, then z, with the weight t^3 (6 t^2 - 15 t + 10) of Perlin,
+/// Improving noise, SIGGRAPH 2002.
 double noise(render::Vec3 p) noexcept;
 
 }  // namespace sdlc::lang

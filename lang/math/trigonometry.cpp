@@ -19,8 +19,8 @@ double multiplied(double x, DoubleDouble factor) noexcept {
   return scaled(DoubleDouble{fraction, 0} * factor, exponent);
 }
 
-/// Below this an angle in radians is its sine and its tangent: the difference of x^3 / 3 is far
-/// below half an ulp. The series would run into subnormal numbers.
+/// Below this, sine and tangent of an angle x in radians are x: the difference, at most x^3 / 3, is
+/// far below half an ulp. The series would compute with subnormal numbers.
 constexpr double kTiny = 0x1p-500;
 
 /// An angle as `quarters` right angles (0 ... 3) and the rest, at most half a right angle.
@@ -29,8 +29,8 @@ struct ReducedAngle {
   double degrees = 0;
 };
 
-/// Without any error: the remainder by 360 is exact, and so is the difference of numbers within a
-/// factor of two of each other.
+/// Exact: so are the remainder by 360 and the difference of numbers within a factor of two of each
+/// other (Sterbenz lemma).
 ReducedAngle reduced(double degrees) noexcept {
   const double rest = std::fmod(degrees, 360.0);
   const double quarters = std::floor(rest / 90 + 0.5);  // -4 ... 4
@@ -52,7 +52,7 @@ constexpr DoubleDouble arctangent_of_small(DoubleDouble t) noexcept {
   return t * odd_reciprocal_series(-(t * t), 14);
 }
 
-/// arctan(k / 16) for k = 0 ... 16, each from the one before it:
+/// arctan(k / 16) for k = 0 ... 16, each from the one before:
 /// arctan a - arctan b = arctan((a - b) / (1 + a b)).
 constexpr auto kArctangents = [] {
   std::array<DoubleDouble, 17> table;
@@ -101,7 +101,7 @@ double sin_degrees(double x) noexcept {
 }
 
 double cos_degrees(double x) noexcept {
-  if (x == 0) return 1;  // of most groups
+  if (x == 0) return 1;  // frequent: groups without a rotation
   const ReducedAngle angle = reduced(x);
   const SinCos value = sin_cos(angle.degrees);
   const double magnitude = angle.quarters % 2 == 0 ? value.cos.hi : value.sin.hi;
@@ -135,12 +135,12 @@ std::optional<double> atan2_degrees(double y, double x) noexcept {
   int y_exponent = 0, x_exponent = 0;
   const double y_fraction = std::frexp(std::fabs(y), &y_exponent);
   const double x_fraction = std::frexp(x, &x_exponent);
-  // So flat that the arctangent is the quotient, which may be subnormal.
+  // The arctangent of a tiny quotient is the quotient, which may be subnormal.
   if (x > 0 && y != 0 && y_exponent < x_exponent - 500) {
     const DoubleDouble quotient = DoubleDouble{y_fraction, 0} / DoubleDouble{x_fraction, 0};
     return std::copysign(scaled(quotient * kDegreesPerRadian, y_exponent - x_exponent), y);
   }
-  // What is too small for the scale of the other is nothing beside a right angle.
+  // If the smaller one underflows at the scale of the larger, it does not affect the angle.
   const int larger = std::fabs(x) < std::fabs(y) ? y_exponent : x_exponent;
   const double angle = angle_of(DoubleDouble{std::ldexp(y_fraction, y_exponent - larger), 0},
                                 DoubleDouble{std::ldexp(x_fraction, x_exponent - larger), 0});

@@ -7,34 +7,33 @@
 #include "lang/schema/schema.hpp"
 #include "lang/source/source.hpp"
 
-/// Whether values fit the properties that they are given to.
+/// Checks of values against their properties. What fails is reported at `where`; `name` is what the
+/// message calls the property, whose name in JSON differs.
 namespace sdlc::lang {
 
-/// The largest whole number of a property without Range::NonNegativeExact: such values count
-/// pixels, samples, rays and threads, and fit an int.
+/// The limit on whole numbers of properties without Range::NonNegativeExact, which count pixels,
+/// samples, rays or threads: they fit an int.
 inline constexpr double kMaxWholeNumber = 1e9;
 
-/// Whether the number is in the range; if not, that is reported at `where` under the name `name`.
+/// Whether the number is in the range.
 bool check_range(std::string_view name, Range range, double number, Location where,
                  DiagnosticSink& sink);
 
-/// Whether the number is whole, in the range and at most kMaxWholeNumber (but for
-/// NonNegativeExact); what is wrong is reported.
+/// Whether the number is whole, in the range, and at most kMaxWholeNumber in magnitude (except for
+/// NonNegativeExact).
 bool check_whole_number(std::string_view name, Range range, double number, Location where,
                         DiagnosticSink& sink);
 
-/// Whether the value is of the type, and its unit one that the type takes; its range aside.
+/// Whether the value has the type and an accepted unit, in any range. Reports nothing.
 bool has_type(Type type, const Value& value) noexcept;
 
-/// Whether `value` has the property's type and is in its range; what is wrong is reported at
-/// `where` under the name `name` (the JSON format has other names). A number serves as a length, a
-/// whole number must be whole. Nothing is wrong silently: it has been reported. None is never
-/// right here: see check_property.
+/// Whether the value has the type and is in the range. A number without a unit is a length too.
+/// Nothing fails silently, since it has been reported. None fails: see check_property().
 bool check_value(std::string_view name, Type type, Range range, const Value& value, Location where,
                  DiagnosticSink& sink);
 
-/// The same by the property's row in its table, which also says whether `none` is a value and which
-/// words are.
+/// The same for a row of a table of properties, which also gives the accepted words and whether
+/// `none` is one.
 bool check_property(const Property& property, const Value& value, Location where,
                     DiagnosticSink& sink);
 

@@ -4,8 +4,8 @@
 
 namespace sdlc::lang {
 
-/// Counts bytes in a sum of the thread as long as this lives: those of strings, lists and whatever
-/// else a scene can have any number of. The limit on memory is compared with the sum.
+/// Adds bytes to a sum per thread for its own lifetime: memory of strings, lists and everything
+/// else whose number a scene does not bound. Limits::memory applies to the sum.
 class CountedBytes {
  public:
   CountedBytes() = default;
@@ -18,7 +18,7 @@ class CountedBytes {
     sum_ += bytes - bytes_;  // modulo 2^64
     bytes_ = bytes;
   }
-  /// The bytes of all that live.
+  /// The bytes of all live objects of this thread.
   static std::size_t sum() noexcept { return sum_; }
 
  private:

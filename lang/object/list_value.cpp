@@ -7,7 +7,7 @@
 
 namespace sdlc::lang {
 
-/// The elements of a list, and the only owner of lists inside it.
+/// The shared elements of a list.
 struct ListNode {
   explicit ListNode(std::vector<Value> values_)
       : values(std::move(values_)), bytes(sizeof *this + values.capacity() * sizeof(Value)) {

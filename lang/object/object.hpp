@@ -16,15 +16,15 @@
 #include "render/math/color.hpp"
 #include "render/math/vec3.hpp"
 
-/// The validated form that both formats are read into: objects whose values have the type and the
-/// range of their property, each with its place in the text.
+/// Checked objects, the common form of both formats: every value has the type and range of its
+/// property, and its place in the text.
 namespace sdlc::lang {
 
-/// One property of an object as it was written.
+/// The value of one property of an object.
 struct Slot {
   Value value;
   Span span;                ///< of the value, in the object's file
-  bool is_written = false;  ///< also when the value was wrong
+  bool is_written = false;  ///< true for wrong values too
 };
 
 /// The value of a property at the closing of the shutter.
@@ -33,25 +33,25 @@ struct ClosingValue {
   Value value;
 };
 
-/// An object whose properties have been checked one by one; `slots` has one entry per row of the
-/// kind's table.
+/// An object whose properties have been checked one by one. `slots` has an entry per property, in
+/// the order of the kind's table.
 struct Object {
   const Kind* kind = nullptr;
   Location where;          ///< of the kind's name, or of the first character of a JSON object
-  std::string name;        ///< `main` of `camera main`; empty if there is none
-  bool is_broken = false;  ///< a part could not be read, which may be the part that is missing
+  std::string name;        ///< `main` in `camera main`; empty if there is none
+  bool is_broken = false;  ///< a part could not be read: do not report missing properties
   std::array<Slot, kMaxProperties> slots;
-  /// What changes while the shutter is open, as it is at the closing; `slots` hold the opening.
-  /// Only centres of spheres and translations and rotations of groups can (ruling 29).
+  /// Values that change while the shutter is open, at its closing; `slots` has those at the
+  /// opening. Only centres of spheres and translations and rotations of groups change.
   std::vector<ClosingValue> closing;
 
   const Slot& slot(std::size_t property) const { return slots[property]; }
   Location location(std::size_t property) const { return {where.file, slots[property].span}; }
 
-  /// The value if it is a T (the written one, else the table's default).
+  /// The written value, else the default of the table; nullopt if it is no T.
   template <typename T>
   std::optional<T> get(std::size_t property) const;
-  /// The value at the closing of the shutter.
+  /// The same at the closing of the shutter.
   template <typename T>
   std::optional<T> get_closing(std::size_t property) const {
     for (const ClosingValue& changed : closing) {
@@ -61,33 +61,33 @@ struct Object {
   }
 };
 
-/// Receives checked objects one at a time, so that no reader has to hold all of them.
+/// Receives checked objects one at a time; a scene of millions is never held as objects.
 class ObjectSink {
  public:
   virtual ~ObjectSink() = default;
 
-  /// An upper bound of the objects to come, for reserving memory.
+  /// An upper bound on the number of objects to come, for reserving memory.
   virtual void expect(std::size_t /*objects*/) {}
 
-  /// An object of any kind. Its written values have passed check_value or are Nothing; what it
-  /// lacks has been reported.
+  /// An object of any kind. Its written values have passed check_value or are Nothing; missing
+  /// properties have been reported.
   virtual void add(const Object& object) = 0;
 
-  /// Whether a limit is exceeded, which has been reported: no more objects are needed.
+  /// Whether no more objects are needed: a limit is exceeded, which has been reported.
   virtual bool is_full() const { return false; }
 
-  /// What is added until leave() is inside this group.
+  /// Begins a group: objects up to leave() are inside it.
   virtual void enter(const Object& /*group*/) {}
   virtual void leave() {}
 
-  /// Whether the sink uses the knowledge of which groups have equal contents.
+  /// Whether the sink uses the information which groups have equal contents.
   virtual bool wants_contents() const { return false; }
-  /// The group entered just now is the first with the contents of this number.
+  /// The group just entered is the first with the contents of this number.
   virtual void begin_contents(std::uint32_t /*contents*/) {}
   /// These contents will not be repeated.
   virtual void forget_contents(std::uint32_t /*contents*/) {}
-  /// Adds `group` with these contents, as enter(), adding them and leave() would. False, with
-  /// nothing done, if it cannot: the caller then adds them.
+  /// Adds `group` with known contents, like enter(), add() of each object and leave(). False if it
+  /// cannot and did nothing: the caller then adds the objects.
   virtual bool repeat(const Object& /*group*/, std::uint32_t /*contents*/) { return false; }
 };
 

@@ -13,7 +13,7 @@ std::string to_text(double number) {
   const auto result = std::to_chars(std::begin(buffer), std::end(buffer), number);
   std::string text(buffer, result.ptr);
 
-  // to_chars writes 1e+10 and 1e-07; people write 1e10 and 1e-7.
+  // 1e+10 becomes 1e10, and 1e-07 becomes 1e-7.
   const std::size_t e = text.find('e');
   if (e == std::string::npos) return text;
   std::size_t digits = e + 1;

@@ -18,11 +18,11 @@
 /// The values of the language: what expressions compute and properties hold.
 namespace sdlc::lang {
 
-/// The tag of a number (ruling 20): metres and seconds are 1, and do not add up.
+/// The tag of a number: lengths are in metres, times in seconds; they do not add up.
 enum class Unit : std::uint8_t { None, Length, Time };
 
-/// No value: nothing is written, or what is written is wrong and has been reported. Whatever is
-/// computed from it is silent.
+/// No value: none is written, or an error has been reported. Computing with it gives Nothing again
+/// and reports nothing.
 struct Nothing {};
 
 struct Scalar {
@@ -55,14 +55,14 @@ struct AngleTriple {
   friend bool operator==(const AngleTriple&, const AngleTriple&) = default;
 };
 
-/// A name that is its own value: `tone: sqrt`.
+/// A word of a property, not a name: `tone: sqrt`.
 struct Word {
   std::string text;
 
   friend bool operator==(const Word&, const Word&) = default;
 };
 
-/// The word `none`, where a property takes it.
+/// The word `none` of a property that accepts it.
 struct None {
   friend bool operator==(const None&, const None&) = default;
 };
@@ -71,14 +71,14 @@ struct None {
 struct MaterialValue {
   MaterialKind kind = MaterialKind::Diffuse;
   render::LinearRgb color;
-  double parameter = 0;        ///< fuzz, ior or intensity, as the kind has it
+  double parameter = 0;        ///< fuzz, ior or intensity, by kind
   bool exact_fresnel = false;  ///< of transmissive
 
   friend bool operator==(const MaterialValue&, const MaterialValue&) = default;
 };
 
-/// Straight motion of a centre: at its own place at time over.from, at `to` at time over.to,
-/// extrapolated.
+/// Linear motion of a sphere: its centre is `center` at time over.from and `to` at time over.to,
+/// extrapolated before and after.
 struct MotionValue {
   render::Vec3 to;
   render::Interval over;  ///< seconds; the ends differ
@@ -93,8 +93,8 @@ using Value = Variant<Nothing, Scalar, bool, Triple, Angle, AngleTriple, render:
 
 struct ListNode;
 
-/// Values of one type, in an order. Copies share the values, which never change. A row of whole
-/// numbers (what `range` makes) is stored as its rule, however long it is.
+/// A sequence of values of one type. Copies share the elements, which are immutable. An arithmetic
+/// progression (the result of `range`) takes constant memory.
 class ListValue {
  public:
   explicit ListValue(std::vector<Value> values);
@@ -102,25 +102,25 @@ class ListValue {
   ListValue(double first, double step, std::size_t count);
 
   std::size_t size() const noexcept { return count_; }
-  /// The steps of reading all of it: its elements and those of the lists inside it, each as often
-  /// as it occurs, and the steps of their strings; at most 2^64 - 1.
+  /// The steps (see limits.hpp) of reading all of it: one per element, nested lists included as
+  /// often as they occur, plus those of strings; saturates at 2^64 - 1.
   std::uint64_t weight() const noexcept;
   /// Precondition: i < size().
   Value operator[](std::size_t i) const;
 
-  /// Destroys values without recurring into lists of lists.
+  /// Destroys values without recursion into nested lists.
   static void release(std::vector<Value> values);
 
  private:
-  std::shared_ptr<ListNode> node_;  // null: a row
+  std::shared_ptr<ListNode> node_;  // null: a progression
   double first_ = 0, step_ = 1;
   std::size_t count_ = 0;
 };
 
 inline bool is_nothing(const Value& value) noexcept { return holds_alternative<Nothing>(value); }
 
-/// The value as a T if it is one. Numbers, points and intervals are also read as double,
-/// render::Vec3 and render::Interval, without their unit.
+/// The value as a T if it is one. double, render::Vec3 and render::Interval are those of a Scalar,
+/// Triple and Bounds, without the unit.
 template <typename T>
 std::optional<T> value_as(const Value& value) noexcept {
   if constexpr (std::is_same_v<T, double>) {
@@ -139,9 +139,9 @@ std::optional<T> value_as(const Value& value) noexcept {
   }
 }
 
-/// "a number", "a length": what a message calls the value.
+/// The value's type for messages: "a number", "a length".
 std::string_view describe(const Value& value) noexcept;
-/// The value as the language spells it, for messages ("-1", "40deg").
+/// The value in the syntax of the language, for messages: "-1", "40deg".
 std::string to_text(const Value& value);
 /// The shortest spelling that reads back as the same number.
 std::string to_text(double number);

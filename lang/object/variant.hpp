@@ -13,18 +13,18 @@
 
 namespace sdlc::lang {
 
-/// Bytes that the value allocates and does not count itself.
+/// Bytes that the value has allocated, except those that it counts itself.
 template <typename T>
 std::size_t heap_bytes(const T& /*value*/) noexcept {
   return 0;
 }
 inline std::size_t heap_bytes(const std::string& text) noexcept { return text.capacity(); }
 
-/// One of several types, like std::variant, for values that are copied often: a copy takes a few
-/// words and one comparison (std::variant calls through a table for every copy, move and
-/// destruction, which was half of the time of evaluation). A type that is not trivially copyable is
-/// kept in a reference-counted box that copies share and nobody changes; such types come last. The
-/// count is not atomic.
+/// A std::variant for values that are copied often: a copy is a few words and one comparison.
+/// (std::variant calls through a table for every copy, move and destruction, which was half of the
+/// time of evaluation.) Values of types that are not trivially copyable are in boxes that copies
+/// share, with a reference count that is not atomic; such types come last. Boxed values are
+/// immutable.
 template <typename... Ts>
 class Variant {
   template <typename T>
@@ -44,12 +44,12 @@ class Variant {
   static_assert((((index_of<Ts>() < kFirstBoxed) != kIsBoxed<Ts>)&&...), "boxed types come last");
 
  public:
-  /// The first type, empty.
+  /// Holds the first type, which must be an empty struct.
   Variant() noexcept : index_(0) {}
 
   template <typename T, typename Plain = std::remove_cvref_t<T>>
   requires(kIsOneOf<Plain>) Variant(T&& value)
-      : index_(index_of<Plain>()) {  // NOLINT: converts like std::variant
+      : index_(index_of<Plain>()) {  // NOLINT: implicit, as in std::variant
     if constexpr (kIsBoxed<Plain>) {
       new (&storage_) Box*(new BoxOf<Plain>(std::forward<T>(value)));
     } else {
@@ -59,7 +59,7 @@ class Variant {
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
-// The storage of an empty value is copied uninitialized, and never read.
+// A copy of an empty value copies uninitialized storage, which is never read.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
   Variant(const Variant& other) noexcept : storage_(other.storage_), index_(other.index_) {
@@ -103,7 +103,7 @@ class Variant {
     }
   }
 
-  /// The boxed value if this is its only user, who may change it.
+  /// The boxed value, mutable, if no other Variant shares it; else null.
   template <typename T>
   requires(kIsBoxed<T>) T* get_if_unshared() noexcept {
     if (index_ != index_of<T>() || box()->uses != 1) return nullptr;
@@ -142,7 +142,7 @@ class Variant {
   std::uint8_t index_;
 };
 
-// The functions of std::variant, found by argument-dependent lookup.
+// Counterparts of the functions of std::variant, found by argument-dependent lookup.
 
 template <typename T, typename... Ts>
 const T* get_if(const Variant<Ts...>* variant) noexcept {

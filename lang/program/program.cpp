@@ -9,6 +9,7 @@
 
 #include "lang/resolve/record_symbols.hpp"
 #include "lang/resolve/resolver.hpp"
+#include "lang/syntax/syntax.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "lang/value/literals.hpp"
 
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of the language that the parser reads.
+/// The version of the language that the parser reads.
 constexpr std::string_view kVersion = "1";
 
 }  // namespace
@@ -32,28 +33,29 @@ bool check_file_size(const SourceFile& file, const Limits& limits, DiagnosticSin
   return false;
 }
 
-Program::Program(const SourceFile& root, const ProgramOptions& options, DiagnosticSink& sink)
+Program::Program(const Document& root, const ProgramOptions& options, DiagnosticSink& sink)
     : options_(options) {
   fs::path path = root.name();
-  if (options_.files != nullptr) {
-    if (options_.is_sandboxed) sandbox_.emplace(*options_.files, path);
+  if (options_.workspace != nullptr) {
+    if (options_.is_sandboxed) sandbox_.emplace(*options_.workspace, path);
     loaded_.emplace(identity(path), kRoot);
   }
   add_module(root, std::move(path), kNothing, sink);
+  modules_[kRoot]->is_included = true;
   for (const SetOption& option : options_.sets) add_setting(option, sink);
 }
 
-const SymbolTable& Program::names_of(std::uint32_t module) {
+const SymbolTable& Program::names_of(std::uint32_t module, const StopRequest* stop) {
   const auto known = names_.find(module);
   if (known != names_.end()) return known->second;
-  return names_.emplace(module, record_symbols(*this, module, SymbolDetail::Declared))
+  return names_.emplace(module, record_symbols(*this, module, SymbolDetail::Declared, stop))
       .first->second;
 }
 
 void Program::add_setting(const SetOption& option, DiagnosticSink& sink) {
   const Module& root = module(kRoot);
   const SourceFile& file =
-      sources_.emplace_back(fmt::format("--set {}", option.name), option.value);
+      setting_files_.emplace_back(fmt::format("--set {}", option.name), option.value);
   const auto found = root.global_names.find(option.name);
   const bool is_param = found != root.global_names.end() && root.globals[found->second].is_param;
   if (is_param) {
@@ -68,12 +70,12 @@ void Program::add_setting(const SetOption& option, DiagnosticSink& sink) {
   if (const auto nearest = nearest_name(option.name, names)) {
     report.help(fmt::format("did you mean `{}`?", *nearest));
   } else if (!names.empty()) {
-    report.help(fmt::format("its params are {}", fmt::join(names, ", ")));
+    report.help(fmt::format("the scene's params are {}", fmt::join(names, ", ")));
   }
 }
 
 std::optional<ParamSetting> Program::setting_of(std::uint32_t global) const {
-  // The last one wins, as with other flags.
+  // The last --set of a param takes precedence, as with other flags.
   const auto found = std::find_if(settings_.rbegin(), settings_.rend(),
                                   [&](const ParamSetting& s) { return s.global == global; });
   return found == settings_.rend() ? std::nullopt : std::optional(*found);
@@ -81,55 +83,90 @@ std::optional<ParamSetting> Program::setting_of(std::uint32_t global) const {
 
 const Code& Program::resolve_setting(const ParamSetting& setting, std::uint32_t& expression,
                                      DiagnosticSink& sink) {
-  const auto index = module_count();
-  modules_.push_back(
-      std::make_unique<Module>(*setting.file, parse_expression(*setting.file, sink)));
-  expression = Resolver(*this, index, sink).resolve_expression();
-  return module(index).code;
+  auto known = setting_values_.find(setting.file);
+  if (known == setting_values_.end()) {
+    DiagnosticSink errors(sink.stop_request());
+    const auto index = module_count();
+    const SyntaxTree& tree = setting_trees_.emplace_back(parse_expression(*setting.file, errors));
+    modules_.push_back(std::make_unique<Module>(*setting.file, tree));
+    const auto value = Resolver(*this, index, errors).resolve_expression();
+    known = setting_values_.emplace(setting.file, SettingValue{index, value}).first;
+    known->second.errors.add(errors);
+  }
+  sink.add(known->second.errors);
+  expression = known->second.expression;
+  return module(known->second.module).code;
 }
 
-std::uint32_t Program::add_module(const SourceFile& file, fs::path path, std::uint32_t parent,
+std::uint32_t Program::add_module(const Document& file, fs::path path, std::uint32_t parent,
                                   DiagnosticSink& sink) {
   const auto index = static_cast<std::uint32_t>(modules_.size());
   const bool is_readable = check_file_size(file, options_.limits, sink);
-  static const SourceFile kEmpty("", "scene 1");
-  modules_.push_back(std::make_unique<Module>(file, parse(is_readable ? file : kEmpty, sink)));
+  const SyntaxTree& tree = (is_readable ? file : unread_).tree(sink);
+  modules_.push_back(std::make_unique<Module>(file, tree));
   modules_[index]->path = std::move(path);
   modules_[index]->parent = parent;
   Resolver(*this, index, sink).resolve_declarations();
   return index;
 }
 
+void Program::load_all(DiagnosticSink& sink) {
+  // Declarations were resolved when their file was loaded. Resolving a statement loads the files
+  // that it includes, which may also include a file that was only imported before.
+  const auto is_pending = [](const auto& module) {
+    return module->is_included && !module->is_resolved;
+  };
+  for (auto next = std::ranges::find_if(modules_, is_pending); next != modules_.end();
+       next = std::ranges::find_if(modules_, is_pending)) {
+    Module& file = **next;
+    Resolver resolver(*this, static_cast<std::uint32_t>(next - modules_.begin()), sink);
+    Code code(file.tree);
+    for (const ast::Node statement : ast::Node(file.tree, 0).children()) {
+      std::uint32_t frame_size = 0;
+      code.clear();
+      resolver.resolve_statement(statement, code, frame_size);
+    }
+    file.is_resolved = true;
+  }
+}
+
+bool Program::has_loaded_all() const {
+  return std::ranges::all_of(
+      modules_, [](const auto& module) { return !module->is_included || module->is_resolved; });
+}
+
 std::string Program::identity(const fs::path& path) const {
-  if (options_.files == nullptr) return path.string();
-  if (!sandbox_) return options_.files->identity(path).string();
+  if (options_.workspace == nullptr) return path.string();
+  if (!sandbox_) return options_.workspace->identity(path).string();
   return sandbox_->resolve(path).value_or(fs::absolute(path).lexically_normal()).string();
 }
 
-std::optional<std::string> Program::read(const fs::path& path, ast::Node name,
-                                         DiagnosticSink& sink) const {
-  if (options_.files == nullptr) {
-    sink.report(diag::unreadable_file, name.location(), path.string(), "there are no other files");
-    return std::nullopt;
+std::shared_ptr<const Document> Program::read(const fs::path& path, ast::Node name,
+                                              DiagnosticSink& sink) {
+  if (options_.workspace == nullptr) {
+    sink.report(diag::unreadable_file, name.location(), path.string(),
+                "this program cannot read other files");
+    return nullptr;
   }
   if (sandbox_ && !sandbox_->resolve(path)) {
     sink.report(diag::outside_sandbox, name.location(), path.string());
-    return std::nullopt;
+    return nullptr;
   }
-  if (options_.files->is_special(path)) {
-    sink.report(diag::unreadable_file, name.location(), path.string(), "it is no regular file");
-    return std::nullopt;
+  wanted_.push_back(path);
+  if (options_.workspace->is_special(path)) {
+    sink.report(diag::unreadable_file, name.location(), path.string(), "it is not a regular file");
+    return nullptr;
   }
   std::error_code error;
-  // A file of this name, not standard input.
+  // An imported "-" is a file with this name, not standard input.
   const fs::path read_path = path == "-" ? fs::path("./-") : path;
-  std::optional<std::string> text =
-      options_.files->read(read_path, options_.limits.any_file(), error);
-  if (!text) {
+  auto document =
+      options_.workspace->load(read_path, path.string(), options_.limits.any_file(), error);
+  if (!document) {
     sink.report(diag::unreadable_file, name.location(), path.string(), error.message())
         .help("the path is relative to the folder of this file");
   }
-  return text;
+  return document;
 }
 
 std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
@@ -148,11 +185,12 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
       std::reverse(circle.begin(), circle.end());
       circle.push_back(circle.front());
       sink.report(diag::file_circle, name.location(), modules_[module]->file->name())
-          .help(fmt::format("the circle is {}", fmt::join(circle, " → ")));
+          .help(fmt::format("the cycle is {}", fmt::join(circle, " → ")));
       return kNothing;
     }
     const bool is_usable = module != kNothing && (is_include || module < kConfigs);
     if (!is_usable && module != kNothing) sink.report(diag::import_of_config, name.location());
+    if (is_include && module < kConfigs) modules_[module]->is_included = true;
     return is_usable ? module : kNothing;
   }
 
@@ -164,10 +202,11 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
   }
 
   loaded_.emplace(key, kNothing);
-  std::optional<std::string> text = read(path, name, sink);
-  if (!text) return kNothing;
+  const std::shared_ptr<const Document> document = read(path, name, sink);
+  if (!document) return kNothing;
   dependencies_.push_back(path);
-  const SourceFile& file = sources_.emplace_back(path.string(), std::move(*text));
+  documents_.push_back(document);
+  const Document& file = *document;
   if (file.format() == SourceFormat::Json) {
     if (!check_file_size(file, options_.limits, sink)) return kNothing;
     loaded_[key] = kConfigs + static_cast<std::uint32_t>(configs_.size());
@@ -179,10 +218,12 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
   }
   loaded_[key] = module_count();
   const std::uint32_t added = add_module(file, path, from, sink);
-  // Of a file that was not read no name is unknown.
+  // A file of another version or above the size limit is unusable. kNothing, so that other files
+  // may use its names without an error for each.
   const auto version = ast::Node(modules_[added]->tree, 0).first(SyntaxKind::Version);
   const bool is_other = version && version->text() != kVersion;
   if (is_other || file.text().size() > options_.limits.file) loaded_[key] = kNothing;
+  modules_[added]->is_included = is_include && loaded_[key] != kNothing;
   return loaded_[key];
 }
 

@@ -18,76 +18,94 @@
 #include "lang/source/limits.hpp"
 #include "lang/source/sandbox.hpp"
 #include "lang/source/source.hpp"
+#include "lang/workspace/workspace.hpp"
 
 namespace sdlc::lang {
 
-/// The value that the command line gives a param: the text after `--set NAME=`.
+/// An option `--set NAME=VALUE`: the value of a param.
 struct SetOption {
   std::string name;
   std::string value;
 };
 
-/// Where the files of a program come from, and their limits.
+/// Sources and limits of a program.
 struct ProgramOptions {
-  const FileSystem* files = nullptr;  ///< null: the root is the only file
+  Workspace* workspace = nullptr;  ///< null: no file except the root can be read
   Limits limits;
   bool is_sandboxed = false;  ///< no file outside the root's folder is read
   std::vector<SetOption> sets = {};
 };
 
-/// Whether the file is within its limit of size; reports if it is not.
+/// Whether the file is within its size limit; reports an error if it is not.
 bool check_file_size(const SourceFile& file, const Limits& limits, DiagnosticSink& sink);
 
-/// A SetOption of the root's param `global`; `file` has its value as text.
+/// A resolved SetOption. `global` is the index of the param in the root's globals; the text of
+/// `file` is the value.
 struct ParamSetting {
   std::uint32_t global;
   const SourceFile* file;
 };
 
-/// A root file and the files that it imports and includes, each read once.
+/// A root file and the files that it imports and includes, each loaded once.
 class Program final : public Modules {
  public:
   static constexpr std::uint32_t kRoot = 0;
 
-  /// Reads the root and what it imports, and reports errors. `root` must outlive the program.
-  Program(const SourceFile& root, const ProgramOptions& options, DiagnosticSink& sink);
+  /// Loads the root and its imports, and reports errors. `root` must outlive the program.
+  Program(const Document& root, const ProgramOptions& options, DiagnosticSink& sink);
 
   const Module& module(std::uint32_t index) const { return *modules_[index]; }
   std::uint32_t module_count() const override {
     return static_cast<std::uint32_t>(modules_.size());
   }
   Module& module_at(std::uint32_t index) override { return *modules_[index]; }
-  /// What the names of a module mean: symbols of files only. Recorded when it is first asked for.
-  const SymbolTable& names_of(std::uint32_t module);
+  /// The symbols of a module, with SymbolDetail::Declared; recorded on first use.
+  const SymbolTable& names_of(std::uint32_t module, const StopRequest* stop);
   const SourceFile& config(std::uint32_t index) const { return *configs_[index - kConfigs]; }
   const Limits& limits() const noexcept override { return options_.limits; }
-  /// Every file but the root, in the order in which they were read.
+  void load_all(DiagnosticSink& sink) override;
+  /// Whether no evaluation can include further files.
+  bool has_loaded_all() const;
+  /// All files that have been loaded except the root, in the order of loading.
   const std::vector<std::filesystem::path>& dependencies() const noexcept { return dependencies_; }
+  /// The same with files that could not be read: they may be created later.
+  const std::vector<std::filesystem::path>& wanted() const noexcept { return wanted_; }
 
-  /// What --set gives the root's param.
+  /// The setting of a global of the root; nullopt if no --set gives it a value.
   std::optional<ParamSetting> setting_of(std::uint32_t global) const;
-  /// The value of the setting as an expression over built-ins.
+  /// The resolved value of a setting, which can use only built-in names. Returns the code and sets
+  /// `expression` to the index of the value in it. Reports its errors at every call.
   const Code& resolve_setting(const ParamSetting& setting, std::uint32_t& expression,
                               DiagnosticSink& sink);
 
  private:
+  struct SettingValue {
+    std::uint32_t module;
+    std::uint32_t expression;
+    DiagnosticSink errors = {};
+  };
+
   std::uint32_t load(std::uint32_t from, ast::Node name, bool is_include,
                      DiagnosticSink& sink) override;
-  std::uint32_t add_module(const SourceFile& file, std::filesystem::path path, std::uint32_t parent,
+  std::uint32_t add_module(const Document& file, std::filesystem::path path, std::uint32_t parent,
                            DiagnosticSink& sink);
   void add_setting(const SetOption& option, DiagnosticSink& sink);
-  /// A text that is the same for every path of one file.
+  /// A key of the file, the same for all paths of one file.
   std::string identity(const std::filesystem::path& path) const;
-  std::optional<std::string> read(const std::filesystem::path& path, ast::Node name,
-                                  DiagnosticSink& sink) const;
+  std::shared_ptr<const Document> read(const std::filesystem::path& path, ast::Node name,
+                                       DiagnosticSink& sink);
 
   ProgramOptions options_;
   std::optional<Sandbox> sandbox_;
   std::vector<std::unique_ptr<Module>> modules_;
   std::vector<const SourceFile*> configs_;
-  std::deque<SourceFile> sources_;                         ///< of all files but the root
-  std::unordered_map<std::string, std::uint32_t> loaded_;  ///< by identity; kNothing: unreadable
-  std::vector<std::filesystem::path> dependencies_;
+  std::vector<std::shared_ptr<const Document>> documents_;  ///< all except the root
+  const Document unread_{"", "scene 1"};                    ///< parsed for a file that is too large
+  std::deque<SourceFile> setting_files_;
+  std::deque<SyntaxTree> setting_trees_;
+  std::unordered_map<const SourceFile*, SettingValue> setting_values_;  ///< resolved on first use
+  std::unordered_map<std::string, std::uint32_t> loaded_;  ///< by identity; kNothing: unusable
+  std::vector<std::filesystem::path> dependencies_, wanted_;
   std::vector<ParamSetting> settings_;
   std::unordered_map<std::uint32_t, SymbolTable> names_;  ///< by module
 };

@@ -12,9 +12,8 @@ namespace {
 
 class BracketReport : private RepairRound {
  public:
-  BracketReport(const SourceFile& file, const TokenList& tokens, RepairedText& text,
-                DiagnosticSink& sink)
-      : RepairRound(file, tokens, text, sink), is_scene_(file.format() == SourceFormat::Scene) {}
+  BracketReport(const RepairContext& context, const TokenList& tokens)
+      : RepairRound(context, tokens), is_scene_(context.file.format() == SourceFormat::Scene) {}
 
   std::vector<Edit> run(const std::vector<BracketFault>& faults) {
     for (std::size_t i = 0; i < faults.size();) {
@@ -143,7 +142,7 @@ class BracketReport : private RepairRound {
     const std::uint32_t at = tokens_[fault.token].begin;
     auto message = report(diag::missing_brace, span_of(fault.token));
     message.label(where(span_of(fault.partner)), "opened here")
-        .help("close the block in front of this line, or indent what belongs to it")
+        .help("close the block before this line, or indent the lines that belong to it")
         .unsafe_fix(where({at, at}), "}\n" + std::string(tokens_[fault.partner].indent, ' '));
     edit(gap_before(fault.token), brackets);
   }
@@ -247,14 +246,11 @@ class BracketReport : private RepairRound {
 
 }  // namespace
 
-void repair_brackets(const SourceFile& file, const TokenList& tokens, const BracketFaults& faults,
-                     RepairedText& text, DiagnosticSink& sink) {
+void repair_brackets(const RepairContext& context, const TokenList& tokens,
+                     const std::vector<BracketFault>& faults) {
   constexpr std::size_t kMaxFaults = 64;  // a text beyond that is no text
-  if (faults.faults.empty() || faults.faults.size() > kMaxFaults) return;
-  std::vector<Edit> edits = BracketReport(file, tokens, text, sink).run(faults.faults);
-  std::vector<std::uint32_t> uncertain;
-  for (const std::uint32_t token : faults.uncertain) uncertain.push_back(tokens[token].begin);
-  text.apply(std::move(edits), uncertain);
+  if (faults.empty() || faults.size() > kMaxFaults) return;
+  context.text.apply(BracketReport(context, tokens).run(faults));
 }
 
 }  // namespace sdlc::lang

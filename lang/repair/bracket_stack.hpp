@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -35,13 +34,12 @@ class BracketStack {
 
   void close(std::uint32_t token) {
     const Frame frame = top();
-    if (frame.fault != kNoFault) result_.faults[frame.fault].partner = token;
-    if (tokens_[token].bracket != '}') closers_.emplace_back(token, value_);
+    if (frame.fault != kNoFault) faults_[frame.fault].partner = token;
     open_.pop_back();
   }
 
   void open_missing(std::uint32_t token, char bracket) {
-    open_.push_back({token - 1, bracket, result_.faults.size()});
+    open_.push_back({token - 1, bracket, faults_.size()});
     add(BracketFault::MissingOpen, bracket, token);
   }
 
@@ -60,7 +58,7 @@ class BracketStack {
     const bool is_added = frame.fault != kNoFault;
     open_.pop_back();
     if (is_added) {  // neither bracket is there: there is no pair
-      result_.faults[frame.fault].token = kDropped;
+      faults_[frame.fault].token = kDropped;
       return;
     }
     add(BracketFault::MissingClose, closing_bracket(frame.bracket),
@@ -81,36 +79,18 @@ class BracketStack {
 
   void add(BracketFault::Kind kind, char bracket, std::uint32_t token,
            std::uint32_t partner = BracketFault::kNone) {
-    result_.faults.push_back({kind, bracket, token, partner});
-    if (bracket != '{' && bracket != '}') faulty_values_.insert(value_);
-    const bool is_closed = kind == BracketFault::MissingOpen && partner != BracketFault::kNone;
-    if (is_closed) result_.uncertain.push_back(partner);
-    if (kind == BracketFault::Replaced) {
-      result_.uncertain.push_back(tokens_.is(token, TokenClass::Close) ? token : partner);
-    }
+    faults_.push_back({kind, bracket, token, partner});
   }
 
-  /// A new value or statement begins, which has nothing to do with faults before it.
-  void begin_value() { ++value_; }
-
-  BracketFaults finish() {
-    for (const auto& [token, value] : closers_) {
-      if (faulty_values_.contains(value)) result_.uncertain.push_back(token);
-    }
-    std::erase_if(result_.faults,
-                  [](const BracketFault& fault) { return fault.token == kDropped; });
-    std::ranges::stable_sort(result_.faults, {}, &BracketFault::token);
-    return std::move(result_);
+  std::vector<BracketFault> finish() {
+    std::erase_if(faults_, [](const BracketFault& fault) { return fault.token == kDropped; });
+    std::ranges::stable_sort(faults_, {}, &BracketFault::token);
+    return std::move(faults_);
   }
 
   const TokenList& tokens_;
   std::vector<Frame> open_;
-  BracketFaults result_;
-
- private:
-  std::size_t value_ = 0;
-  std::vector<std::pair<std::uint32_t, std::size_t>> closers_;
-  std::unordered_set<std::size_t> faulty_values_;
+  std::vector<BracketFault> faults_;
 };
 
 }  // namespace sdlc::lang

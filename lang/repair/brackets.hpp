@@ -3,13 +3,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "lang/diagnostics/diagnostics.hpp"
-#include "lang/repair/repaired_text.hpp"
+#include "lang/repair/scene_repair.hpp"
 #include "lang/repair/tokens.hpp"
 
 /// Which bracket is missing, one too many or of the wrong kind in a text whose brackets do not
 /// match. One scan with a stack; where more than one place is possible, lines and indentation
-/// decide: what is indented belongs to the block before it, and a bracket that is the first of its
+/// decide: indented text belongs to the block before it, and a bracket that is the first of its
 /// line closes one of a line with the same indentation.
 namespace sdlc::lang {
 
@@ -24,21 +23,17 @@ struct BracketFault {
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
   Kind kind;
-  char bracket;                   ///< what is missing, or what is too much
+  char bracket;                   ///< the missing or surplus bracket
   std::uint32_t token;            ///< the number of tokens: the end of the text
   std::uint32_t partner = kNone;  ///< the other bracket of the pair, if the text has it
 };
 
-struct BracketFaults {
-  std::vector<BracketFault> faults;      ///< in the order of their tokens
-  std::vector<std::uint32_t> uncertain;  ///< tokens that close a pair in a value with a fault
-};
-
-BracketFaults find_scene_bracket_faults(const TokenList& tokens);
-BracketFaults find_json_bracket_faults(const TokenList& tokens);
+/// In the order of their tokens.
+std::vector<BracketFault> find_scene_bracket_faults(const TokenList& tokens);
+std::vector<BracketFault> find_json_bracket_faults(const TokenList& tokens);
 
 /// Reports the faults and makes the edits that remove them.
-void repair_brackets(const SourceFile& file, const TokenList& tokens, const BracketFaults& faults,
-                     RepairedText& text, DiagnosticSink& sink);
+void repair_brackets(const RepairContext& context, const TokenList& tokens,
+                     const std::vector<BracketFault>& faults);
 
 }  // namespace sdlc::lang

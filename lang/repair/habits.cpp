@@ -24,7 +24,7 @@ constexpr std::string_view kElseIf = "write `if … { … } else if … { … }`
 constexpr std::string_view kSize = "a picture has a `width` and a `height`";
 constexpr std::string_view kPoint = "a point is written `(x, y, z)`";
 constexpr std::string_view kAngle = "an angle is a number with a unit: `x * 1deg`";
-constexpr std::string_view kNothing = "there is no empty value: leave out what is not wanted";
+constexpr std::string_view kNothing = "there is no empty value: omit the property";
 constexpr std::string_view kInfinity = "there is no infinity; a very large number is `1e9`";
 constexpr std::string_view kComments = "comments are `// …` and `/* … */`";
 constexpr std::string_view kNoChange = "values never change";
@@ -56,7 +56,7 @@ constexpr auto kRows = std::to_array<Row>({
     {Sign, "++ += -= *= /=", {"", kNoChange}},
     {Sign, "%", {"", "write `mod(a, b)`"}},
     {Sign, "?", {"", "write `if … then … else …`"}},
-    {Sign, ";", {"", "a statement ends by itself"}},
+    {Sign, ";", {"", "statements have no end mark"}},
     {Sign, "...", {"..", "an interval is `a .. b`, and a list of numbers `range(a, b)`"}},
     {Sign, "…", {".."}},
     {Sign, "°", {"deg"}},
@@ -84,6 +84,8 @@ constexpr auto kRows = std::to_array<Row>({
     {Unit, "sec secs second seconds", {"s"}},
     {Unit, "msec", {"ms"}},
     {Unit, "percent", {"%"}},
+    {Unit, "μm µm", {"", "a micrometre is `1e-3mm`"}},
+    {Unit, "π", {"", "write `2 * pi` for 2π"}},
 
     {Kind, "ball", {"sphere"}},
     {Kind, "sky environment world", {"background"}},
@@ -139,7 +141,7 @@ constexpr auto kRows = std::to_array<Row>({
     {Callee, "vec3 vector point", {"", kPoint}},
     {Callee, "radians", {"", "an angle is a number with a unit: `x * 1rad`"}},
     {Callee, "degrees deg", {"", kAngle}},
-    {Callee, "print", {"", "`sdlc inspect` tells what a scene is made of"}},
+    {Callee, "print", {"", "`sdlc inspect` shows what a scene contains"}},
     {Callee, "lambertian matte", {"diffuse"}},
     {Callee, "mirror metal reflective", {"specular"}},
     {Callee, "glass dielectric refractive", {"transmissive"}},
@@ -161,7 +163,8 @@ constexpr auto kRows = std::to_array<Row>({
     {Name, "null NULL None nil undefined", {"", kNothing}},
     {Name, "True TRUE yes on", {"true"}},
     {Name, "False FALSE no off", {"false"}},
-    {Name, "M_PI", {"pi"}},
+    {Name, "M_PI π", {"pi"}},
+    {Name, "τ", {"", "write `2 * pi`"}},
     {Name, "inf infinity", {"", kInfinity}},
 
     {Library, "math Math numpy np std", {}},

@@ -33,7 +33,7 @@ enum class HabitPlace : std::uint8_t {
   Library,   ///< before the name of a function: `math.sin`
 };
 
-/// What the writer most likely wanted.
+/// The likely intention.
 struct Habit {
   std::string_view meant = {};        ///< what to write instead; empty if there is no single answer
   std::string_view help = {};         ///< what to do, in words; empty if `meant` says it

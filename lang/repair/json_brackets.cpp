@@ -9,12 +9,11 @@ class JsonBrackets : private BracketStack {
  public:
   explicit JsonBrackets(const TokenList& tokens) : BracketStack(tokens) {}
 
-  BracketFaults run() {
+  std::vector<BracketFault> run() {
     if (replace_all()) return finish();
-    result_ = {};
+    faults_.clear();
     for (at_ = 0; at_ < tokens_.size(); ++at_) {
       if (open_.size() > 2 * kMaxNesting) return {};  // too deep to be read
-      if (tokens_.is(at_, TokenClass::Label)) begin_value();
       while (ends_before()) close_missing(at_);
       open_before();
       if (tokens_.is(at_, TokenClass::Open)) open(at_);
@@ -170,7 +169,7 @@ class JsonBrackets : private BracketStack {
 
 }  // namespace
 
-BracketFaults find_json_bracket_faults(const TokenList& tokens) {
+std::vector<BracketFault> find_json_bracket_faults(const TokenList& tokens) {
   return JsonBrackets(tokens).run();
 }
 

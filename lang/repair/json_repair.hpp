@@ -8,9 +8,9 @@
 
 namespace sdlc::lang {
 
-/// The config with brackets added where they are missing and removed where they are too many, and
-/// with marks of json_syntax.hpp in place of what no grammar of JSON gets past. What was wrong is
-/// reported. nullopt if there is nothing to repair, and for texts too long to be written by hand.
+/// The config with missing brackets added, surplus ones removed, and the marks of json_syntax.hpp
+/// in place of text that the grammar does not accept. Mistakes are reported. nullopt if there is
+/// nothing to repair, or if the text is longer than kMaxRepairedText.
 std::optional<RepairedText> repair_json(const SourceFile& file, DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

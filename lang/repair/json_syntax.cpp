@@ -21,7 +21,10 @@ class JsonSyntax : private RepairRound {
   std::vector<Edit> run() {
     if (!tokens_.is_bracket(0, '{')) return {};
     open();
-    while (i_ < tokens_.size() && !open_.empty()) step();
+    while (i_ < tokens_.size() && !open_.empty()) {
+      stop_if_requested();
+      step();
+    }
     return std::move(edits_);
   }
 
@@ -157,7 +160,11 @@ class JsonSyntax : private RepairRound {
     }
     if (is_quoted(i_) && is_unclosed(i_)) {
       unclosed(i_);
-      return drop_member(i_);
+      const std::size_t next = i_ + 1;  // perhaps the rest of a key with a line end in it
+      if (!tokens_.is(next, TokenClass::Label) || name(next) != "\"") return drop_member(i_);
+      unclosed(next);
+      put({tokens_[i_].begin, name_span(next).end}, kRepairedName);
+      return go_on(next + 1, State::Value);
     }
     if (is_quoted(i_) || (is_value(i_) && is_letter)) return read_separator();
     const bool has_colon = tokens_.is(i_ + 1, ":");
@@ -234,7 +241,7 @@ class JsonSyntax : private RepairRound {
     read_run();
   }
 
-  /// What is in the place of one value: tokens of a line up to a mark, a bracket or the next key.
+  /// The tokens in place of one value: those of a line up to a mark, a bracket or the next key.
   void read_run() {
     std::size_t end = i_, values = 0, odd = 0, inner_quote = 0;
     bool is_broken = false;
@@ -270,7 +277,7 @@ class JsonSyntax : private RepairRound {
     const Span begin{tokens_[i_].begin, tokens_[i_].begin};
     if (is_unclosed(i_)) return unclosed(i_);
     if (lacks_quote(i_)) {
-      auto message = report(diag::expected, span_of(i_), "`\"` in front of a text");
+      auto message = report(diag::expected, span_of(i_), "`\"` before a text");
       message.unsafe_fix(where(begin), "\"");
     } else if (inner_quote != 0) {
       report(diag::expected, gap_before(inner_quote), "`,`")
@@ -357,9 +364,8 @@ class JsonSyntax : private RepairRound {
 
 }  // namespace
 
-std::vector<Edit> repair_json_syntax(const SourceFile& file, const TokenList& tokens,
-                                     RepairedText& text, DiagnosticSink& sink) {
-  return JsonSyntax(file, tokens, text, sink).run();
+std::vector<Edit> repair_json_syntax(const RepairContext& context, const TokenList& tokens) {
+  return JsonSyntax(context, tokens).run();
 }
 
 }  // namespace sdlc::lang

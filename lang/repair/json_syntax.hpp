@@ -2,13 +2,12 @@
 
 #include <vector>
 
-#include "lang/diagnostics/diagnostics.hpp"
-#include "lang/repair/repaired_text.hpp"
+#include "lang/repair/scene_repair.hpp"
 #include "lang/repair/tokens.hpp"
 
 namespace sdlc::lang {
 
-/// What a repaired text has in place of something that has been reported; see grammar/json.hpp.
+/// Marks in a repaired text in place of reported mistakes; see grammar/json.hpp.
 inline constexpr char kRepairedValue = '\x1A';
 inline constexpr char kRepairedMember = '\x1C';
 inline constexpr char kRepairedName = '\x1D';
@@ -16,9 +15,8 @@ constexpr bool is_repair_mark(char c) noexcept {
   return c == kRepairedValue || c == kRepairedMember || c == kRepairedName;
 }
 
-/// Finds what the grammar of JSON does not get past: expressions, strings that are never closed,
-/// characters without a place. Reports it, and returns the edits that replace it by these marks.
-std::vector<Edit> repair_json_syntax(const SourceFile& file, const TokenList& tokens,
-                                     RepairedText& text, DiagnosticSink& sink);
+/// Reports text that the grammar does not accept (expressions, unclosed strings, misplaced
+/// characters), and returns the edits that replace it by these marks.
+std::vector<Edit> repair_json_syntax(const RepairContext& context, const TokenList& tokens);
 
 }  // namespace sdlc::lang

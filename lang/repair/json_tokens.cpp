@@ -97,7 +97,7 @@ class JsonTokens {
     reader_.seek(span.end);
   }
 
-  /// The end of a key whose quotes have slipped, as in `""key":`, `k"ey":` and `"ke"y:`; 0 if none
+  /// The end of a key with misplaced quotes, as in `""key":`, `k"ey":` and `"ke"y:`; 0 if none
   /// is at `at`.
   std::uint32_t end_of_slipped_key(std::uint32_t at) const {
     if (!tokens_.empty() && tokens_.back().kind == TokenClass::Label) return 0;
@@ -130,6 +130,8 @@ class JsonTokens {
     const bool is_key = wants_key && word_end > begin + 1 && char_at(text_, colon) == ':';
     if (token.kind == TokenKind::UnclosedString) {
       if (is_key) return word_end;
+      const bool ends_key = char_at(text_, skip_blanks(text_, begin + 1)) == ':';
+      if (ends_key) return begin + 1;  // of a key with a line end in it
       return begin + static_cast<std::uint32_t>(
                          text_.substr(begin, end - begin).find_last_not_of(" \t\r,]}") + 1);
     }

@@ -15,10 +15,10 @@ namespace {
 enum class Beginning : std::uint8_t {
   None,
   Property,   ///< `name:`, which an argument looks like too
-  Statement,  ///< what can stand in no bracket
+  Statement,  ///< cannot be inside parentheses
 };
 
-/// What kind of statement begins with the first token of a line, which `tokens` reads next.
+/// The kind of statement that begins with the first token of a line, which `tokens` reads next.
 Beginning classify(TokenReader tokens) {
   const Token name = tokens.next();
   if (!is_name(name.kind)) return Beginning::None;
@@ -70,8 +70,8 @@ class StatementSearch {
 
  private:
   static constexpr std::uint32_t kNowhere = 0xFFFFFFFF;
-  // After an open bracket a line `name:` may be an argument or the next property; what follows
-  // tells.
+  // After an open bracket a line `name:` may be an argument or the next property: look ahead for
+  // the closing bracket.
   static constexpr std::uint32_t kLookahead = 4096;
 
   /// Where to go on if a statement begins with the first token of a line.

@@ -7,13 +7,13 @@
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/source/source.hpp"
 
-/// Where to go on behind a mistake, found by looking at the text alone.
+/// Panic-mode recovery: where to continue after a mistake.
 namespace sdlc::lang {
 
 struct RecoveryOptions {
   std::uint32_t open = 0;   ///< brackets of the broken statement that are open at the beginning
   bool open_block = false;  ///< a block is open too, inside those
-  /// Looks further ahead, to tell a bracket that is never closed from one that is closed later.
+  /// Looks further ahead, to distinguish a bracket that is never closed from one closed later.
   bool is_patient = true;
   std::uint32_t indent = 0;  ///< of the broken statement; 0 if it is not `is_patient`
 };
@@ -29,7 +29,7 @@ bool looks_like_statement(std::string_view text, std::uint32_t at);
 /// Whether the name at `at` looks like the kind of an object, whose block follows.
 bool looks_like_object(std::string_view text, std::uint32_t at);
 
-/// `span` without the blanks at its ends.
+/// `span` without the white space at its ends.
 Span trim(std::string_view text, Span span) noexcept;
 
 }  // namespace sdlc::lang

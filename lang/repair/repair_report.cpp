@@ -7,9 +7,9 @@
 namespace sdlc::lang {
 
 Location RepairRound::where(Span span) const {
-  const Span place = text_.in_source(span);
-  const auto size = static_cast<std::uint32_t>(file_.text().size());
-  return {&file_, {std::min(place.begin, size), std::min(place.end, size)}};
+  const Span place = context_.text.in_source(span);
+  const auto size = static_cast<std::uint32_t>(context_.file.text().size());
+  return {&context_.file, {std::min(place.begin, size), std::min(place.end, size)}};
 }
 
 DiagnosticBuilder RepairRound::report_expected(std::size_t token, std::string_view what,

@@ -7,6 +7,7 @@
 
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/repair/repaired_text.hpp"
+#include "lang/repair/scene_repair.hpp"
 #include "lang/repair/tokens.hpp"
 
 namespace sdlc::lang {
@@ -19,15 +20,16 @@ inline DiagnosticBuilder& add_fix(DiagnosticBuilder& report, bool is_safe, Locat
 /// One round of repairs: what it reports of the file, and the edits of the text that follow.
 class RepairRound {
  public:
-  RepairRound(const SourceFile& file, const TokenList& tokens, RepairedText& text,
-              DiagnosticSink& sink)
-      : tokens_(tokens), file_(file), text_(text), sink_(sink) {}
+  RepairRound(const RepairContext& context, const TokenList& tokens)
+      : tokens_(tokens), context_(context) {}
 
  protected:
+  void stop_if_requested() const { context_.sink.stop_if_requested(); }
+
   template <typename... Args>
   DiagnosticBuilder report(const DiagnosticKind<Args...>& kind, Span span,
                            const std::type_identity_t<Args>&... args) {
-    return sink_.report(kind, where(span), args...);
+    return context_.sink.report(kind, where(span), args...);
   }
   /// "expected …, found …" at the token: at the end of the line before, if it is the first of its
   /// own and the line before is where something is missing.
@@ -42,7 +44,7 @@ class RepairRound {
 
   Location where(Span span) const;
   /// Whether the token begins with what an earlier round has added.
-  bool is_added(std::size_t token) const { return text_.is_added(tokens_[token].begin); }
+  bool is_added(std::size_t token) const { return context_.text.is_added(tokens_[token].begin); }
   Span span_of(std::size_t token) const { return tokens_[token].span(); }
   Span span_of(std::size_t first, std::size_t last) const {
     return {tokens_[first].begin, tokens_[last].end};
@@ -57,12 +59,8 @@ class RepairRound {
   }
 
   const TokenList& tokens_;
+  const RepairContext& context_;
   std::vector<Edit> edits_;
-
- private:
-  const SourceFile& file_;
-  RepairedText& text_;
-  DiagnosticSink& sink_;
 };
 
 }  // namespace sdlc::lang

@@ -4,7 +4,7 @@
 
 namespace sdlc::lang {
 
-void RepairedText::apply(std::vector<Edit> edits, const std::vector<std::uint32_t>& uncertain) {
+void RepairedText::apply(std::vector<Edit> edits) {
   std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.span.begin; });
   std::string next;
   Round round;
@@ -17,20 +17,8 @@ void RepairedText::apply(std::vector<Edit> edits, const std::vector<std::uint32_
     round.push_back({edit.span, {begin, static_cast<std::uint32_t>(next.size())}});
     copied = edit.span.end;
   }
-  if (round.empty() && uncertain.empty()) return;
+  if (round.empty()) return;
   next += std::string_view(text_).substr(copied);
-
-  std::vector<std::uint32_t> places = uncertain;
-  places.insert(places.end(), uncertain_.begin(), uncertain_.end());
-  for (std::uint32_t& place : places) {
-    const auto later = std::ranges::upper_bound(
-        round, place, {}, [](const Piece& piece) { return piece.before.begin; });
-    if (later == round.begin()) continue;
-    const Piece& last = *std::prev(later);
-    place += last.after.end - last.before.end;
-  }
-  std::ranges::sort(places);
-  uncertain_ = std::move(places);
   text_ = std::move(next);
   rounds_.push_back(std::move(round));
 }
@@ -72,6 +60,12 @@ Span RepairedText::in_source(Span span) const noexcept {
   return {begin, std::max(begin, end)};
 }
 
+bool RepairedText::is_reported(std::uint32_t at) const noexcept {
+  const std::uint32_t place = in_source(at);
+  return std::ranges::any_of(reported_,
+                             [&](Span span) { return span.begin <= place && place < span.end; });
+}
+
 bool RepairedText::is_added(std::uint32_t at) const noexcept {
   for (auto round = rounds_.rbegin(); round != rounds_.rend(); ++round) {
     const Piece* piece = piece_at(*round, at);
@@ -80,10 +74,6 @@ bool RepairedText::is_added(std::uint32_t at) const noexcept {
     at = place;
   }
   return false;
-}
-
-bool RepairedText::is_uncertain(std::uint32_t at) const noexcept {
-  return is_added(at) || std::ranges::binary_search(uncertain_, at);
 }
 
 }  // namespace sdlc::lang

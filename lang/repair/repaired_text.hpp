@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -8,6 +9,9 @@
 #include "lang/source/source.hpp"
 
 namespace sdlc::lang {
+
+/// Bytes of the longest text that is repaired. Longer ones are hardly written by hand.
+inline constexpr std::size_t kMaxRepairedText = std::size_t{256} << 10;
 
 /// A part of a text and what replaces it.
 struct Edit {
@@ -22,21 +26,24 @@ class RepairedText {
   explicit RepairedText(std::string_view source) : text_(source) {}
 
   const std::string& text() const noexcept { return text_; }
-  bool is_changed() const noexcept { return !rounds_.empty(); }
+  /// Whether anything was edited or reported.
+  bool is_changed() const noexcept { return !rounds_.empty() || !reported_.empty(); }
 
   /// Makes the edits. One that begins inside another is dropped; of several insertions at one place
-  /// the order is kept. `uncertain` are brackets of the text before, for is_uncertain().
-  void apply(std::vector<Edit> edits, const std::vector<std::uint32_t>& uncertain = {});
+  /// the order is kept.
+  void apply(std::vector<Edit> edits);
+
+  /// Suppresses further reports of a part of the source.
+  void note_reported(Span source) { reported_.push_back(source); }
+  /// Whether the place in this text is in a part that note_reported() was called for.
+  bool is_reported(std::uint32_t at) const noexcept;
 
   /// The place in the source of a place in this text.
   std::uint32_t in_source(std::uint32_t at) const noexcept;
-  /// What was removed beside the span is not part of it.
+  /// Text removed next to the span is not part of it.
   Span in_source(Span span) const noexcept;
   /// Whether the byte was written by an edit and has no counterpart in the source.
   bool is_added(std::uint32_t at) const noexcept;
-  /// Whether the bracket at `at` may be in the wrong place: it was added, or closes a pair in a
-  /// value with a wrong bracket.
-  bool is_uncertain(std::uint32_t at) const noexcept;
 
  private:
   /// The replacement of one edit: a part of the new text for a part of the old.
@@ -51,7 +58,7 @@ class RepairedText {
 
   std::string text_;
   std::vector<Round> rounds_;
-  std::vector<std::uint32_t> uncertain_;  ///< places in `text_`, ascending
+  std::vector<Span> reported_;
 };
 
 }  // namespace sdlc::lang

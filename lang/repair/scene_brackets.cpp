@@ -1,6 +1,6 @@
 #include "lang/repair/bracket_stack.hpp"
 #include "lang/repair/brackets.hpp"
-#include "lang/repair/certainty.hpp"
+#include "lang/repair/property_names.hpp"
 #include "lang/repair/vocabulary.hpp"
 
 namespace sdlc::lang {
@@ -11,7 +11,7 @@ class SceneBrackets : private BracketStack {
  public:
   explicit SceneBrackets(const TokenList& tokens) : BracketStack(tokens) {}
 
-  BracketFaults run() {
+  std::vector<BracketFault> run() {
     for (std::uint32_t begin = 0; begin < size();) {
       end_ = end_of_statement(begin);
       if (!matches(begin) && !replace_all(begin)) scan(begin);
@@ -105,7 +105,6 @@ class SceneBrackets : private BracketStack {
     header_ = kNone;
     for (at_ = begin; at_ < end_; ++at_) {
       const RepairToken& token = tokens_[at_];
-      if (!is_in_parenthesis() && begins_value()) begin_value();
       close_before();
       open_before();
       note_header();
@@ -113,11 +112,6 @@ class SceneBrackets : private BracketStack {
       if (token.kind == TokenClass::Close) read_close();
     }
     while (!open_.empty()) close_missing(end_);
-  }
-
-  bool begins_value() const {
-    return tokens_.is(at_, TokenClass::Label) || tokens_.begins_statement(at_) ||
-           (tokens_[at_].is_first && !continues(at_));
   }
 
   /// Whether the token goes on with what the line before has begun.
@@ -251,7 +245,7 @@ class SceneBrackets : private BracketStack {
       return close(at_);
     }
     if (top().bracket == '(' && top().fault != kNoFault && bracket == ']') {
-      result_.faults[top().fault].bracket = '[';
+      faults_[top().fault].bracket = '[';
       return close(at_);
     }
     const RepairToken& token = tokens_[at_];
@@ -325,7 +319,7 @@ class SceneBrackets : private BracketStack {
 
 }  // namespace
 
-BracketFaults find_scene_bracket_faults(const TokenList& tokens) {
+std::vector<BracketFault> find_scene_bracket_faults(const TokenList& tokens) {
   return SceneBrackets(tokens).run();
 }
 

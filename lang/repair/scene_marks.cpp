@@ -1,9 +1,7 @@
-#include "lang/repair/scene_marks.hpp"
-
 #include <string_view>
 
-#include "lang/repair/certainty.hpp"
 #include "lang/repair/habits.hpp"
+#include "lang/repair/property_names.hpp"
 #include "lang/repair/repair_report.hpp"
 #include "lang/repair/vocabulary.hpp"
 #include "lang/schema/type_names.hpp"
@@ -15,13 +13,13 @@ class Marks : private RepairRound {
  public:
   using RepairRound::RepairRound;
 
-  std::vector<Edit> run(std::vector<std::uint32_t>& uncertain) {
+  std::vector<Edit> run() {
     for (i_ = 0; i_ < tokens_.size(); ++i_) {
+      stop_if_requested();
       if (is_between_values()) look();
       if (tokens_.is(i_, TokenClass::Open)) {
         open_.push_back({.opener = i_});
       } else if (tokens_.is(i_, TokenClass::Close) && !open_.empty()) {
-        if (open_.back().has_fault) uncertain.push_back(tokens_[i_].begin);
         open_.pop_back();
       }
     }
@@ -60,9 +58,9 @@ class Marks : private RepairRound {
     if (tokens_.is(i_, TokenClass::Comma)) ++open.commas;
     const bool is_pair = tokens_.is(i_, TokenClass::Close) && is_plain() && open.commas == 1 &&
                          !tokens_.is(i_ - 1, TokenClass::Comma);
-    if (!is_pair || open.has_fault) return;
+    if (!is_pair) return;
+    if (!open.has_fault) report_expected(i_, "`,` and a third value: a point has three", true);
     open.has_fault = true;
-    report_expected(i_, "`,` and a third value: a point has three", true);
     edit(gap_before(i_), ", 0");
   }
 
@@ -114,7 +112,7 @@ class Marks : private RepairRound {
       message.help("an argument is `name: value`");
       if (is_property_name(first)) message.unsafe_fix(where(gap), ":");
     } else {
-      message.label(where(span_of(opener)), "opened here").help("commas stand between values");
+      message.label(where(span_of(opener)), "opened here").help("separate values with commas");
       add_fix(message, is_certain_comma(), where(gap), ",");
     }
   }
@@ -147,9 +145,9 @@ class Marks : private RepairRound {
 
 }  // namespace
 
-std::vector<Edit> repair_marks(const SourceFile& file, const TokenList& tokens, RepairedText& text,
-                               DiagnosticSink& sink, std::vector<std::uint32_t>& uncertain) {
-  return Marks(file, tokens, text, sink).run(uncertain);
+void repair_marks(const RepairContext& context) {
+  const TokenList tokens = scene_tokens(context.text.text());
+  context.text.apply(Marks(context, tokens).run());
 }
 
 }  // namespace sdlc::lang

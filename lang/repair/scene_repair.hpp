@@ -1,25 +1,40 @@
 #pragma once
 
-#include <optional>
-#include <string_view>
-
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/repair/repaired_text.hpp"
 #include "lang/source/source.hpp"
 
 namespace sdlc::lang {
 
-struct SceneRepairOptions {
-  /// Brackets that match may be wrong all the same, one missing and one too many elsewhere.
-  bool may_mismatch = false;
-  /// Repairs nothing but signs and phrases, which can have been meant in one way only.
-  bool is_certain = false;
+/// Where repairs take place: a scene or config, its text with the repairs made so far, and the sink
+/// for reports.
+struct RepairContext {
+  const SourceFile& file;
+  RepairedText& text;
+  DiagnosticSink& sink;
 };
 
-/// `text`, which is `file`'s or a copy of the same length, with brackets and marks added where they
-/// are missing, and with words, signs and phrases as they were meant, so that the rest of it can be
-/// read. What was wrong is reported. nullopt if there is nothing to repair, or no telling what.
-std::optional<RepairedText> repair_scene(const SourceFile& file, std::string_view text,
-                                         SceneRepairOptions options, DiagnosticSink& sink);
+/// Replaces words, signs and phrases of other languages, and misspelt keywords.
+void repair_spelling(const RepairContext& context);
+
+/// Adds missing brackets, commas and colons, and removes surplus brackets. `may_mismatch`: matching
+/// brackets may be wrong too, one missing and one too many elsewhere.
+void repair_structure(const RepairContext& context, bool may_mismatch);
+
+// The rounds of these repairs. Each reports what it finds and edits the text.
+
+/// Heads of blocks, loops and functions: `for (i in list) {`, `let f(x) = …`.
+void repair_blocks(const RepairContext& context);
+/// Declarations, names and values: `let size: number = 1`, `1, 2, 3` for a point.
+void repair_values(const RepairContext& context);
+/// Operators, quotes, comments and separated units as other languages write them.
+void repair_signs(const RepairContext& context);
+/// Misspelt keywords.
+void repair_words(const RepairContext& context);
+/// Statements without a colon, and calls in place of statements.
+void repair_statements(const RepairContext& context);
+/// What is missing between values in parentheses and lists: commas, colons, the third value of a
+/// point.
+void repair_marks(const RepairContext& context);
 
 }  // namespace sdlc::lang

@@ -19,12 +19,14 @@ class SceneTokens {
       if (is_trivia(token.kind)) {
         skip(token);
       } else if (is_foreign_comment(token.span)) {
-        reader_.seek(line_end(token.span.begin));
+        const std::uint32_t end = line_end(token.span.begin);
+        foreign_comments_.push_back({token.span.begin, end});
+        reader_.seek(end);
       } else {
         add(token);
       }
     }
-    return {text_, std::move(tokens_)};
+    return {text_, std::move(tokens_), std::move(foreign_comments_)};
   }
 
  private:
@@ -40,11 +42,12 @@ class SceneTokens {
     return static_cast<std::uint32_t>(std::min(text_.find('\n', at), text_.size()));
   }
 
-  /// `# text` and, at the beginning of a line, `-- text`. `#fff` and `#declare name =` are none.
+  /// Whether a comment of another language begins here: `# text`, or `-- text` at the beginning of
+  /// a line. But `#fff` is a colour, and `#declare name =` is a declaration.
   bool is_foreign_comment(Span token) const {
     const std::string_view rest = text_.substr(token.begin);
     if (is_first_ && rest.starts_with("--")) return true;
-    if (rest[0] != '#') return false;
+    if (rest[0] != '#' || wants_value()) return false;
     const std::size_t digits = token.size() - 1;
     if (!is_first_) return digits == 0;
     if (digits == 3 || digits == 6) return false;
@@ -53,6 +56,11 @@ class SceneTokens {
     TokenReader ahead(text_, token.end);
     const Token name = ahead.next_in_line(), sign = ahead.next_in_line();
     return name.kind != TokenKind::Name || ahead.text(sign) != "=";
+  }
+
+  bool wants_value() const {
+    const TokenClass last = tokens_.empty() ? TokenClass::End : tokens_.back().kind;
+    return last == TokenClass::Label || last == TokenClass::Operator;
   }
 
   void add(const Token& token) {
@@ -70,7 +78,7 @@ class SceneTokens {
     push(span, TokenClass::Value);
   }
 
-  /// A name, a path, or either with the colon after it.
+  /// Adds a name or a dotted name such as `file.name`. A label includes the colon after it.
   void add_word(Span span) {
     const auto is_dot_before_name = [&] {
       return char_at(text_, span.end) == '.' && is_letter(char_at(text_, span.end + 1));
@@ -83,7 +91,7 @@ class SceneTokens {
     push(span, is_label ? TokenClass::Label : TokenClass::Value);
   }
 
-  /// Signs of other languages are one token, however long.
+  /// Adds a comma or an operator. An operator of another language, such as `&&`, is one token.
   void add_sign(Span span) {
     if (text_[span.begin] == ',') return push(span, TokenClass::Comma);
     const std::string_view rest = text_.substr(span.begin);
@@ -111,6 +119,7 @@ class SceneTokens {
   std::string_view text_;
   TokenReader reader_;
   std::vector<RepairToken> tokens_;
+  std::vector<Span> foreign_comments_;
   std::uint32_t line_ = 0, indent_ = 0;
   bool is_first_ = true;
 };

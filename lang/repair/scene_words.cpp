@@ -1,14 +1,11 @@
-#include "lang/repair/scene_words.hpp"
-
 #include <algorithm>
 #include <initializer_list>
 #include <string>
 
 #include <fmt/format.h>
 
-#include "lang/repair/certainty.hpp"
 #include "lang/repair/habits.hpp"
-#include "lang/repair/repair_report.hpp"
+#include "lang/repair/scene_round.hpp"
 #include "lang/repair/vocabulary.hpp"
 
 namespace sdlc::lang {
@@ -27,122 +24,16 @@ bool is_one_slip(std::string_view written, std::string_view word) {
   return a.size() > b.size() ? a.substr(1) == b : a == b.substr(1);
 }
 
-class Words : private RepairRound {
+class Words : private SceneRound {
  public:
-  using RepairRound::RepairRound;
+  using SceneRound::SceneRound;
 
-  std::vector<Edit> run(bool signs_only) {
-    for (i_ = 0; i_ < tokens_.size(); ++i_) {
-      note_statement();
-      if (tokens_.is(i_, "=")) {
-        equals();
-      } else if (tokens_.is(i_, TokenClass::Operator)) {
-        sign();
-      } else if (!signs_only) {
-        word();
-      }
-      follow_brackets();
-    }
+  std::vector<Edit> run() {
+    walk([this] { word(); });
     return std::move(edits_);
   }
 
  private:
-  /// What a bracket encloses.
-  enum class Inside : std::uint8_t {
-    Object,  ///< properties
-    Block,   ///< statements
-    Arguments,
-    Parameters,
-    Loop,   ///< the head of a `for` of another language
-    Value,  ///< a point, a list or a part of a formula
-  };
-
-  // Where the token is
-
-  void note_statement() {
-    if (tokens_.begins_object(i_) && tokens_.may_begin_statement(i_)) is_object_ = true;
-    const std::string_view word = tokens_.written(i_);
-    if (tokens_.is_word(i_) && is_one_of(word, kDeclarationWords)) {
-      is_condition_ = word == "assert";
-      is_object_ = false;
-    } else if (word == "if") {
-      is_condition_ = true;
-    } else if (word == "then" || tokens_.is_bracket(i_, '{')) {
-      is_condition_ = false;
-    }
-  }
-
-  void follow_brackets() {
-    const RepairToken& token = tokens_[i_];
-    if (token.bracket == '{') {
-      inside_.push_back(is_object_ ? Inside::Object : Inside::Block);
-      is_object_ = false;
-    } else if (token.kind == TokenClass::Open) {
-      inside_.push_back(tokens_.holds_parameters(i_)          ? Inside::Parameters
-                        : tokens_.holds_arguments(i_)         ? Inside::Arguments
-                        : i_ > 0 && tokens_.is(i_ - 1, "for") ? Inside::Loop
-                                                              : Inside::Value);
-    } else if (token.kind == TokenClass::Close && !inside_.empty()) {
-      inside_.pop_back();
-    } else if (token.kind == TokenClass::Comma && (inside_.empty() || in(Inside::Block))) {
-      is_condition_ = false;
-    }
-  }
-  bool in(Inside inside) const { return !inside_.empty() && inside_.back() == inside; }
-
-  // Signs
-
-  /// `=` where nothing is defined.
-  void equals() {
-    const bool follows_name = i_ > 0 && tokens_.is_name(i_ - 1);
-    const bool is_argument =
-        follows_name && in(Inside::Arguments) && i_ > 1 &&
-        (tokens_.is(i_ - 2, TokenClass::Comma) || tokens_.is_bracket(i_ - 2, '('));
-    const bool is_property =
-        follows_name && in(Inside::Object) && tokens_.may_begin_statement(i_ - 1);
-    if (is_condition_ && !is_argument) {
-      auto message = report(diag::foreign, span_of(i_), "=");
-      message.help("write `==` to compare");
-      fix(message, false, span_of(i_), "==");
-    } else if (is_argument || is_property) {
-      auto message = report(diag::foreign, span_of(i_), "=");
-      message.help(fmt::format("{} is `name: value`", is_argument ? "an argument" : "a property"));
-      fix(message, is_property_name(tokens_.written(i_ - 1)),
-          {tokens_[i_ - 1].end, tokens_[i_].end}, ":");
-    }
-  }
-  void sign() {
-    const std::string_view written = tokens_.written(i_);
-    const auto habit = find_habit(HabitPlace::Sign, written);
-    const Span span = span_of(i_);
-    if (!habit) return;
-    if (written == ";") return semicolon(habit->help);
-    // What belongs to a number or a string is left to their readers.
-    if (habit->meant.empty() || habit->meant == "\"" || habit->meant == "deg") return;
-    const bool is_certain = is_certain_sign(tokens_.text(), span);
-    auto message = report(diag::foreign, span, written);
-    message.help_if(habit->help);
-    if (is_certain || written != "!") {
-      add_fix(message, is_certain, where(span), std::string(habit->meant));
-    }
-    const bool is_word = habit->meant == "and" || habit->meant == "or";
-    edit(span, is_word ? fmt::format(" {} ", habit->meant) : std::string(habit->meant));
-  }
-
-  void semicolon(std::string_view help) {
-    if (in(Inside::Loop)) return;
-    auto message = report(diag::foreign, span_of(i_), ";");
-    if (in(Inside::Arguments) || in(Inside::Parameters) || in(Inside::Value)) {
-      message.help("commas stand between values");
-      return fix(message, false, span_of(i_), ",");
-    }
-    message.help_if(help);
-    add_fix(message, ends_statement(tokens_.text(), tokens_[i_].begin), where(span_of(i_)), "");
-    edit(span_of(i_), " ");
-  }
-
-  // Words
-
   void word() {
     const std::string_view meant = meant_word();
     if (meant.empty()) return;
@@ -164,9 +55,9 @@ class Words : private RepairRound {
     const bool is_candidate = tokens_.is_name(i_) || is_definition;
     if (!is_candidate || !tokens_.is_same_line(i_ + 1) || i_ + 1 >= tokens_.size()) return {};
     const bool follows_keyword = i_ > 0 && is_one_of(tokens_.written(i_ - 1), kStatementWords);
-    const bool follows_value = i_ > 0 && !follows_keyword &&
-                               (tokens_.is(i_ - 1, TokenClass::Value) ||
-                                tokens_.is(i_ - 1, TokenClass::Close));
+    const bool follows_value =
+        i_ > 0 && !follows_keyword &&
+        (tokens_.is(i_ - 1, TokenClass::Value) || tokens_.is(i_ - 1, TokenClass::Close));
     const bool is_else_if = find_habit(HabitPlace::ElseIf, tokens_.written(i_)).has_value();
     if (follows_value && is_else_if) return "else if";
     if (i_ > 0 && tokens_.is_bracket(i_ - 1, '}') && tokens_.is_bracket(i_ + 1, '{')) {
@@ -216,18 +107,13 @@ class Words : private RepairRound {
         words, [&](std::string_view word) { return is_one_slip(tokens_.written(i_), word); });
     return found == words.end() ? std::string_view() : *found;
   }
-
-  std::size_t i_ = 0;
-  std::vector<Inside> inside_;  ///< the brackets that are open
-  bool is_object_ = false;      ///< the next brace opens an object
-  bool is_condition_ = false;   ///< what is read is the condition of an `if` or an `assert`
 };
 
 }  // namespace
 
-std::vector<Edit> repair_words(const SourceFile& file, const TokenList& tokens, bool signs_only,
-                               RepairedText& text, DiagnosticSink& sink) {
-  return Words(file, tokens, text, sink).run(signs_only);
+void repair_words(const RepairContext& context) {
+  const TokenList tokens = scene_tokens(context.text.text());
+  context.text.apply(Words(context, tokens).run());
 }
 
 }  // namespace sdlc::lang

@@ -9,8 +9,12 @@
 
 namespace sdlc::lang {
 
-TokenList::TokenList(std::string_view text, std::vector<RepairToken> tokens)
-    : text_(text), tokens_(std::move(tokens)), partners_(tokens_.size()) {
+TokenList::TokenList(std::string_view text, std::vector<RepairToken> tokens,
+                     std::vector<Span> foreign_comments)
+    : text_(text),
+      tokens_(std::move(tokens)),
+      foreign_comments_(std::move(foreign_comments)),
+      partners_(tokens_.size()) {
   const auto size = static_cast<std::uint32_t>(text.size());
   end_ = {.begin = size, .end = size, .line = tokens_.empty() ? 0 : tokens_.back().line + 1};
   std::vector<std::uint32_t> open;

@@ -35,10 +35,13 @@ struct RepairToken {
 /// empty token of the class End.
 class TokenList {
  public:
-  TokenList(std::string_view text, std::vector<RepairToken> tokens);
+  TokenList(std::string_view text, std::vector<RepairToken> tokens,
+            std::vector<Span> foreign_comments = {});
 
   std::string_view text() const noexcept { return text_; }
   std::size_t size() const noexcept { return tokens_.size(); }
+  /// Comments that begin with a sign of another language.
+  const std::vector<Span>& foreign_comments() const noexcept { return foreign_comments_; }
   const RepairToken& operator[](std::size_t i) const noexcept {
     return i < tokens_.size() ? tokens_[i] : end_;
   }
@@ -87,14 +90,16 @@ class TokenList {
 
   std::string_view text_;
   std::vector<RepairToken> tokens_;
+  std::vector<Span> foreign_comments_;
   std::vector<std::uint32_t> partners_;
   bool has_matching_brackets_ = true;
   RepairToken end_;
 };
 
-/// Those of a scene. `#` begins a comment where it can be no colour, and so does `--` in a line.
+/// The tokens of a scene. `#` begins a comment if it cannot begin a colour, and `--` if it begins a
+/// line.
 TokenList scene_tokens(std::string_view text);
-/// Those of a config; none where a string or a comment is never closed.
+/// The tokens of a config; none if a comment is never closed.
 TokenList json_tokens(std::string_view text);
 
 }  // namespace sdlc::lang

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-/// The words of the language, for whoever looks at a text without its grammar.
+/// The words of the language, for code that works on tokens.
 namespace sdlc::lang {
 
 template <std::size_t kFirst, std::size_t kSecond>
@@ -27,17 +27,17 @@ inline constexpr auto kUnits =
 
 inline constexpr auto kDeclarationWords =
     std::to_array<std::string_view>({"let", "fn", "def", "param", "import", "include", "assert"});
-/// What a statement that is no object begins with.
+/// The first words of statements other than objects and properties.
 inline constexpr auto kStatementWords =
     joined(kDeclarationWords, std::to_array<std::string_view>({"for", "if"}));
 
-/// Words that carry on what stands in front of them.
+/// Words that continue the expression before them.
 inline constexpr auto kLinkWords = std::to_array<std::string_view>({"and", "or", "then", "else"});
-/// Words behind which an expression must go on, and words that carry one on.
+/// Words after which an expression must follow.
 inline constexpr auto kJoints =
     joined(kLinkWords, std::to_array<std::string_view>({"not", "in", "if", "as"}));
 
-/// What cannot be a name.
+/// Words that cannot be names.
 inline constexpr auto kReservedWords = joined(
     joined(kStatementWords, kLinkWords), std::to_array<std::string_view>({"not", "true", "false"}));
 

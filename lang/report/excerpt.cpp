@@ -15,7 +15,7 @@ namespace {
 /// The part of a mark on one line, in bytes of it.
 struct LineMark {
   std::uint32_t begin, end;
-  bool begins_at_text = false;  ///< not at `begin` but at the first character that is no blank
+  bool begins_at_text = false;  ///< at the first character that is not a space, not at `begin`
   std::string message;
   bool is_primary;
 };
@@ -31,8 +31,8 @@ std::uint32_t line_size(const SourceFile& file, std::uint32_t line) {
   return static_cast<std::uint32_t>(file.line(line).size());
 }
 
-/// Splits the marks by line. Of a mark over several lines the first and the last are shown; what is
-/// said of it stands at the last.
+/// Splits the marks by line. A mark over several lines appears on its first and its last line, with
+/// its message on the last.
 std::map<std::uint32_t, std::vector<LineMark>> split_by_line(std::span<const Mark> marks) {
   std::map<std::uint32_t, std::vector<LineMark>> lines;
   for (const Mark& mark : marks) {
@@ -64,7 +64,7 @@ std::map<std::uint32_t, std::vector<LineMark>> split_by_line(std::span<const Mar
 Underline underline(const LineMark& mark, const ShownLine& line) {
   int begin = mark.begins_at_text ? line.first_column() : line.column(mark.begin);
   const int end = line.column(mark.end);
-  // A combining mark has no column of its own: it is pointed at where its base is.
+  // A combining character has no column of its own: underline its base.
   const bool is_invisible = mark.end > mark.begin && end == begin;
   if (is_invisible) begin = std::max(0, begin - 1);
   return {.begin = begin,
@@ -73,14 +73,14 @@ Underline underline(const LineMark& mark, const ShownLine& line) {
           .is_primary = mark.is_primary};
 }
 
-/// Writes `text` at the column, over blanks.
+/// A row of text, written from left to right at given columns.
 class Row {
  public:
   Row(std::string_view primary_color, const Palette& palette)
       : primary_color_(primary_color), palette_(palette) {}
 
   void put(int column, std::string_view text, bool is_primary, int width) {
-    if (column < column_) return;  // under something else
+    if (column < column_) return;  // the column is taken
     text_.append(static_cast<std::size_t>(column - column_), ' ');
     text_ +=
         fmt::format("{}{}{}", is_primary ? primary_color_ : palette_.label, text, palette_.reset);
@@ -95,7 +95,7 @@ class Row {
   int column_ = 0;
 };
 
-/// One row of carets and dashes; where underlines overlap, the primary one is seen.
+/// A row of carets and dashes, and a message after them. The primary underline covers others.
 std::string marker_row(const std::vector<Underline>& underlines, std::string_view message,
                        bool message_is_primary, std::string_view primary_color,
                        const Palette& palette) {
@@ -123,27 +123,25 @@ std::string marker_row(const std::vector<Underline>& underlines, std::string_vie
   return row.text();
 }
 
-/// The rows under a line: the underlines, with the rightmost message behind them, then the other
+/// The rows below a line: the underlines, with the rightmost message after them, then the other
 /// messages from right to left, each at its column.
 std::vector<std::string> rows_below(std::vector<Underline> underlines,
                                     std::string_view primary_color, const Palette& palette) {
   std::stable_sort(underlines.begin(), underlines.end(),
                    [](const Underline& a, const Underline& b) { return a.begin < b.begin; });
-  std::vector<const Underline*> talking;
+  std::vector<const Underline*> labelled;
   for (const Underline& mark : underlines) {
-    if (!mark.message.empty()) talking.push_back(&mark);
+    if (!mark.message.empty()) labelled.push_back(&mark);
   }
 
-  const bool last_talks = !underlines.empty() && !underlines.back().message.empty();
-  const Underline* inline_mark = last_talks ? &underlines.back() : nullptr;
-  if (last_talks) talking.pop_back();
-  std::vector<std::string> rows{marker_row(underlines, last_talks ? inline_mark->message : "",
-                                           last_talks && inline_mark->is_primary, primary_color,
-                                           palette)};
-  for (; !talking.empty(); talking.pop_back()) {
+  const Underline& rightmost = underlines.back();
+  if (!rightmost.message.empty()) labelled.pop_back();
+  std::vector<std::string> rows{
+      marker_row(underlines, rightmost.message, rightmost.is_primary, primary_color, palette)};
+  for (; !labelled.empty(); labelled.pop_back()) {
     Row row(primary_color, palette);
-    for (const Underline* mark : talking) {
-      const bool is_last = mark == talking.back();
+    for (const Underline* mark : labelled) {
+      const bool is_last = mark == labelled.back();
       row.put(mark->begin, is_last ? std::string_view(mark->message) : "|", mark->is_primary, 1);
     }
     rows.push_back(row.text());

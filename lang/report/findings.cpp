@@ -52,6 +52,7 @@ Findings select_findings(const DiagnosticSink& sink, const FindingsFilter& filte
       ++counts.omitted;
     }
   }
+  // Their places are unknown, so that comments that allow them have no effect.
   for (const auto& [info, count] : sink.not_kept()) {
     if (filter.is_wanted && !filter.is_wanted(*info, nullptr)) continue;
     count_of(*info) += count;

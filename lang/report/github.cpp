@@ -11,7 +11,7 @@
 namespace sdlc::lang {
 namespace {
 
-/// The text as the message of a workflow command.
+/// Escapes the message of a workflow command.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -25,7 +25,7 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// The text as the value of one of its properties.
+/// Escapes the value of a property of a workflow command.
 std::string escaped_property(std::string_view text) {
   std::string result;
   for (const char c : escaped(text)) {
@@ -38,7 +38,7 @@ std::string escaped_property(std::string_view text) {
   return result;
 }
 
-/// Help is a line each: the runner prints them below each other.
+/// The message, then one line per help.
 std::string message_lines(const Diagnostic& diagnostic) {
   std::string text = printable(message_with_suggestion(diagnostic));
   for (const std::string& line : diagnostic.help) text += "\nhelp: " + printable(line);
@@ -54,7 +54,7 @@ class GithubWriter final : public DiagnosticWriter {
     std::string properties, message = message_lines(diagnostic);
     if (diagnostic.where.file != nullptr) {
       properties = place_properties(diagnostic.where);
-      // The log shows the message alone, and people read that too.
+      // The log shows only the message, so it includes the place.
       message.insert(0, describe_place(diagnostic.where) + ": ");
     }
     out_ << fmt::format(
@@ -74,7 +74,7 @@ class GithubWriter final : public DiagnosticWriter {
   }
 
  private:
-  /// Columns only where the span is in one line: GitHub refuses them otherwise.
+  /// Columns only for a span within a line: GitHub rejects them otherwise.
   std::string place_properties(const Location& where) const {
     const auto [line, column] = where.file->position(where.span.begin);
     const auto [end_line, end_column] = where.file->position(where.span.end);

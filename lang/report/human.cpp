@@ -12,8 +12,8 @@
 namespace sdlc::lang {
 namespace {
 
-/// The first line of the text in backticks, fit for a line of its own; spaces alone and a character
-/// that may look like another one by their names.
+/// Describes a piece of text: its first line in backticks, or by name if it consists of spaces or
+/// of one character that may look like another.
 std::string named(std::string_view text) {
   if (text.find_first_not_of(' ') == std::string_view::npos) {
     return text.size() == 1 ? "a space" : fmt::format("{} spaces", text.size());
@@ -27,16 +27,13 @@ std::string named(std::string_view text) {
   return fmt::format("`{}{}`", printable(abbreviated(line)), rest);
 }
 
-std::string_view without_blanks_behind(std::string_view text) {
+std::string_view without_trailing_space(std::string_view text) {
   const std::size_t end = text.find_last_not_of(" \n");
   return end == std::string_view::npos ? text : text.substr(0, end + 1);
 }
 
-/// The fix without what it leaves as it is at both ends.
+/// The fix without the unchanged text at both ends.
 Fix narrowed(Fix fix) {
-  const auto is_inside_character = [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-  };
   Span& span = fix.where.span;
   std::string_view old = fix.where.file->text(span), wanted = fix.replacement;
   while (!old.empty() && !wanted.empty() && old.back() == wanted.back()) {
@@ -45,7 +42,7 @@ Fix narrowed(Fix fix) {
   std::size_t same = 0;
   while (same < std::min(old.size(), wanted.size()) && old[same] == wanted[same]) ++same;
   const auto splits_character = [&](std::string_view text) {
-    return same < text.size() && is_inside_character(text[same]);
+    return same < text.size() && is_continuation(text[same]);
   };
   while (same > 0 && (splits_character(old) || splits_character(wanted))) --same;
   span.begin += static_cast<std::uint32_t>(same);
@@ -53,15 +50,15 @@ Fix narrowed(Fix fix) {
   return fix;
 }
 
-/// What the fix does, in words.
+/// Describes the fix in words.
 std::string describe_fix(const Diagnostic& diagnostic, const Fix& fix) {
   const Span span = fix.where.span;
   const std::string_view text = fix.where.file->text(span);
   if (fix.replacement.empty()) return "remove " + named(text);
-  const std::string replacement = named(without_blanks_behind(fix.replacement));
+  const std::string replacement = named(without_trailing_space(fix.replacement));
   if (span.size() > 0) {
     if (replacement == "a space") return "write a space instead";
-    // Where both look alike, only what changes is shown.
+    // If both look the same, show only the difference.
     const Fix change = narrowed(fix);
     if (replacement == named(text) && change.where.span != span) {
       return describe_fix(diagnostic, change);
@@ -72,7 +69,7 @@ std::string describe_fix(const Diagnostic& diagnostic, const Fix& fix) {
   const Span wrong = diagnostic.where.span;
   if (span.begin == wrong.begin) return "add " + replacement;
   if (span.begin == wrong.end) {
-    return fmt::format("add {} behind {}", replacement, named(fix.where.file->text(wrong)));
+    return fmt::format("add {} after {}", replacement, named(fix.where.file->text(wrong)));
   }
   const Position position = fix.where.file->position(span.begin);
   return fmt::format("add {} at {}:{}", replacement, position.line, position.column);
@@ -92,7 +89,7 @@ std::vector<std::string> help_lines(const Diagnostic& diagnostic) {
   return lines;
 }
 
-/// The places of a diagnostic by file, that of the diagnostic itself first.
+/// The marks of a diagnostic by file, its own place first.
 std::vector<std::vector<Mark>> marks_by_file(const Diagnostic& diagnostic) {
   std::vector<std::vector<Mark>> files;
   files.push_back({{.where = diagnostic.where, .message = {}, .is_primary = true}});
@@ -106,7 +103,7 @@ std::vector<std::vector<Mark>> marks_by_file(const Diagnostic& diagnostic) {
   return files;
 }
 
-/// How many digits the largest line number has.
+/// The number of digits of the largest line number.
 int gutter_width(const std::vector<std::vector<Mark>>& files) {
   std::uint32_t line = 1;
   for (const auto& marks : files) {

@@ -59,7 +59,7 @@ class JsonWriter final : public DiagnosticWriter {
                        {"errors", counts.errors},
                        {"warnings", counts.warnings},
                        {"omitted", counts.omitted}};
-    // ASCII only: the output is safe on a terminal, and bytes that are not UTF-8 do not end it.
+    // ASCII only: safe on a terminal. Invalid UTF-8 is replaced instead of throwing.
     constexpr bool kIsAscii = true;
     out_ << json.dump(2, ' ', kIsAscii, Json::error_handler_t::replace) << '\n';
   }

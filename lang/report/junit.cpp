@@ -15,8 +15,9 @@
 namespace sdlc::lang {
 namespace {
 
-/// The text as a value of an attribute or between tags. XML has no way to write most controls, nor
-/// U+FFFE and U+FFFF: all controls are written as pictures, line ends too.
+/// Escapes text for XML attributes and content. XML cannot represent most control characters,
+/// U+FFFE and U+FFFF, so all control characters are replaced by visible symbols, including line
+/// ends.
 std::string escaped(std::string_view text) {
   const std::string shown = printable(text);
   std::string result;
@@ -36,14 +37,14 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// What was found in one file.
+/// The findings in one file.
 struct Suite {
   std::string name;
-  std::string cases = {};  ///< that are not passed
+  std::string cases = {};  ///< failed cases, as XML
   std::size_t failures = 0;
-  std::size_t errors = 0;  ///< the file could not be looked at
+  std::size_t errors = 0;  ///< failures to read or write the file
 
-  /// A suite without a case looks as if nobody had looked.
+  /// A suite without findings has one passed case, so that it counts as checked.
   std::size_t tests() const { return std::max<std::size_t>(failures + errors, 1); }
 };
 
@@ -74,65 +75,65 @@ class JunitWriter final : public DiagnosticWriter {
 
   void enter(const std::string& name) override {
     entered_ = report_path(name, facts_.root);
-    suite(entered_);
+    suite_of(entered_);
   }
 
   void write(const Diagnostic& diagnostic) override {
     const SourceFile* file = diagnostic.where.file;
     const std::string path = file == nullptr ? entered_ : report_path(file->name(), facts_.root);
-    Suite& its = suite(path);
-    its.cases += failure(diagnostic, path);
-    ++its.failures;
+    Suite& suite = suite_of(path);
+    suite.cases += failure(diagnostic, path);
+    ++suite.failures;
   }
 
   void fail(const std::string& name, const std::string& reason) override {
     const std::string path = report_path(name, facts_.root);
-    Suite& its = suite(path);
-    its.cases += fmt::format(
+    Suite& suite = suite_of(path);
+    suite.cases += fmt::format(
         "    <testcase name=\"cannot be read or written\" classname=\"{0}\" file=\"{0}\">\n"
         "      <error type=\"error\" message=\"{1}\"/>\n"
         "    </testcase>\n",
         escaped(path), escaped(reason));
-    ++its.errors;
+    ++suite.errors;
   }
 
   void finish(const DiagnosticCounts& counts) override {
-    if (counts.omitted > 0) tell_omitted(counts.omitted);
+    if (counts.omitted > 0) add_omitted(counts.omitted);
     std::size_t tests = 0, failures = 0, errors = 0;
-    for (const Suite& its : suites_) {
-      tests += its.tests();
-      failures += its.failures;
-      errors += its.errors;
+    for (const Suite& suite : suites_) {
+      tests += suite.tests();
+      failures += suite.failures;
+      errors += suite.errors;
     }
     out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          << fmt::format("<testsuites name=\"sdlc\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
                         tests, failures, errors);
-    for (const Suite& its : suites_) write_suite(its);
+    for (const Suite& suite : suites_) write_suite(suite);
     out_ << "</testsuites>\n";
   }
 
  private:
-  Suite& suite(const std::string& name) {
+  Suite& suite_of(const std::string& name) {
     const auto [known, is_new] = index_.emplace(name, suites_.size());
     return is_new ? suites_.emplace_back(Suite{.name = name}) : suites_[known->second];
   }
 
-  void tell_omitted(std::size_t omitted) {
-    Suite& its = suite("further findings");
-    its.cases = fmt::format(
+  void add_omitted(std::size_t omitted) {
+    Suite& suite = suite_of("further findings");
+    suite.cases = fmt::format(
         "    <testcase name=\"further findings\" classname=\"further findings\">\n"
         "      <failure type=\"error\" message=\"{}\"/>\n"
         "    </testcase>\n",
         escaped(omitted_text(omitted)));
-    its.failures = 1;
+    suite.failures = 1;
   }
 
-  void write_suite(const Suite& its) {
-    const std::string name = escaped(its.name);
+  void write_suite(const Suite& suite) {
+    const std::string name = escaped(suite.name);
     out_ << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
-                        name, its.tests(), its.failures, its.errors)
-         << its.cases;
-    if (its.failures + its.errors == 0) {
+                        name, suite.tests(), suite.failures, suite.errors)
+         << suite.cases;
+    if (suite.failures + suite.errors == 0) {
       out_ << fmt::format("    <testcase name=\"no findings\" classname=\"{0}\" file=\"{0}\"/>\n",
                           name);
     }
@@ -142,7 +143,7 @@ class JunitWriter final : public DiagnosticWriter {
   std::ostream& out_;
   ReportFacts facts_;
   std::string entered_ = "sdlc";
-  std::vector<Suite> suites_;  // in the order they were met
+  std::vector<Suite> suites_;  // in order of occurrence
   std::unordered_map<std::string, std::size_t> index_;
 };
 

@@ -41,8 +41,9 @@ std::string message_with_suggestion(const Diagnostic& diagnostic) {
 }
 
 std::string omitted_text(std::size_t omitted) {
-  return fmt::format("{} more finding{} not listed: of each file the first {} errors and warnings",
-                     omitted, omitted == 1 ? " is" : "s are", FindingsFilter::kMaxShown);
+  return fmt::format(
+      "{} more finding{} not listed: the limit is {} errors and {} warnings per file", omitted,
+      omitted == 1 ? " is" : "s are", FindingsFilter::kMaxShown, FindingsFilter::kMaxShown);
 }
 
 std::string describe_place(const Location& where) {

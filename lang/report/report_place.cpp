@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The code units of a text that fingerprints are made of, and where among them its lines begin.
+/// The code units of a text that are hashed, and the indices at which its lines begin.
 struct Units {
   std::vector<std::uint16_t> units;
   std::vector<std::size_t> line_begins;
@@ -100,7 +100,7 @@ std::string LineFingerprints::of(const SourceFile& file, std::uint32_t line) {
     name_ = file.name();
     fingerprints_ = fingerprints_of(file.text());
   }
-  // A lone carriage return is a line end for GitHub and none here.
+  // A single carriage return is a line end for GitHub, but not here.
   return fingerprints_[std::min<std::size_t>(line, fingerprints_.size()) - 1];
 }
 

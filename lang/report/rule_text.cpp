@@ -7,7 +7,7 @@
 namespace sdlc::lang {
 namespace {
 
-/// A link of Markdown at the beginning of a text.
+/// A Markdown link at the beginning of a text.
 struct Link {
   std::string_view text, target;
   std::size_t size = 0;  ///< in the text
@@ -25,7 +25,7 @@ std::optional<Link> link_at(std::string_view text) {
               .size = end + 1};
 }
 
-/// The text without links to other pages; code between backticks stays as it is.
+/// Replaces links to other pages by their text, except in code between backticks.
 std::string without_links(std::string_view text) {
   std::string result;
   bool is_code = false;
@@ -43,7 +43,7 @@ std::string without_links(std::string_view text) {
   return result;
 }
 
-/// What stands behind the title and the blank line under it.
+/// The page after its title and the empty line below it.
 std::string_view body_of(std::string_view page) {
   const std::size_t end = page.find("\n\n");
   return page.starts_with("# ") && end != std::string_view::npos ? page.substr(end + 2) : page;
@@ -62,8 +62,7 @@ std::string pascal_name(const DiagnosticInfo& info) {
 }
 
 std::string rule_title(const DiagnosticInfo& info) {
-  std::string title(info.name);
-  for (char& c : title) c = c == '_' ? ' ' : c;
+  std::string title = title_of(info);
   if (!title.empty()) title[0] = to_upper(title[0]);
   return title;
 }

@@ -11,8 +11,8 @@
 #include "lang/report/rule_text.hpp"
 #include "lang/report/writers.hpp"
 
-// SARIF 2.1.0: https://docs.oasis-open.org/sarif/sarif/v2.1.0/sarif-v2.1.0.html; what GitHub's code
-// scanning reads of it: "SARIF support for code scanning" in its documentation.
+// SARIF 2.1.0: https://docs.oasis-open.org/sarif/sarif/v2.1.0/sarif-v2.1.0.html. The subset that
+// GitHub supports: "SARIF support for code scanning" in its documentation.
 namespace sdlc::lang {
 namespace {
 
@@ -26,7 +26,7 @@ Json one(Json element) {
 
 Json text_message(std::string_view text) { return Json::object({{"text", text}}); }
 
-/// A message in which what looks like a link of SARIF is none.
+/// A message, with brackets escaped if SARIF would read a link.
 Json message_of(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
@@ -44,6 +44,11 @@ Json region_of(const Location& where) {
           {"startColumn", begin.column},
           {"endLine", end.line},
           {"endColumn", end.column}};
+}
+
+/// A list of one location.
+Json locations(Json physical_location) {
+  return one(Json::object({{"physicalLocation", std::move(physical_location)}}));
 }
 
 std::string full_message(const Diagnostic& diagnostic) {
@@ -65,13 +70,11 @@ class SarifWriter final : public DiagnosticWriter {
                    {"level", severity_name(diagnostic.info->severity)},
                    {"message", message_of(full_message(diagnostic))}};
     if (file != nullptr) {
-      result["locations"] =
-          one(Json::object({{"physicalLocation", physical_location(diagnostic.where)}}));
+      result["locations"] = locations(physical_location(diagnostic.where));
       const std::uint32_t line = file->position(diagnostic.where.span.begin).line;
       result["partialFingerprints"] = {{"primaryLocationLineHash", fingerprints_.of(*file, line)}};
     } else if (!entered_.empty()) {
-      Json place = {{"artifactLocation", artifact_location(entered_)}};
-      result["locations"] = one(Json::object({{"physicalLocation", std::move(place)}}));
+      result["locations"] = locations({{"artifactLocation", artifact_location(entered_)}});
     }
     if (Json related = related_locations(diagnostic); !related.empty()) {
       result["relatedLocations"] = std::move(related);
@@ -81,11 +84,10 @@ class SarifWriter final : public DiagnosticWriter {
   }
 
   void fail(const std::string& name, const std::string& reason) override {
-    Json place = {{"artifactLocation", artifact_location(name)}};
     failures_.push_back(
         {{"level", "error"},
          {"message", message_of(reason)},
-         {"locations", one(Json::object({{"physicalLocation", std::move(place)}}))}});
+         {"locations", locations({{"artifactLocation", artifact_location(name)}})}});
   }
 
   void finish(const DiagnosticCounts& counts) override {
@@ -118,7 +120,7 @@ class SarifWriter final : public DiagnosticWriter {
  private:
   static constexpr const char* kRoot = "%SRCROOT%";
 
-  /// Only the rules that some result names are in the report.
+  /// The index of the rule, which is added at its first result.
   std::size_t rule_index(const DiagnosticInfo& info) {
     const auto [known, is_new] = rule_indices_.emplace(info.code, rules_.size());
     if (is_new) rules_.push_back(rule_of(info));
@@ -133,9 +135,9 @@ class SarifWriter final : public DiagnosticWriter {
     if (page) {
       const std::string summary = first_paragraph(*page);
       rule["fullDescription"] = text_message(summary);
-      rule["help"] = {
-          {"text", fmt::format("{}\n\n`sdlc explain {}` tells all of it.", summary, info.code)},
-          {"markdown", page_for_elsewhere(*page)}};
+      rule["help"] = {{"text", fmt::format("{}\n\n`sdlc explain {}` shows the whole page.", summary,
+                                           info.code)},
+                      {"markdown", page_for_elsewhere(*page)}};
     }
     rule["defaultConfiguration"] = {{"level", severity_name(info.severity)}};
     return rule;
@@ -153,7 +155,7 @@ class SarifWriter final : public DiagnosticWriter {
             {"region", region_of(where)}};
   }
 
-  /// The labels, then how evaluation came there.
+  /// The labels, then the evaluation chain.
   Json related_locations(const Diagnostic& diagnostic) const {
     Json related = Json::array();
     const auto add = [&](const Location& where, std::string_view message) {
@@ -167,7 +169,7 @@ class SarifWriter final : public DiagnosticWriter {
     return related;
   }
 
-  /// Guesses are there too: a fix of SARIF is a proposal to a person.
+  /// Includes unsafe fixes: in SARIF, a fix is a proposal.
   Json fix_of(const Diagnostic& diagnostic) const {
     Json changes = Json::array();
     bool is_safe = true;
@@ -181,8 +183,7 @@ class SarifWriter final : public DiagnosticWriter {
           {{"deletedRegion", region_of(fix.where)},
            {"insertedContent", text_message(fix.replacement)}});
     }
-    const std::string_view description =
-        is_safe ? "Leaves no doubt." : "A guess: look at the outcome.";
+    const std::string_view description = is_safe ? "A safe fix." : "A guess: check the result.";
     return {{"description", text_message(description)}, {"artifactChanges", std::move(changes)}};
   }
 

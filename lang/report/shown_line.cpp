@@ -9,17 +9,17 @@ namespace sdlc::lang {
 namespace {
 
 constexpr int kTabStop = 4;
-constexpr int kLongestLine = 120;
+constexpr int kMaxLine = 120;
 constexpr int kShortenedLine = 100;
-constexpr int kContext = 40;  // columns kept before what is pointed at
-constexpr std::uint32_t kReach =
-    4096;  // bytes looked at on each side: a file may be one line of 100 MB
+constexpr int kContext = 40;  // columns kept before the mark
+// Bytes read on each side of the mark: a file may be a single line of 100 MB.
+constexpr std::uint32_t kReach = 4096;
 
 }  // namespace
 
 ShownLine::ShownLine(std::string_view line, std::uint32_t around) {
   const auto is_inside_character = [&](std::uint32_t byte) {
-    return byte < line.size() && (static_cast<unsigned char>(line[byte]) & 0xC0) == 0x80;
+    return byte < line.size() && is_continuation(line[byte]);
   };
   std::uint32_t begin = around > kReach ? around - kReach : 0;
   while (begin > 0 && begin < around && is_inside_character(begin)) ++begin;
@@ -28,7 +28,7 @@ ShownLine::ShownLine(std::string_view line, std::uint32_t around) {
   for (std::uint32_t byte = begin; byte < end; byte += decode_utf8(line.substr(byte)).size) {
     append(line, byte);
   }
-  const bool is_long = width_ > kLongestLine || begin > 0 || end < size;
+  const bool is_long = width_ > kMaxLine || begin > 0 || end < size;
   if (is_long) shorten_around(column(around), begin > 0, end < size);
 }
 
@@ -61,11 +61,11 @@ int ShownLine::first_column() const noexcept {
   return first == cells_.end() ? 0 : first->column;
 }
 
-void ShownLine::shorten_around(int column, bool is_cut_before, bool is_cut_behind) {
+void ShownLine::shorten_around(int column, bool is_cut_before, bool is_cut_after) {
   const int begin = std::clamp(column - kContext, 0, std::max(0, width_ - kShortenedLine));
   const int end = begin + kShortenedLine;
   is_cut_before |= begin > 0;
-  is_cut_behind |= width_ > end;
+  is_cut_after |= width_ > end;
 
   std::vector<Cell> kept;
   int width = 0;
@@ -74,14 +74,14 @@ void ShownLine::shorten_around(int column, bool is_cut_before, bool is_cut_behin
     width += cell.width;
     kept.push_back(std::move(cell));
   };
-  const Cell left_out{.text = "…", .begin = 0, .column = 0, .width = 1};
-  if (is_cut_before) keep(left_out);
+  const Cell ellipsis{.text = "…", .begin = 0, .column = 0, .width = 1};
+  if (is_cut_before) keep(ellipsis);
   for (Cell& cell : cells_) {
     const bool is_inside = cell.column >= begin && cell.column + cell.width <= end;
     if (is_inside) keep(std::move(cell));
   }
-  if (is_cut_behind) {
-    keep(left_out);
+  if (is_cut_after) {
+    keep(ellipsis);
     kept.back().begin = kept.size() > 1 ? kept[kept.size() - 2].begin + 1 : 0;
   }
   cells_ = std::move(kept);

@@ -7,18 +7,18 @@
 
 namespace sdlc::lang {
 
-/// A source line as a terminal shows it: tabs widened, unsafe characters replaced, and each byte's
-/// column known.
+/// A source line for a terminal, with tabs expanded and unsafe characters replaced, and the column
+/// of each byte.
 class ShownLine {
  public:
-  /// Of a line too long for a screen only what is around the byte `around` is shown.
+  /// A long line is shortened to the part around the byte `around`.
   ShownLine(std::string_view line, std::uint32_t around);
 
-  /// Columns of what is shown.
+  /// The width in columns.
   int width() const noexcept { return width_; }
-  /// The column (from 0) at which the byte is shown, or the nearest one that is.
+  /// The column of the byte, counted from 0, or of the nearest byte shown.
   int column(std::uint32_t byte) const noexcept;
-  /// The first column that is not blank.
+  /// The first column with a character that is not a space.
   int first_column() const noexcept;
 
   std::string text() const;
@@ -32,7 +32,7 @@ class ShownLine {
   };
 
   void append(std::string_view line, std::uint32_t byte);
-  void shorten_around(int column, bool is_cut_before, bool is_cut_behind);
+  void shorten_around(int column, bool is_cut_before, bool is_cut_after);
 
   std::vector<Cell> cells_;
   int width_ = 0;

@@ -8,16 +8,16 @@
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/report/report.hpp"
 
-/// The writers behind make_diagnostic_writer.
+/// The writers for make_diagnostic_writer(), and what they share.
 namespace sdlc::lang {
 
 /// "error" or "warning".
 std::string_view severity_name(Severity severity) noexcept;
 
-/// The message, and `; did you mean X?` where there is a suggestion; not fit for a terminal yet.
+/// The message, then `; did you mean X?` if there is a suggestion. Not yet safe for a terminal.
 std::string message_with_suggestion(const Diagnostic& diagnostic);
 
-/// How a report says that so many were not kept.
+/// The message about findings that are not listed.
 std::string omitted_text(std::size_t omitted);
 
 std::unique_ptr<DiagnosticWriter> make_human_writer(std::ostream& out, bool has_color);

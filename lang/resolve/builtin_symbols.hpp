@@ -8,7 +8,7 @@
 
 namespace sdlc::lang {
 
-/// A name of the language.
+/// A symbol that the language defines.
 struct BuiltinSymbol {
   SymbolKind kind;
   std::string_view name;
@@ -16,10 +16,10 @@ struct BuiltinSymbol {
   std::string_view doc = {};
 };
 
-/// All of them, by kind, property and name.
+/// All of them, sorted by kind, property and name.
 std::span<const BuiltinSymbol> builtin_symbols();
-/// The symbol of that kind and name; `property`: of a Property or Word. An unknown one if there is
-/// none.
+/// The symbol with this kind and name, and of a Property or Word with this property; an unknown one
+/// if there is none.
 SymbolId find_builtin_symbol(SymbolKind kind, std::string_view name,
                              const Property* property = nullptr);
 

@@ -5,44 +5,25 @@
 #include <unordered_map>
 
 #include "lang/ast/statements.hpp"
+#include "lang/resolve/lookup.hpp"
 
 namespace sdlc::lang {
 namespace {
 
-template <typename Map>
-const typename Map::mapped_type* find(const Map& map, std::string_view name) {
-  const auto found = map.find(name);
-  return found == map.end() ? nullptr : &found->second;
-}
-
-/// The statement that declares the name in the name space of this kind of statement, if any.
-std::optional<NodeIndex> declaration_of(const Module& module, SyntaxKind kind,
-                                        std::string_view name) {
-  switch (kind) {
-    case SyntaxKind::Let:
-    case SyntaxKind::Param:
-    case SyntaxKind::Import:
-      if (const Import* import = find(module.imports, name)) return import->node;
-      if (const auto* i = find(module.global_names, name)) return module.globals[*i].node;
-      return std::nullopt;
-    case SyntaxKind::Fn:
-      if (const auto* i = find(module.function_names, name)) return module.functions[*i].node;
-      return std::nullopt;
-    case SyntaxKind::Def:
-      if (const auto* i = find(module.def_names, name)) return module.defs[*i].node;
-      return std::nullopt;
-    default: return std::nullopt;
-  }
-}
-
-/// The word of messages about duplicates.
+/// What messages about duplicates call it.
 std::string_view describe_declaration(SyntaxKind kind) {
   return kind == SyntaxKind::Fn ? "function" : kind == SyntaxKind::Def ? "kind" : "value";
 }
 
-bool is_declaration(SyntaxKind kind) {
-  return kind == SyntaxKind::Let || kind == SyntaxKind::Param || kind == SyntaxKind::Import ||
-         kind == SyntaxKind::Fn || kind == SyntaxKind::Def;
+/// The first statement that declares the name in the name space of this kind of symbol, if any.
+std::optional<NodeIndex> first_declaration(const Module& module, SymbolKind kind,
+                                           std::string_view name) {
+  const NameSpace space = name_space_of(kind);
+  if (space == NameSpace::Values) {
+    if (const Import* import = find_in(module.imports, name)) return import->node;
+  }
+  const auto found = find_declaration(module, space, name);
+  return found ? std::optional(found->node) : std::nullopt;
 }
 
 void collect(Modules& modules, std::uint32_t index, ast::Node statement, ast::Node name,
@@ -74,7 +55,7 @@ void collect(Modules& modules, std::uint32_t index, ast::Node statement, ast::No
   }
 }
 
-/// Whether something is wrong between the name and the end of the parameters.
+/// Whether there is an error between the name and the end of the parameters.
 bool has_broken_parameters(ast::Node statement) {
   std::uint32_t end = statement.span().begin;
   std::optional<Span> error;
@@ -83,7 +64,7 @@ bool has_broken_parameters(ast::Node statement) {
       if (child.is_broken()) return true;
       end = child.span().end;
     } else if (error) {
-      return true;  // the body follows the error, which is among the parameters
+      return true;  // the body follows the error, so this is among the parameters
     } else if (child.is(SyntaxKind::Error)) {
       error = child.span();
     }
@@ -97,9 +78,11 @@ bool has_broken_parameters(ast::Node statement) {
 void collect_declarations(Modules& modules, std::uint32_t index, DiagnosticSink& sink) {
   const Module& module = modules.module_at(index);
   for (const ast::Node statement : ast::Node(module.tree, 0).children()) {
+    sink.stop_if_requested();
     const auto name = statement.first(SyntaxKind::Name);
-    if (!is_declaration(statement.kind()) || !name || name->span().size() == 0) continue;
-    const auto first = declaration_of(module, statement.kind(), name->text());
+    const auto kind = symbol_kind_of(statement.kind());
+    if (!kind || kind == SymbolKind::Object || !name || name->span().size() == 0) continue;
+    const auto first = first_declaration(module, *kind, name->text());
     if (!first) {
       collect(modules, index, statement, *name, sink);
       continue;
@@ -138,8 +121,35 @@ Definition read_definition(ast::Node statement, DiagnosticSink& sink) {
 }
 
 bool is_collected(const Module& module, ast::Node statement) {
-  return declaration_of(module, statement.kind(), ast::declared_name(statement)) ==
-         statement.index();
+  const auto kind = symbol_kind_of(statement.kind());
+  return kind &&
+         first_declaration(module, *kind, ast::declared_name(statement)) == statement.index();
+}
+
+std::optional<Declaration> find_declaration(const Module& module, NameSpace space,
+                                            std::string_view name) {
+  const auto find = [&](const auto& names, const auto& list) -> std::optional<Declaration> {
+    const std::uint32_t* index = find_in(names, name);
+    if (index == nullptr) return std::nullopt;
+    return Declaration{.index = *index, .node = list[*index].node};
+  };
+  switch (space) {
+    case NameSpace::Functions: return find(module.function_names, module.functions);
+    case NameSpace::Kinds: return find(module.def_names, module.defs);
+    default: return find(module.global_names, module.globals);
+  }
+}
+
+std::optional<SymbolKind> symbol_kind_of(SyntaxKind statement) noexcept {
+  switch (statement) {
+    case SyntaxKind::Let: return SymbolKind::Let;
+    case SyntaxKind::Param: return SymbolKind::Param;
+    case SyntaxKind::Import: return SymbolKind::Import;
+    case SyntaxKind::Fn: return SymbolKind::Fn;
+    case SyntaxKind::Def: return SymbolKind::Def;
+    case SyntaxKind::Object: return SymbolKind::Object;
+    default: return std::nullopt;
+  }
 }
 
 }  // namespace sdlc::lang

@@ -81,6 +81,7 @@ class Sorter {
   void walk_from(std::size_t root) {
     enter(root);
     while (!path_.empty()) {
+      sink_.stop_if_requested();
       const std::size_t current = path_.back().node;
       if (path_.back().next_use < graph_.degree(current)) {
         const std::size_t used = graph_.used(current, path_.back().next_use++);
@@ -110,9 +111,9 @@ class Sorter {
     }
     const auto global = std::find_if(component.begin(), component.end(),
                                      [&](std::size_t node) { return graph_.is_global(node); });
-    // Functions may call each other in a circle; values may not depend on themselves.
+    // Functions may call each other in a cycle; values may not depend on themselves.
     if (global == component.end()) return;
-    if (component.size() > 1 || uses_itself(first)) return report_circle(*global);
+    if (component.size() > 1 || uses_itself(first)) return report_cycle(*global);
     module_.order.push_back(static_cast<std::uint32_t>(first));
   }
 
@@ -124,7 +125,7 @@ class Sorter {
   }
 
   /// The shortest path from the node back to itself inside its component.
-  std::vector<std::size_t> circle_of(std::size_t start) const {
+  std::vector<std::size_t> cycle_of(std::size_t start) const {
     std::unordered_map<std::size_t, std::size_t> comes_from;
     std::vector<std::size_t> found{start};
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -136,20 +137,20 @@ class Sorter {
           found.push_back(used);
           continue;
         }
-        std::vector<std::size_t> circle{start};
+        std::vector<std::size_t> cycle{start};
         for (std::size_t node = found[i]; node != start; node = comes_from.at(node)) {
-          circle.push_back(node);
+          cycle.push_back(node);
         }
-        std::reverse(circle.begin() + 1, circle.end());
-        return circle;
+        std::reverse(cycle.begin() + 1, cycle.end());
+        return cycle;
       }
     }
     return {start};
   }
 
-  void report_circle(std::size_t global) {
+  void report_cycle(std::size_t global) {
     std::vector<std::string> names;
-    for (const std::size_t node : circle_of(global)) {
+    for (const std::size_t node : cycle_of(global)) {
       names.push_back(fmt::format("`{}`", graph_.name(node)));
     }
     names.push_back(names.front());
@@ -157,7 +158,7 @@ class Sorter {
     sink_
         .report(diag::depends_on_itself, statement.first(SyntaxKind::Name)->location(),
                 graph_.name(global))
-        .help(fmt::format("the circle is {}", fmt::join(names, " → ")));
+        .help(fmt::format("the cycle is {}", fmt::join(names, " → ")));
   }
 
   Module& module_;
@@ -180,11 +181,13 @@ void order_globals(Module& module, const std::vector<Uses>& of_globals,
   std::vector<std::vector<std::size_t>> users(graph.size());
   std::vector<std::size_t> found;
   for (std::size_t node = 0; node < graph.size(); ++node) {
+    sink.stop_if_requested();
     for (std::size_t i = 0; i < graph.degree(node); ++i) users[graph.used(node, i)].push_back(node);
     graph.uses_time(node) = graph.uses(node).time;
     if (graph.uses(node).time) found.push_back(node);
   }
   while (!found.empty()) {
+    sink.stop_if_requested();
     const std::size_t node = found.back();
     found.pop_back();
     for (const std::size_t user : users[node]) {

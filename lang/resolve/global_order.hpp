@@ -8,7 +8,7 @@
 
 namespace sdlc::lang {
 
-/// What one declaration uses of its own file, and whether it may read `time`.
+/// The names that one declaration uses of its own file, and whether it may read `time`.
 struct Uses {
   std::vector<std::uint32_t> globals, functions;
   bool time = false;  ///< itself, or through another file
@@ -20,9 +20,9 @@ struct Uses {
   }
 };
 
-/// Orders the globals of a file so that each can be computed from those before it (ruling 9: the
-/// order in the text does not matter), and finds those that may read `time`. A value that depends
-/// on itself is reported and left out.
+/// Sorts the globals of a file topologically into Module::order, since their order in the text does
+/// not matter, and sets `uses_time` of globals and functions. A global that depends on
+/// itself is reported and omitted.
 void order_globals(Module& module, const std::vector<Uses>& of_globals,
                    const std::vector<Uses>& of_functions, DiagnosticSink& sink);
 

@@ -13,17 +13,17 @@
 namespace sdlc::lang {
 namespace {
 
-/// The search takes a time proportional to their product. Nobody writes larger texts by hand.
+/// The time of the search is proportional to their product. Larger texts are not written by hand.
 constexpr std::size_t kMaxSymbols = 10'000, kMaxUnknown = 500;
 
-/// How often each word is in a text; `golden_angle` is two words.
+/// Counts the words of a text; `golden_angle` is two words.
 class Words {
  public:
   explicit Words(std::string_view text) {
     for_each_word(text, [&](std::string word) { ++counts_[std::move(word)]; });
   }
 
-  /// Whether the text has all words of the name elsewhere too.
+  /// Whether all words of the name occur more often than in the `own_uses` uses of the name.
   bool knows(std::string_view name, std::uint32_t own_uses) const {
     bool is_known = true, is_word = false;
     for_each_word(name, [&](const std::string& word) {
@@ -53,26 +53,26 @@ class Words {
   std::map<std::string, std::uint32_t> counts_;
 };
 
-/// Finds the declarations that unknown names probably mean.
+/// Finds the most similar declaration of an unknown name.
 class DeclarationSearch {
  public:
-  explicit DeclarationSearch(const SymbolTable& table)
-      : table_(table), uses_(table.count_uses(true)) {}
+  DeclarationSearch(const SymbolTable& table, const StopRequest* stop)
+      : table_(table), uses_(table.count_uses(true, stop)) {}
 
-  /// The nearest declaration if nothing uses it, else null.
+  /// The most similar declaration if nothing uses it, else null.
   const Symbol* nearest(const UnknownName& unknown) const {
     const std::string_view name = table_.tree().text(unknown.where);
     std::vector<const Symbol*> symbols = candidates(unknown);
-    // Of equally near ones the first is taken: one without uses, at the top level.
+    // nearest_name() prefers the first of equally near ones: unused, then at the top level.
     std::ranges::stable_sort(symbols, {}, [&](const Symbol* symbol) {
       return std::tuple(is_used(*symbol), symbol->is_local, symbol->node);
     });
     std::vector<std::string_view> names;
     for (const Symbol* symbol : symbols) names.push_back(symbol->name);
     const auto found = nearest_name(name, names);
-    constexpr std::size_t kMaxLetters = 2;  // a larger difference in length is no slip
-    const bool is_near = found && found->size() <= name.size() + kMaxLetters &&
-                         name.size() <= found->size() + kMaxLetters;
+    constexpr std::size_t kMaxLengthDifference = 2;
+    const bool is_near = found && found->size() <= name.size() + kMaxLengthDifference &&
+                         name.size() <= found->size() + kMaxLengthDifference;
     if (!is_near) return nullptr;
     const Symbol* symbol =
         symbols[static_cast<std::size_t>(std::ranges::find(names, *found) - names.begin())];
@@ -94,7 +94,7 @@ class DeclarationSearch {
       return symbols;
     }
     symbols = table_.visible(unknown.where.begin, unknown.space);
-    // A value does not use itself.
+    // A value cannot use itself.
     std::erase_if(symbols, [&](const Symbol* symbol) {
       const Span own = table_.tree()[symbol->node].span();
       const bool is_inside = own.begin <= unknown.where.begin && unknown.where.end <= own.end;
@@ -114,12 +114,13 @@ bool may_be_declared(NameSpace space) {
 
 }  // namespace
 
-Misspellings::Misspellings(const SymbolTable& table) {
+Misspellings::Misspellings(const SymbolTable& table, const StopRequest* stop) {
   if (table.symbols().size() > kMaxSymbols) return;
-  const DeclarationSearch search(table);
+  const DeclarationSearch search(table, stop);
   std::map<std::pair<const Symbol*, std::string_view>, std::vector<Span>> groups;
   std::size_t searched = 0;
   for (const UnknownName& unknown : table.unknown()) {
+    stop_if_requested(stop);
     if (!may_be_declared(unknown.space)) continue;
     if (++searched > kMaxUnknown) break;
     const Symbol* symbol = search.nearest(unknown);

@@ -3,9 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
-#include <utility>
+#include <unordered_set>
 #include <vector>
 
 #include "lang/ast/ast.hpp"
@@ -26,7 +27,7 @@ struct Global {
   NodeIndex node = 0;              ///< the statement
   const TypeInfo* type = nullptr;  ///< declared; null: any
   bool is_param = false;
-  bool uses_time = false;          ///< may read `time`, itself or through what it uses
+  bool uses_time = false;          ///< may read `time`, directly or indirectly
   std::uint32_t value = kNothing;  ///< expression
 };
 
@@ -38,7 +39,7 @@ struct Parameter {
   std::uint32_t default_value = kNothing;  ///< expression, which may use the parameters before it
 };
 
-/// A fn or def: parameters are the first slots of its frame.
+/// A fn or def. Its parameters are the first slots of its frame.
 struct Definition {
   std::string_view name;
   NodeIndex node = 0;  ///< the statement
@@ -47,52 +48,57 @@ struct Definition {
   std::uint32_t body = kNothing;     ///< of a fn: expression
   std::vector<std::uint32_t> block;  ///< of a def: statements
   bool uses_time = false;            ///< of a fn: may read `time`
-  bool is_broken = false;            ///< parameters may be missing that could not be read
+  bool is_broken = false;            ///< parameters may be missing because of an error
 };
 
-/// The name that an import statement gives to a file.
+/// An import statement: its name denotes a module.
 struct Import {
-  std::uint32_t module = kNothing;  ///< kNothing: not readable
+  std::uint32_t module = kNothing;  ///< kNothing: it could not be loaded
   NodeIndex node = 0;               ///< the statement
 };
 
-/// A file of the language with its declarations resolved. Its other statements are resolved one at
-/// a time, when they are evaluated.
+/// A .scene file with its declarations resolved. Its other statements are resolved one by one when
+/// they are evaluated.
 struct Module {
-  Module(const SourceFile& file_, SyntaxTree tree_) : file(&file_), tree(std::move(tree_)) {}
+  Module(const SourceFile& file_, const SyntaxTree& tree_) : file(&file_), tree(tree_) {}
 
   const SourceFile* file;
-  std::filesystem::path path;       ///< its own imports are relative to its folder
-  std::uint32_t parent = kNothing;  ///< the module that asked for it first
-  SyntaxTree tree;
+  std::filesystem::path path;       ///< its imports are relative to its folder
+  std::uint32_t parent = kNothing;  ///< the module that loaded it
+  const SyntaxTree& tree;
   Code code{tree};
   std::vector<Global> globals;
   std::vector<Definition> functions, defs;
   std::unordered_map<std::string_view, std::uint32_t> global_names, function_names, def_names;
   std::unordered_map<std::string_view, Import> imports;
-  std::vector<std::uint32_t> order;  ///< of the globals: each after those it uses
+  std::vector<std::uint32_t> order;  ///< of evaluation: each global after those that it uses
+  bool is_included = false;  ///< is the root or included: its other statements are resolved too
+  bool is_resolved = false;  ///< they are: the files that they include are loaded
 
-  // For reports on unknown names: made when the first one is found.
+  // For diagnostics of unknown names: made for the first one.
   std::unique_ptr<const Misspellings> misspellings;
   std::unique_ptr<const LostNames> lost_names;
-  std::uint64_t compared_names = 0;  ///< by all searches for the nearest name
+  std::optional<std::unordered_set<std::string_view>> object_names;
+  std::uint64_t compared_names = 0;  ///< in all searches for similar names
 };
 
-/// The files of a program as the resolver sees them.
+/// The files of a program: the resolver's view of Program.
 class Modules {
  public:
   virtual ~Modules() = default;
 
   virtual std::uint32_t module_count() const = 0;
   virtual Module& module_at(std::uint32_t index) = 0;
-  /// The file that the String node names, read on first use: a module, a config (if `is_include`),
-  /// or kNothing after reporting why there is none.
+  /// The file that the String node names, loaded on first use: a module, a config (only if
+  /// `is_include`), or kNothing, which is reported.
   virtual std::uint32_t load(std::uint32_t from, ast::Node name, bool is_include,
                              DiagnosticSink& sink) = 0;
+  /// Loads all files that any evaluation could include, without evaluating anything.
+  virtual void load_all(DiagnosticSink& sink) = 0;
   virtual const Limits& limits() const = 0;
 };
 
-/// A config is numbered from here on: its index in the program's configs plus this.
+/// The first index of configs: the index of one is its index in the program's configs plus this.
 inline constexpr std::uint32_t kConfigs = 0x80000000;
 
 }  // namespace sdlc::lang

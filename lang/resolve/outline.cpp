@@ -1,27 +1,14 @@
 #include "lang/resolve/outline.hpp"
 
-#include <optional>
-
 #include "lang/ast/ast.hpp"
+#include "lang/resolve/declarations.hpp"
 
 namespace sdlc::lang {
 namespace {
 
-std::optional<SymbolKind> kind_of(SyntaxKind statement) {
-  switch (statement) {
-    case SyntaxKind::Let: return SymbolKind::Let;
-    case SyntaxKind::Param: return SymbolKind::Param;
-    case SyntaxKind::Import: return SymbolKind::Import;
-    case SyntaxKind::Fn: return SymbolKind::Fn;
-    case SyntaxKind::Def: return SymbolKind::Def;
-    case SyntaxKind::Object: return SymbolKind::Object;
-    default: return std::nullopt;
-  }
-}
-
 void add_items(std::vector<OutlineItem>& items, ast::Node parent, std::uint32_t depth) {
   for (const ast::Node node : parent.children()) {
-    const auto kind = kind_of(node.kind());
+    const auto kind = symbol_kind_of(node.kind());
     const auto name = node.first(SyntaxKind::Name);
     const bool is_object = node.is(SyntaxKind::Object);
     const bool is_item = kind && (name || is_object);

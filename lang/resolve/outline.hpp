@@ -20,8 +20,8 @@ struct OutlineItem {
   std::uint32_t depth = 0;       ///< number of items around it
 };
 
-/// What a file consists of, in the order of the text: declarations, objects, and what groups and
-/// defs contain. Loops and conditions are passed through.
+/// The declarations and objects of a file in the order of the text, nested as groups and defs are.
+/// Loops and conditions add no level.
 std::vector<OutlineItem> outline_of(const SyntaxTree& tree);
 
 }  // namespace sdlc::lang

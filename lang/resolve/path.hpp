@@ -5,8 +5,7 @@
 
 namespace sdlc::lang {
 
-/// The names of a path such as `mat.brushed`, without the space and comments between
-/// them.
+/// The names of a path such as `mat.brushed`, which may have spaces and comments between them.
 std::vector<std::string_view> split_path(std::string_view path);
 
 }  // namespace sdlc::lang

@@ -15,7 +15,7 @@
 
 namespace sdlc::lang {
 
-/// The properties that an object can have, and the values that it gives them.
+/// The properties that an object accepts, and the values that it has.
 struct PropertySlots {
   struct Name {
     std::string_view name;
@@ -27,25 +27,25 @@ struct PropertySlots {
     std::uint32_t value = kNothing;  ///< expression
     Span span = {};                  ///< of the value
     bool is_written = false;
-    bool is_guess = false;  ///< its name is misspelt
+    bool is_guess = false;  ///< given under a misspelt name or by a misplaced statement
   };
 
   std::string_view kind;
-  SymbolId def;  ///< of an instance: what declares its parameters
+  SymbolId def;  ///< of an instance
   std::vector<Name> names;
   std::vector<Given> given;
-  std::vector<std::uint32_t> others;  ///< expressions of no known property
-  bool is_broken = false;             ///< names may be missing that could not be read
+  std::vector<std::uint32_t> others;  ///< expressions of unknown properties
+  bool is_broken = false;             ///< names may be missing because of an error
 
   void reset(std::string_view kind);
   void add(const Property& property) { add(property, property.name); }
-  /// The property under this name; under none if it cannot be written.
+  /// The property under this name; empty: it cannot be written.
   void add(const Property& property, std::string_view name);
   void add_parameter(const Parameter& parameter);
   /// names.size() if there is none.
   std::size_t index_of(std::string_view name) const;
-  /// Pushes the pairs [property, expression] of the properties from `first` on, which are counted
-  /// from there, and those of no known property.
+  /// Pushes a pair [property, expression] for each value from property `first` on, numbered from
+  /// there, and [kNothing, expression] for each unknown property.
   void push_to(CodeBuilder& code, std::size_t first) const;
 };
 

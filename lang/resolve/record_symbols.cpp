@@ -1,19 +1,20 @@
 #include "lang/resolve/record_symbols.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "lang/ast/statements.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/resolve/declarations.hpp"
+#include "lang/resolve/lookup.hpp"
 #include "lang/resolve/resolver.hpp"
 #include "lang/resolve/symbol_recorder.hpp"
 
 namespace sdlc::lang {
 
-SymbolTable record_symbols(Modules& modules, std::uint32_t module, SymbolDetail detail) {
-  DiagnosticSink ignored;
+SymbolTable record_symbols(Modules& modules, std::uint32_t module, SymbolDetail detail,
+                           const StopRequest* stop) {
+  DiagnosticSink ignored(stop);
   ignored.set_muted(true);
   SymbolRecorder recorder(modules.module_at(module).tree, module, detail);
   Resolver(modules, module, ignored, &recorder).record_all();
@@ -50,16 +51,6 @@ void Resolver::record_all() {
 
 namespace {
 
-SymbolKind symbol_kind_of(SyntaxKind declaration) {
-  switch (declaration) {
-    case SyntaxKind::Param: return SymbolKind::Param;
-    case SyntaxKind::Import: return SymbolKind::Import;
-    case SyntaxKind::Fn: return SymbolKind::Fn;
-    case SyntaxKind::Def: return SymbolKind::Def;
-    default: return SymbolKind::Let;
-  }
-}
-
 bool is_statement(SyntaxKind kind) {
   return kind >= SyntaxKind::Property && kind <= SyntaxKind::Object;
 }
@@ -76,7 +67,7 @@ void Resolver::record_declaration(ast::Node statement) {
   if (name.empty()) return;
   const bool is_visible = is_collected(module_, statement);
   const auto end = static_cast<std::uint32_t>(module_.file->text().size());
-  recorder_->declare({.kind = symbol_kind_of(statement.kind()),
+  recorder_->declare({.kind = *symbol_kind_of(statement.kind()),
                       .is_duplicate = !is_visible,
                       .node = statement.index(),
                       .name = name,
@@ -84,10 +75,14 @@ void Resolver::record_declaration(ast::Node statement) {
 }
 
 void Resolver::record_duplicate_parameters(const Definition& definition) {
+  auto known = definition.parameters.begin();  // in the order of the text, as the children are
   for (const ast::Node child : ast::Node(module_.tree, definition.node).children()) {
-    const bool is_known = std::ranges::any_of(
-        definition.parameters, [&](const Parameter& p) { return p.node == child.index(); });
-    if (!child.is(SyntaxKind::Parameter) || is_known) continue;
+    sink_.stop_if_requested();
+    if (!child.is(SyntaxKind::Parameter)) continue;
+    if (known != definition.parameters.end() && known->node == child.index()) {
+      ++known;
+      continue;
+    }
     recorder_->declare({.kind = SymbolKind::Parameter,
                         .is_duplicate = true,
                         .node = child.index(),
@@ -178,10 +173,9 @@ void Resolver::record_skipped_children(ast::Node node) {
 
 NodeIndex Resolver::hidden_by(std::string_view name) const {
   if (const auto slot = scopes_.find(name)) return recorder_->local(*slot);
-  const auto global = module_.global_names.find(name);
-  if (global != module_.global_names.end()) return module_.globals[global->second].node;
-  const auto import = module_.imports.find(name);
-  return import != module_.imports.end() ? import->second.node : kNothing;
+  if (const auto own = find_declaration(module_, NameSpace::Values, name)) return own->node;
+  const Import* import = find_in(module_.imports, name);
+  return import != nullptr ? import->node : kNothing;
 }
 
 void Resolver::record_path(std::span<const std::string_view> names) {
@@ -197,15 +191,6 @@ void Resolver::record_path(std::span<const std::string_view> names) {
   }
 }
 
-void Resolver::record_member(std::span<const std::string_view> names, SymbolId member) {
-  if (names.size() < 2) return;
-  if (member.is_known()) {
-    recorder_->use(names[1], member);
-  } else {
-    recorder_->use_unknown(names[1], NameSpace::Members);
-  }
-}
-
 void Resolver::record_label(ast::Labeled property, std::size_t slot) {
   if (slot == slots_.names.size()) {
     recorder_->use_unknown(property.label(), NameSpace::Labels, slots_.def);
@@ -216,7 +201,7 @@ void Resolver::record_label(ast::Labeled property, std::size_t slot) {
   }
 }
 
-/// Its names are those of a block; the values that it gives to properties are read there.
+/// Properties in the statement are not those of the object, so the slots are put aside.
 void Resolver::record_misplaced(ast::Node statement) {
   PropertySlots own = std::exchange(slots_, {});
   record_skipped(statement);

@@ -2,14 +2,16 @@
 
 #include <cstdint>
 
+#include "lang/diagnostics/diagnostics.hpp"
 #include "lang/resolve/module.hpp"
 #include "lang/resolve/symbol_table.hpp"
 
 namespace sdlc::lang {
 
-/// The names of a file whose declarations have been collected. Bodies of functions and defs and all
-/// statements are resolved without being run, what cannot be read is left out; nothing is reported
-/// and no file is loaded.
-SymbolTable record_symbols(Modules& modules, std::uint32_t module, SymbolDetail detail);
+/// The symbols of a file whose declarations have been collected. All statements and bodies are
+/// resolved without evaluation; unreadable text is omitted. Reports nothing and loads no file.
+/// `stop` may be null.
+SymbolTable record_symbols(Modules& modules, std::uint32_t module, SymbolDetail detail,
+                           const StopRequest* stop);
 
 }  // namespace sdlc::lang

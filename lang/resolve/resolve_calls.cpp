@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "lang/resolve/lookup.hpp"
 #include "lang/resolve/path.hpp"
 #include "lang/resolve/resolver.hpp"
 #include "lang/value/colors.hpp"
@@ -21,10 +22,15 @@ std::string arguments(std::size_t count) {
   return fmt::format("{} argument{}", count, count == 1 ? "" : "s");
 }
 
-// A parameter of a constructor is a Property, that of a fn is a Parameter.
+std::string accepted_arguments(const Builtin& builtin) {
+  const auto [min, max] = std::pair(builtin.min_arguments, builtin.max_arguments);
+  if (min == max) return arguments(min);
+  if (max == kAnyNumber) return "at least " + arguments(min);
+  return fmt::format("{} to {}", min, arguments(max));
+}
 
-std::string_view name_of(const Property& parameter) { return parameter.name; }
-std::string_view name_of(const Parameter& parameter) { return parameter.name; }
+// A parameter of a constructor is a Property, that of a function a Parameter.
+
 bool may_be_color(const Property& argument) { return argument.type == Type::Color; }
 bool may_be_color(const Parameter& parameter) {
   return parameter.type == nullptr || parameter.type->name == "color";
@@ -35,16 +41,9 @@ bool is_required(const Property& parameter) { return parameter.presence == Prese
 bool is_required(const Parameter& parameter) { return !parameter.has_default; }
 
 template <typename T>
-std::vector<std::string_view> names_of(std::span<const T> parameters) {
-  std::vector<std::string_view> names;
-  for (const T& parameter : parameters) names.push_back(name_of(parameter));
-  return names;
-}
-
-template <typename T>
 std::size_t index_of_name(std::span<const T> parameters, std::string_view name) {
   std::size_t index = 0;
-  while (index < parameters.size() && name_of(parameters[index]) != name) ++index;
+  while (index < parameters.size() && parameters[index].name != name) ++index;
   return index;
 }
 
@@ -60,7 +59,7 @@ bool is_color(ast::Node value) {
   return value.is(SyntaxKind::Reference) && find_named_color(value.text()).has_value();
 }
 
-/// Whether a call without labels has the colour and the number of its material in the wrong order.
+/// Whether a call of a material without labels has its colour and its number in the wrong order.
 bool swaps_color(ast::Call call, std::span<const Property> parameters) {
   std::size_t index = 0;
   bool has_number = false, has_color = false;
@@ -72,17 +71,16 @@ bool swaps_color(ast::Call call, std::span<const Property> parameters) {
   }
   return has_number && has_color;
 }
-bool swaps_color(ast::Call /*call*/, std::span<const Parameter> /*parameters*/) { return false; }
 
 }  // namespace
 
 std::uint32_t Resolver::call(ast::Call call) {
   const std::string_view callee = call.callee();
   if (callee.find('.') != std::string_view::npos) return imported_call(call);
-  if (const auto own = module_.function_names.find(callee); own != module_.function_names.end()) {
-    if (is_recording()) recorder_->use_own(callee, module_.functions[own->second].node);
-    uses_.functions.push_back(own->second);
-    return function_call(index_, own->second, call);
+  if (const auto own = find_declaration(module_, NameSpace::Functions, callee)) {
+    if (is_recording()) recorder_->use_own(callee, own->node);
+    uses_.functions.push_back(own->index);
+    return function_call(index_, own->index, call);
   }
   const Constructor* constructor = find_constructor(callee);
   const Builtin* builtin = constructor == nullptr ? find_builtin(callee) : nullptr;
@@ -93,30 +91,19 @@ std::uint32_t Resolver::call(ast::Call call) {
 
 std::uint32_t Resolver::imported_call(ast::Call call) {
   const auto names = split_path(call.callee());
-  const auto import = module_.imports.find(names[0]);
-  if (import == module_.imports.end()) {
+  const Import* import = find_in(module_.imports, names[0]);
+  if (import == nullptr) {
     record_path(names);
     if (!is_recording()) unknown_.report_imported_function(call, names, std::nullopt);
     return operands_of(call.node, Op::Broken);
   }
-  const std::uint32_t index = import->second.module;
-  const Definition* function = nullptr;
-  if (index != kNothing && names.size() == 2) {
-    const Module& module = modules_.module_at(index);
-    const auto found = module.function_names.find(names[1]);
-    if (found != module.function_names.end()) function = &module.functions[found->second];
+  if (const auto function = imported_declaration(*import, NameSpace::Functions, names)) {
+    const Module& module = modules_.module_at(import->module);
+    uses_.time = uses_.time || module.functions[function->index].uses_time;
+    return function_call(import->module, function->index, call);
   }
-  if (is_recording()) {
-    recorder_->use_own(names[0], import->second.node);
-    record_member(names, function != nullptr ? SymbolId{index, function->node} : SymbolId{});
-  }
-  if (function != nullptr) {
-    uses_.time = uses_.time || function->uses_time;
-    const auto& functions = modules_.module_at(index).functions;
-    return function_call(index, static_cast<std::uint32_t>(function - functions.data()), call);
-  }
-  const bool is_readable = index != kNothing;  // if not, that is reported where it is imported
-  if (is_readable && !is_recording()) unknown_.report_imported_function(call, names, index);
+  const bool is_loaded = import->module != kNothing;  // if not, that is reported at the import
+  if (is_loaded && !is_recording()) unknown_.report_imported_function(call, names, import->module);
   return operands_of(call.node, Op::Broken);
 }
 
@@ -125,12 +112,12 @@ std::uint32_t Resolver::unknown_function(ast::Call call) {
     recorder_->use_unknown(call.callee(), NameSpace::Functions);
     return operands_of(call.node, Op::Broken);
   }
-  // The arguments of the constructor that was probably meant may be words.
+  // The arguments of an intended constructor may be words.
   const auto nearest = unknown_.report_function(call);
-  const Constructor* meant = nearest ? find_constructor(*nearest) : nullptr;
-  if (meant == nullptr) return operands_of(call.node, Op::Broken);
+  const Constructor* intended = nearest ? find_constructor(*nearest) : nullptr;
+  if (intended == nullptr) return operands_of(call.node, Op::Broken);
   const Guess guess(*this);
-  return constructor_call(*meant, call);
+  return constructor_call(*intended, call);
 }
 
 std::uint32_t Resolver::constructor_call(const Constructor& constructor, ast::Call call) {
@@ -164,11 +151,10 @@ std::uint32_t Resolver::builtin_call(const Builtin& builtin, ast::Call call) {
     code_.push(value ? expression(*value) : code_.add_broken(argument));
   }
   const std::size_t count = code_.mark() - mark - 1;
-  if (is_good && (count < builtin.least || count > builtin.most)) {
-    const std::string_view number = builtin.least == builtin.most ? "" : "at least ";
+  if (is_good && (count < builtin.min_arguments || count > builtin.max_arguments)) {
     sink_
         .report(diag::wrong_argument_count, call.callee_location(), builtin.name,
-                fmt::format("{}{}", number, arguments(builtin.least)), count)
+                accepted_arguments(builtin), count)
         .help(fmt::format("write `{}`", builtin.signature));
     is_good = false;
   }
@@ -179,8 +165,8 @@ std::uint32_t Resolver::builtin_call(const Builtin& builtin, ast::Call call) {
 
 // Arguments of functions with named parameters
 
-/// The arguments of one call on their way to its parameters: the operand of a parameter is kNothing
-/// until an argument is bound to it.
+/// A call whose arguments are being bound to parameters. The operand of a parameter is kNothing
+/// until then.
 template <typename T>
 struct Resolver::Binding {
   std::span<const T> parameters;
@@ -188,8 +174,8 @@ struct Resolver::Binding {
   const Definition* function;  ///< null for a constructor
   std::uint32_t module;        ///< of the function
   std::size_t first;           ///< operand of the first parameter
-  bool is_broken;              ///< arguments or parameters may be missing that could not be read
-  bool is_good;                ///< the call can be made
+  bool is_broken;              ///< arguments or parameters may be missing because of an error
+  bool is_good;                ///< the call has no errors
   bool has_labels = false, has_too_many = false;
   std::size_t positional = 0;  ///< arguments without a label
 
@@ -215,13 +201,14 @@ std::uint32_t Resolver::call_of(Op op, std::span<const std::uint32_t> callee,
                      .first = first,
                      .is_broken = is_broken,
                      .is_good = !is_broken};
-  if (binding.is_good) check_order(binding);
+  if constexpr (std::is_same_v<T, Property>) {
+    binding.is_good = binding.is_good && !has_swapped_color(call, parameters);
+  }
   for (const ast::Node argument : call.arguments()) bind_argument(binding, argument);
-  // What could not be read may be what is missing.
   for (std::size_t i = 0; i < parameters.size() && binding.is_good; ++i) {
     if (code_[first + i] != kNothing || !is_required(parameters[i])) continue;
     sink_.report(diag::missing, call.callee_location(), fmt::format("`{}`", call.callee()),
-                 name_of(parameters[i]));
+                 parameters[i].name);
     binding.is_good = false;
   }
   if (binding.is_good) return code_.add_with(op, call.node, mark);
@@ -230,16 +217,14 @@ std::uint32_t Resolver::call_of(Op op, std::span<const std::uint32_t> callee,
   return code_.add_with(Op::Broken, call.node, mark);
 }
 
-template <typename T>
-void Resolver::check_order(Binding<T>& binding) {
-  const ast::Call call = binding.call;
-  if (!swaps_color(call, binding.parameters)) return;
+bool Resolver::has_swapped_color(ast::Call call, std::span<const Property> parameters) {
+  if (!swaps_color(call, parameters)) return false;
   sink_
       .report(diag::wrong_argument, (*call.arguments().begin()).location(), call.callee(),
               "a colour", "a number")
       .help(fmt::format("its arguments are `{}({})`", call.callee(),
-                        fmt::join(names_of(binding.parameters), ", ")));
-  binding.is_good = false;
+                        fmt::join(names_of(parameters), ", ")));
+  return true;
 }
 
 template <typename T>
@@ -259,12 +244,12 @@ void Resolver::bind_argument(Binding<T>& binding, ast::Node argument) {
   if (is_known && !is_placed) {
     const Location where = is_labeled ? argument.head_location() : argument.location();
     const Expression& earlier = code_.code().expressions[code_[binding.first + index]];
-    sink_.report(diag::duplicate, where, "argument", name_of(binding.parameters[index]))
+    sink_.report(diag::duplicate, where, "argument", binding.parameters[index].name)
         .label(ast::Node(module_.tree, earlier.node).location(), "first given here");
   }
   const Property* property = is_placed ? property_of(binding.parameters[index]) : nullptr;
-  const bool takes_no_color = is_placed && !may_be_color(binding.parameters[index]);
-  if (value && takes_no_color) no_color_ = value->span();
+  const bool excludes_color = is_placed && !may_be_color(binding.parameters[index]);
+  if (value && excludes_color) no_color_ = value->span();
   const std::uint32_t operand = value ? expression(*value, property) : code_.add_broken(argument);
   if (is_placed) {
     code_[binding.first + index] = operand;
@@ -274,8 +259,8 @@ void Resolver::bind_argument(Binding<T>& binding, ast::Node argument) {
   }
 }
 
-/// The index of the parameter that the label names or was probably meant to name, unless that one
-/// has an argument too; else none().
+/// The index of the parameter with this label; for an unknown label that of the intended parameter,
+/// unless it has an argument too; else none().
 template <typename T>
 std::size_t Resolver::labeled_argument(Binding<T>& binding, ast::Labeled argument) {
   binding.has_labels = true;
@@ -290,7 +275,7 @@ std::size_t Resolver::labeled_argument(Binding<T>& binding, ast::Labeled argumen
                             unknown_.is_excused(index_, label, argument.node.span().begin)));
   const auto habit =
       binding.function != nullptr ? std::nullopt : find_habit(HabitPlace::Argument, label);
-  const auto nearest = meant_name(habit, label, names_of(binding.parameters));
+  const auto nearest = intended_name(habit, label, names_of(binding.parameters));
   if (!is_excused && (nearest || !binding.is_broken)) {
     sink_.report(diag::unknown_argument, argument.label_location(), label, binding.call.callee())
         .suggest(nearest);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lang/object/value.hpp"
+#include "lang/resolve/lookup.hpp"
 #include "lang/resolve/path.hpp"
 #include "lang/resolve/resolver.hpp"
 #include "lang/value/colors.hpp"
@@ -21,8 +22,9 @@ bool reads_words(const Property* property) {
 
 }  // namespace
 
-/// `property` is the one that the value is for: it may take a bare word (ruling 12).
+/// `property`: the one whose value this is, which may accept a word.
 std::uint32_t Resolver::expression(ast::Node node, const Property* property) {
+  sink_.stop_if_requested();
   switch (node.kind()) {
     case SyntaxKind::Number: return number(node);
     case SyntaxKind::String: return string(node);
@@ -32,7 +34,7 @@ std::uint32_t Resolver::expression(ast::Node node, const Property* property) {
     case SyntaxKind::Group: {
       const auto inside = node.child(0);
       const std::uint32_t value = inside ? expression(*inside, property) : code_.add_broken(node);
-      record_rest(node, inside);  // of a point that is cut off
+      record_rest(node, inside);  // of an incomplete point
       return value;
     }
     case SyntaxKind::Triple: return operands_of(node, Op::Triple);
@@ -64,7 +66,7 @@ std::uint32_t Resolver::operands_of(ast::Node node, Op op) {
   return code_.add_with(op, node, mark);
 }
 
-/// What could not be read, or is no expression: its parts may be.
+/// A node that is no expression. Its children may be.
 std::uint32_t Resolver::broken_expression(ast::Node node) {
   if (!is_recording()) return operands_of(node, Op::Broken);
   record_skipped(node);
@@ -138,13 +140,12 @@ std::uint32_t Resolver::reference(ast::Node node, const Property* property) {
   if (const auto slot = scopes_.find(names[0])) {
     if (is_recording()) recorder_->use_local(names[0], *slot);
     value = code_.add(Op::Local, node, *slot);
-  } else if (const auto own = module_.global_names.find(names[0]);
-             own != module_.global_names.end()) {
-    if (is_recording()) recorder_->use_own(names[0], module_.globals[own->second].node);
-    uses_.globals.push_back(own->second);
-    value = global_value(node, index_, own->second);
-  } else if (const auto import = module_.imports.find(names[0]); import != module_.imports.end()) {
-    value = imported_value(node, import->second, names);
+  } else if (const auto own = find_declaration(module_, NameSpace::Values, names[0])) {
+    if (is_recording()) recorder_->use_own(names[0], own->node);
+    uses_.globals.push_back(own->index);
+    value = global_value(node, index_, own->index);
+  } else if (const Import* import = find_in(module_.imports, names[0])) {
+    value = imported_value(node, *import, names);
     used = names.size() == 1 ? 1 : 2;
   } else {
     value = builtin_value(node, names[0]);
@@ -154,7 +155,7 @@ std::uint32_t Resolver::reference(ast::Node node, const Property* property) {
   return value;
 }
 
-/// The word that the property reads, or kNothing if it reads a value here.
+/// The node as a word, or kNothing if the property does not accept this word.
 std::uint32_t Resolver::word(ast::Node node, const Property& property) {
   const std::string_view text = node.text();
   const bool is_none = property.reads_none && text == "none";
@@ -172,24 +173,15 @@ std::uint32_t Resolver::global_value(ast::Node node, std::uint32_t module, std::
 
 std::uint32_t Resolver::imported_value(ast::Node node, const Import& import,
                                        std::span<const std::string_view> names) {
-  if (is_recording()) recorder_->use_own(names[0], import.node);
-  if (import.module == kNothing) {  // reported where it is imported
-    if (is_recording()) record_member(names, {});
+  const auto found = imported_declaration(import, NameSpace::Values, names);
+  if (!found) {
+    const bool is_loaded = import.module != kNothing;  // if not, that is reported at the import
+    if (is_loaded && !is_recording()) unknown_.report_imported_value(node, names, import.module);
     return code_.add_broken(node);
   }
   const Module& module = modules_.module_at(import.module);
-  const auto found =
-      names.size() > 1 ? module.global_names.find(names[1]) : module.global_names.end();
-  const bool is_found = found != module.global_names.end();
-  if (is_recording()) {
-    const SymbolId member{import.module, is_found ? module.globals[found->second].node : 0};
-    record_member(names, is_found ? member : SymbolId{});
-  } else if (!is_found) {
-    unknown_.report_imported_value(node, names, import.module);
-  }
-  if (!is_found) return code_.add_broken(node);
-  uses_.time = uses_.time || module.globals[found->second].uses_time;
-  return global_value(node, import.module, found->second);
+  uses_.time = uses_.time || module.globals[found->index].uses_time;
+  return global_value(node, import.module, found->index);
 }
 
 std::uint32_t Resolver::builtin_value(ast::Node node, std::string_view name) {

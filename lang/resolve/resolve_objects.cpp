@@ -8,31 +8,21 @@
 #include <fmt/format.h>
 
 #include "lang/ast/statements.hpp"
+#include "lang/resolve/lookup.hpp"
 #include "lang/resolve/path.hpp"
 #include "lang/resolve/resolver.hpp"
 #include "lang/schema/find_kind.hpp"
 
 namespace sdlc::lang {
-namespace {
-
-template <typename Map>
-std::optional<std::uint32_t> find(const Map& map, std::string_view name) {
-  if (map.empty()) return std::nullopt;
-  const auto found = map.find(name);
-  return found == map.end() ? std::nullopt : std::optional(found->second);
-}
-
-}  // namespace
-
 // Kinds
 
 std::uint32_t Resolver::object(ast::Object node, bool is_top) {
   if (is_recording()) recorder_->declare_object(node);
   const std::string_view name = node.kind();
   if (name.find('.') != std::string_view::npos) return imported_object(node, is_top);
-  if (const auto def = find(module_.def_names, name)) {
-    if (is_recording()) recorder_->use_own(name, module_.defs[*def].node);
-    return instance_of(index_, *def, node);
+  if (const auto def = find_declaration(module_, NameSpace::Kinds, name)) {
+    if (is_recording()) recorder_->use_own(name, def->node);
+    return instance_of(index_, def->index, node);
   }
   const Kind* kind = find_kind(name);
   if (kind == nullptr) {
@@ -52,43 +42,36 @@ std::uint32_t Resolver::object(ast::Object node, bool is_top) {
 
 std::uint32_t Resolver::imported_object(ast::Object node, bool is_top) {
   const std::vector<std::string_view> names = split_path(node.kind());
-  const auto import = module_.imports.find(names[0]);
-  if (import == module_.imports.end()) {
+  const Import* import = find_in(module_.imports, names[0]);
+  if (import == nullptr) {
     record_path(names);
     if (is_recording()) return object_of_no_kind(node);
     return object_as(unknown_.report_kind_of_no_import(node, names), index_, node, is_top);
   }
-  const std::uint32_t module = import->second.module;
-  if (is_recording()) recorder_->use_own(names[0], import->second.node);
-  const auto def = module != kNothing && names.size() == 2
-                       ? find(modules_.module_at(module).def_names, names[1])
-                       : std::nullopt;
-  if (is_recording()) {
-    record_member(names,
-                  def ? SymbolId{module, modules_.module_at(module).defs[*def].node} : SymbolId{});
-    return def ? instance_of(module, *def, node) : object_of_no_kind(node);
-  }
-  if (module == kNothing) return kNothing;  // reported where it is imported
-  if (def) return instance_of(module, *def, node);
-  return object_as(unknown_.report_kind(node, module), module, node, is_top);
+  const auto def = imported_declaration(*import, NameSpace::Kinds, names);
+  if (def) return instance_of(import->module, def->index, node);
+  if (is_recording()) return object_of_no_kind(node);
+  if (import->module == kNothing) return kNothing;  // reported at the import
+  return object_as(unknown_.report_kind(node, import->module), import->module, node, is_top);
 }
 
-/// An object of a misspelt kind is read as one of the kind that was probably meant.
-std::uint32_t Resolver::object_as(const UnknownNames::MeantKind& meant, std::uint32_t module,
+/// Resolves an object of a misspelt kind as one of the intended kind.
+std::uint32_t Resolver::object_as(const UnknownNames::IntendedKind& intended, std::uint32_t module,
                                   ast::Object node, bool is_top) {
-  if (meant.is_excused) return kNothing;
-  if (!meant.name) return object_of_no_kind(node);
+  if (intended.is_excused) return kNothing;
+  if (!intended.name) return object_of_no_kind(node);
   const Guess guess(*this);
-  if (const auto def = find(modules_.module_at(module).def_names, *meant.name)) {
-    return instance_of(module, *def, node);
+  const Module& owner = modules_.module_at(module);
+  if (const auto def = find_declaration(owner, NameSpace::Kinds, *intended.name)) {
+    return instance_of(module, def->index, node);
   }
-  const Kind& known = *find_kind(*meant.name);
+  const Kind& known = *find_kind(*intended.name);
   return known.is_setting && !is_top ? kNothing : object_of(known, node);
 }
 
-/// Which properties an unknown kind has, and which words they take, is unknown; what they are
-/// computed from may be wrong all the same. The object becomes a group that does nothing, with a
-/// material, so that none is missing.
+/// The properties of an unknown kind are unknown, and so are the words that they accept. Errors in
+/// their values and in statements are reported: the object becomes a group, with a broken material
+/// so that no sphere in it lacks one.
 std::uint32_t Resolver::object_of_no_kind(ast::Object node) {
   const Block scope(*this, ast::end_of_inside(node.node));
   std::vector<std::uint32_t> values, statements;
@@ -127,7 +110,7 @@ std::uint32_t Resolver::object_of(const Kind& kind, ast::Object node) {
   for (std::size_t i = 0; i < kind.properties.size(); ++i) {
     const Property& property = kind.properties[i];
     const bool is_missing = property.presence == Presence::Required && !slots_.given[i].is_written;
-    // A property that could not be read may be the one that is missing.
+    // An error may hide the missing property.
     if (is_missing && !node.is_broken() && !is_guess_) {
       sink_.report(diag::missing, node.kind_location(), kind.name, property.name);
     }
@@ -155,7 +138,7 @@ std::uint32_t Resolver::group(const Kind& kind, ast::Object node) {
     statements.push_back(index);
     if (child.is(SyntaxKind::Let)) lets.push_back(index);
   }
-  // Properties are needed before the statements, and may use the lets before them.
+  // Properties are evaluated before the statements, and may use the lets.
   std::swap(slots_, own);
   const std::size_t mark = code_.mark();
   code_.push(static_cast<std::uint32_t>(lets.size()));
@@ -176,7 +159,7 @@ std::uint32_t Resolver::instance_of(std::uint32_t module, std::uint32_t index, a
   slots_.def = {module, def.node};
   for (const Parameter& parameter : def.parameters) slots_.add_parameter(parameter);
   for (const Property& property : kind_info(ObjectKind::Group).properties) {
-    // A parameter named `material` takes the place of the group's.
+    // A parameter `material` replaces the property of the group.
     const bool is_taken = slots_.index_of(property.name) < def.parameters.size();
     slots_.add(property, is_taken ? std::string_view() : property.name);
   }
@@ -207,7 +190,7 @@ bool Resolver::has_all_parameters(const Module& owner, const Definition& def, as
 // Properties
 
 void Resolver::read_properties(ast::Object node) {
-  std::optional<Block> scope;  // of misplaced statements
+  std::optional<Block> scope;  // for misplaced statements
   if (is_recording()) scope.emplace(*this, ast::end_of_inside(node.node));
   for (const ast::Node child : node.children()) {
     if (child.is(SyntaxKind::Property)) {
@@ -236,7 +219,7 @@ void Resolver::misplaced(ast::Node statement) {
   expect_inside(statement);
 }
 
-/// A property in a misplaced `if` or `for` is not missing.
+/// Marks properties in a misplaced `if` or `for` as written, so that they are not missing.
 void Resolver::expect_inside(ast::Node statement) {
   for (const ast::Node child : statement.children()) {
     if (child.is(SyntaxKind::Block)) expect_inside(child);
@@ -250,21 +233,20 @@ void Resolver::expect_inside(ast::Node statement) {
   }
 }
 
-/// The slot for the value of an unknown property: that of the one that was probably meant, unless
-/// it is written too. A property is not missing only because its name is misspelt.
+/// The slot of the property that an unknown one was intended to be, so that it is not missing; the
+/// number of slots if there is none or it has a value.
 std::size_t Resolver::guess_property(ast::Labeled node) {
-  std::vector<std::string_view> names;
-  for (const PropertySlots::Name& known : slots_.names) names.push_back(known.name);
-  const UnknownNames::MeantProperty meant =
+  const std::vector<std::string_view> names = names_of(slots_.names);
+  const UnknownNames::IntendedProperty intended =
       unknown_.report_property(node, slots_.kind, names, slots_.is_broken);
-  if (!meant.in_place_of.empty()) {
-    PropertySlots::Given& other = slots_.given[slots_.index_of(meant.in_place_of)];
+  if (!intended.in_place_of.empty()) {
+    PropertySlots::Given& other = slots_.given[slots_.index_of(intended.in_place_of)];
     if (!other.is_written) {
       other = {
           .value = code_.add_broken(node.node), .span = {}, .is_written = true, .is_guess = true};
     }
   }
-  const std::size_t index = meant.name ? slots_.index_of(*meant.name) : names.size();
+  const std::size_t index = intended.name ? slots_.index_of(*intended.name) : names.size();
   return index < names.size() && !slots_.given[index].is_written ? index : names.size();
 }
 
@@ -293,26 +275,26 @@ void Resolver::read_property(ast::Labeled node) {
                          .is_guess = is_guess};
 }
 
-/// `index`: the slot of the property; slots_.names.size() if it has none.
+/// `index`: the slot of the property; slots_.names.size() for an unknown one.
 std::uint32_t Resolver::property_value(ast::Labeled node, std::size_t index) {
   const auto value = node.value();
   record_rest(node.node, value);
   if (!value) return code_.add_broken(node.node);
   if (index == slots_.names.size()) return expression(*value);
   const auto& [name, property, type, parameter] = slots_.names[index];
-  const bool is_stretched =
+  const bool is_vector_scale =
       property != nullptr && property->name == "scale" && value->is(SyntaxKind::Triple);
-  if (is_stretched) {
+  if (is_vector_scale) {
     sink_
         .report(diag::wrong_type, value->location(), property->name, describe(property->type),
                 describe(Type::Vec3))
-        .help("a group is scaled by one number, alike in all directions");
+        .help("a group is scaled by one number, equally in all directions");
     record_skipped(*value);
     return code_.add_broken(node.node);
   }
-  const bool takes_no_color = (property != nullptr && property->type != Type::Color) ||
+  const bool excludes_color = (property != nullptr && property->type != Type::Color) ||
                               (type != nullptr && type->name != "color");
-  if (takes_no_color) no_color_ = value->span();
+  if (excludes_color) no_color_ = value->span();
   return expression(*value, property);
 }
 

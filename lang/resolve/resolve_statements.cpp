@@ -26,6 +26,7 @@ std::uint32_t Resolver::resolve_expression() {
 }
 
 std::uint32_t Resolver::statement(ast::Node node, bool is_top) {
+  sink_.stop_if_requested();
   switch (node.kind()) {
     case SyntaxKind::Object: return object({node}, is_top);
     case SyntaxKind::Let: return is_top ? kNothing : let_statement(node);
@@ -58,10 +59,11 @@ std::uint32_t Resolver::property_outside(ast::Labeled property, bool is_top) {
   auto report = sink_.report(diag::property_outside, property.label_location(), property.label());
   const bool is_kind = std::ranges::count(all_kinds(), property.label(), &Kind::name) > 0;
   if (is_kind) {
-    report.help(fmt::format("an object is `{} {{ … }}`, without a colon", property.label()));
+    report.help(
+        fmt::format("an object is written without a colon: `{} {{ … }}`", property.label()));
   } else if (!is_top) {
     report.help(
-        fmt::format("it stands in its object itself: `{}: if … then … else …`", property.label()));
+        fmt::format("write it directly in its object: `{}: if … then … else …`", property.label()));
   }
   if (is_recording()) recorder_->use_unknown(property.label(), NameSpace::Labels);
   record_skipped_children(property.node);
@@ -119,7 +121,7 @@ std::uint32_t Resolver::for_statement(ast::Node node) {
 }
 
 std::uint32_t Resolver::if_statement(ast::Node node) {
-  // Conditions and blocks take turns; a last block without a condition is that of `else`.
+  // Conditions and blocks alternate; a last block without a condition is that of `else`.
   const std::size_t mark = code_.mark();
   bool has_condition = false;
   for (const ast::Node child : node.children()) {
@@ -129,7 +131,7 @@ std::uint32_t Resolver::if_statement(ast::Node node) {
       has_condition = false;
     } else {
       const std::uint32_t condition = expression(child);
-      if (has_condition) code_.push(0u);  // the block before it could not be read
+      if (has_condition) code_.push(0u);  // an empty block for one that could not be read
       code_.push(condition);
       has_condition = true;
     }

@@ -7,11 +7,8 @@
 #include <fmt/format.h>
 
 #include "lang/ast/statements.hpp"
-#include "lang/resolve/declarations.hpp"
-#include "lang/text/nearest_name.hpp"
+#include "lang/resolve/lookup.hpp"
 
-// Declarations; resolve_statements.cpp, resolve_objects.cpp, resolve_expressions.cpp and
-// resolve_calls.cpp have what they consist of, record_symbols.cpp what is only recorded.
 namespace sdlc::lang {
 
 Resolver::Resolver(Modules& modules, std::uint32_t module, DiagnosticSink& sink,
@@ -102,12 +99,29 @@ const TypeInfo* Resolver::resolve_type(ast::Node node) {
     if (type != nullptr) recorder_->use_builtin(node.text(), SymbolKind::Type);
   }
   if (type != nullptr) return type;
-  std::vector<std::string_view> names;
-  for (const TypeInfo& known : all_types()) names.push_back(known.name);
+  const std::vector<std::string_view> names = names_of(all_types());
   sink_.report(diag::unknown_type, node.location(), node.text())
-      .suggest(meant_name(find_habit(HabitPlace::Type, node.text()), node.text(), names))
+      .suggest(intended_name(find_habit(HabitPlace::Type, node.text()), node.text(), names))
       .help(fmt::format("types are {}", fmt::join(names, ", ")));
   return nullptr;
+}
+
+std::optional<Declaration> Resolver::imported_declaration(const Import& import, NameSpace space,
+                                                          std::span<const std::string_view> names) {
+  std::optional<Declaration> found;
+  const bool is_whole = names.size() == 2 || (space == NameSpace::Values && names.size() > 2);
+  if (is_whole && import.module != kNothing) {
+    found = find_declaration(modules_.module_at(import.module), space, names[1]);
+  }
+  if (is_recording()) {
+    recorder_->use_own(names[0], import.node);
+    if (found) {
+      recorder_->use(names[1], {import.module, found->node});
+    } else if (names.size() > 1) {
+      recorder_->use_unknown(names[1], NameSpace::Members);
+    }
+  }
+  return found;
 }
 
 std::uint32_t Resolver::declare_local(Symbol symbol) {

@@ -9,6 +9,7 @@
 #include "lang/ast/ast.hpp"
 #include "lang/code/code_builder.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/resolve/declarations.hpp"
 #include "lang/resolve/global_order.hpp"
 #include "lang/resolve/module.hpp"
 #include "lang/resolve/property_slots.hpp"
@@ -22,29 +23,33 @@
 namespace sdlc::lang {
 
 /// Resolves the names of one file and makes code of its statements: the only walk over a tree that
-/// knows what names mean. Every unknown name is reported, whether evaluation reaches it or not.
+/// resolves names. Every unknown name is reported, whether evaluation reaches it or not.
+///
+/// resolver.cpp resolves declarations; resolve_statements.cpp, resolve_objects.cpp,
+/// resolve_expressions.cpp and resolve_calls.cpp their parts; record_symbols.cpp has the functions
+/// for recording only.
 class Resolver {
  public:
-  /// With a recorder, what a compilation skips because of errors is resolved for its names too, and
-  /// nothing is loaded or suggested.
+  /// With a recorder, names are also resolved in text that compilation skips because of errors, no
+  /// file is loaded and no name is suggested.
   Resolver(Modules& modules, std::uint32_t module, DiagnosticSink& sink,
            SymbolRecorder* recorder = nullptr);
 
-  /// The declarations of the file's top level, into its Module.
+  /// Resolves the declarations of the file's top level into its Module.
   void resolve_declarations();
-  /// One other statement of the top level: its index, or kNothing; `frame_size` is the number of
-  /// slots of its frame.
+  /// Resolves another statement of the top level into `code`. Returns its index there, or kNothing;
+  /// `frame_size`: the number of slots of its frame.
   std::uint32_t resolve_statement(ast::Node statement, Code& code, std::uint32_t& frame_size);
-  /// The index of the expression that is all of the file, in the Module's code.
+  /// Resolves a file that is one expression. Returns its index in the Module's code.
   std::uint32_t resolve_expression();
-  /// Every statement, for the recorder only. The Module stays as it is.
+  /// Resolves every statement for the recorder. The Module does not change.
   void record_all();
 
  private:
   /// A block whose locals are visible up to `end`.
   class Block;
-  /// While it lives, the kind or function that is resolved is the one that was probably meant:
-  /// nothing is missing from it.
+  /// During its lifetime, the kind or function being resolved is a guess for a misspelt one:
+  /// missing properties and arguments are not reported.
   class Guess;
 
   // Declarations
@@ -57,27 +62,25 @@ class Resolver {
   bool is_recording() const noexcept { return recorder_ != nullptr; }
   void record_declaration(ast::Node statement);
   void record_duplicate_parameters(const Definition& definition);
-  /// A declaration in a block that is for the top level only.
+  /// A declaration in a block that is allowed at the top level only.
   void record_misplaced_declaration(ast::Node statement);
-  /// A node that makes no code because of an error.
+  /// A node without code because of an error.
   void record_skipped(ast::Node node);
   void record_skipped_children(ast::Node node);
   void record_error(ast::Node error, bool is_top);
-  /// The remains of an expression that could not be read to its end: what is beside the value.
+  /// The children of a node besides its value: the rest of an expression with an error.
   void record_rest(ast::Node node, std::optional<ast::Node> value);
   void record_broken_for(ast::Node node);
-  /// The declaration of a visible value that a new local of this name hides, or kNothing.
+  /// The declaration of the visible value with this name, which a new local hides; or kNothing.
   NodeIndex hidden_by(std::string_view name) const;
-  /// The first name of a path that is no import: perhaps a value.
+  /// A path whose first name is no import.
   void record_path(std::span<const std::string_view> names);
-  /// The names of a path after that of an import.
-  void record_member(std::span<const std::string_view> names, SymbolId member);
-  /// The label of a property, which has this slot.
+  /// The label of a property in this slot.
   void record_label(ast::Labeled property, std::size_t slot);
   /// A statement in an object that takes properties only.
   void record_misplaced(ast::Node statement);
 
-  // Statements: the index of the statement, or kNothing
+  // Statements; all return the index of the statement, or kNothing
   std::uint32_t statement(ast::Node node, bool is_top);
   std::uint32_t let_statement(ast::Node node);
   std::uint32_t for_statement(ast::Node node);
@@ -86,17 +89,17 @@ class Resolver {
   std::uint32_t include_statement(ast::Node node);
   void top_level_only(ast::Node statement);
   std::uint32_t property_outside(ast::Labeled property, bool is_top);
-  /// Pushes the number of statements in a Block, and then them.
+  /// Pushes the number of statements in a Block, then their indices.
   void block(ast::Node node);
 
-  // Objects: the index of the statement, or kNothing
+  // Objects; all return the index of the statement, or kNothing
   std::uint32_t object(ast::Object node, bool is_top);
   std::uint32_t imported_object(ast::Object node, bool is_top);
   std::uint32_t object_of(const Kind& kind, ast::Object node);
   std::uint32_t group(const Kind& kind, ast::Object node);
   std::uint32_t instance_of(std::uint32_t module, std::uint32_t def, ast::Object node);
   bool has_all_parameters(const Module& owner, const Definition& def, ast::Object node);
-  std::uint32_t object_as(const UnknownNames::MeantKind& meant, std::uint32_t module,
+  std::uint32_t object_as(const UnknownNames::IntendedKind& intended, std::uint32_t module,
                           ast::Object node, bool is_top);
   std::uint32_t object_of_no_kind(ast::Object node);
   void misplaced(ast::Node statement);
@@ -107,7 +110,13 @@ class Resolver {
   std::size_t guess_property(ast::Labeled node);
   std::uint32_t property_value(ast::Labeled node, std::size_t index);
 
-  // Expressions: the index of the expression
+  // Names of imported files
+  /// The declaration that a path such as `lib.name` names; records its names. Only a path of values
+  /// may go on after the second name.
+  std::optional<Declaration> imported_declaration(const Import& import, NameSpace space,
+                                                  std::span<const std::string_view> names);
+
+  // Expressions; all return the index of the expression
   std::uint32_t expression(ast::Node node, const Property* property = nullptr);
   std::uint32_t operands_of(ast::Node node, Op op);
   std::uint32_t broken_expression(ast::Node node);
@@ -122,7 +131,7 @@ class Resolver {
   std::uint32_t builtin_value(ast::Node node, std::string_view name);
   std::uint32_t global_value(ast::Node node, std::uint32_t module, std::uint32_t global);
 
-  // Calls: the index of the expression
+  // Calls; all return the index of the expression
   std::uint32_t call(ast::Call call);
   std::uint32_t imported_call(ast::Call call);
   std::uint32_t unknown_function(ast::Call call);
@@ -135,8 +144,7 @@ class Resolver {
   template <typename T>
   std::uint32_t call_of(Op op, std::span<const std::uint32_t> callee, std::span<const T> parameters,
                         ast::Call call);
-  template <typename T>
-  void check_order(Binding<T>& binding);
+  bool has_swapped_color(ast::Call call, std::span<const Property> parameters);
   template <typename T>
   void bind_argument(Binding<T>& binding, ast::Node argument);
   template <typename T>
@@ -156,11 +164,11 @@ class Resolver {
   UnknownNames unknown_;
   std::uint32_t scope_end_ = 0;  // of the innermost block
   bool is_guess_ = false;
-  std::string_view declaring_;  // the value whose expression is resolved
-  Span no_color_;               // the last value read in a place that takes no colour
-  Uses uses_;                   // of the declaration being resolved
-  // Of the object being resolved. Properties hold expressions only, so that there is one such
-  // object at a time (a group puts its own aside); the vectors are kept for the next one.
+  std::string_view declaring_;  // the current let or param
+  Span no_color_;               // the last value in a place that does not accept a colour
+  Uses uses_;                   // of the current declaration
+  // Of the current object. Properties contain expressions only, so objects are not nested here (a
+  // group moves its own slots aside); the vectors are reused.
   PropertySlots slots_;
 };
 

@@ -5,11 +5,11 @@
 namespace sdlc::lang {
 
 std::optional<std::uint32_t> Scopes::find(std::string_view name) const {
-  if (locals_.size() > kLinear) {
+  if (locals_.size() > kMaxLinear) {
     const auto found = by_name_.find(name);
     if (found != by_name_.end()) return found->second;
   }
-  for (std::size_t i = std::min(locals_.size(), kLinear); i > 0; --i) {
+  for (std::size_t i = std::min(locals_.size(), kMaxLinear); i > 0; --i) {
     if (locals_[i - 1].name == name) return static_cast<std::uint32_t>(i - 1);
   }
   return std::nullopt;
@@ -18,7 +18,7 @@ std::optional<std::uint32_t> Scopes::find(std::string_view name) const {
 std::uint32_t Scopes::declare(std::string_view name) {
   const auto slot = static_cast<std::uint32_t>(locals_.size());
   std::uint32_t hidden = kNone;
-  if (slot >= kLinear) {
+  if (slot >= kMaxLinear) {
     const auto [known, is_new] = by_name_.try_emplace(name, slot);
     if (!is_new) hidden = std::exchange(known->second, slot);
   }
@@ -29,7 +29,7 @@ std::uint32_t Scopes::declare(std::string_view name) {
 
 void Scopes::leave(std::size_t size) {
   for (; locals_.size() > size; locals_.pop_back()) {
-    if (locals_.size() <= kLinear) continue;
+    if (locals_.size() <= kMaxLinear) continue;
     const Local& last = locals_.back();
     if (last.hidden == kNone) {
       by_name_.erase(last.name);

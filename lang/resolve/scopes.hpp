@@ -10,8 +10,8 @@
 
 namespace sdlc::lang {
 
-/// The local names that are visible at one place of a file: parameters, loop variables and the lets
-/// of blocks. The slot of a name in the frame is the number of names around it.
+/// The local names (parameters, loop variables, lets of blocks) that are visible at one place of a
+/// file. The slot of a local in the frame is the number of visible locals before it.
 class Scopes {
  public:
   /// The slot of the innermost local of this name.
@@ -24,7 +24,7 @@ class Scopes {
   std::size_t size() const noexcept { return locals_.size(); }
   std::string_view name_of(std::uint32_t slot) const noexcept { return locals_[slot].name; }
 
-  /// Slots needed by all locals since reset_frame_size().
+  /// The number of slots for all locals since reset_frame_size().
   std::uint32_t frame_size() const noexcept { return frame_size_; }
   void reset_frame_size() noexcept { frame_size_ = 0; }
 
@@ -33,21 +33,21 @@ class Scopes {
  private:
   struct Local {
     std::string_view name;
-    std::uint32_t hidden;  ///< the local of the same name further out that by_name_ had, or kNone
+    std::uint32_t hidden;  ///< slot of the outer local with this name in by_name_, or kNone
   };
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
-  static constexpr std::size_t kLinear = 32;
+  static constexpr std::size_t kMaxLinear = 32;
 
   void leave(std::size_t size);
 
   std::vector<Local> locals_;  // by slot
-  // The first kLinear locals are searched one by one, which is faster; by_name_ has the others.
+  // Linear search is faster for the first kMaxLinear locals; by_name_ has the others.
   std::unordered_map<std::string_view, std::uint32_t> by_name_;
   std::size_t block_begin_ = 0;  // slot of the innermost block's first local
   std::uint32_t frame_size_ = 0;
 };
 
-/// A block: the locals that are declared during its lifetime are forgotten at its end.
+/// A block: removes the locals that were declared during its lifetime.
 class Scopes::Block {
  public:
   explicit Block(Scopes& scopes)

@@ -7,7 +7,7 @@
 #include "lang/source/source.hpp"
 #include "lang/syntax/syntax.hpp"
 
-/// Symbols: what the names of a program mean.
+/// Symbols: the meanings of names.
 namespace sdlc::lang {
 
 enum class SymbolKind : std::uint8_t {
@@ -20,7 +20,7 @@ enum class SymbolKind : std::uint8_t {
   Parameter,
   LoopVariable,
   Object,  ///< the label of an object: `sphere ball { … }`
-  // Of the language
+  // Defined by the language
   BuiltinValue,
   BuiltinFunction,
   BuiltinKind,
@@ -29,24 +29,24 @@ enum class SymbolKind : std::uint8_t {
   Word,      ///< one of a property's words
 };
 
-/// Names of different spaces do not hide each other.
+/// Names in different spaces do not hide each other.
 enum class NameSpace : std::uint8_t {
   Values,
   Functions,
   Kinds,
   Types,
-  Members,  ///< of other files
-  Labels,   ///< of properties and arguments
+  Members,  ///< of imported files
+  Labels,   ///< of properties, arguments and objects
   Words,
 };
 
-/// Identifies a symbol of a program: by its file and the node that declares it, a statement, a
-/// Parameter or an Object. It holds until the file changes.
+/// Identifies a symbol of a program by its file and the node that declares it: a statement, a
+/// Parameter or an Object. Valid for the program whose modules it indexes.
 struct SymbolId {
   static constexpr std::uint32_t kBuiltinFile = 0xFFFFFFFE;
 
   std::uint32_t file = kNothing;  ///< the module; kBuiltinFile; kNothing: an unknown name
-  std::uint32_t index = 0;        ///< the node; of the language: in builtin_symbols()
+  std::uint32_t index = 0;        ///< the node; of a built-in: its index in builtin_symbols()
 
   bool is_known() const noexcept { return file != kNothing; }
   bool is_builtin() const noexcept { return file == kBuiltinFile; }
@@ -57,13 +57,13 @@ struct SymbolId {
 struct Symbol {
   SymbolKind kind = SymbolKind::Let;
   bool is_local = false;      ///< in a block: a let or a loop variable
-  bool is_duplicate = false;  ///< an earlier declaration of the scope has the name
-  NodeIndex node = 0;         ///< that declares it
+  bool is_duplicate = false;  ///< the scope already has a declaration of the name
+  NodeIndex node = 0;         ///< the declaration
   NodeIndex owner = 0;        ///< of a parameter: the fn or def
   std::string_view name;
   Span where = {};             ///< the name in the declaration
-  Span scope = {};             ///< where it is visible; empty for the label of an object
-  NodeIndex hides = kNothing;  ///< the declaration of a value of that name further out
+  Span scope = {};             ///< where it is visible; empty for objects and duplicates
+  NodeIndex hides = kNothing;  ///< of a local: the outer declaration that it hides
 };
 
 /// A name in the text.
@@ -72,15 +72,15 @@ struct Occurrence {
   SymbolId symbol;
 };
 
-/// A name that means nothing.
+/// A name without a meaning.
 struct UnknownName {
   Span where;
   NameSpace space = NameSpace::Values;
-  SymbolId owner = {};  ///< of Labels: the fn or def whose parameter it would be
+  SymbolId owner = {};  ///< of Labels: the fn or def that has no such parameter
 };
 
 NameSpace name_space_of(SymbolKind kind) noexcept;
-/// What a message calls it: "value", "function".
+/// The kind's name in messages: "value", "function".
 std::string_view describe(SymbolKind kind) noexcept;
 
 }  // namespace sdlc::lang

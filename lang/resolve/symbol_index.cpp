@@ -2,19 +2,18 @@
 
 #include <algorithm>
 
+#include "lang/repair/vocabulary.hpp"
 #include "lang/resolve/builtin_symbols.hpp"
 #include "lang/resolve/record_symbols.hpp"
 #include "lang/schema/schema.hpp"
-#include "lang/repair/vocabulary.hpp"
-#include "lang/text/ascii.hpp"
+#include "lang/token/name_characters.hpp"
 
 namespace sdlc::lang {
 namespace {
 
 bool is_name(std::string_view text) {
-  const auto is_letter = [](char c) { return is_ascii_letter(c) || c == '_'; };
-  return !text.empty() && is_letter(text.front()) && !is_one_of(text, kReservedWords) &&
-         std::ranges::all_of(text, [&](char c) { return is_letter(c) || is_ascii_digit(c); });
+  return !text.empty() && end_of_identifier(text, 0) == text.size() &&
+         !is_one_of(text, kReservedWords);
 }
 
 bool overlap(Span a, Span b) { return a.begin < b.end && b.begin < a.end; }
@@ -24,7 +23,7 @@ bool is_group_property(std::string_view name) {
   return std::ranges::find(properties, name, &Property::name) != properties.end();
 }
 
-/// Whether the name would mean the symbol if that one had its text.
+/// Whether the occurrence would refer to the symbol if it had the same name.
 bool is_captured(const Occurrence& occurrence, const Symbol& symbol) {
   if (!overlap(occurrence.where, symbol.scope)) return false;
   if (!occurrence.symbol.is_builtin()) return !occurrence.symbol.is_known();
@@ -34,9 +33,10 @@ bool is_captured(const Occurrence& occurrence, const Symbol& symbol) {
 
 }  // namespace
 
-SymbolIndex::SymbolIndex(Modules& modules) : modules_(modules) {
+SymbolIndex::SymbolIndex(Modules& modules, DiagnosticSink& sink) : modules_(modules) {
+  modules.load_all(sink);
   for (std::uint32_t file = 0; file < modules.module_count(); ++file) {
-    tables_.push_back(record_symbols(modules, file, SymbolDetail::All));
+    tables_.push_back(record_symbols(modules, file, SymbolDetail::All, sink.stop_request()));
   }
 }
 
@@ -87,7 +87,7 @@ std::string SymbolIndex::documentation(SymbolId id) const {
 Rename SymbolIndex::rename(SymbolId id, std::string_view new_name) const {
   const Symbol* symbol = find(id);
   if (symbol == nullptr) return {.refusal = Rename::Refusal::NotDeclared};
-  if (!is_name(new_name)) return {.refusal = Rename::Refusal::NoName};
+  if (!is_name(new_name)) return {.refusal = Rename::Refusal::InvalidName};
   const SymbolTable& table = tables_[id.file];
   const bool is_def_parameter =
       symbol->kind == SymbolKind::Parameter && table.find(symbol->owner)->kind == SymbolKind::Def;
@@ -99,8 +99,9 @@ Rename SymbolIndex::rename(SymbolId id, std::string_view new_name) const {
   return {.places = references(id)};
 }
 
-/// A symbol of the new name whose scope overlaps the one of `id`, or a use of the new name that
-/// would mean `id` from then on. Other files name members of a file only, which conflict in it.
+/// A symbol with the new name whose scope overlaps that of `id`, or a use of the new name that
+/// would then refer to `id`. Other files use only members of this file, whose conflicts are in this
+/// file.
 std::optional<FileSpan> SymbolIndex::find_conflict(SymbolId id, std::string_view new_name) const {
   const SymbolTable& table = tables_[id.file];
   const Symbol& symbol = *table.find(id.index);

@@ -15,47 +15,48 @@ namespace sdlc::lang {
 
 /// A place in one of a program's files.
 struct FileSpan {
-  std::uint32_t file = 0;  ///< the module
+  std::uint32_t file = 0;  ///< index of the module
   Span span;
 
   friend bool operator==(const FileSpan&, const FileSpan&) = default;
 };
 
-/// What a rename has to replace.
+/// The result of a rename: the places to replace, or the reason why it is refused.
 struct Rename {
   enum class Refusal : std::uint8_t {
     None,
-    NotDeclared,  ///< an unknown name, or one of the language
-    NoName,       ///< the new name is none
-    Conflict,     ///< a name would change its meaning
+    NotDeclared,  ///< the symbol is unknown or built in
+    InvalidName,  ///< the new name is not a valid name
+    Conflict,     ///< a name would refer to another symbol
   };
 
   Refusal refusal = Refusal::None;
-  std::vector<FileSpan> places = {};      ///< the name in its declaration, and all its uses
-  std::optional<FileSpan> conflict = {};  ///< a name that is in the way, if it is written
+  std::vector<FileSpan> places = {};      ///< all occurrences, the declaration included
+  std::optional<FileSpan> conflict = {};  ///< of the other name; nullopt: it is built in
 };
 
-/// The names of all files of a program, for an editor: what is at a place, where else it occurs,
-/// what is visible there. The modules must outlive the index and stay as they are.
+/// The names of all files of a program, for editors: definitions, references, completion, rename.
+/// The modules must outlive the index and must not change.
 class SymbolIndex {
  public:
-  /// Records the names of every file that has been loaded.
-  explicit SymbolIndex(Modules& modules);
+  /// Loads all files that the program can include, and records the names of every file. Errors go
+  /// to `sink`: files that are loaded here are not reported again by an evaluation.
+  SymbolIndex(Modules& modules, DiagnosticSink& sink);
 
   std::uint32_t file_count() const { return static_cast<std::uint32_t>(tables_.size()); }
   const SymbolTable& table(std::uint32_t file) const { return tables_[file]; }
 
-  /// The symbol of the name at an offset, or an unknown one.
+  /// The symbol of the name at the offset; not is_known() if there is none.
   SymbolId at(std::uint32_t file, std::uint32_t offset) const;
   /// The symbol if a file declares it, else null.
   const Symbol* find(SymbolId id) const;
-  /// Every occurrence in all files, the declaration included; by file, then by place.
+  /// All occurrences in all files, the declaration included, sorted by file and place.
   std::vector<FileSpan> references(SymbolId id) const;
-  /// The values, functions and kinds of the file that an import names.
+  /// The values, functions and kinds that the imported file declares.
   std::vector<SymbolId> members(SymbolId import) const;
-  /// The doc comment of a declaration, or the description of a name of the language.
+  /// The doc comment of a declaration, or the description of a built-in name.
   std::string documentation(SymbolId id) const;
-  /// What to replace so that the symbol has the new name and the program its old meaning.
+  /// The places to replace to rename the symbol. Refused if that changes what the program means.
   Rename rename(SymbolId id, std::string_view new_name) const;
 
  private:

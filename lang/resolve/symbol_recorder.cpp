@@ -66,7 +66,7 @@ void SymbolRecorder::find_cameras() {
 SymbolTable SymbolRecorder::finish() {
   find_cameras();
   const auto begin = [](const Occurrence& occurrence) { return occurrence.where.begin; };
-  // The walk follows the text but for what cannot be read.
+  // The walk follows the text, except around errors.
   if (!std::ranges::is_sorted(symbols_, {}, &Symbol::node)) {
     std::ranges::stable_sort(symbols_, {}, &Symbol::node);
   }

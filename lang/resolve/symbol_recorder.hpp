@@ -10,8 +10,8 @@
 
 namespace sdlc::lang {
 
-/// What a Resolver reports the declarations and names of one file to. Names are views of the file's
-/// text, which says where they are.
+/// Collects the declarations and names that a Resolver finds in one file. Names must be views into
+/// the text of the file, which gives their places.
 class SymbolRecorder {
  public:
   SymbolRecorder(const SyntaxTree& tree, std::uint32_t file, SymbolDetail detail)
@@ -20,11 +20,11 @@ class SymbolRecorder {
   // Declarations, in the order of the text
 
   void declare(const Symbol& symbol);
-  /// A local of this slot.
+  /// A local in this slot.
   void declare_local(const Symbol& symbol, std::uint32_t slot);
-  /// The node that declares the visible local of this slot.
+  /// The declaration of the visible local in this slot.
   NodeIndex local(std::uint32_t slot) const noexcept { return locals_[slot]; }
-  /// An object with a name.
+  /// The name of an object, if it has one.
   void declare_object(ast::Object object);
 
   // Names, in the order of the text
@@ -33,7 +33,7 @@ class SymbolRecorder {
   void use_own(std::string_view name, NodeIndex declaration) { use(name, {file_, declaration}); }
   void use_local(std::string_view name, std::uint32_t slot) { use_own(name, locals_[slot]); }
   void use_builtin(std::string_view name, SymbolKind kind, const Property* property = nullptr);
-  /// A word in the place of a value.
+  /// A word as the value of a property.
   void use_word(std::string_view word, const Property& property);
   void use_unknown(std::string_view name, NameSpace space, SymbolId owner = {});
 
@@ -49,7 +49,7 @@ class SymbolRecorder {
   std::vector<NodeIndex> locals_;  // by slot
   std::vector<Symbol> symbols_;
   std::vector<Occurrence> uses_;
-  std::vector<std::size_t> camera_names_;  // uses that name a camera, which may come later
+  std::vector<std::size_t> camera_names_;  // uses of cameras, which may be declared later
   std::vector<UnknownName> unknown_;
 };
 

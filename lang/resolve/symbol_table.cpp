@@ -54,9 +54,11 @@ const Occurrence* SymbolTable::at(std::uint32_t offset) const noexcept {
   return offset <= found.where.end ? &found : nullptr;
 }
 
-std::vector<std::uint32_t> SymbolTable::count_uses(bool counts_recursion) const {
+std::vector<std::uint32_t> SymbolTable::count_uses(bool counts_recursion,
+                                                   const StopRequest* stop) const {
   std::vector<std::uint32_t> uses(symbols_.size());
   for (const Occurrence& occurrence : occurrences_) {
+    stop_if_requested(stop);
     if (occurrence.symbol.file != file_) continue;
     const Symbol* symbol = find(occurrence.symbol.index);
     if (occurrence.where == symbol->where) continue;
@@ -77,8 +79,8 @@ std::vector<const Symbol*> SymbolTable::visible(std::uint32_t offset, NameSpace 
     const bool is_named = symbol.kind != SymbolKind::Object && !symbol.is_duplicate;
     if (is_visible && is_named && name_space_of(symbol.kind) == space) found.push_back(&symbol);
   }
-  // The scopes around a place lie in each other: the later one begins, the further in it is. Those
-  // of the top level are the whole file.
+  // The scopes around a place are nested, so a scope that begins later is further in. That of the
+  // top level begins at 0.
   std::ranges::stable_sort(found, std::greater<>(), [](const Symbol* s) { return s->scope.begin; });
   std::unordered_set<std::string_view> names;
   std::erase_if(found, [&](const Symbol* symbol) { return !names.insert(symbol->name).second; });

@@ -1,7 +1,6 @@
 #include "lang/resolve/symbol_types.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string_view>
 
@@ -15,24 +14,11 @@
 namespace sdlc::lang {
 namespace {
 
-using Name = std::string_view;  // of a type; empty: not known
+using Name = std::string_view;  // of a type; empty: unknown
 
-/// The result of a built-in function; "=" is the type of its first argument.
+/// The type of the result of a built-in function; "=": that of its first argument.
 Name result_of(Name function) {
-  struct Result {
-    Name function, type;
-  };
-  static constexpr auto kResults = std::to_array<Result>({
-      {"sqrt", "number"},   {"abs", "="},         {"min", "="},          {"max", "="},
-      {"clamp", "="},       {"floor", "="},       {"ceil", "="},         {"round", "="},
-      {"exp", "number"},    {"log", "number"},    {"sin", "number"},     {"cos", "number"},
-      {"tan", "number"},    {"asin", "angle"},    {"acos", "angle"},     {"atan2", "angle"},
-      {"mod", "="},         {"len", "number"},    {"str", "string"},     {"dot", "number"},
-      {"cross", "vec3"},    {"length", "number"}, {"normalize", "vec3"}, {"mix", "="},
-      {"random", "number"}, {"noise", "number"},  {"range", "list"},
-  });
-  const auto found = std::ranges::find(kResults, function, &Result::function);
-  if (found != kResults.end()) return found->type;
+  if (const Builtin* builtin = find_builtin(function)) return builtin->result;
   const Constructor* constructor = find_constructor(function);
   if (constructor == nullptr || function == "line") return {};
   const auto materials = all_materials();
@@ -68,7 +54,7 @@ class TypeInference {
   }
 
  private:
-  /// Chains of values may be long, and branch.
+  /// References may be long chains, and cyclic in files with errors.
   bool is_exhausted() {
     constexpr int kMaxSteps = 1000, kMaxDepth = 100;
     return ++steps_ > kMaxSteps || depth_ > kMaxDepth;
@@ -123,7 +109,7 @@ class TypeInference {
     }
   }
 
-  /// Numbers leave the type of the other factor as it is; a quotient of two angles is a number.
+  /// A product has the type of the factor that is no number; a quotient of two angles is a number.
   Name of_product(std::uint32_t file, ast::Node node) {
     Name type = "number";
     for (const ast::Node factor : node.children()) {
@@ -161,7 +147,7 @@ class TypeInference {
     return is_range ? "number" : Name();
   }
 
-  /// The last name in a path that has a meaning of its own: what follows are components.
+  /// The last name in a path that has a symbol; components may follow it.
   const Occurrence* last_name(std::uint32_t file, Span path) const {
     const auto names = index_.table(file).occurrences();
     auto found = std::ranges::upper_bound(names, path.end, {},

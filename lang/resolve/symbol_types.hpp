@@ -5,8 +5,8 @@
 
 namespace sdlc::lang {
 
-/// The type of the values that a symbol has, as far as the text says it without being run: the
-/// declared one, or that of the expression. Null: not known.
+/// The static type of a symbol: the declared one, or that inferred from its expression. Null: not
+/// known.
 const TypeInfo* type_of(const SymbolIndex& index, SymbolId symbol);
 
 }  // namespace sdlc::lang

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "lang/resolve/declarations.hpp"
+#include "lang/resolve/lookup.hpp"
 #include "lang/resolve/path.hpp"
 #include "lang/resolve/record_symbols.hpp"
 #include "lang/schema/find_kind.hpp"
@@ -19,28 +23,20 @@
 namespace sdlc::lang {
 namespace {
 
-/// The name here of a function or constant of a library elsewhere: `math.PI` is `pi`.
+/// The name of a library function or constant of other languages: `pi` for `math.PI`.
 std::string member_of_library(std::string_view path) {
   return lower_case(path.substr(path.rfind('.') + 1));
 }
 
-template <typename Declarations>
-std::vector<std::string_view> names_of(const Declarations& declarations) {
-  std::vector<std::string_view> names;
-  for (const auto& declaration : declarations) names.push_back(declaration.name);
-  return names;
-}
-
 }  // namespace
 
-std::optional<std::string_view> meant_name(const std::optional<Habit>& habit, std::string_view name,
-                                           std::span<const std::string_view> known) {
+std::optional<std::string_view> intended_name(const std::optional<Habit>& habit,
+                                              std::string_view name,
+                                              std::span<const std::string_view> known) {
   if (!habit) return nearest_name(name, known);
   const bool is_known = std::ranges::find(known, habit->meant) != known.end();
   return is_known ? std::optional(habit->meant) : std::nullopt;
 }
-
-// What all reports share
 
 bool UnknownNames::may_suggest(std::size_t names) {
   constexpr std::uint64_t kMaxCompared = 2'000'000;
@@ -58,6 +54,7 @@ std::optional<std::string> UnknownNames::nearest_import(
 }
 
 bool UnknownNames::is_excused(std::uint32_t module, std::string_view name, std::uint32_t use) {
+  if (!is_ascii(name)) return true;  // the parser has reported its letters
   Module& declaring = modules_.module_at(module);
   if (!declaring.lost_names) declaring.lost_names = std::make_unique<LostNames>(declaring.tree);
   if (declaring.lost_names->contains(name)) return true;
@@ -74,8 +71,9 @@ bool UnknownNames::is_excused(std::uint32_t module, std::string_view name, std::
 
 const Misspelling* UnknownNames::find_misspelling(std::uint32_t use) {
   if (!module_.misspellings) {
-    module_.misspellings =
-        std::make_unique<Misspellings>(record_symbols(modules_, index_, SymbolDetail::Declared));
+    const StopRequest* stop = sink_.stop_request();
+    const SymbolTable names = record_symbols(modules_, index_, SymbolDetail::Declared, stop);
+    module_.misspellings = std::make_unique<Misspellings>(names, stop);
   }
   return module_.misspellings->find(use);
 }
@@ -85,30 +83,48 @@ void UnknownNames::label_unused(DiagnosticBuilder& report, std::uint32_t use,
   const Misspelling* misspelling = meant ? find_misspelling(use) : nullptr;
   if (misspelling == nullptr || misspelling->name != *meant) return;
   report.label(misspelling->declared,
-               fmt::format("nothing uses `{}`, which is declared here", misspelling->name));
+               fmt::format("`{}` is declared here and not used", misspelling->name));
 }
 
-void UnknownNames::suggest_member(DiagnosticBuilder& report, std::string_view import,
-                                  std::string_view name, ast::Node declaration) {
-  report.suggest(fmt::format("{}.{}", import, name));
-  if (const auto declared = declaration.first(SyntaxKind::Name)) {
-    report.label(declared->location(), fmt::format("`{}` is declared here", declared->text()));
+std::optional<std::string_view> UnknownNames::suggest_member(DiagnosticBuilder& report,
+                                                             std::span<const std::string_view> path,
+                                                             const Module& module,
+                                                             NameSpace space) {
+  const std::size_t count = space == NameSpace::Functions ? module.functions.size()
+                            : space == NameSpace::Kinds   ? module.defs.size()
+                                                          : module.globals.size();
+  if (!report.is_kept() || !may_suggest(count)) return std::nullopt;
+  const auto known = space == NameSpace::Functions ? names_of(module.functions)
+                     : space == NameSpace::Kinds   ? names_of(module.defs)
+                                                   : names_of(module.globals);
+  const auto nearest = nearest_name(path.back(), known);
+  if (!nearest) return std::nullopt;
+  report.suggest(fmt::format("{}.{}", path.front(), *nearest));
+  const ast::Node declaration(module.tree, find_declaration(module, space, *nearest)->node);
+  if (const auto name = declaration.first(SyntaxKind::Name)) {
+    report.label(name->location(), fmt::format("`{}` is declared here", name->text()));
   }
+  return nearest;
 }
 
 // Values
 
-bool UnknownNames::names_object(std::string_view name) const {
-  for (NodeIndex i = 0; i < module_.tree.nodes().size(); ++i) {
-    const ast::Node node(module_.tree, i);
-    if (!node.is(SyntaxKind::Object)) continue;
-    const auto label = node.first(SyntaxKind::Name);
-    if (label && label->text() == name) return true;
+bool UnknownNames::names_object(std::string_view name) {
+  if (!module_.object_names) {
+    std::unordered_set<std::string_view> names;
+    for (NodeIndex i = 0; i < module_.tree.nodes().size(); ++i) {
+      const ast::Node node(module_.tree, i);
+      sink_.stop_if_requested();
+      if (!node.is(SyntaxKind::Object)) continue;
+      if (const auto label = node.first(SyntaxKind::Name)) names.insert(label->text());
+    }
+    module_.object_names = std::move(names);
   }
-  return false;
+  return module_.object_names->contains(name);
 }
 
-/// Among equally near names the first is suggested: what nothing uses, then names of the file.
+/// Candidates in the order of preference among equally near ones: an unused name, names of the
+/// file, built-in names.
 std::vector<std::string_view> UnknownNames::known_values(std::uint32_t use,
                                                          std::string_view declaring) {
   std::vector<std::string_view> known;
@@ -147,11 +163,11 @@ void UnknownNames::report_value(ast::Node reference, std::string_view name,
   if (!report.is_kept() || !may_suggest(module_.globals.size())) return;
   if (names_object(name)) {
     report.help(
-        fmt::format("`{}` names an object; what several share gets its name by `let`", name));
+        fmt::format("`{}` is the name of an object, not a value; declare values with `let`", name));
     return;
   }
   const auto habit = find_habit(HabitPlace::Name, name);
-  auto nearest = meant_name(habit, name, known_values(begin, excluded.declaring));
+  auto nearest = intended_name(habit, name, known_values(begin, excluded.declaring));
   const bool is_color = nearest && find_named_color(*nearest) && !scopes_.find(*nearest) &&
                         !module_.global_names.contains(*nearest);
   if (is_color && reference.span() == excluded.no_color) nearest = std::nullopt;
@@ -165,10 +181,12 @@ void UnknownNames::report_imported_value(ast::Node reference,
                                          std::span<const std::string_view> names,
                                          std::uint32_t module_index) {
   const Module& module = modules_.module_at(module_index);
-  const std::vector<std::string_view> known = names_of(module.globals);
   if (names.size() == 1) {
     auto report = sink_.report(diag::import_as_value, reference.location(), names[0]);
-    if (!known.empty()) report.help(fmt::format("name what is in it: `{}.{}`", names[0], known[0]));
+    if (!module.globals.empty()) {
+      report.help(
+          fmt::format("use one of its names, such as `{}.{}`", names[0], module.globals[0].name));
+    }
     return;
   }
   if (module.function_names.contains(names[1])) {
@@ -178,11 +196,7 @@ void UnknownNames::report_imported_value(ast::Node reference,
   }
   if (is_excused(module_index, names[1], reference.span().begin)) return;
   auto report = sink_.report(diag::unknown_name, reference.location(), reference.text());
-  if (!report.is_kept()) return;
-  if (const auto nearest = nearest_name(names[1], known)) {
-    const Global& global = module.globals[module.global_names.at(*nearest)];
-    suggest_member(report, names[0], *nearest, {module.tree, global.node});
-  }
+  suggest_member(report, names.first(2), module, NameSpace::Values);
 }
 
 // Functions
@@ -199,15 +213,16 @@ std::optional<std::string_view> UnknownNames::report_function(ast::Call call) {
   for (const Constructor& constructor : all_constructors()) known.push_back(constructor.name);
   for (const Builtin& builtin : all_builtins()) known.push_back(builtin.name);
   const auto habit = find_habit(HabitPlace::Callee, callee);
-  const auto nearest = meant_name(habit, callee, known);
+  const auto nearest = intended_name(habit, callee, known);
   auto report =
       sink_.report(diag::unknown_function, call.callee_location(), callee).suggest(nearest);
   if (habit) report.help_if(habit->help);
   label_unused(report, begin, nearest);
   if (scopes_.find(callee) || module_.global_names.contains(callee)) {
-    report.help(fmt::format("`{0}` is a value; an element of a list is `{0}[0]`", callee));
+    report.help(
+        fmt::format("`{0}` is a value, not a function; an element of a list is `{0}[0]`", callee));
   } else if (module_.def_names.contains(callee)) {
-    report.help(fmt::format("`{}` is a kind of object; write `{} {{ … }}`", callee, callee));
+    report.help(fmt::format("`{0}` is a kind of object; write `{0} {{ … }}`", callee));
   }
   return nearest;
 }
@@ -226,17 +241,12 @@ void UnknownNames::report_imported_function(ast::Call call, std::span<const std:
     }
     return;
   }
-  const Module& declaring = modules_.module_at(*module);
-  const auto nearest =
-      report.is_kept() ? nearest_name(name, names_of(declaring.functions)) : std::nullopt;
-  if (!nearest) return;
-  const Definition& function = declaring.functions[declaring.function_names.at(*nearest)];
-  suggest_member(report, names[0], *nearest, {declaring.tree, function.node});
+  suggest_member(report, names, modules_.module_at(*module), NameSpace::Functions);
 }
 
 // Kinds and properties
 
-UnknownNames::MeantKind UnknownNames::report_kind_of_no_import(
+UnknownNames::IntendedKind UnknownNames::report_kind_of_no_import(
     ast::Object object, std::span<const std::string_view> names) {
   if (is_excused(index_, names[0], object.node.span().begin)) return {.is_excused = true};
   sink_.report(diag::unknown_kind, object.kind_location(), object.kind())
@@ -244,45 +254,38 @@ UnknownNames::MeantKind UnknownNames::report_kind_of_no_import(
   return {};
 }
 
-UnknownNames::MeantKind UnknownNames::report_kind(ast::Object object, std::uint32_t module_index) {
+UnknownNames::IntendedKind UnknownNames::report_kind(ast::Object object,
+                                                     std::uint32_t module_index) {
   const Module& module = modules_.module_at(module_index);
   const bool is_own = module_index == index_;
   const std::uint32_t begin = object.node.span().begin;
-  std::vector<std::string_view> names = names_of(module.defs);
-  std::string_view written = object.kind();
-  if (is_own) {
-    for (const Kind& known : all_kinds()) names.push_back(known.name);
-  } else {
-    written = split_path(written).back();
-  }
-  if (is_excused(module_index, written, begin)) return {.is_excused = true};
+  const std::vector<std::string_view> path = split_path(object.kind());
+  const std::string_view name = is_own ? object.kind() : path.back();
+  if (is_excused(module_index, name, begin)) return {.is_excused = true};
   auto report = sink_.report(diag::unknown_kind, object.kind_location(), object.kind());
-  if (!may_suggest(names.size())) return {};
-  const auto habit = is_own ? find_habit(HabitPlace::Kind, written) : std::nullopt;
-  const auto nearest = report.is_kept() ? meant_name(habit, written, names) : std::nullopt;
+  if (!is_own) return {.name = suggest_member(report, path, module, NameSpace::Kinds)};
+  if (!may_suggest(module.defs.size())) return {};
+  std::vector<std::string_view> known = names_of(module.defs);
+  for (const Kind& kind : all_kinds()) known.push_back(kind.name);
+  const auto habit = find_habit(HabitPlace::Kind, object.kind());
+  const auto nearest = report.is_kept() ? intended_name(habit, object.kind(), known) : std::nullopt;
   if (habit) report.help_if(habit->help);
-  if (is_own) {
-    report.suggest(nearest);
-    label_unused(report, begin, nearest);
-  } else if (nearest) {
-    const Definition& def = module.defs[module.def_names.at(*nearest)];
-    suggest_member(report, split_path(object.kind())[0], *nearest, {module.tree, def.node});
-  }
+  report.suggest(nearest);
+  label_unused(report, begin, nearest);
   if (module_.function_names.contains(object.kind())) {
-    report.help(fmt::format("`{}` is a function; `def` makes a kind of object", object.kind()));
+    report.help(fmt::format("`{}` is a function; `def` declares a kind of object", object.kind()));
   }
   return {.name = nearest};
 }
 
-UnknownNames::MeantProperty UnknownNames::report_property(ast::Labeled property,
-                                                          std::string_view kind_name,
-                                                          std::span<const std::string_view> names,
-                                                          bool is_broken) {
+UnknownNames::IntendedProperty UnknownNames::report_property(
+    ast::Labeled property, std::string_view kind_name, std::span<const std::string_view> names,
+    bool is_broken) {
   const bool is_own = module_.def_names.contains(kind_name);
   const Kind* kind = is_own ? nullptr : find_kind(kind_name);
   const auto habit = kind != nullptr ? property_habit(*kind, property.label())
                                      : find_habit(HabitPlace::GroupProperty, property.label());
-  const auto nearest = meant_name(habit, property.label(), names);
+  const auto nearest = intended_name(habit, property.label(), names);
   const std::uint32_t begin = property.node.span().begin;
   const bool is_silent = is_broken || (is_own && is_excused(index_, property.label(), begin));
   if (!is_silent) {

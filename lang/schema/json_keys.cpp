@@ -5,61 +5,64 @@
 namespace sdlc::lang {
 namespace {
 
-const Kind& camera() { return kind_info(ObjectKind::Camera); }
-const Kind& background() { return kind_info(ObjectKind::Background); }
-const Kind& sphere() { return kind_info(ObjectKind::Sphere); }
-const Kind& render() { return kind_info(ObjectKind::Render); }
+/// A key whose value is a property of a kind. Its documentation is that of the property unless the
+/// format says something else.
+JsonKey optional(std::string_view name, JsonType type, ObjectKind target, std::size_t property,
+                 std::string_view doc = {}) {
+  const Kind& kind = kind_info(target);
+  return {.key = name,
+          .type = type,
+          .target = &kind,
+          .property = property,
+          .range = kind.properties[property].range,
+          .doc = doc};
+}
+
+JsonKey required(JsonKey key) {
+  key.presence = Presence::Required;
+  return key;
+}
+
+JsonKey required(std::string_view name, JsonType type, ObjectKind target, std::size_t property,
+                 std::string_view doc = {}) {
+  return required(optional(name, type, target, property, doc));
+}
+
+JsonKey object(std::string_view name, const JsonObject& inside, std::string_view doc) {
+  return {.key = name, .type = JsonType::Object, .object = &inside, .doc = doc};
+}
+
+/// A key whose value is an argument of a material.
+JsonKey argument(std::string_view name, JsonType type, MaterialKind material,
+                 std::size_t property) {
+  return {.key = name,
+          .type = type,
+          .presence = Presence::Required,
+          .property = property,
+          .range = material_info(material).arguments[property].range};
+}
 
 const JsonObject& json_camera() {
   using namespace camera_property;
+  using enum JsonType;
+  constexpr auto kCamera = ObjectKind::Camera;
   static const auto keys = std::to_array<JsonKey>({
-      {.key = "look_from",
-       .type = JsonType::Triple,
-       .presence = Presence::Required,
-       .target = &camera(),
-       .property = kFrom},
-      {.key = "look_at",
-       .type = JsonType::Triple,
-       .presence = Presence::Required,
-       .target = &camera(),
-       .property = kAt},
-      {.key = "up",
-       .type = JsonType::Triple,
-       .presence = Presence::Required,
-       .target = &camera(),
-       .property = kUp},
-      {.key = "vfov",
-       .type = JsonType::Degrees,
-       .presence = Presence::Required,
-       .target = &camera(),
-       .property = kFov,
-       .doc = "The angle seen from the bottom of the picture to its top, in degrees."},
-      {.key = "focal_length",
-       .type = JsonType::Number,
-       .presence = Presence::Required,
-       .doc = "Has no effect: everything is in focus."},
-      {.key = "aspect_ratio",
-       .type = JsonType::Number,
-       .presence = Presence::Required,
-       .target = &camera(),
-       .property = kAspect},
-      {.key = "viewport_height",
-       .type = JsonType::Number,
-       .presence = Presence::Required,
-       .target = &camera(),
-       .property = kViewHeight,
-       .doc = "The view plane at distance 1 is viewport_height * tan(vfov / 2) high; at 2, vfov is "
-              "the angle seen."},
-      {.key = "samples_per_pixel",
-       .type = JsonType::WholeNumber,
-       .presence = Presence::Required,
-       .target = &render(),
-       .property = render_property::kSamples},
-      {.key = "time_interval",
-       .type = JsonType::Interval,
-       .target = &camera(),
-       .property = kShutter,
-       .doc = "When the shutter is open; absent: every sphere at its origin."},
+      required("look_from", Triple, kCamera, kFrom),
+      required("look_at", Triple, kCamera, kAt),
+      required("up", Triple, kCamera, kUp),
+      required(
+          "vfov", Degrees, kCamera, kFov,
+          "The vertical angle of view, from the bottom of the picture to its top, in degrees."),
+      required(
+          {.key = "focal_length", .type = Number, .doc = "Has no effect: everything is in focus."}),
+      required("aspect_ratio", Number, kCamera, kAspect),
+      required(
+          "viewport_height", Number, kCamera, kViewHeight,
+          "The view plane at distance 1 is viewport_height * tan(vfov / 2) high; at 2, vfov is "
+          "the angle of view."),
+      required("samples_per_pixel", WholeNumber, ObjectKind::Render, render_property::kSamples),
+      optional("time_interval", Interval, kCamera, kShutter,
+               "The times at which the shutter opens and closes; absent: nothing moves."),
   });
   static const JsonObject object{.name = "the camera", .keys = keys};
   return object;
@@ -68,16 +71,8 @@ const JsonObject& json_camera() {
 const JsonObject& json_rendering() {
   using namespace render_property;
   static const auto keys = std::to_array<JsonKey>({
-      {.key = "width",
-       .type = JsonType::WholeNumber,
-       .presence = Presence::Required,
-       .target = &render(),
-       .property = kWidth},
-      {.key = "render_depth",
-       .type = JsonType::WholeNumber,
-       .presence = Presence::Required,
-       .target = &render(),
-       .property = kDepth},
+      required("width", JsonType::WholeNumber, ObjectKind::Render, kWidth),
+      required("render_depth", JsonType::WholeNumber, ObjectKind::Render, kDepth),
       {.key = "in_parallel",
        .type = JsonType::Bool,
        .setting = JsonSetting::InParallel,
@@ -86,7 +81,7 @@ const JsonObject& json_rendering() {
        .type = JsonType::WholeNumber,
        .setting = JsonSetting::NumberCores,
        .range = Range::NonNegative,
-       .doc = "Threads; 0 or too many: all."},
+       .doc = "Number of threads; 0 or too many: all of the machine."},
   });
   static const JsonObject object{.name = "rendering", .keys = keys};
   return object;
@@ -94,37 +89,23 @@ const JsonObject& json_rendering() {
 
 const JsonObject& json_saving() {
   static const auto keys = std::to_array<JsonKey>({
-      {.key = "path",
-       .type = JsonType::String,
-       .target = &render(),
-       .property = render_property::kOutput,
-       .doc = "The picture's file, whose folder is made with it; the extension picks the format."},
+      optional("path", JsonType::String, ObjectKind::Render, render_property::kOutput,
+               "The picture's file; its folder is created; the extension selects the format."),
       {.key = "gamma_correct",
        .type = JsonType::Bool,
        .setting = JsonSetting::GammaCorrect,
-       .doc = "true: the square root of the linear value is saved; else the linear value."},
+       .doc = "true: saves the square root of the linear value; else the linear value."},
   });
   static const JsonObject object{.name = "saving", .keys = keys};
   return object;
 }
 
 const JsonObject& json_image() {
+  using enum JsonType;
   static const auto keys = std::to_array<JsonKey>({
-      {.key = "width",
-       .type = JsonType::WholeNumber,
-       .presence = Presence::Required,
-       .target = &render(),
-       .property = render_property::kWidth},
-      {.key = "height",
-       .type = JsonType::WholeNumber,
-       .presence = Presence::Required,
-       .target = &render(),
-       .property = render_property::kHeight},
-      {.key = "color",
-       .type = JsonType::Color,
-       .presence = Presence::Required,
-       .target = &background(),
-       .property = background_property::kColor},
+      required("width", WholeNumber, ObjectKind::Render, render_property::kWidth),
+      required("height", WholeNumber, ObjectKind::Render, render_property::kHeight),
+      required("color", Color, ObjectKind::Background, background_property::kColor),
   });
   static const JsonObject object{.name = "the image", .keys = keys};
   return object;
@@ -134,31 +115,15 @@ const JsonObject& json_image() {
 
 const JsonObject& json_config() noexcept {
   static const auto keys = std::to_array<JsonKey>({
-      {.key = "background",
-       .type = JsonType::Color,
-       .target = &background(),
-       .property = background_property::kColor,
-       .doc = "Radiance from everywhere, 255 = 1; absent: a gradient from white up to light blue."},
-      {.key = "camera",
-       .type = JsonType::Object,
-       .presence = Presence::Required,
-       .object = &json_camera(),
-       .doc = "Where the picture is taken from."},
-      {.key = "rendering",
-       .type = JsonType::Object,
-       .presence = Presence::Required,
-       .object = &json_rendering(),
-       .doc = "How the picture is made."},
-      {.key = "saving",
-       .type = JsonType::Object,
-       .presence = Presence::Required,
-       .object = &json_saving(),
-       .doc = "Where the picture goes."},
-      {.key = "spheres", .type = JsonType::Spheres, .doc = "What there is to be seen."},
-      {.key = "image",
-       .type = JsonType::Object,
-       .object = &json_image(),
-       .doc = "A plain picture of one colour, in place of camera, rendering and spheres."},
+      optional("background", JsonType::Color, ObjectKind::Background, background_property::kColor,
+               "Radiance from all directions, 255 = 1; absent: a gradient from white up to light "
+               "blue."),
+      required(object("camera", json_camera(), "The camera of the picture.")),
+      required(object("rendering", json_rendering(), "Settings of the renderer.")),
+      required(object("saving", json_saving(), "Where the picture is saved.")),
+      {.key = "spheres", .type = JsonType::Spheres, .doc = "The spheres of the scene."},
+      object("image", json_image(),
+             "A plain picture of one colour, instead of camera, rendering and spheres."),
   });
   static const JsonObject object{.name = "the config", .keys = keys};
   return object;
@@ -166,29 +131,15 @@ const JsonObject& json_config() noexcept {
 
 const JsonObject& json_sphere() noexcept {
   using namespace sphere_property;
+  constexpr auto kSphere = ObjectKind::Sphere;
   static const auto keys = std::to_array<JsonKey>({
-      {.key = "origin",
-       .type = JsonType::Triple,
-       .presence = Presence::Required,
-       .target = &sphere(),
-       .property = kCenter},
-      {.key = "radius",
-       .type = JsonType::Number,
-       .presence = Presence::Required,
-       .target = &sphere(),
-       .property = kRadius},
-      {.key = "material",
-       .type = JsonType::Material,
-       .presence = Presence::Required,
-       .target = &sphere(),
-       .property = kMaterial,
-       .doc = "What light does at the surface; its type decides the other keys."},
-      {.key = "movement",
-       .type = JsonType::Movement,
-       .target = &sphere(),
-       .property = kMotion,
-       .doc = "[target, from, to]: at its origin at the time from, at the target at the time to, "
-              "and on beyond both."},
+      required("origin", JsonType::Triple, kSphere, kCenter),
+      required("radius", JsonType::Number, kSphere, kRadius),
+      required("material", JsonType::Material, kSphere, kMaterial,
+               "How the surface scatters light; its type determines the other keys."),
+      optional("movement", JsonType::Movement, kSphere, kMotion,
+               "[target, from, to]: at its origin at time from, at target at time to, in linear "
+               "motion also before and after."),
   });
   static const JsonObject object{.name = "a sphere", .keys = keys};
   return object;
@@ -205,29 +156,22 @@ std::string_view json_key_of(const Kind& kind, std::size_t property) noexcept {
 }
 
 std::span<const JsonKey> json_material_keys(MaterialKind kind) noexcept {
-  // `property` is here the index of the argument in the material's own table.
-  static constexpr auto color = JsonKey{
-      .key = "color", .type = JsonType::Color, .presence = Presence::Required, .property = 0};
-  static constexpr auto plain = std::to_array<JsonKey>({color});
-  static constexpr auto specular = std::to_array<JsonKey>(
-      {color,
-       {.key = "fuzz", .type = JsonType::Number, .presence = Presence::Required, .property = 1}});
-  static constexpr auto transmissive = std::to_array<JsonKey>({color,
-                                                               {.key = "refraction_index",
-                                                                .type = JsonType::Number,
-                                                                .presence = Presence::Required,
-                                                                .property = 1}});
-  static constexpr auto emissive = std::to_array<JsonKey>({color,
-                                                           {.key = "intensity",
-                                                            .type = JsonType::Number,
-                                                            .presence = Presence::Required,
-                                                            .property = 1}});
+  using enum MaterialKind;
+  using enum JsonType;
+  static const auto plain = std::to_array<JsonKey>({argument("color", Color, Diffuse, 0)});
+  static const auto specular = std::to_array<JsonKey>(
+      {argument("color", Color, Specular, 0), argument("fuzz", Number, Specular, 1)});
+  static const auto transmissive =
+      std::to_array<JsonKey>({argument("color", Color, Transmissive, 0),
+                              argument("refraction_index", Number, Transmissive, 1)});
+  static const auto emissive = std::to_array<JsonKey>(
+      {argument("color", Color, Emissive, 0), argument("intensity", Number, Emissive, 1)});
   switch (kind) {
-    case MaterialKind::Specular: return specular;
-    case MaterialKind::Transmissive: return transmissive;
-    case MaterialKind::Emissive: return emissive;
-    case MaterialKind::Diffuse:
-    case MaterialKind::Unlit: break;
+    case Specular: return specular;
+    case Transmissive: return transmissive;
+    case Emissive: return emissive;
+    case Diffuse:
+    case Unlit: break;
   }
   return plain;
 }

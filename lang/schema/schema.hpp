@@ -8,9 +8,8 @@
 #include <string_view>
 #include <variant>
 
-/// The facts about what can be written in a scene: the one place where a property, a material or a
-/// key of the JSON config format is described. Checkers, lowering, reference pages and schemas read
-/// it.
+/// The tables of kinds, properties, materials and JSON keys, each described only here. Checks,
+/// lowering, reference pages and schemas read these tables.
 namespace sdlc::lang {
 
 /// The type of a value, for checks and messages.
@@ -22,37 +21,36 @@ enum class Type : std::uint8_t {
   Vec3,    ///< a point or a displacement, in metres
   Length,  ///< in metres
   Angle,   ///< written with a unit: 40deg
-  Angles,  ///< three of them
+  Angles,  ///< three angles
   Color,
   Interval,  ///< two times in seconds
   Frames,    ///< two whole numbers
-  Word,      ///< one of the property's words, or a name
+  Word,      ///< one of the property's words, or any name
   Material,
   Motion,
 };
 
-/// "a number", "a colour": what a message calls the type.
+/// The type in messages: "a number", "a colour".
 std::string_view describe(Type type) noexcept;
 
-/// Which values of the type are allowed.
+/// The values of a type that are allowed.
 enum class Range : std::uint8_t {
   Any,
   NonNegative,
-  NonNegativeExact,  ///< at most 2^53: up to there a double holds every whole number
+  NonNegativeExact,  ///< 0 to 2^53: a double holds these whole numbers exactly
   Positive,
   AtLeastOne,
   ByteCode,                ///< 0 to 255
   Fraction,                ///< 0 to 1
-  PositiveFraction,        ///< the same without 0
-  Kelvin,                  ///< where the colour of a black body is known: 1667 to 25000
+  PositiveFraction,        ///< greater than 0, at most 1
+  Kelvin,                  ///< 1667 to 25000, where the fit of black-body colours is valid
   BetweenZeroAndHalfTurn,  ///< both ends excluded
 };
 
-/// "greater than 0": what a message calls the range.
+/// The range in messages: "greater than 0".
 std::string_view describe(Range range) noexcept;
 
-/// The value if nothing is written; monostate if there is none. A triple is a vector or a linear
-/// colour.
+/// The default value of a property; monostate: none. An array is a vector or a linear colour.
 using Default = std::variant<std::monostate, double, bool, std::string_view, std::array<double, 3>>;
 
 enum class Presence : std::uint8_t { Optional, Required };
@@ -64,9 +62,9 @@ struct Property {
   Range range = Range::Any;
   Presence presence = Presence::Optional;
   Default default_value = {};
-  std::string_view default_text = {};            ///< as the language spells it; empty: no default
-  std::span<const std::string_view> words = {};  ///< of Type::Word; empty: any name
-  bool reads_none = false;                       ///< the word `none` is a value too
+  std::string_view default_text = {};            ///< the default as written in a scene
+  std::span<const std::string_view> words = {};  ///< for Type::Word; empty: any name
+  bool reads_none = false;                       ///< the word `none` is allowed too
   std::string_view doc;
 };
 
@@ -75,21 +73,21 @@ enum class ObjectKind : std::uint8_t { Camera, Background, Sphere, Render, Group
 /// A kind of object and its table of properties.
 struct Kind {
   ObjectKind id;
-  std::string_view name;  ///< as the language writes it
-  bool takes_name;        ///< `camera main { … }`
-  bool is_unique;         ///< at most one in a file
-  bool is_setting;        ///< at the top level only, and not taken from an included file
+  std::string_view name;    ///< in the language
+  bool takes_name = false;  ///< `camera main { … }`
+  bool is_unique = false;   ///< at most one per file
+  bool is_setting = false;  ///< at the top level only; ignored in included files
   std::span<const Property> properties;
   std::string_view doc;
 };
 
 enum class MaterialKind : std::uint8_t { Diffuse, Specular, Transmissive, Emissive, Unlit };
 
-/// A material constructor of the language: its arguments are properties.
+/// A material constructor.
 struct MaterialInfo {
   MaterialKind id;
-  std::string_view name;       ///< as the language writes it
-  std::string_view json_name;  ///< as the JSON format's `type` writes it
+  std::string_view name;       ///< in the language
+  std::string_view json_name;  ///< value of `type` in the JSON format
   std::span<const Property> arguments;
   std::string_view doc;
 };
@@ -99,8 +97,8 @@ const Kind& kind_info(ObjectKind kind) noexcept;
 std::span<const MaterialInfo> all_materials() noexcept;
 const MaterialInfo& material_info(MaterialKind kind) noexcept;
 
-/// The tables of lang/schema/kinds.cpp, in the order in which `properties` holds them: the index of
-/// a property in its table is the index of its value in an Object.
+/// The row numbers of properties in the tables of lang/schema/kinds.cpp, which are also the indices
+/// of their slots in an Object.
 namespace camera_property {
 enum : std::size_t { kFrom, kAt, kUp, kFov, kViewHeight, kAspect, kShutter, kCount };
 }
@@ -158,7 +156,7 @@ std::string_view describe(JsonType type) noexcept;
 
 struct JsonObject;
 
-/// The meaning of a key that is not a single property.
+/// The keys of a config that do not simply give one property its value.
 enum class JsonSetting : std::uint8_t { None, GammaCorrect, InParallel, NumberCores };
 
 /// One key of an object of the JSON config format.
@@ -166,27 +164,28 @@ struct JsonKey {
   std::string_view key;
   JsonType type;
   Presence presence = Presence::Optional;
-  /// Where the value goes: a property of `target`, whose range it must meet too. No target: see
-  /// `object` and `setting`; with neither, the key has no effect.
+  /// The kind whose property the key sets. Null for arguments of materials, for the list of
+  /// spheres, for keys with an `object` or `setting`, and for keys without effect.
   const Kind* target = nullptr;
-  std::size_t property = 0;
-  const JsonObject* object = nullptr;  ///< of Object: what is inside
+  std::size_t property = 0;            ///< row in the table of the target or material
+  const JsonObject* object = nullptr;  ///< for JsonType::Object: its keys
   JsonSetting setting = JsonSetting::None;
-  Range range = Range::Any;  ///< of keys without a target
+  Range range = Range::Any;  ///< of the value
   std::string_view doc = {};
 };
 
 struct JsonObject {
-  std::string_view name;  ///< what a message calls it: "the camera"
+  std::string_view name;  ///< in messages: "the camera"
   std::span<const JsonKey> keys;
 };
 
-/// The whole config. `camera`, `rendering` and `saving` are required unless there is an `image`.
+/// The whole config. `saving` is always required, `camera` and `rendering` unless there is an
+/// `image`.
 const JsonObject& json_config() noexcept;
 const JsonObject& json_sphere() noexcept;
-/// The key of a property of the language; empty if the format has none.
+/// The JSON key of a property; empty if there is none.
 std::string_view json_key_of(const Kind& kind, std::size_t property) noexcept;
-/// The keys of a material of this kind beside `type`: one per argument that the format has.
+/// The keys of a material of this kind except `type`.
 std::span<const JsonKey> json_material_keys(MaterialKind kind) noexcept;
 
 }  // namespace sdlc::lang

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <string_view>
 
+#include "lang/text/utf8.hpp"
+
 namespace sdlc::lang {
 namespace {
 
-constexpr bool is_continuation(char c) noexcept {
-  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
-
-/// Units that the byte adds to a column. The first byte of a code point counts for all of it; four
-/// bytes are two units of UTF-16.
+/// Units that the byte adds to a column. The first byte of a code point counts for the whole code
+/// point; four bytes are two units of UTF-16.
 std::uint32_t units_of(char c, PositionEncoding encoding) noexcept {
   if (encoding == PositionEncoding::Utf8) return 1;
   if (is_continuation(c)) return 0;

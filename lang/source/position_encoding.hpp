@@ -18,7 +18,8 @@ enum class PositionEncoding : std::uint8_t {
 Position position_of(const SourceFile& file, std::uint32_t offset, PositionEncoding encoding);
 
 /// The byte offset of a position. A line past the last one is at the end of the text, a column past
-/// the end of its line before the line end, and a column inside a code point at its beginning.
+/// the end of its line before the line end, and the second unit of a UTF-16 pair at the beginning
+/// of its code point. Columns of Utf8 are exact, also inside a code point.
 std::uint32_t offset_of(const SourceFile& file, Position position, PositionEncoding encoding);
 
 }  // namespace sdlc::lang

@@ -9,11 +9,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMaxLinks = 40;  // as the kernel counts them
+constexpr int kMaxLinks = 40;  // the limit of Linux
 
 using Names = std::deque<std::string>;
 
-/// The names in a path, without the root, `.` and what an ending `/` leaves.
+/// The names in a path, without the root, `.` and the empty name after a trailing `/`.
 Names names_in(const fs::path& path) {
   Names names;
   for (const fs::path& name : path.relative_path()) {
@@ -47,8 +47,8 @@ Sandbox::Sandbox(const FileSystem& files, const fs::path& scene)
     : files_(files),
       root_(absolute_names(files.identity(folder_of(scene)))),
       beginnings_{names_in(fs::absolute(folder_of(scene)))} {
-  // The names of imports are normalized, before or after they are made absolute. Where the user's
-  // path has a `..` behind a link, that is the path of another folder.
+  // Paths of imports are normalized before or after they are made absolute. If the user's path has
+  // a `..` after a link, normalization may name another folder, which is excluded.
   const fs::path folder = folder_of(scene);
   for (const fs::path& normal :
        {fs::absolute(folder.lexically_normal()), fs::absolute(folder).lexically_normal()}) {
@@ -62,14 +62,14 @@ Sandbox::Sandbox(const FileSystem& files, const fs::path& scene)
 }
 
 std::optional<fs::path> Sandbox::resolve(const fs::path& path) const {
-  // Not normalized: where `link` leads elsewhere, `link/..` is not the folder of the link.
+  // Not normalized: `link/..` is the parent of the link's target, not the folder of the link.
   Names rest = names_in(fs::absolute(path));
   const auto beginning = std::find_if(beginnings_.begin(), beginnings_.end(),
                                       [&](const Names& names) { return starts_with(rest, names); });
   if (beginning == beginnings_.end()) return std::nullopt;
   rest.erase(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(beginning->size()));
 
-  // A part of the root, or below it. It holds no links: `..` is the folder before.
+  // A part of the root, or below it. It contains no links, so `..` removes the last name.
   Names resolved = root_;
   for (int links = 0; !rest.empty();) {
     const std::string name = rest.front();

@@ -10,21 +10,20 @@
 
 namespace sdlc::lang {
 
-/// The folder of a scene and all below it, which nothing leads out of.
+/// Restricts file access to the folder of a scene and its subfolders.
 class Sandbox {
  public:
-  /// `scene`: the file whose folder it is, as the user named it. `files` is borrowed.
+  /// `scene`: a file in the folder, as given by the user. `files` is borrowed.
   Sandbox(const FileSystem& files, const std::filesystem::path& scene);
 
-  /// The file that `path` leads to, whether it is there or not, with all links followed; nothing
-  /// where that is outside. Decided by the text of the path and of the links inside, so that the
-  /// file system is asked about nothing outside.
+  /// The path with all links resolved, whether the file exists or not; nullopt if it is outside.
+  /// Reads only the text of the path and links inside, so that no query reaches files outside.
   std::optional<std::filesystem::path> resolve(const std::filesystem::path& path) const;
 
  private:
   const FileSystem& files_;
-  std::deque<std::string> root_;  ///< the names in its absolute path, links followed
-  /// All absolute paths of it that are known: what begins with one of them is below the root.
+  std::deque<std::string> root_;  ///< names in the absolute path, links resolved
+  /// All known absolute paths of the root: a path that begins with one of them is below it.
   std::vector<std::deque<std::string>> beginnings_;
 };
 

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <functional>
 #include <limits>
 #include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "lang/text/utf8.hpp"
 
 namespace sdlc::lang {
 
@@ -40,9 +43,8 @@ Position SourceFile::position(std::uint32_t offset) const noexcept {
   const auto after = std::upper_bound(begins.begin(), begins.end(), offset);
   const auto line = static_cast<std::uint32_t>(after - begins.begin());
   const std::uint32_t begin = begins[line - 1];
-  const auto is_first_byte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
   const auto before = std::string_view(text_).substr(begin, offset - begin);
-  const auto column = std::count_if(before.begin(), before.end(), is_first_byte) + 1;
+  const auto column = std::ranges::count_if(before, std::not_fn(is_continuation)) + 1;
   return {.line = line, .column = static_cast<std::uint32_t>(column)};
 }
 
@@ -65,7 +67,7 @@ std::uint32_t SourceFile::line_count() const noexcept {
 
 namespace {
 
-/// A file descriptor that closes itself.
+/// Owns a file descriptor: closes it on destruction, unless it is a standard stream.
 class Descriptor {
  public:
   explicit Descriptor(int fd) noexcept : fd_(fd) {}
@@ -85,7 +87,7 @@ std::error_code last_error() { return {errno, std::generic_category()}; }
 }  // namespace
 
 std::optional<std::string> DiskFileSystem::read(const std::filesystem::path& path,
-                                                std::uint64_t most, std::error_code& error) const {
+                                                std::uint64_t max, std::error_code& error) const {
   error.clear();
   const Descriptor file(path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) {
@@ -98,10 +100,11 @@ std::optional<std::string> DiskFileSystem::read(const std::filesystem::path& pat
     return std::nullopt;
   }
 
-  // Places in a text have 32 bits.
-  constexpr std::uint64_t kMostText = std::numeric_limits<std::uint32_t>::max();
-  const std::uint64_t end = std::min(most, kMostText) + 1;
-  // A regular file says how long it is; a pipe does not. One byte more than that finds the end.
+  // Offsets into the text have 32 bits, so a longer text is an error.
+  constexpr std::uint64_t kMaxText = std::numeric_limits<std::uint32_t>::max();
+  const std::uint64_t end = std::min(max, kMaxText) + 1;
+  // One byte more than a regular file has, so that its end is found without growing the buffer.
+  // Pipes and devices have no size.
   const std::uint64_t expected =
       S_ISREG(info.st_mode) ? static_cast<std::uint64_t>(info.st_size) + 1 : 1 << 16;
   std::string text(std::min(expected, end), '\0');
@@ -117,7 +120,7 @@ std::optional<std::string> DiskFileSystem::read(const std::filesystem::path& pat
     if (got == 0) break;
     used += static_cast<std::size_t>(got);
   }
-  if (used > kMostText) {
+  if (used > kMaxText) {
     error = std::make_error_code(std::errc::file_too_large);
     return std::nullopt;
   }
@@ -140,8 +143,11 @@ std::optional<std::filesystem::path> DiskFileSystem::link_target(
 
 std::filesystem::path DiskFileSystem::identity(const std::filesystem::path& path) const {
   std::error_code error;
-  const std::filesystem::path absolute = std::filesystem::weakly_canonical(path, error);
-  return error ? path.lexically_normal() : absolute;
+  // weakly_canonical() alone keeps a relative path of which nothing exists.
+  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+  if (error) return path.lexically_normal();
+  const std::filesystem::path canonical = std::filesystem::weakly_canonical(absolute, error);
+  return error ? absolute.lexically_normal() : canonical;
 }
 
 }  // namespace sdlc::lang

@@ -11,7 +11,7 @@
 
 namespace sdlc::lang {
 
-/// A run of bytes [begin, end) of one source text. Offsets are 32 bits: a text is at most 4 GiB.
+/// The bytes [begin, end) of a source text. Offsets have 32 bits: a text has at most 4 GiB.
 struct Span {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
@@ -20,7 +20,7 @@ struct Span {
   friend constexpr bool operator==(const Span&, const Span&) = default;
 };
 
-/// A place as people count it, both from 1; a column is a Unicode code point.
+/// Line and column count from 1; a column is a Unicode code point.
 struct Position {
   std::uint32_t line = 1;
   std::uint32_t column = 1;
@@ -28,19 +28,20 @@ struct Position {
   friend constexpr bool operator==(const Position&, const Position&) = default;
 };
 
-/// The two formats that scenes are written in.
+/// The formats of scenes.
 enum class SourceFormat : std::uint8_t { Scene, Json };
 
-/// The format that the name's extension speaks of; without a known extension, Json if the text
-/// begins with a brace, which no scene does.
+/// The format by the extension of the name; for an unknown extension, Json if the text begins with
+/// a brace, as no scene does.
 SourceFormat source_format_of(const std::filesystem::path& path, std::string_view text);
 
-/// The text of one file and where its lines begin. Its address is its identity: spans of it are
-/// only meaningful together with it.
+/// The text of a file and its line starts. Its address is its identity: spans are meaningful only
+/// together with it.
 class SourceFile {
  public:
-  /// `name` is the file as the user named it; it is what diagnostics print.
+  /// `name`: the path as given by the user; diagnostics print it.
   SourceFile(std::string name, std::string text);
+  virtual ~SourceFile() = default;
 
   const std::string& name() const noexcept { return name_; }
   SourceFormat format() const noexcept { return format_; }
@@ -57,7 +58,7 @@ class SourceFile {
   std::uint32_t line_count() const noexcept;
 
  private:
-  // Line starts are found when the first position is asked for: a file without mistakes needs none.
+  // Computed on the first request for a position: a file without mistakes needs none.
   const std::vector<std::uint32_t>& line_begins() const;
 
   std::string name_;
@@ -66,29 +67,29 @@ class SourceFile {
   mutable std::vector<std::uint32_t> line_begins_;
 };
 
-/// A span together with its text.
+/// A span and its file.
 struct Location {
   const SourceFile* file = nullptr;
   Span span;
 };
 
-/// Where texts come from; tests give one that needs no disk.
+/// The source of texts; tests have one without a disk.
 class FileSystem {
  public:
   virtual ~FileSystem() = default;
 
-  /// The bytes of the file, or nothing with `error` set. Of a file of more than `most` bytes no
-  /// more than the first `most` + 1 are read: whoever asked sees that it is too long.
-  virtual std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t most,
+  /// The bytes of the file, or nullopt with `error` set. Reads at most `max` + 1 bytes, so that the
+  /// caller can recognize a file that is too large.
+  virtual std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t max,
                                           std::error_code& error) const = 0;
-  /// Whether it is there and neither a file nor a folder, such as a pipe: reading it may not end.
+  /// Whether the path is a pipe or a device: reading it may not end.
   virtual bool is_special(const std::filesystem::path& /*path*/) const { return false; }
-  /// Where a symbolic link points to, as it says itself; nothing for all else.
+  /// The target of a symbolic link, as written in the link; nullopt for other files.
   virtual std::optional<std::filesystem::path> link_target(
       const std::filesystem::path& /*path*/) const {
     return std::nullopt;
   }
-  /// A name that is the same for every way to write the path of one file.
+  /// A name that is the same for all paths of one file.
   virtual std::filesystem::path identity(const std::filesystem::path& path) const {
     return path.lexically_normal();
   }
@@ -97,12 +98,12 @@ class FileSystem {
 /// The files of this machine.
 class DiskFileSystem final : public FileSystem {
  public:
-  std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t most,
+  std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t max,
                                   std::error_code& error) const override;
   bool is_special(const std::filesystem::path& path) const override;
   std::optional<std::filesystem::path> link_target(
       const std::filesystem::path& path) const override;
-  /// Absolute, symbolic links followed.
+  /// The absolute path with symbolic links resolved, whether the file exists or not.
   std::filesystem::path identity(const std::filesystem::path& path) const override;
 };
 

@@ -1,241 +1,11 @@
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-#include <string_view>
-#include <type_traits>
-#include <utility>
-
-#include "grammar/scene.hpp"
 #include "lang/repair/recovery.hpp"
-#include "lang/syntax/expected.hpp"
-#include "lang/syntax/tree_builder.hpp"
-#include "lang/token/lines.hpp"
+#include "lang/syntax/build.hpp"
 #include "lang/token/name_characters.hpp"
 
-/// What happens where a rule of the grammar matches (Build) and where it must and does not
-/// (Control). Included by parse.cpp alone: the grammar is compiled once.
+/// The actions of expressions and literals, and the nodes of all rules.
 namespace sdlc::lang {
-
-namespace pegtl = tao::pegtl;
-using pegtl::apply_mode;
-using pegtl::rewind_mode;
-
-// What is reported where the grammar is committed
-
-template <typename Rule>
-struct Control : pegtl::normal<Rule> {
-  template <typename Input>
-  [[noreturn]] static void raise(const Input& in, TreeBuilder& builder) {
-    static_assert(expected<Rule>.words != nullptr, "a committed rule needs words for its error");
-    const std::uint32_t at = builder.offset(in.current());
-    builder.mark_error(at);
-    if constexpr (std::is_same_v<Rule, grammar::block_end>) {
-      const std::uint32_t begin = builder.opener;
-      builder.sink().report(diag::unclosed, builder.location({begin, begin + 1}), "{");
-      throw Stopped{};
-    } else if constexpr (std::is_same_v<Rule, grammar::comment_block_end>) {
-      const std::uint32_t begin = builder.comment_begin;
-      builder.sink().report(diag::unclosed, builder.location({begin, begin + 2}), "/*");
-      throw Stopped{};
-    } else {
-      // That a bracket is missing has been reported; what it ends too soon follows from that.
-      if (!builder.is_added(at)) diagnose_expected(builder, at, expected<Rule>);
-      throw Reported{};
-    }
-  }
-};
-
-// What is built where a rule matches
-
-template <typename Rule>
-struct Build : pegtl::nothing<Rule> {};
-
-/// Matches `Rule` itself inside an action that surrounds it. No lookahead of the grammar contains a
-/// rule that builds, so that nothing is built twice.
-template <typename Rule, apply_mode A, rewind_mode M, template <typename...> class Action,
-          template <typename...> class Ctrl, typename Input>
-bool match_inside(Input& in, TreeBuilder& builder) {
-  static_assert(A == apply_mode::action, "nothing may be built in a lookahead");
-  return pegtl::match<Rule, A, M, Action, Ctrl>(in, builder);
-}
-
-/// The same, with the input where it was if the rule does not match: for actions that then look at
-/// it.
-template <typename Rule, apply_mode A, template <typename...> class Action,
-          template <typename...> class Ctrl, typename Input>
-bool match_or_rewind(Input& in, TreeBuilder& builder) {
-  auto marker = in.template mark<rewind_mode::required>();
-  return marker(match_inside<Rule, A, rewind_mode::active, Action, Ctrl>(in, builder));
-}
-
-#define SDLC_SURROUND                                                                        \
-  template <typename Rule, apply_mode A, rewind_mode M, template <typename...> class Action, \
-            template <typename...> class Ctrl, typename Input>                               \
-  static bool match(Input& in, TreeBuilder& builder)
-#define SDLC_MATCH match_inside<Rule, A, M, Action, Ctrl>(in, builder)
-
-/// A node around what is built inside, which begins with one of `kFirst` if there are any: most of
-/// the places where a node might begin are settled by their first character.
-template <SyntaxKind kKind, char... kFirst>
-struct Node : pegtl::maybe_nothing {
-  SDLC_SURROUND {
-    if constexpr (sizeof...(kFirst) > 0) {
-      if (in.empty() || ((in.peek_char() != kFirst) && ...)) return false;
-    }
-    OpenNode node(builder, kKind, builder.offset(in.current()));
-    if (SDLC_MATCH) return true;
-    node.discard();
-    return false;
-  }
-};
-
-/// A node around several operands, none around one.
-template <SyntaxKind kKind>
-struct Chain : pegtl::maybe_nothing {
-  SDLC_SURROUND {
-    OpenChain chain(builder);
-    if (SDLC_MATCH) {
-      chain.close(kKind);
-      return true;
-    }
-    chain.discard();
-    return false;
-  }
-};
-
-/// A node of a token.
-template <SyntaxKind kKind>
-struct Leaf : pegtl::maybe_nothing {
-  SDLC_SURROUND {
-    const std::uint32_t begin = builder.offset(in.current());
-    if (!SDLC_MATCH) return false;
-    builder.push(kKind, {begin, builder.token_end()});
-    return true;
-  }
-};
-
-/// A node of a lexical rule, which has no space behind it.
-template <SyntaxKind kKind>
-struct LexicalLeaf : pegtl::maybe_nothing {
-  SDLC_SURROUND {
-    const std::uint32_t begin = builder.offset(in.current());
-    if (!SDLC_MATCH) return false;
-    builder.push(kKind, {begin, builder.offset(in.current())});
-    return true;
-  }
-};
-
-/// The beginning of the node that was pushed last.
-struct Head : pegtl::maybe_nothing {
-  SDLC_SURROUND {
-    if (!SDLC_MATCH) return false;
-    SyntaxNode& node = builder.node(builder.size() - 1);
-    set_head(builder, node);
-    return true;
-  }
-
-  static void set_head(TreeBuilder& builder, SyntaxNode& node) {
-    const std::uint32_t size = builder.token_end() - node.begin;
-    if (size > kMaxNameLength) {
-      builder.sink().report(diag::name_too_long,
-                            builder.location({node.begin, builder.token_end()}),
-                            static_cast<int>(kMaxNameLength));
-      builder.mark_error(builder.token_end());
-      throw Reported{};
-    }
-    node.head = static_cast<std::uint16_t>(size);
-  }
-
-  static constexpr std::uint32_t kMaxNameLength = 0xFFFF;
-};
-
-/// A label, whose colon belongs to the same rule.
-struct LabelHead : pegtl::maybe_nothing {
-  SDLC_SURROUND {
-    if (!SDLC_MATCH) return false;
-    SyntaxNode& node = builder.node(builder.size() - 1);
-    // `token_end` is behind the colon.
-    const std::uint32_t end = builder.token_end();
-    builder.end_token(builder.label_end);
-    Head::set_head(builder, node);
-    builder.end_token(end);
-    return true;
-  }
-};
-
-template <>
-struct Build<grammar::label> : pegtl::maybe_nothing {
-  SDLC_SURROUND {
-    if (!SDLC_MATCH) return false;
-    builder.label_end = builder.offset(in.current());
-    return true;
-  }
-};
-
-/// An operand of a chain that notes the operator in front of it.
-struct Operand : pegtl::maybe_nothing {
-  SDLC_SURROUND {
-    const Operator op = builder.op;
-    const NodeIndex first = builder.size();
-    if (!SDLC_MATCH) return false;
-    builder.node(first).op = op;
-    return true;
-  }
-};
-
-enum class Opener : std::uint8_t { Bracket, Word, Comment };
-
-/// What lies behind an opening bracket or a prefix of `kLength` bytes: one level deeper.
-template <Opener kOpener, std::uint32_t kLength>
-struct Nest : pegtl::maybe_nothing {
-  SDLC_SURROUND {
-    const std::uint32_t end =
-        kOpener == Opener::Comment ? builder.offset(in.current()) : builder.token_end();
-    Level level(builder, {end - kLength, end});
-    const bool matched = SDLC_MATCH;
-    level.leave();
-    if constexpr (kOpener == Opener::Bracket) {
-      // What such a bracket holds may not be what was meant: no one should count on it.
-      const std::uint32_t last = builder.token_end();
-      if (matched && builder.is_uncertain(last - 1)) builder.push(SyntaxKind::Error, {last, last});
-    }
-    return matched;
-  }
-
- private:
-  class Level {
-   public:
-    Level(TreeBuilder& builder, Span opener) : builder_(builder), outer_(builder.opener) {
-      if (builder.depth == kMaxNesting) {
-        builder.mark_error(opener.end);
-        builder.brackets += kOpener == Opener::Bracket;
-        builder.sink().report(diag::too_deep, builder.location(opener), int{kMaxNesting});
-        if (kOpener == Opener::Comment) throw Stopped{};
-        throw Reported{};
-      }
-      ++builder.depth;
-      if (kOpener == Opener::Bracket) {
-        ++builder.brackets;
-        builder.opener = opener.begin;
-      }
-    }
-    Level(const Level&) = delete;
-    Level& operator=(const Level&) = delete;
-    ~Level() {
-      --builder_.depth;
-      builder_.opener = outer_;
-    }
-    /// A mistake inside leaves the bracket open: whoever looks for the next statement counts it.
-    void leave() noexcept {
-      if (kOpener == Opener::Bracket) --builder_.brackets;
-    }
-
-   private:
-    TreeBuilder& builder_;
-    std::uint32_t outer_;
-  };
-};
 
 // clang-format off
 template <> struct Build<grammar::version>          : LexicalLeaf<SyntaxKind::Version> {};
@@ -298,7 +68,7 @@ template <>
 struct Build<grammar::space> : pegtl::maybe_nothing {
   SDLC_SURROUND {
     builder.end_token(builder.offset(in.current()));
-    // Most space is one blank or none. What is not settled here goes the way of the grammar.
+    // Fast path: most space is one blank or none. The grammar handles comments and CR.
     while (!in.empty() && is_blank(in.peek_char())) in.bump(1);
     if (!in.empty() && (in.peek_char() == '/' || in.peek_char() == '\r')) {
       const bool matched = SDLC_MATCH;
@@ -362,7 +132,7 @@ struct Build<grammar::reference> : Node<SyntaxKind::Reference> {
   }
 
  private:
-  /// Whether it is rather the next line's statement, and the value is missing.
+  /// Whether the next line's statement begins here, and the value is missing.
   static bool begins_object(const TreeBuilder& builder, std::uint32_t at) {
     if (builder.in_head) return false;
     const std::string_view text = builder.text();
@@ -457,17 +227,14 @@ struct Build<grammar::parenthesis> : pegtl::maybe_nothing {
   }
 };
 
-// Literals that are wrong are reported and passed: what surrounds them is not.
+// Wrong literals are reported and skipped: the text around them is read as usual.
 
 template <>
 struct Build<grammar::number> : pegtl::maybe_nothing {
   SDLC_SURROUND {
     const std::uint32_t begin = builder.offset(in.current());
     if (match_or_rewind<Rule, A, Action, Ctrl>(in, builder)) {
-      const std::uint32_t end = builder.offset(in.current());
-      const std::uint32_t behind = in.empty() ? end : end_with_unit(in, builder, {begin, end});
-      builder.push(behind == end ? SyntaxKind::Number : SyntaxKind::Error, {begin, behind});
-      in.bump(behind - end);
+      builder.push(SyntaxKind::Number, {begin, builder.offset(in.current())});
       return true;
     }
     const std::size_t digit = !in.empty() && in.peek_char() == '.' ? 1 : 0;
@@ -476,15 +243,6 @@ struct Build<grammar::number> : pegtl::maybe_nothing {
     builder.push(SyntaxKind::Error, {begin, end});
     in.bump(end - begin);
     return true;
-  }
-
- private:
-  /// Where the number ends with the unit that a blank keeps apart from it.
-  template <typename Input>
-  static std::uint32_t end_with_unit(const Input& in, TreeBuilder& builder, Span number) {
-    const char c = in.peek_char();
-    const bool may_be = c == ' ' || c == '\t' || static_cast<unsigned char>(c) >= 0x80;
-    return may_be ? diagnose_separate_unit(builder, number) : number.end;
   }
 };
 
@@ -514,166 +272,5 @@ struct Build<grammar::color> : pegtl::maybe_nothing {
     return true;
   }
 };
-
-// Blocks and statements
-
-template <>
-struct Build<grammar::block> : Node<SyntaxKind::Block, '{'> {
-  SDLC_SURROUND {
-    const bool outer = std::exchange(builder.in_object, false);
-    const bool matched = Node::match<Rule, A, M, Action, Ctrl>(in, builder);
-    builder.in_object = outer;
-    return matched;
-  }
-};
-
-template <>
-struct Build<grammar::object_block> : pegtl::maybe_nothing {
-  SDLC_SURROUND {
-    const bool outer = std::exchange(builder.in_object, true);
-    const bool was_group = std::exchange(builder.in_group, is_group(builder));
-    const bool matched = SDLC_MATCH;
-    builder.in_object = outer;
-    builder.in_group = was_group;
-    return matched;
-  }
-
- private:
-  /// Whether the object is of the one kind that holds statements. Behind its node stands that of
-  /// its name, if it has one.
-  static bool is_group(TreeBuilder& builder) {
-    const NodeIndex last = builder.size() - 1;
-    const bool has_name = builder.node(last).kind == SyntaxKind::Name;
-    const SyntaxNode& object = builder.node(has_name ? last - 1 : last);
-    return builder.text().substr(object.begin, object.head) == "group";
-  }
-};
-
-template <>
-struct Build<grammar::block_inside> : Nest<Opener::Bracket, 1> {
-  SDLC_SURROUND {
-    ++builder.blocks;
-    const bool matched = Nest::match<Rule, A, M, Action, Ctrl>(in, builder);
-    --builder.blocks;
-    return matched;
-  }
-};
-
-template <>
-struct Build<grammar::file_header> : pegtl::maybe_nothing {
-  SDLC_SURROUND {
-    const std::uint32_t first = builder.offset(in.current());
-    const std::uint32_t begin = skip_foreign_comments(builder, first);
-    in.bump(begin - first);
-    if (!match_or_rewind<Rule, A, Action, Ctrl>(in, builder)) {
-      in.bump(diagnose_header(builder, begin) - begin);
-      return true;
-    }
-    const SyntaxNode& version = builder.node(builder.size() - 1);
-    const std::string_view text = builder.text().substr(version.begin, version.span().size());
-    builder.has_version = true;
-    if (text == "1") return true;
-    builder.sink().report(diag::unsupported_version, builder.location(version.span()), text);
-    throw Stopped{};
-  }
-};
-
-/// A statement, or what stands in the place of one: this matches until the block's `}` or the end
-/// of the text.
-template <>
-struct Build<grammar::statement> : pegtl::maybe_nothing {
-  SDLC_SURROUND {
-    builder.sink().stop_if_requested();
-    const Surroundings before(builder);
-    const std::uint32_t begin = builder.offset(in.current());
-    try {
-      if (match_or_rewind<Rule, A, Action, Ctrl>(in, builder)) {
-        builder.set_last_statement(before.nodes);
-        if (before.in_object && !before.in_group &&
-            builder.node(before.nodes).kind != SyntaxKind::Property) {
-          builder.has_misplaced = builder.has_misplaced || is_shallow(builder, begin);
-        }
-        return true;
-      }
-    } catch (const Reported&) {
-      const RecoveryOptions options{.open = builder.brackets - before.brackets,
-                                    .open_block = builder.blocks > before.blocks};
-      before.restore(builder);
-      builder.poison_last_part(before.nodes);
-      const std::uint32_t wrong = builder.error_at();
-      skip_to(in, builder, wrong, find_next(builder, begin, wrong, options));
-      return true;
-    }
-    builder.end_token(before.token_end);
-    const std::uint32_t at = builder.offset(in.current());
-    if (in.empty() || (in.peek_char() == '}' && builder.blocks > 0)) return false;
-    const bool open_block = in.peek_char() == '{';
-    const Resumption next = diagnose_statement(builder, at);
-    skip_to(in, builder, at,
-            next.is_statement ? next.from
-                              : find_next(builder, at, next.from, {.open_block = open_block}));
-    return true;
-  }
-
- private:
-  struct Surroundings {
-    explicit Surroundings(const TreeBuilder& b)
-        : nodes(b.size()),
-          token_end(b.token_end()),
-          brackets(b.brackets),
-          blocks(b.blocks),
-          in_object(b.in_object),
-          in_group(b.in_group),
-          in_head(b.in_head) {}
-    void restore(TreeBuilder& b) const noexcept {
-      b.brackets = brackets;
-      b.blocks = blocks;
-      b.in_object = in_object;
-      b.in_group = in_group;
-      b.in_head = in_head;
-    }
-
-    NodeIndex nodes;
-    std::uint32_t token_end, brackets, blocks;
-    bool in_object, in_group, in_head;
-  };
-
-  /// Whether the statement at `begin`, in an object, stands where the object should have ended.
-  static bool is_shallow(const TreeBuilder& builder, std::uint32_t begin) {
-    const std::string_view text = builder.text();
-    return is_first_of_line(text, begin) &&
-           indent_of_line(text, begin) <= indent_of_line(text, builder.opener);
-  }
-
-  /// The next statement from `from` on, and at least one byte behind `begin`.
-  static std::uint32_t find_next(TreeBuilder& builder, std::uint32_t begin, std::uint32_t from,
-                                 RecoveryOptions options) {
-    constexpr std::size_t kMaxPatientErrors = 50;
-    options.is_patient = builder.sink().error_count() <= kMaxPatientErrors;
-    // Looking back along a line at every mistake takes long, which is worth it for those that are
-    // shown.
-    if (options.is_patient) options.indent = indent_of_line(builder.text(), begin);
-    const std::uint32_t next = next_statement(builder.text(), from, options);
-    return next > begin ? next : next_statement(builder.text(), begin + 1, {});
-  }
-
-  /// Goes on at `to`. What is left out, from `wrong` on, becomes an Error.
-  template <typename Input>
-  static void skip_to(Input& in, TreeBuilder& builder, std::uint32_t wrong, std::uint32_t to) {
-    to = std::max(to, builder.offset(in.current()));
-    const Span span = trim(builder.text(), {wrong, to});
-    if (span.size() > 0) builder.push(SyntaxKind::Error, span);
-    const std::uint32_t token_end = span.size() > 0 ? span.end : builder.token_end();
-    builder.set_last_statement(TreeBuilder::kNone);
-    in.bump(to - builder.offset(in.current()));
-    static_cast<void>(
-        Control<grammar::space>::template match<apply_mode::action, rewind_mode::dontcare, Build,
-                                                Control>(in, builder));
-    builder.end_token(token_end);
-  }
-};
-
-#undef SDLC_SURROUND
-#undef SDLC_MATCH
 
 }  // namespace sdlc::lang

@@ -7,45 +7,20 @@
 
 #include <fmt/format.h>
 
+#include "lang/text/utf8.hpp"
 #include "lang/token/name_characters.hpp"
 #include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
 namespace {
 
-/// One code point of the text, or a byte that is part of none.
-struct CodePoint {
-  char32_t value = 0;
-  std::uint32_t size = 1;
-  bool is_valid = false;
-};
-
-CodePoint decode(std::string_view text, std::uint32_t at) noexcept {
-  const auto byte = [&](std::uint32_t i) {
-    return static_cast<unsigned char>(char_at(text, at + i));
-  };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return {first, 1, true};
-  const std::uint32_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC0 ? 2 : 0;
-  if (size == 0 || first > 0xF4) return {};
-  char32_t value = first & (0x7F >> size);
-  for (std::uint32_t i = 1; i < size; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return {};
-    value = value << 6 | (byte(i) & 0x3F);
-  }
-  constexpr std::array<char32_t, 5> kSmallest{0, 0, 0x80, 0x800, 0x10000};
-  const bool is_surrogate = value >= 0xD800 && value <= 0xDFFF;
-  if (value < kSmallest[size] || value > 0x10FFFF || is_surrogate) return {};
-  return {value, size, true};
-}
-
 bool is_bidi_control(char32_t c) noexcept {
   return c == 0x061C || c == 0x200E || c == 0x200F || (c >= 0x202A && c <= 0x202E) ||
          (c >= 0x2066 && c <= 0x2069);
 }
 
-/// A blank that looks like a space, or like nothing at all.
-bool is_foreign_blank(char32_t c) noexcept {
+/// A Unicode space, or a character of zero width.
+bool is_unicode_space(char32_t c) noexcept {
   return c == 0xA0 || c == 0x1680 || (c >= 0x2000 && c <= 0x200D) || c == 0x2028 || c == 0x2029 ||
          c == 0x202F || c == 0x205F || c == 0x2060 || c == 0x3000 || c == 0xFEFF || c == 0x85;
 }
@@ -54,12 +29,12 @@ bool is_control(char32_t c) noexcept {
   return (c < 0x20 && c != '\t' && c != '\n') || (c >= 0x7F && c < 0xA0 && c != 0x85);
 }
 
-/// The first byte from `at` on that is not of the plain characters nearly all text consists of.
+/// The first byte from `at` on that is not printable ASCII, tab or LF.
 std::uint32_t next_special(std::string_view text, std::uint32_t at) noexcept {
   constexpr std::uint64_t kOnes = 0x0101010101010101, kHighs = 0x8080808080808080;
   const auto is_plain = [](char c) { return (c >= ' ' && c <= '~') || c == '\n' || c == '\t'; };
   while (at < text.size()) {
-    // Eight bytes at once while none is below U+0020 (which most line ends are) or above U+007E.
+    // SWAR: eight bytes at once while none is below U+0020 or above U+007E.
     while (at + 8 <= text.size()) {
       std::uint64_t word;
       std::memcpy(&word, text.data() + at, 8);
@@ -76,7 +51,7 @@ std::uint32_t next_special(std::string_view text, std::uint32_t at) noexcept {
   return at;
 }
 
-/// With a byte order mark, or where of the first letters every other byte is NUL.
+/// Whether the text has a byte order mark of UTF-16, or every other of its first bytes is NUL.
 bool is_utf16(std::string_view text) noexcept {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
   constexpr std::size_t kMaxBytes = 64, kMinBytes = 8;
@@ -100,43 +75,46 @@ class CharacterCheck {
       return empty;
     }
     std::uint32_t at = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-    while ((at = next_special(text_, at)) < text_.size()) at = check(at);
-    return std::move(mended_);
+    while ((at = next_special(text_, at)) < text_.size()) {
+      sink_.stop_if_requested();
+      at = check(at);
+    }
+    return std::move(repaired_);
   }
 
  private:
   std::uint32_t check(std::uint32_t at) {
     if (text_[at] == '\r' && char_at(text_, at + 1) == '\n') return at + 2;
-    const CodePoint c = decode(text_, at);
+    const DecodedChar c = decode_utf8(text_.substr(at));
     const Span span{at, at + c.size};
     if (!c.is_valid) return bad_bytes(at);
-    if (c.value == '\r') {
-      mend(span, '\n');
+    if (c.code_point == '\r') {
+      replace(span, '\n');
       if (!has_lone_return_) {
         sink_.report(diag::bad_character, {&file_, span}, "a carriage return without a line feed")
             .help("save the file with LF or CRLF line ends");
       }
       has_lone_return_ = true;
-    } else if (is_control(c.value) || is_bidi_control(c.value)) {
+    } else if (is_control(c.code_point) || is_bidi_control(c.code_point)) {
       const char* what =
-          is_bidi_control(c.value) ? "a control of text direction" : "a control character";
+          is_bidi_control(c.code_point) ? "a control of text direction" : "a control character";
       return report(at, c, what, "");
-    } else if (is_foreign_blank(c.value) && !is_opaque(at)) {
-      return report(at, c, "a blank that is no space", " ");
+    } else if (is_unicode_space(c.code_point) && !is_opaque(at)) {
+      return report(at, c, "a space other than U+0020", " ");
     }
     return span.end;
   }
 
   std::uint32_t bad_bytes(std::uint32_t at) {
     std::uint32_t end = at + 1;
-    while (end < text_.size() && !decode(text_, end).is_valid) ++end;
+    while (end < text_.size() && !decode_utf8(text_.substr(end)).is_valid) ++end;
     sink_.report(diag::bad_utf8, {&file_, {at, end}}).help("save the file as UTF-8");
-    mend({at, end}, ' ');
+    replace({at, end}, ' ');
     return end;
   }
 
-  /// Of a run of one character, as one; returns where it ends.
-  std::uint32_t report(std::uint32_t at, CodePoint c, std::string_view what,
+  /// Reports a run of one character once; returns its end.
+  std::uint32_t report(std::uint32_t at, DecodedChar c, std::string_view what,
                        std::string_view replacement) {
     const std::string_view character = text_.substr(at, c.size);
     std::string fix;
@@ -144,7 +122,7 @@ class CharacterCheck {
     for (; text_.substr(run.end).starts_with(character); run.end += c.size) fix += replacement;
     auto report =
         sink_.report(diag::bad_character, {&file_, run},
-                     fmt::format("U+{:04X}, {},", static_cast<std::uint32_t>(c.value), what));
+                     fmt::format("U+{:04X}, {},", static_cast<std::uint32_t>(c.code_point), what));
     const bool is_in_word =
         at > 0 && is_idchar(text_[at - 1]) && is_idchar(char_at(text_, run.end));
     if (is_in_word || is_opaque(at)) {
@@ -152,25 +130,28 @@ class CharacterCheck {
     } else {
       report.fix({&file_, run}, std::move(fix));
     }
-    mend(run, ' ');
+    replace(run, ' ');
     return run.end;
   }
 
-  void mend(Span span, char replacement) {
-    if (!mended_) mended_ = text_;
-    for (std::uint32_t i = span.begin; i < span.end; ++i) (*mended_)[i] = replacement;
+  void replace(Span span, char replacement) {
+    if (!repaired_) repaired_ = text_;
+    for (std::uint32_t i = span.begin; i < span.end; ++i) (*repaired_)[i] = replacement;
   }
 
   /// Whether `at` lies in a comment or string. Asked in the order of the text.
   bool is_opaque(std::uint32_t at) {
-    while (token_.span.end <= at) token_ = tokens_.next();
+    while (token_.span.end <= at) {
+      sink_.stop_if_requested();
+      token_ = tokens_.next();
+    }
     return is_comment(token_.kind) || is_string(token_.kind);
   }
 
   const SourceFile& file_;
   std::string_view text_;
   DiagnosticSink& sink_;
-  std::optional<std::string> mended_;
+  std::optional<std::string> repaired_;
   TokenReader tokens_;
   Token token_;  ///< the last one that was read
   bool has_lone_return_ = false;

@@ -8,10 +8,9 @@
 
 namespace sdlc::lang {
 
-/// Reports the characters that may not stand in a scene: bad UTF-8, controls, lone CR,
-/// bidirectional controls anywhere; blanks other than space and tab outside comments and strings.
-/// Where there were any, gives the text with blanks in their places, so that nothing stumbles over
-/// them for a second time.
+/// Reports characters that a scene must not contain: invalid UTF-8, control characters, lone CR and
+/// bidirectional controls anywhere; spaces other than space and tab outside comments and strings.
+/// Returns the text with spaces in their place; nullopt if there are none.
 std::optional<std::string> check_characters(const SourceFile& file, DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

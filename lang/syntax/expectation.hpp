@@ -4,14 +4,13 @@
 
 namespace sdlc::lang {
 
-/// What kind of thing a committed rule wants, as far as it matters to whoever tells that it is not
-/// there.
+/// What a committed rule expects, as far as its error message depends on it.
 enum class Wanted : std::uint8_t {
   Other,
-  Name,           ///< of what is declared
-  LabeledValue,   ///< behind `name:`
-  Is,             ///< `=` and what it defines
-  FunctionIs,     ///< likewise, behind the parameters of an `fn`
+  Name,           ///< of a declaration
+  LabeledValue,   ///< after `name:`
+  Is,             ///< `=` and the definition
+  FunctionIs,     ///< the same after the parameters of an `fn`
   Type,           ///< of a parameter
   In,             ///< of a `for`
   Block,          ///< in braces
@@ -20,14 +19,14 @@ enum class Wanted : std::uint8_t {
   FileName,       ///< of an import
   ParametersEnd,  ///< `,` or `)`
   ArgumentsEnd,   ///< `,` or `)`
-  GroupEnd,       ///< `)` behind a value or the third of a point
+  GroupEnd,       ///< `)` after a value or the third of a point
   ListEnd,        ///< `,` or `]`
   IndexEnd,       ///< `]`
   SecondOperand,  ///< none: comparisons make no chain
 };
 
 struct Expectation {
-  const char* words = nullptr;  ///< what a user is told to have been expected
+  const char* words = nullptr;  ///< for "expected …"
   Wanted wanted = Wanted::Other;
 };
 

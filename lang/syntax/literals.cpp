@@ -19,10 +19,11 @@ struct NumberFault {
   std::string reason;
   std::string replacement;  ///< empty: none is known
   bool is_certain = true;
+  std::string help = {};  ///< empty: a general one
 };
 
-/// Where the longest number at the beginning of `text` ends, its unit left out, read as generously
-/// as possible.
+/// The end of the longest number at the beginning of `text`, without its unit; misplaced `_` and a
+/// missing exponent are accepted.
 std::size_t end_of_digits(std::string_view text) {
   std::size_t i = 0;
   const auto digits = [&] {
@@ -39,7 +40,7 @@ std::size_t end_of_digits(std::string_view text) {
   return i;
 }
 
-/// The number with every `_` where it belongs and a digit behind its point.
+/// The number with each `_` between digits only and a digit after its point.
 std::string tidied(std::string_view number) {
   std::string tidy;
   for (std::size_t i = 0; i < number.size(); ++i) {
@@ -74,19 +75,21 @@ NumberFault number_fault(std::string_view text) {
   const std::string_view number = text.substr(0, digits), suffix = text.substr(digits);
   if (number.find('_') != std::string_view::npos && tidied(number) != number) {
     const bool is_whole = tidied(number).size() < number.size();
-    return {"a `_` stands between two digits", tidied(number) + std::string(suffix), is_whole};
+    return {"a `_` must be between two digits", tidied(number) + std::string(suffix), is_whole};
   }
   if (suffix.starts_with('.')) return {"it has two points", ""};
   const std::size_t e = number.find_first_of("eE");
   if (e != std::string_view::npos && !is_digit(number.back())) {
-    return {fmt::format("digits are missing behind the `{}`", number.substr(e)), ""};
+    return {fmt::format("digits are missing after the `{}`", number.substr(e)), ""};
   }
   if (tidied(number) != number) {
-    return {"a digit is missing behind the point", tidied(number) + std::string(suffix), false};
+    return {"a digit is missing after the point", tidied(number) + std::string(suffix), false};
   }
   const auto unit = find_habit(HabitPlace::Unit, suffix);
+  const bool has_meaning = unit && !unit->meant.empty();
   return {.reason = fmt::format("there is no unit `{}`", suffix),
-          .replacement = unit ? fmt::format("{}{}", number, unit->meant) : ""};
+          .replacement = has_meaning ? fmt::format("{}{}", number, unit->meant) : "",
+          .help = unit ? std::string(unit->help) : ""};
 }
 
 }  // namespace
@@ -103,6 +106,8 @@ std::uint32_t diagnose_number(TreeBuilder& builder, std::uint32_t begin) {
   } else if (may_be_color(number) || is_color_without_sign(number)) {
     const std::string color = fmt::format("#{}", number.substr(may_be_color(number) ? 2 : 0));
     report.help(fmt::format("a colour is `{}`", color)).unsafe_fix(where, color);
+  } else if (!fault.help.empty()) {
+    report.help(fault.help);
   } else if (fault.reason.starts_with("there is no unit")) {
     report.help(fmt::format("units are {}", fmt::join(kUnits, ", ")));
   }

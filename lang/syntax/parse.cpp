@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "lang/repair/scene_repair.hpp"
-#include "lang/syntax/actions.hpp"
 #include "lang/syntax/characters.hpp"
+#include "lang/syntax/statements.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "lang/syntax/tree_builder.hpp"
 
@@ -16,73 +16,74 @@ namespace {
 struct lone_expression
     : pegtl::seq<grammar::space, pegtl::must<grammar::property_value, grammar::file_end>> {};
 
-/// What one reading of a text gives.
+/// The result of reading a text once.
 struct Reading {
   NodeBuffer<SyntaxNode> nodes;
   std::vector<Comment> comments;
-  bool has_misplaced = false;
+  DiagnosticSink sink;
+  bool has_misplaced = false, is_foreign = false;
+
+  bool is_sound() const { return !sink.has_errors() && !has_misplaced; }
 };
 
-/// Counts bytes of the file instead of those of the repaired text.
-void move_to_file(Reading& reading, const RepairedText& repaired) {
+/// Converts positions in the repaired text to positions in the file. The value of a literal is read
+/// from the file later: a literal that was repaired is an Error.
+void move_to_file(Reading& reading, const SourceFile& file, const RepairedText& repaired) {
   for (SyntaxNode& node : reading.nodes.span()) {
-    const Span span = repaired.in_source(node.span());
+    const Span span = repaired.in_source(node.span()), before = node.span();
     node.begin = span.begin;
     node.end = span.end;
+    const bool is_literal = node.kind == SyntaxKind::Number || node.kind == SyntaxKind::String;
+    if (!is_literal) continue;
+    const std::string_view read =
+        std::string_view(repaired.text()).substr(before.begin, before.size());
+    if (file.text(span) != read) node.kind = SyntaxKind::Error;
   }
   for (Comment& comment : reading.comments) comment.span = repaired.in_source(comment.span);
 }
 
 template <typename Rule>
 Reading read(const SourceFile& file, std::string_view text, const RepairedText* repaired,
-             DiagnosticSink& sink) {
+             const StopRequest* stop) {
+  DiagnosticSink sink(stop);
   TreeBuilder builder(file, text, repaired, sink);
   pegtl::memory_input<pegtl::tracking_mode::lazy, pegtl::eol::lf, const char*> in(
       text.data(), text.data() + text.size(), "");
   builder.push(SyntaxKind::File, {0, 0});
   try {
     pegtl::parse<Rule, Build, Control>(in, builder);
-  } catch (const Stopped&) {
+  } catch (const ParseAbandoned&) {
   } catch (const Reported&) {
   }
   builder.close(0);
   builder.node(0).end = static_cast<std::uint32_t>(text.size());
-  Reading reading{builder.take_nodes(), builder.take_comments(), builder.has_misplaced};
-  if (repaired != nullptr) move_to_file(reading, *repaired);
+  Reading reading{builder.take_nodes(), builder.take_comments(), std::move(sink),
+                  builder.has_misplaced, builder.is_foreign};
+  if (repaired != nullptr) move_to_file(reading, file, *repaired);
   return reading;
 }
 
-/// Reads the text after its repair, if that leaves fewer errors than the reading before.
-template <typename Rule>
-bool read_better(const SourceFile& file, std::string_view text, SceneRepairOptions options,
-                 const DiagnosticSink& before, DiagnosticSink& sink, Reading& reading) {
-  DiagnosticSink other = before;
-  const auto repaired = repair_scene(file, text, options, other);
-  if (!repaired) return false;
-  const std::size_t reported = other.error_count();
-  Reading better = read<Rule>(file, repaired->text(), &*repaired, other);
-  const std::size_t still_wrong = other.error_count() - reported;
-  const std::size_t was_wrong = sink.error_count() - before.error_count();
-  // What is certain may show a mistake that it had hidden.
-  const std::size_t allowed =
-      options.is_certain ? was_wrong : std::max<std::size_t>(was_wrong, 1) - 1;
-  if (still_wrong > allowed) return false;
-  sink = std::move(other);
-  reading = std::move(better);
-  return true;
-}
-
-/// Reads the text. If something is wrong with it, reads it again after its repair: of everything,
-/// or if that leaves as much wrong as before, of what can have been meant in one way only.
-template <typename Rule>
-Reading read_repaired(const SourceFile& file, std::string_view text, DiagnosticSink& sink) {
-  const DiagnosticSink before = sink;
-  Reading reading = read<Rule>(file, text, nullptr, sink);
-  const bool is_sound = sink.error_count() == before.error_count() && !reading.has_misplaced;
-  if (is_sound) return reading;
-  const SceneRepairOptions all{.may_mismatch = reading.has_misplaced}, certain{.is_certain = true};
-  if (read_better<Rule>(file, text, all, before, sink, reading)) return reading;
-  read_better<Rule>(file, text, certain, before, sink, reading);
+/// Reads a text with errors again after repairs: always after those of the spelling, and after
+/// those of the structure if fewer errors remain.
+Reading read_repaired(const SourceFile& file, std::string_view text, Reading reading,
+                      DiagnosticSink& sink) {
+  const StopRequest* stop = sink.stop_request();
+  RepairedText spelled(text);
+  repair_spelling({file, spelled, sink});
+  if (spelled.is_changed()) {
+    reading = read<grammar::file>(file, spelled.text(), &spelled, stop);
+    if (reading.is_sound() || reading.is_foreign) return reading;
+  }
+  RepairedText repaired = spelled;
+  DiagnosticSink repairs(stop);
+  repair_structure({file, repaired, repairs}, reading.has_misplaced);
+  if (repaired.is_changed()) {
+    Reading again = read<grammar::file>(file, repaired.text(), &repaired, stop);
+    if (again.sink.error_count() < std::max<std::size_t>(reading.sink.error_count(), 1)) {
+      sink.add(repairs);
+      return again;
+    }
+  }
   return reading;
 }
 
@@ -91,14 +92,19 @@ Reading read_repaired(const SourceFile& file, std::string_view text, DiagnosticS
 SyntaxTree parse(const SourceFile& file, DiagnosticSink& sink) {
   const std::optional<std::string> checked = check_characters(file, sink);
   const std::string_view text = checked ? std::string_view(*checked) : file.text();
-  Reading reading = read_repaired<grammar::file>(file, text, sink);
+  Reading reading = read<grammar::file>(file, text, nullptr, sink.stop_request());
+  if (!reading.is_sound() && !reading.is_foreign && text.size() <= kMaxRepairedText) {
+    reading = read_repaired(file, text, std::move(reading), sink);
+  }
+  sink.add(reading.sink);
   return {file, std::move(reading.nodes), std::move(reading.comments)};
 }
 
 SyntaxTree parse_expression(const SourceFile& file, DiagnosticSink& sink) {
   const std::optional<std::string> checked = check_characters(file, sink);
   const std::string_view text = checked ? std::string_view(*checked) : file.text();
-  Reading reading = read<lone_expression>(file, text, nullptr, sink);
+  Reading reading = read<lone_expression>(file, text, nullptr, sink.stop_request());
+  sink.add(reading.sink);
   return {file, std::move(reading.nodes), std::move(reading.comments)};
 }
 

@@ -13,11 +13,10 @@
 /// The syntax tree of a scene file: lossless, flat, and always there, however broken the file is.
 namespace sdlc::lang {
 
-/// What a node is. The children are listed in their order; `head` is a run of bytes at the node's
-/// beginning that has no node of its own. An Error can stand in the place of any child and of any
-/// statement.
+/// The kind of a node. Its children are listed in order; `head` is a label, name or path at the
+/// node's beginning without a node of its own. Any child and any statement may be an Error.
 enum class SyntaxKind : std::uint8_t {
-  Error,  ///< what could not be read; its children are what could
+  Error,  ///< text that could not be read; its children are the parts that could
   File,   ///< Version, statements
 
   // Statements
@@ -67,7 +66,7 @@ enum class SyntaxKind : std::uint8_t {
   False,        ///< leaf
 };
 
-/// The operator in front of an operand of a Sum, Product or Comparison.
+/// The operator before an operand of a Sum, Product or Comparison.
 enum class Operator : std::uint8_t {
   None,
   Add,
@@ -103,8 +102,8 @@ struct Comment {
   CommentKind kind = CommentKind::Line;
 };
 
-/// The nodes of one file in pre-order: a node's first child follows it, its next sibling stands
-/// `extent` nodes further on. Node 0 is the File.
+/// The nodes of one file in pre-order: a node's first child follows it, its next sibling is
+/// `extent` nodes later. Node 0 is the File.
 class SyntaxTree {
  public:
   SyntaxTree(const SourceFile& file, NodeBuffer<SyntaxNode> nodes, std::vector<Comment> comments)
@@ -125,11 +124,11 @@ class SyntaxTree {
   std::vector<Comment> comments_;
 };
 
-/// Reads a file. What is wrong with it is reported, and stands in the tree as Error nodes; the rest
-/// of the file is read all the same. `file` must outlive the tree.
+/// Parses a file. Mistakes are reported and become Error nodes; the rest of the file is parsed as
+/// usual. `file` must outlive the tree.
 SyntaxTree parse(const SourceFile& file, DiagnosticSink& sink);
 
-/// Reads a text that is one expression: the only child of the File.
+/// Parses a text that is one expression: the only child of the File.
 SyntaxTree parse_expression(const SourceFile& file, DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

@@ -16,7 +16,7 @@ void OpenChain::break_off() {
 }
 
 void TreeBuilder::add_comment(Span span) {
-  // The reader goes back now and then, and meets a comment for the second time.
+  // After backtracking the parser reads a comment again.
   if (!comments_.empty() && span.begin < comments_.back().span.end) return;
   const std::string_view comment = text_.substr(span.begin, span.size());
   const bool is_doc = comment.starts_with("///") && !comment.starts_with("////");
@@ -27,7 +27,7 @@ void TreeBuilder::add_comment(Span span) {
 }
 
 void TreeBuilder::mark_error(std::uint32_t at) {
-  // The last token that was read may lie beyond: the reader had tried another way.
+  // After backtracking the last token may be further on.
   if (space_end_ != at && token_end_ != at) {
     const std::size_t last = text_.find_last_not_of(" \t\r\n", at == 0 ? 0 : at - 1);
     token_end_ =
@@ -38,7 +38,7 @@ void TreeBuilder::mark_error(std::uint32_t at) {
 }
 
 void TreeBuilder::poison_last_name() {
-  // Behind it stands the Error that marks the place.
+  // The Error that marks the place follows it.
   if (nodes_.size() < 2) return;
   SyntaxNode& last = nodes_[nodes_.size() - 2];
   if (last.kind == SyntaxKind::Reference) last.kind = SyntaxKind::Error;

@@ -1,11 +1,8 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <optional>
 #include <string_view>
-#include <unordered_set>
 #include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
@@ -16,16 +13,12 @@
 
 namespace sdlc::lang {
 
-/// How deep brackets, prefixes and conditionals may nest. Every walker of a tree may rely on it.
-inline constexpr std::uint32_t kMaxNesting = 128;
-
-/// Thrown where a mistake has been reported; the statement around it catches it and goes on behind.
+/// Thrown after a mistake was reported; the enclosing statement catches it and continues after it.
 struct Reported {};
-/// Thrown where nothing that follows can be read.
-struct Stopped {};
+/// Thrown where the rest of the text cannot be read.
+struct ParseAbandoned {};
 
-/// The nodes of the tree while it grows, and what the reporter of a mistake wants to know of the
-/// place.
+/// The nodes of the growing tree, and the context that error messages need.
 ///
 /// `text` is the file's text, a copy of the same length, or that of `repaired`. The nodes count the
 /// bytes of `text`.
@@ -33,7 +26,7 @@ class TreeBuilder {
  public:
   TreeBuilder(const SourceFile& file, std::string_view text, const RepairedText* repaired,
               DiagnosticSink& sink)
-      // Four bytes a node suffice for all but the densest text. What is not used is never touched.
+      // One node per four bytes suffices for most texts. Unused memory is never touched.
       : file_(&file),
         text_(text),
         repaired_(repaired),
@@ -46,13 +39,18 @@ class TreeBuilder {
   Span in_file(Span span) const noexcept {
     return repaired_ == nullptr ? span : repaired_->in_source(span);
   }
-  /// Whether the bracket at `at` is one that the file lacks.
+  /// Whether a repair has reported the place `at`.
+  bool is_reported(std::uint32_t at) const noexcept {
+    return repaired_ != nullptr && repaired_->is_reported(at);
+  }
+  /// Whether the bracket at `at` is missing in the file.
   bool is_added(std::uint32_t at) const noexcept {
     return repaired_ != nullptr && repaired_->is_added(at);
   }
-  /// Whether the bracket at `at` ends a pair that perhaps should end elsewhere.
-  bool is_uncertain(std::uint32_t at) const noexcept {
-    return repaired_ != nullptr && repaired_->is_uncertain(at);
+  /// Whether a repair has changed the text of the span.
+  bool is_repaired(Span span) const {
+    return repaired_ != nullptr &&
+           file_->text(in_file(span)) != text_.substr(span.begin, span.size());
   }
   std::uint32_t offset(const char* at) const noexcept {
     return static_cast<std::uint32_t>(at - text_.data());
@@ -63,6 +61,8 @@ class TreeBuilder {
   std::span<const SyntaxNode> nodes() const noexcept { return nodes_.span(); }
 
   void push(SyntaxKind kind, Span span) {
+    constexpr std::size_t kNodesPerPoll = 1024;
+    if (nodes_.size() % kNodesPerPoll == 0) sink_->stop_if_requested();
     nodes_.push({.begin = span.begin, .end = span.end, .kind = kind});
   }
   void truncate(NodeIndex size) noexcept { nodes_.truncate(size); }
@@ -71,7 +71,7 @@ class TreeBuilder {
     nodes_[index].extent = size() - index;
     nodes_[index].end = std::max(token_end_, nodes_[index].begin);
   }
-  /// Makes the nodes from `first` on the children of a new node in front of them.
+  /// Makes the nodes from `first` on the children of a new node before them.
   void wrap(NodeIndex first, SyntaxKind kind);
   bool is_one_node(NodeIndex first) const noexcept {
     return first + 1 == nodes_.size() ||
@@ -80,33 +80,27 @@ class TreeBuilder {
 
   void add_comment(Span span);
 
-  /// The last token ends at `end`; the space behind it ends at `space_end`.
+  /// The last token ends at `end`; the space after it ends at `space_end`.
   void end_token(std::uint32_t end) noexcept { token_end_ = end; }
   void end_space(std::uint32_t end) noexcept { space_end_ = end; }
   std::uint32_t token_end() const noexcept { return token_end_; }
 
-  /// Marks `at` as the place of a mistake, with an empty Error behind the last token.
+  /// Marks `at` as the place of a mistake, with an empty Error after the last token.
   void mark_error(std::uint32_t at);
   std::uint32_t error_at() const noexcept { return error_at_; }
 
-  /// Turns the last child of the last statement into an Error: what follows it showed that it was
-  /// misread.
+  /// Turns the last child of the last statement into an Error: the text after it may belong to it.
   void poison_last_statement();
-  /// Makes an Error of the name in front of the mistake, if a name it is: it is perhaps only a part
-  /// of what was meant.
+  /// Turns a name before the mistake into an Error: it may be part of a longer expression.
   void poison_last_name();
-  /// The same of the last part of the statement at `statement`, if the mistake stands right behind
-  /// it.
+  /// The same for the last part of the statement at `statement`, if the mistake follows it.
   void poison_last_part(NodeIndex statement);
   void set_last_statement(NodeIndex statement) noexcept { last_statement_ = statement; }
 
   NodeBuffer<SyntaxNode> take_nodes() { return std::move(nodes_); }
   std::vector<Comment> take_comments() { return std::move(comments_); }
 
-  /// What the defs of the text declare, once a mistake has asked for it.
-  std::optional<std::unordered_set<std::string_view>> def_names;
-
-  // What surrounds the place being read.
+  // The surroundings of the current place.
   std::uint32_t depth = 0;          ///< of nesting
   std::uint32_t brackets = 0;       ///< open in the current statement
   std::uint32_t blocks = 0;         ///< open
@@ -117,10 +111,9 @@ class TreeBuilder {
   bool in_group = false;            ///< that object is a group
   bool in_head = false;             ///< in the list of a `for` or the condition of an `if`
   bool has_version = false;         ///< the file began with its version
-  bool has_misplaced = false;       ///< a statement stands where its object should have ended
+  bool is_foreign = false;          ///< the text is of another version or format
+  bool has_misplaced = false;       ///< a statement in an object is not indented
   Operator op = Operator::None;     ///< the last one read
-  /// Whether the text uses `m` and `s` as names; empty until somebody asks.
-  std::array<std::optional<bool>, 2> uses_as_name;
 
   static constexpr NodeIndex kNone = 0xFFFFFFFF;
 
@@ -192,7 +185,7 @@ class OpenChain {
   bool is_open_ = true;
 };
 
-// What is wrong with a literal. Each reports, and returns where the literal ends.
+// Wrong literals: each function reports the mistake and returns the end of the literal.
 
 /// Precondition: a digit, or a point and a digit, at `begin`; no number of the language.
 std::uint32_t diagnose_number(TreeBuilder& builder, std::uint32_t begin);
@@ -201,21 +194,16 @@ std::uint32_t diagnose_string(TreeBuilder& builder, std::uint32_t begin);
 /// Whether `color` has the right digits; if not, reports.
 bool check_color(TreeBuilder& builder, Span color);
 
-// What is wrong where the grammar finds no way on.
+// Places where no rule of the grammar matches.
 
 void diagnose_expected(TreeBuilder& builder, std::uint32_t at, Expectation expectation);
-/// Where to go on behind what is no statement.
+/// Where to continue after text that is no statement.
 struct Resumption {
   std::uint32_t from = 0;
-  bool is_statement = false;  ///< the next statement begins here; otherwise it is to be looked for
+  bool is_statement = false;  ///< the next statement begins here; otherwise search for it
 };
 /// No statement begins at `at`; the resumption lies beyond.
 Resumption diagnose_statement(TreeBuilder& builder, std::uint32_t at);
-/// Reports the unit behind the number, if there is one and a blank between; returns where the
-/// number ends, with its unit.
-std::uint32_t diagnose_separate_unit(TreeBuilder& builder, Span number);
-/// Reports the comments of other languages at `at`, and returns where they end.
-std::uint32_t skip_foreign_comments(TreeBuilder& builder, std::uint32_t at);
 /// The file does not begin with `scene 1`; returns where its statements begin.
 std::uint32_t diagnose_header(TreeBuilder& builder, std::uint32_t at);
 

@@ -2,12 +2,12 @@
 
 namespace sdlc::lang {
 
-/// The bracket that closes `open`, one of `(`, `[` and `{`.
+/// The closing bracket for `(`, `[` or `{`.
 constexpr char closing_bracket(char open) noexcept {
   return open == '{' ? '}' : open == '[' ? ']' : ')';
 }
 
-/// Whether they are an opening bracket and the one that closes it.
+/// Whether `close` closes the bracket `open`.
 constexpr bool is_bracket_pair(char open, char close) noexcept {
   return (open == '(' || open == '[' || open == '{') && close == closing_bracket(open);
 }

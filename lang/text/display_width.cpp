@@ -13,9 +13,9 @@ struct CodePoints {
   char32_t first, last;
 };
 
-// Both tables are Unicode 14's, with unassigned code points between two ranges counted to them.
+// Both tables are those of Unicode 14; ranges include the unassigned code points between them.
 
-/// General categories Mn, Me and Cf (but for the soft hyphen and the signs that enclose numbers),
+/// General categories Mn, Me and Cf (except the soft hyphen and the signs that enclose numbers),
 /// and the vowels and finals of Hangul, which join the syllable before them.
 constexpr auto kZeroWidth = std::to_array<CodePoints>({
     {0x0300, 0x036F},   {0x0483, 0x0489},   {0x0591, 0x05BD},   {0x05BF, 0x05BF},
@@ -157,9 +157,9 @@ std::string printable(std::string_view text) {
 }
 
 std::string abbreviated(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
+  constexpr std::size_t kMaxCharacters = 60;
   std::size_t end = 0;
-  for (std::size_t count = 0; count < kLongest && end < text.size(); ++count) {
+  for (std::size_t count = 0; count < kMaxCharacters && end < text.size(); ++count) {
     end += decode_utf8(text.substr(end)).size;
   }
   return std::string(text.substr(0, end)) + (end < text.size() ? "…" : "");

@@ -10,9 +10,9 @@
 namespace sdlc::lang {
 namespace {
 
-constexpr std::size_t kLongestName = 64;  ///< one bit for each character; longer is no typo
+constexpr std::size_t kMaxNameSize = 64;  ///< the bits of a word: one per character
 
-/// The row of a table of characters that stands for both cases.
+/// The row of a character in a table that ignores case.
 constexpr unsigned char row_of(char c) noexcept { return static_cast<unsigned char>(to_lower(c)); }
 
 bool starts_with(std::string_view text, std::string_view begin) noexcept {
@@ -21,12 +21,13 @@ bool starts_with(std::string_view text, std::string_view begin) noexcept {
                     [](char a, char b) { return to_lower(a) == to_lower(b); });
 }
 
-/// Distances from one name to many, case ignored: Damerau-Levenshtein with adjacent transpositions
-/// ("optimal string alignment"), a column of the table in a few operations on one word.
-/// H. Hyyro, A bit-vector algorithm for computing Levenshtein and Damerau edit distances, 2003.
+/// Damerau-Levenshtein distances from one name to others ("optimal string alignment", case
+/// ignored), by Hyyro's bit-vector algorithm: a column of the table takes a few operations on one
+/// word. H. Hyyro, A bit-vector algorithm for computing Levenshtein and Damerau edit distances,
+/// 2003.
 class EditDistance {
  public:
-  /// Precondition: 1 to kLongestName characters.
+  /// Precondition: 1 to kMaxNameSize characters.
   explicit EditDistance(std::string_view name) noexcept
       : size_(name.size()), last_(std::uint64_t{1} << (name.size() - 1)) {
     for (std::size_t i = 0; i < name.size(); ++i) {
@@ -35,7 +36,7 @@ class EditDistance {
   }
 
   std::size_t to(std::string_view other) const noexcept {
-    // One bit for each row: where the table rises and falls from the row above.
+    // One bit per row: whether the distance is larger or smaller than in the row above.
     std::uint64_t rises = ~std::uint64_t{0}, falls = 0;
     std::uint64_t diagonal = 0, places_before = 0;
     std::size_t distance = size_;
@@ -62,24 +63,25 @@ class EditDistance {
   std::array<std::uint64_t, 256> places_{};
 };
 
-/// One edit makes any name as short as `i` of `pi`, which tells something among few names only.
-constexpr std::size_t most_edits(std::size_t size, std::size_t names) noexcept {
-  constexpr std::size_t kFew = 16;
-  return std::max<std::size_t>(size / 3, names <= kFew ? 1 : 0);
+/// A third of the length. Names of one or two letters get one edit if there are few candidates:
+/// with many, any such name is one edit from some candidate.
+constexpr std::size_t max_edits(std::size_t size, std::size_t names) noexcept {
+  constexpr std::size_t kFewNames = 16;
+  return std::max<std::size_t>(size / 3, names <= kFewNames ? 1 : 0);
 }
 
 }  // namespace
 
 std::optional<std::string_view> nearest_name(std::string_view name,
                                              std::span<const std::string_view> candidates) {
-  if (name.empty() || name.size() > kLongestName) return std::nullopt;
+  if (name.empty() || name.size() > kMaxNameSize) return std::nullopt;
   const EditDistance distance_from_name(name);
   std::optional<std::string_view> best;
   std::size_t best_distance = 0;
   for (const std::string_view candidate : candidates) {
-    if (candidate.size() > kLongestName || candidate == name) continue;
+    if (candidate.size() > kMaxNameSize || candidate == name) continue;
     const auto [shorter, longer] = std::minmax({name.size(), candidate.size()});
-    const std::size_t allowed = most_edits(longer, candidates.size());
+    const std::size_t allowed = max_edits(longer, candidates.size());
     const bool is_part =
         shorter >= 3 && (starts_with(name, candidate) || starts_with(candidate, name));
     if (!is_part && longer - shorter > allowed) continue;

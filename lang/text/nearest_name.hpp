@@ -6,10 +6,10 @@
 
 namespace sdlc::lang {
 
-/// The candidate that `name` was most likely meant to be, for "did you mean": the one at the
-/// smallest Damerau-Levenshtein distance (case ignored), if that is at most a third of the longer
-/// length, or 1 where there are few candidates; or one that `name` abbreviates or extends. Ties go
-/// to the earlier candidate; `name` itself is none.
+/// The candidate nearest to `name`, for "did you mean": the one with the smallest
+/// Damerau-Levenshtein distance (case ignored), if that is at most a third of the longer length, or
+/// 1 among few candidates; or one that `name` abbreviates or extends. Ties go to the earlier
+/// candidate; `name` itself is excluded.
 std::optional<std::string_view> nearest_name(std::string_view name,
                                              std::span<const std::string_view> candidates);
 

@@ -9,7 +9,7 @@
 namespace sdlc::lang {
 
 /// The end of what the lexical rule matches at `at`; `at` if it does not match. For the lexers
-/// alone: whoever includes this compiles PEGTL.
+/// alone: each includer compiles PEGTL.
 template <typename Rule>
 std::uint32_t end_of_match(std::string_view text, std::uint32_t at) noexcept {
   namespace pegtl = tao::pegtl;

@@ -8,7 +8,7 @@
 namespace sdlc::lang {
 namespace {
 
-/// What a token is that begins with this byte, as far as one byte tells.
+/// The kind of a token by its first byte, if that decides.
 constexpr std::array<TokenKind, 256> kKinds = [] {
   std::array<TokenKind, 256> kinds{};
   kinds.fill(TokenKind::Unknown);
@@ -77,7 +77,7 @@ bool take(std::string_view text, std::uint32_t& at) noexcept {
   return TokenKind::Unknown;
 }
 
-/// What is no token of a correct text.
+/// Tokens that a correct text does not contain.
 [[gnu::noinline]] TokenKind take_unknown(std::string_view text, std::uint32_t& at) noexcept {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (at == 0 && text.starts_with(kByteOrderMark)) {

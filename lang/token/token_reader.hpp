@@ -3,14 +3,13 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
-#include <vector>
 
 #include "lang/source/source.hpp"
 #include "lang/token/token.hpp"
 
 namespace sdlc::lang {
 
-/// What a byte is that is a token by itself in both formats; End for all others.
+/// The kind of each byte that is a whole token in both formats; End for all others.
 inline constexpr std::array<TokenKind, 256> kOneByteTokens = [] {
   std::array<TokenKind, 256> kinds{};
   kinds.fill(TokenKind::End);
@@ -83,12 +82,6 @@ class TokenReader {
 inline Token scene_token(std::string_view text, std::uint32_t at) noexcept {
   return TokenReader(text, at).next();
 }
-inline Token json_token(std::string_view text, std::uint32_t at) noexcept {
-  return TokenReader(text, at, SourceFormat::Json).next();
-}
-
-/// All tokens of a text, without End.
-std::vector<Token> tokenize(std::string_view text, SourceFormat format = SourceFormat::Scene);
 
 /// Where the first token begins from `at` on that is no trivia.
 std::uint32_t skip_space(std::string_view text, std::uint32_t at) noexcept;
@@ -97,7 +90,5 @@ Span token_at(std::string_view text, std::uint32_t at) noexcept;
 /// Where an unclosed string was probably meant to end: before the brackets and commas at the end of
 /// its line.
 std::uint32_t end_of_unclosed_string(std::string_view text, Span string) noexcept;
-/// The end of the comment or string at `at`; `at` if there is none.
-std::uint32_t end_of_opaque(std::string_view text, std::uint32_t at) noexcept;
 
 }  // namespace sdlc::lang

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <optional>
-#include <string_view>
 
 #include "lang/math/elementary.hpp"
+#include "lang/value/logic.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -12,24 +12,22 @@ namespace {
 using render::LinearRgb;
 using render::Vec3;
 
-std::string_view spelling(Operator op) noexcept {
-  switch (op) {
-    case Operator::Add: return "+";
-    case Operator::Subtract: return "-";
-    case Operator::Multiply: return "*";
-    case Operator::Divide: return "/";
-    default: return "";
+/// Applies `function` to the number, vector or colour of the value, and `unit_of` to its unit.
+/// Nothing if values of its type are not computed with.
+template <typename Function, typename UnitFunction>
+Value mapped(const Value& value, Function function, UnitFunction unit_of) {
+  if (const auto* scalar = get_if<Scalar>(&value)) {
+    return Scalar{function(scalar->value), unit_of(scalar->unit)};
   }
-}
-
-/// The numbers of a value of any type that computes componentwise.
-bool is_finite(const Value& value) noexcept {
-  if (const auto* scalar = get_if<Scalar>(&value)) return std::isfinite(scalar->value);
-  if (const auto* triple = get_if<Triple>(&value)) return render::is_finite(triple->value);
-  if (const auto* angle = get_if<Angle>(&value)) return std::isfinite(angle->degrees);
-  if (const auto* angles = get_if<AngleTriple>(&value)) return render::is_finite(angles->degrees);
-  if (const auto* color = get_if<LinearRgb>(&value)) return render::is_finite(*color);
-  return true;
+  if (const auto* triple = get_if<Triple>(&value)) {
+    return Triple{function(triple->value), unit_of(triple->unit)};
+  }
+  if (const auto* angle = get_if<Angle>(&value)) return Angle{function(angle->degrees)};
+  if (const auto* angles = get_if<AngleTriple>(&value)) {
+    return AngleTriple{function(angles->degrees)};
+  }
+  if (const auto* color = get_if<LinearRgb>(&value)) return function(*color);
+  return Nothing{};
 }
 
 class Operation {
@@ -63,7 +61,7 @@ class Operation {
                                describe(left_), describe(right_));
     const bool has_string = left<std::string>() != nullptr || right<std::string>() != nullptr;
     const bool has_list = left<ListValue>() != nullptr || right<ListValue>() != nullptr;
-    if (has_string && op_ == Operator::Add) report.help("`str(…)` makes a string of another value");
+    if (has_string && op_ == Operator::Add) report.help("convert the other value by `str(…)`");
     if (has_list) report.help("a point is written in parentheses: `(x, y, z)`");
     return Nothing{};
   }
@@ -73,17 +71,15 @@ class Operation {
     return op_ == Operator::Add ? a + b : a - b;
   }
 
-  /// A plain number takes the other's unit; metres and seconds do not add up (ruling 20).
   template <typename T>
-  Value tagged_sum(const T& a, const T& b) {
-    const bool agree = a.unit == b.unit || a.unit == Unit::None || b.unit == Unit::None;
-    if (!agree) return wrong_types();
-    return T{add(a.value, b.value), a.unit == Unit::None ? b.unit : a.unit};
+  Value sum_with_unit(const T& a, const T& b) {
+    if (!are_compatible(a.unit, b.unit)) return wrong_types();
+    return T{add(a.value, b.value), common_unit(a.unit, b.unit)};
   }
 
   Value sum() {
-    if (left<Scalar>() && right<Scalar>()) return tagged_sum(*left<Scalar>(), *right<Scalar>());
-    if (left<Triple>() && right<Triple>()) return tagged_sum(*left<Triple>(), *right<Triple>());
+    if (left<Scalar>() && right<Scalar>()) return sum_with_unit(*left<Scalar>(), *right<Scalar>());
+    if (left<Triple>() && right<Triple>()) return sum_with_unit(*left<Triple>(), *right<Triple>());
     if (left<Angle>() && right<Angle>()) {
       return Angle{add(left<Angle>()->degrees, right<Angle>()->degrees)};
     }
@@ -95,65 +91,37 @@ class Operation {
     return wrong_types();
   }
 
-  /// A factor without a unit keeps the other's; any other product drops it.
-  static Unit product_unit(Unit a, Unit b) noexcept {
-    if (a == Unit::None) return b;
-    return b == Unit::None ? a : Unit::None;
-  }
-
-  static Value scaled(const Value& value, Scalar factor) {
-    if (const auto* scalar = get_if<Scalar>(&value)) {
-      return Scalar{scalar->value * factor.value, product_unit(scalar->unit, factor.unit)};
-    }
-    if (const auto* triple = get_if<Triple>(&value)) {
-      return Triple{triple->value * factor.value, product_unit(triple->unit, factor.unit)};
-    }
-    if (const auto* angle = get_if<Angle>(&value)) return Angle{angle->degrees * factor.value};
-    if (const auto* angles = get_if<AngleTriple>(&value)) {
-      return AngleTriple{angles->degrees * factor.value};
-    }
-    if (const auto* color = get_if<LinearRgb>(&value)) return *color * factor.value;
-    return Nothing{};
-  }
-
   Value product() {
     if (left<LinearRgb>() && right<LinearRgb>()) return *left<LinearRgb>() * *right<LinearRgb>();
-    Value result;
-    if (right<Scalar>())
-      result = scaled(left_, *right<Scalar>());
-    else if (left<Scalar>())
-      result = scaled(right_, *left<Scalar>());
+    const Scalar* factor = right<Scalar>() ? right<Scalar>() : left<Scalar>();
+    if (!factor) return wrong_types();
+    // A product of two units has none.
+    const auto unit_of = [&](Unit unit) {
+      return unit == Unit::None ? factor->unit : factor->unit == Unit::None ? unit : Unit::None;
+    };
+    const Value& other = right<Scalar>() ? left_ : right_;
+    const Value result = mapped(
+        other, [&](auto x) { return x * factor->value; }, unit_of);
     return is_nothing(result) ? wrong_types() : result;
   }
 
-  Value by_zero() {
+  Value division_by_zero() {
     sink_.report(diag::division_by_zero, where_.location());
     return Nothing{};
   }
 
   Value quotient() {
     if (left<Angle>() && right<Angle>()) {
-      if (right<Angle>()->degrees == 0) return by_zero();
-      return Scalar{left<Angle>()->degrees / right<Angle>()->degrees};
+      const double divisor = right<Angle>()->degrees;
+      return divisor == 0 ? division_by_zero() : Scalar{left<Angle>()->degrees / divisor};
     }
-    if (!right<Scalar>()) return wrong_types();
-    const double divisor = right<Scalar>()->value;
-    const Unit unit = right<Scalar>()->unit;
-    if (left<Scalar>()) {
-      if (divisor == 0) return by_zero();
-      return Scalar{left<Scalar>()->value / divisor,
-                    unit == Unit::None ? left<Scalar>()->unit : Unit::None};
-    }
-    if (left<Triple>()) {
-      if (divisor == 0) return by_zero();
-      return Triple{left<Triple>()->value / divisor,
-                    unit == Unit::None ? left<Triple>()->unit : Unit::None};
-    }
-    if (!left<Angle>() && !left<AngleTriple>() && !left<LinearRgb>()) return wrong_types();
-    if (divisor == 0) return by_zero();
-    if (left<Angle>()) return Angle{left<Angle>()->degrees / divisor};
-    if (left<AngleTriple>()) return AngleTriple{left<AngleTriple>()->degrees / divisor};
-    return *left<LinearRgb>() / divisor;
+    const auto* divisor = right<Scalar>();
+    if (!divisor) return wrong_types();
+    const auto unit_of = [&](Unit unit) { return divisor->unit == Unit::None ? unit : Unit::None; };
+    const Value result = mapped(
+        left_, [&](auto x) { return x / divisor->value; }, unit_of);
+    if (is_nothing(result)) return wrong_types();
+    return divisor->value == 0 ? division_by_zero() : result;
   }
 
   const Value& left_;
@@ -164,6 +132,32 @@ class Operation {
 };
 
 }  // namespace
+
+bool is_finite(const Value& value) noexcept {
+  if (const auto* scalar = get_if<Scalar>(&value)) return std::isfinite(scalar->value);
+  if (const auto* triple = get_if<Triple>(&value)) return render::is_finite(triple->value);
+  if (const auto* angle = get_if<Angle>(&value)) return std::isfinite(angle->degrees);
+  if (const auto* angles = get_if<AngleTriple>(&value)) return render::is_finite(angles->degrees);
+  if (const auto* color = get_if<LinearRgb>(&value)) return render::is_finite(*color);
+  return true;
+}
+
+std::string_view spelling(Operator op) noexcept {
+  switch (op) {
+    case Operator::None: return "";
+    case Operator::Add: return "+";
+    case Operator::Subtract: return "-";
+    case Operator::Multiply: return "*";
+    case Operator::Divide: return "/";
+    case Operator::Less: return "<";
+    case Operator::LessEqual: return "<=";
+    case Operator::Greater: return ">";
+    case Operator::GreaterEqual: return ">=";
+    case Operator::Equal: return "==";
+    case Operator::NotEqual: return "!=";
+  }
+  return "";
+}
 
 Location OperatorPlace::location() const {
   const SyntaxTree& tree = left.tree();
@@ -197,7 +191,7 @@ Value evaluate_power(const Value& base, const Value& exponent, const OperatorPla
   }
   if (!result) {
     sink.report(diag::no_real_result, where.location(), "^",
-                "a negative number and a broken exponent");
+                "a negative number and a fractional exponent");
     return Nothing{};
   }
   if (!std::isfinite(*result)) {

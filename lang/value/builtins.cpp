@@ -26,7 +26,6 @@ using render::LinearRgb;
 using render::Vec3;
 
 constexpr std::string_view kAngle = "an angle";
-constexpr std::size_t kAnyNumber = static_cast<std::size_t>(-1);
 
 Value wrong_argument(const BuiltinCall& call, std::size_t i, std::string_view wanted) {
   const Location where = call.place(i);
@@ -36,7 +35,7 @@ Value wrong_argument(const BuiltinCall& call, std::size_t i, std::string_view wa
   if (wanted == kAngle && is_literal && holds_alternative<Scalar>(call.arguments[i])) {
     report.unsafe_fix({where.file, {where.span.end, where.span.end}}, "deg");
   } else if (wanted == kAngle && holds_alternative<Scalar>(call.arguments[i])) {
-    report.help("a number becomes an angle by `x * 1deg`");
+    report.help("multiply a number by `1deg` to get an angle: `x * 1deg`");
   }
   return Nothing{};
 }
@@ -51,9 +50,9 @@ Value no_result(const BuiltinCall& call, std::string_view argument) {
   return Nothing{};
 }
 
-/// A number that has no unit, or every number where the unit is kept.
-Value finite(const BuiltinCall& call, Scalar result) {
-  if (std::isfinite(result.value)) return result;
+/// The result if it is finite; else an overflow is reported.
+Value finite(const BuiltinCall& call, Value result) {
+  if (is_finite(result)) return result;
   call.sink.report(diag::overflow, call.where(), call.name);
   return Nothing{};
 }
@@ -85,7 +84,7 @@ Value evaluate_sqrt(const BuiltinCall& call) {
 
 Value evaluate_exp(const BuiltinCall& call) {
   const auto* x = argument<Scalar>(call, 0);
-  return x == nullptr ? wrong_argument(call, 0, "a number") : finite(call, {exp(x->value)});
+  return x == nullptr ? wrong_argument(call, 0, "a number") : finite(call, Scalar{exp(x->value)});
 }
 
 Value evaluate_log(const BuiltinCall& call) {
@@ -95,7 +94,7 @@ Value evaluate_log(const BuiltinCall& call) {
   return result ? Value(Scalar{*result}) : no_result(call, "a number that is not positive");
 }
 
-// Trigonometry: angles in, or angles out
+// Trigonometry
 
 template <double (*function)(double) noexcept>
 Value of_angle(const BuiltinCall& call) {
@@ -115,7 +114,7 @@ Value arc(const BuiltinCall& call) {
   const auto* x = argument<Scalar>(call, 0);
   if (x == nullptr || x->unit != Unit::None) return wrong_argument(call, 0, "a number");
   const std::optional<double> result = function(x->value);
-  return result ? Value(Angle{*result}) : no_result(call, "a number beyond -1 and 1");
+  return result ? Value(Angle{*result}) : no_result(call, "a number outside -1 to 1");
 }
 
 Value evaluate_atan2(const BuiltinCall& call) {
@@ -123,7 +122,7 @@ Value evaluate_atan2(const BuiltinCall& call) {
   if (y == nullptr) return wrong_argument(call, 0, "a number");
   if (x == nullptr) return wrong_argument(call, 1, "a number");
   const std::optional<double> result = atan2_degrees(y->value, x->value);
-  return result ? Value(Angle{*result}) : no_result(call, "0, 0");
+  return result ? Value(Angle{*result}) : no_result(call, "(0, 0)");
 }
 
 // Functions of several values of one type
@@ -133,25 +132,25 @@ bool is_less(const Value& a, const Value& b) {
   return get<Angle>(a).degrees < get<Angle>(b).degrees;
 }
 
-/// The arguments, or the elements of the list that is the only one. A list is not copied: `range`
-/// makes long ones of nothing.
-class Comparable {
+/// The arguments, or the elements of the list that is the only one. A list is not copied, because
+/// `range` makes long ones that take no memory.
+class Operands {
  public:
-  explicit Comparable(const BuiltinCall& call)
+  explicit Operands(const BuiltinCall& call)
       : call_(call), list_(call.arguments.size() == 1 ? argument<ListValue>(call, 0) : nullptr) {}
 
   std::size_t size() const { return list_ != nullptr ? list_->size() : call_.arguments.size(); }
   Value operator[](std::size_t i) const {
     return list_ != nullptr ? (*list_)[i] : call_.arguments[i];
   }
-  /// Whether they are some numbers, or some angles; if not, that is reported.
+  /// Whether they are numbers of one unit or angles, and at least one; if not, that is reported.
   bool check() const {
     const Value first = size() > 0 ? (*this)[0] : Value();
     for (std::size_t i = 0; i < size(); ++i) {
       const Value value = (*this)[i];
       const bool is_ordered = holds_alternative<Scalar>(value) || holds_alternative<Angle>(value);
       if (is_ordered && are_of_one_type(first, value)) continue;
-      wrong_argument(call_, list_ != nullptr ? 0 : i, "numbers, or angles, of one unit");
+      wrong_argument(call_, list_ != nullptr ? 0 : i, "numbers of one unit or angles");
       return false;
     }
     if (size() == 0) no_result(call_, "an empty list");
@@ -163,48 +162,42 @@ class Comparable {
   const ListValue* list_;
 };
 
-Value evaluate_min(const BuiltinCall& call) {
-  const Comparable values(call);
-  if (!values.check()) return Nothing{};
-  Value least = values[0];
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    if (is_less(values[i], least)) least = values[i];
-  }
-  return least;
-}
+bool is_greater(const Value& a, const Value& b) { return is_less(b, a); }
 
-Value evaluate_max(const BuiltinCall& call) {
-  const Comparable values(call);
+/// The value that is before all others in an order; of equal ones the first.
+template <bool (*is_before)(const Value&, const Value&)>
+Value first_of(const BuiltinCall& call) {
+  const Operands values(call);
   if (!values.check()) return Nothing{};
-  Value greatest = values[0];
+  Value first = values[0];
   for (std::size_t i = 1; i < values.size(); ++i) {
-    if (is_less(greatest, values[i])) greatest = values[i];
+    if (is_before(values[i], first)) first = values[i];
   }
-  return greatest;
+  return first;
 }
 
 Value evaluate_clamp(const BuiltinCall& call) {
-  const Comparable values(call);
+  const Operands values(call);
   if (!values.check()) return Nothing{};
   const Value x = values[0], low = values[1], high = values[2];
-  if (is_less(high, low)) return no_result(call, "a low end above the high one");
+  if (is_less(high, low)) return no_result(call, "a `low` above `high`");
   return is_less(x, low) ? low : is_less(high, x) ? high : x;
 }
 
-/// The remainder of numbers far apart is found bit by bit.
+/// fmod computes the quotient bit by bit.
 std::uint64_t steps_of_mod(std::span<const Value> arguments) {
-  constexpr int kBits = 4;  // in a step
+  constexpr int kBitsPerStep = 4;
   const auto exponent = [](const Value& value) {
     if (const auto* number = get_if<Scalar>(&value)) return std::ilogb(number->value);
     const auto* angle = get_if<Angle>(&value);
     return angle != nullptr ? std::ilogb(angle->degrees) : 0;
   };
-  const double apart = static_cast<double>(exponent(arguments[0])) - exponent(arguments[1]);
-  return apart > 0 ? static_cast<std::uint64_t>(std::fmin(apart, 3000)) / kBits : 0;
+  const double bits = static_cast<double>(exponent(arguments[0])) - exponent(arguments[1]);
+  return bits > 0 ? static_cast<std::uint64_t>(std::fmin(bits, 3000)) / kBitsPerStep : 0;
 }
 
 Value evaluate_mod(const BuiltinCall& call) {
-  const Comparable values(call);
+  const Operands values(call);
   if (!values.check()) return Nothing{};
   const Value a = values[0], b = values[1];
   const auto* number = get_if<Scalar>(&a);
@@ -260,7 +253,7 @@ Value evaluate_range(const BuiltinCall& call) {
           .help("round it with `floor(…)` or `round(…)`");
       return Nothing{};
     }
-    // range(n) counts to n, range(a, b, step) from a to b.
+    // range(n), range(first, end) or range(first, end, step)
     numbers[call.arguments.size() == 1 ? 1 : i] = x->value;
   }
   const auto [first, end, step] = numbers;
@@ -275,20 +268,17 @@ Value evaluate_dot(const BuiltinCall& call) {
   const auto *a = argument<Triple>(call, 0), *b = argument<Triple>(call, 1);
   if (a == nullptr) return wrong_argument(call, 0, "a vector");
   if (b == nullptr) return wrong_argument(call, 1, "a vector");
-  return finite(call, {dot(a->value, b->value)});
+  return finite(call, Scalar{dot(a->value, b->value)});
 }
 
 Value evaluate_cross(const BuiltinCall& call) {
   const auto *a = argument<Triple>(call, 0), *b = argument<Triple>(call, 1);
   if (a == nullptr) return wrong_argument(call, 0, "a vector");
   if (b == nullptr) return wrong_argument(call, 1, "a vector");
-  const Vec3 result = cross(a->value, b->value);
-  if (is_finite(result)) return Triple{result};
-  call.sink.report(diag::overflow, call.where(), call.name);
-  return Nothing{};
+  return finite(call, Triple{cross(a->value, b->value)});
 }
 
-/// The length without overflow on the way.
+/// The length, scaled by a power of two so that no square overflows or underflows.
 double length_of(Vec3 v) noexcept {
   if (v == Vec3{}) return 0;
   const int e = render::exponent_of(max_abs(v));
@@ -298,7 +288,7 @@ double length_of(Vec3 v) noexcept {
 Value evaluate_length(const BuiltinCall& call) {
   const auto* v = argument<Triple>(call, 0);
   return v == nullptr ? wrong_argument(call, 0, "a vector")
-                      : finite(call, {length_of(v->value), v->unit});
+                      : finite(call, Scalar{length_of(v->value), v->unit});
 }
 
 Value evaluate_normalize(const BuiltinCall& call) {
@@ -315,27 +305,16 @@ Value evaluate_mix(const BuiltinCall& call) {
     return wrong_argument(call, 1, fmt::format("{} like the first", describe(call.arguments[0])));
   }
   const auto mixed = [&](auto a, auto b) { return a * (1 - t->value) + b * t->value; };
-  if (const auto* a = argument<Scalar>(call, 0)) {
-    const auto* b = argument<Scalar>(call, 1);
-    return finite(call, {mixed(a->value, b->value), a->unit == Unit::None ? b->unit : a->unit});
-  }
-  const auto checked = [&](auto result, bool is_finite) {
-    if (is_finite) return Value(result);
-    call.sink.report(diag::overflow, call.where(), call.name);
-    return Value(Nothing{});
+  const auto with_unit = [&]<typename V>(const V& a, const V& b) {
+    return finite(call, V{mixed(a.value, b.value), common_unit(a.unit, b.unit)});
   };
-  if (const auto* a = argument<Triple>(call, 0)) {
-    const auto* b = argument<Triple>(call, 1);
-    const Vec3 result = mixed(a->value, b->value);
-    return checked(Triple{result, a->unit == Unit::None ? b->unit : a->unit}, is_finite(result));
-  }
+  if (const auto* a = argument<Scalar>(call, 0)) return with_unit(*a, *argument<Scalar>(call, 1));
+  if (const auto* a = argument<Triple>(call, 0)) return with_unit(*a, *argument<Triple>(call, 1));
   if (const auto* a = argument<Angle>(call, 0)) {
-    const double result = mixed(a->degrees, argument<Angle>(call, 1)->degrees);
-    return checked(Angle{result}, std::isfinite(result));
+    return finite(call, Angle{mixed(a->degrees, argument<Angle>(call, 1)->degrees)});
   }
   if (const auto* a = argument<LinearRgb>(call, 0)) {
-    const LinearRgb result = mixed(*a, *argument<LinearRgb>(call, 1));
-    return checked(result, is_finite(result));
+    return finite(call, mixed(*a, *argument<LinearRgb>(call, 1)));
   }
   return wrong_argument(call, 0, "two numbers, vectors, angles or colours");
 }
@@ -368,57 +347,57 @@ Value evaluate_noise(const BuiltinCall& call) {
 }
 
 constexpr auto kBuiltins = std::to_array<Builtin>({
-    {"sqrt", "sqrt(x)", 1, 1, evaluate_sqrt, "numbers",
+    {"sqrt", "sqrt(x)", 1, 1, evaluate_sqrt, "number", "numbers",
      "Square root of a number that is not negative."},
-    {"abs", "abs(x)", 1, 1, evaluate_abs, "numbers", "The number or angle without its sign."},
-    {"min", "min(a, b, …)", 1, kAnyNumber, evaluate_min, "numbers",
-     "The least of numbers or angles, or of a list of them."},
-    {"max", "max(a, b, …)", 1, kAnyNumber, evaluate_max, "numbers",
-     "The greatest of numbers or angles, or of a list of them."},
-    {"clamp", "clamp(x, low, high)", 3, 3, evaluate_clamp, "numbers",
-     "`x`, but not below `low` nor above `high`; of angles too."},
-    {"floor", "floor(x)", 1, 1, keeping_unit<round_down>, "numbers",
-     "The greatest whole number that is not above `x`."},
-    {"ceil", "ceil(x)", 1, 1, keeping_unit<round_up>, "numbers",
-     "The least whole number that is not below `x`."},
-    {"round", "round(x)", 1, 1, keeping_unit<round_half_away>, "numbers",
-     "The nearest whole number; of two, the one farther from 0."},
-    {"exp", "exp(x)", 1, 1, evaluate_exp, "numbers", "e to the power of `x`.", 60},
-    {"log", "log(x)", 1, 1, evaluate_log, "numbers", "The natural logarithm of a positive number.",
-     60},
-    {"sin", "sin(angle)", 1, 1, of_angle<sin_degrees>, "angles", "Sine.", 65},
-    {"cos", "cos(angle)", 1, 1, of_angle<cos_degrees>, "angles", "Cosine.", 65},
-    {"tan", "tan(angle)", 1, 1, evaluate_tan, "angles",
-     "Tangent; there is none at odd multiples of 90deg.", 70},
-    {"asin", "asin(x)", 1, 1, arc<asin_degrees>, "angles",
+    {"abs", "abs(x)", 1, 1, evaluate_abs, "=", "numbers", "The number or angle without its sign."},
+    {"min", "min(a, b, …)", 1, kAnyNumber, first_of<is_less>, "=", "numbers",
+     "The smallest of several numbers or angles, or of a list of them."},
+    {"max", "max(a, b, …)", 1, kAnyNumber, first_of<is_greater>, "=", "numbers",
+     "The largest of several numbers or angles, or of a list of them."},
+    {"clamp", "clamp(x, low, high)", 3, 3, evaluate_clamp, "=", "numbers",
+     "`x` limited to `low` … `high`; also for angles."},
+    {"floor", "floor(x)", 1, 1, keeping_unit<round_down>, "=", "numbers",
+     "The largest whole number not above `x`."},
+    {"ceil", "ceil(x)", 1, 1, keeping_unit<round_up>, "=", "numbers",
+     "The smallest whole number not below `x`."},
+    {"round", "round(x)", 1, 1, keeping_unit<round_half_away>, "=", "numbers",
+     "The nearest whole number; halves are rounded away from 0."},
+    {"exp", "exp(x)", 1, 1, evaluate_exp, "number", "numbers", "e to the power of `x`.", 60},
+    {"log", "log(x)", 1, 1, evaluate_log, "number", "numbers",
+     "The natural logarithm of a positive number.", 60},
+    {"sin", "sin(angle)", 1, 1, of_angle<sin_degrees>, "number", "angles", "Sine.", 65},
+    {"cos", "cos(angle)", 1, 1, of_angle<cos_degrees>, "number", "angles", "Cosine.", 65},
+    {"tan", "tan(angle)", 1, 1, evaluate_tan, "number", "angles",
+     "Tangent; undefined at odd multiples of 90deg.", 70},
+    {"asin", "asin(x)", 1, 1, arc<asin_degrees>, "angle", "angles",
      "The angle from -90deg to 90deg whose sine is `x`.", 45},
-    {"acos", "acos(x)", 1, 1, arc<acos_degrees>, "angles",
+    {"acos", "acos(x)", 1, 1, arc<acos_degrees>, "angle", "angles",
      "The angle from 0deg to 180deg whose cosine is `x`.", 45},
-    {"atan2", "atan2(y, x)", 2, 2, evaluate_atan2, "angles",
+    {"atan2", "atan2(y, x)", 2, 2, evaluate_atan2, "angle", "angles",
      "The angle from the x axis to the point (x, y), from -180deg to 180deg.", 45},
-    {"mod", "mod(a, b)", 2, 2, evaluate_mod, "numbers",
-     "What is left of `a` after whole multiples of `b`, exactly, with the sign of `b`; of angles"
-     " too.",
-     5, steps_of_mod},
-    {"sum", "sum(list)", 1, 1, evaluate_sum, "lists",
-     "The sum of what is in a list: numbers, points, angles or colours."},
-    {"len", "len(list)", 1, 1, evaluate_len, "lists", "How many elements a list has.", 0},
-    {"str", "str(x)", 1, 1, evaluate_str, "lists",
-     "The shortest text that reads back as the same value; a string as it is.", 35},
-    {"dot", "dot(a, b)", 2, 2, evaluate_dot, "vectors", "Inner product."},
-    {"cross", "cross(a, b)", 2, 2, evaluate_cross, "vectors", "Vector product, right-handed."},
-    {"length", "length(v)", 1, 1, evaluate_length, "vectors",
+    {"mod", "mod(a, b)", 2, 2, evaluate_mod, "=", "numbers",
+     "The remainder of `a / b`, exact, with the sign of `b`; also for angles.", 5, steps_of_mod},
+    {"sum", "sum(list)", 1, 1, evaluate_sum, "", "lists",
+     "The sum of a list of numbers, points, angles or colours."},
+    {"len", "len(list)", 1, 1, evaluate_len, "number", "lists", "The number of elements of a list.",
+     0},
+    {"str", "str(x)", 1, 1, evaluate_str, "string", "lists",
+     "The shortest text that reads back as the same value; a string is unchanged.", 35},
+    {"dot", "dot(a, b)", 2, 2, evaluate_dot, "number", "vectors", "Dot product."},
+    {"cross", "cross(a, b)", 2, 2, evaluate_cross, "vec3", "vectors",
+     "Cross product, right-handed."},
+    {"length", "length(v)", 1, 1, evaluate_length, "number", "vectors",
      "Length, with the unit of the vector.", 5},
-    {"normalize", "normalize(v)", 1, 1, evaluate_normalize, "vectors",
+    {"normalize", "normalize(v)", 1, 1, evaluate_normalize, "vec3", "vectors",
      "The vector of length 1 in the direction of `v`, which is not (0, 0, 0).", 5},
-    {"mix", "mix(a, b, t)", 3, 3, evaluate_mix, "numbers",
+    {"mix", "mix(a, b, t)", 3, 3, evaluate_mix, "=", "numbers",
      "`a * (1 - t) + b * t` of numbers, angles, vectors or colours."},
-    {"random", "random(a, …)", 1, kAnyNumber, evaluate_random, "randomness",
-     "Uniform from 0 up to, and without, 1: the same arguments give the same number.", 3},
-    {"noise", "noise(p)", 1, 1, evaluate_noise, "randomness",
-     "Smooth noise between -1 and 1 at a point of space.", 14},
-    {"range", "range(n), range(a, b), range(a, b, step)", 1, 3, evaluate_range, "lists",
-     "The whole numbers from 0 or `a` up to, and without, `n` or `b`."},
+    {"random", "random(a, …)", 1, kAnyNumber, evaluate_random, "number", "randomness",
+     "A random number, uniform in [0, 1); the same arguments give the same number.", 3},
+    {"noise", "noise(p)", 1, 1, evaluate_noise, "number", "randomness",
+     "Smooth noise between -1 and 1 at a point in space.", 14},
+    {"range", "range(n), range(a, b), range(a, b, step)", 1, 3, evaluate_range, "list", "lists",
+     "The whole numbers from 0 to `n - 1`, or from `a` in steps of `step` (default 1) before `b`."},
 });
 
 }  // namespace

@@ -15,24 +15,30 @@ namespace sdlc::lang {
 struct BuiltinCall {
   std::string_view name;
   std::span<const Value> arguments;
-  ast::Node node;  ///< of the call; read only for places in reports
+  ast::Node node;  ///< of the call; for places in diagnostics only
   DiagnosticSink& sink;
 
-  /// The place of the name, for reports about the result.
+  /// The place of the name, for errors of the result.
   Location where() const { return node.head_location(); }
   Location place(std::size_t argument) const { return node.child(argument)->location(); }
 };
 
-/// A function of values, written with positional arguments. What is wrong with an argument is
-/// reported.
+/// Builtin::max_arguments of functions with any number of arguments.
+inline constexpr std::size_t kAnyNumber = static_cast<std::size_t>(-1);
+
+/// A built-in function with positional arguments. A wrong argument is reported; the result is then
+/// Nothing.
 struct Builtin {
   std::string_view name;
   std::string_view signature;  ///< as the reference shows it: "clamp(x, low, high)"
-  std::size_t least, most;     ///< numbers of arguments
+  std::size_t min_arguments, max_arguments;
   Value (*evaluate)(const BuiltinCall& call);
+  std::string_view
+      result;  ///< a type of types.hpp; "=": that of the first argument; empty: it varies
   std::string_view topic;  ///< under which the reference lists it: "numbers"
   std::string_view doc;
-  /// Steps beside those of reading its arguments (see limits.hpp); 0: it does not read them.
+  /// Steps (see limits.hpp) in addition to those of reading its arguments; 0: it does not read
+  /// them.
   std::uint64_t steps = 3;
   /// Additional steps that depend on the arguments.
   std::uint64_t (*more_steps)(std::span<const Value> arguments) = nullptr;

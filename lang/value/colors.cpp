@@ -212,23 +212,10 @@ render::LinearRgb decode_hex_color(std::string_view text) noexcept {
 }
 
 render::LinearRgb decode_hsl(double hue, double saturation, double lightness) noexcept {
-  // The hue in twelfths of a turn, reduced without fmod: exact for any double, by exact halving
-  // steps.
-  const auto reduced = [](double value, double modulus) {
-    if (value >= 0 && value < modulus) return value;
-    const double magnitude = value < 0 ? -value : value;
-    double rest = magnitude;
-    double step = modulus;
-    while (step <= rest / 2) step *= 2;
-    for (; step >= modulus; step /= 2) {
-      if (rest >= step) rest -= step;
-    }
-    return value < 0 && rest > 0 ? modulus - rest : rest;
-  };
-  const double twelfths = reduced(hue, 360) / 30;
+  const double twelfths = *modulo(hue, 360) / 30;
   const double a = saturation * std::min(lightness, 1 - lightness);
   const auto component = [&](double n) {
-    const double k = reduced(n + twelfths, 12);
+    const double k = *modulo(n + twelfths, 12);
     return lightness - a * std::max(-1.0, std::min({k - 3, 9 - k, 1.0}));
   };
   return {decode(component(0)), decode(component(8)), decode(component(4))};

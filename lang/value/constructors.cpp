@@ -63,11 +63,11 @@ constexpr auto kLine = std::to_array<Property>({
     {.name = "to",
      .type = Type::Vec3,
      .presence = Presence::Required,
-     .doc = "Where the centre is at the end of `over`."},
+     .doc = "Position of the centre at the end of `over`."},
     {.name = "over",
      .type = Type::Interval,
      .presence = Presence::Required,
-     .doc = "From when to when, in seconds of the film; the ends differ."},
+     .doc = "Begin and end of the motion, in seconds of the film; not equal."},
 });
 
 double number(const ConstructorArguments& arguments, std::size_t i) {
@@ -121,19 +121,20 @@ Value make_material(const Constructor& self, const ConstructorArguments& in) {
 std::span<const Constructor> all_constructors() noexcept {
   static const std::vector<Constructor> constructors = [] {
     std::vector<Constructor> all{
-        {"rgb", kCodes, "By its sRGB codes, as CSS and image editors give them.", make_rgb},
-        {"linear", kComponents, "By its linear components; 1 is white, and more is brighter.",
-         make_linear},
-        {"linear255", kComponents, "By its linear components; 255 is white, as in JSON configs.",
-         make_linear255},
-        {"hsl", kHsl, "By hue, saturation and lightness, as CSS defines them.", make_hsl,
+        {"rgb", kCodes, "A colour from sRGB values, 0 to 255, as in CSS and image editors.",
+         make_rgb},
+        {"linear", kComponents,
+         "A colour from linear components; 1 is white, larger values are brighter.", make_linear},
+        {"linear255", kComponents,
+         "A colour from linear components; 255 is white, as in JSON configs.", make_linear255},
+        {"hsl", kHsl, "A colour from hue, saturation and lightness, as in CSS.", make_hsl,
          steps_of_hsl},
         {"kelvin", kKelvin,
-         "The colour of a glowing black body, its largest component 1 (cubic of Kim et al.).",
+         "The colour of a black body, scaled to a largest component of 1 (Kim et al.).",
          make_kelvin},
         {"line", kLine,
          "A straight motion of a sphere's centre: at `center` when `over` begins, at `to` when it "
-         "ends, and on beyond both.",
+         "ends, extrapolated before and after.",
          make_line}};
     for (const MaterialInfo& material : all_materials())
       all.push_back({material.name, material.arguments, material.doc, make_material});

@@ -14,18 +14,16 @@ namespace sdlc::lang {
 /// The largest number of arguments that a constructor has.
 inline constexpr std::size_t kMaxArguments = 3;
 
-/// The arguments of a constructor, by parameter: each of its type and in its range, written or by
-/// default.
+/// The checked arguments of a constructor by parameter, with defaults filled in.
 using ConstructorArguments = std::array<Value, kMaxArguments>;
 
-/// A function that makes a colour, a material or a motion. Its parameters have names and are
-/// described like properties.
+/// A built-in function with named parameters, which makes a colour, a material or a motion.
 struct Constructor {
   std::string_view name;
   std::span<const Property> parameters;
   std::string_view doc;
   Value (*construct)(const Constructor& constructor, const ConstructorArguments& arguments);
-  /// Steps that it takes: see limits.hpp.
+  /// Steps of a call: see limits.hpp.
   std::uint64_t (*steps)(const ConstructorArguments& arguments) = [](const auto&) {
     return std::uint64_t{4};
   };

@@ -8,12 +8,14 @@
 #include <optional>
 #include <string_view>
 
+#include "lang/text/utf8.hpp"
+
 namespace sdlc::lang {
 namespace {
 
 enum class Measure : std::uint8_t { Plain, Length, Time, Angle };
 
-/// A unit: its number is multiplied by one factor or divided by one, exactly rounded (ruling 2).
+/// A unit. One of factor and divisor is 1, so that the product is rounded once.
 struct UnitInfo {
   std::string_view name;
   Measure measure;
@@ -36,23 +38,22 @@ constexpr auto kUnits = std::to_array<UnitInfo>({
     {.name = "s", .measure = Measure::Time},
 });
 
-/// The offset of the unit: `%` and letters after the last digit.
-/// An `e` of the exponent is followed by digits.
+/// The offset of the unit, which follows the last digit (an exponent ends in a digit).
 std::size_t begin_of_unit(std::string_view text) {
   std::size_t at = text.size();
   while (at > 0 && !(text[at - 1] >= '0' && text[at - 1] <= '9')) --at;
   return at;
 }
 
-/// from_chars says "out of range" of what is too large and of what is too small. Whether the
-/// decimal number is at least 1 tells them apart.
+/// Whether the decimal number is at least 1. from_chars reports overflow and underflow by the same
+/// error; this distinguishes them.
 bool is_at_least_one(std::string_view digits) {
   const std::size_t e = std::min(digits.find_first_of("eE"), digits.size());
   const std::string_view mantissa = digits.substr(0, e);
   const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
   const std::size_t first = mantissa.find_first_of("123456789");
   if (first == std::string_view::npos) return false;
-  // The place of the first digit that is not 0: 0 for ones, -1 for tenths.
+  // The decimal exponent of the first digit that is not 0: 0 for ones, -1 for tenths.
   const auto place = first < point
                          ? static_cast<std::int64_t>(point - first) - 1
                          : static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
@@ -80,26 +81,37 @@ std::optional<double> parse_digits(std::string_view digits) {
   return 0.0;
 }
 
-void append_utf8(std::string& out, char32_t c) {
-  const auto tail = [&](int shift) { out += static_cast<char>(0x80 | (c >> shift & 0x3F)); };
-  if (c < 0x80) {
-    out += static_cast<char>(c);
-  } else if (c < 0x800) {
-    out += static_cast<char>(0xC0 | c >> 6);
-    tail(0);
-  } else if (c < 0x10000) {
-    out += static_cast<char>(0xE0 | c >> 12);
-    tail(6), tail(0);
-  } else {
-    out += static_cast<char>(0xF0 | c >> 18);
-    tail(12), tail(6), tail(0);
-  }
-}
-
 char32_t parse_hex(std::string_view digits) {
   std::uint32_t value = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
   return value;
+}
+
+/// The code point of the escape `\uXXXX` at `i`, or of a surrogate pair of two; `i` moves to the
+/// end. nullopt for an unpaired surrogate.
+std::optional<char32_t> take_unicode_escape(std::string_view text, std::size_t& i) {
+  constexpr std::size_t kSize = 6;
+  const char32_t first = parse_hex(text.substr(i + 2, 4));
+  i += kSize;
+  const bool is_surrogate = first >= 0xD800 && first < 0xE000;
+  if (!is_surrogate) return first;
+  const char32_t second = text.substr(i, 2) == "\\u" ? parse_hex(text.substr(i + 2, 4)) : 0;
+  const bool is_pair = first < 0xDC00 && second >= 0xDC00 && second < 0xE000;
+  if (!is_pair) return std::nullopt;
+  i += kSize;
+  return 0x10000 + ((first - 0xD800) << 10) + (second - 0xDC00);
+}
+
+/// The character of an escape of one letter, such as `\n`.
+char unescaped(char letter) {
+  switch (letter) {
+    case 'b': return '\b';
+    case 'f': return '\f';
+    case 'n': return '\n';
+    case 'r': return '\r';
+    case 't': return '\t';
+    default: return letter;
+  }
 }
 
 }  // namespace
@@ -140,37 +152,19 @@ Value evaluate_string(ast::Node node, DiagnosticSink& sink) {
       i = next;
       continue;
     }
-    const std::size_t begin = i;
-    const char escape = text[i + 1];
-    i += 2;
-    switch (escape) {
-      case 'b': value += '\b'; break;
-      case 'f': value += '\f'; break;
-      case 'n': value += '\n'; break;
-      case 'r': value += '\r'; break;
-      case 't': value += '\t'; break;
-      case 'u': {
-        char32_t c = parse_hex(text.substr(i, 4));
-        i += 4;
-        const bool is_first = c >= 0xD800 && c < 0xDC00;
-        const char32_t second =
-            is_first && text.substr(i, 2) == "\\u" ? parse_hex(text.substr(i + 2, 4)) : 0;
-        if (second >= 0xDC00 && second < 0xE000) {
-          c = 0x10000 + ((c - 0xD800) << 10) + (second - 0xDC00);
-          i += 6;
-        } else if (c >= 0xD800 && c < 0xE000) {
-          const auto at = [&](std::size_t offset) {
-            return inside.begin + static_cast<std::uint32_t>(offset);
-          };
-          sink.report(diag::bad_string, node.tree().location({at(begin), at(i)}),
-                      "half of a surrogate pair");
-          return Nothing{};
-        }
-        append_utf8(value, c);
-        break;
-      }
-      default: value += escape;
+    if (text[i + 1] != 'u') {
+      value += unescaped(text[i + 1]);
+      i += 2;
+      continue;
     }
+    const auto begin = static_cast<std::uint32_t>(i);
+    const auto c = take_unicode_escape(text, i);
+    if (!c) {
+      const Span escape{inside.begin + begin, inside.begin + static_cast<std::uint32_t>(i)};
+      sink.report(diag::bad_string, node.tree().location(escape), "an unpaired surrogate");
+      return Nothing{};
+    }
+    append_utf8(*c, value);
   }
   return value;
 }

@@ -11,10 +11,10 @@
 
 namespace sdlc::lang {
 
-/// A Number: correctly rounded, then divided or multiplied once by its unit. Reports what is too
-/// large.
+/// The value of a Number node: the nearest double, multiplied or divided once for its unit. A
+/// number that is too large is reported; the result is then Nothing.
 Value evaluate_number(ast::Node node, DiagnosticSink& sink);
-/// A String without its quotes and escapes. Reports halves of surrogate pairs.
+/// The value of a String node. An unpaired surrogate is reported; the result is then Nothing.
 Value evaluate_string(ast::Node node, DiagnosticSink& sink);
 
 /// Whether a string may be this long; if not, that is reported at `where`.

@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "lang/value/arithmetic.hpp"
+
 namespace sdlc::lang {
 namespace {
-
-bool agree(Unit a, Unit b) noexcept { return a == b || a == Unit::None || b == Unit::None; }
 
 std::optional<Unit> unit_of(const Value& value) noexcept {
   if (const auto* scalar = get_if<Scalar>(&value)) return scalar->unit;
@@ -63,21 +63,12 @@ bool compare(const T& a, Operator op, const T& b) noexcept {
   }
 }
 
-std::string_view spelling(Operator op) noexcept {
-  switch (op) {
-    case Operator::Less: return "<";
-    case Operator::LessEqual: return "<=";
-    case Operator::Greater: return ">";
-    default: return ">=";
-  }
-}
-
 }  // namespace
 
 bool are_of_one_type(const Value& a, const Value& b) noexcept {
   if (a.index() != b.index()) return false;
   const auto left = unit_of(a), right = unit_of(b);
-  return !left || agree(*left, *right);
+  return !left || are_compatible(*left, *right);
 }
 
 std::optional<bool> are_equal(const Value& a, const Value& b) {

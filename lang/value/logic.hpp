@@ -8,14 +8,22 @@
 
 namespace sdlc::lang {
 
+/// Whether numbers of these units add up: a number without a unit takes the other's.
+constexpr bool are_compatible(Unit a, Unit b) noexcept {
+  return a == b || a == Unit::None || b == Unit::None;
+}
+/// The unit of their sum.
+constexpr Unit common_unit(Unit a, Unit b) noexcept { return a == Unit::None ? b : a; }
+
 /// Whether two values are equal (-0 is 0); nullopt if their types or units differ.
 std::optional<bool> are_equal(const Value& a, const Value& b);
 
-/// `left op right` for == != < <= > >=. What cannot be compared is reported at `where`.
+/// `left op right` for == != < <= > >=. Values that cannot be compared are reported at `where`; the
+/// result is then Nothing.
 Value evaluate_comparison(const Value& left, Operator op, const Value& right, Location where,
                           DiagnosticSink& sink);
 
-/// Whether two values can be elements of one list: the same type, and units that add up.
+/// Whether two values can be elements of one list: the same type, and compatible units.
 bool are_of_one_type(const Value& a, const Value& b) noexcept;
 
 }  // namespace sdlc::lang

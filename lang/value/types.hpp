@@ -7,7 +7,7 @@
 
 namespace sdlc::lang {
 
-/// A name of a type, as `param` and parameters write it.
+/// A type that declarations of params and parameters may name.
 struct TypeInfo {
   std::string_view name;
   bool (*holds)(const Value& value);
@@ -15,7 +15,7 @@ struct TypeInfo {
 };
 
 std::span<const TypeInfo> all_types() noexcept;
-/// The type of this name, or null.
+/// The type with this name, or null.
 const TypeInfo* find_type(std::string_view name) noexcept;
 
 }  // namespace sdlc::lang

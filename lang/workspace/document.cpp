@@ -1,14 +1,12 @@
 #include "lang/workspace/document.hpp"
 
-#include <utility>
-
 namespace sdlc::lang {
 
 const SyntaxTree& Document::tree(DiagnosticSink& sink) const {
   if (!tree_) {
-    DiagnosticSink errors(sink.stop_token());
+    DiagnosticSink errors(sink.stop_request());
     tree_.emplace(parse(*this, errors));
-    syntax_errors_ = std::move(errors);
+    syntax_errors_.add(errors);
   }
   sink.add(syntax_errors_);
   return *tree_;

@@ -11,7 +11,10 @@ void Workspace::open(const fs::path& path, std::string text, int version) {
   open_[identity(path)] = {.text = std::move(text), .version = version};
 }
 
-void Workspace::close(const fs::path& path) { open_.erase(identity(path)); }
+void Workspace::close(const fs::path& path) {
+  open_.erase(identity(path));
+  drop_unused();
+}
 
 bool Workspace::is_open(const fs::path& path) const { return find_open(path) != nullptr; }
 
@@ -21,34 +24,60 @@ const Workspace::OpenText* Workspace::find_open(const fs::path& path) const {
   return found == open_.end() ? nullptr : &found->second;
 }
 
-std::shared_ptr<const Document> Workspace::load(const fs::path& path, std::uint64_t max_bytes,
-                                                std::error_code& error) {
+std::shared_ptr<const Document> Workspace::load(const fs::path& path, const std::string& name,
+                                                std::uint64_t max_bytes, std::error_code& error) {
   std::optional<std::string> text = read(path, max_bytes, error);
   if (!text) return nullptr;
   const OpenText* open = find_open(path);
   const int version = open == nullptr ? 0 : open->version;
-  std::weak_ptr<const Document>& entry = in_use_[path.string()];
+  std::weak_ptr<const Document>& entry = in_use_[name];
   auto document = entry.lock();
   const bool is_same =
       document != nullptr && document->version() == version && document->text() == *text;
-  if (is_same) return document;
-  document = std::make_shared<const Document>(path.string(), std::move(*text), version);
-  entry = document;
+  if (!is_same) {
+    document = std::make_shared<const Document>(name, std::move(*text), version);
+    entry = document;
+  }
+  if (!open_.empty()) kept_[name] = {.identity = identity(path), .document = document};
   return document;
 }
 
 void Workspace::set_dependencies(const fs::path& file, const std::vector<fs::path>& dependencies) {
   const fs::path from = identity(file);
-  for (const fs::path& to : std::exchange(dependencies_[from], {})) dependents_[to].erase(from);
+  for (const fs::path& to : std::exchange(dependencies_[from], {})) {
+    const auto found = dependents_.find(to);
+    found->second.erase(from);
+    if (found->second.empty()) dependents_.erase(found);
+  }
   for (const fs::path& dependency : dependencies) {
     fs::path to = identity(dependency);
-    dependents_[to].insert(from);
-    dependencies_[from].push_back(std::move(to));
+    if (dependents_[to].insert(from).second) dependencies_[from].push_back(std::move(to));
   }
+  if (dependencies.empty()) dependencies_.erase(from);
+  drop_unused();
+}
+
+void Workspace::drop_unused() {
+  std::set<fs::path> used;
+  const auto use = [&](const fs::path& file) {
+    used.insert(file);
+    const auto found = dependencies_.find(file);
+    if (found != dependencies_.end()) used.insert(found->second.begin(), found->second.end());
+  };
+  for (const auto& [file, text] : open_) {
+    use(file);
+    for (const fs::path& dependent : dependents_of(file)) use(dependent);
+  }
+  std::erase_if(kept_, [&](const auto& kept) { return !used.contains(kept.second.identity); });
+  std::erase_if(in_use_, [](const auto& known) { return known.second.expired(); });
 }
 
 std::vector<fs::path> Workspace::dependents(const fs::path& path) const {
-  std::set<fs::path> seen{identity(path)};
+  return dependents_of(identity(path));
+}
+
+std::vector<fs::path> Workspace::dependents_of(const fs::path& start) const {
+  std::set<fs::path> seen{start};
   std::vector<fs::path> pending(seen.begin(), seen.end()), all;
   while (!pending.empty()) {
     const fs::path file = std::move(pending.back());
@@ -68,8 +97,9 @@ std::vector<fs::path> Workspace::dependents(const fs::path& path) const {
 std::vector<fs::path> Workspace::roots(const fs::path& path) const {
   std::vector<fs::path> files = dependents(path);
   std::erase_if(files, [&](const fs::path& file) {
-    const auto found = dependents_.find(file);
-    return found != dependents_.end() && !found->second.empty();
+    return std::ranges::any_of(dependents_of(file), [&](const fs::path& dependent) {
+      return !std::ranges::binary_search(dependents_of(dependent), file);
+    });
   });
   return files;
 }

@@ -33,11 +33,17 @@ class Workspace final : public FileSystem {
 
   // Documents
 
-  /// The text at `path`, as it is now; null with `error` set if it cannot be read. A document that
-  /// is in use is returned again as long as its name and content stay the same, so that it is not
-  /// parsed again. Of a file of more than `max_bytes` bytes the first `max_bytes` + 1 are read.
+  /// The text at `path`, as it is now, called `name` in messages; null with `error` set if it
+  /// cannot be read. A document that is in use is returned again as long as its name, content and
+  /// version stay the same, so that it is not parsed again. An open text and the files that it
+  /// depends on, or that depend on it, count as in use. Of a file of more than `max_bytes` bytes
+  /// the first `max_bytes` + 1 are read.
+  std::shared_ptr<const Document> load(const std::filesystem::path& path, const std::string& name,
+                                       std::uint64_t max_bytes, std::error_code& error);
   std::shared_ptr<const Document> load(const std::filesystem::path& path, std::uint64_t max_bytes,
-                                       std::error_code& error);
+                                       std::error_code& error) {
+    return load(path, path.string(), max_bytes, error);
+  }
 
   // Imports and includes
 
@@ -46,8 +52,8 @@ class Workspace final : public FileSystem {
                         const std::vector<std::filesystem::path>& dependencies);
   /// The files that depend on `path`, directly or through others, by name.
   std::vector<std::filesystem::path> dependents(const std::filesystem::path& path) const;
-  /// The dependents that no other file imports or includes: the scenes to check when an imported
-  /// file changes.
+  /// The dependents that no other file imports or includes, except files that they import
+  /// themselves: the scenes to check when an imported file changes.
   std::vector<std::filesystem::path> roots(const std::filesystem::path& path) const;
 
   // FileSystem, with open texts in place of their files
@@ -69,11 +75,20 @@ class Workspace final : public FileSystem {
     int version = 0;
   };
 
+  struct KeptDocument {
+    std::filesystem::path identity;
+    std::shared_ptr<const Document> document;
+  };
+
   const OpenText* find_open(const std::filesystem::path& path) const;
+  std::vector<std::filesystem::path> dependents_of(const std::filesystem::path& start) const;
+  /// Releases documents that no open text has to do with.
+  void drop_unused();
 
   const FileSystem& disk_;
   std::map<std::filesystem::path, OpenText> open_;                                    // by identity
   std::map<std::string, std::weak_ptr<const Document>> in_use_;                       // by name
+  std::map<std::string, KeptDocument> kept_;                                          // by name
   std::map<std::filesystem::path, std::set<std::filesystem::path>> dependents_;       // by identity
   std::map<std::filesystem::path, std::vector<std::filesystem::path>> dependencies_;  // by identity
 };

@@ -37,14 +37,7 @@ double decode_tone(Tone tone, double encoded) noexcept {
   return encoded;
 }
 
-std::string_view name_of(Tone tone) noexcept {
-  switch (tone) {
-    case Tone::Srgb: return "srgb";
-    case Tone::Sqrt: return "sqrt";
-    case Tone::Linear: break;
-  }
-  return "linear";
-}
+std::string_view name_of(Tone tone) noexcept { return kToneWords[static_cast<std::size_t>(tone)]; }
 
 std::optional<Tone> tone_of(std::string_view name) noexcept {
   for (const Tone tone : {Tone::Srgb, Tone::Sqrt, Tone::Linear}) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -16,7 +17,9 @@ double encode_tone(Tone tone, double v) noexcept;
 /// The inverse of encode_tone, for `encoded` in [0, 1].
 double decode_tone(Tone tone, double encoded) noexcept;
 
-/// The spelling in scenes: "srgb", "sqrt" or "linear".
+/// The spelling in scenes, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 3> kToneWords{"srgb", "sqrt", "linear"};
+
 std::string_view name_of(Tone tone) noexcept;
 std::optional<Tone> tone_of(std::string_view name) noexcept;
 

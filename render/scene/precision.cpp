@@ -12,6 +12,7 @@
 #include "render/scene/movement.hpp"
 #include "render/scene/radiance.hpp"
 #include "render/scene/ranges.hpp"
+#include "render/scene/settings.hpp"
 #include "render/scene/suspects.hpp"
 
 namespace sdlc::render {
@@ -320,11 +321,7 @@ std::string number(double v) {
 }  // namespace
 
 std::string_view name_of(Precision precision) noexcept {
-  switch (precision) {
-    case Precision::Float: return "float";
-    case Precision::Mixed: return "mixed";
-    default: return "double";
-  }
+  return kWords<Precision>[static_cast<std::size_t>(precision)];
 }
 
 double unit_of_rounding(Precision precision) noexcept {

@@ -128,7 +128,7 @@ TEST(Number, IsAnyFromTheLeastOn) {
   EXPECT_EQ(parse_number("--flag", "1", 1), 1);
 }
 
-TEST(Number, RefusesWhatIsNoneAndSaysWhatItTakes) {
+TEST(Number, RejectsOtherTextAndNamesWhatItTakes) {
   const auto from_one = [](const std::string& flag, const std::string& text) {
     return parse_number(flag, text, 1);
   };

@@ -89,7 +89,7 @@ TEST_F(AovCommand, GivesTheSameFileForAnyNumberOfThreads) {
   EXPECT_EQ(content_of(folder_ / "1.exr"), content_of(folder_ / "7.exr"));
 }
 
-TEST_F(AovCommand, SuggestsTheChannelThatWasMeant) {
+TEST_F(AovCommand, SuggestsTheIntendedChannel) {
   EXPECT_THAT(refusal("-o a.exr --aov depth,normals"),
               HasSubstr("`normals` is not one of normal, depth, albedo, variance, samples (did you "
                         "mean `normal`?)"));
@@ -123,7 +123,7 @@ TEST_F(AovCommand, LeavesOutAVarianceThatTimeWasTooShortFor) {
   EXPECT_THAT(names("a.exr"), UnorderedElementsAre("R", "G", "B", "samples.V"));
 }
 
-TEST_F(AovCommand, TellsHowManySamplesEachPixelGot) {
+TEST_F(AovCommand, ReportsTheSamplesOfEachPixel) {
   const ProgramResult result =
       render("-o a.exr --aov samples,variance --error 0.3% --adaptive --samples 65536");
   EXPECT_EQ(result.exit_code, 0) << result.err;

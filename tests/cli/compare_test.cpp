@@ -109,7 +109,7 @@ TEST_F(CompareCommand, MeasuresCodesAsSharesOfWhite) {
   EXPECT_EQ(report["psnr"], 0);
 }
 
-TEST_F(CompareCommand, TellsPeopleTheSame) {
+TEST_F(CompareCommand, PrintsTheSameForPeople) {
   write("a.exr", Picture(10, 10, LinearRgb(0.6)));
   write("b.exr", Picture(10, 10, LinearRgb(0.5)));
   const ProgramResult result = compare("a.exr b.exr");
@@ -245,14 +245,14 @@ TEST_P(CompareGate, EndsTheCommandWithOneWhereItIsBroken) {
   const ProgramResult broken = compare(std::string("a.exr b.exr ") + breaks);
   EXPECT_EQ(broken.exit_code, 1);
   EXPECT_THAT(broken.err, HasSubstr(told));
-  EXPECT_THAT(broken.out, StartsWith("a.exr against b.exr")) << "the report is there all the same";
+  EXPECT_THAT(broken.out, StartsWith("a.exr against b.exr")) << "the report is printed anyway";
   const Json gates = json(std::string("a.exr b.exr ") + breaks)["gates"];
   ASSERT_EQ(gates.size(), 1u);
   EXPECT_EQ(gates[0]["passed"], false);
   EXPECT_THAT(breaks, HasSubstr(gates[0]["name"].get<std::string>()));
 }
 
-TEST_F(CompareCommand, TellsEachGateThatIsBroken) {
+TEST_F(CompareCommand, ReportsEachGateThatFails) {
   write("a.exr", Picture(10, 10, LinearRgb(0.6)));
   write("b.exr", Picture(10, 10, LinearRgb(0.5)));
   const ProgramResult result =
@@ -385,7 +385,7 @@ render { width: 64, height: 48, samples: 32, depth: 8 }
 )";
 
 // H0: the same scene. Noise alone exceeds 4 in one of about 4500 pairs of seeds.
-TEST_F(CompareCommand, TellsNoiseFromADifference) {
+TEST_F(CompareCommand, DistinguishesNoiseFromADifference) {
   write_text(folder_ / "s.scene", kScene);
   const std::string render = "\"$SDLC\" render s.scene --quiet --aov variance ";
   EXPECT_EQ(run(render + "-o a.exr --seed 1").err, "");
@@ -402,7 +402,7 @@ TEST_F(CompareCommand, TellsNoiseFromADifference) {
   EXPECT_LT(test["mean_p"], 1e-3);
 }
 
-TEST_F(CompareCommand, SaysThatPicturesOfOneSeedShareTheirNoise) {
+TEST_F(CompareCommand, ReportsThatPicturesOfOneSeedShareTheirNoise) {
   write_text(folder_ / "s.scene", kScene);
   for (const std::string name : {"a", "b"}) {
     run("\"$SDLC\" render s.scene --quiet --aov variance --seed 7 -o " + name + ".exr");
@@ -423,7 +423,7 @@ TEST_F(CompareCommand, RefusesTonesThatDiffer) {
                         "one of them with the other's --tone, or compare .exr files"));
 }
 
-/// Compares the file `bad`, created beside good.exr and good.png of 12 x 8 pixels, with `with`.
+/// Compares the file `bad`, created next to good.exr and good.png of 12 x 8 pixels, with `with`.
 struct BrokenCase {
   const char* name;
   const char* bad;
@@ -597,7 +597,7 @@ TEST_P(CompareRefuses, WhatItCannotCompare) {
   }
 }
 
-TEST_F(CompareCommand, TellsBothSizes) {
+TEST_F(CompareCommand, ReportsBothSizes) {
   write("a.png", gradient(8, 12));
   write("b.png", gradient(12, 8));
   EXPECT_THAT(compare("a.png b.png").err,

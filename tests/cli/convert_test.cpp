@@ -59,7 +59,7 @@ TEST_F(ConvertCommand, WritesBesideTheInput) {
   EXPECT_EQ(run("plain.json --overwrite --quiet").err, "");
 }
 
-TEST_F(ConvertCommand, ReplacesWhatStandsBesideOnlyWhenItIsTold) {
+TEST_F(ConvertCommand, ReplacesExistingFilesOnlyOnRequest) {
   write("plain.json", kPlain);
   write("plain.scene", "mine");
   const ProgramResult result = run("plain.json");
@@ -109,7 +109,7 @@ TEST_F(ConvertCommand, MirrorsTheTreeOfAFolder) {
   EXPECT_THAT(names_in(folder_ / "out/deep"), ElementsAre("b.scene"));
 }
 
-TEST_F(ConvertCommand, GoesOnBehindAFileThatCannotBeConverted) {
+TEST_F(ConvertCommand, ContinuesAfterAFileThatCannotBeConverted) {
   write("in/a.json", kPlain);
   write("in/broken.json", R"({"camera": {}, "rendering": {}, "saving": {}})");
   write("in/srgb.scene", kSrgb);
@@ -121,7 +121,7 @@ TEST_F(ConvertCommand, GoesOnBehindAFileThatCannotBeConverted) {
   EXPECT_THAT(names_in(folder_ / "out"), ElementsAre("a.scene"));
 }
 
-TEST_F(ConvertCommand, LeavesNothingBehindWhereNothingIsConverted) {
+TEST_F(ConvertCommand, LeavesNoFilesIfNothingIsConverted) {
   write("srgb.scene", kSrgb);
   EXPECT_EQ(run("srgb.scene -o deep/er/out.json").exit_code, 1);
   EXPECT_THAT(names_in(folder_.path()), ElementsAre("srgb.scene"));

@@ -36,9 +36,13 @@ struct Explained {
 Explained explain(std::vector<std::string> arguments, bool is_terminal = false,
                   bool no_color = false) {
   const NoFiles files;
+  lang::Workspace workspace(files);
   std::ostringstream out, err;
-  cli::Environment env{
-      .files = files, .out = out, .err = err, .out_is_terminal = is_terminal, .no_color = no_color};
+  cli::Environment env{.workspace = workspace,
+                       .out = out,
+                       .err = err,
+                       .out_is_terminal = is_terminal,
+                       .no_color = no_color};
   arguments.insert(arguments.begin(), "explain");
   const cli::ExitCode code = cli::run_program(arguments, env);
   return {.code = code, .out = out.str(), .err = err.str()};
@@ -50,7 +54,7 @@ TEST(ExplainCommand, ShowsThePageOfACode) {
   EXPECT_EQ(told.err, "");
   EXPECT_THAT(told.out, StartsWith("E104: unknown property\n\n"));
   EXPECT_THAT(told.out, HasSubstr("\nWrong\n\nball.scene:\n\n    scene 1\n    camera main"));
-  EXPECT_THAT(told.out, HasSubstr("\nsdlc says:\n\n    error[E104]: unknown property `radus`"));
+  EXPECT_THAT(told.out, HasSubstr("\nsdlc reports:\n\n    error[E104]: unknown property `radus`"));
   EXPECT_THAT(told.out, HasSubstr("\nRight\n"));
   EXPECT_THAT(told.out, AllOf(Not(HasSubstr("```")), Not(HasSubstr("](")), Not(HasSubstr("## "))));
 }
@@ -67,7 +71,7 @@ TEST(ExplainCommand, ShowsSeveralPages) {
   EXPECT_EQ(explain({"E104", "W401"}).out, explain({"E104"}).out + "\n" + explain({"W401"}).out);
 }
 
-TEST(ExplainCommand, SaysWhichFlagsAnExampleNeeds) {
+TEST(ExplainCommand, ShowsTheFlagsOfAnExample) {
   EXPECT_THAT(explain({"E122"}).out, HasSubstr("row.scene, with --set cuont=5:\n"));
 }
 
@@ -80,7 +84,7 @@ TEST(ExplainCommand, KeepsTextToEightyColumns) {
 
 TEST(ExplainCommand, ListsTheCodesThatBeginSo) {
   const Explained told = explain({"w4"});
-  EXPECT_THAT(told.out, StartsWith("The picture will not be what was meant\n  W401  "));
+  EXPECT_THAT(told.out, StartsWith("The picture will not be as intended\n  W401  "));
   EXPECT_THAT(told.out, AllOf(HasSubstr("  W402  zero radius\n"), Not(HasSubstr("E104"))));
 }
 

@@ -36,7 +36,7 @@ class FmtCommand : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(FmtCommand, FormatsInPlaceAndSaysWhichFilesChanged) {
+TEST_F(FmtCommand, FormatsInPlaceAndListsChangedFiles) {
   const ProgramResult result = run("neat.scene messy.scene");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.out, "");
@@ -81,7 +81,7 @@ TEST_F(FmtCommand, ShowsWhatWouldChangeAsAPatch) {
   EXPECT_THAT(run("messy.scene --diff --color always").out, HasSubstr("\x1b[32m+let a = 1\x1b[0m"));
 }
 
-TEST_F(FmtCommand, ShowsAPatchWhereItIsToldToCheckToo) {
+TEST_F(FmtCommand, ShowsAPatchWithCheckToo) {
   const ProgramResult result = run("neat.scene messy.scene --check --diff");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.out, run("messy.scene --diff").out);
@@ -98,7 +98,7 @@ TEST_F(FmtCommand, LeavesFilesWithErrorsAlone) {
   EXPECT_EQ(read("wrong.scene"), kWrong);
 }
 
-TEST_F(FmtCommand, TellsTheErrorsOfAllFilesInOneDocument) {
+TEST_F(FmtCommand, ReportsTheErrorsOfAllFilesInOneDocument) {
   write("also.scene", kWrong);
   const ProgramResult result = run("wrong.scene also.scene --check --format json --quiet");
   EXPECT_EQ(result.exit_code, 1);
@@ -136,7 +136,7 @@ TEST_F(FmtCommand, RefusesConfigs) {
   EXPECT_EQ(read("messy.scene"), kMessy);
 }
 
-TEST_F(FmtCommand, GoesOnBehindAFileThatIsNotThere) {
+TEST_F(FmtCommand, ContinuesAfterAMissingFile) {
   const ProgramResult result = run("missing.scene messy.scene");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("cannot read `missing.scene`"));

@@ -112,7 +112,7 @@ TEST_F(FramesFlag, WritesOneLineOfStatisticsAFrame) {
   }
 }
 
-TEST_F(FramesFlag, WantsAMarkInTheNamesOfSeveralFrames) {
+TEST_F(FramesFlag, RequiresAPlaceholderInTheNamesOfSeveralFrames) {
   for (const std::string outputs : {"-o a.png", "-o -", "-o a.####.png -o b.png", "-o a.###.png"}) {
     const ProgramResult result = render("film.scene " + outputs);
     EXPECT_EQ(result.exit_code, 2) << outputs;
@@ -124,7 +124,7 @@ TEST_F(FramesFlag, WantsAMarkInTheNamesOfSeveralFrames) {
   EXPECT_THAT(names(), ElementsAre("a.png", "film.scene"));
 }
 
-TEST_F(FramesFlag, WantsAMarkInTheOutputOfAnAnimatedScene) {
+TEST_F(FramesFlag, RequiresAPlaceholderInTheOutputOfAnAnimatedScene) {
   const auto film_to = [&](const std::string& output) {
     std::string film = kFilm;
     film.replace(film.find("width"), 0, "output: \"" + output + "\", ");
@@ -153,7 +153,7 @@ TEST_F(FramesFlag, RefusesASceneThatHasNoFrames) {
       << "without frames the marks are a name like any other";
 }
 
-TEST_F(FramesFlag, TellsTheMistakesOfASceneOnceAndStops) {
+TEST_F(FramesFlag, ReportsTheMistakesOfASceneOnceAndStops) {
   std::string film = kFilm;
   film +=
       "assert time < 2s, \"too late\"\nsphere { center: (0, 5, 0), radius: 0, material: unlit(red) "

@@ -98,7 +98,7 @@ TEST_F(InspectCommand, CountsMaterialsInUse) {
       << "its sphere was dropped";
 }
 
-TEST_F(InspectCommand, TellsTheCameraThatWasChosen) {
+TEST_F(InspectCommand, ShowsTheChosenCamera) {
   const json report = inspect("ring.scene");
   EXPECT_EQ(report["cameras"], (json{"main", "top"}));
   EXPECT_EQ(report["camera"]["name"], "main");
@@ -112,7 +112,7 @@ TEST_F(InspectCommand, TellsTheCameraThatWasChosen) {
   EXPECT_EQ(top["spheres"]["moving"], 0);
 }
 
-TEST_F(InspectCommand, TellsHowThePictureIsMade) {
+TEST_F(InspectCommand, ShowsTheSettingsOfThePicture) {
   const json report = inspect("ring.scene --width 100 --samples 2");
   EXPECT_EQ(report["picture"], (json{{"width", 100},
                                      {"height", 56},
@@ -131,7 +131,7 @@ TEST_F(InspectCommand, TellsHowThePictureIsMade) {
   EXPECT_EQ(report["memory"]["picture_bytes"], 100 * 56 * 24);
 }
 
-TEST_F(InspectCommand, TellsTheGoalsOfTheFlags) {
+TEST_F(InspectCommand, ShowsTheGoalsOfTheFlags) {
   const json goals = inspect(
       "ring.scene --error 3% --time 2min --adaptive --sampler independent --light-sampling "
       "on")["picture"];
@@ -144,7 +144,7 @@ TEST_F(InspectCommand, TellsTheGoalsOfTheFlags) {
   EXPECT_EQ(inspect("ring.scene --error 3% --samples 50")["picture"]["samples"], 50);
   const ProgramResult result = run("ring.scene --adaptive");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("--adaptive: there is no error to reach"));
+  EXPECT_THAT(result.err, HasSubstr("--adaptive needs a requested error"));
 }
 
 TEST_F(InspectCommand, LaysOutGoalsForPeople) {
@@ -191,7 +191,7 @@ TEST_F(InspectCommand, ReadsConfigs) {
   EXPECT_EQ(report["picture"]["output"], "results/picture.ppm");
 }
 
-TEST_F(InspectCommand, TellsOfAPlainPictureWhatItHas) {
+TEST_F(InspectCommand, ShowsTheFieldsOfAPlainPicture) {
   write_text(folder_ / "plain.scene",
              "scene 1\nbackground { color: white }\nrender { width: 8, height: 4 }\n");
   const json report = inspect("plain.scene");
@@ -203,7 +203,7 @@ TEST_F(InspectCommand, TellsOfAPlainPictureWhatItHas) {
   EXPECT_THAT(run("plain.scene").out, HasSubstr("none: a plain picture"));
 }
 
-TEST_F(InspectCommand, SaysWhatRenderWillDo) {
+TEST_F(InspectCommand, ShowsWhatRenderWillDo) {
   const json report = inspect("ring.scene --width 32 --set count=2000");
   const ProgramResult rendered =
       run_shell(folder_.path(),
@@ -230,7 +230,7 @@ TEST_F(InspectCommand, LaysOutAReportForPeople) {
   EXPECT_THAT(
       result.out,
       AllOf(HasSubstr("scene           ring.scene, which reads 2 other files\n"),
-            HasSubstr("animation       5 frames: 1 .. 9 in steps of 2, 4 a second\n"
+            HasSubstr("animation       5 frames: 1 .. 9 in steps of 2, 4 per second\n"
                       "  shown         frame 1, at 0.25 s\n"),
             HasSubstr("spheres         10, 8 of them moving; 1 more dropped as a duplicate\n"),
             HasSubstr("  radii         0.25 (sphere 1) to 1 (sphere 0), ratio 4\n"),
@@ -276,16 +276,16 @@ TEST_F(InspectCommand, CountsSpheresOfInstances) {
   EXPECT_EQ(held_once["kernel"], "bvh");
   EXPECT_THAT(run("garden.scene --instances always").out,
               AllOf(HasSubstr("spheres         80, 40 of them moving\n"
-                              "  instances     9 of 1 prototype, beside 8 plain spheres\n"),
+                              "  instances     9 of 1 prototype, and 8 plain spheres\n"),
                     HasSubstr("0.2 (sphere 0) to 5 (of an instance)")));
   const ProgramResult refused = run("garden.scene --instances always --kernel wide");
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.err, HasSubstr("--instances never"));
   EXPECT_THAT(run("garden.scene --instances always --where 8").err,
-              HasSubstr("they are 0 to 7; those of instances have no numbers"));
+              HasSubstr("they are 0 to 7; spheres of instances have no numbers"));
 }
 
-TEST_F(InspectCommand, TellsTheKernelThatIsAskedFor) {
+TEST_F(InspectCommand, ShowsTheRequestedKernel) {
   EXPECT_EQ(inspect("ring.scene --kernel scalar")["kernel"], "scalar");
   const ProgramResult refused = run("ring.scene --kernel scalar --precision float");
   EXPECT_EQ(refused.exit_code, 2);
@@ -298,7 +298,7 @@ sphere ball { center: (0, 1, 0), radius: 1, material: diffuse(color: tan) }
 for r in [1000] { sphere { center: (0, -r, 0), radius: r, material: diffuse(color: gray) } }
 )";
 
-TEST_F(InspectCommand, TellsTheBoundsOfEachPrecisionAndTheSpheresThatDecide) {
+TEST_F(InspectCommand, ShowsTheBoundsOfEachPrecisionAndTheDecidingSpheres) {
   write_text(folder_ / "planet.scene", kPlanet);
   EXPECT_THAT(run("planet.scene").out,
               AllOf(HasSubstr("  kernel        mixed precision, wide, for "),
@@ -358,8 +358,8 @@ assert 1 > 2, "this is not looked at"
   const ProgramResult result = run("rare.scene --deps");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out,
-            "rare.scene\nlit.scene\nmore.scene\nconfig.json\nmost.scene\n"
-            "library/materials.scene\nlibrary/lamp.scene\n");
+            "rare.scene\nlit.scene\nmore.scene\nconfig.json\nlibrary/lamp.scene\nmost.scene\n"
+            "library/materials.scene\n");
 }
 
 TEST_F(InspectCommand, ListsTheFilesOfASceneWithErrors) {
@@ -383,7 +383,7 @@ TEST_F(InspectCommand, ListsASceneOfStandardInputByTheNameItWasGiven) {
   EXPECT_THAT(run("- <ring.scene").out, HasSubstr("<stdin>, which reads 2 other files\n"));
 }
 
-TEST_F(InspectCommand, TellsWhereASphereComesFrom) {
+TEST_F(InspectCommand, ShowsTheOriginOfASphere) {
   const json spheres = inspect("ring.scene --where 9 --where 4 --where 4");
   ASSERT_EQ(spheres.size(), 2u) << "by index, each once";
   const json& bead = spheres[0];
@@ -404,7 +404,7 @@ TEST_F(InspectCommand, TellsWhereASphereComesFrom) {
   EXPECT_EQ(lamp["chain"][0]["location"]["file"], "ring.scene");
 }
 
-TEST_F(InspectCommand, TellsWhereASphereComesFromInWords) {
+TEST_F(InspectCommand, ShowsTheOriginOfASphereInWords) {
   EXPECT_EQ(run("ring.scene --where 0 --where 1").out,
             "sphere 0: center (0, 0, 0), radius 1, diffuse\n"
             "  at ring.scene:11:1\n"

@@ -29,7 +29,7 @@ Parsed parse(const std::string& text) {
   return parsed;
 }
 
-TEST(LintConfig, SaysWhichCodesAreWanted) {
+TEST(LintConfig, SelectsCodes) {
   const auto [config, errors] = parse("[lint]\nselect = ['E', \"w4\"]\nignore = ['W402']\n");
   EXPECT_THAT(errors, IsEmpty());
   EXPECT_TRUE(config.wants("E104", "/tree/a.scene"));
@@ -37,7 +37,7 @@ TEST(LintConfig, SaysWhichCodesAreWanted) {
   EXPECT_FALSE(config.wants("W402", "/tree/a.scene"));
 }
 
-TEST(LintConfig, OfAnEmptyFileWantsAll) {
+TEST(LintConfig, SelectsAllIfTheFileIsEmpty) {
   const auto [config, errors] = parse("");
   EXPECT_THAT(errors, IsEmpty());
   EXPECT_TRUE(config.wants("W402", "/tree/a.scene"));
@@ -66,7 +66,7 @@ select = ["W402"]
   EXPECT_FALSE(config.wants("E104", "/tree/library/new/a.scene"));
 }
 
-TEST(LintConfig, TellsAllMistakesAtTheirPlaces) {
+TEST(LintConfig, ReportsAllMistakesAtTheirPlaces) {
   const auto [config, errors] = parse(R"([lint]
 slect = ["E"]
 ignore = "W402"
@@ -94,7 +94,7 @@ file = ["a"]
           ".sdlc.toml:10:2: unknown key `format`"));
 }
 
-TEST(LintConfig, TellsWhereItIsNoToml) {
+TEST(LintConfig, ReportsWhereItIsNotToml) {
   const auto [config, errors] = parse("[lint]\nselect = [\n");
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_THAT(errors[0], HasSubstr(".sdlc.toml:2:12: "));
@@ -155,7 +155,7 @@ TEST_F(LintWithConfig, LooksNoFurtherThanAFolderWithGit) {
   EXPECT_EQ(run("scenes/ball.scene").exit_code, 0);
 }
 
-TEST_F(LintWithConfig, TakesStandardInputToBeWhereItsNameSays) {
+TEST_F(LintWithConfig, UsesTheFolderOfTheNameOfStandardInput) {
   write("scenes/.sdlc.toml", "[lint]\nignore = ['W402']\n");
   EXPECT_EQ(run("- --stdin-filename scenes/new.scene <scenes/ball.scene").exit_code, 0);
   EXPECT_EQ(run("- <scenes/ball.scene").exit_code, 1);
@@ -168,7 +168,7 @@ TEST_F(LintWithConfig, LetsFlagsDecideBeforeConfigs) {
   EXPECT_EQ(run("scenes --no-config").exit_code, 1);
 }
 
-TEST_F(LintWithConfig, TakesOneConfigForAllWhenTold) {
+TEST_F(LintWithConfig, UsesOneConfigForAllOnRequest) {
   write("scenes/.sdlc.toml", "[lint]\nslect = []\n");
   write("ci/lint.toml", "[[lint.overrides]]\nfiles = ['../scenes/**']\n");
   EXPECT_THAT(run("scenes --config ci/lint.toml").err,

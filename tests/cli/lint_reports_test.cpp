@@ -172,7 +172,7 @@ TEST_F(LintReports, AreReadByTheProblemMatcher) {
               testing::ElementsAre(
                   "scenes/wrong.scene|4|29|error|E104|unknown property `radus` of sphere; did you "
                   "mean radius?",
-                  "scenes/wrong.scene|5|37|warning|W402|a sphere of radius 0 is never seen"));
+                  "scenes/wrong.scene|5|37|warning|W402|a sphere of radius 0 is never visible"));
 }
 
 }  // namespace

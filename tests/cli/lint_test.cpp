@@ -50,7 +50,7 @@ class LintCommand : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(LintCommand, SaysNothingOnStandardOutputOfACleanFile) {
+TEST_F(LintCommand, PrintsNothingOnStandardOutputForACleanFile) {
   const ProgramResult result = run("clean.scene");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.out, "");
@@ -58,7 +58,7 @@ TEST_F(LintCommand, SaysNothingOnStandardOutputOfACleanFile) {
   EXPECT_EQ(run("clean.scene --quiet").err, "");
 }
 
-TEST_F(LintCommand, TellsAllFindingsOnStandardOutput) {
+TEST_F(LintCommand, PrintsAllFindingsOnStandardOutput) {
   const ProgramResult result = run("wrong.scene --format concise");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.out, kWrongConcisely);
@@ -71,6 +71,16 @@ TEST_F(LintCommand, CountsTheFindingsOfAllFilesOnce) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("also.scene:3:9"));
   EXPECT_THAT(result.out, HasSubstr("\n4 errors\n"));
+}
+
+TEST_F(LintCommand, ShowsTheFindingsOfAFileThatReadsOneWithMoreThanAreShown) {
+  std::string library = "scene 1\n";
+  for (int i = 0; i < 60; ++i) library += "let x" + std::to_string(i) + " = 1 / 0\n";
+  write("lib.scene", library);
+  write("root.scene", std::string(kClean) + "import \"lib.scene\" as lib\nlet own = lib.x1 + y\n");
+  const ProgramResult result = run("lib.scene root.scene --format concise");
+  EXPECT_EQ(std::ranges::count(result.out, '\n'), 51);
+  EXPECT_THAT(result.out, HasSubstr("\nroot.scene:5:20: error[E101]: unknown name `y`"));
 }
 
 TEST_F(LintCommand, MakesOneJsonDocumentOfAllFiles) {
@@ -107,6 +117,22 @@ TEST_F(LintCommand, LooksIntoFolders) {
   EXPECT_THAT(result.out, Not(HasSubstr("package")));
 }
 
+TEST_F(LintCommand, ReportsBrokenLinksOfAFolderAndChecksTheRest) {
+  write("scenes/clean.scene", std::string(kClean));
+  std::filesystem::create_symlink("b.scene", folder_ / "scenes/a.scene");
+  std::filesystem::create_symlink("a.scene", folder_ / "scenes/b.scene");
+  std::filesystem::create_symlink("nowhere", folder_ / "scenes/c.scene");
+  std::filesystem::create_symlink("nowhere", folder_ / "scenes/note.txt");
+  write("scenes/wrong.scene", "scene 1\nlet a =\n");
+  const ProgramResult result = run("scenes --format concise");
+  EXPECT_EQ(result.exit_code, 2);
+  for (const char* name : {"a", "b", "c"}) {
+    EXPECT_THAT(result.err, HasSubstr(std::string("cannot read `scenes/") + name + ".scene`"));
+  }
+  EXPECT_THAT(result.err, Not(HasSubstr("note")));
+  EXPECT_THAT(result.out, HasSubstr("scenes/wrong.scene:2:8"));
+}
+
 TEST_F(LintCommand, RefusesAFolderWithoutScenes) {
   std::filesystem::create_directory(folder_ / "empty");
   const ProgramResult result = run("empty");
@@ -114,7 +140,7 @@ TEST_F(LintCommand, RefusesAFolderWithoutScenes) {
   EXPECT_EQ(result.err, "error: no scenes in `empty`\n");
 }
 
-TEST_F(LintCommand, GoesOnBehindAFileThatIsNotThere) {
+TEST_F(LintCommand, ContinuesAfterAMissingFile) {
   const ProgramResult result = run("missing.scene wrong.scene --format concise");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("cannot read `missing.scene`"));
@@ -147,7 +173,8 @@ TEST_F(LintCommand, LooksAtTheLastFrameToo) {
             "animation { frames: 0 .. 9, step: 2, fps: 1 }\n"
             "let sizes = [1, 1, 1, 1, 1, 1, 1, 1]\n"
             "sphere { center: (2, 0, 0), radius: sizes[time / 1s], material: unlit(red) }\n");
-  EXPECT_THAT(run("film.scene --format concise").out, HasSubstr("index 8 of a list of 8"));
+  EXPECT_THAT(run("film.scene --format concise").out,
+              HasSubstr("index 8 is out of range: the list has length 8"));
 }
 
 TEST_F(LintCommand, SelectsAndIgnoresByCodeAndBeginning) {
@@ -172,7 +199,7 @@ TEST_F(LintCommand, AllowsSoManyWarnings) {
   EXPECT_EQ(run("wrong.scene --max-warnings 9").exit_code, 1);
 }
 
-TEST_F(LintCommand, MendsWhatLeavesNoDoubt) {
+TEST_F(LintCommand, AppliesSafeFixes) {
   const ProgramResult result = run("wrong.scene clean.scene --fix --format concise");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.err, "fixed 1 finding in 1 file\n");
@@ -181,7 +208,7 @@ TEST_F(LintCommand, MendsWhatLeavesNoDoubt) {
   EXPECT_EQ(read("clean.scene"), kClean);
 }
 
-TEST_F(LintCommand, MendsByGuessesOnlyWhenAskedTo) {
+TEST_F(LintCommand, AppliesGuessesOnlyOnRequest) {
   EXPECT_THAT(run("wrong.scene").err, HasSubstr("1 finding can be fixed with --unsafe-fixes"));
   run("wrong.scene --unsafe-fixes");
   EXPECT_THAT(read("wrong.scene"), HasSubstr("radius: 1"));
@@ -218,13 +245,13 @@ TEST_F(LintCommand, AppliesNoFixInsideAString) {
   EXPECT_EQ(read("broken.json"), config);
 }
 
-TEST_F(LintCommand, MendsWhatAFixUncovers) {
+TEST_F(LintCommand, FixesWhatAFixUncovers) {
   write("hidden.scene", std::string(kClean) + "let a = 2 m && 'x'\n");
   run("hidden.scene --fix");
   EXPECT_THAT(read("hidden.scene"), HasSubstr("let a = 2m and \"x\"\n"));
 }
 
-TEST_F(LintCommand, MendsAllOfManyFindings) {
+TEST_F(LintCommand, FixesAllOfManyFindings) {
   std::string text = std::string(kClean) + "let x = 1\n";
   for (int i = 0; i < 1200; ++i) {
     text += "sphere { center: (x -" + std::to_string(i) +
@@ -236,17 +263,17 @@ TEST_F(LintCommand, MendsAllOfManyFindings) {
   EXPECT_THAT(result.err, HasSubstr("fixed 1200 findings in 1 file\n"));
 }
 
-TEST_F(LintCommand, MendsBehindMoreFindingsThanAreShown) {
+TEST_F(LintCommand, FixesMoreFindingsThanAreShown) {
   std::string text = kClean;
   for (int i = 0; i < 60; ++i) text += "let a" + std::to_string(i) + " = 1 / 0\n";
   write("many.scene", text + "let last = 2;\n");
   const ProgramResult result = run("many.scene --fix --format concise");
   EXPECT_THAT(result.err, HasSubstr("fixed 1 finding in 1 file\n"));
   EXPECT_THAT(read("many.scene"), testing::EndsWith("let last = 2\n"));
-  EXPECT_EQ(std::ranges::count(result.out, '\n'), 50) << "of those that are left";
+  EXPECT_EQ(std::ranges::count(result.out, '\n'), 50) << "of the remaining ones";
 }
 
-TEST_F(LintCommand, TellsOfAPictureThatCannotBeWritten) {
+TEST_F(LintCommand, ReportsAPictureThatCannotBeWritten) {
   const auto lint = [&](const std::string& output) {
     write("out.scene", kClean + ("render { output: " + output + " }\n"));
     return run("out.scene --format concise").out;
@@ -278,7 +305,7 @@ TEST_F(LintCommand, TellsOfAPictureThatCannotBeWritten) {
       << "its own name is not used";
 }
 
-TEST_F(LintCommand, AllowsTheSameBeforeAndBehindFmt) {
+TEST_F(LintCommand, AllowsTheSameBeforeAndAfterFmt) {
   write("allowed.scene", R"(scene 1
 camera main { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }
 sphere { center: (0, 0, 1), radius: 0, material: unlit(red) } sphere { center: (0, 0, 2), radius: 0, material: unlit(red) } // sdlc: allow(W402)
@@ -309,13 +336,13 @@ else { let a = 1, sphere { center: (a, 0, 10), radius: 0, material: unlit(red) }
   EXPECT_THAT(found(before), testing::ElementsAre("W402", "W402"));
 }
 
-TEST_F(LintCommand, MendsStandardInputToStandardOutput) {
+TEST_F(LintCommand, FixesStandardInputToStandardOutput) {
   const ProgramResult result = run("- --fix --format concise <wrong.scene");
   EXPECT_THAT(result.out, HasSubstr("let tall = 2\n"));
   EXPECT_THAT(result.err, HasSubstr("<stdin>:2:14: error[E215]"));
 }
 
-TEST_F(LintCommand, MendsConfigsToo) {
+TEST_F(LintCommand, FixesConfigsToo) {
   write("old.json", "{\n  'camera': {}, // the one\n}\n");
   run("old.json --fix");
   EXPECT_EQ(read("old.json"), "{\n  \"camera\": {} // the one\n}\n");
@@ -323,7 +350,7 @@ TEST_F(LintCommand, MendsConfigsToo) {
   EXPECT_EQ(read("old.json"), "{\n  \"camera\": {} \n}\n");
 }
 
-TEST_F(LintCommand, ShowsWhatWouldBeMended) {
+TEST_F(LintCommand, ShowsWhatWouldBeFixed) {
   const ProgramResult result = run("wrong.scene clean.scene --diff");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, HasSubstr("-let tall = 2;\n+let tall = 2\n"));
@@ -333,7 +360,7 @@ TEST_F(LintCommand, ShowsWhatWouldBeMended) {
   EXPECT_THAT(run("wrong.scene --unsafe-fixes --diff").out, HasSubstr("radius: 1"));
 }
 
-TEST_F(LintCommand, ShowsAPatchThatMends) {
+TEST_F(LintCommand, ShowsAPatchThatFixes) {
   if (!has_program("patch")) GTEST_SKIP() << "no patch here";
   EXPECT_EQ(run("wrong.scene --diff >it.patch").exit_code, 1);
   EXPECT_EQ(run_shell(folder_.path(), "patch -p0 <it.patch").exit_code, 0);
@@ -341,7 +368,7 @@ TEST_F(LintCommand, ShowsAPatchThatMends) {
   EXPECT_EQ(run("wrong.scene --diff").exit_code, 0);
 }
 
-TEST_F(LintCommand, ShowsNoPatchWhereNothingCanBeMended) {
+TEST_F(LintCommand, ShowsNoPatchIfNothingCanBeFixed) {
   const ProgramResult result = run("clean.scene --diff");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.out + result.err, "");

@@ -73,7 +73,7 @@ TEST_F(MeasureInput, IsTheReportOfAgainstToo) {
   expect_refused("ball.scene --against r.json -o ./r.json", "is the report of --against");
   fs::copy_file(folder_ / "r.json", folder_ / "a.partial.json");
   expect_refused("ball.scene --against a.partial.json -o a.json",
-                 "is the report of --against, and would be overwritten by what an interruption");
+                 "is the report of --against, and would be overwritten by a partial report");
   EXPECT_EQ(content_of(folder_ / "r.json"), before);
 }
 
@@ -89,10 +89,10 @@ TEST_F(MeasureInput, NamesEachOutputOnce) {
   write_text(folder_ / "x.json", "");
   fs::create_symlink("x.json", folder_ / "y.json");
   expect_refused("ball.scene -o x.json -o y.json", "two outputs go to `y.json`");
-  expect_refused("ball.scene -o -", "-o -: standard output gets what --format says");
+  expect_refused("ball.scene -o -", "-o -: --format selects the report on standard output");
 }
 
-TEST_F(MeasureInput, OfAnEarlierReportIsToldByTheFieldThatIsWrong) {
+TEST_F(MeasureInput, OfAnEarlierReportIsRejectedWithTheInvalidField) {
   ASSERT_EQ(measure("ball.scene -o old.json").exit_code, 0);
   const json old = json::parse(content_of(folder_ / "old.json"));
   const auto expect_told = [&](const char* pointer, const json& value, const std::string& words) {

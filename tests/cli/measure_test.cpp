@@ -42,7 +42,7 @@ class Measure : public testing::Test {
   const TemporaryFolder folder_;
 };
 
-TEST_F(Measure, TellsTheTradeAsATableAndInFiles) {
+TEST_F(Measure, WritesATableAndFiles) {
   const ProgramResult result = run("-o a.html -o a.json -o a.csv --quiet");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.err, "");
@@ -120,7 +120,7 @@ TEST_F(Measure, RecommendsForTheErrorThatIsAskedFor) {
   EXPECT_TRUE(is_there);
 }
 
-TEST_F(Measure, SaysWhereTheErrorThatIsAskedForIsTooFar) {
+TEST_F(Measure, ReportsIfTheRequestedErrorIsTooFar) {
   const ProgramResult result = run("--error 0.00001% -o a.json --quiet");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.out,
@@ -156,8 +156,8 @@ TEST_F(Measure, GoesOnWhereItWasInterrupted) {
          until [ "$(points)" -ge 3 ] 2>/dev/null || ! kill -0 $pid; do sleep 0.05; done
          kill -TERM $pid; wait $pid)sh");
   EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
-  EXPECT_THAT(stopped.err, HasSubstr("what there is was saved as a.partial.json"));
-  EXPECT_THAT(stopped.err, HasSubstr("the same command goes on from kept"));
+  EXPECT_THAT(stopped.err, HasSubstr("the partial report was saved as a.partial.json"));
+  EXPECT_THAT(stopped.err, HasSubstr("run the same command to resume from kept"));
   EXPECT_FALSE(fs::exists(folder_ / "a.json"));
   const json before = report("a.partial.json");
   EXPECT_FALSE(before["is_complete"]);
@@ -273,26 +273,26 @@ TEST_F(Measure, RefusesToBeHeldAgainstSomethingElse) {
   EXPECT_EQ(run("--against hole.json").exit_code, 2);
 }
 
-TEST_F(Measure, SaysWhatItCannotDo) {
+TEST_F(Measure, ReportsWhatItCannotDo) {
   const auto expect_usage = [&](const std::string& arguments, const std::string& words) {
     const ProgramResult result = run(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_THAT(result.err, HasSubstr(words));
     EXPECT_EQ(result.out, "");
   };
-  expect_usage("-o a.png", "`a.png` names no report; reports are .html, .json and .csv");
+  expect_usage("-o a.png", "`a.png` is not a report; reports are .html, .json and .csv");
   expect_usage("-o a.htm", "did you mean `html`?");
   expect_usage("-o a.json -o a.json", "two outputs go to `a.json`");
   expect_usage("-o nowhere/a.json", "nowhere");
-  expect_usage("--time 3s", "--budget is the time that measuring may take");
-  expect_usage("--adaptive --error 1%", "--adaptive is not measured");
+  expect_usage("--time 3s", "use --budget to limit the time");
+  expect_usage("--adaptive --error 1%", "--adaptive cannot be measured");
   expect_usage("--budget 0s", "--budget");
   expect_usage("--budget long", "--budget");
   expect_usage("--format html", "`html` is not one of human, json, csv");
   expect_usage("--frame 3", "no `animation`");
 }
 
-TEST_F(Measure, TellsErrorsOfTheSceneAndMeasuresNothing) {
+TEST_F(Measure, ReportsErrorsOfTheSceneAndMeasuresNothing) {
   write_text(folder_ / "ball.scene", "scene 1\nsphere { radus: 1 }\n");
   const ProgramResult result = run("-o a.json");
   EXPECT_EQ(result.exit_code, 1);

@@ -59,7 +59,7 @@ TEST_F(SceneFlags, SetGivesAParamAnotherValue) {
   EXPECT_EQ(sphere_count("--set count=1 - <scene/row.scene"), 1);
 }
 
-TEST_F(SceneFlags, TheFileMayStandBehindFlagsThatMayBeRepeated) {
+TEST_F(SceneFlags, TheFileMayFollowFlagsThatMayBeRepeated) {
   for (const char* flag : {"--set count=1", "--limit steps=999", "-o a.ppm", "-o a.ppm -o b.ppm"}) {
     const ProgramResult result = render(std::string(flag) + " scene/row.scene --samples 1");
     EXPECT_EQ(result.exit_code, 0) << flag << "\n" << result.err;
@@ -89,7 +89,7 @@ TEST_F(SceneFlags, SetOfAnUnknownParamIsAnErrorThatNamesTheNearest) {
   EXPECT_THAT(names_in(folder_.path()), ElementsAre("scene"));
 }
 
-TEST_F(SceneFlags, SetIsToldWhereItsValueIsWrong) {
+TEST_F(SceneFlags, SetIsReportedAtItsInvalidValue) {
   const ProgramResult type = compile("scene/row.scene --set count=red");
   EXPECT_EQ(type.exit_code, 1);
   EXPECT_THAT(type.err, HasSubstr("--set count:1:1: error[E238]: "));

@@ -35,7 +35,7 @@ TEST(ProgressReporter, RewritesOneLineOfATerminalAndClearsIt) {
   EXPECT_THAT(text, EndsWith("\r\x1b[K"));
 }
 
-TEST(ProgressReporter, TellsOfAGoalHowNearItIs) {
+TEST(ProgressReporter, ShowsTheProgressTowardsAGoal) {
   render::RenderMonitor monitor;
   monitor.samples_done = 500;
   monitor.goal_share = 0.25;

@@ -92,7 +92,7 @@ TEST_F(SandboxedOutput, IsOfTheWorkingFolderUnlessTheSceneIsOnlyChecked) {
   const auto above = [&](const std::string& command) {
     return run_shell(folder_.path(), "\"$SDLC\" " + command + " --sandbox outer/box/ball.scene");
   };
-  EXPECT_EQ(above("render").exit_code, 1) << "a.png would be beside outer";
+  EXPECT_EQ(above("render").exit_code, 1) << "a.png would be next to outer";
   EXPECT_FALSE(fs::exists(folder_ / "a.png"));
   EXPECT_EQ(above("lint").exit_code, 0);
   write_scene("../a.png");
@@ -153,7 +153,7 @@ TEST_F(SandboxedOutput, SettingsAboveTheFolderAreNotRead) {
   write_text(folder_ / "outer/.sdlc.toml", "nonsense = 1\n");
   EXPECT_EQ(run("lint ball.scene").exit_code, 2);
   EXPECT_EQ(run("lint --sandbox ball.scene").exit_code, 0);
-  // Settings beside the scene apply, unless they are a link out of the folder.
+  // Settings next to the scene apply, unless they are a link out of the folder.
   write_text(folder_ / "secret.toml", "secret = 1\n");
   fs::create_symlink(folder_ / "secret.toml", box_ / ".sdlc.toml");
   const ProgramResult link = run("lint --sandbox ball.scene");

@@ -249,7 +249,7 @@ TEST(Schema, GivesTheTablesOfTheLanguage) {
   EXPECT_EQ(tables["kinds"].size(), lang::all_kinds().size());
   EXPECT_EQ(tables["kinds"][0]["properties"][0],
             json::parse(R"json({"name": "from", "takes": "a point (x, y, z)", "required": true,
-                            "doc": "Where the camera stands.", "json": "look_from"
+                            "doc": "The position of the camera.", "json": "look_from"
 })json"));
   EXPECT_EQ(tables["diagnostics"].size(), lang::all_diagnostics().size());
   for (const char* table : {"constructors", "functions", "types", "limits", "colors"}) {

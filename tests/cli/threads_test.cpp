@@ -65,7 +65,7 @@ TEST_F(FewThreads, AreEnoughForEveryCommandWithoutPictures) {
   }
 }
 
-TEST_F(FewThreads, AreToldWhereTheyAreTooFewForPictures) {
+TEST_F(FewThreads, AreReportedIfTooFewForPictures) {
   ASSERT_EQ(run("", "render ball.scene --quiet -o a.png").exit_code, 0);
   for (const int limit : {0, 1, 3, 5}) {
     for (const char* arguments :

@@ -28,12 +28,12 @@ TEST(UnifiedDiff, JoinsChangesThatAreNear) {
             "@@ -6,4 +6,4 @@\n 5\n 6\n 7\n-b\n+y\n");
 }
 
-TEST(UnifiedDiff, TellsOfALineEndThatIsMissing) {
+TEST(UnifiedDiff, ReportsAMissingLineEnd) {
   EXPECT_EQ(unified_diff("f", "a", "a\n"),
             "--- f\n+++ f\n@@ -1 +1 @@\n-a\n\\ No newline at end of file\n+a\n");
 }
 
-TEST(UnifiedDiff, OfAnEmptyTextStandsBehindLineNothing) {
+TEST(UnifiedDiff, OfAnEmptyTextIsAfterLineZero) {
   EXPECT_EQ(unified_diff("f", "", "a\nb\n"), "--- f\n+++ f\n@@ -0,0 +1,2 @@\n+a\n+b\n");
 }
 

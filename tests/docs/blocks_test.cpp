@@ -156,7 +156,8 @@ std::string messages(const Example& example, const std::string& name, const std:
                      std::span<const std::string> flags = {}) {
   const PageFiles files(example, name, with_bytes(text));
   std::ostringstream out, err;
-  cli::Environment env{.files = files, .out = out, .err = err};
+  lang::Workspace workspace(files);
+  cli::Environment env{.workspace = workspace, .out = out, .err = err};
   std::vector<std::string> arguments{command_of(*example.page), name};
   arguments.insert(arguments.end(), flags.begin(), flags.end());
   cli::run_program(arguments, env);
@@ -255,7 +256,8 @@ std::string formatted(const Example& example, const std::string& statements) {
   constexpr std::string_view kVersion = "scene 1\n";
   const PageFiles files(example, "-", std::string(kVersion) + statements);
   std::ostringstream out, err;
-  cli::Environment env{.files = files, .out = out, .err = err};
+  lang::Workspace workspace(files);
+  cli::Environment env{.workspace = workspace, .out = out, .err = err};
   cli::run_program(std::vector<std::string>{"fmt", "-"}, env);
   EXPECT_EQ(err.str(), "");
   return out.str().substr(std::min(kVersion.size(), out.str().size()));
@@ -357,7 +359,7 @@ void check(const Example& example) {
   } else if (word(block, 0) == "sh") {
     check_commands(example);
   } else {
-    FAIL() << "nobody says what this block is";
+    FAIL() << "the kind of this block is unknown";
   }
 }
 

@@ -21,7 +21,7 @@ using render::Scene;
 constexpr RenderSettings kSettings{.width = 32, .height = 32, .samples = 16, .depth = 60};
 
 Scene lowered(const std::string& spheres) {
-  const lang::SourceFile file(
+  const lang::Document file(
       "test.scene",
       "scene 1\ncamera { from: (1, 2, 5), at: (0, 0, 0), fov: 30deg, aspect: 1 }\n" + spheres);
   lang::DiagnosticSink sink;

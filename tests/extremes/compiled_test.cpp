@@ -30,7 +30,7 @@ struct Compiled {
 
 Compiled compiled(const std::string& name, const std::string& text,
                   const lang::Overrides& overrides = {}) {
-  const lang::SourceFile file(name, text);
+  const lang::Document file(name, text);
   lang::DiagnosticSink sink;
   lang::Compiler compiler(file, {}, sink);
   Compiled result{compiler.lower(overrides), {}};

@@ -42,12 +42,12 @@ constexpr lang::Limits kSmallLimits{.steps = 200'000,
                                     .file = 1 << 20};
 
 /// Formatting preserves the meaning and is idempotent. `format_file` throws otherwise.
-void check_formatting(const lang::SourceFile& file) {
+void check_formatting(const lang::Document& file) {
   lang::DiagnosticSink sink;
   const auto once = lang::format_file(file, sink);
   require(once.has_value() != sink.has_errors(), "a text without errors is formatted");
   if (!once) return;
-  const lang::SourceFile formatted(file.name(), *once);
+  const lang::Document formatted(file.name(), *once);
   require(lang::format_file(formatted, sink) == once, "what is formatted stays as it is");
   const auto line = static_cast<std::uint32_t>(file.text().size() % 7);
   lang::format_file(file, sink, lang::LineRange{line, line + 2});
@@ -60,10 +60,12 @@ void run_fuzz_input(std::string_view text, lang::SourceFormat format) {
   const bool is_scene = format == lang::SourceFormat::Scene;
   const std::string name =
       std::string(SDLC_SOURCE_DIR) + (is_scene ? "/examples/fuzz.scene" : "/examples/fuzz.json");
-  const lang::SourceFile file(name, std::string(text));
+  const lang::Document file(name, std::string(text));
+  lang::Workspace workspace(files);
   lang::DiagnosticSink sink;
   lang::Compiler compiler(
-      file, {.files = &files, .limits = kSmallLimits, .is_sandboxed = true, .sets = {}}, sink);
+      file, {.workspace = &workspace, .limits = kSmallLimits, .is_sandboxed = true, .sets = {}},
+      sink);
   const std::optional<lang::LoweredScene> lowered = compiler.lower({});
   require(lowered.has_value() != sink.has_errors(), "a scene is made, or an error is reported");
   compiler.read_all_files();

@@ -125,8 +125,8 @@ class Reference : public testing::TestWithParam<std::tuple<std::string, Form>> {
   /// The configuration as a scene for a picture of the reference's size.
   std::optional<lang::LoweredScene> read_scene() const {
     std::ifstream stream(config_);
-    const lang::SourceFile source(config_.string(),
-                                  std::string(std::istreambuf_iterator<char>(stream), {}));
+    const lang::Document source(config_.string(),
+                                std::string(std::istreambuf_iterator<char>(stream), {}));
     lang::DiagnosticSink sink;
     using namespace lang::render_property;
     const double width = mean_.width, samples = form().samples;

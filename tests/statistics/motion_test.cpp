@@ -13,14 +13,14 @@ namespace {
 /// A sphere of radius 1 that moves from x = −2 to x = 2 within the time from 0 to 1, seen along the
 /// z axis: it covers the axis from t = 1/4 to t = 3/4.
 render::Scene passing_sphere(const std::string& shutter) {
-  const lang::SourceFile file("test.json", fmt::format(R"({{
+  const lang::Document file("test.json", fmt::format(R"({{
     "background": [0, 0, 0],
     "camera": {{"look_from": [0, 0, 5], "look_at": [0, 0, 0], "up": [0, 1, 0], "vfov": 1, "focal_length": 1,
                 "aspect_ratio": 1, "viewport_height": 1, "samples_per_pixel": 1, "time_interval": {}}},
     "rendering": {{"width": 1, "render_depth": 1}}, "saving": {{}},
     "spheres": [{{"origin": [-2, 0, 0], "radius": 1, "material": {{"type": "no_texture", "color": [255, 255, 255]}},
                   "movement": [[2, 0, 0], 0, 1]}}]}})",
-                                                       shutter));
+                                                     shutter));
   lang::DiagnosticSink sink;
   auto lowered = lang::compile(file, {}, sink);
   EXPECT_TRUE(lowered);

@@ -379,10 +379,11 @@ std::string compare(const FileCase& file_case, const std::vector<Remark>& remark
 
 void run_program_case(const FileCase& file_case, std::string_view file_name,
                       const ProgramReader& reader) {
-  const lang::SourceFile file{std::string(file_name), file_case.texts.front().text()};
+  const lang::Document file{std::string(file_name), file_case.texts.front().text()};
   const CaseFiles files(file_case);
+  lang::Workspace workspace(files);
   lang::DiagnosticSink sink;
-  const std::shared_ptr<const void> texts = reader(file, files, sink);
+  const std::shared_ptr<const void> texts = reader(file, workspace, sink);
   const std::vector<Remark> remarks = remarks_of(sink, file_case, file_name);
   EXPECT_EQ(nonsense_in(sink), "") << file_case.file.string() << ", case " << file_case.name;
   if (std::getenv("SDLC_UPDATE") != nullptr) return update(file_case, remarks);
@@ -396,12 +397,12 @@ void run_program_case(const FileCase& file_case, std::string_view file_name,
 
 void run_case(const FileCase& file_case, std::string_view file_name, const Reader& reader) {
   ASSERT_EQ(file_case.texts.size(), 1u) << "more texts than this test reads";
-  run_program_case(file_case, file_name,
-                   [&](const lang::SourceFile& file, const lang::FileSystem& /*files*/,
-                       lang::DiagnosticSink& sink) {
-                     reader(file, sink);
-                     return nullptr;
-                   });
+  run_program_case(
+      file_case, file_name,
+      [&](const lang::Document& file, lang::Workspace& /*workspace*/, lang::DiagnosticSink& sink) {
+        reader(file, sink);
+        return nullptr;
+      });
 }
 
 }  // namespace sdlc::test

@@ -15,6 +15,7 @@
 
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/source/source.hpp"
+#include "lang/workspace/workspace.hpp"
 
 /// File tests: texts as users write them, with the expected diagnostics below the wrong line. A
 /// file holds named cases:
@@ -96,7 +97,7 @@ std::vector<Remark> remarks_of(const lang::DiagnosticSink& sink, const FileCase&
 /// The differences between the remarks and the expectations; empty if they match.
 std::string compare(const FileCase& file_case, const std::vector<Remark>& remarks);
 
-using Reader = std::function<void(const lang::SourceFile&, lang::DiagnosticSink&)>;
+using Reader = std::function<void(const lang::Document&, lang::DiagnosticSink&)>;
 
 /// Reads the case's text under the name `file_name`. Fails the current test if the remarks differ
 /// from the expectations, or writes them to the case's file.
@@ -105,7 +106,7 @@ void run_case(const FileCase& file_case, std::string_view file_name, const Reade
 /// Reads a text and the files that it needs; returns the owner of the texts that the sink refers
 /// to.
 using ProgramReader = std::function<std::shared_ptr<const void>(
-    const lang::SourceFile&, const lang::FileSystem&, lang::DiagnosticSink&)>;
+    const lang::Document&, lang::Workspace&, lang::DiagnosticSink&)>;
 
 /// The same for a case of several files.
 void run_program_case(const FileCase& file_case, std::string_view file_name,

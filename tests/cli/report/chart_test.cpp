@@ -59,7 +59,7 @@ TEST(Chart, HasATitleADescriptionAndLabels) {
   }
 }
 
-TEST(Chart, EachMarkCanHaveTheFocusAndSaysItsFigures) {
+TEST(Chart, EachMarkCanHaveTheFocusAndShowsItsFigures) {
   ChartPoint said = point(1, 1, "1 < 2");
   said.remark = "remarkable";
   const std::string svg = draw(chart_of({said, point(10, 0.1, "other")}));

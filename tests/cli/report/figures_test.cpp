@@ -50,7 +50,7 @@ TEST(Figures, TimesHaveThreeDigitsBelowAMinute) {
   for (const auto& [seconds, text] : cases) EXPECT_EQ(duration(seconds), text) << seconds;
 }
 
-TEST(Figures, AnIntervalSaysItsUnitOnceWhereBothEndsShareIt) {
+TEST(Figures, AnIntervalHasItsUnitOnceIfBothEndsShareIt) {
   EXPECT_EQ(read({.value = 0.01, .interval = {0.009, 0.012}}, percent).text(),
             "1\u00a0% (0.9 to 1.2\u00a0%)");
   EXPECT_EQ(read({.value = 60, .interval = {58.2, 62}}, duration).interval,
@@ -59,7 +59,7 @@ TEST(Figures, AnIntervalSaysItsUnitOnceWhereBothEndsShareIt) {
             "1\u00a0min\u00a030\u00a0s to 1\u00a0min\u00a050\u00a0s");
 }
 
-TEST(Figures, WithoutAnIntervalTheFigureStandsAlone) {
+TEST(Figures, WithoutAnIntervalTheFigureIsAlone) {
   EXPECT_EQ(read({.value = 0.01, .interval = {}}, percent).text(), "1\u00a0%");
   EXPECT_EQ(read({.value = 0.01, .interval = {0.01, 0.01}}, percent).text(), "1\u00a0%");
   EXPECT_EQ(read({.value = kNan, .interval = {kNan, kNan}}, percent).text(), "unknown");

@@ -261,7 +261,7 @@ TEST(HtmlReport, EscapesAllThatComesFromOutside) {
   EXPECT_GE(all_matches(page, "(&lt;img src=x onerror=&#39;a&#39;&gt;&amp;&quot;␛)").size(), 12u);
 }
 
-TEST(HtmlReport, SaysFirstWhatIsMissing) {
+TEST(HtmlReport, ShowsFirstWhatIsMissing) {
   Measurement measurement = sample_measurement();
   EXPECT_THAT(html_report(bare_report(measurement)), Not(HasSubstr("<p class=\"callout\">")));
   measurement.is_complete = false;
@@ -274,7 +274,7 @@ TEST(HtmlReport, SaysFirstWhatIsMissing) {
   }
 }
 
-TEST(HtmlReport, TellsWhyAnotherPrecisionCannotBeHad) {
+TEST(HtmlReport, ShowsWhyAnotherPrecisionIsImpossible) {
   Measurement measurement = sample_measurement();
   EXPECT_THAT(html_report(bare_report(measurement)),
               HasSubstr("float minus double: −0.002\u00a0% (−0.006 to 0.002\u00a0%) of the mean "
@@ -306,7 +306,7 @@ TEST(HtmlReport, PicturesAreInIt) {
   EXPECT_THAT(page, HasSubstr("<span>50\u00a0%</span>"));
 }
 
-TEST(HtmlReport, SaysWhereMoreLightIsLostThanWasMeasured) {
+TEST(HtmlReport, ReportsIfMoreLightIsLostThanWasMeasured) {
   Measurement measurement = sample_measurement();
   EXPECT_THAT(html_report(sample_report(measurement)), Not(HasSubstr("a lower bound")));
   EXPECT_THAT(notes_of(measurement), IsEmpty());

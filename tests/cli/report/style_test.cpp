@@ -43,7 +43,7 @@ double contrast(const std::string& a, const std::string& b) {
 
 const std::array<std::string, 3> kMedia{":root", "prefers-color-scheme: dark", "@media print"};
 
-TEST(StyleSheet, TextStandsOutOnEachBackground) {
+TEST(StyleSheet, TextHasContrastOnEachBackground) {
   for (const std::string& medium : kMedia) {
     const Colors colors = colors_after(medium);
     for (const char* text : {"ink", "soft", "accent", "better", "worse"}) {
@@ -54,7 +54,7 @@ TEST(StyleSheet, TextStandsOutOnEachBackground) {
   }
 }
 
-TEST(StyleSheet, WhatIsDrawnStandsOutFromThePage) {
+TEST(StyleSheet, DrawingsHaveContrastWithThePage) {
   for (const std::string& medium : kMedia) {
     const Colors colors = colors_after(medium);
     for (const char* drawn : {"s0", "s1", "s2", "s3", "s4", "s5", "s6", "s7", "front"}) {

@@ -37,10 +37,11 @@ std::string describe(const LoweredScene& lowered) {
 /// What every frame of the file lowers to, by "file" or "file frame".
 void add_digests(const fs::path& path, std::map<std::string, std::string>& digests) {
   const DiskFileSystem files;
+  Workspace workspace(files);
   std::error_code error;
-  const SourceFile file(path.string(), *files.read(path, Limits().any_file(), error));
+  const Document file(path.string(), *files.read(path, Limits().any_file(), error));
   DiagnosticSink sink;
-  Compiler compiler(file, {.files = &files, .limits = {}, .sets = {}}, sink);
+  Compiler compiler(file, {.workspace = &workspace, .limits = {}, .sets = {}}, sink);
   const std::string name = path.filename().string();
   const std::optional<Animation> film = compiler.animation();
   const int first = film ? film->first : 0, last = film ? film->last : 0;

@@ -30,11 +30,12 @@ std::string digests_of_examples() {
   std::sort(paths.begin(), paths.end());
   std::string lines;
   const DiskFileSystem files;
+  Workspace workspace(files);
   for (const fs::path& path : paths) {
     std::error_code error;
-    const SourceFile file(path.string(), *files.read(path, Limits().any_file(), error));
+    const Document file(path.string(), *files.read(path, Limits().any_file(), error));
     DiagnosticSink sink;
-    Compiler compiler(file, {.files = &files, .limits = {}, .sets = {}}, sink);
+    Compiler compiler(file, {.workspace = &workspace, .limits = {}, .sets = {}}, sink);
     const auto lowered = compiler.lower({});
     EXPECT_TRUE(lowered) << path;
     if (!lowered) continue;

@@ -83,11 +83,12 @@ struct Told {
   std::string code, message;
 };
 
-std::vector<Told> check(const lang::SourceFile& file) {
+std::vector<Told> check(const lang::Document& file) {
   static const lang::DiskFileSystem files;
+  lang::Workspace workspace(files);
   lang::DiagnosticSink sink;
-  lang::Compiler compiler(file, {.files = &files, .limits = {}, .is_sandboxed = false, .sets = {}},
-                          sink);
+  lang::Compiler compiler(
+      file, {.workspace = &workspace, .limits = {}, .is_sandboxed = false, .sets = {}}, sink);
   compiler.check();
   std::vector<Told> all;
   for (const lang::Diagnostic& diagnostic : sink.diagnostics()) {
@@ -126,7 +127,7 @@ TEST_P(PlantedErrors, AreToldOnceEach) {
   std::error_code error;
   const auto text = lang::DiskFileSystem().read(path, lang::Limits().any_file(), error);
   ASSERT_TRUE(text) << error.message();
-  const lang::SourceFile file(path.string(), *text);
+  const lang::Document file(path.string(), *text);
   const auto found = planted().find(GetParam());
   const std::vector<Planted> mistakes =
       found == planted().end() ? std::vector<Planted>() : found->second;

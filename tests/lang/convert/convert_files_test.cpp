@@ -14,9 +14,9 @@ class ConvertFiles : public testing::TestWithParam<FileCase> {};
 TEST_P(ConvertFiles, ReportWhatIsExpected) {
   run_program_case(
       GetParam(), "case",
-      [](const lang::SourceFile& file, const lang::FileSystem& files, lang::DiagnosticSink& sink) {
+      [](const lang::Document& file, lang::Workspace& workspace, lang::DiagnosticSink& sink) {
         const auto conversion =
-            std::make_shared<lang::Conversion>(file, program_options(GetParam(), files), sink);
+            std::make_shared<lang::Conversion>(file, program_options(GetParam(), workspace), sink);
         const bool is_converted = conversion->run({}).has_value();
         EXPECT_EQ(is_converted, !sink.has_errors());
         return conversion;

@@ -24,14 +24,14 @@ namespace {
 constexpr int kConfigs = 500;
 
 std::optional<std::string> converted(const std::string& name, const std::string& text) {
-  const SourceFile file(name, text);
+  const Document file(name, text);
   DiagnosticSink sink;
   Conversion conversion(file, {}, sink);
   return conversion.run({});
 }
 
 std::optional<LoweredScene> lowered(const std::string& name, const std::string& text) {
-  const SourceFile file(name, text);
+  const Document file(name, text);
   DiagnosticSink sink;
   return compile(file, {}, sink);
 }
@@ -111,7 +111,7 @@ TEST(RoundTrip, GivesScenesInTheCanonicalLayoutWithoutWarnings) {
   for (const std::string& config : generated_configs()) {
     const auto scene = converted("config.json", config);
     ASSERT_TRUE(scene) << config;
-    const SourceFile file("config.scene", *scene);
+    const Document file("config.scene", *scene);
     DiagnosticSink sink;
     EXPECT_EQ(format_file(file, sink), *scene);
     EXPECT_FALSE(sink.has_errors());

@@ -39,9 +39,10 @@ Converted convert(const std::string& scene, const ConvertOptions& options = {},
   if (text.find("camera ") == std::string::npos) text += kCamera;
   if (text.find("render {") == std::string::npos) text += kRender;
   const test::MemoryFiles others(files);
-  const SourceFile file("a.scene", text);
+  Workspace workspace(others);
+  const Document file("a.scene", text);
   DiagnosticSink sink;
-  Conversion conversion(file, {.files = &others, .limits = {}, .sets = {}}, sink);
+  Conversion conversion(file, {.workspace = &workspace, .limits = {}, .sets = {}}, sink);
   Converted converted{.text = conversion.run(options), .told = {}};
   for (const Diagnostic* diagnostic : select_findings(sink).shown) {
     converted.told.push_back(std::string(diagnostic->info->code) + " " + diagnostic->message);
@@ -50,12 +51,12 @@ Converted convert(const std::string& scene, const ConvertOptions& options = {},
 
   // Every conversion lowers to the same bits.
   DiagnosticSink silent;
-  Compiler compiler(file, {.files = &others, .limits = {}, .sets = {}}, silent);
+  Compiler compiler(file, {.workspace = &workspace, .limits = {}, .sets = {}}, silent);
   Overrides overrides;
   if (options.tone) overrides.render.emplace_back(render_property::kTone, *options.tone);
   if (options.camera) overrides.render.emplace_back(render_property::kCamera, *options.camera);
   const auto of_scene = compiler.lower(overrides, options.frame);
-  const SourceFile config("a.json", *converted.text);
+  const Document config("a.json", *converted.text);
   const auto of_config = compile(config, {}, silent);
   EXPECT_TRUE(of_scene && of_config) << *converted.text;
   if (of_scene && of_config && converted.told.empty()) {
@@ -226,7 +227,8 @@ TEST(ToConfig, RoundsAColorThatNoNumbersAre) {
   // Of the 256 codes only 118 is not a number divided by 255.
   const Converted converted = convert("background { color: #760000 }");
   ASSERT_TRUE(converted.text);
-  EXPECT_THAT(converted.told, ElementsAre(HasSubstr("W405 no numbers of a JSON config")));
+  EXPECT_THAT(converted.told,
+              ElementsAre(HasSubstr("W405 a JSON config cannot represent this colour exactly")));
   const double red = json::parse(*converted.text)["background"][0];
   EXPECT_NEAR(red / 255, decode_srgb(118), 0x1p-53);
 }
@@ -238,14 +240,15 @@ TEST(ToConfig, WarnsOfAFrameThatIsNone) {
 TEST(ToConfig, ConvertsTheExamplesOrSaysWhatKeepsThem) {
   int converted = 0;
   const DiskFileSystem files;
+  Workspace workspace(files);
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(SDLC_SOURCE_DIR) / "examples")) {
     if (entry.path().extension() != ".scene") continue;
     std::error_code error;
-    const SourceFile file(entry.path().string(),
-                          *files.read(entry.path(), Limits().any_file(), error));
+    const Document file(entry.path().string(),
+                        *files.read(entry.path(), Limits().any_file(), error));
     DiagnosticSink sink;
-    Conversion conversion(file, {.files = &files, .limits = {}, .sets = {}}, sink);
+    Conversion conversion(file, {.workspace = &workspace, .limits = {}, .sets = {}}, sink);
     converted += conversion.run({.frame = 1, .tone = "sqrt"}).has_value();
     for (const Diagnostic& diagnostic : sink.diagnostics()) {
       const bool is_error = diagnostic.info->severity == Severity::Error;

@@ -33,7 +33,7 @@ struct Config {
 };
 
 std::string scene_of(const std::string& config) {
-  const SourceFile file("config.json", config);
+  const Document file("config.json", config);
   DiagnosticSink sink;
   Conversion conversion(file, {}, sink);
   const auto scene = conversion.run({});
@@ -180,7 +180,7 @@ TEST(ToScene, NamesTheRadiusThatComesFirstOfTwoAsFrequent) {
 }
 
 TEST(ToScene, RefusesAConfigWithErrors) {
-  const SourceFile file("config.json", R"({"camera": 3})");
+  const Document file("config.json", R"({"camera": 3})");
   DiagnosticSink sink;
   Conversion conversion(file, {}, sink);
   EXPECT_EQ(conversion.run({}), std::nullopt);
@@ -190,9 +190,9 @@ TEST(ToScene, RefusesAConfigWithErrors) {
 TEST(ToScene, RefusesWhatNoSceneMayHold) {
   const std::string config = Config{}.text();
   const auto codes = [&](const Limits& limits) {
-    const SourceFile file("config.json", config);
+    const Document file("config.json", config);
     DiagnosticSink sink;
-    Conversion conversion(file, {.files = nullptr, .limits = limits, .sets = {}}, sink);
+    Conversion conversion(file, {.workspace = nullptr, .limits = limits, .sets = {}}, sink);
     EXPECT_EQ(conversion.run({}), std::nullopt);
     return sink.diagnostics().back().info->code;
   };

@@ -1,7 +1,6 @@
 #include "lang/diagnostics/diagnostics.hpp"
 
 #include <set>
-#include <stop_token>
 
 #include <gtest/gtest.h>
 
@@ -21,15 +20,25 @@ TEST(Diagnostics, CodesAndNamesAreUsedOnce) {
 TEST(DiagnosticSink, CountsWhatItDoesNotKeep) {
   const SourceFile file("a", "text");
   DiagnosticSink sink;
-  sink.set_max_kept(50);
-  for (std::uint32_t i = 0; i < 60; ++i) {
-    EXPECT_EQ(sink.report(diag::bad_utf8, {&file, {i, i + 1}}).is_kept(), i < 50);
+  constexpr std::size_t kErrors = DiagnosticSink::kMaxErrors;
+  constexpr std::size_t kWarnings = DiagnosticSink::kMaxWarnings;
+  for (std::uint32_t i = 0; i < kErrors + 10; ++i) {
+    EXPECT_EQ(sink.report(diag::bad_utf8, {&file, {i, i + 1}}).is_kept(), i < kErrors);
   }
-  sink.report(diag::zero_radius, {&file, {0, 1}});
-  EXPECT_EQ(sink.error_count(), 60u);
-  EXPECT_EQ(sink.warning_count(), 1u);
+  for (std::uint32_t i = 0; i < kWarnings + 5; ++i) {
+    EXPECT_EQ(sink.report(diag::zero_radius, {&file, {i, i + 1}}).is_kept(), i < kWarnings);
+  }
+  EXPECT_EQ(sink.error_count(), kErrors + 10);
+  EXPECT_EQ(sink.warning_count(), kWarnings + 5);
   EXPECT_EQ(sink.not_kept().at(&diag::bad_utf8), 10u);
-  EXPECT_EQ(sink.diagnostics().size(), 51u);
+  EXPECT_EQ(sink.not_kept().at(&diag::zero_radius), 5u);
+  EXPECT_EQ(sink.diagnostics().size(), kErrors + kWarnings);
+
+  DiagnosticSink muted;
+  muted.set_muted(true);
+  muted.add(sink);
+  EXPECT_EQ(muted.error_count() + muted.warning_count(), 0u);
+  EXPECT_TRUE(muted.diagnostics().empty() && muted.not_kept().empty());
 }
 
 TEST(DiagnosticSink, AddsDiagnosticsOfAnotherSink) {
@@ -43,15 +52,15 @@ TEST(DiagnosticSink, AddsDiagnosticsOfAnotherSink) {
 }
 
 TEST(DiagnosticSink, StopsOnRequest) {
-  std::stop_source source;
-  const DiagnosticSink sink(source.get_token());
+  StopRequest stop;
+  const DiagnosticSink sink(&stop);
   sink.stop_if_requested();
-  source.request_stop();
+  stop.make();
   EXPECT_THROW(sink.stop_if_requested(), StopRequested);
   DiagnosticSink().stop_if_requested();
 }
 
-TEST(DiagnosticSink, TellsTheSameOfOnePlaceOnce) {
+TEST(DiagnosticSink, ReportsADuplicateOnce) {
   const SourceFile file("a", "text"), other("b", "text");
   DiagnosticSink sink;
   for (int i = 0; i < 3; ++i) sink.report(diag::unknown_name, {&file, {0, 1}}, "a").help("say it");
@@ -61,7 +70,7 @@ TEST(DiagnosticSink, TellsTheSameOfOnePlaceOnce) {
   EXPECT_EQ(sink.error_count(), 4u);
   EXPECT_EQ(sink.diagnostics().front().help.size(), 1u);
 
-  sink.forget_shown();
+  sink.clear();
   EXPECT_FALSE(sink.has_errors());
   sink.report(diag::unknown_name, {&file, {0, 1}}, "a");
   EXPECT_TRUE(sink.diagnostics().empty());

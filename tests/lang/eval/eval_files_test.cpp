@@ -18,9 +18,9 @@ class EvalFiles : public testing::TestWithParam<FileCase> {};
 TEST_P(EvalFiles, ReportWhatIsExpected) {
   run_program_case(
       GetParam(), "test.scene",
-      [](const lang::SourceFile& file, const lang::FileSystem& files, lang::DiagnosticSink& sink) {
+      [](const lang::Document& file, lang::Workspace& workspace, lang::DiagnosticSink& sink) {
         const auto program =
-            std::make_shared<lang::Program>(file, program_options(GetParam(), files), sink);
+            std::make_shared<lang::Program>(file, program_options(GetParam(), workspace), sink);
         IgnoredObjects objects;
         lang::Evaluation(*program, {}, sink).run(objects);
         return program;

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -20,7 +19,7 @@ class Objects final : public ObjectSink {
 };
 
 std::vector<Object> evaluate_text(const std::string& text) {
-  const SourceFile file("test.scene", "scene 1\n" + text);
+  const Document file("test.scene", "scene 1\n" + text);
   DiagnosticSink sink;
   Objects objects;
   evaluate(file, objects, sink);
@@ -244,7 +243,7 @@ TEST(Values, MayBeChainedAsLongAsAFileIs) {
 }
 
 TEST(Values, StopWhenAFileTakesTooManySteps) {
-  const SourceFile file("test.scene", "scene 1\nfor i in range(100) { for j in range(100) { } }");
+  const Document file("test.scene", "scene 1\nfor i in range(100) { for j in range(100) { } }");
   DiagnosticSink sink;
   Objects objects;
   ProgramOptions options;
@@ -255,14 +254,45 @@ TEST(Values, StopWhenAFileTakesTooManySteps) {
   EXPECT_EQ(sink.diagnostics().front().info->code, "E304");
 }
 
+TEST(Values, OfBrokenSpheresEndInSilence) {
+  std::string text = "scene 1\n";
+  for (int i = 0; i < 30; ++i) text += "for i in range(3) { ";
+  text += "sphere { center: (0, 0, 0), radius: 1, material: unknown }" + std::string(30, '}');
+  const Document file("test.scene", text);
+  DiagnosticSink sink;
+  Objects objects;
+  Program program(file, {.limits = {.steps = 100'000}}, sink);
+  Evaluation(program, {}, sink).run(objects);
+  ASSERT_EQ(sink.error_count(), 1u);
+  EXPECT_EQ(sink.diagnostics().front().info->code, "E101");
+}
+
+TEST(Values, OfSettingsAreResolvedOnce) {
+  const Document file("test.scene", "scene 1\nparam a = 1\nparam b = 2\nparam c = time\n");
+  DiagnosticSink sink;
+  Program program(file, {.limits = {}, .sets = {{"a", "2 + 3"}, {"b", "2 +"}, {"c", "$"}}}, sink);
+  EXPECT_EQ(sink.error_count(), 0u);
+  std::uint32_t modules = 0;
+  std::size_t errors = 0;
+  for (int i = 0; i < 3; ++i) {
+    DiagnosticSink evaluating;
+    const Evaluation evaluation(program, {.frame = i}, evaluating);
+    if (i == 0) errors = evaluating.error_count();
+    if (i == 0) modules = program.module_count();
+    EXPECT_EQ(evaluating.error_count(), errors);
+    EXPECT_EQ(program.module_count(), modules);
+  }
+  EXPECT_GE(errors, 2u);
+}
+
 TEST(Values, StopOnRequest) {
-  const SourceFile file("test.scene", "scene 1\nfor i in range(1000) { for j in range(1000) { } }");
-  std::stop_source source;
-  DiagnosticSink sink(source.get_token());
+  const Document file("test.scene", "scene 1\nfor i in range(1000) { for j in range(1000) { } }");
+  StopRequest stop;
+  DiagnosticSink sink(&stop);
   Objects objects;
   Program program(file, {}, sink);
   Evaluation evaluation(program, {}, sink);
-  source.request_stop();
+  stop.make();
   EXPECT_THROW(evaluation.run(objects), StopRequested);
 }
 

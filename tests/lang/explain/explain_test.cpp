@@ -102,7 +102,7 @@ TEST(Explain, ShowsExamplesThatAreWrongInThisWayOnly) {
   }
 }
 
-TEST(Explain, SaysSomethingBeforeItsExamples) {
+TEST(Explain, HasTextBeforeItsExamples) {
   for (const DiagnosticInfo* info : all_diagnostics()) {
     EXPECT_GT(page_of(*info).find("\n## Wrong\n"), 100u) << info->code;
   }

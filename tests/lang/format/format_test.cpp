@@ -63,7 +63,7 @@ TEST(Format, TakesTheEndOfTheTextForALineEnd) {
 }
 
 TEST(Format, MakesNothingOfATextWithErrors) {
-  const lang::SourceFile file("test.scene", "scene 1\nlet a = \nsphere {radius:1}\n");
+  const lang::Document file("test.scene", "scene 1\nlet a = \nsphere {radius:1}\n");
   lang::DiagnosticSink sink;
   EXPECT_EQ(lang::format_file(file, sink), std::nullopt);
   EXPECT_EQ(sink.error_count(), 1u);

@@ -9,7 +9,7 @@ namespace sdlc::test {
 namespace {
 
 std::string with_lines_formatted(const std::string& text, std::uint32_t first, std::uint32_t last) {
-  const lang::SourceFile file("test.scene", text);
+  const lang::Document file("test.scene", text);
   lang::DiagnosticSink sink;
   return lang::format_file(file, sink, lang::LineRange{first, last}).value_or("errors");
 }

@@ -58,7 +58,7 @@ lang::Span leaf_of(const lang::SyntaxNode& node) {
 
 /// Takes the text apart by the nodes of its tree, not by tokens as the formatter does.
 Content content_of_scene(const std::string& text) {
-  const lang::SourceFile file("test.scene", text);
+  const lang::Document file("test.scene", text);
   lang::DiagnosticSink sink;
   const lang::SyntaxTree tree = lang::parse(file, sink);
   EXPECT_FALSE(sink.has_errors()) << text;
@@ -130,7 +130,7 @@ std::string with_random_gaps(const std::vector<std::string>& tokens, bool has_co
 }
 
 bool is_sound_and_same(const std::string& text, const lang::SyntaxTree& original) {
-  const lang::SourceFile file("test.scene", text);
+  const lang::Document file("test.scene", text);
   lang::DiagnosticSink sink;
   const lang::SyntaxTree tree = lang::parse(file, sink);
   const auto is_alike = [](const lang::SyntaxNode& a, const lang::SyntaxNode& b) {
@@ -167,7 +167,7 @@ class Layouts {
 
   std::string next() {
     const std::string& text = texts_[next_++ % texts_.size()];
-    const lang::SourceFile file("test.scene", text);
+    const lang::Document file("test.scene", text);
     lang::DiagnosticSink sink;
     const lang::SyntaxTree tree = lang::parse(file, sink);
     std::vector<std::string> tokens = tokens_of(text);
@@ -213,7 +213,7 @@ TEST(MutatedLayout, SaysTheSameWhenSomeLinesAreFormatted) {
   Random random(4);
   for (int i = 0; i < 300 && !testing::Test::HasFailure(); ++i) {
     const std::string text = layouts.next();
-    const lang::SourceFile file("test.scene", text);
+    const lang::Document file("test.scene", text);
     const auto first = static_cast<std::uint32_t>(1 + random.below(file.line_count()));
     const auto last = static_cast<std::uint32_t>(first + random.below(20));
     lang::DiagnosticSink sink;
@@ -228,9 +228,10 @@ TEST(MutatedLayout, SaysTheSameWhenSomeLinesAreFormatted) {
 /// The bits of the spheres that a text lowers to.
 std::string bits_of(const std::string& name, const std::string& text) {
   static const lang::DiskFileSystem files;
-  const lang::SourceFile file(name, text);
+  lang::Workspace workspace(files);
+  const lang::Document file(name, text);
   lang::DiagnosticSink sink;
-  lang::Compiler compiler(file, {.files = &files, .limits = {}, .sets = {}}, sink);
+  lang::Compiler compiler(file, {.workspace = &workspace, .limits = {}, .sets = {}}, sink);
   const auto lowered = compiler.lower({});
   std::string bits;
   if (!lowered) return bits;

@@ -47,7 +47,7 @@ inline std::vector<SceneText> sound_scenes() {
 
 /// The formatted form of a text without mistakes.
 inline std::string formatted(const std::string& text) {
-  const lang::SourceFile file("test.scene", text);
+  const lang::Document file("test.scene", text);
   lang::DiagnosticSink sink;
   const auto outcome = lang::format_file(file, sink);
   if (!outcome) ADD_FAILURE() << sink.diagnostics().front().message << "\n" << text;

@@ -10,6 +10,7 @@
 
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
+#include "lang/lint/fix_guard.hpp"
 #include "lang/lint/lint.hpp"
 
 // Results of fixes: safe ones produce the certain meaning, unsafe ones the probable meaning, and
@@ -29,7 +30,7 @@ class Checked final : public CheckedText {
   const Findings& findings() const override { return findings_; }
 
  private:
-  SourceFile file_;
+  Document file_;
   DiagnosticSink sink_;
   Findings findings_;
   Compiler compiler_;
@@ -78,6 +79,33 @@ TEST(SafeFixes, GlueNoWordsAndLeaveWhatIsInQuotes) {
                      "let v = (1, 0, 0) × (0, 1, 0)\n", "let v = (1, 0, 0) · (0, 1, 0)\n"});
   const std::string quoted = "assert true, 'he said “no” && it \\\"s'\n";
   EXPECT_EQ(safely(quoted), quoted);
+}
+
+TEST(UnsafeFixes, RemoveAChainOfUnusedNames) {
+  std::string chain = "let a0 = 1\n";
+  for (int i = 1; i < 30; ++i) {
+    chain += "let a" + std::to_string(i) + " = a" + std::to_string(i - 1) + "\n";
+  }
+  const std::string picture =
+      "camera main { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }\n"
+      "sphere { center: (0, 0, 0), radius: 1, material: diffuse(color: tan) }\n";
+  EXPECT_EQ(by_guesses(chain + picture), picture);
+}
+
+TEST(SafeFixes, ChangeNoForeignLetters) {
+  expect_left_alone({"let a = 50μm\n", "let a = 10µm\n", "let a = 2π\n", "let a = 3é\n",
+                     "let a = 1Å * 2\n", "let a = 5!\n", "let a = 5é3\n"});
+}
+
+TEST(SafeFixes, LeaveATextOfTheOtherFormat) {
+  const std::string config = "{\"camera\": {\"x\": 1,}, \"spheres\": []}\n";
+  EXPECT_EQ(fix("a.scene", config, false).checked->file().text(), config);
+  expect_configs_left_alone({"scene 1\nsphere { center: (0, 0, 0), radius: 1, }\n"});
+}
+
+TEST(SafeFixes, KeepDocumentationAtItsStatement) {
+  EXPECT_EQ(fix("a.scene", "// File\n/// The ball\nlet a = 1\n", false).checked->file().text(),
+            "// File\nscene 1\n/// The ball\nlet a = 1\n");
 }
 
 // `:=` was half replaced, which left `==`, and `=>` became `:>`.
@@ -349,9 +377,10 @@ TEST(FixText, LeavesStringsAndCommentsAlone) {
   EXPECT_EQ(result.refused, 3u);
 }
 
-TEST(KeepsStringsAndComments, MayReplaceThemWholeByWhatContainsThem) {
+TEST(FixGuard, AllowsToReplaceAStringOrCommentByATextThatContainsIt) {
   const auto keeps = [](std::string_view text, Span span, std::string replacement) {
-    return keeps_strings_and_comments(text, {{nullptr, span}, std::move(replacement), true});
+    return FixGuard(text).keeps_strings_and_comments(
+        {{nullptr, span}, std::move(replacement), true});
   };
   EXPECT_TRUE(keeps("a \"red\" b", {2, 7}, "red"));
   EXPECT_FALSE(keeps("a \"red\" b", {2, 7}, "blue"));

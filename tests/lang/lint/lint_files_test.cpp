@@ -14,10 +14,10 @@
 namespace sdlc::test {
 namespace {
 
-std::shared_ptr<lang::Compiler> lint_case(const FileCase& file_case, const lang::SourceFile& file,
-                                          const lang::FileSystem& files,
-                                          lang::DiagnosticSink& sink) {
-  auto compiler = std::make_shared<lang::Compiler>(file, program_options(file_case, files), sink);
+std::shared_ptr<lang::Compiler> lint_case(const FileCase& file_case, const lang::Document& file,
+                                          lang::Workspace& workspace, lang::DiagnosticSink& sink) {
+  auto compiler =
+      std::make_shared<lang::Compiler>(file, program_options(file_case, workspace), sink);
   lang::lint(*compiler, file, sink);
   return compiler;
 }
@@ -27,8 +27,8 @@ class LintFiles : public testing::TestWithParam<FileCase> {};
 TEST_P(LintFiles, ReportWhatIsExpected) {
   run_program_case(
       GetParam(), "case",
-      [](const lang::SourceFile& file, const lang::FileSystem& files, lang::DiagnosticSink& sink) {
-        return lint_case(GetParam(), file, files, sink);
+      [](const lang::Document& file, lang::Workspace& workspace, lang::DiagnosticSink& sink) {
+        return lint_case(GetParam(), file, workspace, sink);
       });
 }
 
@@ -46,9 +46,10 @@ void check_fixes(const lang::Diagnostic& diagnostic) {
 /// `fixed`.
 std::size_t count_mendable(const FileCase& file_case, const std::string& text, std::string* fixed) {
   const CaseFiles files(file_case);
-  const lang::SourceFile file("case", text);
+  lang::Workspace workspace(files);
+  const lang::Document file("case", text);
   lang::DiagnosticSink sink;
-  const auto compiler = lint_case(file_case, file, files, sink);
+  const auto compiler = lint_case(file_case, file, workspace, sink);
   std::size_t count = 0;
   const lang::Findings findings = select_unallowed(sink);
   for (const lang::Diagnostic* diagnostic : findings.shown) {
@@ -60,7 +61,7 @@ std::size_t count_mendable(const FileCase& file_case, const std::string& text, s
   return count;
 }
 
-TEST_P(LintFiles, AreMendedByTheirFixes) {
+TEST_P(LintFiles, AreFixedByTheirFixes) {
   std::string text = GetParam().texts.front().text(), fixed;
   constexpr int kMostRounds = 3;  // overlapping fixes are applied in turns
   for (int round = 0; round < kMostRounds; ++round) {

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 /// The number of warnings for a text.
 DiagnosticCounts lint_counts(const std::string& text) {
-  const SourceFile file("test.scene", text);
+  const Document file("test.scene", text);
   DiagnosticSink sink;
   Compiler compiler(file, {}, sink);
   lint(compiler, file, sink);
@@ -30,14 +30,15 @@ DiagnosticCounts lint_counts(const std::string& text) {
 constexpr const char* kHead =
     "scene 1\ncamera main { from: (0, 1, 50), at: (0, 0, 0), fov: 40deg }\n";
 
-TEST(Lint, SaysNothingOfTheExamples) {
+TEST(Lint, ReportsNothingInTheExamples) {
   const DiskFileSystem files;
+  Workspace workspace(files);
   for (const auto& entry : fs::directory_iterator(fs::path(SDLC_SOURCE_DIR) / "examples")) {
     if (entry.path().extension() != ".scene") continue;
-    const SourceFile file(entry.path().string(), test::content_of(entry.path()));
+    const Document file(entry.path().string(), test::content_of(entry.path()));
     DiagnosticSink sink;
     ProgramOptions options;
-    options.files = &files;
+    options.workspace = &workspace;
     Compiler compiler(file, options, sink);
     lint(compiler, file, sink);
     const Findings findings = select_unallowed(sink);
@@ -45,7 +46,7 @@ TEST(Lint, SaysNothingOfTheExamples) {
   }
 }
 
-TEST(Lint, TellsAPlaceThatFailsManyTimesOnce) {
+TEST(Lint, ReportsAPlaceOnce) {
   const auto counts = lint_counts(std::string(kHead) +
                                   "sphere { center: (0, 0, 0), radius: 20, material: unlit(red) }\n"
                                   "for i in range(5000) { sphere { center: (i / 1000, 0, 0), "
@@ -78,6 +79,15 @@ TEST(Lint, KnowsManyLocalNamesAndAllowances) {
         i);
   }
   EXPECT_EQ(lint_counts(allowed).warnings, 0u);
+}
+
+TEST(Allowances, StopOnRequest) {
+  const Document file("test.scene", std::string(kHead) + "let a = 1  // sdlc: allow(W402)\n");
+  StopRequest stop;
+  Allowances allowances(&stop);
+  EXPECT_FALSE(allowances.allow(diag::zero_radius, {&file, {0, 1}}));
+  stop.make();
+  EXPECT_THROW(Allowances(&stop).allow(diag::zero_radius, {&file, {0, 1}}), StopRequested);
 }
 
 }  // namespace

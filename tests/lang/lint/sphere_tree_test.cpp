@@ -19,27 +19,26 @@ namespace {
 
 /// Shows a test the spheres of a scene, some of them moving.
 void with_spheres(const std::function<void(const LintContext&, SphereTree&)>& test) {
-  const SourceFile file(
-      "test.scene",
-      "scene 1\n"
-      "camera { from: (0, 0, 90), at: (0, 0, 0), fov: 40deg, shutter: 0s .. 1s }\n"
-      "for i in range(600) {\n"
-      "  let way = mod(i, 3) * time / 4s\n"
-      "  sphere {\n"
-      "    center: 7 * (random(i, 1) + way, random(i, 2), random(i, 3))\n"
-      "    radius: 0.05 + 4 * random(i, 4)^6\n"
-      "    material: transmissive(ior: 1.5 + mod(i, 2))\n"
-      "  }\n"
-      "}\n");
+  const Document file("test.scene",
+                      "scene 1\n"
+                      "camera { from: (0, 0, 90), at: (0, 0, 0), fov: 40deg, shutter: 0s .. 1s }\n"
+                      "for i in range(600) {\n"
+                      "  let way = mod(i, 3) * time / 4s\n"
+                      "  sphere {\n"
+                      "    center: 7 * (random(i, 1) + way, random(i, 2), random(i, 3))\n"
+                      "    radius: 0.05 + 4 * random(i, 4)^6\n"
+                      "    material: transmissive(ior: 1.5 + mod(i, 2))\n"
+                      "  }\n"
+                      "}\n");
   DiagnosticSink sink;
   Compiler compiler(file, {}, sink);
   bool is_called = false;
   compiler.check([&](const LoweredScene& lowered) {
     is_called = true;
     const LintContext context(file, nullptr, compiler, lowered);
-    std::vector<std::uint32_t> members(lowered.scene.spheres.size());
-    std::iota(members.begin(), members.end(), 0);
-    SphereTree tree(context, members);
+    std::vector<std::uint32_t> spheres(lowered.scene.spheres.size());
+    std::iota(spheres.begin(), spheres.end(), 0);
+    SphereTree tree(context, spheres);
     test(context, tree);
   });
   ASSERT_TRUE(is_called);
@@ -57,7 +56,7 @@ TEST(SphereTree, FindsASphereAroundAnotherWhereThereIsOne) {
       for (std::uint32_t b = 0; b < context.spheres().size(); ++b) {
         is_there = is_there || (a != b && is_inside(context, a, b));
       }
-      const auto found = tree.find_around(a);
+      const auto found = tree.find_container(a);
       EXPECT_EQ(found.has_value(), is_there);
       EXPECT_TRUE(!found || is_inside(context, a, *found));
       if (is_there) ++inside;
@@ -92,16 +91,16 @@ TEST(SphereTree, FindsAnEarlierSphereThatCrossesWhereThereIsOne) {
 
 TEST(SphereTree, CountsTheSpheresAroundAPoint) {
   with_spheres([](const LintContext& context, SphereTree& tree) {
-    std::size_t most = 0;
+    std::size_t max_count = 0;
     for (const render::Sphere& point : context.spheres()) {
       std::size_t count = 0;
       for (const render::Sphere& other : context.spheres()) {
         if (length(other.center - point.center) < other.radius) ++count;
       }
-      EXPECT_EQ(tree.count_around(point.center), count);
-      most = std::max(most, count);
+      EXPECT_EQ(tree.count_containing(point.center), count);
+      max_count = std::max(max_count, count);
     }
-    EXPECT_GT(most, 5u);
+    EXPECT_GT(max_count, 5u);
   });
 }
 

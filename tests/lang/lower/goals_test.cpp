@@ -12,7 +12,7 @@
 #include "render/scene/settings.hpp"
 #include "tests/support/compilation/compilation.hpp"
 
-// What of samples, error and time holds, of those that the scene and the command line give.
+// Precedence of samples, error and time from the scene and the command line.
 namespace sdlc::test {
 namespace {
 
@@ -94,7 +94,7 @@ TEST(Goals, APlainPictureIsExactAndHasNone) {
   EXPECT_THAT(compilation.codes(), IsEmpty());
 }
 
-/// Where W502 points to, nothing where it is not told.
+/// The text that W502 marks; empty if it is not reported.
 std::vector<std::string> warned_at(const std::string& render, const lang::Overrides& overrides) {
   Compilation compilation({.root = kScene + "render { " + render + " }"});
   compilation.lower(overrides);

@@ -72,7 +72,7 @@ const std::string kRow =
 
 Built build(const std::string& text, bool tells_repetitions, Instancing instancing,
             const lang::Limits& limits = {}) {
-  const lang::SourceFile file("test.scene", "scene 1\n" + kCamera + text);
+  const lang::Document file("test.scene", "scene 1\n" + kCamera + text);
   lang::DiagnosticSink sink;
   lang::SceneBuilder builder(file, limits, sink, lang::Purpose::Picture, instancing);
   Builder objects(builder, tells_repetitions);
@@ -170,7 +170,7 @@ const std::vector<std::string> kTexts{
     "at { p: (1m + time * 1m / 1s, 0, 0), r: 1, translate: (9, 0, 0) }\n"
     "at { p: (1m + time * 1m / 1s, 0, 0), r: 1, translate: (9, 5, 0) }\nflake { n: 4 }\n"
     "flake { n: 3, translate: (0, 20, 0) }\n",
-    // A motion of its own.
+    // With an individual motion.
     "def ball() { sphere { center: (0, 0, 0), radius: 1, material: unlit(red),\n"
     "  motion: line((0, 1, 0), over: 0 .. 1) } }\n"
     "ball {}\nball { translate: (5, 0, 0) }\nball { translate: (9, 0, 0), scale: 2 }\n",
@@ -340,7 +340,7 @@ TEST(GroupRepeats, InOnePlaceAreOneTooMany) {
   EXPECT_EQ(held_once.scene.instances.size(), 2u);
   EXPECT_EQ(count_spheres(held_once.scene), 301u);
   const Built plain = build(row, true, Instancing::Never);
-  EXPECT_EQ(plain.scene.spheres.size(), 300u) << "one is told of as it is the same as another";
+  EXPECT_EQ(plain.scene.spheres.size(), 300u) << "one is dropped as a duplicate";
   Compilation compilation({.root = kCamera + row});
   ASSERT_TRUE(compilation.lower({.instancing = Instancing::Always}));
   const std::vector<std::uint32_t> wanted{100};

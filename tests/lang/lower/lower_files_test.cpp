@@ -13,9 +13,9 @@ class LowerFiles : public testing::TestWithParam<FileCase> {};
 TEST_P(LowerFiles, ReportWhatIsExpected) {
   run_program_case(
       GetParam(), "case",
-      [](const lang::SourceFile& file, const lang::FileSystem& files, lang::DiagnosticSink& sink) {
+      [](const lang::Document& file, lang::Workspace& workspace, lang::DiagnosticSink& sink) {
         const auto compiler =
-            std::make_shared<lang::Compiler>(file, program_options(GetParam(), files), sink);
+            std::make_shared<lang::Compiler>(file, program_options(GetParam(), workspace), sink);
         compiler->lower({});
         return compiler;
       });

@@ -135,7 +135,7 @@ TEST(Motion, OfAnIncludedConfigComposesWithGroups) {
   EXPECT_THAT(paths_in(lowered), ElementsAre(Path{{2, 1, 0}, {4, 2, 0}}));
 }
 
-TEST(Motion, StandsStillWithoutAShutter) {
+TEST(Motion, HasNoEffectWithoutAShutter) {
   const std::string scene = "let u = time / 1s animation { frames: 0 .. 9, fps: 2 }\n" +
                             ball("(u, 0, 0)", "1 + u") + "group { translate: (u, 5, 0) " +
                             ball("(0, u, 0)") + "}";
@@ -170,7 +170,7 @@ TEST(Motion, KeepsEachShiftBesideItsSphere) {
                   Path{{0, 5, 1}, {0, 5, 2}}));
 }
 
-TEST(Motion, TellsSpheresApartThatMeetAtTheOpening) {
+TEST(Motion, DistinguishesSpheresThatMeetAtTheOpening) {
   Compilation compilation({.root = shutter("1s .. 2s") + ball("(1, 0, 0)") + ball("(t, 0, 0)") +
                                    ball("(t, 0, 0)") + ball("(3, 0, 0)") + ball("(3 * t, 0, 0)")});
   const auto lowered = compilation.lower();

@@ -11,7 +11,7 @@
 
 #include "tests/support/compilation/compilation.hpp"
 
-// p' = translate + Rz Ry Rx (scale p), right-handed (ruling 31).
+// p' = translate + Rz Ry Rx (scale p), right-handed.
 namespace sdlc::lang {
 namespace {
 
@@ -109,7 +109,7 @@ TEST(Groups, NestAsDeepAsTheyAreWritten) {
   EXPECT_EQ(spheres.at(0).radius, 1);
   EXPECT_EQ(spheres.at(1).center, (Vec3{0, 0, 1}));
   EXPECT_EQ(spheres.at(1).radius, 0.5);
-  EXPECT_EQ(spheres.at(2).center, (Vec3{7, 8, 9})) << "behind the groups";
+  EXPECT_EQ(spheres.at(2).center, (Vec3{7, 8, 9})) << "after the groups";
 }
 
 TEST(Groups, MultiplyTheirScalesIntoRadii) {

@@ -22,7 +22,7 @@ struct Compiled {
 
 Compiled compile_text(const std::string& text, const Overrides& overrides = {}) {
   const bool is_json = text.starts_with("{");
-  const SourceFile file(is_json ? "test.json" : "test.scene", is_json ? text : "scene 1\n" + text);
+  const Document file(is_json ? "test.json" : "test.scene", is_json ? text : "scene 1\n" + text);
   DiagnosticSink sink;
   Compiled compiled{.lowered = compile(file, overrides, sink), .codes = {}};
   for (const Diagnostic& diagnostic : sink.diagnostics()) {
@@ -123,7 +123,7 @@ TEST(SceneBuilder, PicksACamera) {
       2);
 }
 
-TEST(SceneBuilder, WantsACameraForSpheres) {
+TEST(SceneBuilder, RequiresACameraForSpheres) {
   EXPECT_THAT(compile_text(kBall).codes, ElementsAre("E213"));
   EXPECT_THAT(compile_text("").codes, ElementsAre("E212"));
 }
@@ -138,7 +138,7 @@ TEST(SceneBuilder, MakesAPlainPictureOfAColourAndASize) {
   EXPECT_EQ(compiled.lowered->scene.background.top, (render::LinearRgb{0.5, 0.25, 1}));
 }
 
-TEST(SceneBuilder, TellsColourAndGradientApart) {
+TEST(SceneBuilder, DistinguishesColourAndGradient) {
   EXPECT_THAT(compile_text(kCamera + "background { color: white, top: black }").codes,
               ElementsAre("E210"));
   EXPECT_THAT(compile_text(kCamera + "background { top: black }").codes, ElementsAre("E107"));
@@ -166,7 +166,7 @@ TEST(SceneBuilder, DropsWhatIsNeverSeenWithAWarning) {
   EXPECT_THAT(compiled.codes, ElementsAre("W402", "W401", "W401"));
 }
 
-// `movement` is linear between its two times and goes on beyond them; the shutter decides which
+// `movement` is linear between its two times and continues beyond them; the shutter decides which
 // part is seen.
 TEST(SceneBuilder, JoinsMotionAndShutter) {
   const auto ends = [](const std::string& shutter) {

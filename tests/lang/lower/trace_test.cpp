@@ -72,7 +72,7 @@ TEST(Trace, CountsPastSpheresThatWereLeftOut) {
   }
 }
 
-TEST(Trace, CountsPastDuplicatesAtTheBeginningAndOneBehindTheOther) {
+TEST(Trace, CountsPastDuplicatesAtTheBeginningAndInARow) {
   std::string text = kCamera;
   std::vector<std::string> kept;
   // Every third sphere is new; the others repeat the first.
@@ -89,7 +89,7 @@ TEST(Trace, CountsPastDuplicatesAtTheBeginningAndOneBehindTheOther) {
   EXPECT_EQ(traced_names(compilation, kept.size()), kept);
 }
 
-TEST(Trace, TellsTheWayThroughInstancesLoopsAndFiles) {
+TEST(Trace, ShowsTheChainThroughInstancesLoopsAndFiles) {
   Compilation compilation(
       {.root = kCamera + "def pair(x) { for i in range(2) { " + ball("in", "(x, 3 * i, 0)") +
                "} }\nfor x in [0, 5] { pair { x: x } }\ngroup g { include \"a.scene\" }",
@@ -131,7 +131,7 @@ TEST(Trace, ReportsNothingAgain) {
   EXPECT_THAT(compilation.codes(), ElementsAre("W401", "W402"));
 }
 
-TEST(Duplicates, AreToldWithTheirWayThroughInstances) {
+TEST(Duplicates, AreReportedWithTheirChainThroughInstances) {
   const auto told =
       told_about({.root = kCamera + "def dot(x) { " + ball("", "(x, 0, 0)") +
                           "}\nfor i in [0, 7] { dot { x: 0, translate: (i, 0, 0) } }\n"
@@ -159,7 +159,7 @@ TEST(Duplicates, OfOneStatementDoNotHideThoseOfAnother) {
   EXPECT_EQ(told.size(), 2u);
 }
 
-TEST(Duplicates, OfManyStatementsAreToldUpToTheCap) {
+TEST(Duplicates, OfManyStatementsAreReportedUpToTheLimit) {
   std::string text = kCamera;
   for (int i = 0; i < 80; ++i) text += ball("", "(0, 0, 0)");
   Compilation compilation({.root = text});

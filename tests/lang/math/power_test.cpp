@@ -107,9 +107,9 @@ TEST(Exponential, IsExactOrBoundedAtItsEnds) {
   EXPECT_EQ(exp(0), 1.0);
   EXPECT_EQ(exp(1), 0x1.5bf0a8b145769p+1);
   EXPECT_EQ(exp(5e-324), 1.0);
-  EXPECT_EQ(exp(0x1.62e42fefa39efp+9), 0x1.fffffffffff2ap+1023);  // the largest that is finite
+  EXPECT_EQ(exp(0x1.62e42fefa39efp+9), 0x1.fffffffffff2ap+1023);  // the largest finite result
   EXPECT_EQ(exp(0x1.62e42fefa39f0p+9), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(exp(-0x1.74910d52d3051p+9), 5e-324);  // the last above 0
+  EXPECT_EQ(exp(-0x1.74910d52d3051p+9), 5e-324);  // the smallest result above 0
   EXPECT_EQ(exp(-0x1.74910d52d3052p+9), 0.0);
   EXPECT_EQ(exp(1.7976931348623157e308), std::numeric_limits<double>::infinity());
   EXPECT_EQ(exp(-1.7976931348623157e308), 0.0);

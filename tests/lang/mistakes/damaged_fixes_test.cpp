@@ -63,8 +63,9 @@ class Files final : public lang::FileSystem {
 class Checked final : public lang::CheckedText {
  public:
   Checked(std::string name, std::string text, const Files& files)
-      : file_(std::move(name), std::move(text)),
-        compiler_(file_, {.files = &files, .limits = kLimits, .sets = {}}, sink_) {
+      : workspace_(files),
+        file_(std::move(name), std::move(text)),
+        compiler_(file_, {.workspace = &workspace_, .limits = kLimits, .sets = {}}, sink_) {
     lang::lint(compiler_, file_, sink_);
     findings_ = select_unallowed(sink_);
   }
@@ -75,7 +76,8 @@ class Checked final : public lang::CheckedText {
  private:
   static constexpr lang::Limits kLimits{.steps = 1'000'000, .objects = 200};
 
-  lang::SourceFile file_;
+  lang::Workspace workspace_;
+  lang::Document file_;
   lang::DiagnosticSink sink_;
   lang::Findings findings_;
   lang::Compiler compiler_;

@@ -21,8 +21,8 @@ class Mistakes : public testing::TestWithParam<FileCase> {};
 TEST_P(Mistakes, AreEachReportedOnceAndInTheirPlaces) {
   run_program_case(
       GetParam(), is_config(GetParam()) ? "case.json" : "case.scene",
-      [](const lang::SourceFile& file, const lang::FileSystem& files, lang::DiagnosticSink& sink) {
-        const lang::ProgramOptions options{.files = &files, .limits = {}, .sets = {}};
+      [](const lang::Document& file, lang::Workspace& workspace, lang::DiagnosticSink& sink) {
+        const lang::ProgramOptions options{.workspace = &workspace, .limits = {}, .sets = {}};
         const auto compiler = std::make_shared<lang::Compiler>(file, options, sink);
         compiler->check();
         return compiler;

@@ -21,6 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The end of the comment or string at `at`; `at` if there is none.
+std::uint32_t end_of_opaque(std::string_view text, std::uint32_t at) {
+  if (text[at] != '"' && text[at] != '/') return at;
+  const lang::Token token = lang::scene_token(text, at);
+  return is_comment(token.kind) || is_string(token.kind) ? token.span.end : at;
+}
+
 std::string read_text(const fs::path& path) {
   std::error_code error;
   auto text = lang::DiskFileSystem().read(path, lang::Limits().any_file(), error);
@@ -151,7 +158,7 @@ Mutator::Mutator(const SoundTexts& texts, std::uint64_t seed) : texts_(texts), r
     const bool is_json = sound.name.ends_with(".json");
     for (std::uint32_t at = 0; at < text.size();) {
       // The words of a config are its strings.
-      const std::uint32_t behind = lang::end_of_opaque(text, at);
+      const std::uint32_t behind = end_of_opaque(text, at);
       const std::uint32_t end = is_json ? behind : lang::end_of_identifier(text, at);
       if (end > at + (is_json ? 2 : 0)) {
         places.words.push_back(is_json ? lang::Span{at + 1, end - 1} : lang::Span{at, end});
@@ -219,9 +226,10 @@ std::vector<MutantError> errors_of(const Mutant& mutant, const SoundTexts& texts
   // A slip may make a scene a large one.
   constexpr lang::Limits kLimits{.steps = 20'000'000, .objects = 100'000};
   const MutantFiles files(texts, mutant);
-  const lang::SourceFile root(mutant.of->root, *files.find(mutant.of->root));
+  lang::Workspace workspace(files);
+  const lang::Document root(mutant.of->root, *files.find(mutant.of->root));
   lang::DiagnosticSink sink;
-  lang::Compiler compiler(root, {.files = &files, .limits = kLimits, .sets = {}}, sink);
+  lang::Compiler compiler(root, {.workspace = &workspace, .limits = kLimits, .sets = {}}, sink);
   compiler.check();
   const auto line = [&](const lang::Location& where) {
     const bool is_here = where.file != nullptr && where.file->name() == mutant.of->name;

@@ -10,7 +10,7 @@ namespace {
 const SourceFile kFile("a.scene", "value\n");
 const Location kWhere{&kFile, {0, 5}};
 
-/// What check_value says of the value, or nothing.
+/// The diagnostic of check_value, or nothing.
 std::string complaint(Type type, Range range, const Value& value) {
   DiagnosticSink sink;
   const bool is_good = check_value("it", type, range, value, kWhere, sink);

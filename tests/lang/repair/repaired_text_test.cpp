@@ -39,14 +39,12 @@ TEST(RepairedText, KeepsTheEndOfAReplacedPart) {
 TEST(RepairedText, AppliesRoundAfterRound) {
   RepairedText text("a b c");
   text.apply({{{1, 1}, ","}});       // a, b c
-  text.apply({{{4, 4}, ","}}, {5});  // a, b, c
+  text.apply({{{4, 4}, ","}});  // a, b, c
   EXPECT_EQ(text.text(), "a, b, c");
   EXPECT_TRUE(text.is_added(1));
   EXPECT_TRUE(text.is_added(4));
   EXPECT_FALSE(text.is_added(3));
   EXPECT_EQ(text.in_source(6), 4u);
-  EXPECT_TRUE(text.is_uncertain(6));
-  EXPECT_FALSE(text.is_uncertain(3));
 }
 
 TEST(RepairedText, KeepsTheOrderOfInsertionsAndDropsOverlaps) {

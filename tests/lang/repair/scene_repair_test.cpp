@@ -18,11 +18,18 @@ struct Repaired {
   std::vector<std::string> codes;
 };
 
+RepairedText repair(const SourceFile& file, DiagnosticSink& sink) {
+  RepairedText text(file.text());
+  const RepairContext context{file, text, sink};
+  repair_spelling(context);
+  repair_structure(context, false);
+  return text;
+}
+
 Repaired repaired(const std::string& text) {
   const SourceFile file("test.scene", text);
   DiagnosticSink sink;
-  const auto result = repair_scene(file, file.text(), {}, sink);
-  Repaired repaired{result ? result->text() : text, {}};
+  Repaired repaired{repair(file, sink).text(), {}};
   for (const Diagnostic* diagnostic : select_findings(sink).shown) {
     repaired.codes.emplace_back(diagnostic->info->code);
   }
@@ -95,15 +102,13 @@ TEST(SceneRepair, KnowsWhereInTheFileItsBytesAre) {
   const std::string text = "f(1 2) g";
   const SourceFile file("test.scene", text);
   DiagnosticSink sink;
-  const auto result = repair_scene(file, file.text(), {}, sink);
-  ASSERT_TRUE(result);
-  ASSERT_EQ(result->text(), "f(1, 2) g");
-  for (std::uint32_t i = 0; i < result->text().size(); ++i) {
-    if (result->is_added(i)) continue;
-    EXPECT_EQ(result->text()[i], text[result->in_source(i)]);
+  const RepairedText result = repair(file, sink);
+  ASSERT_EQ(result.text(), "f(1, 2) g");
+  for (std::uint32_t i = 0; i < result.text().size(); ++i) {
+    if (result.is_added(i)) continue;
+    EXPECT_EQ(result.text()[i], text[result.in_source(i)]);
   }
-  EXPECT_TRUE(result->is_added(3));
-  EXPECT_TRUE(result->is_uncertain(6));
+  EXPECT_TRUE(result.is_added(3));
 }
 
 }  // namespace

@@ -33,10 +33,10 @@ TEST(Findings, ShowTheFirstFiftyByPlaceAndCountTheRest) {
 TEST(Findings, CountWhatTheSinkDidNotKeep) {
   const SourceFile file("a", "text");
   DiagnosticSink sink;
-  sink.set_max_kept(2);
-  for (std::uint32_t i = 0; i < 5; ++i) sink.report(diag::bad_utf8, {&file, {i, i + 1}});
-  EXPECT_EQ(select_findings(sink).counts,
-            (DiagnosticCounts{.errors = 5, .warnings = 0, .omitted = 3}));
+  constexpr std::size_t kErrors = DiagnosticSink::kMaxErrors + 3;
+  for (std::uint32_t i = 0; i < kErrors; ++i) sink.report(diag::bad_utf8, {&file, {i, i + 1}});
+  EXPECT_EQ(select_findings(sink, {.max_per_severity = kErrors}).counts,
+            (DiagnosticCounts{.errors = kErrors, .warnings = 0, .omitted = 3}));
   const auto is_wanted = [](const DiagnosticInfo& info, const SourceFile*) {
     return info.code == "E101";
   };

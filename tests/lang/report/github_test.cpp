@@ -22,7 +22,7 @@ TEST(Github, IsAWorkflowCommandEach) {
             "::error file=a.scene,line=1,endLine=1,col=3,endColumn=8,title=sdlc E104 "
             "unknown_property::/home/tree/a.scene:1:3: unknown property `radus` of sphere; did you "
             "mean radius?\n"
-            "::warning title=sdlc W402 zero_radius::a sphere of radius 0 is never seen\n");
+            "::warning title=sdlc W402 zero_radius::a sphere of radius 0 is never visible\n");
 }
 
 TEST(Github, EscapesWhatWouldEndAProperty) {

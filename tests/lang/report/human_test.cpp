@@ -125,7 +125,7 @@ TEST(RenderHuman, ShowsTheFirstAndTheLastOfManyLines) {
 )");
 }
 
-TEST(RenderHuman, PointsBehindTheEnd) {
+TEST(RenderHuman, PointsAfterTheEnd) {
   EXPECT_EQ(excerpt("abc", ""), "  |\n1 | abc\n  | ^\n");
   const SourceFile file("a.scene", "abc\n");
   DiagnosticSink sink;
@@ -133,7 +133,7 @@ TEST(RenderHuman, PointsBehindTheEnd) {
   EXPECT_NE(render_diagnostics(sink, {}).find("2 |\n  | ^\n"), std::string::npos);
 }
 
-TEST(RenderHuman, SaysWhatToWrite) {
+TEST(RenderHuman, ShowsWhatToWrite) {
   const SourceFile file("a.json", "x, .5\n");
   DiagnosticSink sink;
   const Location number{&file, span_of(file, ".5")};
@@ -144,7 +144,7 @@ TEST(RenderHuman, SaysWhatToWrite) {
   sink.report(diag::unknown_name, number, "c").fix({&file, {0, 0}}, "scene 1\n");
   const std::string text = render_diagnostics(sink, {});
   for (const char* help : {"help: write `0.5` instead of `.5`\n", "help: remove `,`\n",
-                           "help: add `deg` behind `.5`\n", "help: add `scene 1` at 1:1\n"}) {
+                           "help: add `deg` after `.5`\n", "help: add `scene 1` at 1:1\n"}) {
     EXPECT_NE(text.find(help), std::string::npos) << help << text;
   }
 }
@@ -172,7 +172,7 @@ TEST(RenderHuman, NeedsNoFile) {
   DiagnosticSink sink;
   sink.report(diag::zero_radius, {});
   EXPECT_EQ(render_diagnostics(sink, {}),
-            "warning[W402]: a sphere of radius 0 is never seen\n\n1 warning\n");
+            "warning[W402]: a sphere of radius 0 is never visible\n\n1 warning\n");
 }
 
 TEST(RenderHuman, ShowsWhatAFixChangesWhereBothLookAlike) {

@@ -49,7 +49,7 @@ TEST(Junit, IsXmlWhateverTheTextIs) {
   EXPECT_THAT(text, HasSubstr("]]&gt;␁␛\xef\xbf\xbd\xef\xbf\xbd in a string"));
 }
 
-TEST(Junit, SaysWhenNotAllAreListed) {
+TEST(Junit, ReportsHowManyAreNotListed) {
   const SourceFile file("a.scene", std::string(60, 'x'));
   DiagnosticSink sink;
   for (std::uint32_t i = 0; i < 51; ++i) sink.report(diag::zero_radius, {&file, {i, i + 1}});

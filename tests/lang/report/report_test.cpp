@@ -17,8 +17,8 @@ TEST(RenderConcise, IsOneLineEach) {
   EXPECT_EQ(
       render_diagnostics(sink, {.format = MessageFormat::Concise, .color = true}),
       "dir/a.scene:2:10: error[E104]: unknown property `radus` of sphere; did you mean radius?\n"
-      "dir/a.scene:2:16: warning[W402]: a sphere of radius 0 is never seen\n"
-      "warning[W402]: a sphere of radius 0 is never seen\n");
+      "dir/a.scene:2:16: warning[W402]: a sphere of radius 0 is never visible\n"
+      "warning[W402]: a sphere of radius 0 is never visible\n");
 }
 
 TEST(RenderConcise, KeepsMessagesOnTheirLine) {
@@ -56,7 +56,7 @@ TEST(RenderJson, HoldsEverything) {
   })"));
 }
 
-TEST(RenderJson, TellsWhatCouldNotBeLookedAt) {
+TEST(RenderJson, ListsFilesThatCouldNotBeRead) {
   std::ostringstream out;
   const auto writer = make_diagnostic_writer({.format = MessageFormat::Json}, out);
   writer->fail("nope.scene", "cannot read `nope.scene`");

@@ -57,14 +57,14 @@ TEST_F(Sarif, IsOneRunOfOneTool) {
   EXPECT_EQ(run()["invocations"][0], Json({{"executionSuccessful", true}}));
 }
 
-TEST_F(Sarif, TellsTheRulesThatResultsName) {
+TEST_F(Sarif, ListsTheRulesOfItsResults) {
   const Json& rules = run()["tool"]["driver"]["rules"];
   ASSERT_EQ(rules.size(), 2u);
   EXPECT_EQ(rules[0], Json::parse(R"({
     "id": "E104", "name": "UnknownProperty",
     "shortDescription": {"text": "Unknown property"},
     "fullDescription": {"text": "Objects have no such property."},
-    "help": {"text": "Objects have no such property.\n\n`sdlc explain E104` tells all of it.",
+    "help": {"text": "Objects have no such property.\n\n`sdlc explain E104` shows the whole page.",
       "markdown": "Objects have no such\n`property`.\n\n## Wrong\n\n```rust scene\nlet a = b[1](2)\n```\n\nSee [this](https://example.org/x).\n"},
     "defaultConfiguration": {"level": "error"}})"));
   EXPECT_EQ(rules[1], Json::parse(R"({
@@ -99,7 +99,7 @@ TEST_F(Sarif, RelatesLabelsAndTheWayThere) {
 
 TEST_F(Sarif, ProposesFixes) {
   EXPECT_EQ(run()["results"][0]["fixes"], Json::parse(R"([{
-    "description": {"text": "A guess: look at the outcome."},
+    "description": {"text": "A guess: check the result."},
     "artifactChanges": [{
       "artifactLocation": {"uri": "scenes/a%20b.scene", "uriBaseId": "%SRCROOT%"},
       "replacements": [{
@@ -116,7 +116,7 @@ TEST(SarifFix, HoldsAllReplacementsOfADiagnostic) {
       .fix({&file, {2, 3}}, "]");
   const Json fix = render(sink)["runs"][0]["results"][0]["fixes"];
   ASSERT_EQ(fix.size(), 1u);
-  EXPECT_EQ(fix[0]["description"]["text"], "Leaves no doubt.");
+  EXPECT_EQ(fix[0]["description"]["text"], "A safe fix.");
   ASSERT_EQ(fix[0]["artifactChanges"].size(), 1u);
   EXPECT_EQ(fix[0]["artifactChanges"][0]["replacements"].size(), 2u);
 }
@@ -129,7 +129,7 @@ TEST_F(Sarif, NamesLinesSoThatTheyAreFoundAgain) {
             run()["results"][0]["partialFingerprints"]);
 }
 
-TEST(SarifMessage, HasNoLinksThatNobodyMeant) {
+TEST(SarifMessage, HasNoAccidentalLinks) {
   const SourceFile file("a.scene", "x");
   DiagnosticSink sink;
   sink.report(diag::bad_string, {&file, {0, 1}}, "a[0](b)");
@@ -142,17 +142,17 @@ TEST(SarifReport, OfNothingHasNoResults) {
   EXPECT_EQ(run["tool"]["driver"]["rules"], Json::array());
 }
 
-TEST(SarifReport, SaysWhenNotAllAreListed) {
+TEST(SarifReport, ReportsHowManyAreNotListed) {
   const SourceFile file("a.scene", std::string(60, 'x'));
   DiagnosticSink sink;
   for (std::uint32_t i = 0; i < 52; ++i) sink.report(diag::zero_radius, {&file, {i, i + 1}});
   const Json run = render(sink)["runs"][0];
   EXPECT_EQ(run["results"].size(), 50u);
   EXPECT_EQ(run["invocations"][0]["toolExecutionNotifications"][0]["message"]["text"],
-            "2 more findings are not listed: of each file the first 50 errors and warnings");
+            "2 more findings are not listed: the limit is 50 errors and 50 warnings per file");
 }
 
-TEST(SarifReport, SaysThatAFileCouldNotBeRead) {
+TEST(SarifReport, ReportsThatAFileCouldNotBeRead) {
   std::ostringstream out;
   const auto writer = make_diagnostic_writer(sarif(), out);
   writer->fail("nope.scene", "cannot read `nope.scene`");

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace lang;
 
-/// Where the node has a name of its own; an empty span where it has none.
+/// The span of the name that the node itself has; empty if it has none.
 Span name_in(ast::Node node) {
   switch (node.kind()) {
     case SyntaxKind::Name:
@@ -37,7 +37,7 @@ Span name_in(ast::Node node) {
   }
 }
 
-/// What is wrong with the table; empty if nothing is.
+/// An error in the table; empty if there is none.
 std::string fault_of(const SymbolIndex& index, const SymbolTable& table) {
   const SyntaxTree& tree = table.tree();
   const auto occurrences = table.occurrences();
@@ -68,10 +68,11 @@ std::string fault_of(const SymbolIndex& index, const SymbolTable& table) {
   return {};
 }
 
-std::string fault_of(const SourceFile& file, const FileSystem& files) {
+std::string fault_of(const Document& file, const FileSystem& files) {
+  Workspace workspace(files);
   DiagnosticSink sink;
-  Program program(file, {.files = &files, .limits = {}}, sink);
-  const SymbolIndex index(program);
+  Program program(file, {.workspace = &workspace, .limits = {}}, sink);
+  const SymbolIndex index(program, sink);
   for (std::uint32_t i = 0; i < index.file_count(); ++i) {
     const std::string fault = fault_of(index, index.table(i));
     if (!fault.empty()) return fault;
@@ -97,7 +98,7 @@ TEST(EveryName, OfTheFileTestsHasASymbolOrIsUnknown) {
       if (file_case.file.extension() != ".scene") continue;
       const CaseFiles files(file_case);
       for (const std::string& text : variants_of(file_case.texts[0].text())) {
-        const SourceFile file("test.scene", text);
+        const Document file("test.scene", text);
         EXPECT_EQ(fault_of(file, files), "") << file_case.file << " " << file_case.name << "\n"
                                              << text;
       }
@@ -115,7 +116,7 @@ TEST(EveryName, OfTheExamplesHasASymbolOrIsUnknown) {
       std::ostringstream text;
       text << std::ifstream(entry.path()).rdbuf();
       for (const std::string& variant : variants_of(text.str())) {
-        const SourceFile file(entry.path().string(), variant);
+        const Document file(entry.path().string(), variant);
         EXPECT_EQ(fault_of(file, files), "") << entry.path();
       }
     }

@@ -14,8 +14,8 @@ using namespace lang;
 
 IndexedProgram::IndexedProgram(const std::string& root, std::map<std::string, std::string> files)
     : files_(std::move(files)), root_("test.scene", root) {
-  program_.emplace(root_, ProgramOptions{.files = &files_, .limits = {}}, sink_);
-  index_.emplace(*program_);
+  program_.emplace(root_, ProgramOptions{.workspace = &workspace_, .limits = {}}, sink_);
+  index_.emplace(*program_, sink_);
 }
 
 std::uint32_t IndexedProgram::file(const std::string& name) const {
@@ -105,7 +105,7 @@ std::string IndexedProgram::refusal(const std::string& place, const std::string&
   switch (rename.refusal) {
     case Rename::Refusal::None: return "";
     case Rename::Refusal::NotDeclared: return "not declared";
-    case Rename::Refusal::NoName: return "no name";
+    case Rename::Refusal::InvalidName: return "no name";
     case Rename::Refusal::Conflict: break;
   }
   return rename.conflict ? "conflict " + describe(*rename.conflict) : "conflict";

@@ -11,11 +11,12 @@
 #include "lang/program/program.hpp"
 #include "lang/resolve/symbol_index.hpp"
 #include "lang/source/source.hpp"
+#include "lang/workspace/workspace.hpp"
 #include "tests/support/compilation/compilation.hpp"
 
 namespace sdlc::test {
 
-/// A program from memory with the index of its names. Places are written as text: "count" is the
+/// A program from memory with the index of its names. A place is given as text: "count" is the
 /// first `count` of the file, "count#3" the third.
 class IndexedProgram {
  public:
@@ -25,10 +26,10 @@ class IndexedProgram {
   const lang::SymbolTable& table(const std::string& file = "test.scene") const;
   std::uint32_t file(const std::string& name) const;
 
-  /// Where the place begins; fails the test if there is none.
+  /// The offset of the place; fails the test if it does not exist.
   std::uint32_t offset(const std::string& place, const std::string& file = "test.scene") const;
   lang::SymbolId at(const std::string& place, const std::string& file = "test.scene") const;
-  /// What the name at the place means: "value 2:5", "parameter lib.scene 1:8", "built-in pi",
+  /// The symbol of the name at the place: "value 2:5", "parameter lib.scene 1:8", "built-in pi" or
   /// "unknown".
   std::string meaning(const std::string& place, const std::string& file = "test.scene") const;
   std::string describe(lang::SymbolId id) const;
@@ -48,7 +49,8 @@ class IndexedProgram {
 
  private:
   MemoryFiles files_;
-  lang::SourceFile root_;
+  lang::Workspace workspace_{files_};
+  lang::Document root_;
   lang::DiagnosticSink sink_;
   std::optional<lang::Program> program_;
   std::optional<lang::SymbolIndex> index_;

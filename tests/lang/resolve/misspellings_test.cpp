@@ -13,7 +13,7 @@ namespace {
 /// "declared -> used", with "!" if the declaration is misspelt for certain; empty if there is none.
 std::string misspelling(const std::string& text, const std::string& use) {
   const IndexedProgram program(text);
-  const lang::Misspellings misspellings(program.table());
+  const lang::Misspellings misspellings(program.table(), nullptr);
   const lang::Misspelling* found = misspellings.find(program.offset(use));
   if (found == nullptr) return "";
   return std::string(found->name) + " -> " + std::string(found->meant) +
@@ -33,6 +33,14 @@ TEST(Misspellings, BlameTheDeclarationThatSeveralUsesContradict) {
             "hieght -> height!");
   EXPECT_EQ(misspelling("scene 1\nfn haf(x) = x\nlet b = half(2) + half(3)\n", "half"),
             "haf -> half!");
+}
+
+TEST(Misspellings, StopOnRequest) {
+  const IndexedProgram program("scene 1\nlet radius = 1\nlet b = radius\n");
+  lang::StopRequest stop;
+  EXPECT_TRUE(lang::Misspellings(program.table(), &stop).find(0) == nullptr);
+  stop.make();
+  EXPECT_THROW(lang::Misspellings(program.table(), &stop), lang::StopRequested);
 }
 
 TEST(Misspellings, FollowScopesAndNameSpaces) {

@@ -24,7 +24,7 @@ TEST(Scopes, FindTheInnermostLocalOfAName) {
   EXPECT_EQ(scopes.frame_size(), 2u);
 }
 
-// More locals than are searched one by one.
+// More locals than Scopes searches linearly.
 TEST(Scopes, ForgetHiddenNamesOfManyInTheRightOrder) {
   Scopes scopes;
   std::vector<std::string> names;

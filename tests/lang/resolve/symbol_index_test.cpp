@@ -8,7 +8,7 @@
 
 #include "tests/lang/resolve/indexed_program.hpp"
 
-// What names mean, where they occur and what is visible where.
+// Symbols of names, their occurrences, and the names that are visible at a place.
 namespace sdlc::test {
 namespace {
 
@@ -83,6 +83,20 @@ TEST(SymbolIndex, FollowsImportsOverThreeFiles) {
               ElementsAre("value b.scene 4:5", "function b.scene 5:4", "kind b.scene 6:5"));
 }
 
+TEST(SymbolIndex, KnowsTheUsesInIncludedFiles) {
+  const IndexedProgram program(
+      "scene 1\nimport \"lib.scene\" as lib\nsphere { radius: lib.size }\n"
+      "if false { include \"part.scene\" }\n",
+      {{"lib.scene", "scene 1\nlet size = 1\n"},
+       {"part.scene", "scene 1\nimport \"lib.scene\" as l\ninclude \"deep.scene\"\n"},
+       {"deep.scene", "scene 1\nimport \"lib.scene\" as lib\nsphere { radius: lib.size }\n"}});
+  EXPECT_THAT(program.references("size"), ElementsAre("3:22", "lib.scene 2:5", "deep.scene 3:22"));
+  const auto texts = program.renamed("size", "width");
+  EXPECT_EQ(texts.size(), 3u);
+  EXPECT_EQ(texts.at("deep.scene"),
+            "scene 1\nimport \"lib.scene\" as lib\nsphere { radius: lib.width }\n");
+}
+
 TEST(SymbolIndex, ListsWhatIsVisible) {
   const IndexedProgram program(R"(scene 1
 let top = 1
@@ -131,7 +145,11 @@ let a = 2
 fn f(x, x = a) = x
 def d() { let b = 1 let b = b sphere { radius: b } }
 let c = a
+fn g(p, q, p, r, q) = r
 )");
+  EXPECT_EQ(program.meaning("p, r"), "parameter 7:12");
+  EXPECT_EQ(program.meaning("q) ="), "parameter 7:18");
+  EXPECT_THAT(program.references("r, q"), ElementsAre("7:15", "7:23"));
   EXPECT_THAT(program.references("a#1"), ElementsAre("2:5", "4:13", "6:9"));
   EXPECT_EQ(program.meaning("a = 2"), "value 3:5");
   EXPECT_THAT(program.references("a = 2"), ElementsAre("3:5"));

@@ -46,10 +46,9 @@ TEST(SymbolTypes, FollowNamesThroughFiles) {
   EXPECT_EQ(type_of_x("let x = x"), "");
 }
 
-// A function without a row in the table would have no type.
 TEST(SymbolTypes, OfEveryBuiltinFunctionAreKnown) {
   for (const lang::Builtin& builtin : lang::all_builtins()) {
-    if (builtin.name == "sum") continue;  // of the elements of its list
+    if (builtin.name == "sum") continue;  // its type is that of the elements
     EXPECT_NE(type_of_x("let x = " + std::string(builtin.name) + "(2)"), "") << builtin.name;
   }
 }

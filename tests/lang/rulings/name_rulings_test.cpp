@@ -38,7 +38,7 @@ TEST(Rulings, Ruling09_ACircleIsAnErrorThatPrintsTheCircle) {
   const Told error = only_error_of("let a = b + 1\nlet b = f(2)\nfn f(x) = x * a\nlet d = a");
   EXPECT_EQ(error.code, "E117");
   EXPECT_EQ(error.at, "a");
-  EXPECT_THAT(error.help, ElementsAre("the circle is `a` → `b` → `f` → `a`"));
+  EXPECT_THAT(error.help, ElementsAre("the cycle is `a` → `b` → `f` → `a`"));
   EXPECT_EQ(only_error_of("let a = a").code, "E117");
 }
 
@@ -268,7 +268,7 @@ TEST(Rulings, Ruling15_ACircleOfFilesIsAnErrorThatShowsTheCircle) {
                                            "\"a.scene\" }"}}});
   ASSERT_FALSE(told.empty());
   EXPECT_EQ(told[0].code, "E310");
-  EXPECT_THAT(told[0].help, ElementsAre("the circle is `a.scene` → `b.scene` → `a.scene`"));
+  EXPECT_THAT(told[0].help, ElementsAre("the cycle is `a.scene` → `b.scene` → `a.scene`"));
   EXPECT_THAT(codes_of({.root = kCamera + "include \"test.scene\""}), ElementsAre("E310"));
   // A circle that only shows when the objects are placed: importing did not place them.
   EXPECT_THAT(

@@ -26,6 +26,7 @@ TEST(PositionEncoding, FindsTheBeginningOfACodePoint) {
     EXPECT_EQ(position_of(file, inside, Utf16), (Position{1, 3})) << inside;
   }
   EXPECT_EQ(offset_of(file, {1, 4}, Utf16), 3u);  // between the surrogates of 😀
+  EXPECT_EQ(offset_of(file, {1, 5}, Utf8), 4u) << "bytes are exact";
 }
 
 TEST(PositionEncoding, InvertsItself) {

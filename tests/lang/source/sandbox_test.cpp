@@ -124,6 +124,7 @@ TEST_F(SandboxTest, AsksForNothingOutside) {
 TEST_F(SandboxTest, TakesAFolderThatIsNamedWithDotDot) {
   const Sandbox sandbox(files_, "/home/other/../box/main.scene");
   files_.forget();
+  Workspace workspace(files_);
   for (const char* path : {"/home/other/../box/p.scene", "/home/box/p.scene"}) {
     EXPECT_EQ(resolved_by(sandbox, path), "/home/box/p.scene") << path;
   }
@@ -161,16 +162,18 @@ TEST(SandboxOnDisk, DoesNotTakeADotDotAfterALinkForTheLinksFolder) {
 }
 
 TEST_F(SandboxTest, HoldsForImportsAndIncludes) {
-  const SourceFile root("/home/box/main.scene",
-                        "scene 1\n"
-                        "import \"../a.scene\" as a\n"
-                        "import \"/etc/passwd\" as b\n"
-                        "import \"out/passwd\" as c\n"
-                        "import \"up/d.scene\" as d\n"
-                        "import \"e.scene\" as e\n");
+  const Document root("/home/box/main.scene",
+                      "scene 1\n"
+                      "import \"../a.scene\" as a\n"
+                      "import \"/etc/passwd\" as b\n"
+                      "import \"out/passwd\" as c\n"
+                      "import \"up/d.scene\" as d\n"
+                      "import \"e.scene\" as e\n");
   files_.forget();
+  Workspace workspace(files_);
   DiagnosticSink sink;
-  const ProgramOptions options{.files = &files_, .limits = {}, .is_sandboxed = true, .sets = {}};
+  const ProgramOptions options{
+      .workspace = &workspace, .limits = {}, .is_sandboxed = true, .sets = {}};
   const Program program(root, options, sink);
   std::vector<std::string> codes;
   for (const Diagnostic* diagnostic : select_findings(sink).shown)

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lang/repair/repaired_text.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "lang/text/utf8.hpp"
@@ -76,7 +77,7 @@ bool is_utf8(std::string_view text) {
 
 TEST(DamagedScene, CutsALongTokenBetweenCharacters) {
   std::string text = "scene 1\n";
-  while (text.size() <= kMaxMendedText) text += "\u00E9";
+  while (text.size() <= kMaxRepairedText) text += "\u00E9";
   const SourceFile file("test.scene", text);
   DiagnosticSink sink;
   parse(file, sink);

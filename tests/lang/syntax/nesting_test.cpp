@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include "lang/repair/repaired_text.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "tests/lang/syntax/tree_checks.hpp"
@@ -90,7 +91,7 @@ long megabytes_at_most() {
 /// the ones that are missing once kept all that it had thought of: 1.5 GB.
 TEST(Nestings, ThatAreNeverClosedTakeLittleMemory) {
   const std::string begin = "scene 1\nlet a = ";
-  const SourceFile file("test.scene", begin + std::string(kMaxMendedText - begin.size(), '('));
+  const SourceFile file("test.scene", begin + std::string(kMaxRepairedText - begin.size(), '('));
   const auto parse_alone = [&] {
     DiagnosticSink sink;
     parse(file, sink);

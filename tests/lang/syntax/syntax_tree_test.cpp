@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lang/repair/scene_repair.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "tests/lang/syntax/tree_checks.hpp"
 
@@ -145,6 +146,26 @@ TEST(SyntaxTree, KeepsWhatItCouldReadOfABrokenStatement) {
   EXPECT_EQ(lets, 2);
   EXPECT_EQ(properties, 2);
   EXPECT_GT(errors, 0);
+}
+
+class CountedPolls final : public StopRequest {
+ public:
+  bool is_made() const override { return ++count < 0; }
+  mutable int count = 0;
+};
+
+TEST(SyntaxTree, PollsWhileItRepairs) {
+  std::string text = "scene 1\n";
+  for (int i = 0; i < 100; ++i) text += "sphere { center: (1 2, 0), radius: 1 }\n";
+  const SourceFile file("test.scene", text);
+  const CountedPolls of_spelling, of_structure, of_all;
+  DiagnosticSink spelling(&of_spelling), structure(&of_structure), all(&of_all);
+  RepairedText repaired(text);
+  repair_spelling({file, repaired, spelling});
+  repair_structure({file, repaired, structure}, false);
+  EXPECT_GT(of_structure.count, 1000);
+  parse(file, all);
+  EXPECT_GE(of_all.count, of_spelling.count + of_structure.count);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "lang/syntax/syntax.hpp"
-#include "lang/token/token_reader.hpp"
+#include "tests/lang/token/tokenize.hpp"
 
 namespace sdlc::test {
 
@@ -36,7 +36,7 @@ inline std::string fault_of(const lang::SyntaxTree& tree) {
 /// The tokens of a text, one after the other.
 inline std::string spelling_of(std::string_view text) {
   std::string spelling;
-  for (const lang::Token& token : lang::tokenize(text)) {
+  for (const lang::Token& token : tokenize(text)) {
     if (token.span.begin != spelling.size()) return "a gap";
     spelling += text.substr(token.span.begin, token.span.size());
   }
@@ -48,7 +48,7 @@ inline bool has_skipped(const lang::SyntaxTree& tree) {
   for (const lang::SyntaxNode& node : tree.nodes()) {
     if (node.kind == lang::SyntaxKind::Error && node.span().size() > 0) return true;
   }
-  for (const lang::Token& token : lang::tokenize(tree.file().text())) {
+  for (const lang::Token& token : tokenize(tree.file().text())) {
     const bool is_foreign =
         token.kind == lang::TokenKind::Unknown || token.kind == lang::TokenKind::ForeignName;
     if (is_foreign) return true;

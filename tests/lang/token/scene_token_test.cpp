@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "lang/token/brackets.hpp"
 #include "tests/lang/token/spelled_tokens.hpp"
 
 namespace sdlc::lang {
@@ -55,12 +54,7 @@ TEST(SceneToken, TakesWhatTheLanguageHasNotByCharacterAndBytesByRun) {
 TEST(SceneToken, CountsNestedCommentsWithoutStack) {
   std::string text;
   for (int i = 0; i < 1'000'000; ++i) text += "/*";
-  EXPECT_EQ(tokenize(text).size(), 1u);
-}
-
-TEST(SceneToken, FindsTheEndOfABracket) {
-  EXPECT_EQ(end_of_bracket("f(a, \")\", [1]) )", 1), 14u);
-  EXPECT_EQ(end_of_bracket("(a /* ) */", 0), 0u);
+  EXPECT_EQ(test::tokenize(text).size(), 1u);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "lang/token/token_reader.hpp"
+#include "tests/lang/token/tokenize.hpp"
 
 namespace sdlc::test {
 
@@ -20,7 +20,7 @@ inline std::string_view name_of(lang::TokenKind kind) {
 /// The tokens of a text without its spaces, as `kind:text`.
 inline std::string spelled(std::string_view text, lang::SourceFormat format) {
   std::string result;
-  for (const lang::Token& token : lang::tokenize(text, format)) {
+  for (const lang::Token& token : tokenize(text, format)) {
     if (token.kind == lang::TokenKind::Space) continue;
     const auto written = text.substr(token.span.begin, token.span.size());
     result += fmt::format("{}{}:{}", result.empty() ? "" : " ", name_of(token.kind), written);

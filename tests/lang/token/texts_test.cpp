@@ -11,6 +11,7 @@
 #include "lang/source/limits.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "lang/token/token_reader.hpp"
+#include "tests/lang/token/tokenize.hpp"
 
 // The tokens of any text are the text, and where the grammar reads a scene without a mistake, its
 // nodes begin and end where tokens do.
@@ -56,7 +57,7 @@ std::vector<Text> with_cases(const Text& whole) {
 
 void expect_lossless(const std::string& text, SourceFormat format) {
   std::uint32_t end = 0;
-  for (const Token& token : tokenize(text, format)) {
+  for (const Token& token : test::tokenize(text, format)) {
     ASSERT_EQ(token.span.begin, end) << text;
     ASSERT_GT(token.span.size(), 0u) << text;
     ASSERT_LE(token.span.end, text.size()) << text;
@@ -125,7 +126,7 @@ void expect_agreement(const SyntaxTree& tree) {
   const std::string_view text = tree.file().text();
   std::set<std::uint32_t> boundaries{0};
   std::vector<Token> comments;
-  for (const Token& token : tokenize(text)) {
+  for (const Token& token : test::tokenize(text)) {
     EXPECT_TRUE(is_of_language(token.kind)) << tree.text(token.span) << "\n" << text;
     boundaries.insert(token.span.end);
     if (is_comment(token.kind)) comments.push_back(token);

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lang/compile/compile.hpp"
+
 namespace sdlc::lang {
 namespace {
 
@@ -35,6 +37,14 @@ class WorkspaceTest : public testing::Test {
     auto document = workspace_.load(path, max_bytes, error);
     EXPECT_EQ(document == nullptr, bool(error));
     return document;
+  }
+
+  /// The number of errors in the file.
+  std::size_t check(const fs::path& path, const Limits& limits = {}) {
+    const auto document = load(path);
+    DiagnosticSink sink;
+    Compiler(*document, {.workspace = &workspace_, .limits = limits}, sink).check();
+    return sink.error_count();
   }
 
   Files files_;
@@ -70,6 +80,24 @@ TEST_F(WorkspaceTest, SharesWhatIsInUseAndUnchanged) {
   EXPECT_EQ(first->text(), "scene 1");  // still whole for those who use it
 }
 
+TEST_F(WorkspaceTest, KeepsDocumentsWhileATextIsOpen) {
+  files_.texts = {{"root.scene", "root"}, {"lib.scene", "lib"}};
+  workspace_.open("root.scene", "scene 1");
+  const std::weak_ptr<const Document> root = load("root.scene"), lib = load("lib.scene");
+  workspace_.open("root.scene", "scene 1 ");
+  EXPECT_EQ(load("lib.scene"), lib.lock());
+  EXPECT_NE(load("root.scene"), root.lock());
+  EXPECT_TRUE(root.expired());
+  workspace_.close("root.scene");
+  EXPECT_TRUE(lib.expired());
+}
+
+TEST_F(WorkspaceTest, CallsADocumentByTheGivenName) {
+  files_.texts["-"] = "scene 1";
+  std::error_code error;
+  EXPECT_EQ(workspace_.load("-", "<stdin>", 100, error)->name(), "<stdin>");
+}
+
 TEST_F(WorkspaceTest, ParsesADocumentOnceAndReportsItsErrorsEachTime) {
   files_.texts["a.scene"] = "scene 1\nlet = 3";
   const auto document = load("a.scene");
@@ -82,9 +110,9 @@ TEST_F(WorkspaceTest, ParsesADocumentOnceAndReportsItsErrorsEachTime) {
 
 TEST_F(WorkspaceTest, ParsesAgainAfterAStop) {
   const Document document("a.scene", "scene 1\nlet = 3");
-  std::stop_source source;
-  source.request_stop();
-  DiagnosticSink stopped(source.get_token()), sink;
+  StopRequest stop;
+  stop.make();
+  DiagnosticSink stopped(&stop), sink;
   EXPECT_THROW(document.tree(stopped), StopRequested);
   document.tree(sink);
   EXPECT_EQ(sink.error_count(), 1u);
@@ -102,10 +130,69 @@ TEST_F(WorkspaceTest, KnowsWhoDependsOnAFile) {
   EXPECT_THAT(workspace_.dependents("root.scene"), IsEmpty());
 }
 
+TEST_F(WorkspaceTest, LearnsFromTheCompilerWhatAFileDependsOn) {
+  files_.texts = {
+      {"root.scene", "scene 1\nimport \"lib.scene\" as lib\ngroup { include \"part.scene\" }\n"},
+      {"lib.scene", "scene 1\n"},
+      {"part.scene", "scene 1\nimport \"base.scene\" as base\n"},
+      {"base.scene", "scene 1\n"}};
+  check("root.scene");
+  EXPECT_THAT(workspace_.roots("lib.scene"), ElementsAre("root.scene"));
+  EXPECT_THAT(workspace_.roots("base.scene"), ElementsAre("root.scene"));
+}
+
+TEST_F(WorkspaceTest, KnowsIncludesThatNoEvaluationReaches) {
+  files_.texts = {{"part.scene", "scene 1\ninclude \"deep.scene\"\n"}, {"deep.scene", "scene 1\n"}};
+  files_.texts["root.scene"] = "scene 1\nif false { include \"part.scene\" }\n";
+  EXPECT_EQ(check("root.scene"), 0u);
+  EXPECT_THAT(workspace_.roots("deep.scene"), ElementsAre("root.scene"));
+  files_.texts["root.scene"] =
+      "scene 1\nfor i in range(999) { let a = i }\ninclude \"part.scene\"\n";
+  EXPECT_EQ(check("root.scene", {.steps = 100}), 1u) << "too many steps";
+  EXPECT_THAT(workspace_.roots("deep.scene"), ElementsAre("root.scene"));
+}
+
+TEST_F(WorkspaceTest, KnowsWhoWantsAFileThatIsMissing) {
+  files_.texts["root.scene"] = "scene 1\nimport \"new.scene\" as lib\n";
+  EXPECT_EQ(check("root.scene"), 1u);
+  EXPECT_THAT(workspace_.roots("new.scene"), ElementsAre("root.scene"));
+  workspace_.open("new.scene", "scene 1\n");
+  EXPECT_EQ(check("root.scene"), 0u);
+}
+
+TEST_F(WorkspaceTest, IdentifiesAFileBeforeItExists) {
+  const DiskFileSystem disk;
+  EXPECT_TRUE(disk.identity("no such file").is_absolute());
+  EXPECT_EQ(disk.identity("no such folder/../no such file"), disk.identity("no such file"));
+}
+
+TEST_F(WorkspaceTest, ReleasesDocumentsThatNoOpenTextUses) {
+  files_.texts = {{"lib.scene", "scene 1"}, {"root.scene", "scene 1"}, {"other.scene", "scene 1"}};
+  workspace_.open("open.scene", "scene 1");
+  const std::weak_ptr<const Document> lib = load("lib.scene"), root = load("root.scene"),
+                                      other = load("other.scene");
+  workspace_.set_dependencies("root.scene", {"open.scene", "lib.scene"});
+  EXPECT_FALSE(lib.expired());
+  EXPECT_FALSE(root.expired());
+  EXPECT_TRUE(other.expired());
+  workspace_.set_dependencies("root.scene", {"open.scene"});
+  EXPECT_TRUE(lib.expired());
+  workspace_.set_dependencies("root.scene", {});
+  EXPECT_TRUE(root.expired());
+}
+
 TEST_F(WorkspaceTest, EndsWhereFilesDependOnEachOther) {
   workspace_.set_dependencies("a.scene", {"b.scene"});
   workspace_.set_dependencies("b.scene", {"a.scene"});
   EXPECT_THAT(workspace_.dependents("a.scene"), ElementsAre("b.scene"));
+  EXPECT_THAT(workspace_.roots("a.scene"), ElementsAre("b.scene"));
+  workspace_.set_dependencies("b.scene", {"a.scene", "lib.scene"});
+  workspace_.set_dependencies("root.scene", {"mid.scene"});
+  workspace_.set_dependencies("mid.scene", {"lib.scene"});
+  EXPECT_THAT(workspace_.roots("lib.scene"), ElementsAre("a.scene", "b.scene", "root.scene"));
+  workspace_.set_dependencies("root.scene", {"a.scene"});
+  workspace_.set_dependencies("mid.scene", {});
+  EXPECT_THAT(workspace_.roots("lib.scene"), ElementsAre("root.scene"));
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace sdlc::test {
 
-lang::ProgramOptions program_options(const FileCase& file_case, const lang::FileSystem& files) {
-  lang::ProgramOptions options{.files = &files, .limits = {}};
+lang::ProgramOptions program_options(const FileCase& file_case, lang::Workspace& workspace) {
+  lang::ProgramOptions options{.workspace = &workspace, .limits = {}};
   for (const CaseText& text : file_case.texts) {
     if (!text.is_flag()) continue;
     const std::size_t blank = std::min(text.name.find(' '), text.name.size());

@@ -24,12 +24,12 @@ std::map<std::string, std::string> with_versions(std::map<std::string, std::stri
   return texts;
 }
 
-lang::SourceFile make_root(const std::string& text) {
+lang::Document make_root(const std::string& text) {
   return {text.starts_with("{") ? "test.json" : "test.scene", with_version(text)};
 }
 
-lang::ProgramOptions options_of(const Sources& sources, const lang::FileSystem& files) {
-  return {.files = &files,
+lang::ProgramOptions options_of(const Sources& sources, lang::Workspace& workspace) {
+  return {.workspace = &workspace,
           .limits = sources.limits,
           .is_sandboxed = sources.is_sandboxed,
           .sets = sources.sets};
@@ -87,8 +87,9 @@ std::optional<std::string> MemoryFiles::read(const std::filesystem::path& path,
 Compilation::Compilation(Sources sources)
     : sources_(std::move(sources)),
       files_(with_versions(sources_.files)),
+      workspace_(files_),
       root_(make_root(sources_.root)),
-      compiler_(std::make_unique<lang::Compiler>(root_, options_of(sources_, files_), sink_)) {}
+      compiler_(std::make_unique<lang::Compiler>(root_, options_of(sources_, workspace_), sink_)) {}
 
 std::vector<Told> Compilation::told() const { return told_by(sink_); }
 std::vector<std::string> Compilation::codes() const { return codes_in(told()); }
@@ -116,16 +117,17 @@ lang::LoweredScene scene_of(Sources sources, std::optional<int> frame) {
 
 Evaluated evaluated(Sources sources) {
   const MemoryFiles files(with_versions(sources.files));
-  const lang::SourceFile root = make_root(sources.root);
+  lang::Workspace workspace(files);
+  const lang::Document root = make_root(sources.root);
   lang::DiagnosticSink sink;
-  lang::Program program(root, options_of(sources, files), sink);
+  lang::Program program(root, options_of(sources, workspace), sink);
   RecordedObjects objects;
   lang::Evaluation(program, {}, sink).run(objects);
   return {.objects = std::move(objects.list), .told = told_by(sink)};
 }
 
 std::string with_fixes(const std::string& root) {
-  const lang::SourceFile file = make_root(root);
+  const lang::Document file = make_root(root);
   lang::DiagnosticSink sink;
   lang::Program program(file, {}, sink);
   RecordedObjects objects;

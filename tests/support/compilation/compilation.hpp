@@ -14,6 +14,7 @@
 #include "lang/object/object.hpp"
 #include "lang/program/program.hpp"
 #include "lang/source/source.hpp"
+#include "lang/workspace/workspace.hpp"
 
 /// Programs of one or several files in memory, compiled in the same way as by a command.
 namespace sdlc::test {
@@ -63,7 +64,8 @@ class Compilation {
  private:
   Sources sources_;
   MemoryFiles files_;
-  lang::SourceFile root_;
+  lang::Workspace workspace_;
+  lang::Document root_;
   lang::DiagnosticSink sink_;
   std::unique_ptr<lang::Compiler> compiler_;
 };

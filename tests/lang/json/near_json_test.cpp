@@ -1,4 +1,4 @@
-#include "lang/json/mend.hpp"
+#include "lang/json/near_json.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,16 +7,16 @@
 namespace sdlc::lang {
 namespace {
 
-TEST(MendNumber, KeepsTheValue) {
-  EXPECT_EQ(mend_number("+1.50").text, "1.50");
-  EXPECT_EQ(mend_number("000").text, "0");
-  EXPECT_EQ(mend_number("-00.5e3").text, "-0.5e3");
-  EXPECT_EQ(mend_number("1_000.5").text, "1000.5");
-  EXPECT_EQ(mend_number("-0XfF").text, "-255");
-  EXPECT_EQ(mend_number("0x").text, std::nullopt);
-  EXPECT_EQ(mend_number("0xFFFFFFFFFFFFFFFFF").text, std::nullopt);
-  EXPECT_EQ(mend_number(".").text, std::nullopt);
-  EXPECT_EQ(mend_number("1e+").text, std::nullopt);
+TEST(NearNumber, KeepsTheValue) {
+  EXPECT_EQ(near_number("+1.50").text, "1.50");
+  EXPECT_EQ(near_number("000").text, "0");
+  EXPECT_EQ(near_number("-00.5e3").text, "-0.5e3");
+  EXPECT_EQ(near_number("1_000.5").text, "1000.5");
+  EXPECT_EQ(near_number("-0XfF").text, "-255");
+  EXPECT_EQ(near_number("0x").text, std::nullopt);
+  EXPECT_EQ(near_number("0xFFFFFFFFFFFFFFFFF").text, std::nullopt);
+  EXPECT_EQ(near_number(".").text, std::nullopt);
+  EXPECT_EQ(near_number("1e+").text, std::nullopt);
 }
 
 TEST(QuoteForJson, TurnsOtherQuotesIntoItsOwn) {

@@ -1,4 +1,4 @@
-#include "lang/json/mend.hpp"
+#include "lang/json/near_json.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,7 @@ bool take(std::string_view& text, std::string_view any_of) {
   return true;
 }
 
-/// The exponent of `text` as it is; empty where there is none; nothing where the text is none.
+/// The text if it is an exponent or empty; else nullopt.
 std::optional<std::string_view> exponent(std::string_view text) {
   const std::string_view whole = text;
   if (text.empty()) return whole;
@@ -36,8 +36,8 @@ std::optional<std::string_view> exponent(std::string_view text) {
   return whole;
 }
 
-/// The number without its sign, if it has another base.
-std::optional<MendedNumber> mend_base(std::string_view sign, std::string_view text) {
+/// The number without its sign, if it has the prefix of another base.
+std::optional<NearNumber> near_number_with_base(std::string_view sign, std::string_view text) {
   struct Base {
     std::string_view prefix;
     int base;
@@ -51,14 +51,14 @@ std::optional<MendedNumber> mend_base(std::string_view sign, std::string_view te
     const auto result = std::from_chars(lower.data() + prefix.size(), end, value, base);
     const bool is_read = result.ec == std::errc() && result.ptr == end;
     const std::size_t digits = lower.size() - prefix.size();
-    return MendedNumber{"JSON has decimal numbers only",
-                        is_read ? std::optional(fmt::format("{}{}", sign, value)) : std::nullopt,
-                        base != 16 || (digits != 3 && digits != 6)};  // else perhaps a colour
+    return NearNumber{"JSON has decimal numbers only",
+                      is_read ? std::optional(fmt::format("{}{}", sign, value)) : std::nullopt,
+                      base != 16 || (digits != 3 && digits != 6)};  // else perhaps a colour
   }
   return std::nullopt;
 }
 
-/// Whether the `_` of a number without a sign separate groups of three digits of its whole part.
+/// Whether each `_` in a number without sign separates groups of three digits before the point.
 bool is_grouped_in_threes(std::string_view text) {
   const std::string_view first = take_digits(text);
   if (first.empty() || first.size() > 3) return false;
@@ -70,12 +70,12 @@ bool is_grouped_in_threes(std::string_view text) {
 
 }  // namespace
 
-MendedNumber mend_number(std::string_view text) {
+NearNumber near_number(std::string_view text) {
   constexpr std::string_view kForm = "numbers look like -1.5e3";
   const bool has_plus = text.starts_with('+');
   const std::string_view sign = text.starts_with('-') ? "-" : "";
   std::string_view rest = text.substr(has_plus || !sign.empty() ? 1 : 0);
-  if (const auto mended = mend_base(sign, rest)) return *mended;
+  if (const auto number = near_number_with_base(sign, rest)) return *number;
 
   const bool has_threes = is_grouped_in_threes(rest);
   std::string ungrouped(rest);
@@ -89,20 +89,20 @@ MendedNumber mend_number(std::string_view text) {
 
   const bool has_leading_zeros = whole.size() > 1 && whole.front() == '0';
   whole.remove_prefix(std::min(whole.find_first_not_of('0'), whole.size()));
-  const std::string mended = fmt::format("{}{}{}{}{}", sign, whole.empty() ? "0" : whole,
+  const std::string number = fmt::format("{}{}{}{}{}", sign, whole.empty() ? "0" : whole,
                                          fraction.empty() ? "" : ".", fraction, *tail);
   // `1_5` may be 1.5.
   const bool is_certain =
       !has_leading_zeros && !(has_point && fraction.empty()) && (!is_grouped || has_threes);
-  if (has_plus) return {"a leading `+` is not allowed", mended, is_certain};
-  if (is_grouped) return {"digits cannot be grouped", mended, is_certain};
+  if (has_plus) return {"a leading `+` is not allowed", number, is_certain};
+  if (is_grouped) return {"digits cannot be grouped", number, is_certain};
   // A point may be missing in `05`, and digits in `0.`.
-  if (has_leading_zeros) return {"leading zeros are not allowed", mended, false};
-  if (has_point && fraction.empty()) return {"a digit is missing behind the point", mended, false};
-  return {"a digit is missing before the point", mended};
+  if (has_leading_zeros) return {"leading zeros are not allowed", number, false};
+  if (has_point && fraction.empty()) return {"a digit is missing after the point", number, false};
+  return {"a digit is missing before the point", number};
 }
 
-std::optional<std::string_view> mend_literal(std::string_view word) {
+std::optional<std::string_view> near_literal(std::string_view word) {
   const std::string lower = lower_case(word);
   if (lower == "true" || lower == "yes" || lower == "on") return "true";
   if (lower == "false" || lower == "no" || lower == "off") return "false";
@@ -110,7 +110,7 @@ std::optional<std::string_view> mend_literal(std::string_view word) {
   return is_null ? std::optional<std::string_view>("null") : std::nullopt;
 }
 
-bool names_non_finite(std::string_view word) {
+bool is_non_finite(std::string_view word) {
   if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
   const std::string lower = lower_case(word);
   return lower == "nan" || lower == "inf" || lower == "infinity";

@@ -1,0 +1,100 @@
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "lang/eval/evaluator.hpp"
+#include "lang/source/limits.hpp"
+#include "lang/value/builtins.hpp"
+
+// Calls of built-in functions, constructors and functions.
+namespace sdlc::lang {
+
+Value Evaluator::evaluate_builtin(const Code& code, const Expression& e) {
+  const auto operands = code.operands_of(e);
+  const Builtin& builtin = all_builtins()[operands[0]];
+  constexpr std::size_t kMaxOnStack = 4;
+  std::array<Value, kMaxOnStack> on_stack;
+  std::vector<Value> on_heap;
+  const std::size_t count = operands.size() - 1;
+  if (count > kMaxOnStack) on_heap.resize(count);
+  const std::span<Value> arguments(count > kMaxOnStack ? on_heap.data() : on_stack.data(), count);
+  bool has_failed = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Scalar number = evaluate_number(code, operands[i + 1], arguments[i]);
+    if (is_number(number)) {
+      arguments[i] = number;
+      continue;
+    }
+    has_failed = has_failed || is_nothing(arguments[i]);
+    const bool is_read = builtin.steps > 0;
+    if (is_read && !take_steps(code, e.node, steps_to_read(arguments[i]))) return Nothing{};
+  }
+  if (has_failed || !take_steps(code, e.node, builtin.steps + count)) return Nothing{};
+  if (builtin.more_steps != nullptr) steps_ += builtin.more_steps(arguments);
+  return builtin.evaluate({.name = builtin.name,
+                           .arguments = arguments,
+                           .node = ast::Node(*code.tree, e.node),
+                           .sink = sink_});
+}
+
+Value Evaluator::evaluate_constructor(const Code& code, const Expression& e) {
+  const auto operands = code.operands_of(e);
+  const Constructor& constructor = all_constructors()[operands[0]];
+  ConstructorArguments arguments;
+  bool has_failed = false;
+  for (std::size_t i = 0; i < constructor.parameters.size(); ++i) {
+    const Property& parameter = constructor.parameters[i];
+    const std::uint32_t operand = operands[i + 1];
+    if (operand == kNothing) {
+      arguments[i] = default_of(parameter);
+    } else {
+      arguments[i] = property_value(code, parameter, operand);
+      has_failed = has_failed || is_nothing(arguments[i]);
+    }
+  }
+  if (has_failed) return Nothing{};
+  steps_ += constructor.steps(arguments);
+  return constructor.construct(constructor, arguments);
+}
+
+Value Evaluator::evaluate_function(const Code& code, const Expression& e) {
+  const auto operands = code.operands_of(e);
+  const Module& module = program_.module(operands[0]);
+  const Definition& function = module.functions[operands[1]];
+  const auto arguments = operands.subspan(2);
+  if (!take_steps(code, e.node, work::kCall + arguments.size())) return Nothing{};
+  if (!may_call(code, e.node)) return Nothing{};
+
+  const auto opened = open_frame(code, e.node, function.frame_size);
+  if (!opened) return Nothing{};
+  const std::size_t base = *opened;
+  bool has_failed = function.body == kNothing;
+  const auto bind = [&](std::size_t i, const Code& from, std::uint32_t expression) {
+    const Parameter& parameter = function.parameters[i];
+    Value value = check_type(module, parameter.name, parameter.type, parameter.node,
+                             evaluate(from, expression), place(from, expression));
+    has_failed = has_failed || is_nothing(value);
+    locals_[base + i].values[0] = std::move(value);
+  };
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] != kNothing) bind(i, code, arguments[i]);
+  }
+  Value result = Nothing{};
+  if (!has_failed) {
+    const Nested entry(
+        *this, {.kind = StackEntry::Call, .code = &code, .node = e.node, .name = function.name});
+    const std::size_t frame = std::exchange(frame_, base);
+    ++calls_;
+    // A default may use the parameters before it.
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      if (arguments[i] == kNothing) bind(i, module.code, function.parameters[i].default_value);
+    }
+    if (!has_failed) result = evaluate(module.code, function.body);
+    end_call();
+    frame_ = frame;
+  }
+  locals_.resize(base);
+  return result;
+}
+
+}  // namespace sdlc::lang
