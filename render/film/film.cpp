@@ -47,6 +47,12 @@ void Film::reserve(std::span<const ReplicateCounts> counts) {
   stride_ = stride;
 }
 
+void Film::set(std::size_t pixel, std::uint32_t replicate, const SampleSum& sum) noexcept {
+  const std::size_t slot = this->slot(pixel, replicate);
+  counts_[slot] = sum.end() - extent_.first_sample;
+  std::ranges::copy(sum.values(), storage(slot).begin());
+}
+
 std::uint64_t Film::samples(std::size_t pixel) const noexcept {
   std::uint64_t samples = 0;
   for (std::uint32_t i = 0; i < extent_.replicates; ++i) samples += count(pixel, i);

@@ -72,6 +72,13 @@ class Film {
     return replicate < extent_.replicates ? counts_[slot(pixel, replicate)] : 0;
   }
   std::uint64_t samples(std::size_t pixel) const noexcept;
+  /// The sum of the samples of a replicate.
+  SampleSum sum(std::size_t pixel, std::uint32_t replicate) const noexcept {
+    return sum(slot(pixel, replicate));
+  }
+  /// Replaces the sum of a replicate, for which the film has room. `sum` begins at
+  /// FilmExtent::first_sample.
+  void set(std::size_t pixel, std::uint32_t replicate, const SampleSum& sum) noexcept;
   /// Black if there is no sample.
   LinearRgb mean(std::size_t pixel) const noexcept;
   /// Precondition: each replicate has a sample.

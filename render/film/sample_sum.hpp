@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +37,12 @@ class SampleSum {
   SampleSum(std::span<LinearRgb> storage, std::uint32_t first, std::uint32_t end) noexcept
       : storage_(storage), first_(first), end_(end) {}
 
+  std::uint32_t first() const noexcept { return first_; }
   std::uint32_t end() const noexcept { return end_; }
+  /// The values, values_of(first, end) of them.
+  std::span<const LinearRgb> values() const noexcept {
+    return storage_.first(values_of(first_, end_));
+  }
 
   /// The sum of the last block, which the next samples continue.
   LinearRgb open_block() const noexcept {
@@ -51,6 +57,25 @@ class SampleSum {
     if (end_ % kBlock == 0) join_subtrees(last);
   }
 
+  /// Adds the samples of `next`, which begin where these end, at the end of a block. The storage
+  /// has room for max_values_of(first, next.end()).
+  void append(const SampleSum& next) noexcept {
+    std::size_t last = closed(), from = 0;
+    for_each_subtree(next.first_ / kBlock, next.end_ / kBlock,
+                     [&](std::uint32_t begin, std::uint32_t size) {
+                       storage_[last] = next.storage_[from++];
+                       // A right subtree joins the left one of its size.
+                       const std::uint32_t first = first_ / kBlock;
+                       for (; (begin & size) != 0 && begin - first >= size; size *= 2, --last) {
+                         storage_[last - 1] += storage_[last];
+                         begin -= size;
+                       }
+                       ++last;
+                     });
+    if (next.end_ % kBlock != 0) storage_[last] = next.storage_[from];
+    end_ = next.end_;
+  }
+
   LinearRgb total() const noexcept {
     std::size_t left = closed();
     LinearRgb sum = open_block();
@@ -59,6 +84,17 @@ class SampleSum {
   }
 
  private:
+  /// Visits the subtrees that cover the blocks [first, end), from left to right: the largest
+  /// aligned ones.
+  template <typename Visit>
+  static constexpr void for_each_subtree(std::uint32_t first, std::uint32_t end, Visit visit) {
+    while (first < end) {
+      const std::uint32_t fitting = std::bit_floor(end - first);
+      const std::uint32_t size = first == 0 ? fitting : std::min(fitting, first & -first);
+      visit(first, size);
+      first += size;
+    }
+  }
   /// The number of subtrees that cover the blocks [first, end).
   static constexpr std::size_t subtrees(std::uint32_t first, std::uint32_t end) noexcept {
     std::size_t count = 0;

@@ -134,10 +134,18 @@ int write_all(int fd, std::span<const std::byte> bytes) noexcept {
   return 0;
 }
 
-void write_directly(const fs::path& path, std::span<const std::byte> bytes) {
+using Content = std::function<void(const WritePiece&)>;
+
+void write_content(int fd, const fs::path& path, const Content& content) {
+  content([&](std::span<const std::byte> piece) {
+    if (const int error = write_all(fd, piece)) throw_write_error(path, error);
+  });
+}
+
+void write_directly(const fs::path& path, const Content& content) {
   FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
   if (!file.is_open()) throw_write_error(path, errno);
-  if (const int error = write_all(file.get(), bytes)) throw_write_error(path, error);
+  write_content(file.get(), path, content);
   if (const int error = file.close()) throw_write_error(path, error);
 }
 
@@ -349,9 +357,13 @@ void check_writable(const fs::path& path) {
 }
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+  write_file_atomically(path, [bytes](const WritePiece& write) { write(bytes); });
+}
+
+void write_file_atomically(const fs::path& path, const Content& content) {
   check_writable(path);
   const std::optional<struct stat> old = status_of(path);
-  if (old && !S_ISREG(old->st_mode)) return write_directly(path, bytes);
+  if (old && !S_ISREG(old->st_mode)) return write_directly(path, content);
 
   const fs::path target = follow_links(path);
   const fs::path folder = folder_of(target);
@@ -359,7 +371,7 @@ void write_file_atomically(const fs::path& path, std::span<const std::byte> byte
   if (old) {
     if (const int error = copy_ownership(file.get(), path, *old)) throw_write_error(path, error);
   }
-  if (const int error = write_all(file.get(), bytes)) throw_write_error(path, error);
+  write_content(file.get(), path, content);
   // Sync before the rename: otherwise a power cut could leave the new name on an incomplete file.
   if (::fsync(file.get()) != 0) throw_write_error(path, errno);
   if (const int error = file.close()) throw_write_error(path, error);

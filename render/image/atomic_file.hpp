@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,6 +21,11 @@ namespace sdlc::render {
 ///
 /// A file size limit (RLIMIT_FSIZE) is an error here only if the process ignores SIGXFSZ.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// The same for bytes that come piece by piece: `content` passes each to its argument.
+using WritePiece = std::function<void(std::span<const std::byte>)>;
+void write_file_atomically(const std::filesystem::path& path,
+                           const std::function<void(const WritePiece&)>& content);
 
 /// The file that write_file_atomically would replace or create: absolute, with all links resolved.
 /// Two paths name the same file if this is equal for both, or if both exist and are hard links to

@@ -144,6 +144,34 @@ void EmitterTally::classify(const Scene& scene, std::span<const std::uint32_t> l
   }
 }
 
+template <typename Tally, typename Visit>
+void EmitterTally::for_each_count(Tally& tally, Visit visit) {
+  for (auto& paths : tally.paths_) visit(paths, kEnough, tally.scarce_);
+  for (std::size_t i = 0; i < tally.classes_.size(); ++i) {
+    for (std::size_t kind = 0; kind < kLightPaths; ++kind) {
+      if (!tally.classes_[i].kinds[kind]) continue;
+      visit(tally.found_[i][kind], witnesses(static_cast<LightPath>(kind)), tally.open_);
+    }
+  }
+}
+
+std::vector<EmitterCount> EmitterTally::counts() const {
+  std::vector<EmitterCount> counts;
+  for_each_count(*this, [&](const Count& count, std::uint8_t enough, const auto&) {
+    counts.push_back({.paths = count.load(std::memory_order_relaxed), .enough = enough});
+  });
+  return counts;
+}
+
+void EmitterTally::restore(std::span<const EmitterCount> counts) noexcept {
+  std::size_t i = 0;
+  for_each_count(*this, [&](Count& count, std::uint8_t enough, std::atomic<std::size_t>& left) {
+    const std::uint8_t paths = counts[i++].paths;
+    const bool was_open = count.exchange(paths, std::memory_order_relaxed) < enough;
+    if (was_open && paths >= enough) left.fetch_sub(1, std::memory_order_relaxed);
+  });
+}
+
 std::vector<ReachedEmitter> EmitterTally::scarce() const {
   std::vector<ReachedEmitter> emitters;
   for (std::uint32_t i = 0; i < paths_.size(); ++i) {

@@ -19,6 +19,13 @@ struct ReachedEmitter {
   friend bool operator==(const ReachedEmitter&, const ReachedEmitter&) = default;
 };
 
+/// Paths of one kind, counted up to `enough`.
+struct EmitterCount {
+  std::uint8_t paths = 0, enough = 0;
+
+  friend bool operator==(const EmitterCount&, const EmitterCount&) = default;
+};
+
 /// How a path reaches an emitter. In Heckbert's notation, with E the eye, L the light, D a diffuse
 /// and S any other scattering:
 enum class LightPath : std::uint8_t {
@@ -86,6 +93,11 @@ class EmitterTally {
     add(found_[of][index_of(kind)], witnesses(kind), open_);
   }
 
+  /// All counts. Those of two tallies of the same arguments can be added, each up to its `enough`.
+  std::vector<EmitterCount> counts() const;
+  /// Precondition: the counts are of a tally of the same arguments.
+  void restore(std::span<const EmitterCount> counts) noexcept;
+
   /// Emissive spheres that fewer than kEnough paths reached, in scene order.
   std::vector<ReachedEmitter> scarce() const;
   std::vector<RarePath> rare() const;
@@ -117,6 +129,9 @@ class EmitterTally {
       return;
     }
   }
+  /// Calls `visit(count, enough, left)` with each count.
+  template <typename Tally, typename Visit>
+  static void for_each_count(Tally& tally, Visit visit);
   void count_emitters(const Scene& scene);
   void classify(const Scene& scene, std::span<const std::uint32_t> lights, int max_depth);
 

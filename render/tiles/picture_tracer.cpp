@@ -16,34 +16,31 @@ constexpr std::size_t kRunsPerBatch = 4096;
 
 PictureTracer::PictureTracer(const Tracer& tracer, const RenderSettings& settings, int threads,
                              RenderMonitor& monitor)
-    : tracer_(tracer),
-      settings_(settings),
-      pixels_(static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height)),
-      threads_(threads),
-      monitor_(monitor) {}
+    : tracer_(tracer), settings_(settings), threads_(threads), monitor_(monitor) {}
 
-std::size_t PictureTracer::pixels_per_tile(std::uint64_t samples) const noexcept {
+std::size_t PictureTracer::pixels_per_tile(std::size_t pixels,
+                                           std::uint64_t samples) const noexcept {
   // Lanes idle while a tile's last runs end: half a run in 64 of them, with 16 lanes. Threads idle
   // during the picture's last tiles.
   constexpr std::size_t kSamplesPerTile = 1 << 16, kMaxPixels = 1024, kTilesPerThread = 16,
                         kMaxTiles = 1 << 30;
-  const std::size_t min_tile = std::max<std::size_t>(1, pixels_ / kMaxTiles);
-  const std::size_t of_threads = pixels_ / (static_cast<std::size_t>(threads_) * kTilesPerThread);
+  const std::size_t min_tile = std::max<std::size_t>(1, pixels / kMaxTiles);
+  const std::size_t of_threads = pixels / (static_cast<std::size_t>(threads_) * kTilesPerThread);
   const std::size_t of_samples = kSamplesPerTile / std::max<std::uint64_t>(samples, 1);
   return std::clamp(std::min(of_samples, kMaxPixels), min_tile, std::max(min_tile, of_threads));
 }
 
 void PictureTracer::for_each_tile(
-    std::size_t pixels_per_tile,
+    std::size_t pixels, std::size_t pixels_per_tile,
     const std::function<void(std::size_t begin, std::size_t end)>& body) const {
-  const std::size_t tiles = (pixels_ + pixels_per_tile - 1) / pixels_per_tile;
+  const std::size_t tiles = (pixels + pixels_per_tile - 1) / pixels_per_tile;
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, tiles, 1),
       [&](const tbb::blocked_range<std::size_t>& range) {
         for (std::size_t tile = range.begin(); tile < range.end(); ++tile) {
           if (monitor_.cancel.load(std::memory_order_relaxed)) return;
           const std::size_t begin = tile * pixels_per_tile;
-          body(begin, std::min(pixels_, begin + pixels_per_tile));
+          body(begin, std::min(pixels, begin + pixels_per_tile));
         }
       },
       tbb::simple_partitioner{});
@@ -81,8 +78,9 @@ bool PictureTracer::trace_pass(Film& film, std::uint64_t added, const Target& ta
   std::atomic<bool> is_whole{true};
   // Use smaller tiles if the time limit may end the pass, because started tiles are finished.
   constexpr std::uint64_t kSmaller = 8;
-  const std::size_t tile = pixels_per_tile(settings_.seconds ? kSmaller * added : added);
-  for_each_tile(tile, [&](std::size_t begin, std::size_t end) {
+  const std::size_t tile =
+      pixels_per_tile(film.size(), settings_.seconds ? kSmaller * added : added);
+  for_each_tile(film.size(), tile, [&](std::size_t begin, std::size_t end) {
     if (!trace_tile(film, begin, end, target, is_late)) {
       is_whole = false;
     } else if (on_tile) {

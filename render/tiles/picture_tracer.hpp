@@ -40,13 +40,12 @@ class PictureTracer {
  private:
   bool trace_tile(Film& film, std::size_t begin, std::size_t end, const Target& target,
                   const IsLate& is_late);
-  void for_each_tile(std::size_t pixels_per_tile,
+  void for_each_tile(std::size_t pixels, std::size_t pixels_per_tile,
                      const std::function<void(std::size_t begin, std::size_t end)>& body) const;
-  std::size_t pixels_per_tile(std::uint64_t samples) const noexcept;
+  std::size_t pixels_per_tile(std::size_t pixels, std::uint64_t samples) const noexcept;
 
   const Tracer& tracer_;
   const RenderSettings& settings_;
-  std::size_t pixels_;
   int threads_;
   RenderMonitor& monitor_;
   std::atomic<std::uint64_t> truncated_{0};

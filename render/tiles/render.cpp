@@ -7,17 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
-
 #include "render/film/film.hpp"
 #include "render/light/emitter_tally.hpp"
 #include "render/tiles/goal_render.hpp"
 #include "render/tiles/picture_tracer.hpp"
-#include "render/tiles/threads.hpp"
 #include "render/tiles/tracer.hpp"
+#include "render/tiles/workers.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -74,21 +69,13 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   const auto start = std::chrono::steady_clock::now();
   RenderResult result;
   result.picture = Picture(settings.width, settings.height);
-  result.threads = thread_count(settings.threads);
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(result.threads));
-  tbb::task_arena arena(result.threads);
-  // Start all threads, which also makes oneTBB load its allocator, before anything else loads a
-  // library and before time is measured.
-  arena.execute([&] {
-    tbb::parallel_for(
-        0, result.threads, [](int) {}, tbb::simple_partitioner{});
-  });
+  Workers workers(settings.threads);
+  result.threads = workers.count();
   const auto build_start = std::chrono::steady_clock::now();
   result.kernel = std::move(kernel);
   EmitterTally emitters(scene, result.kernel.lights, settings.depth);
-  const std::unique_ptr<const Tracer> tracer = arena.execute(
-      [&] { return make_tracer(result.kernel, std::move(scene), settings, emitters); });
+  const std::unique_ptr<const Tracer> tracer =
+      workers.run([&] { return make_tracer(result.kernel, std::move(scene), settings, emitters); });
   result.kernel.bounds.near_pairs.reset();  // for a lattice of touching spheres it is larger than
                                             // the spheres
   result.build_seconds = seconds_since(build_start);
@@ -97,7 +84,7 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
 
   const auto render_start = std::chrono::steady_clock::now();
   PictureTracer pictures(*tracer, settings, result.threads, monitor);
-  arena.execute([&] {
+  workers.run([&] {
     if (settings.has_goal()) {
       GoalRender(pictures, settings, emitters, start, monitor, result).run();
     } else {

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "render/film/film.hpp"
+#include "render/film/film_origin.hpp"
+#include "render/light/emitter_tally.hpp"
+
+/// Films on disk. docs/decisions/0021 describes the format.
+namespace sdlc::render {
+
+/// What is known about the samples of a film, beside their sums.
+struct FilmStatistics {
+  std::uint64_t rays = 0;
+  std::uint64_t truncated_paths = 0;
+  std::uint64_t nonfinite_samples = 0;
+
+  friend bool operator==(const FilmStatistics&, const FilmStatistics&) = default;
+};
+
+/// Films of one picture with all that a render needs to go on.
+struct StoredFilm {
+  FilmOrigin origin;
+  FilmStatistics statistics;
+  std::vector<std::uint32_t> lights;         ///< Kernel::lights
+  std::vector<std::uint32_t> exact_spheres;  ///< Kernel::exact_spheres
+  std::vector<EmitterCount> emitters;        ///< EmitterTally::counts()
+  std::vector<std::uint32_t> targets;        ///< samples of each pixel, if adaptive; else empty
+  std::vector<Film> films;
+};
+
+/// A film file that cannot be used. The message begins with the path.
+class FilmError : public std::runtime_error {
+ public:
+  enum class Reason : std::uint8_t {
+    NotAFilm,
+    OtherVersion,  ///< of the format
+    Damaged,
+    Foreign,  ///< of another picture
+    Doubled,  ///< has samples of another film
+  };
+
+  FilmError(Reason reason, const std::filesystem::path& path, const std::string& cause);
+
+  Reason reason() const noexcept { return reason_; }
+
+ private:
+  Reason reason_;
+};
+
+/// Replaces the file, or throws IoError and leaves it as it was.
+void write_film_file(const std::filesystem::path& path, const StoredFilm& film);
+
+/// Throws IoError or FilmError.
+StoredFilm read_film_file(const std::filesystem::path& path);
+
+/// Adds the samples of a film file to those of `into`. Throws FilmError, and leaves `into` as it
+/// was, if the film is of another picture or has samples that `into` has.
+void add_film(StoredFilm& into, const StoredFilm& film, const std::filesystem::path& path);
+
+}  // namespace sdlc::render

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "render/scene/precision.hpp"
+#include "render/scene/scene.hpp"
+
+namespace sdlc::render {
+
+/// What the samples of a film depend on. Films can be joined if their origins are equal.
+struct FilmOrigin {
+  std::uint64_t scene = 0;  ///< digest_of() the scene
+  std::uint32_t width = 0, height = 0;
+  std::uint32_t depth = 0;
+  std::uint64_t seed = 0;
+  SamplerKind sampler = SamplerKind::Sobol;
+  bool is_centred = false;  ///< RenderSettings::is_centred()
+  Precision precision = Precision::Double;
+  /// The instruction sets that give these bits.
+  std::string arithmetic;
+  /// The version of the program.
+  std::string program;
+
+  friend bool operator==(const FilmOrigin&, const FilmOrigin&) = default;
+};
+
+/// The members as lines of name and value.
+std::string text_of(const FilmOrigin& origin);
+/// Reads text_of(). Returns false if it is not such a text.
+bool read_text(std::string_view text, FilmOrigin& origin);
+
+/// The first member that differs, such as "its depth is 8, not 16"; empty if none does.
+std::string difference(const FilmOrigin& origin, const FilmOrigin& expected);
+
+}  // namespace sdlc::render

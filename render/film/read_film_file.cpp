@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "render/film/film_file.hpp"
+#include "render/film/film_sections.hpp"
+#include "render/image/io_error.hpp"
+
+namespace sdlc::render {
+namespace {
+
+namespace fs = std::filesystem;
+using Reason = FilmError::Reason;
+
+class Reader {
+ public:
+  explicit Reader(const fs::path& path) : path_(path), file_(path, std::ios::binary) {
+    std::error_code error;
+    left_ = fs::file_size(path, error);
+    if (error) throw IoError("read", path, error.message());
+    if (!file_) throw IoError("read", path, std::generic_category().message(errno));
+  }
+
+  StoredFilm run() {
+    read_head();
+    std::vector<Tag> known;  // the sections so far, of which each but `film` is there once
+    while (known.empty() || known.back() != kEnd) {
+      const Tag tag = begin_section();
+      if (tag != kFilm && std::ranges::count(known, tag) > 0) damaged("a section is there twice");
+      known.push_back(tag);
+      read_section(tag);
+      end_section();
+    }
+    if (left_ > 0) damaged("bytes follow the end");
+    for (const Tag tag : {kOrigin, kStatistics}) {
+      if (std::ranges::count(known, tag) == 0) damaged("a section is missing");
+    }
+    return std::move(film_);
+  }
+
+ private:
+  [[noreturn]] void damaged(const std::string& cause) const {
+    throw FilmError(Reason::Damaged, path_, "the file is damaged: " + cause);
+  }
+
+  void read_head() {
+    std::array<char, kMark.size()> mark{};
+    const bool is_film =
+        left_ >= mark.size() && (take(std::as_writable_bytes(std::span(mark))),
+                                 std::string_view(mark.data(), mark.size()) == kMark);
+    if (!is_film) throw FilmError(Reason::NotAFilm, path_, "the file is not a film");
+    if (const auto version = take<std::uint32_t>(); version != kVersion) {
+      throw FilmError(Reason::OtherVersion, path_,
+                      "the film has version " + std::to_string(version) +
+                          " of the format; this program reads version " + std::to_string(kVersion));
+    }
+  }
+
+  Tag begin_section() {
+    hash_ = {};
+    section_ = sizeof(Tag) + sizeof(std::uint64_t);
+    const Tag tag = take<Tag>();
+    const auto size = take<std::uint64_t>();
+    if (left_ < sizeof(std::uint64_t) || size > left_ - sizeof(std::uint64_t)) {
+      damaged("it ends too early");
+    }
+    section_ = size;
+    return tag;
+  }
+
+  void end_section() {
+    if (section_ != 0) damaged("a section is too long");
+    const std::uint64_t expected = hash_.value();
+    section_ = sizeof(std::uint64_t);
+    if (take<std::uint64_t>() != expected) damaged("a checksum is wrong");
+  }
+
+  void read_section(Tag tag) {
+    if (tag == kOrigin) return read_origin();
+    if (tag == kStatistics) {
+      film_.statistics = take<FilmStatistics>();
+    } else if (tag == kLights) {
+      film_.lights = take_rest<std::uint32_t>();
+    } else if (tag == kExact) {
+      film_.exact_spheres = take_rest<std::uint32_t>();
+    } else if (tag == kEmitters) {
+      film_.emitters = take_rest<EmitterCount>();
+    } else if (tag == kTargets) {
+      film_.targets = take_rest<std::uint32_t>();
+    } else if (tag == kFilm) {
+      read_film();
+    } else {
+      take_rest<std::byte>();  // of a later version, and not needed to use the film
+    }
+  }
+
+  void read_origin() {
+    const std::vector<char> text = take_rest<char>();
+    if (!read_text(std::string_view(text.data(), text.size()), film_.origin)) {
+      damaged("its origin cannot be read");
+    }
+  }
+
+  void read_film() {
+    const auto stored = take<StoredExtent>();
+    const bool is_sound = (stored.replicates == 1 || stored.replicates == kReplicates) &&
+                          stored.first_sample % SampleSum::kBlock == 0 &&
+                          stored.pixels <= section_ / (stored.replicates * sizeof(std::uint32_t));
+    if (!is_sound) damaged("a film cannot be read");
+    Film film({.first_pixel = stored.first_pixel,
+               .pixels = static_cast<std::size_t>(stored.pixels),
+               .first_sample = stored.first_sample,
+               .replicates = stored.replicates});
+    std::vector<ReplicateCounts> counts(film.size());
+    for_each_sum(film, [&](std::size_t pixel, std::uint32_t r) {
+      counts[pixel][r] = take<std::uint32_t>();
+    });
+    film.reserve(counts);
+    std::vector<LinearRgb> values;
+    for_each_sum(film, [&](std::size_t pixel, std::uint32_t r) {
+      const std::uint32_t end = stored.first_sample + counts[pixel][r];
+      values.resize(SampleSum::values_of(stored.first_sample, end));
+      take(std::as_writable_bytes(std::span(values)));
+      film.set(pixel, r, SampleSum(values, stored.first_sample, end));
+    });
+    film_.films.push_back(std::move(film));
+  }
+
+  /// Reads the next bytes of the section.
+  void take(std::span<std::byte> bytes) {
+    if (bytes.size() > std::min(left_, section_)) damaged("it ends too early");
+    if (!file_.read(reinterpret_cast<char*>(bytes.data()),
+                    static_cast<std::streamsize>(bytes.size()))) {
+      throw IoError("read", path_, std::generic_category().message(errno));
+    }
+    add_to(hash_, bytes);
+    left_ -= bytes.size();
+    section_ -= bytes.size();
+  }
+  template <Plain T>
+  T take() {
+    T value{};
+    take(std::as_writable_bytes(std::span(&value, 1)));
+    return value;
+  }
+  template <Plain T>
+  std::vector<T> take_rest() {
+    std::vector<T> values(section_ / sizeof(T));
+    take(std::as_writable_bytes(std::span(values)));
+    return values;
+  }
+
+  const fs::path& path_;
+  std::ifstream file_;
+  std::uint64_t left_ = 0;                                   // bytes of the file
+  std::uint64_t section_ = kMark.size() + sizeof(kVersion);  // bytes of the section
+  Fnv1a hash_;                                               // of the section
+  StoredFilm film_;
+};
+
+}  // namespace
+
+StoredFilm read_film_file(const fs::path& path) { return Reader(path).run(); }
+
+}  // namespace sdlc::render

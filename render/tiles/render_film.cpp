@@ -1,0 +1,110 @@
+#include "render/tiles/render_film.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "render/light/emitter_tally.hpp"
+#include "render/scene/digest.hpp"
+#include "render/tiles/picture_tracer.hpp"
+#include "render/tiles/tracer.hpp"
+#include "render/tiles/workers.hpp"
+
+namespace sdlc::render {
+namespace {
+
+/// The instruction sets whose pictures have the same bits.
+std::string arithmetic_of(const Kernel& kernel) {
+  if (kernel.kind == KernelKind::Scalar) return "scalar";
+  return kernel.isa == Isa::Sse4 ? "sse4" : "fma";
+}
+
+/// The number of samples that a part has in each replicate of a pixel with `samples` samples.
+ReplicateCounts counts_in(const FilmPart& part, std::uint64_t samples) {
+  ReplicateCounts counts = part.extent.replicates == 1
+                               ? ReplicateCounts{static_cast<std::uint32_t>(samples)}
+                               : split_in_replicates(samples);
+  const std::uint32_t first = part.extent.first_sample;
+  for (std::uint32_t& count : counts) {
+    const std::uint32_t end = std::min(count, part.end_sample);
+    count = end - std::min(first, end);
+  }
+  return counts;
+}
+
+Film& film_of(const FilmPart& part, StoredFilm& stored) {
+  const auto known = std::ranges::find(stored.films, part.extent, &Film::extent);
+  return known == stored.films.end() ? stored.films.emplace_back(part.extent) : *known;
+}
+
+}  // namespace
+
+StoredFilm new_film(const Kernel& kernel, const Scene& scene, const RenderSettings& settings) {
+  const EmitterTally emitters(scene, kernel.lights, settings.depth);
+  return {.origin = {.scene = digest_of(scene),
+                     .width = static_cast<std::uint32_t>(settings.width),
+                     .height = static_cast<std::uint32_t>(settings.height),
+                     .depth = static_cast<std::uint32_t>(settings.depth),
+                     .seed = settings.seed,
+                     .sampler = settings.sampler,
+                     .is_centred = settings.is_centred(),
+                     .precision = kernel.precision,
+                     .arithmetic = arithmetic_of(kernel),
+                     .program = {}},
+          .statistics = {},
+          .lights = kernel.lights,
+          .exact_spheres = kernel.exact_spheres,
+          .emitters = emitters.counts(),
+          .targets = {},
+          .films = {}};
+}
+
+bool render_part(const Kernel& kernel, Scene scene, const RenderSettings& settings,
+                 RenderMonitor& monitor, const FilmPart& part,
+                 std::span<const std::uint32_t> samples, StoredFilm& stored) {
+  Workers workers(settings.threads);
+  EmitterTally emitters(scene, kernel.lights, settings.depth);
+  emitters.restore(stored.emitters);
+  const std::unique_ptr<const Tracer> tracer =
+      workers.run([&] { return make_tracer(kernel, std::move(scene), settings, emitters); });
+
+  Film& film = film_of(part, stored);
+  std::vector<ReplicateCounts> targets(film.size());
+  std::uint64_t added = 0;
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    const std::uint64_t pixel = part.extent.first_pixel + i;
+    targets[i] = counts_in(part, samples[samples.size() == 1 ? 0 : pixel]);
+    std::uint64_t target = 0;
+    for (const std::uint32_t count : targets[i]) target += count;
+    added = std::max(added, target - std::min(target, film.samples(i)));
+  }
+  film.reserve(targets);
+  PictureTracer pictures(*tracer, settings, workers.count(), monitor);
+  const std::uint64_t rays = monitor.rays_done.load();
+  const bool is_whole = workers.run([&] {
+    return pictures.trace_pass(
+        film, added, [&](std::size_t pixel) { return targets[pixel]; }, [] { return false; });
+  });
+  stored.statistics.rays += monitor.rays_done.load() - rays;
+  stored.statistics.truncated_paths += pictures.truncated_paths();
+  stored.statistics.nonfinite_samples += pictures.nonfinite_samples();
+  stored.emitters = emitters.counts();
+  return is_whole;
+}
+
+Picture picture_of(const StoredFilm& stored) {
+  Picture picture(static_cast<int>(stored.origin.width), static_cast<int>(stored.origin.height));
+  for (const Film& film : stored.films) {
+    if (film.extent().first_sample != 0) {
+      throw std::invalid_argument("the film lacks the first samples");
+    }
+    for (std::size_t i = 0; i < film.size(); ++i) {
+      picture.pixels[film.extent().first_pixel + i] = film.mean(i);
+    }
+  }
+  return picture;
+}
+
+}  // namespace sdlc::render
