@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <type_traits>
 #include <utility>
+
+#include "render/math/table_memory.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -24,7 +25,7 @@ std::size_t Film::bytes_per_pixel(std::uint64_t samples) noexcept {
 Film::Film(const FilmExtent& extent)
     : extent_(extent), counts_(extent.pixels * extent.replicates) {}
 
-void Film::Deleter::operator()(LinearRgb* values) const noexcept { ::operator delete(values); }
+void Film::Deleter::operator()(LinearRgb* values) const noexcept { free_table(values); }
 
 void Film::reserve(std::span<const ReplicateCounts> counts) {
   const std::uint32_t first = extent_.first_sample;
@@ -38,7 +39,7 @@ void Film::reserve(std::span<const ReplicateCounts> counts) {
   // Left undefined, so that the threads that fill the memory are the first to touch it.
   static_assert(std::is_trivially_copyable_v<LinearRgb>);
   Values values(
-      static_cast<LinearRgb*>(::operator new(counts_.size() * stride * sizeof(LinearRgb))));
+      static_cast<LinearRgb*>(allocate_table(counts_.size() * stride * sizeof(LinearRgb))));
   for (std::size_t slot = 0; slot < counts_.size(); ++slot) {
     if (counts_[slot] == 0) continue;
     std::copy_n(values_.get() + slot * stride_, stride_, values.get() + slot * stride);
@@ -148,23 +149,29 @@ void OpenPixels::open(std::uint32_t largest_target) {
 void OpenPixels::plan(std::uint32_t max_blocks, std::vector<PixelRun>& runs) const {
   const std::uint32_t replicates = film_.extent_.replicates, first = film_.extent_.first_sample;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
-    std::array<std::uint32_t, kReplicates> next{};
-    for (std::uint32_t r = 0; r < replicates; ++r) next[r] = ends_[i * replicates + r];
-    for (std::uint32_t block = 0; block < max_blocks; ++block) {
-      PixelRun run{.pixel = film_.extent_.first_pixel + begin_ + i};
+    const std::size_t slot = i * replicates;
+    std::array<std::uint32_t, kReplicates> next{}, target{};
+    bool is_done = true;
+    for (std::uint32_t r = 0; r < replicates; ++r) {
+      next[r] = ends_[slot + r];
+      target[r] = first + targets_[i][r];
+      is_done = is_done && next[r] >= target[r];
+    }
+    for (std::uint32_t block = 0; block < max_blocks && !is_done; ++block) {
+      // In place: a run is large to copy.
+      PixelRun& run = runs.emplace_back();
+      run.pixel = film_.extent_.first_pixel + begin_ + i;
+      is_done = true;
       for (std::uint32_t r = 0; r < replicates; ++r) {
-        const std::uint32_t target = first + targets_[i][r];
-        if (next[r] >= target) continue;
-        const std::uint32_t end =
-            std::min(target, (next[r] / SampleSum::kBlock + 1) * SampleSum::kBlock);
+        if (next[r] >= target[r]) continue;
         PixelRun::Part& part = run.parts[r];
         part.first = next[r];
-        part.count = end - next[r];
-        if (block == 0) part.sum = sum(i * replicates + r).open_block();
-        next[r] = end;
+        if (next[r] % SampleSum::kBlock != 0) part.sum = sum(slot + r).open_block();
+        const std::uint32_t end = (next[r] / SampleSum::kBlock + 1) * SampleSum::kBlock;
+        next[r] = std::min(target[r], end);
+        part.count = next[r] - part.first;
+        is_done = is_done && next[r] == target[r];
       }
-      if (run.samples() == 0) break;
-      runs.push_back(run);
     }
   }
 }

@@ -4,6 +4,8 @@
 #include <new>
 #include <utility>
 
+#include "render/math/table_memory.hpp"
+
 namespace sdlc::render {
 
 /// An allocator aligned for vectors of any width. Elements are default-initialised, so that the
@@ -11,14 +13,13 @@ namespace sdlc::render {
 template <typename T>
 struct VectorAllocator {
   using value_type = T;
-  static constexpr std::align_val_t kAlignment{64};
 
   VectorAllocator() = default;
   template <typename U>
   explicit VectorAllocator(const VectorAllocator<U>& /*other*/) noexcept {}
 
   T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new(count * sizeof(T), kAlignment));
+    return static_cast<T*>(allocate_table(count * sizeof(T)));
   }
   template <typename U>
   void construct(U* place) noexcept {
@@ -28,9 +29,7 @@ struct VectorAllocator {
   void construct(U* place, Values&&... values) noexcept {
     ::new (static_cast<void*>(place)) U(std::forward<Values>(values)...);
   }
-  void deallocate(T* memory, std::size_t /*count*/) noexcept {
-    ::operator delete(memory, kAlignment);
-  }
+  void deallocate(T* memory, std::size_t /*count*/) noexcept { free_table(memory); }
   friend bool operator==(VectorAllocator, VectorAllocator) noexcept { return true; }
 };
 
