@@ -21,14 +21,14 @@ bool has_unseen_error(const RenderResult& result, const EmitterTally& emitters) 
 
 GoalRender::GoalRender(PictureTracer& tracer, const RenderSettings& settings,
                        const EmitterTally& emitters, Clock::time_point start,
-                       RenderMonitor& monitor, RenderResult& result)
+                       RenderMonitor& monitor, Film& film, RenderResult& result)
     : tracer_(tracer),
       settings_(settings),
       emitters_(emitters),
       monitor_(monitor),
       result_(result),
       start_(start),
-      film_({.pixels = result.picture.pixels.size()}) {
+      film_(film) {
   if (!settings.seconds) return;
   deadline_ = start + std::chrono::duration_cast<Clock::duration>(
                           std::chrono::duration<double>(std::min(*settings.seconds, 1e9)));
@@ -50,11 +50,26 @@ bool GoalRender::pass(std::span<const std::uint32_t> samples) {
       film_, added, [&](std::size_t pixel) { return counts[counts.size() == 1 ? 0 : pixel]; },
       [this] { return is_late(); });
   is_first_pass_ = false;
+  if (monitor_.on_pass) monitor_.on_pass(film_);
   if (deadline_) {
     report_progress(std::chrono::duration<double>(Clock::now() - start_).count() /
                     *settings_.seconds);
   }
   return is_whole && !is_late();
+}
+
+std::vector<std::uint32_t> GoalRender::samples_of_film() const {
+  std::vector<std::uint32_t> samples(film_.size());
+  for (std::size_t i = 0; i < film_.size(); ++i) {
+    samples[i] = static_cast<std::uint32_t>(film_.samples(i));
+  }
+  return samples;
+}
+
+std::uint64_t GoalRender::fewest_samples() const {
+  std::uint64_t fewest = film_.samples(0);
+  for (std::size_t i = 1; i < film_.size(); ++i) fewest = std::min(fewest, film_.samples(i));
+  return fewest;
 }
 
 void GoalRender::report_progress(double share) {
@@ -91,10 +106,7 @@ void GoalRender::run() {
   result_.has_reached_error =
       settings_.error && result_.error && result_.error->interval.to <= *settings_.error;
   if (result_.min_samples != result_.max_samples) {
-    result_.samples_of_pixels.resize(film_.size());
-    for (std::size_t i = 0; i < film_.size(); ++i) {
-      result_.samples_of_pixels[i] = static_cast<std::uint32_t>(film_.samples(i));
-    }
+    result_.samples_of_pixels = samples_of_film();
   }
   if (settings_.keeps_variance && result_.error) {
     result_.variance = Picture(settings_.width, settings_.height);
@@ -110,6 +122,7 @@ void GoalRender::run_uniform() {
   ErrorGoal goal(settings_.error.value_or(0), max_samples);
   // With only a time limit the first pass is as short as possible, and is finished.
   std::optional<std::uint64_t> samples = settings_.error ? goal.first_samples() : 1;
+  samples = std::max(*samples, fewest_samples());
   while (samples) {
     const auto of_pixel = static_cast<std::uint32_t>(*samples);
     if (!pass(std::span(&of_pixel, 1))) return;
@@ -148,12 +161,18 @@ void GoalRender::run_adaptive() {
   if (!pass(std::span(&pilot, 1))) return;
   estimate();
   if (!result_.error || result_.error->interval.to <= *settings_.error) return;
+  if (result_.max_samples > pilot) return run_adaptive(samples_of_film());
   // The confidence interval has a width at the end, so the estimate itself has to be lower than the
   // goal.
   const double width = result_.error->relative_error / result_.error->interval.to;
   std::vector<std::uint32_t> samples =
       adaptive_samples(spreads_, *result_.error, settings_.width, *settings_.error * width,
                        settings_.sampler, pilot, max_samples);
+  run_adaptive(std::move(samples));
+}
+
+void GoalRender::run_adaptive(std::vector<std::uint32_t> samples) {
+  const auto max_samples = static_cast<std::uint64_t>(settings_.samples);
   while (pass(samples)) {
     estimate();
     if (!result_.error) return;

@@ -26,7 +26,7 @@ class GoalRender {
 
   /// Keeps references to all arguments. RenderSettings::seconds counts from `start`.
   GoalRender(PictureTracer& tracer, const RenderSettings& settings, const EmitterTally& emitters,
-             Clock::time_point start, RenderMonitor& monitor, RenderResult& result);
+             Clock::time_point start, RenderMonitor& monitor, Film& film, RenderResult& result);
 
   void run();
 
@@ -36,9 +36,13 @@ class GoalRender {
   bool pass(std::span<const std::uint32_t> samples);
   void run_uniform();
   void run_adaptive();
+  /// Goes on from these samples of each pixel, of which there may be more already.
+  void run_adaptive(std::vector<std::uint32_t> samples);
+  std::vector<std::uint32_t> samples_of_film() const;
+  std::uint64_t fewest_samples() const;
   bool is_late() const;
   void report_progress(double share);
-  /// Updates the picture and its error estimate.
+  /// Updates the picture, its error estimate and the numbers of samples.
   void estimate();
 
   PictureTracer& tracer_;
@@ -48,7 +52,7 @@ class GoalRender {
   RenderResult& result_;
   std::optional<Clock::time_point> deadline_;
   Clock::time_point start_;
-  Film film_;
+  Film& film_;
   std::vector<PixelSpread> spreads_;
   bool is_first_pass_ = true;
 };

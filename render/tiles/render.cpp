@@ -23,12 +23,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 /// Renders without a goal.
 void render_at_once(PictureTracer& tracer, const RenderSettings& settings,
-                    const RenderMonitor& monitor, RenderResult& result) {
+                    const RenderMonitor& monitor, Film& film, RenderResult& result) {
   const auto samples = static_cast<std::uint64_t>(settings.samples);
   result.max_samples = samples;
-  const bool has_replicates = samples >= kMinReplicatedSamples;
-  Film film(
-      {.pixels = result.picture.pixels.size(), .replicates = has_replicates ? kReplicates : 1});
+  const bool has_replicates = film.extent().replicates > 1;
   const ReplicateCounts target = has_replicates
                                      ? split_in_replicates(samples)
                                      : ReplicateCounts{static_cast<std::uint32_t>(samples)};
@@ -54,6 +52,14 @@ void render_at_once(PictureTracer& tracer, const RenderSettings& settings,
 
 }  // namespace
 
+FilmExtent extent_of(const RenderSettings& settings) noexcept {
+  const bool has_replicates =
+      settings.has_goal() || settings.samples >= static_cast<int>(kMinReplicatedSamples);
+  return {.pixels =
+              static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height),
+          .replicates = has_replicates ? kReplicates : 1};
+}
+
 RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor,
                     const KernelRequest& request) {
   const auto start = std::chrono::steady_clock::now();
@@ -66,6 +72,12 @@ RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& 
 
 RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
                     RenderMonitor& monitor) {
+  Film film(extent_of(settings));
+  return render(std::move(kernel), std::move(scene), settings, monitor, film);
+}
+
+RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
+                    RenderMonitor& monitor, Film& film) {
   const auto start = std::chrono::steady_clock::now();
   RenderResult result;
   result.picture = Picture(settings.width, settings.height);
@@ -86,9 +98,10 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   PictureTracer pictures(*tracer, settings, result.threads, monitor);
   workers.run([&] {
     if (settings.has_goal()) {
-      GoalRender(pictures, settings, emitters, start, monitor, result).run();
+      GoalRender(pictures, settings, emitters, start, monitor, film, result).run();
     } else {
-      render_at_once(pictures, settings, monitor, result);
+      render_at_once(pictures, settings, monitor, film, result);
+      if (monitor.on_pass) monitor.on_pass(film);
     }
   });
   result.render_seconds = seconds_since(render_start);

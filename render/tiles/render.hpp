@@ -25,6 +25,8 @@ struct RenderMonitor {
   std::atomic<double> goal_share{0};
   /// Called once, after everything is built and before the first path is traced.
   std::function<void()> on_tracing;
+  /// Called after each pass with the samples so far: once, at the end, if there is no goal.
+  std::function<void(const Film& film)> on_pass;
 };
 
 /// A picture with statistics about its render.
@@ -72,5 +74,13 @@ RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& 
 /// the seconds.
 RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
                     RenderMonitor& monitor);
+
+/// The extent of a film of the whole picture.
+FilmExtent extent_of(const RenderSettings& settings) noexcept;
+
+/// The same into a film with extent_of() the settings. If it has samples of an earlier render of
+/// the same picture, those are kept, and the render goes on from there.
+RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
+                    RenderMonitor& monitor, Film& film);
 
 }  // namespace sdlc::render

@@ -182,6 +182,57 @@ TEST(RenderFilm, GoesOnAfterACancelledRender) {
   EXPECT_EQ(bytes_of(picture_of(film)), bytes_of(expected.picture));
 }
 
+/// The picture of a film that was rendered with `first` and then goes on with `settings`.
+RenderResult continued(const RenderSettings& first, const RenderSettings& settings,
+                       RenderMonitor& monitor) {
+  const Scene scene = room(1);
+  const Kernel kernel = choose_kernel(scene, settings);
+  Film film(extent_of(settings));
+  render(kernel, scene, first, monitor, film);
+  return render(kernel, scene, settings, monitor, film);
+}
+
+TEST(RenderFilm, IsContinuedByARenderWithoutAGoal) {
+  RenderSettings first{.width = 30, .height = 20, .samples = 70, .depth = 8}, settings = first;
+  settings.samples = 300;
+  RenderMonitor monitor, again;
+  int passes = 0;
+  monitor.on_pass = [&](const Film& film) {
+    EXPECT_EQ(film.samples(599), ++passes == 1 ? 70u : 300u);
+  };
+  const RenderResult result = continued(first, settings, monitor);
+  EXPECT_EQ(passes, 2);
+  EXPECT_EQ(result.camera_samples, 600u * 300);
+  const RenderResult expected = render(room(1), settings, again);
+  EXPECT_EQ(bytes_of(result.picture), bytes_of(expected.picture));
+  EXPECT_EQ(result.error->relative_error, expected.error->relative_error);
+}
+
+TEST(RenderFilm, IsContinuedTowardsAnError) {
+  for (const bool is_adaptive : {false, true}) {
+    RenderSettings first{.width = 30, .height = 20, .samples = 4000, .depth = 8, .error = 0.03},
+        settings = first;
+    first.is_adaptive = settings.is_adaptive = is_adaptive;
+    settings.error = 0.015;
+    RenderMonitor monitor;
+    std::uint64_t samples = 0;
+    monitor.on_pass = [&](const Film& film) {
+      EXPECT_GE(film.samples(0), samples) << "samples were lost";
+      samples = film.samples(0);
+    };
+    const RenderResult result = continued(first, settings, monitor);
+    EXPECT_TRUE(result.has_reached_error);
+    EXPECT_LE(result.error->interval.to, 0.015);
+    EXPECT_EQ(result.samples_of_pixels.empty(), !is_adaptive);
+    if (is_adaptive) continue;
+    // The same number of samples at once gives the same picture.
+    settings.error.reset();
+    settings.samples = static_cast<int>(result.max_samples);
+    RenderMonitor again;
+    EXPECT_EQ(bytes_of(result.picture), bytes_of(render(room(1), settings, again).picture));
+  }
+}
+
 TEST(RenderFilm, TakesOnlyThePixelsOfACrop) {
   const RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
   const Scene scene = room();
