@@ -1,6 +1,7 @@
 #include "render/tiles/picture_tracer.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -84,10 +85,28 @@ bool PictureTracer::trace_pass(Film& film, std::uint64_t added, const Target& ta
     if (!trace_tile(film, begin, end, target, is_late)) {
       is_whole = false;
     } else if (on_tile) {
-      on_tile(begin, end);
+      on_tile(film, begin, end);
     }
   });
   return is_whole && !monitor_.cancel.load();
+}
+
+void PictureTracer::trace_tiles(const FilmExtent& extent, const ReplicateCounts& target,
+                                const OnTile& on_tile) {
+  std::uint64_t samples = 0;
+  for (const std::uint32_t count : target) samples += count;
+  for_each_tile(extent.pixels, pixels_per_tile(extent.pixels, samples),
+                [&](std::size_t begin, std::size_t end) {
+                  FilmExtent tile = extent;
+                  tile.first_pixel += begin;
+                  tile.pixels = end - begin;
+                  Film film(tile);
+                  film.reserve(std::span(&target, 1));
+                  const bool is_whole = trace_tile(
+                      film, 0, film.size(), [&](std::size_t) { return target; },
+                      [] { return false; });
+                  if (is_whole) on_tile(film, 0, film.size());
+                });
 }
 
 }  // namespace sdlc::render

@@ -24,15 +24,19 @@ class PictureTracer {
   /// The number of samples that a pixel shall have in each replicate.
   using Target = std::function<ReplicateCounts(std::size_t pixel)>;
   using IsLate = std::function<bool()>;
-  /// Told of the pixels [begin, end) when they have reached their targets, on the thread that
+  /// Called when the pixels [begin, end) of a film have reached their targets, on the thread that
   /// traced them.
-  using OnTile = std::function<void(std::size_t begin, std::size_t end)>;
+  using OnTile = std::function<void(const Film& film, std::size_t begin, std::size_t end)>;
 
   /// Brings the pixels of a film, which has room for them, to their targets; `added` is the largest
   /// number of samples that a pixel gets. Starts no new work after `is_late` returns true. Returns
   /// false if any work is left.
   bool trace_pass(Film& film, std::uint64_t added, const Target& target, const IsLate& is_late,
                   const OnTile& on_tile = {});
+
+  /// Brings all pixels of the extent to the same target in films of one tile each, which are
+  /// dropped after `on_tile`: a whole film takes more memory than the picture.
+  void trace_tiles(const FilmExtent& extent, const ReplicateCounts& target, const OnTile& on_tile);
 
   std::uint64_t truncated_paths() const noexcept { return truncated_; }
   std::uint64_t nonfinite_samples() const noexcept { return nonfinite_; }

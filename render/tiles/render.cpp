@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -21,29 +22,35 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Renders without a goal.
+/// Renders without a goal. `film` may be null.
 void render_at_once(PictureTracer& tracer, const RenderSettings& settings,
-                    const RenderMonitor& monitor, Film& film, RenderResult& result) {
+                    const RenderMonitor& monitor, Film* film, RenderResult& result) {
   const auto samples = static_cast<std::uint64_t>(settings.samples);
   result.max_samples = samples;
-  const bool has_replicates = film.extent().replicates > 1;
+  const FilmExtent extent = extent_of(settings);
+  const bool has_replicates = extent.replicates > 1;
   const ReplicateCounts target = has_replicates
                                      ? split_in_replicates(samples)
                                      : ReplicateCounts{static_cast<std::uint32_t>(samples)};
-  film.reserve(std::span(&target, 1));
-  std::vector<PixelSpread> spreads(has_replicates ? film.size() : 0);
+  std::vector<PixelSpread> spreads(has_replicates ? extent.pixels : 0);
   if (has_replicates && settings.keeps_variance) {
     result.variance = Picture(settings.width, settings.height);
   }
-  tracer.trace_pass(
-      film, samples, [&](std::size_t) { return target; }, [] { return false; },
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          result.picture.pixels[i] = film.mean(i);
-          if (!spreads.empty()) spreads[i] = film.spread(i);
-          if (!result.variance.pixels.empty()) result.variance.pixels[i] = film.variance(i);
-        }
-      });
+  const auto take_tile = [&](const Film& tile, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t pixel = tile.extent().first_pixel + i;
+      result.picture.pixels[pixel] = tile.mean(i);
+      if (!spreads.empty()) spreads[pixel] = tile.spread(i);
+      if (!result.variance.pixels.empty()) result.variance.pixels[pixel] = tile.variance(i);
+    }
+  };
+  if (film == nullptr) {
+    tracer.trace_tiles(extent, target, take_tile);
+  } else {
+    film->reserve(std::span(&target, 1));
+    tracer.trace_pass(
+        *film, samples, [&](std::size_t) { return target; }, [] { return false; }, take_tile);
+  }
   if (monitor.cancel.load()) return;  // some pixels have no sample
   result.min_samples = samples;
   if (has_replicates) result.error = estimate_error(result.picture, spreads);
@@ -72,13 +79,16 @@ RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& 
 
 RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
                     RenderMonitor& monitor) {
-  Film film(extent_of(settings));
-  return render(std::move(kernel), std::move(scene), settings, monitor, film);
+  return render(std::move(kernel), std::move(scene), settings, monitor, nullptr);
 }
 
 RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
-                    RenderMonitor& monitor, Film& film) {
+                    RenderMonitor& monitor, Film* film) {
   const auto start = std::chrono::steady_clock::now();
+  std::optional<Film> own;
+  if (film == nullptr && (settings.has_goal() || monitor.on_pass)) {
+    film = &own.emplace(extent_of(settings));
+  }
   RenderResult result;
   result.picture = Picture(settings.width, settings.height);
   Workers workers(settings.threads);
@@ -98,10 +108,10 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   PictureTracer pictures(*tracer, settings, result.threads, monitor);
   workers.run([&] {
     if (settings.has_goal()) {
-      GoalRender(pictures, settings, emitters, start, monitor, film, result).run();
+      GoalRender(pictures, settings, emitters, start, monitor, *film, result).run();
     } else {
       render_at_once(pictures, settings, monitor, film, result);
-      if (monitor.on_pass) monitor.on_pass(film);
+      if (monitor.on_pass) monitor.on_pass(*film);
     }
   });
   result.render_seconds = seconds_since(render_start);

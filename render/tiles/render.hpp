@@ -78,9 +78,9 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
 /// The extent of a film of the whole picture.
 FilmExtent extent_of(const RenderSettings& settings) noexcept;
 
-/// The same into a film with extent_of() the settings. If it has samples of an earlier render of
-/// the same picture, those are kept, and the render goes on from there.
+/// The same into a film with extent_of() the settings; null to keep none. If the film has samples
+/// of an earlier render of the same picture, those are kept, and the render goes on from there.
 RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
-                    RenderMonitor& monitor, Film& film);
+                    RenderMonitor& monitor, Film* film);
 
 }  // namespace sdlc::render

@@ -188,8 +188,8 @@ RenderResult continued(const RenderSettings& first, const RenderSettings& settin
   const Scene scene = room(1);
   const Kernel kernel = choose_kernel(scene, settings);
   Film film(extent_of(settings));
-  render(kernel, scene, first, monitor, film);
-  return render(kernel, scene, settings, monitor, film);
+  render(kernel, scene, first, monitor, &film);
+  return render(kernel, scene, settings, monitor, &film);
 }
 
 TEST(RenderFilm, IsContinuedByARenderWithoutAGoal) {
