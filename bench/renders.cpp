@@ -19,12 +19,12 @@ double cpu_seconds() {
 }  // namespace
 
 std::vector<Form> forms() {
-  std::vector<Form> all{{"scalar", {.kind = render::KernelKind::Scalar}}};
-  for (const render::Isa isa : render::available_isas()) {
+  std::vector<Form> all{{"scalar", {.backend = &render::portable_backend()}}};
+  for (const render::Backend* backend : render::available_vectors()) {
     for (const render::Precision precision :
          {render::Precision::Float, render::Precision::Double}) {
-      all.push_back({std::string(name_of(isa)) + "/" + std::string(name_of(precision)),
-                     {.kind = render::KernelKind::Wide, .precision = precision, .isa = isa}});
+      all.push_back({std::string(backend->name) + "/" + std::string(name_of(precision)),
+                     {.search = render::Search::All, .precision = precision, .backend = backend}});
     }
   }
   return all;
@@ -33,8 +33,8 @@ std::vector<Form> forms() {
 std::vector<Form> hierarchy_forms() {
   std::vector<Form> all;
   for (Form form : forms()) {
-    if (form.request.kind != render::KernelKind::Wide) continue;
-    form.request.kind = render::KernelKind::Bvh;
+    if (form.request.search != render::Search::All) continue;
+    form.request.search = render::Search::Bvh;
     all.push_back({"bvh/" + form.name, form.request});
   }
   return all;
@@ -43,7 +43,7 @@ std::vector<Form> hierarchy_forms() {
 Timing time_render(const render::Scene& scene, const Form& form, int depth) {
   // The wide kernel needs many blocks of samples per lane, so that their ends do not matter; the
   // scalar one is slow, and needs fewer.
-  const bool is_scalar = form.request.kind == render::KernelKind::Scalar;
+  const bool is_scalar = form.request.backend == &render::portable_backend();
   const render::RenderSettings settings{.width = is_scalar ? 64 : 256,
                                         .height = is_scalar ? 36 : 144,
                                         .samples = 64,
@@ -54,7 +54,9 @@ Timing time_render(const render::Scene& scene, const Form& form, int depth) {
   monitor.on_tracing = [&] { start = cpu_seconds(); };
   const render::RenderResult result = render::render(scene, settings, monitor, form.request);
   const double seconds = cpu_seconds() - start;
-  if (!result.kernel.refusal.empty()) throw std::runtime_error(result.kernel.refusal);
+  if (result.kernel.refusal) {
+    throw std::runtime_error(describe(result.kernel.refusal->obstacle));
+  }
   return {.seconds = seconds,
           .rays = result.rays,
           .paths = result.camera_samples,

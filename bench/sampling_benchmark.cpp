@@ -4,8 +4,14 @@
 
 // Random numbers and the directions made from them, for the scalar and the wide kernels.
 
-#if HWY_TARGET != HWY_STATIC_TARGET
-#include "render/wide/path_kernel-inl.h"
+#include "render/wide/vector_math-inl.h"
+
+#ifndef SDLC_LANE_FUNCTION
+#define SDLC_LANE_FUNCTION
+namespace sdlc::render {
+using LaneFunction = double(SamplerKind, std::uint32_t);
+}
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
@@ -21,7 +27,7 @@ HWY_INLINE double sum_over_paths(SamplerKind kind, std::uint32_t count, const Dr
   const auto step = hn::Set(du, static_cast<hn::TFromD<decltype(du)>>(hn::Lanes(d)));
   auto key = hn::Iota(du, 1);
   auto sum = hn::Zero(d);
-  for (std::uint32_t i = 0; i < count; i += hn::Lanes(d)) {
+  for (std::uint32_t i = 0; i < count; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
     const LaneSampler<decltype(d)> sampler(kind, key, mixer, reverse_lane_bits(key));
     sum = hn::Add(sum, draw(sampler));
     key = hn::Add(key, step);
@@ -53,7 +59,6 @@ double lane_directions(SamplerKind kind, std::uint32_t paths) {
   });
 }
 
-using LaneFunction = double(SamplerKind, std::uint32_t);
 LaneFunction* lane_function(bool is_double, bool is_direction) {
   if (is_double) return is_direction ? &lane_directions<double> : &lane_numbers<double>;
   return is_direction ? &lane_directions<float> : &lane_numbers<float>;
@@ -61,7 +66,6 @@ LaneFunction* lane_function(bool is_double, bool is_direction) {
 
 }  // namespace sdlc::render::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif
 
 #if HWY_ONCE
 #include <string>
@@ -69,48 +73,30 @@ HWY_AFTER_NAMESPACE();
 #include <benchmark/benchmark.h>
 
 #include "bench/benchmarks.hpp"
-#include "render/material/scatter.hpp"
-#include "render/wide/isa.hpp"
+
+namespace sdlc::render {
+namespace {
+
+HWY_EXPORT(lane_function);
+LaneFunction* portable_function(bool is_double, bool is_direction) {
+  return HWY_STATIC_DISPATCH(lane_function)(is_double, is_direction);
+}
+/// With the only supported instruction set.
+LaneFunction* vector_function(bool is_double, bool is_direction) {
+  return HWY_DYNAMIC_DISPATCH(lane_function)(is_double, is_direction);
+}
+
+}  // namespace
+}  // namespace sdlc::render
 
 namespace sdlc::bench {
 namespace {
 
-using render::Isa;
+using render::LaneFunction;
 using render::SamplerKind;
-using LaneFunction = double(SamplerKind, std::uint32_t);
 
 constexpr std::uint32_t kPaths = 1 << 14;
 constexpr std::uint32_t kNumbersAPath = 8;
-
-LaneFunction* lane_function(Isa isa, bool is_double, bool is_direction) {
-  switch (isa) {
-    case Isa::Sse4: return render::N_SSE4::lane_function(is_double, is_direction);
-    case Isa::Avx2: return render::N_AVX2::lane_function(is_double, is_direction);
-    default: return render::N_AVX3::lane_function(is_double, is_direction);
-  }
-}
-
-double scalar_numbers(SamplerKind kind, std::uint32_t paths) {
-  double sum = 0;
-  for (std::uint32_t i = 0; i < paths; ++i) {
-    const render::PathSampler sampler(kind, 0x5A17C0DE00000000, i);
-    for (std::uint32_t k = 0; k < kNumbersAPath / 2; ++k) {
-      const render::UniformPair pair = sampler.pair(k);
-      sum += pair.first + pair.second;
-    }
-  }
-  return sum;
-}
-
-double scalar_directions(SamplerKind kind, std::uint32_t paths) {
-  double sum = 0;
-  for (std::uint32_t i = 0; i < paths; ++i) {
-    const render::PathSampler sampler(kind, 0x5A17C0DE00000000, i);
-    const render::Vec3 direction = render::sample_unit_sphere(render::VertexSampler(sampler, 0));
-    sum += direction.x + direction.y + direction.z;
-  }
-  return sum;
-}
 
 void register_drawing(const std::string& name, LaneFunction* draw, double drawn_a_path) {
   for (const SamplerKind kind : {SamplerKind::Independent, SamplerKind::Sobol}) {
@@ -127,15 +113,21 @@ void register_drawing(const std::string& name, LaneFunction* draw, double drawn_
 }  // namespace
 
 void register_sampling_benchmarks() {
-  register_drawing("numbers/scalar", &scalar_numbers, kNumbersAPath);
-  register_drawing("directions/scalar", &scalar_directions, 1);
-  for (const Isa isa : render::available_isas()) {
+  const auto add = [](const std::string& form, auto* function, bool is_double) {
+    register_drawing("numbers/" + form, function(is_double, false), kNumbersAPath);
+    register_drawing("directions/" + form, function(is_double, true), 1);
+  };
+  add("portable", &render::portable_function, true);
+  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     for (const bool is_double : {false, true}) {
-      const std::string form = std::string(name_of(isa)) + (is_double ? "/double" : "/float");
-      register_drawing("numbers/" + form, lane_function(isa, is_double, false), kNumbersAPath);
-      register_drawing("directions/" + form, lane_function(isa, is_double, true), 1);
+      const char* precision = is_double ? "/double" : "/float";
+      add(std::string(hwy::TargetName(target)) + precision, &render::vector_function, is_double);
     }
   }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
 }  // namespace sdlc::bench

@@ -183,7 +183,7 @@ std::string to_json(const InspectReport& report) {
                {"features", report.features},
                {"precision", name_of(report.kernel.precision)},
                {"precision_bounds", precisions_json(report)},
-               {"kernel", name_of(report.kernel.kind)},
+               {"kernel", name_of(report.kernel)},
                {"kernel_reason", report.kernel.reason},
                {"instruction_set", instruction_set(report.kernel)},
                {"memory", memory_json(report)},

@@ -2,57 +2,97 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "cli/words.hpp"
 #include "render/scene/instances.hpp"
-#include "render/wide/isa.hpp"
+#include "render/wide/backend.hpp"
 
 namespace sdlc::cli {
 namespace {
 
-using render::Isa;
-using render::KernelKind;
+using render::KernelObstacle;
+using render::KernelRefusal;
+using render::Search;
 
 constexpr std::string_view kAuto = "auto";
-constexpr std::array kKinds{KernelKind::Scalar, KernelKind::Wide, KernelKind::Bvh};
+constexpr std::string_view kScalar = "scalar";
 
-/// Adds an option with the values `auto` and the names of `choices`; the given one is stored in
-/// `chosen`.
-template <typename T, std::size_t N>
-void add_choice(CLI::App& command, const char* flag, const std::array<T, N>& choices,
-                std::optional<T>& chosen, const char* help) {
-  static const std::array<std::string_view, N + 1> words = [&] {
-    std::array<std::string_view, N + 1> names{kAuto};
-    std::ranges::transform(choices, names.begin() + 1, [](T choice) { return name_of(choice); });
-    return names;
-  }();
-  const auto choose = [&chosen, &choices](const std::string& word) {
-    const auto found = std::ranges::find(choices, word, [](T choice) { return name_of(choice); });
-    chosen = found == choices.end() ? std::nullopt : std::optional(*found);
-  };
-  command.add_option_function<std::string>(flag, choose, help)->check(one_of(words));
+/// The part of a request, or of a scene, as its flag.
+std::string_view flag_of(KernelRefusal::Subject subject) {
+  switch (subject) {
+    case KernelRefusal::Subject::Search: return "--kernel";
+    case KernelRefusal::Subject::Precision: return "--precision";
+    case KernelRefusal::Subject::Backend: return "--isa";
+    default: return "--instances";
+  }
+}
+
+std::string describe(const KernelRefusal& refusal) {
+  const std::string obstacle = describe(refusal.obstacle);
+  const std::string flag(flag_of(refusal.subject));
+  switch (refusal.obstacle) {
+    case KernelObstacle::OtherMachine:
+      return fmt::format("{}: this machine has no {}", flag, refusal.backend->name);
+    case KernelObstacle::PortableInDouble:
+    case KernelObstacle::PortableByBvh: return fmt::format("{}: {}", flag, obstacle);
+    case KernelObstacle::InstancesByBvh:
+    case KernelObstacle::InstancesInDouble:
+      return fmt::format("{}: {}; --instances never expands them", flag, obstacle);
+    default: break;
+  }
+  if (refusal.subject == KernelRefusal::Subject::Instances) {
+    return fmt::format("{}: not if {}; --instances never expands them", flag, obstacle);
+  }
+  return fmt::format("{}: not with the wide kernels: {}", flag, obstacle);
 }
 
 }  // namespace
 
 void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
-  add_choice(command, "--kernel", kKinds, request.kind,
-             "How paths are traced: one at a time, or one per vector lane; with all spheres tested "
-             "per ray, or with a BVH");
-  add_choice(command, "--isa", render::kIsas, request.isa,
-             "The instruction set of the wide kernels; auto: the best available");
+  static constexpr std::array<std::string_view, 4> kKernels{kAuto, kScalar, "wide", "bvh"};
+  command
+      .add_option_function<std::string>(
+          "--kernel",
+          [&request](const std::string& word) {
+            if (word == kScalar) request.backend = &render::portable_backend();
+            if (word == "wide") request.search = Search::All;
+            if (word == "bvh") request.search = Search::Bvh;
+          },
+          "How paths are traced: one at a time, or one per vector lane; with all spheres tested "
+          "per ray, or with a BVH")
+      ->check(one_of(kKernels));
+
+  static const std::vector<std::string_view> isas = [] {
+    std::vector<std::string_view> names{kAuto};
+    for (const render::Backend& backend : render::vector_backends()) names.push_back(backend.name);
+    return names;
+  }();
+  command
+      .add_option_function<std::string>(
+          "--isa",
+          [&request](const std::string& word) {  // after that of --kernel
+            if (word == kAuto) return;
+            if (request.backend != nullptr) {
+              throw UsageError("--isa: the scalar kernel has no other instruction sets");
+            }
+            const auto all = render::vector_backends();
+            request.backend = &*std::ranges::find(all, word, &render::Backend::name);
+          },
+          "The instruction set of the wide kernels; auto: the best available")
+      ->check(one_of(isas));
 }
 
 lang::Instancing instancing_for(const render::KernelRequest& flags,
                                 const lang::Overrides& overrides) {
-  const bool are_supported = flags.kind.value_or(KernelKind::Bvh) == KernelKind::Bvh &&
+  const bool are_supported = flags.search.value_or(Search::Bvh) == Search::Bvh &&
                              overrides.word(lang::render_property::kPrecision) != "float";
   if (overrides.instancing == lang::Instancing::Auto && !are_supported) {
     return lang::Instancing::Never;
@@ -69,23 +109,23 @@ render::Kernel choose_kernel(const render::KernelRequest& flags, const lang::Ove
   render::Kernel kernel = render::choose_kernel(lowered.scene, lowered.settings, request);
   // Instances were not requested explicitly, and most scenes fit into memory without them.
   constexpr std::uint64_t kMaxPlainSpheres = 100'000'000;
-  if (!kernel.refusal.empty() && overrides.instancing == lang::Instancing::Auto &&
+  if (kernel.refusal && overrides.instancing == lang::Instancing::Auto &&
       !lowered.scene.instances.empty() && count_spheres(lowered.scene) <= kMaxPlainSpheres) {
     lowered.scene = without_instances(std::move(lowered.scene));
     kernel = render::choose_kernel(lowered.scene, lowered.settings, request);
   }
-  if (kernel.refusal.empty() && lowered.camera) {
+  if (!kernel.refusal && lowered.camera) {
     compiler.warn_of_precision(lowered, kernel.precision, kernel.bounds);
   }
   return kernel;
 }
 
 void check_not_refused(const render::Kernel& kernel) {
-  if (!kernel.refusal.empty()) throw UsageError(kernel.refusal);
+  if (kernel.refusal) throw UsageError(describe(*kernel.refusal));
 }
 
 std::string_view instruction_set(const render::Kernel& kernel) noexcept {
-  return kernel.isa ? name_of(*kernel.isa) : std::string_view(kInstructionSet);
+  return kernel.is_portable() ? std::string_view(kInstructionSet) : kernel.backend->name;
 }
 
 }  // namespace sdlc::cli

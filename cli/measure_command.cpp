@@ -260,7 +260,7 @@ class MeasureJob {
                      env_.err_is_terminal, env_);
       check_not_refused(kernel);
       machine_.emplace_back("instruction set", instruction_set(kernel));
-      machine_.emplace_back("kernel", name_of(kernel.kind));
+      machine_.emplace_back("kernel", name_of(kernel));
       read_seconds_ = seconds;
     } else {
       print_findings(select_unallowed(sink_), options_.scene.diagnostics, env_.err,

@@ -20,15 +20,15 @@
 #include "lang/text/display_width.hpp"
 #include "render/image/io_error.hpp"
 #include "render/tiles/threads.hpp"
-#include "render/wide/isa.hpp"
+#include "render/wide/backend.hpp"
 
 namespace sdlc::cli {
 namespace {
 
 std::string version_text() {
-  const auto isas = render::available_isas();
-  const std::string_view in_use = isas.empty() ? kInstructionSet : name_of(isas.back());
-  const auto names = render::kIsas | std::views::transform([](auto isa) { return name_of(isa); });
+  const bool has_vectors = !render::available_vectors().empty();
+  const std::string_view in_use = has_vectors ? render::best_backend().name : kInstructionSet;
+  const auto names = render::vector_backends() | std::views::transform(&render::Backend::name);
   return fmt::format("sdlc {} ({})\nbuilt for {} with {}, in use {}\n", kVersion, kCommit,
                      kInstructionSet, fmt::join(names, ", "), in_use);
 }

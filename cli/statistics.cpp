@@ -49,7 +49,7 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"instruction_set", instruction_set(result.kernel)},
       {"precision", name_of(result.kernel.precision)},
       {"precision_bound", deciding_bound_json(result.kernel.bounds)},
-      {"kernel", name_of(result.kernel.kind)},
+      {"kernel", name_of(result.kernel)},
       {"features", statistics.features},
       {"parse_seconds", statistics.compile.parse_seconds},
       {"lower_seconds", statistics.compile.lower_seconds},

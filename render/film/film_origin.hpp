@@ -18,7 +18,7 @@ struct FilmOrigin {
   SamplerKind sampler = SamplerKind::Sobol;
   bool is_centred = false;  ///< RenderSettings::is_centred()
   Precision precision = Precision::Double;
-  /// The instruction sets that give these bits.
+  /// "fused" or "separate": how products are rounded before they are added (Backend::is_fused).
   std::string arithmetic;
   /// The version of the program.
   std::string program;

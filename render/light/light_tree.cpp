@@ -82,49 +82,4 @@ void LightTree::build(const std::vector<LightSphere>& lights, std::uint32_t* fir
   build(lights, mid, last, 2 * node + 1, levels_below - 1);
 }
 
-/// An upper bound, up to a constant factor, on the light that a node sends to `x`: power · cos θ /
-/// d². The cosine is that of the highest point of the bounding sphere above the horizon; the bound
-/// is 0 if all of it is below.
-double LightTree::importance(std::size_t node, Vec3 x, Vec3 normal) const noexcept {
-  const Node& of = nodes_[node];
-  const Vec3 to_center = of.center - x;
-  const double height = dot(to_center, normal) + of.radius;
-  const double distance = std::fmax(length(to_center), of.radius);
-  return height > 0 ? of.power * height / (distance * distance * distance) : 0;
-}
-
-LightTree::Choice LightTree::choose(Vec3 x, Vec3 normal, UniformPair random) const noexcept {
-  std::size_t node = 1;
-  double probability = 1, u = random.first;
-  for (int level = 0; level < levels_; ++level) {
-    if (level == kLevelsPerNumber) u = random.second;
-    const double left = importance(2 * node, x, normal);
-    const double right = importance(2 * node + 1, x, normal);
-    const double total = left + right;
-    // No light arrives from either child; or x is so near that the bounds overflow.
-    if (!(total > 0 && total < std::numeric_limits<double>::infinity())) return {};
-    const double share_left = left / total, share_right = right / total;
-    const bool goes_left = u < share_left;
-    u = goes_left ? u / share_left : (u - share_left) / share_right;
-    probability *= goes_left ? share_left : share_right;
-    node = 2 * node + (goes_left ? 0 : 1);
-  }
-  return {static_cast<std::uint32_t>(node - nodes_.size() / 2), probability};
-}
-
-double LightTree::probability(std::uint32_t leaf, Vec3 x, Vec3 normal) const noexcept {
-  std::size_t node = 1;
-  double probability = 1;
-  for (int level = levels_ - 1; level >= 0; --level) {
-    const double left = importance(2 * node, x, normal);
-    const double right = importance(2 * node + 1, x, normal);
-    const double total = left + right;
-    if (!(total > 0 && total < std::numeric_limits<double>::infinity())) return 0;
-    const std::size_t side = leaf >> level & 1;
-    probability *= (side == 0 ? left : right) / total;
-    node = 2 * node + side;
-  }
-  return probability;
-}
-
 }  // namespace sdlc::render

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "render/math/vec3.hpp"
-#include "render/sampler/sampler.hpp"
 
 namespace sdlc::render {
 
@@ -34,16 +33,6 @@ class LightTree {
   /// O(n log n) time. Coordinates have to be moderate, as after rebase_to_camera().
   explicit LightTree(const std::vector<LightSphere>& lights);
 
-  struct Choice {
-    std::uint32_t leaf = 0;
-    double probability = 0;  ///< 0: no light
-  };
-  /// Chooses one of the lights for the point `x`, which light reaches only on the side of the unit
-  /// vector `normal`.
-  Choice choose(Vec3 x, Vec3 normal, UniformPair random) const noexcept;
-  /// Choice::probability of a leaf.
-  double probability(std::uint32_t leaf, Vec3 x, Vec3 normal) const noexcept;
-
   /// The first random number is used for this many levels, the second one below: a float has no
   /// more digits.
   static constexpr int kLevelsPerNumber = 12;
@@ -62,7 +51,6 @@ class LightTree {
  private:
   void build(const std::vector<LightSphere>& lights, std::uint32_t* first, std::uint32_t* last,
              std::size_t node, int levels_below);
-  double importance(std::size_t node, Vec3 x, Vec3 normal) const noexcept;
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> lights_of_leaves_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/light/light_cone.hpp"
-
 namespace sdlc::render {
 namespace {
 
@@ -60,32 +58,6 @@ std::uint32_t Lights::leaf_of(std::uint32_t sphere) const noexcept {
   const auto found = std::ranges::lower_bound(leaves_of_spheres_, sphere, {},
                                               [](const auto& pair) { return pair.first; });
   return found != leaves_of_spheres_.end() && found->first == sphere ? found->second : kNoLight;
-}
-
-auto Lights::connect(const Place& at, UniformPair choice, UniformPair direction) const noexcept
-    -> std::optional<Connection> {
-  const LightTree::Choice chosen = tree_.choose(at.x, at.normal, choice);
-  if (!(chosen.probability > 0)) return std::nullopt;
-  const Light& light = leaves_[chosen.leaf];
-  const LightCone cone = light_cone(light.center_at(at.u) - at.x, light.radius);
-  if (!(cone.height > 0)) return std::nullopt;
-  const LightDirection way = sample_cone(cone, light.radius, direction);
-  const double cosine = dot(way.direction, at.normal);
-  if (!(cosine > 0)) return std::nullopt;
-  const double weight = scattering_weight(chosen.probability, cone, cosine);
-  return Connection{.direction = way.direction,
-                    .distance = way.distance,
-                    .radiance = light.radiance * weight,
-                    .weight = weight,
-                    .sphere = light.sphere};
-}
-
-double Lights::weight_of_hit(std::uint32_t sphere, const Place& at, double cosine) const noexcept {
-  const std::uint32_t leaf = leaf_of(sphere);
-  if (leaf == kNoLight) return 1;
-  const Light& light = leaves_[leaf];
-  return scattering_weight(tree_.probability(leaf, at.x, at.normal),
-                           light_cone(light.center_at(at.u) - at.x, light.radius), cosine);
 }
 
 }  // namespace sdlc::render

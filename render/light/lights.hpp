@@ -1,14 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "render/light/light_tree.hpp"
 #include "render/math/color.hpp"
 #include "render/math/vec3.hpp"
-#include "render/sampler/sampler.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::render {
@@ -24,9 +23,9 @@ struct Light {
   Vec3 center_at(double u) const noexcept { return center + shift * u; }
 };
 
-/// The emissive spheres that diffuse surfaces sample directly, in addition to scattering, and the
-/// weight of the two techniques (multiple importance sampling). Their combination has the same
-/// expectation as scattering alone, path length by path length.
+/// The emissive spheres that diffuse surfaces sample directly, in addition to scattering (multiple
+/// importance sampling). The combination has the same expectation as scattering alone, path length
+/// by path length.
 class Lights {
  public:
   Lights() = default;
@@ -40,25 +39,6 @@ class Lights {
   }  ///< in the order of the tree
   /// The leaf of a sphere, or kNoLight.
   std::uint32_t leaf_of(std::uint32_t sphere) const noexcept;
-
-  /// A point on a diffuse surface. `normal` is on the side from which the path came.
-  struct Place {
-    Vec3 x, normal;
-    double u = 0;  ///< time within the shutter
-  };
-  /// A shadow ray towards a light.
-  struct Connection {
-    Vec3 direction;
-    double distance = 0;   ///< an occluder is nearer than this
-    LinearRgb radiance;    ///< contribution if unoccluded, times the attenuation of the surface
-    double weight = 0;     ///< share of the light's radiance in this contribution
-    std::uint32_t sphere;  ///< the light
-  };
-  /// nullopt if no light can be visible.
-  std::optional<Connection> connect(const Place& at, UniformPair choice,
-                                    UniformPair direction) const noexcept;
-  /// The weight of a ray scattered there, with `cosine` to the normal, that hits the sphere.
-  double weight_of_hit(std::uint32_t sphere, const Place& at, double cosine) const noexcept;
 
  private:
   LightTree tree_;

@@ -51,7 +51,7 @@ Study::Study(const Scene& scene, const RenderSettings& settings, KernelRequest r
   settings_.seconds.reset();
   settings_.is_adaptive = false;
   const Kernel kernel = choose_kernel(scene, settings, request);
-  if (!kernel.refusal.empty()) throw std::invalid_argument(kernel.refusal);
+  if (kernel.refusal) throw std::invalid_argument(describe(kernel.refusal->obstacle));
   for_each_configuration_setting([&](const auto& row) {
     if (row.setting != nullptr) own_.*row.member = settings.*row.setting;
   });
@@ -109,8 +109,10 @@ ConfigurationCost Study::try_configuration(const Configuration& configuration) {
   ConfigurationCost cost{.configuration = configuration};
   RenderSettings settings = settings_of(configuration, 8, settings_.seed);
   const Kernel kernel = choose_kernel(scene_, settings, request_of(configuration));
-  cost.refusal = kernel.refusal;
-  if (!cost.refusal.empty()) return cost;
+  if (kernel.refusal) {
+    cost.refusal = describe(kernel.refusal->obstacle);
+    return cost;
+  }
   cost.configuration.precision = kernel.precision;
   // Small enough to be cheap, large enough to keep all lanes and threads busy.
   constexpr double kPixels = 1 << 15;
@@ -133,7 +135,7 @@ ConfigurationCost Study::guess_configuration(const Configuration& configuration,
   ConfigurationCost cost = own;
   cost.configuration = configuration;
   cost.configuration.precision = kernel.precision;
-  cost.refusal = kernel.refusal;
+  if (kernel.refusal) cost.refusal = describe(kernel.refusal->obstacle);
   // Upper bounds for usual scenes.
   constexpr double kOfLights = 2, kOfDouble = 2;
   if (configuration.light_sampling == LightSampling::On) cost.seconds_per_sample *= kOfLights;
@@ -186,9 +188,9 @@ void Study::make_plan() {
 }
 
 bool Study::is_possible(const Configuration& configuration) const {
-  return choose_kernel(scene_, settings_of(configuration, 8, settings_.seed),
-                       request_of(configuration))
-      .refusal.empty();
+  return !choose_kernel(scene_, settings_of(configuration, 8, settings_.seed),
+                        request_of(configuration))
+              .refusal;
 }
 
 double Study::seconds_left() const {

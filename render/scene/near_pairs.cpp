@@ -12,10 +12,6 @@
 
 #include <tbb/parallel_for.h>
 
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
-
 #include "render/math/box.hpp"
 #include "render/math/vec3.hpp"
 #include "render/scene/curve_order.hpp"
@@ -56,7 +52,7 @@ class Boxes {
   }
   /// The boxes in `among` that the box at `place` of `other` intersects, as a bit mask.
   std::uint32_t meet(const Boxes& other, std::size_t place, std::uint32_t among = kAll) const {
-    std::uint32_t met = 0;
+    FourBits met{};
     for (std::size_t first = 0; first < kWidth; first += 4) {
       if ((among >> first & 0xF) == 0) continue;
       auto is_met = four(low[0], first) <= other.high[0][place];
@@ -65,9 +61,9 @@ class Boxes {
         is_met &= four(low[axis], first) <= other.high[axis][place];
         is_met &= other.low[axis][place] <= four(high[axis], first);
       }
-      met |= bits_of(is_met) << first;
+      met |= is_met & (FourBits{1, 2, 4, 8} << static_cast<std::int32_t>(first));
     }
-    return met & among;
+    return static_cast<std::uint32_t>(met[0] | met[1] | met[2] | met[3]) & among;
   }
 
  private:
@@ -78,13 +74,6 @@ class Boxes {
     Four v;
     std::memcpy(&v, row.data() + first, sizeof v);
     return v;
-  }
-  static std::uint32_t bits_of(FourBits v) {
-#if defined(__SSE2__)
-    return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(v)));
-#else
-    return static_cast<std::uint32_t>((v[0] & 1) | (v[1] & 2) | (v[2] & 4) | (v[3] & 8));
-#endif
   }
 };
 

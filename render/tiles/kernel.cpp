@@ -6,12 +6,11 @@
 
 #include <tbb/global_control.h>
 
-#include "render/bvh/bvh.hpp"
-#include "render/integrator/light_pilot.hpp"
 #include "render/light/choose_lights.hpp"
 #include "render/scene/camera_surface.hpp"
 #include "render/scene/precision.hpp"
 #include "render/tiles/threads.hpp"
+#include "render/wide/light_pilot.hpp"
 #include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {
@@ -29,19 +28,18 @@ double cost_of_bvh(double spheres, Precision precision) {
 
 std::string whole(double number) { return std::to_string(std::lround(number)); }
 
-/// Why no wide kernel can trace the scene; empty if one can.
-std::string objection_to_wide(const Scene& scene, const KernelRequest& request) {
-  if (available_isas().empty()) return "the machine lacks the instructions of the wide kernels";
-  if (scene.spheres.empty() && scene.instances.empty()) return "no spheres";
-  if (request.kind == KernelKind::Wide && scene.spheres.size() > kMaxWideSpheres) {
-    return "more than " + std::to_string(kMaxWideSpheres) + " spheres";
-  }
-  return count_under_camera(scene) > 1 ? "the camera is on several surfaces" : "";
-}
+using Subject = KernelRefusal::Subject;
 
-bool has(Isa isa) {
-  const auto isas = available_isas();
-  return std::find(isas.begin(), isas.end(), isa) != isas.end();
+/// Why no vector kernel can trace the scene.
+std::optional<KernelObstacle> obstacle_to_vectors(const Scene& scene,
+                                                  const KernelRequest& request) {
+  if (available_vectors().empty()) return KernelObstacle::NoVectors;
+  if (scene.spheres.empty() && scene.instances.empty()) return KernelObstacle::NoSpheres;
+  if (request.search == Search::All && scene.spheres.size() > kMaxWideSpheres) {
+    return KernelObstacle::TooManySpheres;
+  }
+  if (count_under_camera(scene) > 1) return KernelObstacle::SeveralSurfaces;
+  return std::nullopt;
 }
 
 Kernel kernel_in_double(const Scene& scene, const RenderSettings& settings, std::string reason) {
@@ -79,85 +77,75 @@ Kernel judged_kernel(const Scene& scene, const RenderSettings& settings,
   return kernel;
 }
 
-Kernel refused(std::string refusal) {
+Kernel refused(Subject subject, KernelObstacle obstacle, const KernelRequest& request) {
   Kernel kernel;
-  kernel.reason = refusal;
-  kernel.refusal = std::move(refusal);
+  kernel.refusal = {.subject = subject, .obstacle = obstacle, .backend = request.backend};
   return kernel;
 }
 
-/// Only the BVH kernel supports instances.
+/// Instances are traced through a BVH in double.
 Kernel kernel_for_instances(const Scene& scene, const RenderSettings& settings,
                             const KernelRequest& request) {
-  const std::string hint = "; --instances never expands them";
-  if (request.isa && !has(*request.isa)) {
-    return refused("--isa: this machine has no " + std::string(name_of(*request.isa)));
-  }
-  if (request.kind && *request.kind != KernelKind::Bvh) {
-    return refused("--kernel: instances are traced with a BVH" + hint);
+  if (request.search == Search::All) {
+    return refused(Subject::Search, KernelObstacle::InstancesByBvh, request);
   }
   if (request.precision && request.precision != Precision::Double && !request.may_take_double) {
-    return refused("--precision: instances are traced in double" + hint);
+    return refused(Subject::Precision, KernelObstacle::InstancesInDouble, request);
   }
-  const std::string objection = objection_to_wide(scene, request);
-  if (!objection.empty()) {
-    return refused("--instances: not with the scalar kernel, which is needed as " + objection +
-                   hint);
+  if (count_under_camera(scene) > 1) {
+    return refused(Subject::Instances, KernelObstacle::SeveralSurfaces, request);
   }
   Kernel kernel = kernel_in_double(scene, settings, "instances are traced in double");
-  kernel.kind = KernelKind::Bvh;
-  kernel.isa = request.isa.value_or(available_isas().back());
+  kernel.backend = request.backend != nullptr ? request.backend : &best_backend();
   return kernel;
 }
 
-Kernel wide_kernel_for(const Scene& scene, const RenderSettings& settings,
-                       const KernelRequest& request) {
+Kernel vector_kernel_for(const Scene& scene, const RenderSettings& settings,
+                         const KernelRequest& request) {
   Kernel kernel = judged_kernel(scene, settings, request);
-  if (request.kind) {
-    kernel.kind = *request.kind;
+  if (request.search) {
+    kernel.search = *request.search;
   } else {
     const auto spheres = static_cast<double>(scene.spheres.size());
     const double all = cost_of_all(spheres, kernel.precision);
     const double bvh = cost_of_bvh(spheres, kernel.precision);
     const bool is_small = scene.spheres.size() <= kMaxWideSpheres && all <= bvh;
-    kernel.kind = is_small ? KernelKind::Wide : KernelKind::Bvh;
+    kernel.search = is_small ? Search::All : Search::Bvh;
     kernel.reason +=
         "; model: " + whole(all) + " ns per ray with every sphere, " + whole(bvh) + " with a BVH";
   }
-  kernel.isa = request.isa.value_or(available_isas().back());
+  kernel.backend = request.backend != nullptr ? request.backend : &best_backend();
   return kernel;
 }
 
 Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
                   const KernelRequest& request) {
-  const auto scalar = [&](std::string reason) {
-    return kernel_in_double(scene, settings, std::move(reason));
-  };
   // The search for gaps is parallel.
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(thread_count(settings.threads)));
+  if (request.backend != nullptr && !request.backend->is_available()) {
+    return refused(Subject::Backend, KernelObstacle::OtherMachine, request);
+  }
   if (!scene.instances.empty()) return kernel_for_instances(scene, settings, request);
-  const bool is_scalar = request.kind == KernelKind::Scalar;
-  const std::string objection = is_scalar ? std::string() : objection_to_wide(scene, request);
-  const bool takes_double = request.may_take_double && (is_scalar || !objection.empty());
+  const bool is_portable = request.backend == &portable_backend();
+  const auto obstacle = is_portable ? std::nullopt : obstacle_to_vectors(scene, request);
+  const bool takes_double = request.may_take_double && (is_portable || obstacle);
   const bool wants_float =
       request.precision && request.precision != Precision::Double && !takes_double;
-  if (request.isa && !has(*request.isa)) {
-    return refused("--isa: this machine has no " + std::string(name_of(*request.isa)));
+  if (is_portable) {
+    if (wants_float) {
+      return refused(Subject::Precision, KernelObstacle::PortableInDouble, request);
+    }
+    if (request.search == Search::All) {
+      return refused(Subject::Search, KernelObstacle::PortableByBvh, request);
+    }
+    return kernel_in_double(scene, settings, "the scalar kernel was requested");
   }
-  if (is_scalar) {
-    if (wants_float) return refused("--precision: the scalar kernel computes in double");
-    if (request.isa) return refused("--isa: the scalar kernel has no other instruction sets");
-    return scalar("the scalar kernel was requested");
-  }
-
-  const bool must_be_wide = request.kind || request.isa || wants_float;
-  if (!objection.empty()) {
-    if (!must_be_wide) return scalar(objection);
-    const char* flag = request.kind ? "--kernel" : request.isa ? "--isa" : "--precision";
-    return refused(std::string(flag) + ": not with the wide kernels: " + objection);
-  }
-  return wide_kernel_for(scene, settings, request);
+  if (!obstacle) return vector_kernel_for(scene, settings, request);
+  if (request.search) return refused(Subject::Search, *obstacle, request);
+  if (request.backend != nullptr) return refused(Subject::Backend, *obstacle, request);
+  if (wants_float) return refused(Subject::Precision, *obstacle, request);
+  return kernel_in_double(scene, settings, describe(*obstacle));
 }
 
 /// The emitters that diffuse surfaces sample. The geometric choice decides if the pilot found
@@ -185,28 +173,37 @@ std::vector<std::uint32_t> lights_for(const Scene& scene, const RenderSettings& 
 
 }  // namespace
 
-std::string_view name_of(KernelKind kind) noexcept {
-  switch (kind) {
-    case KernelKind::Wide: return "wide";
-    case KernelKind::Bvh: return "bvh";
-    default: return "scalar";
+std::string describe(KernelObstacle obstacle) {
+  switch (obstacle) {
+    case KernelObstacle::OtherMachine: return "this machine lacks the instructions";
+    case KernelObstacle::NoVectors: return "the machine lacks the instructions of the wide kernels";
+    case KernelObstacle::NoSpheres: return "no spheres";
+    case KernelObstacle::TooManySpheres:
+      return "more than " + std::to_string(kMaxWideSpheres) + " spheres";
+    case KernelObstacle::SeveralSurfaces: return "the camera is on several surfaces";
+    case KernelObstacle::PortableInDouble: return "the scalar kernel computes in double";
+    case KernelObstacle::PortableByBvh: return "the scalar kernel has a BVH";
+    case KernelObstacle::InstancesByBvh: return "instances are traced with a BVH";
+    default: return "instances are traced in double";
   }
+}
+
+std::string_view name_of(const Kernel& kernel) noexcept {
+  if (kernel.is_portable()) return "scalar";
+  return kernel.search == Search::All ? "wide" : "bvh";
 }
 
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request) {
   Kernel kernel = kernel_for(scene, settings, request);
-  if (kernel.refusal.empty()) kernel.lights = lights_for(scene, settings);
+  if (!kernel.refusal) kernel.lights = lights_for(scene, settings);
   return kernel;
 }
 
 std::size_t estimated_bytes(const Kernel& kernel, const Scene& scene) noexcept {
-  if (kernel.kind == KernelKind::Scalar) {
-    return Bvh::estimated_bytes(scene.spheres.size(), !scene.shifts.empty());
-  }
-  const Search search = kernel.kind == KernelKind::Bvh ? Search::Bvh : Search::All;
-  return kernel.precision == Precision::Double ? WideScene<double>::estimated_bytes(scene, search)
-                                               : WideScene<float>::estimated_bytes(scene, search);
+  return kernel.precision == Precision::Double
+             ? WideScene<double>::estimated_bytes(scene, kernel.search)
+             : WideScene<float>::estimated_bytes(scene, kernel.search);
 }
 
 }  // namespace sdlc::render

@@ -66,8 +66,8 @@ bool PictureTracer::trace_tile(Film& film, std::size_t begin, std::size_t end, c
       samples += run.samples();
     }
     monitor_.samples_done.fetch_add(samples, std::memory_order_relaxed);
-    monitor_.rays_done.fetch_add(counts.paths.rays, std::memory_order_relaxed);
-    truncated_.fetch_add(counts.paths.truncated_paths, std::memory_order_relaxed);
+    monitor_.rays_done.fetch_add(counts.rays, std::memory_order_relaxed);
+    truncated_.fetch_add(counts.truncated_paths, std::memory_order_relaxed);
     nonfinite_.fetch_add(counts.nonfinite_samples, std::memory_order_relaxed);
   }
   pixels.close();

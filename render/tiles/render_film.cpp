@@ -15,12 +15,6 @@
 namespace sdlc::render {
 namespace {
 
-/// The instruction sets whose pictures have the same bits.
-std::string arithmetic_of(const Kernel& kernel) {
-  if (kernel.kind == KernelKind::Scalar) return "scalar";
-  return kernel.isa == Isa::Sse4 ? "sse4" : "fma";
-}
-
 /// The number of samples that a part has in each replicate of a pixel with `samples` samples.
 ReplicateCounts counts_in(const FilmPart& part, std::uint64_t samples) {
   ReplicateCounts counts = part.extent.replicates == 1
@@ -51,7 +45,7 @@ StoredFilm new_film(const Kernel& kernel, const Scene& scene, const RenderSettin
                      .sampler = settings.sampler,
                      .is_centred = settings.is_centred(),
                      .precision = kernel.precision,
-                     .arithmetic = arithmetic_of(kernel),
+                     .arithmetic = kernel.backend->is_fused ? "fused" : "separate",
                      .program = {}},
           .statistics = {},
           .lights = kernel.lights,

@@ -20,6 +20,7 @@
 
 #include <hwy/highway.h>
 
+#include "render/wide/two_lanes-inl.h"
 #include "render/wide/vector_math-inl.h"
 #include "render/wide/wide_scene.hpp"
 
@@ -72,7 +73,7 @@ class BvhSearch {
       const VR more = hn::Set(d, 1 + kRelativeError), less = hn::Set(d, 1 - kRelativeError);
       const auto bounds = [&](VR v) HWY_ATTR {
         const VR a = hn::Mul(v, more), b = hn::Mul(v, less);
-        return std::array<VR, 2>{hn::Max(a, b), hn::Min(a, b)};
+        return std::array<VR, 2>{larger(a, b), smaller(a, b)};
       };
       const auto x = bounds(offset.x), y = bounds(offset.y), z = bounds(offset.z);
       store({x[0], y[0], z[0]}, max_offset);
@@ -89,7 +90,7 @@ class BvhSearch {
     static HWY_INLINE VR inverse_of(VR along) {
       const DR d;
       const VR min_component = hn::Set(d, kMinComponent);
-      return hn::Div(hn::Set(d, T{1}), hn::CopySign(hn::Max(hn::Abs(along), min_component), along));
+      return hn::Div(hn::Set(d, T{1}), hn::CopySign(larger(hn::Abs(along), min_component), along));
     }
     static HWY_INLINE void store(Triple<VR> v, std::array<Row<T>, 3>& to) {
       const DR d;
@@ -103,7 +104,11 @@ class BvhSearch {
     std::uint32_t slot;
   };
 
+#if HWY_TARGET == HWY_SCALAR
+  using D = TwoLanes;
+#else
   using D = hn::CappedTag<T, kBvhWidth>;
+#endif
   using V = hn::Vec<D>;
   static constexpr std::size_t kLanes = hn::MaxLanes(D());
   static constexpr std::size_t kParts = kBvhWidth / kLanes;  // number of vectors that hold all
@@ -409,6 +414,9 @@ class BvhSearch {
 
   HWY_INLINE void take_if_nearer(T t, std::uint32_t slot, std::uint32_t departed, Hit& hit) const {
     if (t > hit.t || slot == departed) return;
+    if constexpr (kIsPortable) {
+      if (departed == scene_.kSeveralCameraSpheres && scene_.has_camera_on(slot)) return;
+    }
     if (t == hit.t && !comes_first(slot, hit.slot)) return;
     hit = {t, slot};
   }

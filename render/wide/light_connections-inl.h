@@ -14,7 +14,6 @@
 
 #include <hwy/highway.h>
 
-#include "render/light/light_cone.hpp"
 #include "render/light/light_tree.hpp"
 #include "render/sampler/sampler.hpp"
 #include "render/wide/table_reader-inl.h"
@@ -26,7 +25,12 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Lights, LightTree and LightCone for every lane; the formulas are explained there.
+/// From this sin² of the half angle on, the light fills half the sky or contains the point:
+/// scattering finds it anyway.
+inline constexpr double kLargestLightSine2 = 0.9;
+
+/// Chooses lights by LightTree, and directions in the cone in which the light is seen (Shirley,
+/// Wang, Zimmerman, "Monte Carlo techniques for direct lighting calculations", 1996, 3.2).
 template <typename T, bool kMotion>
 class LightConnections {
  public:
@@ -36,17 +40,18 @@ class LightConnections {
   using Bits = hn::Vec<DU>;
   using Mask = hn::Mask<D>;
 
-  /// Lights::Place
+  /// A point on a diffuse surface. `normal` is on the side from which the path came.
   struct Place {
     Triple<V> x, normal;
     V time;
   };
-  /// Lights::Connection
+  /// A shadow ray towards a light.
   struct Connection {
-    Mask exists;  ///< the other members are undefined elsewhere
+    Mask exists;  ///< a light may be visible; the other members are undefined elsewhere
     Triple<V> direction;
-    V distance;
-    Triple<V> radiance;
+    V distance;          ///< an occluder is nearer than this
+    Triple<V> radiance;  ///< contribution if unoccluded, without the attenuation of the surface
+    V weight;            ///< share of the light's radiance in this contribution
     Bits slot;
   };
 
@@ -68,7 +73,8 @@ class LightConnections {
   };
   struct Cone {
     Triple<V> to_center;
-    V distance, height;
+    V distance;  // to the centre
+    V height;    // 1 − cos of the half angle; the solid angle is 2π times this
     V radius_squared;
     Mask exists;
   };
@@ -85,6 +91,9 @@ class LightConnections {
   const WideLights<T>& lights_;
 };
 
+/// An upper bound, up to a constant factor, on the light that a node sends to a point: power · cos
+/// θ / d². The cosine is that of the highest point of the bounding sphere above the horizon; the
+/// bound is 0 if all of it is below.
 template <typename T, bool kMotion>
 auto LightConnections<T, kMotion>::importance(Bits node, const Place& at) const -> V {
   const D d;
@@ -98,7 +107,8 @@ auto LightConnections<T, kMotion>::importance(Bits node, const Place& at) const 
                             hn::Div(hn::Mul(read(lights_.node_power), height), cube));
 }
 
-/// For the node whose left child is `left`.
+/// For the node whose left child is `left`. None may be chosen if no light arrives from either, or
+/// if the point is so near that the bounds overflow.
 template <typename T, bool kMotion>
 auto LightConnections<T, kMotion>::children(Bits left, const Place& at) const -> Children {
   const D d;
@@ -140,12 +150,19 @@ auto LightConnections<T, kMotion>::cone(const TableReader<D>& read, const Place&
   const V distance_squared = dot(to_center, to_center);
   const V radius = read(lights_.radius), radius_squared = hn::Mul(radius, radius);
   const V sine_squared = hn::Div(radius_squared, distance_squared);
+  // 1 − √(1 − s) would cancel for small lights.
   const V height = hn::Div(sine_squared, hn::Add(one, hn::Sqrt(hn::Sub(one, sine_squared))));
   return {to_center, hn::Sqrt(distance_squared), height, radius_squared,
           hn::And(hn::Lt(sine_squared, set(kLargestLightSine2)), hn::Gt(height, hn::Zero(D())))};
 }
 
-/// Valid if there is a cone and the probability is above 0.
+/// The balance heuristic (Veach, "Robust Monte Carlo methods for light transport simulation", 1997,
+/// 9.2.2) for diffuse scattering versus sampling the light (chosen with this probability, with a
+/// direction in its cone): cos/π divided by the sum of cos/π and probability over solid angle. A
+/// scattered ray that hits the light has this weight. A connection also counts as its radiance
+/// times this: the weight of its own technique times cos/π over its own density is the same number.
+/// `cosine` is between direction and normal. Valid if there is a cone and the probability is above
+/// 0.
 template <typename T, bool kMotion>
 auto LightConnections<T, kMotion>::scattering_weight(V probability, const Cone& cone, V cosine)
     -> V {
@@ -166,6 +183,8 @@ auto LightConnections<T, kMotion>::connect(Mask wanted, const Place& at,
   const V below = hn::Mul(height, seen.height);
   const V cosine = hn::Sub(one, below);
   const V sine_squared = hn::Mul(below, hn::Sub(set(2), below));
+  // With z as the axis; two perpendicular directions by Duff et al., "Building an orthonormal
+  // basis, revisited", 2017.
   const Triple<V> z = scaled(seen.to_center, hn::Div(one, seen.distance));
   const V sign = hn::CopySign(one, z.z);
   const V a = hn::Neg(hn::Div(one, hn::Add(sign, z.z)));
@@ -186,6 +205,7 @@ auto LightConnections<T, kMotion>::connect(Mask wanted, const Place& at,
           .direction = direction,
           .distance = hn::MulSub(seen.distance, cosine, half_chord),
           .radiance = scaled(read(lights_.radiance), weight),
+          .weight = weight,
           .slot = read(lights_.slot)};
 }
 

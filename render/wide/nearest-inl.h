@@ -18,24 +18,31 @@
 #include <hwy/highway.h>
 
 #include "render/wide/bvh_search-inl.h"
-#include "render/wide/bvh_wave-inl.h"
 #include "render/wide/vector_math-inl.h"
 #include "render/wide/wide_scene.hpp"
+#if HWY_TARGET != HWY_SCALAR
+#include "render/wide/bvh_wave-inl.h"
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Optional features of a kernel, which cost time even if a scene does not need them.
-template <bool motion, bool exact_spheres, bool bvh, bool instances, bool lights>
+/// KernelFeatures of a kernel.
+template <bool motion, bool exact_spheres, bool bvh, bool instances, bool lights,
+          bool pilot = false>
 struct Features {
   static constexpr bool kMotion = motion;
   static constexpr bool kExactSpheres = exact_spheres;
   static constexpr bool kBvh = bvh;
   static constexpr bool kInstances = instances;  // in double, through a BVH
   static constexpr bool kLights = lights;
+  static constexpr bool kPilot = pilot;  // with kLights
 };
+
+template <typename T, bool kMotion>
+class BvhWave;
 
 /// Finds the nearest hit of each lane's ray.
 template <typename T, typename F>
@@ -193,16 +200,10 @@ template <typename T, typename F>
 void NearestSphere<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction, V time,
                                           Bits departed, V rehit, Nearest& nearest) const {
   const D d;
-  const hn::Half<D> dh;
   const hn::Repartition<double, D> dd;
   using Wide = hn::Vec<decltype(dd)>;
   using Halves = std::array<Wide, 2>;
-  const auto wide = [&](V v) HWY_ATTR {
-    return Halves{hn::PromoteTo(dd, hn::LowerHalf(dh, v)), hn::PromoteTo(dd, hn::UpperHalf(dh, v))};
-  };
-  const auto narrow = [&](const Halves& v) HWY_ATTR {
-    return hn::Combine(d, hn::DemoteTo(dh, v[1]), hn::DemoteTo(dh, v[0]));
-  };
+  const auto wide = [&](V v) HWY_ATTR { return in_double(d, v); };
   const auto halves_of = [&](Triple<V> v) HWY_ATTR {
     const Halves x = wide(v.x), y = wide(v.y), z = wide(v.z);
     return std::array<Triple<Wide>, 2>{Triple<Wide>{x[0], y[0], z[0]},
@@ -253,7 +254,7 @@ void NearestSphere<T, F>::intersect_exact(Triple<V> origin, Triple<V> direction,
         t[half] = hn::IfThenElse(hn::Gt(inside[half], zero), hn::Max(leaves, zero), t[half]);
       }
     }
-    const V distance = narrow({hn::Mul(t[0], to_unit[0]), hn::Mul(t[1], to_unit[1])});
+    const V distance = in_float(d, {hn::Mul(t[0], to_unit[0]), hn::Mul(t[1], to_unit[1])});
     const Mask stays_outside = hn::AndNot(is_inside, is_departed);
     take_if_nearer(hn::IfThenElse(stays_outside, set(-1), distance), index, nearest);
   }

@@ -39,7 +39,7 @@ class WidePaths {
     for (std::size_t lane = 0; lane < kLanes; ++lane) start_run(lane);
   }
 
-  void trace(WideCounts& counts, const std::atomic<bool>& cancel);
+  void trace(TraceCounts& counts, const std::atomic<bool>& cancel);
 
  private:
   using D = hn::ScalableTag<T>;
@@ -77,6 +77,13 @@ class WidePaths {
     return read_material;
   }
   HWY_INLINE void add_to_sums(Mask mask, Triple<V> value);
+  void meet_camera_spheres(Mask fresh, Triple<V> direction, Nearest& nearest, Bits& departed,
+                           Triple<V>& normal, V& inwards) const;
+  /// The mean over the channels.
+  static HWY_INLINE V mean_square(Triple<V> color) { return hn::Div(dot(color, color), set(3)); }
+  static HWY_INLINE double sum_of(Mask mask, V value) {
+    return hn::GetLane(hn::SumOfLanes(D(), hn::IfThenElseZero(mask, value)));
+  }
   template <typename KindOf>
   void count_reached(Mask mask, Bits index, const KindOf& kind_of, EmitterTally& emitters) const;
   /// Counts the paths that end on the spheres of `mask`, and updates the history of the others.
@@ -122,7 +129,8 @@ void WidePaths<T, F>::start_run(std::size_t lane) {
     run_[lane] = &run;
     const auto x = static_cast<double>(run.pixel % view_.width);
     const auto y = static_cast<double>(run.pixel / view_.width + 1);  // the pixel's lower edge
-    const Vec3 corner = view_.corner + view_.right * x + view_.down * y;
+    Vec3 corner = view_.corner + view_.right * x + view_.down * y;
+    if constexpr (F::kPilot) corner = view_.plain->corners[run.pixel];
     const D d;
     put(d, corner_[0].data(), lane, static_cast<T>(corner.x));
     put(d, corner_[1].data(), lane, static_cast<T>(corner.y));
@@ -175,15 +183,35 @@ void WidePaths<T, F>::add_to_sums(Mask mask, Triple<V> value) {
   for (std::size_t c = 0; c < 3; ++c) {
     double* sum = sum_[c].data();
     if constexpr (sizeof(T) == 4) {
-      const hn::Half<D> dh;
-      const auto low = hn::PromoteTo(dd, hn::LowerHalf(dh, channels[c]));
-      const auto high = hn::PromoteTo(dd, hn::UpperHalf(dh, channels[c]));
-      hn::Store(hn::Add(hn::Load(dd, sum), low), dd, sum);
+      const auto halves = in_double(D(), channels[c]);
+      hn::Store(hn::Add(hn::Load(dd, sum), halves[0]), dd, sum);
       sum += kLanes / 2;
-      hn::Store(hn::Add(hn::Load(dd, sum), high), dd, sum);
+      hn::Store(hn::Add(hn::Load(dd, sum), halves[1]), dd, sum);
     } else {
       hn::Store(hn::Add(hn::Load(dd, sum), channels[c]), dd, sum);
     }
+  }
+}
+
+/// The first hits of camera rays that leave several spheres. `nearest` is that of all other
+/// spheres; these can only be hit from inside, where rays leave them again.
+template <typename T, typename F>
+void WidePaths<T, F>::meet_camera_spheres(Mask fresh, Triple<V> direction, Nearest& nearest,
+                                          Bits& departed, Triple<V>& normal, V& inwards) const {
+  const D d;
+  const DU du;
+  for (const auto& sphere : scene_.camera_spheres) {
+    const Triple<V> outward = spread(d, sphere.normal);
+    const V cosine = dot(direction, outward);
+    const V rehit = rehit_distance(cosine, hn::Set(d, sphere.radius));
+    const Mask is_nearer =
+        hn::And(fresh, hn::And(hn::Ge(rehit, hn::Zero(d)), hn::Lt(rehit, nearest.t)));
+    const auto is_nearer_bits = hn::RebindMask(du, is_nearer);
+    nearest.t = hn::IfThenElse(is_nearer, rehit, nearest.t);
+    nearest.index = hn::IfThenElse(is_nearer_bits, word(sphere.slot), nearest.index);
+    departed = hn::IfThenElse(is_nearer_bits, word(sphere.slot), departed);
+    normal = choose(is_nearer, outward, normal);
+    inwards = hn::IfThenElse(is_nearer, cosine, inwards);
   }
 }
 
@@ -226,7 +254,7 @@ void WidePaths<T, F>::follow_paths(Mask ends, Bits index, Mask fresh, Bits surfa
 }
 
 template <typename T, typename F>
-void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel) {
+void WidePaths<T, F>::trace(TraceCounts& counts, const std::atomic<bool>& cancel) {
   const D d;
   const DU du;
   const V zero = hn::Zero(d), one = set(1);
@@ -304,9 +332,14 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     }
     direction = scaled(next, hn::Div(one, hn::Sqrt(length_squared)));
 
-    const V inwards = dot(direction, normal);
-    const Nearest nearest =
+    V inwards = dot(direction, normal);
+    Nearest nearest =
         search.find(origin, direction, time, departed, rehit_distance(inwards, radius), alive);
+    if constexpr (kIsPortable) {
+      if (HWY_UNLIKELY(scene_.camera_sphere == scene_.kSeveralCameraSpheres)) {
+        meet_camera_spheres(fresh, direction, nearest, departed, normal, inwards);
+      }
+    }
     counts.rays += hn::CountTrue(d, alive);
 
     const Mask hit = hn::Lt(nearest.t, infinity);
@@ -319,6 +352,8 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
         plus_scaled(spread(d, scene_.sky_center), spread(d, scene_.sky_slope), direction.y);
     const Triple<V> factor = choose(hit, color, sky);
     beta = {hn::Mul(beta.x, factor.x), hn::Mul(beta.y, factor.y), hn::Mul(beta.z, factor.z)};
+    [[maybe_unused]] V plain_squares = zero;
+    if constexpr (F::kPilot) plain_squares = mean_square(beta);
 
     if constexpr (F::kLights) {
       const Bits leaf = read(scene_.lights.leaf_of_slot);
@@ -331,6 +366,9 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
                                {origin, flipped(normal, hn::And(inwards, hn::SignBit(d))), time},
                                hn::Abs(inwards));
         beta = scaled(beta, hn::IfThenElse(is_light, weight, one));
+        if constexpr (F::kPilot) {
+          plain_squares = hn::Mul(plain_squares, hn::IfThenElse(is_light, weight, one));
+        }
       }
     }
 
@@ -364,6 +402,10 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
     normal = outward;
     departed = nearest.index;
 
+    [[maybe_unused]] Mask is_first = hn::MaskFromVec(zero);  // the hit of a camera ray
+    if constexpr (F::kPilot) {
+      is_first = hn::RebindMask(d, hn::Eq(depth_left, word(scene_.max_depth)));
+    }
     depth_left = hn::Sub(depth_left, word(1));
     const Mask shines =
         hn::And(alive, hn::Or(hn::Not(hit), Scattering<T>::has(surface, kEndsPath)));
@@ -381,6 +423,7 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
       const Mask is_diffuse =
           hn::And(hit, hn::RebindMask(d, hn::Eq(hn::And(surface, not_diffuse), hn::Zero(du))));
       left_diffuse = hn::And(hn::AndNot(fresh, alive), is_diffuse);
+      if constexpr (F::kPilot) view_.plain->choices += hn::CountTrue(d, left_diffuse);
       if (!hn::AllFalse(d, left_diffuse)) {
         const auto connection =
             LightConnections<T, F::kMotion>(scene_.lights)
@@ -401,18 +444,32 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
             const auto direct = [](std::size_t) { return LightPath::Direct; };
             count_reached(is_seen, connection.slot, direct, *emitters);
           }
-          const auto add = [&](V sum, V factor, V radiance) HWY_ATTR {
-            return hn::Add(sum, hn::IfThenElseZero(is_seen, hn::Mul(factor, radiance)));
+          const auto add = [&](V sum, V throughput, V radiance) HWY_ATTR {
+            return hn::Add(sum, hn::IfThenElseZero(is_seen, hn::Mul(throughput, radiance)));
           };
           gathered = {add(gathered.x, beta.x, connection.radiance.x),
                       add(gathered.y, beta.y, connection.radiance.y),
                       add(gathered.z, beta.z, connection.radiance.z)};
+          if constexpr (F::kPilot) {
+            PlainPaths& plain = *view_.plain;
+            plain.shadow_rays += hn::CountTrue(d, connection.exists);
+            plain.connections += hn::CountTrue(d, is_seen);
+            const Triple<V> radiance{hn::Mul(beta.x, connection.radiance.x),
+                                     hn::Mul(beta.y, connection.radiance.y),
+                                     hn::Mul(beta.z, connection.radiance.z)};
+            const Mask weighs = hn::And(is_seen, hn::Gt(connection.weight, zero));
+            plain.squares += sum_of(weighs, hn::Div(mean_square(radiance), connection.weight));
+          }
         }
       }
       const auto whole = [&](V last, V before)
                              HWY_ATTR { return hn::Add(hn::IfThenElseZero(shines, last), before); };
       brought = {whole(beta.x, gathered.x), whole(beta.y, gathered.y), whole(beta.z, gathered.z)};
       brings = fresh;
+      if constexpr (F::kPilot) {
+        brings = hn::AndNot(is_first, brings);
+        view_.plain->squares += sum_of(hn::AndNot(is_first, shines), plain_squares);
+      }
       gathered = choose(fresh, Triple<V>{zero, zero, zero}, gathered);
     }
     Mask is_sound = brings;
@@ -438,12 +495,12 @@ void WidePaths<T, F>::trace(WideCounts& counts, const std::atomic<bool>& cancel)
 
 template <typename T, typename F>
 void trace_runs(const WideScene<T>& scene, const WideView<T>& view, std::span<PixelRun> runs,
-                WideCounts& counts, const std::atomic<bool>& cancel) noexcept {
+                TraceCounts& counts, const std::atomic<bool>& cancel) noexcept {
   WidePaths<T, F>(scene, view, runs).trace(counts, cancel);
 }
 
 template <typename T, bool kLights, bool kMotion, bool kExactSpheres>
-TraceRuns<T>* choose_search(WideFeatures features) noexcept {
+TraceRuns<T>* choose_search(KernelFeatures features) noexcept {
   return features.bvh ? &trace_runs<T, Features<kMotion, kExactSpheres, true, false, kLights>>
                       : &trace_runs<T, Features<kMotion, kExactSpheres, false, false, kLights>>;
 }
@@ -451,7 +508,7 @@ TraceRuns<T>* choose_search(WideFeatures features) noexcept {
 /// `kLights` as in `features`; it is a template parameter because each value has its own source
 /// file.
 template <typename T, bool kLights>
-TraceRuns<T>* choose_kernel(WideFeatures features) noexcept {
+TraceRuns<T>* choose_kernel(KernelFeatures features) noexcept {
   if constexpr (sizeof(T) == 8) {
     if (features.instances) {
       return features.motion ? &trace_runs<T, Features<true, false, true, true, kLights>>

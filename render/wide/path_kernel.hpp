@@ -4,15 +4,37 @@
 #include <atomic>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "render/film/pixel_run.hpp"
 #include "render/light/emitter_tally.hpp"
 #include "render/math/vec3.hpp"
-#include "render/wide/isa.hpp"
-#include "render/wide/wide_integrator.hpp"
 #include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {
+
+/// Statistics about the samples of some runs. Sums of integers do not depend on their order.
+struct TraceCounts {
+  std::uint64_t rays = 0;
+  std::uint64_t truncated_paths = 0;    ///< cut off by the depth limit, counted as black
+  std::uint64_t nonfinite_samples = 0;  ///< counted as black
+};
+
+/// Estimates, from paths with connections to lights, what the same paths without connections would
+/// give; summed over paths.
+struct PlainPaths {
+  std::vector<Vec3> corners;  ///< like WideView::corner: the lower left corner of each run's pixel
+
+  /// An unbiased estimate of the squared contribution of a plain path, as a mean over channels.
+  /// Paths that end at the first hit are excluded, here and in the sums of the runs, because
+  /// Sobol' points integrate them well. A connection represents the scattered rays that would have
+  /// hit its light: with L the radiance, both count as L² times their weight in the balance
+  /// heuristic, so light that scattering almost never finds is fully included.
+  double squares = 0;
+  std::uint64_t shadow_rays = 0;
+  std::uint64_t connections = 0;  ///< shadow rays that reached their light
+  std::uint64_t choices = 0;      ///< surfaces at which a light was chosen
+};
 
 /// What all pixels of a picture share.
 template <typename T>
@@ -25,32 +47,30 @@ struct WideView {
   std::array<T, 3> spread_right{}, spread_up{};
   SamplerKind sampler = SamplerKind::Sobol;
   EmitterTally* emitters = nullptr;  ///< counts reached emitters; may be null
+  PlainPaths* plain = nullptr;       ///< KernelFeatures::pilot
 };
 
 /// Traces all samples of `runs`, a run in one lane. Returns soon, with meaningless sums, if
 /// `cancel` is set.
 template <typename T>
 using TraceRuns = void(const WideScene<T>& scene, const WideView<T>& view, std::span<PixelRun> runs,
-                       WideCounts& counts, const std::atomic<bool>& cancel) noexcept;
+                       TraceCounts& counts, const std::atomic<bool>& cancel) noexcept;
 
-/// Features that a scene needs and that would cost time if always compiled in. Materials are not
-/// included: testing whether any lane has metal or glass costs 1 %.
-struct WideFeatures {
+/// Features that would cost time if always compiled in. Materials are not included: testing whether
+/// any lane has metal or glass costs 1 %.
+struct KernelFeatures {
   bool motion = false;
   bool exact_spheres = false;  ///< WideScene::exact, in float
   bool bvh = false;            ///< Search::Bvh
   bool instances = false;      ///< WideScene::instances, in double
   bool lights = false;         ///< WideScene::lights
+  bool pilot = false;          ///< WideView::plain; portable, with `bvh` and `lights`
 };
-/// The kernel for an available instruction set.
+/// The kernel with these features.
 template <typename T>
-TraceRuns<T>* wide_kernel(Isa isa, WideFeatures features) noexcept;
-/// The kernel if WideFeatures::lights is set; it has its own source file.
-template <typename T>
-TraceRuns<T>* wide_kernel_with_lights(Isa isa, WideFeatures features) noexcept;
-extern template TraceRuns<float>* wide_kernel_with_lights(Isa isa, WideFeatures features) noexcept;
-extern template TraceRuns<double>* wide_kernel_with_lights(Isa isa, WideFeatures features) noexcept;
-extern template TraceRuns<float>* wide_kernel(Isa isa, WideFeatures features) noexcept;
-extern template TraceRuns<double>* wide_kernel(Isa isa, WideFeatures features) noexcept;
+using ChooseKernel = TraceRuns<T>*(KernelFeatures features) noexcept;
+
+/// The kernel for every machine; always through a BVH.
+ChooseKernel<double> portable_kernel;
 
 }  // namespace sdlc::render

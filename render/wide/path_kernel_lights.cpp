@@ -2,43 +2,19 @@
 #define HWY_TARGET_INCLUDE "render/wide/path_kernel_lights.cpp"
 #include <hwy/foreach_target.h>
 
-#if HWY_TARGET != HWY_STATIC_TARGET
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 #include "render/wide/path_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
-// Called here, so that all instantiations are compiled for the instruction set.
-TraceRuns<float>* kernel_with_lights_for(float /*type*/, WideFeatures features) noexcept {
+TraceRuns<float>* kernel_with_lights(float /*type*/, KernelFeatures features) noexcept {
   return choose_kernel<float, true>(features);
 }
-TraceRuns<double>* kernel_with_lights_for(double /*type*/, WideFeatures features) noexcept {
+TraceRuns<double>* kernel_with_lights(double /*type*/, KernelFeatures features) noexcept {
   return choose_kernel<double, true>(features);
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif
-
-#if HWY_ONCE
-namespace sdlc::render {
-
-template <typename T>
-TraceRuns<T>* wide_kernel_with_lights([[maybe_unused]] Isa isa,
-                                      [[maybe_unused]] WideFeatures features) noexcept {
-#if HWY_ARCH_X86_64
-  switch (isa) {
-    case Isa::Sse4: return N_SSE4::kernel_with_lights_for(T{}, features);
-    case Isa::Avx2: return N_AVX2::kernel_with_lights_for(T{}, features);
-    default: return N_AVX3::kernel_with_lights_for(T{}, features);
-  }
-#else
-  return nullptr;  // no Isa is available
-#endif
-}
-
-template TraceRuns<float>* wide_kernel_with_lights(Isa isa, WideFeatures features) noexcept;
-template TraceRuns<double>* wide_kernel_with_lights(Isa isa, WideFeatures features) noexcept;
-
-}  // namespace sdlc::render
 #endif

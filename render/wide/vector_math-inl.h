@@ -16,11 +16,15 @@
 
 #include "render/sampler/owen.hpp"
 #include "render/sampler/sampler.hpp"
+#include "render/wide/two_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// One number per lane and one lane: the portable kernels, whose vectors have no bytes to shuffle.
+inline constexpr bool kIsPortable = HWY_TARGET == HWY_SCALAR;
 
 template <typename V>
 struct Triple {
@@ -64,6 +68,32 @@ HWY_INLINE Triple<hn::Vec<D>> spread(D d, const std::array<T, 3>& v) {
   return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
 }
 
+/// Max and Min of numbers that are not NaN; Highway's test for NaN if there is one lane.
+template <typename V>
+HWY_INLINE V larger(V a, V b) {
+  if constexpr (kIsPortable) return hn::IfThenElse(hn::Gt(a, b), a, b);
+  return hn::Max(a, b);
+}
+template <typename V>
+HWY_INLINE V smaller(V a, V b) {
+  if constexpr (kIsPortable) return hn::IfThenElse(hn::Lt(a, b), a, b);
+  return hn::Min(a, b);
+}
+
+#if HWY_TARGET != HWY_SCALAR
+/// The halves of a vector of floats.
+template <typename D, typename DD = hn::Repartition<double, D>>
+HWY_INLINE std::array<hn::Vec<DD>, 2> in_double(D d, hn::Vec<D> v) {
+  const hn::Half<D> dh;
+  return {hn::PromoteTo(DD(), hn::LowerHalf(dh, v)), hn::PromoteTo(DD(), hn::UpperHalf(dh, v))};
+}
+template <typename D, typename DD = hn::Repartition<double, D>>
+HWY_INLINE hn::Vec<D> in_float(D d, const std::array<hn::Vec<DD>, 2>& halves) {
+  const hn::Half<D> dh;
+  return hn::Combine(d, hn::DemoteTo(dh, halves[1]), hn::DemoteTo(dh, halves[0]));
+}
+#endif
+
 /// The square of half the chord of a line in a sphere; negative if it misses. `to_center`: from the
 /// line's origin; `closest`: the line parameter nearest to the centre.
 template <typename V>
@@ -83,6 +113,8 @@ HWY_INLINE V mul_low_32(V a, V b) {
   const hn::DFromV<V> du;
   if constexpr (sizeof(hn::TFromV<V>) == 4) {
     return hn::Mul(a, b);
+  } else if constexpr (kIsPortable) {
+    return hn::And(hn::Mul(a, b), hn::Set(du, 0xFFFFFFFFu));
   } else {
     const hn::Repartition<std::uint32_t, decltype(du)> du32;
     return hn::And(hn::MulEven(hn::BitCast(du32, a), hn::BitCast(du32, b)),
@@ -93,6 +125,17 @@ HWY_INLINE V mul_low_32(V a, V b) {
 template <typename V>
 HWY_INLINE V mul_low_32(V a, std::uint32_t factor) {
   return mul_low_32(a, hn::Set(hn::DFromV<V>(), factor));
+}
+
+/// The product of the low halves of 64-bit lanes.
+template <typename V>
+HWY_INLINE V mul_even_32(V a, V b) {
+  if constexpr (kIsPortable) {
+    return hn::Mul(a, b);  // both are below 2^31
+  } else {
+    const hn::Repartition<std::int32_t, hn::DFromV<V>> di32;
+    return hn::MulEven(hn::BitCast(di32, a), hn::BitCast(di32, b));
+  }
 }
 
 /// The low 32 bits of a sum.
@@ -125,26 +168,34 @@ HWY_INLINE hn::Vec<D> uniform_from_bits(D d, V bits) {
   }
 }
 
-/// reversed_bits in every lane: the half bytes by a table, then the bytes.
+/// reversed_bits in every lane.
 template <typename V>
 HWY_INLINE V reverse_lane_bits(V x) {
   const hn::DFromV<V> du;
-  const hn::Repartition<std::uint8_t, decltype(du)> bytes;
-  // Tables of reversed half bytes; the lower half of a byte becomes the upper one and vice versa.
-  alignas(16) static constexpr std::uint8_t kToUpper[16]{0x00, 0x80, 0x40, 0xC0, 0x20, 0xA0,
-                                                         0x60, 0xE0, 0x10, 0x90, 0x50, 0xD0,
-                                                         0x30, 0xB0, 0x70, 0xF0};
-  alignas(16) static constexpr std::uint8_t kToLower[16]{0x0, 0x8, 0x4, 0xC, 0x2, 0xA, 0x6, 0xE,
-                                                         0x1, 0x9, 0x5, 0xD, 0x3, 0xB, 0x7, 0xF};
-  // The upper half of a 64-bit lane is 0 and stays 0.
-  alignas(16) static constexpr std::uint8_t kOrder[16]{3,  2,  1, 0, 7,  6,  5,  4,
-                                                       11, 10, 9, 8, 15, 14, 13, 12};
-  const auto half = hn::Set(bytes, 0x0F);
-  const auto in_bytes = hn::BitCast(bytes, x);
-  const auto upper = hn::TableLookupBytes(hn::LoadDup128(bytes, kToUpper), hn::And(in_bytes, half));
-  const auto shifted = hn::BitCast(bytes, hn::ShiftRight<4>(x));
-  const auto lower = hn::TableLookupBytes(hn::LoadDup128(bytes, kToLower), hn::And(shifted, half));
-  return hn::BitCast(du, hn::TableLookupBytes(hn::Or(upper, lower), hn::LoadDup128(bytes, kOrder)));
+  if constexpr (kIsPortable) {
+    return hn::Set(du, reversed_bits(static_cast<std::uint32_t>(hn::GetLane(x))));
+  } else {
+    // The half bytes by a table, then the bytes.
+    const hn::Repartition<std::uint8_t, decltype(du)> bytes;
+    // Tables of reversed half bytes; the lower half of a byte becomes the upper one and vice versa.
+    alignas(16) static constexpr std::uint8_t kToUpper[16]{0x00, 0x80, 0x40, 0xC0, 0x20, 0xA0,
+                                                           0x60, 0xE0, 0x10, 0x90, 0x50, 0xD0,
+                                                           0x30, 0xB0, 0x70, 0xF0};
+    alignas(16) static constexpr std::uint8_t kToLower[16]{0x0, 0x8, 0x4, 0xC, 0x2, 0xA, 0x6, 0xE,
+                                                           0x1, 0x9, 0x5, 0xD, 0x3, 0xB, 0x7, 0xF};
+    // The upper half of a 64-bit lane is 0 and stays 0.
+    alignas(16) static constexpr std::uint8_t kOrder[16]{3,  2,  1, 0, 7,  6,  5,  4,
+                                                         11, 10, 9, 8, 15, 14, 13, 12};
+    const auto half = hn::Set(bytes, 0x0F);
+    const auto in_bytes = hn::BitCast(bytes, x);
+    const auto upper =
+        hn::TableLookupBytes(hn::LoadDup128(bytes, kToUpper), hn::And(in_bytes, half));
+    const auto shifted = hn::BitCast(bytes, hn::ShiftRight<4>(x));
+    const auto lower =
+        hn::TableLookupBytes(hn::LoadDup128(bytes, kToLower), hn::And(shifted, half));
+    return hn::BitCast(du,
+                       hn::TableLookupBytes(hn::Or(upper, lower), hn::LoadDup128(bytes, kOrder)));
+  }
 }
 
 /// scramble_upwards in every lane.
@@ -277,9 +328,7 @@ HWY_INLINE V cube_root(V x) {
   } else {
     const auto high = hn::ShiftRight<32>(hn::BitCast(di, x));
     // high / 3 by multiplication; exact enough, because high is below 2^31.
-    const hn::Repartition<std::int32_t, decltype(d)> di32;
-    const auto third = hn::ShiftRight<32>(
-        hn::MulEven(hn::BitCast(di32, high), hn::BitCast(di32, hn::Set(di, 0x55555556))));
+    const auto third = hn::ShiftRight<32>(mul_even_32(high, hn::Set(di, 0x55555556)));
     y = hn::BitCast(d, hn::ShiftLeft<32>(hn::Add(third, hn::Set(di, 715094163))));
   }
   // Halley's iteration: each step cubes the error, 4e-2 to 4e-5 to 1e-13 and below rounding.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -97,6 +98,7 @@ void WideScene<T>::add_spheres(const std::vector<Sphere>& spheres, const std::ve
                                std::span<const std::uint32_t> order, std::size_t first_slot,
                                Place place) {
   constexpr std::size_t kSlotsPerTask = 4096;
+  std::mutex mutex;
   const auto add = [&](const tbb::blocked_range<std::size_t>& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const bool is_empty = i >= order.size() || order[i] == WideBvh<T>::kNoSphere;
@@ -104,12 +106,14 @@ void WideScene<T>::add_spheres(const std::vector<Sphere>& spheres, const std::ve
       const Vec3 moves = is_empty || shifts.empty() ? Vec3{} : shifts[order[i]];
       add_sphere(first_slot + i, sphere, moves);
       if (place == Place::World && has_camera_on_it(sphere, moves)) {
+        const std::lock_guard lock(mutex);
         put_camera_on(static_cast<std::uint32_t>(first_slot + i), sphere);
       }
       if (search == Search::Bvh) material[first_slot + i] = sphere.material;
     }
   };
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, padded(order.size()), kSlotsPerTask), add);
+  std::ranges::sort(camera_spheres, {}, &CameraSphere::slot);
 }
 
 template <typename T>
@@ -135,10 +139,16 @@ void WideScene<T>::add_sphere(std::size_t slot, const Sphere& sphere, Vec3 moves
 
 template <typename T>
 void WideScene<T>::put_camera_on(std::uint32_t slot, const Sphere& sphere) {
-  camera_sphere = slot;
+  camera_sphere = camera_spheres.empty() ? slot : kSeveralCameraSpheres;
   camera_sphere_radius = static_cast<T>(sphere.radius);
   const Vec3 normal = unit(-sphere.center);
   camera_normal = {static_cast<T>(normal.x), static_cast<T>(normal.y), static_cast<T>(normal.z)};
+  camera_spheres.push_back({slot, camera_sphere_radius, camera_normal});
+}
+
+template <typename T>
+bool WideScene<T>::has_camera_on(std::uint32_t slot) const noexcept {
+  return std::ranges::find(camera_spheres, slot, &CameraSphere::slot) != camera_spheres.end();
 }
 
 template <typename T>

@@ -37,7 +37,7 @@ struct WideScene {
   using Triple = std::array<T, 3>;
   using TableTriple = std::array<Table, 3>;
 
-  /// `scene` is rebased, and the camera is on the surface of at most one of its spheres.
+  /// `scene` is rebased.
   /// Search::All allows at most kMaxWideSpheres spheres and no instances; instances require double.
   /// `exact_spheres`: the spheres to compute in double, at most kMaxExactSpheres; only if T is
   /// float. `sampled_lights`: the spheres from choose_lights().
@@ -93,9 +93,18 @@ struct WideScene {
   /// The slot of the sphere that contains the camera in its surface, or kNoCameraSphere, with its
   /// outward normal there.
   static constexpr std::uint32_t kNoCameraSphere = 0xFFFFFFFF;
+  /// kSeveralCameraSpheres if there are several; only some backends support that.
+  static constexpr std::uint32_t kSeveralCameraSpheres = 0xFFFFFFFE;
   std::uint32_t camera_sphere = kNoCameraSphere;
   T camera_sphere_radius = 0;
   Triple camera_normal{};
+  struct CameraSphere {
+    std::uint32_t slot;
+    T radius;
+    Triple normal;  ///< outward, at the camera
+  };
+  std::vector<CameraSphere> camera_spheres;  ///< all of them, by slot
+  bool has_camera_on(std::uint32_t slot) const noexcept;
 
   std::size_t memory_bytes() const noexcept;
   /// Predicts memory_bytes() to within a factor of 2, without building anything.

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "render/image/image.hpp"
-#include "render/wide/isa.hpp"
+#include "render/wide/backend.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -161,7 +161,7 @@ TEST_F(RenderCommand, WritesEveryFieldOfTheStatistics) {
 }
 
 TEST_F(RenderCommand, UsesTheRequestedKernel) {
-  if (render::available_isas().empty()) GTEST_SKIP() << "this machine has no wide kernel";
+  if (render::available_vectors().empty()) GTEST_SKIP() << "this machine has no wide kernel";
   const auto stats = [&](const std::string& flags) {
     const ProgramResult result =
         run("\"$SDLC\" render ball.scene --overwrite --quiet --stats - " + flags);
@@ -173,8 +173,8 @@ TEST_F(RenderCommand, UsesTheRequestedKernel) {
   EXPECT_EQ(stats("--kernel wide --precision double")["kernel"], "wide");
   EXPECT_EQ(stats("--precision double")["precision"], "double");
   EXPECT_EQ(stats("--precision float")["precision"], "float");
-  for (const render::Isa isa : render::available_isas()) {
-    const std::string name(name_of(isa));
+  for (const render::Backend* backend : render::available_vectors()) {
+    const std::string name(backend->name);
     EXPECT_EQ(stats("--isa " + name)["instruction_set"], name);
     EXPECT_EQ(stats("--isa " + name)["kernel"], "wide");
   }
@@ -191,6 +191,20 @@ TEST_F(RenderCommand, RefusesAKernelThatCannotBeBeforeRendering) {
       run("\"$SDLC\" render ball.scene --kernel scalar --precision float");
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.err, HasSubstr("--precision: the scalar kernel computes in double"));
+  const auto error = [&](const std::string& flags) {
+    const ProgramResult result = run("\"$SDLC\" render ball.scene " + flags);
+    EXPECT_EQ(result.exit_code, 2);
+    return result.err;
+  };
+  write_text(folder_ / "sky.scene",
+             "scene 1\ncamera main { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }\n");
+  EXPECT_THAT(run("\"$SDLC\" render sky.scene --kernel wide").err,
+              HasSubstr("--kernel: not with the wide kernels: no spheres"));
+  std::filesystem::remove(folder_ / "sky.scene");
+  for (const render::Backend* backend : render::available_vectors()) {
+    EXPECT_THAT(error("--kernel scalar --isa " + std::string(backend->name)),
+                HasSubstr("--isa: the scalar kernel has no other instruction sets"));
+  }
   for (const char* flag : {"--kernel", "--precision", "--isa"}) {
     const ProgramResult unknown =
         run(std::string("\"$SDLC\" render ball.scene ") + flag + " nonsense");

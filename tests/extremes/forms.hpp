@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,22 +12,22 @@
 namespace sdlc::test {
 
 struct Form {
-  render::KernelKind kind = render::KernelKind::Scalar;
+  render::Search search = render::Search::Bvh;
   render::Precision precision = render::Precision::Double;
-  std::optional<render::Isa> isa{};
+  const render::Backend* backend = &render::portable_backend();
 
+  bool is_scalar() const { return backend == &render::portable_backend(); }
   render::KernelRequest request() const {
-    if (kind == render::KernelKind::Scalar) return {.kind = kind};
-    return {.kind = kind, .precision = precision, .isa = isa};
+    return {.search = search, .precision = precision, .backend = backend};
   }
 };
 
 inline std::vector<Form> all_forms() {
   std::vector<Form> forms{Form{}};
-  for (const render::Isa isa : render::available_isas()) {
-    for (const auto kind : {render::KernelKind::Wide, render::KernelKind::Bvh}) {
+  for (const render::Backend* backend : render::available_vectors()) {
+    for (const auto search : {render::Search::All, render::Search::Bvh}) {
       for (const auto precision : {render::Precision::Float, render::Precision::Double}) {
-        forms.push_back({kind, precision, isa});
+        forms.push_back({search, precision, backend});
       }
     }
   }
@@ -36,9 +35,9 @@ inline std::vector<Form> all_forms() {
 }
 
 inline std::string name_of(const Form& form) {
-  if (form.kind == render::KernelKind::Scalar) return "scalar";
-  return std::string(name_of(form.kind)) + "_" + std::string(name_of(*form.isa)) + "_" +
-         std::string(name_of(form.precision));
+  if (form.is_scalar()) return "scalar";
+  return (form.search == render::Search::All ? "wide_" : "bvh_") + std::string(form.backend->name) +
+         "_" + std::string(name_of(form.precision));
 }
 
 inline std::string form_name(const testing::TestParamInfo<Form>& test) {
@@ -49,7 +48,7 @@ inline std::string form_name(const testing::TestParamInfo<Form>& test) {
 /// few spheres in double, resolves it.
 inline bool may_trace(const Form& form, const render::Scene& scene,
                       const render::RenderSettings& settings) {
-  if (!choose_kernel(scene, settings, form.request()).refusal.empty()) return false;
+  if (choose_kernel(scene, settings, form.request()).refusal) return false;
   return form.precision == render::Precision::Double ||
          judge_float(scene, scene.camera, settings).is_accepted;
 }

@@ -33,15 +33,15 @@ std::string table() {
     std::string name = extreme.name;
     for (const ExtremeVariant& variant : extreme.variants) {
       const render::Kernel kernel = choose_kernel(variant.scene, settings_of(variant));
-      const Form form{kernel.kind,
+      const Form form{kernel.search,
                       kernel.precision == render::Precision::Double ? render::Precision::Double
                                                                     : render::Precision::Float,
-                      kernel.isa};
+                      kernel.backend};
       const Measured measured = measure(variant, form);
       const LinearRgb error = measured.estimate.standard_error;
       text += fmt::format("| {} | {} | {} | {} | {:.1g} | {} {} |\n", name, variant.what,
                           shown(variant.expected, 6), shown(measured.estimate.mean, 6),
-                          std::max({error.r, error.g, error.b}), name_of(kernel.kind),
+                          std::max({error.r, error.g, error.b}), name_of(kernel),
                           name_of(kernel.precision));
       name.clear();
     }
@@ -50,9 +50,8 @@ std::string table() {
 }
 
 TEST(NumericsPage, ShowsWhatIsMeasured) {
-  const auto isas = render::available_isas();
-  if (std::find(isas.begin(), isas.end(), render::Isa::Avx2) == isas.end()) {
-    GTEST_SKIP() << "the page shows what a machine with AVX2 computes";
+  if (!render::best_backend().is_fused) {
+    GTEST_SKIP() << "the page shows what a machine with fused multiply-add computes";
   }
   const GeneratedPart measured{"extremes", table()};
   const std::string page = content_of(kPage);

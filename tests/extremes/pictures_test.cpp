@@ -136,13 +136,13 @@ TEST(FloatAgainstDouble, DiffersByNothingButNoise) {
   const RenderSettings settings{.width = 96, .height = 64, .samples = 128, .depth = 16};
   for (const double ground : {100.0, 1000.0}) {
     const Scene scene = field_scene(ground);
-    for (const render::Isa isa : render::available_isas()) {
-      const Form in_float{render::KernelKind::Wide, Precision::Float, isa};
-      const Form in_double{render::KernelKind::Wide, Precision::Double, isa};
+    for (const render::Backend* backend : render::available_vectors()) {
+      const Form in_float{render::Search::All, Precision::Float, backend};
+      const Form in_double{render::Search::All, Precision::Double, backend};
       ASSERT_TRUE(may_trace(in_float, scene, settings));
       EXPECT_TRUE(differ_by_noise_only(render_in(in_float, scene, settings).picture,
                                        render_in(in_double, scene, settings).picture))
-          << "ground " << ground << ", " << name_of(isa);
+          << "ground " << ground << ", " << backend->name;
     }
   }
 }

@@ -13,17 +13,17 @@
 namespace sdlc::test {
 namespace {
 
-using render::KernelKind;
 using render::LinearRgb;
 using render::Precision;
 using render::RenderSettings;
 using render::Scene;
+using render::Search;
 using render::Vec3;
 
 class ChosenPrecision : public testing::Test {
  protected:
   void SetUp() override {
-    if (render::available_isas().empty()) GTEST_SKIP() << "this machine has no wide kernel";
+    if (render::available_vectors().empty()) GTEST_SKIP() << "this machine has no wide kernel";
   }
   static Precision of(const Scene& scene, int height = 540) {
     return choose_kernel(scene, {.width = 2 * height, .height = height}).precision;
@@ -109,11 +109,11 @@ TEST_F(ChosenPrecision, DoesNotDependOnWhereTheSceneIsNorOnItsScale) {
 /// H0: both have the same expectation. Significance 1e-4.
 testing::AssertionResult agree(const Scene& scene, const RenderSettings& settings,
                                Precision expected) {
-  const render::Isa isa = render::available_isas().back();
+  const render::Backend* backend = render::available_vectors().back();
   const auto in = [&](Precision precision, std::uint64_t seed) {
     RenderSettings seeded = settings;
     seeded.seed = seed;
-    return render_in({KernelKind::Wide, precision, isa}, scene, seeded);
+    return render_in({Search::All, precision, backend}, scene, seeded);
   };
   const render::RenderResult rounded = in(Precision::Float, 1);
   EXPECT_EQ(rounded.kernel.precision, expected);

@@ -138,7 +138,7 @@ TEST(RandomScenes, LookTheSameInAllKernelsThatTakeThem) {
     const RenderResult expected = render_in(Form{}, scene, settings);
     EXPECT_EQ(expected.nonfinite_samples, 0u) << "scene " << i;
     for (const Form& form : all_forms()) {
-      if (form.kind == render::KernelKind::Scalar || !may_trace(form, scene, settings)) continue;
+      if (form.is_scalar() || !may_trace(form, scene, settings)) continue;
       const RenderResult result = render_in(form, scene, settings);
       ++traced[name_of(form) + " " + std::string(name_of(result.kernel.precision))];
       EXPECT_EQ(result.nonfinite_samples, 0u) << "scene " << i;
@@ -164,7 +164,7 @@ TEST(RandomScenes, LookTheSameInAllKernelsThatTakeThem) {
   }
   for (const auto& [form, count] : traced) RecordProperty(form, count);
   for (const Form& form : all_forms()) {
-    if (form.kind == render::KernelKind::Scalar) continue;
+    if (form.is_scalar()) continue;
     const bool is_double = form.precision == render::Precision::Double;
     EXPECT_GT(traced[name_of(form) + (is_double ? " double" : " mixed")], 0) << name_of(form);
     EXPECT_TRUE(is_double || traced[name_of(form) + " float"] > 0) << name_of(form);

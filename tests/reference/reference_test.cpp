@@ -99,12 +99,13 @@ struct Form {
 /// trace the same paths, which tests/render/wide compares one by one; here each is tested
 /// independently.
 std::vector<Form> forms() {
-  std::vector<Form> all{{"chosen", {}, 256}, {"scalar", {.kind = render::KernelKind::Scalar}, 64}};
+  std::vector<Form> all{{"chosen", {}, 256},
+                        {"scalar", {.backend = &render::portable_backend()}, 64}};
   for (const WideForm& wide : wide_forms()) {
-    all.push_back({std::string(name_of(wide.isa)) + "_" + std::string(name_of(wide.precision)),
+    all.push_back({std::string(wide.backend->name) + "_" + std::string(name_of(wide.precision)),
                    wide.request(), 64});
     render::KernelRequest by_hierarchy = wide.request();
-    by_hierarchy.kind = render::KernelKind::Bvh;
+    by_hierarchy.search = render::Search::Bvh;
     all.push_back({"bvh_" + all.back().name, by_hierarchy, 64});
   }
   return all;
@@ -154,7 +155,7 @@ TEST_P(Reference, AgreesInBlockMeans) {
   }
   const render::RenderResult result =
       render_with(lowered->scene, lowered->settings, form().request);
-  EXPECT_EQ(result.kernel.refusal, "");
+  EXPECT_FALSE(result.kernel.refusal);
   EXPECT_EQ(result.nonfinite_samples, 0u);
 
   double sum_of_squares = 0, largest = 0;

@@ -35,7 +35,7 @@ StoredFilm example(std::uint32_t first_sample = 0, std::uint32_t end_sample = 0x
                                .sampler = SamplerKind::Independent,
                                .is_centred = false,
                                .precision = Precision::Mixed,
-                               .arithmetic = "fma",
+                               .arithmetic = "fused",
                                .program = "sdlc 1.0"},
                     .statistics = {.rays = 12345, .truncated_paths = 6, .nonfinite_samples = 1},
                     .lights = {1, 5},

@@ -6,10 +6,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/reference/light_choice.hpp"
 #include "tests/support/statistics/random.hpp"
 
 namespace sdlc::render {
 namespace {
+
+using test::reference::choose_light;
+using test::reference::LightChoice;
+using test::reference::probability_of;
 
 std::vector<LightSphere> random_balls(int count, unsigned seed) {
   test::Random random(seed);
@@ -32,7 +37,7 @@ void for_places(const Body& body) {
 
 TEST(LightTree, IsSureOfTheOnlyLight) {
   const LightTree tree(random_balls(1, 1));
-  const LightTree::Choice choice = tree.choose({5, 5, 5}, {1, 0, 0}, {0.99, 0});
+  const LightChoice choice = choose_light(tree, {5, 5, 5}, {1, 0, 0}, {0.99, 0});
   EXPECT_EQ(choice.leaf, 0u);
   EXPECT_EQ(choice.probability, 1);
 }
@@ -42,7 +47,7 @@ TEST(LightTree, GivesProbabilitiesThatAddUpToOneWhereAllIsAboveTheHorizon) {
     const LightTree tree(random_balls(count, 2));
     double sum = 0;
     for (std::uint32_t leaf = 0; leaf < tree.lights_of_leaves().size(); ++leaf) {
-      const double p = tree.probability(leaf, {0, -9, 0}, {0, 1, 0});
+      const double p = probability_of(tree, leaf, {0, -9, 0}, {0, 1, 0});
       EXPECT_GE(p, 0);
       EXPECT_EQ(p == 0, tree.lights_of_leaves()[leaf] == kNoLight);
       sum += p;
@@ -70,9 +75,10 @@ TEST(LightTree, ChoosesWithTheProbabilityThatItTellsOfALeafToTheBit) {
     const LightTree tree(random_balls(count, 6));
     for_places([&](Vec3 x, Vec3 normal) {
       for (int i = 0; i < 20; ++i) {
-        const auto choice = tree.choose(x, normal, {random.between(0, 1), random.between(0, 1)});
+        const auto choice =
+            choose_light(tree, x, normal, {random.between(0, 1), random.between(0, 1)});
         if (choice.probability == 0) continue;
-        EXPECT_EQ(choice.probability, tree.probability(choice.leaf, x, normal));
+        EXPECT_EQ(choice.probability, probability_of(tree, choice.leaf, x, normal));
       }
     });
   }
@@ -86,11 +92,11 @@ TEST(LightTree, ChoosesEachLeafAsOftenAsItSays) {
     constexpr int kSteps = 20000;
     std::vector<double> share(tree.lights_of_leaves().size());
     for (int i = 0; i < kSteps; ++i) {
-      const auto choice = tree.choose(x, normal, {(i + 0.5) / kSteps, 0});
+      const auto choice = choose_light(tree, x, normal, {(i + 0.5) / kSteps, 0});
       if (choice.probability > 0) share[choice.leaf] += 1.0 / kSteps;
     }
     for (std::uint32_t leaf = 0; leaf < share.size(); ++leaf) {
-      EXPECT_NEAR(share[leaf], tree.probability(leaf, x, normal), 2.0 / kSteps);
+      EXPECT_NEAR(share[leaf], probability_of(tree, leaf, x, normal), 2.0 / kSteps);
     }
   });
 }
@@ -105,7 +111,7 @@ TEST(LightTree, NeverChoosesWhatIsBelowTheHorizonNorLeavesOutWhatIsAbove) {
       const double opening = dot(balls[i].center - x, normal);
       const double closing = dot(balls[i].center + balls[i].shift - x, normal);
       const double height = std::fmax(opening, closing) + balls[i].radius;
-      const double p = tree.probability(leaf, x, normal);
+      const double p = probability_of(tree, leaf, x, normal);
       EXPECT_TRUE(p > 0 || height < 1e-12);
       // The bounding sphere of a moving one is larger than it is.
       EXPECT_TRUE(p == 0 || height > -1e-12 || balls[i].shift != Vec3{});
@@ -117,7 +123,7 @@ TEST(LightTree, PrefersWhatIsNearBrightAndUpright) {
   const auto share_of_first = [](const LightSphere& a, const LightSphere& b) {
     const LightTree tree({a, b});
     const std::uint32_t leaf = tree.lights_of_leaves()[0] == 0 ? 0 : 1;
-    return tree.probability(leaf, {0, 0, 0}, {0, 1, 0});
+    return probability_of(tree, leaf, {0, 0, 0}, {0, 1, 0});
   };
   const LightSphere up{.center = {0, 2, 0}, .shift = {}, .radius = 0.01, .power = 1};
   LightSphere other = up;

@@ -9,8 +9,7 @@ namespace sdlc::render {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using Subject = KernelRefusal::Subject;
 
 constexpr RenderSettings kSettings{.width = 960, .height = 540};
 
@@ -26,16 +25,16 @@ Scene line_of_spheres(int count, double radius) {
 class KernelChoice : public testing::Test {
  protected:
   void SetUp() override {
-    if (available_isas().empty()) GTEST_SKIP() << "this machine has no wide kernel";
+    if (available_vectors().empty()) GTEST_SKIP() << "this machine has no wide kernel";
   }
 };
 
 TEST_F(KernelChoice, TakesSmallScenesToTheWideKernelInFloat) {
   const Kernel kernel = choose_kernel(line_of_spheres(9, 0.2), kSettings);
-  EXPECT_EQ(kernel.kind, KernelKind::Wide);
+  EXPECT_EQ(kernel.search, Search::All);
   EXPECT_EQ(kernel.precision, Precision::Float);
-  EXPECT_EQ(kernel.isa, available_isas().back());
-  EXPECT_THAT(kernel.refusal, IsEmpty());
+  EXPECT_EQ(kernel.backend, available_vectors().back());
+  EXPECT_FALSE(kernel.refusal);
 }
 
 TEST_F(KernelChoice, MeetsALargeGroundInDouble) {
@@ -66,10 +65,10 @@ TEST_F(KernelChoice, ComesWithTheBoundsOfItsPrecision) {
   expect_bounds(choose_kernel(scene, kSettings),
                 judge_precision(scene, scene.camera, kSettings, Precision::Float));
   expect_bounds(choose_kernel(scene, kSettings, {.precision = Precision::Double}), in_double());
-  expect_bounds(choose_kernel(scene, kSettings, {.kind = KernelKind::Scalar}), in_double());
+  expect_bounds(choose_kernel(scene, kSettings, {.backend = &portable_backend()}), in_double());
   // Double, which the scene does not request.
   const KernelRequest scalar{
-      .kind = KernelKind::Scalar, .precision = Precision::Float, .may_take_double = true};
+      .precision = Precision::Float, .backend = &portable_backend(), .may_take_double = true};
   expect_bounds(choose_kernel(scene, kSettings, scalar), in_double());
 
   test::add_sphere(scene, {0, -1000.5, 0}, 1000, test::diffuse({0.5, 0.5, 0.5}));
@@ -85,71 +84,69 @@ TEST_F(KernelChoice, ComesWithTheBoundsOfItsPrecision) {
 }
 
 TEST_F(KernelChoice, LeavesManySpheresToTheHierarchy) {
-  EXPECT_EQ(choose_kernel(line_of_spheres(90, 0.2), kSettings).kind, KernelKind::Wide);
-  EXPECT_EQ(choose_kernel(line_of_spheres(115, 0.2), kSettings).kind, KernelKind::Bvh);
+  EXPECT_EQ(choose_kernel(line_of_spheres(90, 0.2), kSettings).search, Search::All);
+  EXPECT_EQ(choose_kernel(line_of_spheres(115, 0.2), kSettings).search, Search::Bvh);
   const RenderSettings fine{.width = 960, .height = 1 << 22};
-  EXPECT_EQ(choose_kernel(line_of_spheres(20, 0.2), fine).kind, KernelKind::Wide);
+  EXPECT_EQ(choose_kernel(line_of_spheres(20, 0.2), fine).search, Search::All);
   EXPECT_EQ(choose_kernel(line_of_spheres(20, 0.2), fine).precision, Precision::Double);
-  EXPECT_EQ(choose_kernel(line_of_spheres(120, 0.2), fine).kind, KernelKind::Wide);
-  EXPECT_EQ(choose_kernel(line_of_spheres(250, 0.2), fine).kind, KernelKind::Bvh);
+  EXPECT_EQ(choose_kernel(line_of_spheres(120, 0.2), fine).search, Search::All);
+  EXPECT_EQ(choose_kernel(line_of_spheres(250, 0.2), fine).search, Search::Bvh);
 }
 
 TEST_F(KernelChoice, LeavesACameraOnSeveralSurfacesToTheScalarKernel) {
   Scene scene = test::beam_scene({0, 0, 0}, {1, 0, 0}, LinearRgb{1});
   test::add_sphere(scene, {0, -3, 0}, 3, test::diffuse({0.5, 0.5, 0.5}));
-  EXPECT_EQ(choose_kernel(scene, kSettings).kind, KernelKind::Wide);
+  EXPECT_EQ(choose_kernel(scene, kSettings).search, Search::All);
   test::add_sphere(scene, {0, 1, 0}, 1, test::diffuse({0.5, 0.5, 0.5}));
-  EXPECT_EQ(choose_kernel(scene, kSettings).kind, KernelKind::Scalar);
-  const Kernel forced = choose_kernel(scene, kSettings, {.kind = KernelKind::Wide});
-  EXPECT_THAT(forced.refusal, HasSubstr("--kernel: not with the wide kernels: the camera is on"));
+  EXPECT_TRUE(choose_kernel(scene, kSettings).is_portable());
+  const Kernel forced = choose_kernel(scene, kSettings, {.search = Search::All});
+  EXPECT_EQ(forced.refusal, (KernelRefusal{Subject::Search, KernelObstacle::SeveralSurfaces}));
 }
 
 TEST_F(KernelChoice, DoesAsItIsAsked) {
   const Scene small = line_of_spheres(9, 0.2), large = line_of_spheres(300, 0.2);
-  EXPECT_EQ(choose_kernel(small, kSettings, {.kind = KernelKind::Scalar}).kind, KernelKind::Scalar);
+  EXPECT_TRUE(choose_kernel(small, kSettings, {.backend = &portable_backend()}).is_portable());
   EXPECT_EQ(choose_kernel(small, kSettings, {.precision = Precision::Double}).precision,
             Precision::Double);
-  for (const Isa isa : available_isas()) {
-    EXPECT_EQ(choose_kernel(small, kSettings, {.isa = isa}).isa, isa);
+  for (const Backend* backend : available_vectors()) {
+    EXPECT_EQ(choose_kernel(small, kSettings, {.backend = backend}).backend, backend);
   }
   const RenderSettings fine{.width = 960, .height = 1 << 22};
   EXPECT_EQ(choose_kernel(small, fine, {.precision = Precision::Float}).precision,
             Precision::Float);
 
-  EXPECT_THAT(choose_kernel(large, kSettings, {.kind = KernelKind::Wide}).refusal,
-              HasSubstr("more than 256 spheres"));
+  EXPECT_EQ(choose_kernel(large, kSettings, {.search = Search::All}).refusal,
+            (KernelRefusal{Subject::Search, KernelObstacle::TooManySpheres}));
   EXPECT_EQ(choose_kernel(large, kSettings, {.precision = Precision::Float}).precision,
             Precision::Float);
-  EXPECT_THAT(
-      choose_kernel(small, kSettings, {.kind = KernelKind::Scalar, .precision = Precision::Float})
-          .refusal,
-      HasSubstr("the scalar kernel computes in double"));
-  EXPECT_THAT(choose_kernel(large, kSettings, {.precision = Precision::Double}).refusal, IsEmpty());
+  const Backend* portable = &portable_backend();
+  EXPECT_EQ(
+      choose_kernel(small, kSettings, {.precision = Precision::Float, .backend = portable}).refusal,
+      (KernelRefusal{Subject::Precision, KernelObstacle::PortableInDouble, portable}));
+  EXPECT_EQ(choose_kernel(small, kSettings, {.search = Search::All, .backend = portable}).refusal,
+            (KernelRefusal{Subject::Search, KernelObstacle::PortableByBvh, portable}));
+  EXPECT_FALSE(choose_kernel(large, kSettings, {.precision = Precision::Double}).refusal);
 }
 
-TEST_F(KernelChoice, NamesTheFlagThatCannotBeMet) {
-  const Isa isa = available_isas().front();
+TEST_F(KernelChoice, RefusesWhatCannotBeMet) {
+  const Backend* backend = available_vectors().front();
   Scene scene = test::beam_scene({0, 0, 0}, {1, 0, 0}, LinearRgb{1});  // between two surfaces
   test::add_sphere(scene, {0, -3, 0}, 3, test::diffuse({0.5, 0.5, 0.5}));
   test::add_sphere(scene, {0, 1, 0}, 1, test::diffuse({0.5, 0.5, 0.5}));
-  EXPECT_THAT(choose_kernel(scene, kSettings, {.isa = isa}).refusal,
-              HasSubstr("--isa: not with the wide kernels: the camera is on"));
-  EXPECT_THAT(choose_kernel(scene, kSettings, {.precision = Precision::Float}).refusal,
-              HasSubstr("--precision: not with the wide kernels: the camera is on"));
-  EXPECT_THAT(
-      choose_kernel(line_of_spheres(9, 0.2), kSettings, {.kind = KernelKind::Scalar, .isa = isa})
-          .refusal,
-      HasSubstr("--isa: the scalar kernel has no other instruction sets"));
-  // An invalid value: no real instruction set is missing on every test machine.
-  constexpr auto kNotOfThisMachine = static_cast<Isa>(99);
-  EXPECT_THAT(choose_kernel(line_of_spheres(9, 0.2), kSettings, {.isa = kNotOfThisMachine}).refusal,
-              HasSubstr("--isa: this machine has no"));
+  EXPECT_EQ(choose_kernel(scene, kSettings, {.backend = backend}).refusal,
+            (KernelRefusal{Subject::Backend, KernelObstacle::SeveralSurfaces, backend}));
+  EXPECT_EQ(choose_kernel(scene, kSettings, {.precision = Precision::Float}).refusal,
+            (KernelRefusal{Subject::Precision, KernelObstacle::SeveralSurfaces}));
+  // No real instruction set is missing on every test machine.
+  const Backend missing{.name = "missing", .is_available = []() noexcept { return false; }};
+  EXPECT_EQ(choose_kernel(line_of_spheres(9, 0.2), kSettings, {.backend = &missing}).refusal,
+            (KernelRefusal{Subject::Backend, KernelObstacle::OtherMachine, &missing}));
 }
 
 TEST_F(KernelChoice, LeavesASkyToTheScalarKernel) {
-  EXPECT_EQ(choose_kernel(line_of_spheres(0, 1), kSettings).kind, KernelKind::Scalar);
-  EXPECT_THAT(choose_kernel(line_of_spheres(0, 1), kSettings, {.kind = KernelKind::Wide}).refusal,
-              HasSubstr("--kernel: not with the wide kernels: no spheres"));
+  EXPECT_TRUE(choose_kernel(line_of_spheres(0, 1), kSettings).is_portable());
+  EXPECT_EQ(choose_kernel(line_of_spheres(0, 1), kSettings, {.search = Search::All}).refusal,
+            (KernelRefusal{Subject::Search, KernelObstacle::NoSpheres}));
 }
 
 TEST_F(KernelChoice, TakesInstancesThroughAHierarchyInDouble) {
@@ -157,23 +154,24 @@ TEST_F(KernelChoice, TakesInstancesThroughAHierarchyInDouble) {
   scene.prototypes = {{.spheres = {{{0, 0, 0}, 0.1, 0}}, .shifts = {}}};
   scene.instances = {{.prototype = 0, .placement = {}, .shift = {}}};
   const Kernel kernel = choose_kernel(scene, kSettings);
-  EXPECT_THAT(kernel.refusal, IsEmpty());
-  EXPECT_EQ(kernel.kind, KernelKind::Bvh);
+  EXPECT_FALSE(kernel.refusal);
+  EXPECT_EQ(kernel.search, Search::Bvh);
   EXPECT_EQ(kernel.precision, Precision::Double);
-  EXPECT_THAT(
+  EXPECT_FALSE(
       choose_kernel(scene, kSettings, {.precision = Precision::Float, .may_take_double = true})
-          .refusal,
-      IsEmpty());
+          .refusal);
+  EXPECT_TRUE(choose_kernel(scene, kSettings, {.backend = &portable_backend()}).is_portable());
 
   const auto refusal = [&](const KernelRequest& request) {
     return choose_kernel(scene, kSettings, request).refusal;
   };
-  EXPECT_THAT(refusal({.kind = KernelKind::Wide}), HasSubstr("--instances never"));
-  EXPECT_THAT(refusal({.kind = KernelKind::Scalar}), HasSubstr("--instances never"));
-  EXPECT_THAT(refusal({.precision = Precision::Float}), HasSubstr("--instances never"));
+  EXPECT_EQ(refusal({.search = Search::All}),
+            (KernelRefusal{Subject::Search, KernelObstacle::InstancesByBvh}));
+  EXPECT_EQ(refusal({.precision = Precision::Float}),
+            (KernelRefusal{Subject::Precision, KernelObstacle::InstancesInDouble}));
   scene.camera.from = {0, 0, 0.1};  // on the instance, and
   test::add_sphere(scene, {0, 0, 0.2}, 0.1, test::diffuse({0.5, 0.5, 0.5}));
-  EXPECT_THAT(refusal({}), HasSubstr("is on several surfaces"));
+  EXPECT_EQ(refusal({}), (KernelRefusal{Subject::Instances, KernelObstacle::SeveralSurfaces}));
 }
 
 TEST_F(KernelChoice, JudgesInstancesWhereTheyAre) {

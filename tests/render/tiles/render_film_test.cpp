@@ -94,13 +94,13 @@ std::vector<Case> cases() {
       }
     }
   };
-  add("scalar", {.kind = KernelKind::Scalar});
-  for (const Isa isa : available_isas()) {
+  add("scalar", {.backend = &portable_backend()});
+  for (const Backend* backend : available_vectors()) {
     for (const Precision precision : {Precision::Float, Precision::Double}) {
       const std::string name =
-          std::string(name_of(isa)) + (precision == Precision::Float ? "_float" : "_double");
-      add(name, {.kind = KernelKind::Wide, .precision = precision, .isa = isa});
-      add("bvh_" + name, {.kind = KernelKind::Bvh, .precision = precision, .isa = isa});
+          std::string(backend->name) + (precision == Precision::Float ? "_float" : "_double");
+      add(name, {.search = Search::All, .precision = precision, .backend = backend});
+      add("bvh_" + name, {.search = Search::Bvh, .precision = precision, .backend = backend});
     }
   }
   return cases;
@@ -113,7 +113,7 @@ TEST_P(FilmParts, GiveTheBytesOfARenderAtOnceHoweverItWasCut) {
   // In the dark every pixel takes the most samples.
   const Scene scene = room(settings.is_adaptive ? 1 : 0.1);
   const Kernel kernel = choose_kernel(scene, settings, GetParam().kernel);
-  ASSERT_EQ(kernel.refusal, "");
+  ASSERT_FALSE(kernel.refusal);
   RenderMonitor monitor;
   const RenderResult expected = render(kernel, scene, settings, monitor);
   ASSERT_EQ(expected.samples_of_pixels.empty(), !settings.is_adaptive);

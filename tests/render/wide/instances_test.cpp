@@ -15,9 +15,8 @@
 namespace sdlc::test {
 namespace {
 
+using render::Backend;
 using render::Instance;
-using render::Isa;
-using render::KernelKind;
 using render::LinearRgb;
 using render::Picture;
 using render::Placement;
@@ -25,6 +24,7 @@ using render::Precision;
 using render::Prototype;
 using render::RenderSettings;
 using render::Scene;
+using render::Search;
 using render::Vec3;
 
 constexpr RenderSettings kSettings{.width = 60, .height = 40, .samples = 4, .depth = 8, .seed = 5};
@@ -90,10 +90,10 @@ Scene random_scene(unsigned seed, Moves moves = {}) {
 }
 
 Picture picture_of(const Scene& scene, const RenderSettings& settings = kSettings,
-                   Isa isa = render::available_isas().back()) {
+                   const Backend* backend = render::available_vectors().back()) {
   const auto result = render_with(
-      scene, settings, {.kind = KernelKind::Bvh, .precision = Precision::Double, .isa = isa});
-  EXPECT_EQ(result.kernel.refusal, "");
+      scene, settings, {.search = Search::Bvh, .precision = Precision::Double, .backend = backend});
+  EXPECT_FALSE(result.kernel.refusal);
   EXPECT_EQ(result.nonfinite_samples, 0u);
   return result.picture;
 }
@@ -110,7 +110,7 @@ std::size_t count_different(const Picture& a, const Picture& b) {
   return count;
 }
 
-class Instances : public testing::TestWithParam<Isa> {};
+class Instances : public testing::TestWithParam<const Backend*> {};
 
 TEST_P(Instances, AreSeenAsSpheresOfTheirOwn) {
   std::size_t different = 0, pixels = 0;
@@ -127,13 +127,15 @@ TEST_P(Instances, AreSeenAsSpheresOfTheirOwn) {
 }
 
 TEST_P(Instances, AreTheSameToTheBitWithEachInstructionSetThatFuses) {
-  if (GetParam() == Isa::Sse4) GTEST_SKIP() << "SSE4 rounds products";
+  if (GetParam()->is_fused != render::best_backend().is_fused) {
+    GTEST_SKIP() << "it rounds products";
+  }
   const Scene scene = random_scene(7, {.prototypes = true, .instances = true});
   EXPECT_EQ(picture_of(scene, kSettings, GetParam()).pixels, picture_of(scene).pixels);
 }
 
-INSTANTIATE_TEST_SUITE_P(Isas, Instances, testing::ValuesIn(render::available_isas()),
-                         [](const auto& test) { return std::string(name_of(test.param)); });
+INSTANTIATE_TEST_SUITE_P(Isas, Instances, testing::ValuesIn(render::available_vectors()),
+                         [](const auto& test) { return std::string(test.param->name); });
 
 TEST(InstancedScenes, DoNotDependOnThreads) {
   const Scene scene = random_scene(3, {.prototypes = true, .instances = true});

@@ -10,22 +10,23 @@
 #include "render/scene/instances.hpp"
 #include "render/tiles/render.hpp"
 #include "tests/render/wide/kernels.hpp"
+#include "tests/support/reference/path_tracer.hpp"
 #include "tests/support/statistics/random.hpp"
 #include "tests/support/statistics/scaled_scene.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
-// Paths with light sampling in the wide kernel equal those of the scalar kernel, as in
+// Paths with light sampling equal those of the reference, as in
 // same_paths_test.cpp.
 namespace sdlc::test {
 namespace {
 
-using render::KernelKind;
 using render::LightSampling;
 using render::LinearRgb;
 using render::Precision;
 using render::RenderResult;
 using render::RenderSettings;
 using render::Scene;
+using render::Search;
 using render::Vec3;
 
 /// Every material below a few lights: some overlap, one contains a sphere, and some are partly
@@ -129,28 +130,29 @@ double difference(LinearRgb a, LinearRgb b) {
 /// Equal in double except for rounding. In float some paths diverge where rounding changes a
 /// choice. H0: their radiance has the same expectation, except for 1e-6 of the largest by which
 /// float may round. Significance 1e-5.
-void expect_same_paths(const RenderResult& wide, const RenderResult& scalar, const char* name) {
+void expect_same_paths(const RenderResult& wide, const RenderResult& reference, const char* name) {
   EXPECT_EQ(wide.nonfinite_samples, 0u) << name;
-  EXPECT_EQ(wide.camera_samples, scalar.camera_samples) << name;
+  EXPECT_EQ(wide.camera_samples, reference.camera_samples) << name;
   EXPECT_GT(wide.sampled_lights, 0u) << name;
   EstimateBuilder differences;
   double largest = 0, brightest = 0;
   for (std::size_t i = 0; i < wide.picture.pixels.size(); ++i) {
-    const LinearRgb ours = wide.picture.pixels[i], theirs = scalar.picture.pixels[i];
+    const LinearRgb ours = wide.picture.pixels[i], theirs = reference.picture.pixels[i];
     differences.add(ours - theirs);
     largest = std::max(largest, difference(ours, theirs));
     brightest = std::max(brightest, difference(theirs, LinearRgb{}));
   }
   if (wide.kernel.precision == Precision::Double) {
     EXPECT_LT(largest, 1e-9 * std::max(1.0, brightest)) << name;
-    EXPECT_EQ(wide.rays, scalar.rays) << name;
-    EXPECT_EQ(wide.truncated_paths, scalar.truncated_paths) << name;
+    EXPECT_EQ(wide.rays, reference.rays) << name;
+    EXPECT_EQ(wide.truncated_paths, reference.truncated_paths) << name;
   } else {
     Estimate estimate = differences.estimate();
     if (difference(estimate.mean, LinearRgb{}) <= 1e-6 * brightest) estimate.mean = LinearRgb{};
     EXPECT_TRUE(agrees(estimate, LinearRgb{}, 1e-5)) << name;
     EXPECT_LT(estimate.standard_error.g, 1e-3) << name;
-    EXPECT_NEAR(static_cast<double>(wide.rays) / static_cast<double>(scalar.rays), 1, 1e-3) << name;
+    EXPECT_NEAR(static_cast<double>(wide.rays) / static_cast<double>(reference.rays), 1, 1e-3)
+        << name;
   }
 }
 
@@ -158,15 +160,15 @@ class LightPaths : public testing::TestWithParam<WideForm> {
  protected:
   static render::KernelRequest through_hierarchy() {
     render::KernelRequest request = GetParam().request();
-    request.kind = KernelKind::Bvh;
+    request.search = Search::Bvh;
     return request;
   }
 };
 
-TEST_P(LightPaths, AreThoseOfTheScalarKernel) {
+TEST_P(LightPaths, AreThoseOfTheReference) {
   for (const auto& [name, scene] : scenes()) {
-    const RenderResult scalar = render_with(scene, kSettings, {.kind = KernelKind::Scalar});
-    expect_same_paths(render_with(scene, kSettings, GetParam().request()), scalar, name);
+    const RenderResult reference = render_by_reference(scene, kSettings);
+    expect_same_paths(render_with(scene, kSettings, GetParam().request()), reference, name);
   }
 }
 
@@ -174,20 +176,20 @@ TEST_P(LightPaths, AreTheSameThroughAHierarchy) {
   for (const auto& [name, scene] : scenes()) {
     const RenderResult all = render_with(scene, kSettings, GetParam().request());
     const RenderResult bvh = render_with(scene, kSettings, through_hierarchy());
-    ASSERT_EQ(all.kernel.kind, KernelKind::Wide);
-    ASSERT_EQ(bvh.kernel.kind, KernelKind::Bvh);
+    ASSERT_EQ(all.kernel.search, Search::All);
+    ASSERT_EQ(bvh.kernel.search, Search::Bvh);
     EXPECT_EQ(all.picture.pixels, bvh.picture.pixels) << name;
     EXPECT_EQ(all.rays, bvh.rays) << name;
   }
 }
 
-TEST_P(LightPaths, ToThousandsOfLightsAreThoseOfTheScalarKernel) {
+TEST_P(LightPaths, ToThousandsOfLightsAreThoseOfTheReference) {
   RenderSettings settings = kSettings;
   settings.samples = 32;
   const Scene scene = lit_by_thousands();
-  const RenderResult scalar = render_with(scene, settings, {.kind = KernelKind::Scalar});
-  EXPECT_EQ(scalar.sampled_lights, 5001u);
-  expect_same_paths(render_with(scene, settings, through_hierarchy()), scalar, "thousands");
+  const RenderResult reference = render_by_reference(scene, settings);
+  EXPECT_EQ(reference.sampled_lights, 5001u);
+  expect_same_paths(render_with(scene, settings, through_hierarchy()), reference, "thousands");
 }
 
 TEST_P(LightPaths, DoNotDependOnThreads) {
@@ -218,12 +220,12 @@ TEST_P(LightPaths, LeaveSamplesOutAsAWholeThatAreNotFinite) {
   scene.materials[2] = emissive({1e300, 1, 1}, 1e300);
   const RenderSettings settings{
       .width = 32, .height = 32, .samples = 16, .depth = 6, .light_sampling = LightSampling::On};
-  const RenderResult scalar = render_with(scene, settings, {.kind = KernelKind::Scalar});
+  const RenderResult reference = render_by_reference(scene, settings);
   const RenderResult wide = render_with(scene, settings, GetParam().request());
-  EXPECT_GT(scalar.nonfinite_samples, 1000u);
-  EXPECT_LE(scalar.nonfinite_samples, scalar.camera_samples);
+  EXPECT_GT(reference.nonfinite_samples, 1000u);
+  EXPECT_LE(reference.nonfinite_samples, reference.camera_samples);
   EXPECT_NEAR(static_cast<double>(wide.nonfinite_samples),
-              static_cast<double>(scalar.nonfinite_samples), 3);
+              static_cast<double>(reference.nonfinite_samples), 3);
   for (std::size_t i = 0; i < wide.picture.pixels.size(); ++i) {
     ASSERT_TRUE(is_finite(wide.picture.pixels[i]));
   }
@@ -257,27 +259,27 @@ Scene hardly_lit() {
   return scene;
 }
 
-TEST_P(LightPaths, ReachEmittersAsOftenAsThoseOfTheScalarKernel) {
+TEST_P(LightPaths, ReachEmittersAsOftenAsThoseOfTheReference) {
   const Scene scene = hardly_lit();
   RenderSettings settings = kSettings;
   settings.samples = 3;
   for (const LightSampling sampling : {LightSampling::Off, LightSampling::On}) {
     settings.light_sampling = sampling;
     settings.threads = 1;
-    const RenderResult scalar = render_with(scene, settings, {.kind = KernelKind::Scalar});
-    EXPECT_GE(scalar.scarce_emitters.size(), 2u);
-    EXPECT_EQ(std::ranges::count(scalar.scarce_emitters, render::ReachedEmitter{13, 0}), 1)
+    const RenderResult reference = render_by_reference(scene, settings);
+    EXPECT_GE(reference.scarce_emitters.size(), 2u);
+    EXPECT_EQ(std::ranges::count(reference.scarce_emitters, render::ReachedEmitter{13, 0}), 1)
         << "in the dark";
     settings.threads = 3;
     for (const auto& request : {GetParam().request(), through_hierarchy()}) {
       const RenderResult wide = render_with(scene, settings, request);
       if (wide.kernel.precision == Precision::Double) {
-        EXPECT_EQ(wide.scarce_emitters, scalar.scarce_emitters);
+        EXPECT_EQ(wide.scarce_emitters, reference.scarce_emitters);
       } else {  // a path or two diverge
-        ASSERT_EQ(wide.scarce_emitters.size(), scalar.scarce_emitters.size());
+        ASSERT_EQ(wide.scarce_emitters.size(), reference.scarce_emitters.size());
         for (std::size_t i = 0; i < wide.scarce_emitters.size(); ++i) {
-          EXPECT_EQ(wide.scarce_emitters[i].sphere, scalar.scarce_emitters[i].sphere);
-          EXPECT_NEAR(wide.scarce_emitters[i].paths, scalar.scarce_emitters[i].paths, 2);
+          EXPECT_EQ(wide.scarce_emitters[i].sphere, reference.scarce_emitters[i].sphere);
+          EXPECT_NEAR(wide.scarce_emitters[i].paths, reference.scarce_emitters[i].paths, 2);
         }
       }
     }
@@ -305,22 +307,21 @@ TEST_P(LightPaths, OfInstancesAreThoseOfTheirSpheres) {
 
 INSTANTIATE_TEST_SUITE_P(Forms, LightPaths, testing::ValuesIn(wide_forms()), form_name);
 
-TEST(LightKernel, GivesTheSameBytesWithAvx2AndAvx512) {
-  const auto isas = render::available_isas();
-  for (const render::Isa isa : {render::Isa::Avx2, render::Isa::Avx512}) {
-    if (std::find(isas.begin(), isas.end(), isa) == isas.end())
-      GTEST_SKIP() << "not on this machine";
-  }
+TEST(LightKernel, GivesTheSameBytesWithAllInstructionSetsThatFuse) {
+  const auto equal = equal_backends();
+  if (equal.size() < 2) GTEST_SKIP() << "this machine has nothing to compare";
   std::set<Precision> precisions;
   for (const auto& [name, scene] : scenes()) {
     for (const Precision precision : {Precision::Float, Precision::Double}) {
-      const auto result = [&](render::Isa isa) {
-        return render_with(scene, kSettings, WideForm{isa, precision}.request());
+      const auto result = [&](const render::Backend* backend) {
+        return render_with(scene, kSettings, WideForm{backend, precision}.request());
       };
-      const RenderResult with_avx2 = result(render::Isa::Avx2);
-      precisions.insert(with_avx2.kernel.precision);
-      EXPECT_EQ(with_avx2.picture.pixels, result(render::Isa::Avx512).picture.pixels)
-          << name << ", " << name_of(precision);
+      const RenderResult with_first = result(equal.front());
+      precisions.insert(with_first.kernel.precision);
+      for (const render::Backend* other : equal) {
+        EXPECT_EQ(result(other).picture.pixels, with_first.picture.pixels)
+            << name << ", " << name_of(precision) << ", " << other->name;
+      }
     }
   }
   EXPECT_EQ(precisions.size(), 3u) << "mixed too";

@@ -11,21 +11,22 @@
 
 #include "render/tiles/render.hpp"
 #include "tests/render/wide/kernels.hpp"
+#include "tests/support/reference/path_tracer.hpp"
 #include "tests/support/statistics/scaled_scene.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
-// The wide kernel traces the same paths as the scalar one, from the same random numbers: pictures
+// The kernels trace the same paths as the reference, from the same random numbers: pictures
 // are compared sample by sample, which finds errors that a comparison of expectations would miss.
 namespace sdlc::test {
 namespace {
 
-using render::KernelKind;
 using render::LinearRgb;
 using render::Picture;
 using render::Precision;
 using render::RenderResult;
 using render::RenderSettings;
 using render::Scene;
+using render::Search;
 using render::Vec3;
 
 /// Every material in several variants, nested spheres, and a gradient; more spheres than a vector
@@ -123,26 +124,26 @@ double difference(LinearRgb a, LinearRgb b) {
 
 class WidePaths : public testing::TestWithParam<WideForm> {};
 
-TEST_P(WidePaths, AreThoseOfTheScalarKernel) {
+TEST_P(WidePaths, AreThoseOfTheReference) {
   for (const auto& [name, scene] : scenes()) {
-    const RenderResult scalar = render_with(scene, kSettings, {.kind = KernelKind::Scalar});
+    const RenderResult reference = render_by_reference(scene, kSettings);
     const RenderResult wide = render_with(scene, kSettings, GetParam().request());
-    ASSERT_EQ(wide.kernel.kind, KernelKind::Wide);
+    ASSERT_EQ(wide.kernel.search, Search::All);
     EXPECT_EQ(wide.nonfinite_samples, 0u);
-    EXPECT_EQ(wide.camera_samples, scalar.camera_samples);
+    EXPECT_EQ(wide.camera_samples, reference.camera_samples);
 
     EstimateBuilder differences;
     double largest = 0;
     for (std::size_t i = 0; i < wide.picture.pixels.size(); ++i) {
-      const LinearRgb ours = wide.picture.pixels[i], theirs = scalar.picture.pixels[i];
+      const LinearRgb ours = wide.picture.pixels[i], theirs = reference.picture.pixels[i];
       differences.add(ours - theirs);
       largest = std::max(largest, difference(ours, theirs));
     }
     if (GetParam().precision == Precision::Double) {
       // Rounding differs, but no path diverges.
       EXPECT_LT(largest, 1e-9) << name;
-      EXPECT_EQ(wide.rays, scalar.rays) << name;
-      EXPECT_EQ(wide.truncated_paths, scalar.truncated_paths) << name;
+      EXPECT_EQ(wide.rays, reference.rays) << name;
+      EXPECT_EQ(wide.truncated_paths, reference.truncated_paths) << name;
     } else {
       // Some paths diverge where float rounds a choice differently. H0: their radiance has the same
       // expectation, except for 1e-6 by which float may round colours. Significance 1e-5 for each
@@ -219,24 +220,23 @@ TEST_P(WidePaths, EndEarlyWhenTheRenderIsCancelled) {
 
 INSTANTIATE_TEST_SUITE_P(Forms, WidePaths, testing::ValuesIn(wide_forms()), form_name);
 
-// FMA rounds once everywhere, square roots and quotients are rounded correctly, and no reciprocal
-// estimates are used: the same bits from every instruction set that has FMA.
-TEST(WideKernel, GivesTheSameBytesWithAvx2AndAvx512) {
-  const auto isas = render::available_isas();
-  for (const render::Isa isa : {render::Isa::Avx2, render::Isa::Avx512}) {
-    if (std::find(isas.begin(), isas.end(), isa) == isas.end())
-      GTEST_SKIP() << "not on this machine";
-  }
+// Square roots and quotients are rounded correctly, and no reciprocal estimates are used: the same
+// bits from every instruction set that fuses multiplication and addition.
+TEST(WideKernel, GivesTheSameBytesWithAllInstructionSetsThatFuse) {
+  const auto equal = equal_backends();
+  if (equal.size() < 2) GTEST_SKIP() << "this machine has nothing to compare";
   std::set<Precision> precisions;
   for (const auto& [name, scene] : scenes()) {
     for (const Precision precision : {Precision::Float, Precision::Double}) {
-      const auto result = [&](render::Isa isa) {
-        return render_with(scene, kSettings, WideForm{isa, precision}.request());
+      const auto result = [&](const render::Backend* backend) {
+        return render_with(scene, kSettings, WideForm{backend, precision}.request());
       };
-      const RenderResult with_avx2 = result(render::Isa::Avx2);
-      precisions.insert(with_avx2.kernel.precision);
-      EXPECT_EQ(with_avx2.picture.pixels, result(render::Isa::Avx512).picture.pixels)
-          << name << ", " << name_of(precision);
+      const RenderResult with_first = result(equal.front());
+      precisions.insert(with_first.kernel.precision);
+      for (const render::Backend* other : equal) {
+        EXPECT_EQ(result(other).picture.pixels, with_first.picture.pixels)
+            << name << ", " << name_of(precision) << ", " << other->name;
+      }
     }
   }
   EXPECT_EQ(precisions.size(), 3u) << "mixed too";

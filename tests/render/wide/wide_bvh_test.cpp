@@ -13,6 +13,7 @@
 
 #include "render/tiles/render.hpp"
 #include "tests/render/wide/kernels.hpp"
+#include "tests/support/reference/path_tracer.hpp"
 #include "tests/support/statistics/random.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
@@ -265,9 +266,9 @@ TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphere) {
     const Scene scene = scene_of(named);
     KernelRequest request = GetParam().request();
     const RenderResult all = render_with(scene, kSettings, request);
-    request.kind = KernelKind::Bvh;
+    request.search = Search::Bvh;
     const RenderResult bvh = render_with(scene, kSettings, request);
-    ASSERT_EQ(bvh.kernel.kind, KernelKind::Bvh);
+    ASSERT_EQ(bvh.kernel.search, Search::Bvh);
     EXPECT_EQ(bvh.rays, all.rays) << named.name;
     std::size_t different = 0;
     for (std::size_t i = 0; i < all.picture.pixels.size(); ++i) {
@@ -322,8 +323,8 @@ TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphereOfRandomScenes) {
     KernelRequest request = GetParam().request();
     const RenderResult all = render_with(scene, kSettings, request);
     mixed += all.kernel.precision == Precision::Mixed ? 1 : 0;
-    refused += all.kernel.refusal.empty() ? 0 : 1;
-    request.kind = KernelKind::Bvh;
+    refused += all.kernel.refusal ? 1 : 0;
+    request.search = Search::Bvh;
     const RenderResult bvh = render_with(scene, kSettings, request);
     EXPECT_EQ(bvh.rays, all.rays) << seed;
     EXPECT_TRUE(bvh.picture.pixels == all.picture.pixels) << seed;
@@ -350,7 +351,7 @@ TEST_P(BvhPaths, AreThoseOfRaysHeldAgainstEverySphereWhateverTheMaterials) {
   }
   KernelRequest request = GetParam().request();
   const RenderResult all = render_with(scene, kSettings, request);
-  request.kind = KernelKind::Bvh;
+  request.search = Search::Bvh;
   const RenderResult bvh = render_with(scene, kSettings, request);
   EXPECT_EQ(bvh.rays, all.rays);
   EXPECT_TRUE(bvh.picture.pixels == all.picture.pixels);
@@ -369,7 +370,7 @@ TEST_P(BvhPaths, AreTheSameWhereASphereTouchesAGroundMetInDouble) {
   KernelRequest request = GetParam().request();
   const RenderResult all = render_with(scene, kSettings, request);
   EXPECT_EQ(all.kernel.precision == Precision::Mixed, GetParam().precision == Precision::Float);
-  request.kind = KernelKind::Bvh;
+  request.search = Search::Bvh;
   const RenderResult bvh = render_with(scene, kSettings, request);
   EXPECT_EQ(bvh.rays, all.rays);
   EXPECT_TRUE(bvh.picture.pixels == all.picture.pixels);
@@ -393,7 +394,7 @@ TEST_P(BvhPaths, TakeTheFirstOfSpheresAtOneDistance) {
   constexpr RenderSettings kSettings{.width = kSide, .height = kSide, .samples = 1, .depth = 2};
   KernelRequest request = GetParam().request();
   const RenderResult all = render_with(scene, kSettings, request);
-  request.kind = KernelKind::Bvh;
+  request.search = Search::Bvh;
   const RenderResult bvh = render_with(scene, kSettings, request);
   EXPECT_TRUE(bvh.picture.pixels == all.picture.pixels);
   int left = 0, right = 0;
@@ -425,8 +426,8 @@ Scene moved_by_rounding(Scene scene, Random& random) {
   return scene;
 }
 
-// Beyond the limit for testing every sphere, compare with the scalar kernel.
-TEST(BvhPaths, OfThousandsOfSpheresAreThoseOfTheScalarKernel) {
+// Beyond the limit for testing every sphere, compare with the reference.
+TEST(BvhPaths, OfThousandsOfSpheresAreThoseOfTheReference) {
   Random random(11);
   NamedSpheres named{.name = "thousands", .spheres = {}};
   for (int i = 0; i < 5000; ++i) {
@@ -437,22 +438,23 @@ TEST(BvhPaths, OfThousandsOfSpheresAreThoseOfTheScalarKernel) {
   // A seed with which no path diverges because of it.
   constexpr RenderSettings kSettings{
       .width = 48, .height = 27, .samples = 16, .depth = 12, .seed = 2};
-  constexpr KernelRequest kScalar{.kind = KernelKind::Scalar};
-  const RenderResult scalar = render_with(scene, kSettings, kScalar);
-  // Reflections from such small spheres amplify the rounding error of the first point. The scalar
-  // kernel shows by how much: in scenes whose spheres are moved by the error of points on them.
+  const RenderResult reference = test::render_by_reference(scene, kSettings);
+  // Reflections from such small spheres amplify the rounding error of the first point. The
+  // reference shows by how much: in scenes whose spheres are moved by the error of points on them.
   // That is about 1e-6 here, five times the observed difference.
   double by_rounding = 0;
   for (int i = 0; i < 8; ++i) {
-    const RenderResult moved = render_with(moved_by_rounding(scene, random), kSettings, kScalar);
-    by_rounding = std::max(by_rounding, largest_difference(moved.picture, scalar.picture));
+    const RenderResult moved =
+        test::render_by_reference(moved_by_rounding(scene, random), kSettings);
+    by_rounding = std::max(by_rounding, largest_difference(moved.picture, reference.picture));
   }
   ASSERT_LT(by_rounding, 1e-5);
-  for (const Isa isa : available_isas()) {
-    const RenderResult bvh = render_with(
-        scene, kSettings, {.kind = KernelKind::Bvh, .precision = Precision::Double, .isa = isa});
-    EXPECT_LE(largest_difference(bvh.picture, scalar.picture), by_rounding) << name_of(isa);
-    EXPECT_EQ(bvh.rays, scalar.rays);
+  for (const Backend* backend : available_vectors()) {
+    const RenderResult bvh =
+        render_with(scene, kSettings,
+                    {.search = Search::Bvh, .precision = Precision::Double, .backend = backend});
+    EXPECT_LE(largest_difference(bvh.picture, reference.picture), by_rounding) << backend->name;
+    EXPECT_EQ(bvh.rays, reference.rays);
   }
 }
 

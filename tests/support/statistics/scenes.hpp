@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
-#include "render/integrator/path_integrator.hpp"
-#include "render/light/choose_lights.hpp"
-#include "render/sampler/sampler.hpp"
 #include "render/scene/scene.hpp"
+#include "render/tiles/render.hpp"
 #include "tests/support/statistics/estimate.hpp"
 
 /// Short helpers to build test scenes.
@@ -58,19 +57,24 @@ struct BeamOptions {
   render::LightSampling light_sampling = render::LightSampling::Off;
 };
 
-/// The radiance along the camera's axis.
-inline Estimate radiance_along_axis(const render::Scene& scene, const BeamOptions& options) {
-  const auto lights = render::choose_lights(scene, options.light_sampling);
-  const render::PathIntegrator integrator(scene, options.depth, {}, lights);
-  render::PathCounts counts;
+/// The radiance along the camera's axis, by the portable kernel.
+inline Estimate radiance_along_axis(render::Scene scene, const BeamOptions& options) {
+  scene.camera.plane_height = 1e-30;  // all pixels look along the axis
+  constexpr int kWidth = 256;
+  // Standard errors assume independent samples.
+  const render::RenderSettings settings{
+      .width = kWidth,
+      .height = static_cast<int>((options.samples + kWidth - 1) / kWidth),
+      .samples = 1,
+      .depth = options.depth,
+      .seed = options.seed,
+      .sampler = render::SamplerKind::Independent,
+      .light_sampling = options.light_sampling};
+  render::RenderMonitor monitor;
+  const render::RenderResult result =
+      render::render(std::move(scene), settings, monitor, {.backend = &render::portable_backend()});
   EstimateBuilder builder;
-  const std::uint64_t key = render::PathSampler::stream_key(options.seed, 0, 0);
-  for (std::uint64_t i = 0; i < options.samples; ++i) {
-    // Standard errors assume independent samples.
-    const render::PathSampler sampler(render::SamplerKind::Independent, key,
-                                      static_cast<std::uint32_t>(i));
-    builder.add(integrator.sample(0.5, 0.5, sampler, counts));
-  }
+  for (const render::LinearRgb& pixel : result.picture.pixels) builder.add(pixel);
   return builder.estimate();
 }
 

@@ -16,10 +16,10 @@ struct LightPilot {
                                   ///< few
 };
 
-/// Traces 2048 paths with connections to `lights`; the paths are always the same. Light that
-/// scattering almost never finds is included, because the result of plain paths is computed from
-/// connections too (PlainPaths). The scene must have no instances; it is copied and gets its own
-/// BVH.
+/// Traces 2048 paths with connections to `lights`; the paths are always the same, and so is the
+/// kernel, portable_kernel, on every machine. Light that scattering almost never finds is included,
+/// because the result of plain paths is computed from connections too (PlainPaths). The scene must
+/// have no instances; it is copied and gets its own BVH.
 LightPilot run_light_pilot(Scene scene, const RenderSettings& settings,
                            std::span<const std::uint32_t> lights);
 

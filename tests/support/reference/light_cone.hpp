@@ -8,9 +8,10 @@
 #include "render/sampler/sampler.hpp"
 
 /// The cone of directions in which a sphere is seen (Shirley, Wang, Zimmerman, "Monte Carlo
-/// techniques for direct lighting calculations", 1996, 3.2). The wide kernel has the same formulas
-/// in render/wide/light_connections-inl.h.
-namespace sdlc::render {
+/// techniques for direct lighting calculations", 1996, 3.2).
+namespace sdlc::test::reference {
+
+using namespace render;  // NOLINT
 
 /// From this sin² of the half angle on, the light fills half the sky or contains the point:
 /// scattering finds it anyway.
@@ -69,4 +70,4 @@ inline double scattering_weight(double probability, const LightCone& cone, doubl
   return scattered / (probability + scattered);
 }
 
-}  // namespace sdlc::render
+}  // namespace sdlc::test::reference

@@ -1,4 +1,4 @@
-#include "render/light/light_cone.hpp"
+#include "tests/support/reference/light_cone.hpp"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 #include "tests/support/statistics/random.hpp"
 
-namespace sdlc::render {
+namespace sdlc::test::reference {
 namespace {
 
 TEST(LightCone, HasTheHeightOfTheCapThatTheSphereCovers) {
@@ -69,4 +69,4 @@ TEST(ScatteringWeight, IsThatOfTheBalanceHeuristic) {
 }
 
 }  // namespace
-}  // namespace sdlc::render
+}  // namespace sdlc::test::reference

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
-namespace sdlc::render {
+namespace sdlc::test::reference {
+
+using namespace render;  // NOLINT
 
 /// The share of reflected light by Schlick's approximation ("An inexpensive BRDF model for
 /// physically-based rendering", 1994). `cosine` is the cosine of the incident angle on either side,
@@ -26,4 +28,4 @@ inline double fresnel_exact(double cosine, double eta) noexcept {
   return 0.5 * (across * across + along * along);
 }
 
-}  // namespace sdlc::render
+}  // namespace sdlc::test::reference

@@ -1,4 +1,4 @@
-#include "render/material/scatter.hpp"
+#include "tests/support/reference/scatter.hpp"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 #include "tests/support/statistics/estimate.hpp"
 
-namespace sdlc::render {
+namespace sdlc::test::reference {
 namespace {
 
 /// Means over many vertices; three numbers at a time in the channels of an Estimate.
@@ -92,4 +92,4 @@ TEST(FresnelExact, MeetsItsKnownValues) {
 }
 
 }  // namespace
-}  // namespace sdlc::render
+}  // namespace sdlc::test::reference

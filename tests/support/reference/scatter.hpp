@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/material/fresnel.hpp"
 #include "render/math/sincos.hpp"
 #include "render/math/vec3.hpp"
 #include "render/sampler/sampler.hpp"
 #include "render/scene/scene.hpp"
+#include "tests/support/reference/fresnel.hpp"
 
 /// Scattering at surfaces. Directions in and out have length 1. Surfaces that end the path are
 /// handled by the integrator.
-namespace sdlc::render {
+namespace sdlc::test::reference {
+
+using namespace render;  // NOLINT
 
 /// The random numbers of one vertex of a path.
 class VertexSampler {
@@ -27,8 +29,7 @@ class VertexSampler {
 };
 
 /// Uniform on the unit sphere. The radius of the circle of latitude is 2√(u(1 − u)), not √(1 − z²),
-/// which loses its digits at the poles. Angles start at −x, which saves an instruction in the wide
-/// kernels.
+/// which loses its digits at the poles. Angles start at −x.
 inline Vec3 sample_unit_sphere(const VertexSampler& sample) noexcept {
   const auto [u, turn] = sample(kDirection);
   const SinCos around = sincos_turns(turn);
@@ -89,4 +90,4 @@ inline Vec3 scatter_transmissive(Vec3 direction, Vec3 outward, double ior, Fresn
   return unit(along - facing * std::sqrt(std::fabs(1 - length_squared(along))));
 }
 
-}  // namespace sdlc::render
+}  // namespace sdlc::test::reference

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "render/scene/precision.hpp"
+#include "render/wide/path_kernel.hpp"
+
+namespace sdlc::render {
+
+/// The kernels, built for one instruction set. Backends exist once, so their addresses identify
+/// them. The only other code that depends on instruction sets is that of the kernels themselves.
+struct Backend {
+  std::string_view name;
+  std::size_t vector_bytes = 0;
+  /// Sums of products are rounded once (fused multiply-add). Backends that agree in this give the
+  /// same bytes.
+  bool is_fused = false;
+  bool has_float = false;                     ///< Precision::Float and Mixed, too
+  bool has_search_of_all = false;             ///< Search::All, too
+  bool allows_camera_on_surfaces = false;     ///< several at once
+  bool (*is_available)() noexcept = nullptr;  ///< on this machine
+  ChooseKernel<float>* kernel_in_float = nullptr;
+  ChooseKernel<double>* kernel_in_double = nullptr;
+
+  std::size_t lanes(Precision precision) const noexcept {
+    return vector_bytes / (precision == Precision::Double ? sizeof(double) : sizeof(float));
+  }
+};
+
+/// All backends of this build: the portable one, then vectors in ascending order of speed.
+std::span<const Backend> backends() noexcept;
+
+/// One path at a time, on every machine: the kernel `scalar`.
+inline const Backend& portable_backend() noexcept { return backends().front(); }
+/// The others.
+inline std::span<const Backend> vector_backends() noexcept { return backends().subspan(1); }
+
+/// The vector backends that this machine can run. Empty if it can run none.
+std::span<const Backend* const> available_vectors() noexcept;
+/// The last of them, or the portable one.
+const Backend& best_backend() noexcept;
+
+}  // namespace sdlc::render

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "render/light/lights.hpp"
+#include "render/math/color.hpp"
+#include "render/math/vec3.hpp"
+#include "render/sampler/sampler.hpp"
+
+namespace sdlc::test::reference {
+
+using namespace render;  // NOLINT
+
+struct LightChoice {
+  std::uint32_t leaf = 0;
+  double probability = 0;  ///< 0: no light
+};
+/// Chooses one of the lights for the point `x`, which light reaches only on the side of the unit
+/// vector `normal`.
+LightChoice choose_light(const LightTree& tree, Vec3 x, Vec3 normal, UniformPair random) noexcept;
+/// LightChoice::probability of a leaf.
+double probability_of(const LightTree& tree, std::uint32_t leaf, Vec3 x, Vec3 normal) noexcept;
+
+/// A point on a diffuse surface. `normal` is on the side from which the path came.
+struct LitPlace {
+  Vec3 x, normal;
+  double u = 0;  ///< time within the shutter
+};
+/// A shadow ray towards a light.
+struct Connection {
+  Vec3 direction;
+  double distance = 0;   ///< an occluder is nearer than this
+  LinearRgb radiance;    ///< contribution if unoccluded, without the attenuation of the surface
+  std::uint32_t sphere;  ///< the light
+};
+/// nullopt if no light can be visible.
+std::optional<Connection> connect(const Lights& lights, const LitPlace& at, UniformPair choice,
+                                  UniformPair direction) noexcept;
+/// The weight of a ray scattered there, with `cosine` to the normal, that hits the sphere.
+double weight_of_hit(const Lights& lights, std::uint32_t sphere, const LitPlace& at,
+                     double cosine) noexcept;
+
+}  // namespace sdlc::test::reference

@@ -1,0 +1,233 @@
+#include "tests/support/reference/path_tracer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "render/camera/pinhole.hpp"
+#include "render/film/film.hpp"
+#include "render/light/lights.hpp"
+#include "render/math/ray.hpp"
+#include "render/sampler/sampler.hpp"
+#include "render/scene/camera_surface.hpp"
+#include "render/scene/rebase.hpp"
+#include "render/scene/touching.hpp"
+#include "render/sphere/intersect.hpp"
+#include "tests/support/reference/light_choice.hpp"
+#include "tests/support/reference/scatter.hpp"
+
+namespace sdlc::test::reference {
+namespace {
+
+struct Hit {
+  double t = kNoHit;
+  std::uint32_t sphere = kNoSphere;
+};
+
+class PathTracer {
+ public:
+  PathTracer(Scene scene, const RenderSettings& settings, std::span<const std::uint32_t> lights,
+             RenderResult& result, EmitterTally& emitters)
+      : pinhole_(scene.camera), settings_(settings), result_(result), emitters_(emitters) {
+    rebase_to_camera(scene);
+    part_touching(scene, Precision::Double);
+    lights_ = Lights(scene, lights);
+    scene_ = std::move(scene);
+    for (std::uint32_t i = 0; i < scene_.spheres.size(); ++i) {
+      const Vec3 shift = scene_.shifts.empty() ? Vec3{} : scene_.shifts[i];
+      if (has_camera_on_it(scene_.spheres[i], shift)) {
+        camera_surfaces_.push_back({.sphere = i, .normal = unit(-scene_.spheres[i].center)});
+      }
+    }
+  }
+
+  LinearRgb pixel(std::uint64_t index) {
+    const bool has_replicates = settings_.samples >= static_cast<int>(kMinReplicatedSamples);
+    const auto samples = static_cast<std::uint64_t>(settings_.samples);
+    const ReplicateCounts counts = has_replicates
+                                       ? split_in_replicates(samples)
+                                       : ReplicateCounts{static_cast<std::uint32_t>(samples)};
+    LinearRgb sum;
+    for (std::uint32_t replicate = 0; replicate < kReplicates; ++replicate) {
+      const std::uint64_t key = PathSampler::stream_key(settings_.seed, index, replicate);
+      for (std::uint32_t i = 0; i < counts[replicate]; ++i) {
+        const LinearRgb value = sample(index, PathSampler(settings_.sampler, key, i));
+        if (is_finite(value)) {
+          sum += value;
+        } else {
+          ++result_.nonfinite_samples;
+        }
+      }
+    }
+    return sum / static_cast<double>(samples);
+  }
+
+ private:
+  LinearRgb sample(std::uint64_t pixel, const PathSampler& sampler) {
+    const auto width = static_cast<std::uint64_t>(settings_.width);
+    const auto x = static_cast<double>(pixel % width);
+    const auto row = static_cast<double>(settings_.height) - 1 - static_cast<double>(pixel / width);
+    const auto [dx, dy] = settings_.is_centred() ? UniformPair{0.5, 0.5} : sampler.pair(kPixel);
+    const Vec3 direction =
+        pinhole_.direction((x + dx) / settings_.width, (row + dy) / settings_.height);
+    const double u = scene_.shifts.empty() ? 0 : sampler.pair(kTime).first;
+    return li({.origin = {}, .direction = direction, .u = u}, sampler);
+  }
+
+  Vec3 center(std::uint32_t sphere, double u) const {
+    const Vec3 at_opening = scene_.spheres[sphere].center;
+    return scene_.shifts.empty() ? at_opening : at_opening + scene_.shifts[sphere] * u;
+  }
+
+  /// The nearest hit; at equal distances that of the first sphere. The spheres of `left` are hit
+  /// only from inside; `departure` becomes the one that is hit.
+  Hit intersect(const Ray& ray, std::span<const Departure> left, Departure& departure) const {
+    Hit nearest;
+    for (std::uint32_t i = 0; i < scene_.spheres.size(); ++i) {
+      const double radius = scene_.spheres[i].radius;
+      if (!(radius > 0)) continue;
+      const auto surface = std::ranges::find(left, i, &Departure::sphere);
+      const double t = surface != left.end()
+                           ? rehit_distance(ray.direction, surface->normal, radius)
+                           : hit_distance(ray.origin - center(i, ray.u), ray.direction, radius);
+      if (!(t < nearest.t)) continue;
+      nearest = {t, i};
+      if (surface != left.end()) departure = *surface;
+    }
+    return nearest;
+  }
+
+  LinearRgb background(Vec3 direction) const {
+    const Background& sky = scene_.background;
+    if (sky.is_constant()) return sky.bottom;
+    const double t = 0.5 * (direction.y + 1);
+    return sky.bottom * (1 - t) + sky.top * t;
+  }
+
+  const Material& material_of(std::uint32_t sphere) const {
+    return scene_.materials[scene_.spheres[sphere].material];
+  }
+
+  void count_reached(std::uint32_t sphere, LightPath kind) {
+    if (emitters_.is_counting()) emitters_.count(sphere, kind);
+  }
+
+  /// Next event estimation for the diffuse surface point at the origin of `ray`.
+  LinearRgb direct_light(const Ray& ray, const Departure& departure, Vec3 facing,
+                         const PathSampler& sampler, int vertex, LinearRgb beta) {
+    const VertexSampler random(sampler, vertex);
+    const auto connection = connect(lights_, {.x = ray.origin, .normal = facing, .u = ray.u},
+                                    random(kChoice), random(kLight));
+    if (!connection) return LinearRgb{};
+    ++result_.rays;
+    Departure met;
+    const Hit hit =
+        intersect({.origin = ray.origin, .direction = connection->direction, .u = ray.u},
+                  std::span(&departure, 1), met);
+    // If the ray hits or just misses the light's own surface, rounding decides; both count as
+    // visible.
+    if (hit.t < connection->distance && hit.sphere != connection->sphere) return LinearRgb{};
+    count_reached(connection->sphere, LightPath::Direct);
+    return beta * connection->radiance;
+  }
+
+  LinearRgb li(Ray ray, const PathSampler& sampler) {
+    LinearRgb beta{1};   // throughput of the path so far
+    LinearRgb gathered;  // radiance from connections to lights
+    std::vector<Departure> left = camera_surfaces_;
+    Vec3 facing;
+    bool left_diffuse = false;  // the previous surface was diffuse, and a light was sampled there
+    PathHistory history;
+    for (int depth = 0; depth < settings_.depth; ++depth) {
+      ++result_.rays;
+      Departure departure;
+      const Hit hit = intersect(ray, left, departure);
+      if (hit.sphere == kNoSphere) return gathered + beta * background(ray.direction);
+
+      const Material& material = material_of(hit.sphere);
+      if (material.type == MaterialType::Unlit) {
+        count_reached(hit.sphere, light_path(history));
+        return gathered + beta * material.color;
+      }
+      if (material.type == MaterialType::Emissive) {
+        count_reached(hit.sphere, light_path(history));
+        const LinearRgb arriving = beta * (material.color * material.parameter);
+        if (!left_diffuse) return gathered + arriving;
+        const double cosine = std::fabs(dot(ray.direction, facing));
+        return gathered + arriving * weight_of_hit(lights_, hit.sphere,
+                                                   {.x = ray.origin, .normal = facing, .u = ray.u},
+                                                   cosine);
+      }
+
+      const Vec3 at = center(hit.sphere, ray.u);
+      const Vec3 outward = hit.sphere == departure.sphere
+                               ? rehit_normal(ray.direction, departure.normal)
+                               : unit((ray.origin - at) + ray.direction * hit.t);
+      facing = dot(ray.direction, outward) > 0 ? -outward : outward;
+      const VertexSampler vertex(sampler, depth);
+      Vec3 direction;
+      switch (material.type) {
+        case MaterialType::Diffuse: direction = scatter_diffuse(facing, vertex); break;
+        case MaterialType::Specular:
+          if (!scatter_specular(ray.direction, facing, material.parameter, vertex, direction)) {
+            return gathered;
+          }
+          break;
+        default:
+          direction = scatter_transmissive(ray.direction, outward, material.parameter,
+                                           material.fresnel, vertex);
+      }
+      beta *= material.color;
+      ray.origin = at + outward * scene_.spheres[hit.sphere].radius;
+      ray.direction = direction;
+      left = {{.sphere = hit.sphere, .normal = outward}};
+      const bool is_diffuse = material.type == MaterialType::Diffuse;
+      history = {.has_scattered = true,
+                 .has_met_diffuse = history.has_met_diffuse || is_diffuse,
+                 .leaves_diffuse = is_diffuse};
+      left_diffuse = is_diffuse && !lights_.empty();
+      if (left_diffuse && depth + 1 < settings_.depth) {
+        gathered += direct_light(ray, left.front(), facing, sampler, depth, beta);
+      }
+    }
+    ++result_.truncated_paths;
+    return gathered;
+  }
+
+  Pinhole pinhole_;
+  const RenderSettings& settings_;
+  RenderResult& result_;
+  EmitterTally& emitters_;
+  Scene scene_;
+  Lights lights_;
+  std::vector<Departure> camera_surfaces_;  // spheres whose surface contains the camera
+};
+
+}  // namespace
+}  // namespace sdlc::test::reference
+
+namespace sdlc::test {
+
+render::RenderResult render_by_reference(const render::Scene& scene,
+                                         const render::RenderSettings& settings) {
+  render::RenderResult result;
+  result.kernel = choose_kernel(scene, settings, {.backend = &render::portable_backend()});
+  result.picture = render::Picture(settings.width, settings.height);
+  result.sampled_lights = static_cast<std::uint32_t>(result.kernel.lights.size());
+  render::EmitterTally emitters(scene, result.kernel.lights, settings.depth);
+  reference::PathTracer tracer(scene, settings, result.kernel.lights, result, emitters);
+  for (std::size_t i = 0; i < result.picture.pixels.size(); ++i) {
+    result.picture.pixels[i] = tracer.pixel(i);
+  }
+  result.camera_samples =
+      result.picture.pixels.size() * static_cast<std::uint64_t>(settings.samples);
+  result.scarce_emitters = emitters.scarce();
+  result.is_complete = true;
+  return result;
+}
+
+}  // namespace sdlc::test
