@@ -41,8 +41,7 @@ std::string describe(const KernelRefusal& refusal) {
   switch (refusal.obstacle) {
     case KernelObstacle::OtherMachine:
       return fmt::format("{}: this machine has no {}", flag, refusal.backend->name);
-    case KernelObstacle::PortableInDouble:
-    case KernelObstacle::PortableByBvh: return fmt::format("{}: {}", flag, obstacle);
+    case KernelObstacle::PortableInDouble: return fmt::format("{}: {}", flag, obstacle);
     case KernelObstacle::InstancesByBvh:
     case KernelObstacle::InstancesInDouble:
       return fmt::format("{}: {}; --instances never expands them", flag, obstacle);

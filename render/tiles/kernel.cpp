@@ -30,15 +30,16 @@ std::string whole(double number) { return std::to_string(std::lround(number)); }
 
 using Subject = KernelRefusal::Subject;
 
-/// Why no vector kernel can trace the scene.
-std::optional<KernelObstacle> obstacle_to_vectors(const Scene& scene,
-                                                  const KernelRequest& request) {
-  if (available_vectors().empty()) return KernelObstacle::NoVectors;
-  if (scene.spheres.empty() && scene.instances.empty()) return KernelObstacle::NoSpheres;
-  if (request.search == Search::All && scene.spheres.size() > kMaxWideSpheres) {
-    return KernelObstacle::TooManySpheres;
-  }
-  if (count_under_camera(scene) > 1) return KernelObstacle::SeveralSurfaces;
+/// Why no vectors, or the portable backend if it was requested, can trace the scene.
+std::optional<KernelObstacle> obstacle_to(const Scene& scene, const KernelRequest& request) {
+  const bool is_portable = request.backend == &portable_backend();
+  if (!is_portable && available_vectors().empty()) return KernelObstacle::NoVectors;
+  if (!is_portable && scene.spheres.empty()) return KernelObstacle::NoSpheres;
+  const bool tests_all = request.search == Search::All;
+  if (tests_all && scene.spheres.size() > kMaxWideSpheres) return KernelObstacle::TooManySpheres;
+  const Backend& backend = request.backend != nullptr ? *request.backend : best_backend();
+  const bool allows_surfaces = backend.allows_camera_on_surfaces && !tests_all;
+  if (!allows_surfaces && count_under_camera(scene) > 1) return KernelObstacle::SeveralSurfaces;
   return std::nullopt;
 }
 
@@ -118,6 +119,16 @@ Kernel vector_kernel_for(const Scene& scene, const RenderSettings& settings,
   return kernel;
 }
 
+Kernel portable_kernel_for(const Scene& scene, const RenderSettings& settings,
+                           const KernelRequest& request, std::string reason) {
+  Kernel kernel = kernel_in_double(scene, settings, std::move(reason));
+  // With 20 spheres a ray takes two thirds of the time, with 64 about the same.
+  constexpr std::size_t kFewSpheres = 48;
+  const bool has_few = scene.spheres.size() <= kFewSpheres && count_under_camera(scene) <= 1;
+  kernel.search = request.search.value_or(has_few ? Search::All : Search::Bvh);
+  return kernel;
+}
+
 Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
                   const KernelRequest& request) {
   // The search for gaps is parallel.
@@ -128,24 +139,22 @@ Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
   }
   if (!scene.instances.empty()) return kernel_for_instances(scene, settings, request);
   const bool is_portable = request.backend == &portable_backend();
-  const auto obstacle = is_portable ? std::nullopt : obstacle_to_vectors(scene, request);
+  const auto obstacle = obstacle_to(scene, request);
   const bool takes_double = request.may_take_double && (is_portable || obstacle);
   const bool wants_float =
       request.precision && request.precision != Precision::Double && !takes_double;
-  if (is_portable) {
-    if (wants_float) {
-      return refused(Subject::Precision, KernelObstacle::PortableInDouble, request);
-    }
-    if (request.search == Search::All) {
-      return refused(Subject::Search, KernelObstacle::PortableByBvh, request);
-    }
-    return kernel_in_double(scene, settings, "the scalar kernel was requested");
+  if (is_portable && wants_float) {
+    return refused(Subject::Precision, KernelObstacle::PortableInDouble, request);
   }
-  if (!obstacle) return vector_kernel_for(scene, settings, request);
+  if (!obstacle) {
+    return is_portable
+               ? portable_kernel_for(scene, settings, request, "the scalar kernel was requested")
+               : vector_kernel_for(scene, settings, request);
+  }
   if (request.search) return refused(Subject::Search, *obstacle, request);
   if (request.backend != nullptr) return refused(Subject::Backend, *obstacle, request);
   if (wants_float) return refused(Subject::Precision, *obstacle, request);
-  return kernel_in_double(scene, settings, describe(*obstacle));
+  return portable_kernel_for(scene, settings, request, describe(*obstacle));
 }
 
 /// The emitters that diffuse surfaces sample. The geometric choice decides if the pilot found
@@ -182,7 +191,6 @@ std::string describe(KernelObstacle obstacle) {
       return "more than " + std::to_string(kMaxWideSpheres) + " spheres";
     case KernelObstacle::SeveralSurfaces: return "the camera is on several surfaces";
     case KernelObstacle::PortableInDouble: return "the scalar kernel computes in double";
-    case KernelObstacle::PortableByBvh: return "the scalar kernel has a BVH";
     case KernelObstacle::InstancesByBvh: return "instances are traced with a BVH";
     default: return "instances are traced in double";
   }

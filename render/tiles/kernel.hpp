@@ -31,7 +31,6 @@ enum class KernelObstacle : std::uint8_t {
   TooManySpheres,    ///< for Search::All
   SeveralSurfaces,   ///< contain the camera
   PortableInDouble,  ///< the portable backend has no other precision
-  PortableByBvh,     ///< and no other search
   InstancesByBvh,
   InstancesInDouble,
 };

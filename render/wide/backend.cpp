@@ -50,7 +50,7 @@ bool always() noexcept { return true; }
 
 constexpr std::array kBackends {
   Backend{.name = "portable",
-          .vector_bytes = sizeof(double),
+          .vector_bytes = 16,
           .allows_camera_on_surfaces = true,
           .is_available = always,
           .kernel_in_double = portable_kernel},
@@ -58,7 +58,6 @@ constexpr std::array kBackends {
       Backend{.name = "sse4",
               .vector_bytes = 16,
               .has_float = true,
-              .has_search_of_all = true,
               .is_available = has_sse4,
               SDLC_CHOOSE_KERNELS(N_SSE4)},
 #endif
@@ -67,7 +66,6 @@ constexpr std::array kBackends {
               .vector_bytes = 32,
               .is_fused = true,
               .has_float = true,
-              .has_search_of_all = true,
               .is_available = has_avx2,
               SDLC_CHOOSE_KERNELS(N_AVX2)},
 #endif
@@ -76,7 +74,6 @@ constexpr std::array kBackends {
               .vector_bytes = 64,
               .is_fused = true,
               .has_float = true,
-              .has_search_of_all = true,
               .is_available = has_avx512,
               SDLC_CHOOSE_KERNELS(N_AVX3)},
 #endif
@@ -85,7 +82,6 @@ constexpr std::array kBackends {
               .vector_bytes = 16,
               .is_fused = true,
               .has_float = true,
-              .has_search_of_all = true,
               .is_available = always,
               SDLC_CHOOSE_KERNELS(N_NEON)},
 #endif

@@ -18,8 +18,7 @@ struct Backend {
   /// same bytes.
   bool is_fused = false;
   bool has_float = false;                     ///< Precision::Float and Mixed, too
-  bool has_search_of_all = false;             ///< Search::All, too
-  bool allows_camera_on_surfaces = false;     ///< several at once
+  bool allows_camera_on_surfaces = false;     ///< several at once, with Search::Bvh
   bool (*is_available)() noexcept = nullptr;  ///< on this machine
   ChooseKernel<float>* kernel_in_float = nullptr;
   ChooseKernel<double>* kernel_in_double = nullptr;
@@ -32,7 +31,7 @@ struct Backend {
 /// All backends of this build: the portable one, then vectors in ascending order of speed.
 std::span<const Backend> backends() noexcept;
 
-/// One path at a time, on every machine: the kernel `scalar`.
+/// For every machine, in double: the kernel `scalar`.
 inline const Backend& portable_backend() noexcept { return backends().front(); }
 /// The others.
 inline std::span<const Backend> vector_backends() noexcept { return backends().subspan(1); }

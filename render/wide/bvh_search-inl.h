@@ -20,7 +20,6 @@
 
 #include <hwy/highway.h>
 
-#include "render/wide/two_lanes-inl.h"
 #include "render/wide/vector_math-inl.h"
 #include "render/wide/wide_scene.hpp"
 
@@ -55,9 +54,9 @@ class BvhSearch {
 
   /// One number per ray.
   template <typename U>
-  using Row = std::array<U, hn::MaxLanes(hn::ScalableTag<T>())>;
+  using Row = std::array<U, hn::MaxLanes(Lanes<T>())>;
   struct Rays {
-    using DR = hn::ScalableTag<T>;
+    using DR = Lanes<T>;
     using VR = hn::Vec<DR>;
 
     HWY_INLINE Rays(Triple<VR> from, Triple<VR> along, VR at_time) {
@@ -73,7 +72,7 @@ class BvhSearch {
       const VR more = hn::Set(d, 1 + kRelativeError), less = hn::Set(d, 1 - kRelativeError);
       const auto bounds = [&](VR v) HWY_ATTR {
         const VR a = hn::Mul(v, more), b = hn::Mul(v, less);
-        return std::array<VR, 2>{larger(a, b), smaller(a, b)};
+        return std::array<VR, 2>{hn::Max(a, b), hn::Min(a, b)};
       };
       const auto x = bounds(offset.x), y = bounds(offset.y), z = bounds(offset.z);
       store({x[0], y[0], z[0]}, max_offset);
@@ -90,7 +89,7 @@ class BvhSearch {
     static HWY_INLINE VR inverse_of(VR along) {
       const DR d;
       const VR min_component = hn::Set(d, kMinComponent);
-      return hn::Div(hn::Set(d, T{1}), hn::CopySign(larger(hn::Abs(along), min_component), along));
+      return hn::Div(hn::Set(d, T{1}), hn::CopySign(hn::Max(hn::Abs(along), min_component), along));
     }
     static HWY_INLINE void store(Triple<VR> v, std::array<Row<T>, 3>& to) {
       const DR d;
@@ -104,11 +103,7 @@ class BvhSearch {
     std::uint32_t slot;
   };
 
-#if HWY_TARGET == HWY_SCALAR
-  using D = TwoLanes;
-#else
-  using D = hn::CappedTag<T, kBvhWidth>;
-#endif
+  using D = Lanes<T>;
   using V = hn::Vec<D>;
   static constexpr std::size_t kLanes = hn::MaxLanes(D());
   static constexpr std::size_t kParts = kBvhWidth / kLanes;  // number of vectors that hold all

@@ -34,7 +34,7 @@ inline constexpr double kLargestLightSine2 = 0.9;
 template <typename T, bool kMotion>
 class LightConnections {
  public:
-  using D = hn::ScalableTag<T>;
+  using D = Lanes<T>;
   using DU = hn::RebindToUnsigned<D>;
   using V = hn::Vec<D>;
   using Bits = hn::Vec<DU>;

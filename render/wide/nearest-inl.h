@@ -48,7 +48,7 @@ class BvhWave;
 template <typename T, typename F>
 class NearestSphere {
  public:
-  using D = hn::ScalableTag<T>;
+  using D = Lanes<T>;
   using DU = hn::RebindToUnsigned<D>;
   using V = hn::Vec<D>;
   using Bits = hn::Vec<DU>;

@@ -42,7 +42,7 @@ class WidePaths {
   void trace(TraceCounts& counts, const std::atomic<bool>& cancel);
 
  private:
-  using D = hn::ScalableTag<T>;
+  using D = Lanes<T>;
   using DU = hn::RebindToUnsigned<D>;
   using V = hn::Vec<D>;
   using Bits = hn::Vec<DU>;
@@ -152,7 +152,7 @@ bool WidePaths<T, F>::start_part(std::size_t lane, std::uint32_t replicate) {
   replicate_[lane] = replicate;
   const std::uint64_t key = PathSampler::stream_key(view_.seed, run.pixel, replicate);
   const DU du;
-  const hn::ScalableTag<double> dd;
+  const Lanes<double> dd;
   put(du, mixer_.data(), lane, static_cast<std::uint32_t>(key >> 32));
   put(du, stream_key_.data(), lane, static_cast<std::uint32_t>(key));
   put(du, sample_.data(), lane, part.first);
@@ -176,7 +176,7 @@ void WidePaths<T, F>::finish_parts(Mask finished) {
 /// Adds `value` in double, in the lanes of `mask`.
 template <typename T, typename F>
 void WidePaths<T, F>::add_to_sums(Mask mask, Triple<V> value) {
-  const hn::ScalableTag<double> dd;
+  const Lanes<double> dd;
   const std::array<V, 3> channels{hn::IfThenElseZero(mask, value.x),
                                   hn::IfThenElseZero(mask, value.y),
                                   hn::IfThenElseZero(mask, value.z)};

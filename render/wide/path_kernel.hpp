@@ -70,7 +70,7 @@ struct KernelFeatures {
 template <typename T>
 using ChooseKernel = TraceRuns<T>*(KernelFeatures features) noexcept;
 
-/// The kernel for every machine; always through a BVH.
+/// The kernels for every machine.
 ChooseKernel<double> portable_kernel;
 
 }  // namespace sdlc::render

@@ -1,4 +1,4 @@
-// The kernels with one lane, for every machine.
+// The kernels for every machine, with vectors of two numbers.
 #define HWY_COMPILE_ONLY_SCALAR
 #include "render/wide/path_kernel-inl.h"
 
@@ -6,24 +6,19 @@ HWY_BEFORE_NAMESPACE();
 namespace sdlc::render {
 namespace HWY_NAMESPACE {
 
-template <bool kInstances, bool kLights, bool kPilot = false>
-TraceRuns<double>* portable(bool has_motion) noexcept {
-  return has_motion
-             ? &trace_runs<double, Features<true, false, true, kInstances, kLights, kPilot>>
-             : &trace_runs<double, Features<false, false, true, kInstances, kLights, kPilot>>;
+/// The kernel of the light pilot.
+TraceRuns<double>* choose_pilot(bool has_motion) noexcept {
+  return has_motion ? &trace_runs<double, Features<true, false, true, false, true, true>>
+                    : &trace_runs<double, Features<false, false, true, false, true, true>>;
 }
 
 }  // namespace HWY_NAMESPACE
 
 TraceRuns<double>* portable_kernel(KernelFeatures features) noexcept {
   using namespace HWY_NAMESPACE;
-  if (features.pilot) return portable<false, true, true>(features.motion);
-  if (features.instances) {
-    return features.lights ? portable<true, true>(features.motion)
-                           : portable<true, false>(features.motion);
-  }
-  return features.lights ? portable<false, true>(features.motion)
-                         : portable<false, false>(features.motion);
+  if (features.pilot) return choose_pilot(features.motion);
+  return features.lights ? choose_kernel<double, true>(features)
+                         : choose_kernel<double, false>(features);
 }
 
 }  // namespace sdlc::render

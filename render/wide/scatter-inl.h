@@ -27,7 +27,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <typename T>
 class Scattering {
  public:
-  using D = hn::ScalableTag<T>;
+  using D = Lanes<T>;
   using DU = hn::RebindToUnsigned<D>;
   using V = hn::Vec<D>;
   using Bits = hn::Vec<DU>;

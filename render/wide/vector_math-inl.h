@@ -23,9 +23,6 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One number per lane and one lane: the portable kernels, whose vectors have no bytes to shuffle.
-inline constexpr bool kIsPortable = HWY_TARGET == HWY_SCALAR;
-
 template <typename V>
 struct Triple {
   V x, y, z;
@@ -66,18 +63,6 @@ HWY_INLINE Triple<V> flipped(Triple<V> a, V signs) {
 template <typename D, typename T>
 HWY_INLINE Triple<hn::Vec<D>> spread(D d, const std::array<T, 3>& v) {
   return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
-}
-
-/// Max and Min of numbers that are not NaN; Highway's test for NaN if there is one lane.
-template <typename V>
-HWY_INLINE V larger(V a, V b) {
-  if constexpr (kIsPortable) return hn::IfThenElse(hn::Gt(a, b), a, b);
-  return hn::Max(a, b);
-}
-template <typename V>
-HWY_INLINE V smaller(V a, V b) {
-  if constexpr (kIsPortable) return hn::IfThenElse(hn::Lt(a, b), a, b);
-  return hn::Min(a, b);
 }
 
 #if HWY_TARGET != HWY_SCALAR
@@ -173,7 +158,14 @@ template <typename V>
 HWY_INLINE V reverse_lane_bits(V x) {
   const hn::DFromV<V> du;
   if constexpr (kIsPortable) {
-    return hn::Set(du, reversed_bits(static_cast<std::uint32_t>(hn::GetLane(x))));
+    const auto swap = [&](V v, int bits, std::uint32_t lower) HWY_ATTR {
+      const V mask = hn::Set(du, lower);
+      const V up = hn::And(v, mask), down = hn::And(hn::ShiftRightSame(v, bits), mask);
+      return hn::Or(hn::ShiftLeftSame(up, bits), down);
+    };
+    return swap(
+        swap(swap(swap(swap(x, 1, 0x55555555), 2, 0x33333333), 4, 0x0F0F0F0F), 8, 0x00FF00FF), 16,
+        0xFFFF);
   } else {
     // The half bytes by a table, then the bytes.
     const hn::Repartition<std::uint8_t, decltype(du)> bytes;

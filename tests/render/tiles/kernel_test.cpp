@@ -123,8 +123,8 @@ TEST_F(KernelChoice, DoesAsItIsAsked) {
   EXPECT_EQ(
       choose_kernel(small, kSettings, {.precision = Precision::Float, .backend = portable}).refusal,
       (KernelRefusal{Subject::Precision, KernelObstacle::PortableInDouble, portable}));
-  EXPECT_EQ(choose_kernel(small, kSettings, {.search = Search::All, .backend = portable}).refusal,
-            (KernelRefusal{Subject::Search, KernelObstacle::PortableByBvh, portable}));
+  EXPECT_EQ(choose_kernel(large, kSettings, {.search = Search::All, .backend = portable}).refusal,
+            (KernelRefusal{Subject::Search, KernelObstacle::TooManySpheres, portable}));
   EXPECT_FALSE(choose_kernel(large, kSettings, {.precision = Precision::Double}).refusal);
 }
 
