@@ -18,24 +18,24 @@ namespace sdlc::cli {
 enum class MarkLook { Filled, Hollow, Faded };
 
 struct ChartPoint {
-  render::Measured x, y;
+  render::Measured x{}, y{};
   MarkLook look = MarkLook::Filled;
-  std::string reading;  ///< the figures in words
-  std::string remark;   ///< meaning of the look; may be empty
+  std::string reading{};  ///< the figures in words
+  std::string remark{};   ///< meaning of the look; may be empty
 };
 
 struct ChartSeries {
   std::size_t style = 0;  ///< index of colour, shape and dashes, which repeat after the eighth
-  std::string key;        ///< a letter next to the last mark; may be empty
-  std::string name;
-  std::vector<ChartPoint> points;
-  bool is_joined = false;       ///< by lines from mark to mark
-  std::optional<double> slope;  ///< of the straight line through the marks
+  std::string key{};      ///< a letter next to the last mark; may be empty
+  std::string name{};
+  std::vector<ChartPoint> points{};
+  bool is_joined = false;         ///< by lines from mark to mark
+  std::optional<double> slope{};  ///< of the straight line through the marks
 };
 
 /// The quantity along an axis.
 struct ChartAxis {
-  std::string label;
+  std::string label{};
   FigureText* tick = nullptr;
 };
 
@@ -48,10 +48,11 @@ struct ChartLevel {
 struct Chart {
   std::string id;
   std::string title, description;
-  ChartAxis x, y;
-  std::vector<ChartSeries> series;
-  std::vector<std::pair<double, double>> front;  ///< corners of a falling staircase, ascending in x
-  std::optional<ChartLevel> level;
+  ChartAxis x{}, y{};
+  std::vector<ChartSeries> series{};
+  std::vector<std::pair<double, double>>
+      front{};  ///< corners of a falling staircase, ascending in x
+  std::optional<ChartLevel> level{};
 };
 
 /// Whether any point can be drawn: both coordinates are finite.

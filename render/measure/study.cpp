@@ -85,6 +85,18 @@ RenderSettings Study::settings_of(const Configuration& configuration, int sample
   return settings;
 }
 
+Kernel Study::kernel_of(const Configuration& configuration) const {
+  return choose_kernel(scene_, settings_of(configuration, 8, settings_.seed),
+                       request_of(configuration));
+}
+
+RenderResult Study::render_once(const RenderSettings& settings,
+                                const Configuration& configuration) {
+  monitor_.samples_done = 0;
+  monitor_.rays_done = 0;
+  return render(scene_, settings, monitor_, request_of(configuration));
+}
+
 std::vector<Configuration> Study::configurations() const {
   std::vector<Configuration> configurations{own_};
   const auto add = [&](auto Configuration::*member, auto value) {
@@ -107,11 +119,11 @@ std::vector<Configuration> Study::configurations() const {
 
 ConfigurationCost Study::try_configuration(const Configuration& configuration) {
   ConfigurationCost cost{.configuration = configuration};
-  RenderSettings settings = settings_of(configuration, 8, settings_.seed);
-  const Kernel kernel = choose_kernel(scene_, settings, request_of(configuration));
+  const Kernel kernel = kernel_of(configuration);
   cost.refusal = kernel.refusal;
   if (!cost.refusal.empty()) return cost;
   cost.configuration.precision = kernel.precision;
+  RenderSettings settings = settings_of(configuration, 8, settings_.seed);
   // Small enough to be cheap, large enough to keep all lanes and threads busy.
   constexpr double kPixels = 1 << 15;
   const double scale = std::sqrt(kPixels / (static_cast<double>(settings.width) * settings.height));
@@ -119,7 +131,7 @@ ConfigurationCost Study::try_configuration(const Configuration& configuration) {
     settings.width = std::max(1, static_cast<int>(settings.width * scale));
     settings.height = std::max(1, static_cast<int>(settings.height * scale));
   }
-  const RenderResult result = render(scene_, settings, monitor_, request_of(configuration));
+  const RenderResult result = render_once(settings, configuration);
   cost.build_seconds = result.build_seconds;
   cost.seconds_per_sample = result.render_seconds / (static_cast<double>(settings.width) *
                                                      settings.height * settings.samples);
@@ -128,8 +140,7 @@ ConfigurationCost Study::try_configuration(const Configuration& configuration) {
 
 ConfigurationCost Study::guess_configuration(const Configuration& configuration,
                                              const ConfigurationCost& own) const {
-  const Kernel kernel = choose_kernel(scene_, settings_of(configuration, 8, settings_.seed),
-                                      request_of(configuration));
+  const Kernel kernel = kernel_of(configuration);
   ConfigurationCost cost = own;
   cost.configuration = configuration;
   cost.configuration.precision = kernel.precision;
@@ -181,14 +192,8 @@ void Study::make_plan() {
   std::erase_if(ledger_.plan->depths, [&](int depth) {
     Configuration configuration = own_;
     configuration.depth = depth;
-    return !is_possible(configuration);
+    return !kernel_of(configuration).refusal.empty();
   });
-}
-
-bool Study::is_possible(const Configuration& configuration) const {
-  return choose_kernel(scene_, settings_of(configuration, 8, settings_.seed),
-                       request_of(configuration))
-      .refusal.empty();
 }
 
 double Study::seconds_left() const {
@@ -204,24 +209,20 @@ std::optional<RenderResult> Study::rendered(const Configuration& configuration, 
                                             std::uint64_t seed, bool keeps_variance) {
   RenderSettings settings = settings_of(configuration, samples, seed);
   settings.keeps_variance = keeps_variance;
-  monitor_.samples_done = 0;
-  monitor_.rays_done = 0;
-  RenderResult result = render(scene_, settings, monitor_, request_of(configuration));
+  RenderResult result = render_once(settings, configuration);
   if (!result.is_complete) return std::nullopt;
   ledger_.nonfinite_samples += result.nonfinite_samples;
   return result;
 }
 
 bool Study::is_done(const StudyTask& task) const {
-  const auto is_same = [&](const auto& done) {
-    return done.configuration == task.configuration && done.samples == task.samples;
-  };
+  const Point* const point = find_point(ledger_.points, task.configuration, task.samples);
   const auto of_round = [&](const auto& probe) { return probe.round == task.round; };
   switch (task.kind) {
     case StudyTask::Kind::Reference: return ledger_.reference && reference_;
-    case StudyTask::Kind::Point: return std::ranges::any_of(ledger_.evaluations, is_same);
-    case StudyTask::Kind::Repeat:
-      return std::ranges::count_if(ledger_.renders, is_same) > task.round;
+    case StudyTask::Kind::Point: return point != nullptr;
+    case StudyTask::Kind::Repeat:  // nothing to repeat if there was no time for the point
+      return point == nullptr || std::cmp_greater(point->timings.size(), task.round);
     case StudyTask::Kind::Depths:
       return static_cast<std::size_t>(std::ranges::count_if(ledger_.depths, of_round)) ==
              ledger_.plan->depths.size();
@@ -254,21 +255,22 @@ bool Study::run_point(const StudyTask& task) {
   const std::optional<RenderResult> result =
       rendered(task.configuration, task.samples, settings_.seed);
   if (!result) return false;
-  ledger_.renders.push_back({.configuration = task.configuration,
-                             .samples = task.samples,
-                             .seconds = seconds_of(*result),
-                             .camera_samples = result->camera_samples,
-                             .rays = result->rays});
-  if (task.kind == StudyTask::Kind::Repeat) return true;
+  if (task.kind == StudyTask::Kind::Repeat) {
+    Point* const point = find_point(ledger_.points, task.configuration, task.samples);
+    point->timings.push_back(seconds_of(*result));
+    return true;
+  }
   const Picture& picture = result->picture;
-  ledger_.evaluations.push_back({.configuration = task.configuration,
-                                 .samples = task.samples,
-                                 .error = error_against(picture, *reference_),
-                                 .error_spread = error_spread(picture, *reference_),
-                                 .difference = measure_difference(picture, reference_->picture),
-                                 .flip = flip(picture, reference_->picture).mean,
-                                 .scarce_emitters = result->scarce_emitters.size(),
-                                 .cut_share = cut_share(*result)});
+  ledger_.points.push_back({.configuration = task.configuration,
+                            .samples = task.samples,
+                            .timings = {seconds_of(*result)},
+                            .rays = result->rays,
+                            .error = error_against(picture, *reference_),
+                            .error_spread = error_spread(picture, *reference_),
+                            .difference = measure_difference(picture, reference_->picture),
+                            .flip = flip(picture, reference_->picture).mean,
+                            .scarce_emitters = result->scarce_emitters.size(),
+                            .cut_share = cut_share(*result)});
   if (observer_.on_picture) {
     observer_.on_picture(task.configuration, task.samples, picture, *reference_);
   }
@@ -318,7 +320,7 @@ bool Study::run_depths(const StudyTask& task) {
     if (configuration.depth > kMaxProbedDepth / 2) continue;
     configuration.depth *= 2;
     const double seconds = kProbeSeeds * 2 * probes.back().seconds;  // upper bound over all rounds
-    if (seconds > seconds_left() || !is_possible(configuration)) continue;
+    if (seconds > seconds_left() || !kernel_of(configuration).refusal.empty()) continue;
     depths.push_back(configuration.depth);
   }
   ledger_.plan->depths = std::move(depths);
@@ -397,8 +399,8 @@ void Study::run_longer() {
   // Only as long as the reference is better.
   while (!monitor_.cancel.load()) {
     int max_samples = 0;
-    for (const Evaluation& evaluation : ledger_.evaluations) {
-      if (evaluation.configuration == own_) max_samples = std::max(max_samples, evaluation.samples);
+    for (const Point& point : ledger_.points) {
+      if (point.configuration == own_) max_samples = std::max(max_samples, point.samples);
     }
     // Double the samples.
     int samples = static_cast<int>(kMinReplicatedSamples);

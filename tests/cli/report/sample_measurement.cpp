@@ -209,16 +209,14 @@ cli::Report sample_report(const render::Measurement& measurement) {
                              .notes = {"the earlier one was made with seed 3"}};
   for (std::size_t i = 0; i < 4; ++i) {
     const render::Point& point = measurement.points[i];
-    against.points.push_back(
-        {.configuration = point.configuration,
-         .samples = point.samples,
-         .error_before = around(point.error.value * (i == 2 ? 1.4 : 1.01), 0.06),
-         .error_after = point.error,
-         .seconds_before = around(point.seconds.value / 0.91, 0.05),
-         .seconds_after = point.seconds,
-         .error = i == 2   ? render::Verdict::Better
-                  : i == 3 ? render::Verdict::Worse
-                           : render::Verdict::NotDistinguished});
+    render::Point before = point;
+    before.error = around(point.error.value * (i == 2 ? 1.4 : 1.01), 0.06);
+    before.seconds = around(point.seconds.value / 0.91, 0.05);
+    against.points.push_back({.before = before,
+                              .after = point,
+                              .error = i == 2   ? render::Verdict::Better
+                                       : i == 3 ? render::Verdict::Worse
+                                                : render::Verdict::NotDistinguished});
   }
   report.against = std::move(against);
   return report;
