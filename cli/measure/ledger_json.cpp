@@ -8,7 +8,7 @@ SDLC_MEMBERS(render::StudyTask, kind, configuration, samples, round)
 SDLC_MEMBERS(render::ConfigurationCost, configuration, build_seconds, seconds_per_sample, refusal)
 SDLC_MEMBERS(render::StudyPlan, width, height, costs, reference_configuration, reference_samples,
              depths, probe_samples, tasks)
-SDLC_MEMBERS(render::DepthProbe, depth, round, mean, seconds, cut_share)
+SDLC_MEMBERS(render::DepthProbe, depth, round, mean, seconds, cut_paths)
 SDLC_MEMBERS(render::PrecisionProbe, round, mean, other_mean, rms_difference, seconds,
              other_seconds)
 SDLC_MEMBERS(render::StudyLedger, plan, reference, points, depths, precisions, precision_bound,

@@ -20,11 +20,7 @@ inline constexpr std::tuple kMembers<render::Series>{WriteOnly("", &render::Seri
                                                      WriteOnly("points", &render::Series::points),
                                                      WriteOnly("slope", &render::Series::slope)};
 
-template <>
-inline constexpr std::tuple kMembers<render::DepthLoss>{
-    WriteOnly("depth", &render::DepthLoss::depth), WriteOnly("loss", &render::DepthLoss::loss),
-    WriteOnly("relative_seconds", &render::DepthLoss::seconds),
-    WriteOnly("cut_paths", &render::DepthLoss::cut_share)};
+SDLC_MEMBERS(render::DepthLoss, depth, loss, relative_seconds, cut_paths)
 
 template <>
 inline constexpr std::tuple kMembers<render::PrecisionDifference>{
@@ -71,12 +67,7 @@ inline constexpr std::tuple kMembers<render::PointChange>{
     WriteOnly("seconds", [](const auto& change) { return change.after.seconds; }),
     WriteOnly("error", &render::PointChange::error)};
 
-template <>
-inline constexpr std::tuple kMembers<render::Comparison>{
-    WriteOnly("version", &render::Comparison::earlier),
-    WriteOnly("points", &render::Comparison::points),
-    WriteOnly("time_ratio", &render::Comparison::time_ratio),
-    WriteOnly("time", &render::Comparison::time), WriteOnly("notes", &render::Comparison::notes)};
+SDLC_MEMBERS(render::Comparison, version, points, time_ratio, time, notes)
 
 namespace {
 

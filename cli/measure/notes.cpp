@@ -58,7 +58,7 @@ render::Comparison compare_with_earlier(const render::Measurement& measurement,
       earlier.provenance.machine == provenance.machine && before.threads == measurement.threads;
   render::Comparison comparison =
       compare_measurements(measurement.points, before.points, is_same_machine);
-  comparison.earlier = earlier.provenance.version;
+  comparison.version = earlier.provenance.version;
   std::vector<std::string>& notes = comparison.notes;
   if (!is_same_machine) {
     notes.emplace_back(

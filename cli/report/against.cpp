@@ -33,7 +33,7 @@ Section against_section(const Report& report) {
   Section section;
   if (!report.against) return section;
   const render::Comparison& against = *report.against;
-  section.paragraph("Against the earlier measurement made by " + escaped(against.earlier) + ".");
+  section.paragraph("Against the earlier measurement made by " + escaped(against.version) + ".");
   if (const std::string worse = worse_html(against); !worse.empty()) section.paragraph(worse);
   section.paragraph(against.time_ratio
                         ? fmt::format("A render takes <strong>{}</strong> as long as before: {}.",

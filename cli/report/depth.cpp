@@ -27,7 +27,7 @@ std::string chart_over_depth(const render::Measurement& measurement, Chart chart
         {.x = {.value = static_cast<double>(depth.depth)},
          .y = y(depth),
          .reading = fmt::format("depth {}: {} of the light lost, {} the time", depth.depth,
-                                read(depth.loss, percent).text(), times(depth.seconds)),
+                                read(depth.loss, percent).text(), times(depth.relative_seconds)),
          .remark = std::string(remark(measurement, depth))});
   }
   chart.series.push_back(std::move(series));
@@ -42,8 +42,8 @@ Table depth_table(const render::Measurement& measurement) {
   for (const render::DepthLoss& depth : measurement.depths) {
     table.row({{fmt::to_string(depth.depth), std::string(remark(measurement, depth))},
                read(depth.loss, percent),
-               percent(depth.cut_share),
-               times(depth.seconds)});
+               percent(depth.cut_paths),
+               times(depth.relative_seconds)});
   }
   return table;
 }
@@ -71,7 +71,9 @@ Section depth_section(const Report& report) {
        .title = "Time by depth",
        .description = "The time of a render with each depth, relative to the scene's own.",
        .y = {"time, relative to that of the scene's own depth", plain_tick}},
-      [](const render::DepthLoss& depth) { return render::Measured{.value = depth.seconds}; },
+      [](const render::DepthLoss& depth) {
+        return render::Measured{.value = depth.relative_seconds};
+      },
       "Most paths end by themselves, so depth is cheap if light can escape."));
   section.page_only("</div>\n");
   section.table(depth_table(measurement));

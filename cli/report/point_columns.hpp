@@ -102,7 +102,7 @@ inline constexpr std::tuple kMembers<render::Point>{
                "max_difference", [](auto& p) -> auto& { return p.difference.largest; }),
            "-#Largest difference", largest_cell,
            "in one channel of one pixel, counted from the top left"),
-    Column(Member("cut_paths", &render::Point::cut_share), "-#Paths cut", percent,
+    Column(Member("cut_paths", &render::Point::cut_paths), "-#Paths cut", percent,
            "by the depth limit, in percent of all"),
     Member("scarce_emitters", &render::Point::scarce_emitters),
     Column(Member("standing", &render::Point::dominance), "Status", status_cell),

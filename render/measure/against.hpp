@@ -25,7 +25,7 @@ struct PointChange {
 
 /// Changes since an earlier measurement.
 struct Comparison {
-  std::string earlier{};  ///< version of the program that made it
+  std::string version{};  ///< of the program that made the earlier one
   std::vector<PointChange> points{};
   /// Mean ratio of the times, now to then, over all points; nullopt if they are not comparable.
   std::optional<Measured> time_ratio{};

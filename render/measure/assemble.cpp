@@ -48,15 +48,15 @@ std::vector<DepthLoss> losses_of(const StudyLedger& ledger, int own) {
       const auto here = find(depth), full = find(deepest), usual = find(own);
       if (here == ledger.depths.end()) continue;
       lost.push_back(share(full->mean - here->mean, full->mean));
-      cut.push_back(here->cut_share);
+      cut.push_back(here->cut_paths);
       seconds += here->seconds;
       own_seconds += usual->seconds;
     }
     if (lost.size() < 2) return {};
     losses.push_back({.depth = depth,
                       .loss = mean_of(lost),
-                      .seconds = share(seconds, own_seconds),
-                      .cut_share = mean_of(cut).value});
+                      .relative_seconds = share(seconds, own_seconds),
+                      .cut_paths = mean_of(cut).value});
   }
   return losses;
 }

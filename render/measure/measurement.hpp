@@ -47,7 +47,7 @@ struct Point {
   Difference difference{};  ///< includes the noise of the reference
   double flip = 0;
   std::uint64_t scarce_emitters = 0;  ///< RenderResult::scarce_emitters
-  double cut_share = 0;               ///< of its paths, cut off by the depth limit
+  double cut_paths = 0;               ///< share of its paths that the depth limit cut off
   // Concluded from all points together.
   Measured seconds{};  ///< median of the timings
   double samples_per_second = 0, rays_per_second = 0;
@@ -76,9 +76,9 @@ struct Series {
 /// measured. A lower bound if Measurement::depths_have_converged is false.
 struct DepthLoss {
   int depth = 0;
-  Measured loss{};       ///< share of the mean radiance
-  double seconds = 0;    ///< of a render, relative to the scene's own depth
-  double cut_share = 0;  ///< of all paths
+  Measured loss{};              ///< share of the mean radiance
+  double relative_seconds = 0;  ///< of a render; the scene's own depth has 1
+  double cut_paths = 0;         ///< share of all paths
 };
 
 /// The same paths in two precisions.

@@ -24,7 +24,7 @@ double seconds_since(Clock::time_point start) {
 /// Seeds far from those of the points, so that the reference is independent of them.
 constexpr std::uint64_t kReferenceSeed = 1'000'003, kProbeSeed = 2'000'003;
 
-double cut_share(const RenderResult& result) {
+double cut_paths(const RenderResult& result) {
   return static_cast<double>(result.truncated_paths) /
          static_cast<double>(std::max<std::uint64_t>(result.camera_samples, 1));
 }
@@ -270,7 +270,7 @@ bool Study::run_point(const StudyTask& task) {
                             .difference = measure_difference(picture, reference_->picture),
                             .flip = flip(picture, reference_->picture).mean,
                             .scarce_emitters = result->scarce_emitters.size(),
-                            .cut_share = cut_share(*result)});
+                            .cut_paths = cut_paths(*result)});
   if (observer_.on_picture) {
     observer_.on_picture(task.configuration, task.samples, picture, *reference_);
   }
@@ -286,7 +286,7 @@ bool depths_have_converged(std::span<const DepthProbe> probes) {
   const auto [deepest, light] = *means.rbegin();
   double cut = 0;
   for (const DepthProbe& probe : probes) {
-    if (probe.depth == deepest) cut = std::max(cut, probe.cut_share);
+    if (probe.depth == deepest) cut = std::max(cut, probe.cut_paths);
   }
   int quiet = 0;  // number of doublings of the depth that added almost no light
   for (auto deep = std::prev(means.end()); deep->first > 1; ++quiet) {
@@ -314,7 +314,7 @@ bool Study::run_depths(const StudyTask& task) {
                       .round = task.round,
                       .mean = mean_radiance(result->picture),
                       .seconds = seconds_of(*result),
-                      .cut_share = cut_share(*result)});
+                      .cut_paths = cut_paths(*result)});
     // The first round goes on until no more light is found; the others use the same depths.
     if (task.round > 0 || i + 1 < depths.size() || depths_have_converged(probes)) continue;
     if (configuration.depth > kMaxProbedDepth / 2) continue;

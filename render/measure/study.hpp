@@ -24,7 +24,7 @@ struct DepthProbe {
   int round = 0;
   double mean = 0;  ///< radiance
   double seconds = 0;
-  double cut_share = 0;
+  double cut_paths = 0;
 };
 
 /// Whether deeper paths carry no significant light: the last doubling of the depth added none and

@@ -63,9 +63,9 @@ StudyLedger full_ledger() {
                                           .largest = {-0.5, 2, 1, 2}},
                            .flip = 0.04,
                            .scarce_emitters = 2,
-                           .cut_share = 0.125});
-  ledger.depths.push_back({.depth = 2, .round = 1, .mean = 0.6, .seconds = 0.2, .cut_share = 0.5});
-  ledger.depths.push_back({.depth = 7, .round = 1, .mean = 0.7, .seconds = 0.4, .cut_share = 0.25});
+                           .cut_paths = 0.125});
+  ledger.depths.push_back({.depth = 2, .round = 1, .mean = 0.6, .seconds = 0.2, .cut_paths = 0.5});
+  ledger.depths.push_back({.depth = 7, .round = 1, .mean = 0.7, .seconds = 0.4, .cut_paths = 0.25});
   ledger.precisions.push_back({.round = 1,
                                .mean = 0.7,
                                .other_mean = 0.70001,

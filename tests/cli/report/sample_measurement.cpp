@@ -59,7 +59,7 @@ void add_series(render::Measurement& measurement, const Law& law, int first, int
                                     .y = 97,
                                     .channel = static_cast<int>(number % 3)}};
     point.flip = 0.6 * std::sqrt(error);
-    point.cut_share = law.configuration.depth > 8 ? 0.0004 : 0.031;
+    point.cut_paths = law.configuration.depth > 8 ? 0.0004 : 0.031;
     point.scarce_emitters =
         law.configuration.light_sampling == render::LightSampling::Off && samples < 64;
     series.points.push_back(measurement.points.size());
@@ -153,8 +153,8 @@ render::Measurement sample_measurement() {
     measurement.depths.push_back(
         {.depth = depth,
          .loss = {.value = loss, .interval = {loss * 0.9 - 1e-5, loss * 1.1}},
-         .seconds = (1 - 0.6 * std::exp(-0.2 * depth)) / (1 - 0.6 * std::exp(-3.2)),
-         .cut_share = 2 * loss});
+         .relative_seconds = (1 - 0.6 * std::exp(-0.2 * depth)) / (1 - 0.6 * std::exp(-3.2)),
+         .cut_paths = 2 * loss});
   }
   measurement.depths_have_converged = true;
   measurement.precision = render::PrecisionDifference{
@@ -202,7 +202,7 @@ cli::Report sample_report(const render::Measurement& measurement) {
                   row("Shadow under the table", 48, 32, 6, 0.4)};
   report.error_maps = {row("Where the error is", 200, 112, 3, 1)};
   report.error_map_top = 0.5;
-  render::Comparison against{.earlier = "sdlc 0.1.0 (5b41410)",
+  render::Comparison against{.version = "sdlc 0.1.0 (5b41410)",
                              .points = {},
                              .time_ratio = around(0.91, 0.04),
                              .time = render::Verdict::Better,

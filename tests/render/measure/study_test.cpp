@@ -116,7 +116,7 @@ TEST_F(StudyTest, TellsWhatDepthsLose) {
 std::vector<render::DepthProbe> probes(std::vector<std::pair<int, double>> means, double cut) {
   std::vector<render::DepthProbe> all;
   for (const auto& [depth, mean] : means) {
-    all.push_back({.depth = depth, .mean = mean, .cut_share = cut});
+    all.push_back({.depth = depth, .mean = mean, .cut_paths = cut});
   }
   return all;
 }
