@@ -350,12 +350,9 @@ class MeasureJob {
       return seconds_since(start);
     };
     const double loading = seconds_to_encode(render::Picture(1, 1));
-    std::array<double, 3> encoding;
-    for (double& seconds : encoding) seconds = seconds_to_encode(picture);
-    std::ranges::sort(encoding);
     const double area = static_cast<double>(lowered.settings.width) * lowered.settings.height /
                         static_cast<double>(picture.pixels.size());
-    ledger_.other_seconds = read_seconds_ + loading + encoding[1] * area;
+    ledger_.other_seconds = read_seconds_ + loading + seconds_to_encode(picture) * area;
   }
 
   Report report_of(const render::Measurement& measurement) const {

@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/report/member.hpp"
+#include "cli/report/point_columns.hpp"
 #include "render/compare/difference.hpp"
 #include "render/measure/measurement.hpp"
 
@@ -119,6 +120,23 @@ void read_value(const Json& json, const std::string& name, Range range, std::vec
     return std::tuple{NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(SDLC_MEMBER, __VA_ARGS__))}; \
   }();
 #define SDLC_MEMBER(member) Member(#member, &Self::member),
+
+template <>
+inline constexpr auto kMembers<render::Configuration> = std::apply(
+    [](const auto&... settings) {
+      return std::tuple{Member(settings.name, settings.member, Range{1})...};
+    },
+    render::kConfigurationSettings);
+
+template <>
+inline constexpr std::tuple kMembers<render::Reference>{
+    Member("", &render::Reference::configuration),
+    Member("samples", &render::Reference::samples, kSamplesRange),
+    Member("seed", &render::Reference::seed),
+    Member("seconds", &render::Reference::seconds),
+    Member("relative_error", &render::Reference::error),
+    Member("mean_radiance", &render::Reference::mean_radiance),
+    Member("scarce_emitters", &render::Reference::scarce_emitters)};
 
 /// A number with an interval is two fields: NAME and NAME_interval.
 inline std::string interval_name(std::string_view name) { return std::string(name) + "_interval"; }

@@ -1,7 +1,5 @@
 #include "cli/measure/ledger_json.hpp"
 
-#include "cli/measure/members.hpp"
-
 namespace sdlc::cli {
 
 SDLC_MEMBERS(render::StudyTask, kind, configuration, samples, round)

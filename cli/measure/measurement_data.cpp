@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "cli/measure/json.hpp"
-#include "cli/measure/members.hpp"
 
 namespace sdlc::cli {
 

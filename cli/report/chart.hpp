@@ -15,13 +15,11 @@
 /// on it.
 namespace sdlc::cli {
 
-enum class MarkLook { Filled, Hollow, Faded };
-
 struct ChartPoint {
   render::Measured x{}, y{};
-  MarkLook look = MarkLook::Filled;
-  std::string reading{};  ///< the figures in words
-  std::string remark{};   ///< meaning of the look; may be empty
+  render::Dominance dominance = render::Dominance::Front;  ///< the look of the mark
+  std::string reading{};                                   ///< the figures in words
+  std::string remark{};                                    ///< may be empty
 };
 
 struct ChartSeries {
@@ -67,7 +65,7 @@ std::string chart_figure(const Chart& chart, std::string_view caption);
 
 /// The mark of a series with a piece of its line, for a legend.
 std::string legend_sample(std::size_t style);
-/// A single mark, to explain a look.
-std::string look_sample(MarkLook look);
+/// A single mark, to explain its look.
+std::string look_sample(render::Dominance dominance);
 
 }  // namespace sdlc::cli

@@ -20,14 +20,6 @@ std::string seconds_tick(double seconds) {
 }
 std::string samples_tick(double samples) { return figure(samples, 6); }
 
-MarkLook look_of(render::Dominance dominance) {
-  switch (dominance) {
-    case render::Dominance::Front: return MarkLook::Filled;
-    case render::Dominance::NotDistinguished: return MarkLook::Hollow;
-    default: return MarkLook::Faded;
-  }
-}
-
 /// The series with the error of each point over `x` of the point.
 template <typename X>
 std::vector<ChartSeries> series_over(const render::Measurement& measurement, X&& x) {
@@ -42,7 +34,7 @@ std::vector<ChartSeries> series_over(const render::Measurement& measurement, X&&
       drawn.points.push_back(
           {.x = x(point),
            .y = point.error,
-           .look = look_of(point.dominance),
+           .dominance = point.dominance,
            .reading = fmt::format(
                "{}, {}, error {}", count_of(static_cast<std::uint64_t>(point.samples), "sample"),
                read(point.seconds, duration).text(), read(point.error, percent).text()),
@@ -129,7 +121,8 @@ std::string looks() {
       "{} on the Pareto front: no other render is both faster and more accurate. {} not "
       "distinguishable from the front: another render is faster and more accurate, but their "
       "intervals overlap. {} dominated: another render is clearly faster and more accurate.",
-      look_sample(MarkLook::Filled), look_sample(MarkLook::Hollow), look_sample(MarkLook::Faded));
+      look_sample(render::Dominance::Front), look_sample(render::Dominance::NotDistinguished),
+      look_sample(render::Dominance::Dominated));
 }
 
 }  // namespace

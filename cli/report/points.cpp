@@ -1,3 +1,4 @@
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -67,11 +68,9 @@ Table left_out_table(const render::Measurement& measurement) {
 }  // namespace
 
 std::string_view words_of(render::Dominance dominance) {
-  switch (dominance) {
-    case render::Dominance::Front: return "on the front";
-    case render::Dominance::NotDistinguished: return "not distinguishable";
-    default: return "dominated";
-  }
+  constexpr std::array<std::string_view, 3> kTexts{"on the front", "not distinguishable",
+                                                   "dominated"};
+  return kTexts[static_cast<std::size_t>(dominance)];
 }
 
 Section points_section(const Report& report) {
