@@ -319,10 +319,7 @@ class MeasureJob {
         .on_picture =
             [&](const render::Configuration& configuration, int samples,
                 const render::Picture& picture, const render::ReferencePicture& compared) {
-              const std::string key = details_->add(configuration, samples, picture, compared);
-              if (!work_) return;
-              work_->save(key, *details_);
-              work_->save(Details::kReferenceKey, *details_);
+              details_->add(configuration, samples, picture, compared);
             },
         .on_progress =
             [&](const render::StudyLedger& ledger) {

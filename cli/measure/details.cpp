@@ -20,6 +20,7 @@ using render::LinearRgb;
 using render::Picture;
 
 constexpr int kCropWidth = 96, kCropHeight = 72;
+constexpr const char* kReferenceKey = "reference";
 constexpr int kMapWidth = 240, kThumbnailWidth = 400;
 
 /// A file name for the details of a picture.
@@ -144,8 +145,8 @@ std::string Details::error_map(const Picture& picture, const Picture& reference)
       {.format = render::ImageFormat::Png, .metadata = {.software = ""}}));
 }
 
-std::string Details::add(const render::Configuration& configuration, int samples,
-                         const Picture& picture, const render::ReferencePicture& reference) {
+void Details::add(const render::Configuration& configuration, int samples, const Picture& picture,
+                  const render::ReferencePicture& reference) {
   if (layout_.windows.empty()) choose_layout(picture, reference);
   if (!pictures_.contains(kReferenceKey)) {
     // The whole reference takes the place of its error map.
@@ -153,9 +154,8 @@ std::string Details::add(const render::Configuration& configuration, int samples
                                 .error_map = png(shrunk(reference.picture, layout_.thumbnail_width,
                                                         layout_.thumbnail_height))};
   }
-  std::string key = key_of(configuration, samples);
-  pictures_[key] = {.crops = crops_of(picture), .error_map = error_map(picture, reference.picture)};
-  return key;
+  pictures_[key_of(configuration, samples)] = {.crops = crops_of(picture),
+                                               .error_map = error_map(picture, reference.picture)};
 }
 
 void Details::add_rows(Report& report, const std::string& title, std::vector<Shown> shown) const {

@@ -38,22 +38,21 @@ class Details {
  public:
   explicit Details(render::Tone tone) : tone_(tone) {}
 
-  /// Adds a picture and returns its key. The first picture determines the layout.
-  std::string add(const render::Configuration& configuration, int samples,
-                  const render::Picture& picture, const render::ReferencePicture& reference);
+  /// Adds a picture. The first one determines the layout.
+  void add(const render::Configuration& configuration, int samples, const render::Picture& picture,
+           const render::ReferencePicture& reference);
 
   /// Arranges the pictures of a measurement's points in rows.
   void fill(Report& report) const;
 
   // The state, to save it and to restore it.
   const DetailLayout& layout() const noexcept { return layout_; }
+  /// By name: "reference", and "sobol-…-samples-64".
   const std::map<std::string, PictureDetails>& pictures() const noexcept { return pictures_; }
   void restore(DetailLayout layout) { layout_ = std::move(layout); }
   void restore(const std::string& key, PictureDetails details) {
     pictures_[key] = std::move(details);
   }
-
-  static constexpr const char* kReferenceKey = "reference";
 
  private:
   struct Shown {

@@ -162,10 +162,10 @@ WorkFolder::State WorkFolder::read_study(const std::string& text) {
   return state;
 }
 
-bool WorkFolder::load(render::StudyLedger& ledger,
+void WorkFolder::load(render::StudyLedger& ledger,
                       std::optional<render::ReferencePicture>& reference, Details& details) {
   const std::optional<std::string> text = read_file(folder_ / kStudyName);
-  if (!text) return false;
+  if (!text) return;
   State state;
   try {
     state = read_study(*text);
@@ -190,7 +190,6 @@ bool WorkFolder::load(render::StudyLedger& ledger,
     pictures.error_map = read_whole(picture_name(key, kMapName));
     details.restore(key, std::move(pictures));
   }
-  return true;
 }
 
 std::string WorkFolder::read_whole(const std::string& name) {
@@ -203,13 +202,21 @@ std::string WorkFolder::read_whole(const std::string& name) {
 }
 
 void WorkFolder::write(const std::string& name, std::string_view bytes) {
+  const std::string digest = digest_of(bytes);
+  if (digests_[name] == digest) return;
   write_file(folder_ / name, bytes);
-  digests_[name] = digest_of(bytes);
+  digests_[name] = digest;
 }
 
 void WorkFolder::save(const render::StudyLedger& ledger, const Details& details) {
   Json keys = Json::array();
-  for (const auto& [key, pictures] : details.pictures()) keys.push_back(key);
+  for (const auto& [key, pictures] : details.pictures()) {
+    keys.push_back(key);
+    for (std::size_t i = 0; i < pictures.crops.size(); ++i) {
+      write(picture_name(key, crop_name(i)), pictures.crops[i]);
+    }
+    write(picture_name(key, kMapName), pictures.error_map);
+  }
   const Json study{{"identity", identity_},
                    {"ledger", ledger_json(ledger)},
                    {"layout", value_json(details.layout())},
@@ -221,14 +228,6 @@ void WorkFolder::save(const render::StudyLedger& ledger, const Details& details)
 
 void WorkFolder::save(const render::ReferencePicture& reference) {
   write(kReferenceName, reference_bytes(reference));
-}
-
-void WorkFolder::save(const std::string& key, const Details& details) {
-  const PictureDetails& pictures = details.pictures().at(key);
-  for (std::size_t i = 0; i < pictures.crops.size(); ++i) {
-    write(picture_name(key, crop_name(i)), pictures.crops[i]);
-  }
-  write(picture_name(key, kMapName), pictures.error_map);
 }
 
 }  // namespace sdlc::cli

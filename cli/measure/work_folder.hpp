@@ -39,17 +39,14 @@ class WorkFolder {
   /// users know. Creates the folder if necessary, and rejects one with other files.
   WorkFolder(std::filesystem::path folder, Json identity);
 
-  /// Loads the results of an earlier run; returns false if there are none. Throws IoError if they
-  /// are of another measurement, damaged or changed, with the reason. Pictures and references
-  /// that study.json does not list belong to a run that ended before it was written, and are
-  /// ignored.
-  bool load(render::StudyLedger& ledger, std::optional<render::ReferencePicture>& reference,
+  /// Loads the results of an earlier run, if any. Throws IoError if they are of another
+  /// measurement, damaged or changed, with the reason. Files that study.json does not list belong
+  /// to a run that ended before it was written, and are ignored.
+  void load(render::StudyLedger& ledger, std::optional<render::ReferencePicture>& reference,
             Details& details);
 
   void save(const render::StudyLedger& ledger, const Details& details);
   void save(const render::ReferencePicture& reference);
-  /// The pictures under this key.
-  void save(const std::string& key, const Details& details);
 
  private:
   void check_identity(const Json& kept) const;
@@ -64,7 +61,7 @@ class WorkFolder {
   State read_study(const std::string& text);
   /// Reads a file listed in study.json and verifies its digest.
   std::string read_whole(const std::string& name);
-  /// Writes a file and records its digest for study.json.
+  /// Writes a file unless it is unchanged, and records its digest for study.json.
   void write(const std::string& name, std::string_view bytes);
 
   std::filesystem::path folder_;
