@@ -153,10 +153,10 @@ void write_members(Json& json, const T& object) {
     } else if constexpr (std::same_as<Value, std::optional<render::Measured>>) {
       json[name] = value ? value_json(value->value) : Json();
       json[interval_name(name)] = value ? value_json(value->interval) : Json();
-    } else if constexpr (Declared<Value>) {
-      if (name.empty()) return write_members(json, value);
-      json[name] = value_json(value);
     } else {
+      if constexpr (Declared<Value>) {
+        if (name.empty()) return write_members(json, value);
+      }
       json[name] = value_json(value);
     }
   };

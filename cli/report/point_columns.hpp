@@ -68,6 +68,12 @@ inline Cell status_cell(const render::Point& point) {
           scarce == 0 ? "" : count_of(scarce, "emitter") + " rarely reached"};
 }
 
+/// Access to a member of the difference of a point.
+template <typename T>
+constexpr auto in_difference(T render::Difference::*member) {
+  return [member](auto& point) -> auto& { return point.difference.*member; };
+}
+
 /// All fields of a point, in the order of JSON, CSV, the page and the terminal.
 template <>
 inline constexpr std::tuple kMembers<render::Point>{
@@ -79,27 +85,20 @@ inline constexpr std::tuple kMembers<render::Point>{
     Column(Member("rays_per_second", &render::Point::rays_per_second), "-#Rays/s", rate),
     Column(Member("relative_error", &render::Point::error), "#Error", percent),
     Member("relative_error_spread", &render::Point::error_spread),
-    Column(Member(
-               "rmse", [](auto& p) -> auto& { return p.difference.rmse; }),
-           "-#RMSE", figure, "root mean square difference from the reference, in linear radiance"),
-    Column(Member(
-               "relative_mse", [](auto& p) -> auto& { return p.difference.relative_mse; }),
-           "-#relMSE", figure,
-           "mean of the squared difference over the squared reference plus 0.01"),
+    Column(Member("rmse", in_difference(&render::Difference::rmse)), "-#RMSE", figure,
+           "root mean square difference from the reference, in linear radiance"),
+    Column(Member("relative_mse", in_difference(&render::Difference::relative_mse)), "-#relMSE",
+           figure, "mean of the squared difference over the squared reference plus 0.01"),
     Column(
-        Member(
-            "relative_mse_trimmed",
-            [](auto& p) -> auto& { return p.difference.trimmed_relative_mse; }),
+        Member("relative_mse_trimmed", in_difference(&render::Difference::trimmed_relative_mse)),
         "-#relMSE, trimmed (descriptive)", figure,
         "without the 1 % of pixels with the largest terms: it describes most of the picture, and "
         "is not used for decisions"),
-    Member(
-        "psnr", [](auto& p) -> auto& { return p.difference.psnr; }),
+    Member("psnr", in_difference(&render::Difference::psnr)),
     Column(
         Member("flip", &render::Point::flip), "#FLIP", figure,
         "how strongly a person who flips between the two pictures sees a difference, from 0 to 1"),
-    Column(Member(
-               "max_difference", [](auto& p) -> auto& { return p.difference.largest; }),
+    Column(Member("max_difference", in_difference(&render::Difference::largest)),
            "-#Largest difference", largest_cell,
            "in one channel of one pixel, counted from the top left"),
     Column(Member("cut_paths", &render::Point::cut_paths), "-#Paths cut", percent,
