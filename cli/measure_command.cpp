@@ -21,11 +21,8 @@
 #include "cli/interrupt.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/machine.hpp"
-#include "cli/measure/against_earlier.hpp"
 #include "cli/measure/details.hpp"
-#include "cli/measure/measurement_csv.hpp"
-#include "cli/measure/measurement_json.hpp"
-#include "cli/measure/measurement_text.hpp"
+#include "cli/measure/measurement_data.hpp"
 #include "cli/measure/notes.hpp"
 #include "cli/measure/work_folder.hpp"
 #include "cli/outputs.hpp"
@@ -97,52 +94,51 @@ render::GivenFlags given_flags(const CLI::App& command) {
   return given;
 }
 
-/// A report to write.
-struct ReportFile {
-  fs::path path;
-  std::string extension;  ///< "html", "json" or "csv"
-};
+/// "html", "json" or "csv".
+std::string format_of(const fs::path& report) {
+  const std::string extension = report.extension().string();
+  return extension.empty() ? extension : extension.substr(1);
+}
 
-/// Rejects reports that would replace `read`, an input file.
-void check_kept(const std::vector<ReportFile>& files, const fs::path& read, std::string_view what) {
-  const InputSet inputs({read.string()});
-  for (const ReportFile& file : files) {
-    // Also the file of a partial report, because any measurement may be interrupted.
-    for (const fs::path& name : {file.path, partial_name(file.path)}) {
+/// Rejects reports that would replace `input`.
+void check_kept(const std::vector<std::string>& reports, const fs::path& input,
+                std::string_view what) {
+  const InputSet inputs({input.string()});
+  for (const fs::path report : reports) {
+    // Any measurement may be interrupted, and then writes a partial report.
+    for (const fs::path& name : {report, partial_name(report)}) {
       // The file may not exist yet.
-      const bool is_same = render::written_path(name) == render::written_path(read);
+      const bool is_same = render::written_path(name) == render::written_path(input);
       if (!is_same && !inputs.contains(name.string())) continue;
       throw UsageError(fmt::format("-o: `{}` is {}, and would be overwritten{}",
                                    lang::printable(name.string()), what,
-                                   name == file.path ? "" : " by a partial report"));
+                                   name == report ? "" : " by a partial report"));
     }
   }
 }
 
-std::vector<ReportFile> plan_files(const MeasureOptions& options) {
+void check_reports(const MeasureOptions& options) {
   static constexpr std::array<std::string_view, 3> kExtensions{"html", "json", "csv"};
-  std::vector<ReportFile> files;
+  OutputSet distinct;
   for (const std::string& name : options.outputs) {
     if (name == kStandardStream) {
       throw UsageError("-o -: --format selects the report on standard output; name a file");
     }
-    std::string extension = fs::path(name).extension().string();
-    if (!extension.empty()) extension.erase(0, 1);
-    if (!std::ranges::count(kExtensions, extension)) {
+    const std::string format = format_of(name);
+    if (!std::ranges::count(kExtensions, format)) {
       throw UsageError(fmt::format("-o: `{}` is not a report; reports are .html, .json and .csv{}",
-                                   lang::printable(name), did_you_mean(extension, kExtensions)));
+                                   lang::printable(name), did_you_mean(format, kExtensions)));
     }
     render::check_writable(name);
-    files.push_back({.path = name, .extension = extension});
+    distinct.add(name);
   }
-  OutputSet distinct;
-  for (const std::string& name : options.outputs) distinct.add(name);
-  check_kept(files, options.scene.file, "the scene that is measured");
-  if (!options.against.empty()) check_kept(files, options.against, "the report of --against");
+  check_kept(options.outputs, options.scene.file, "the scene that is measured");
+  if (!options.against.empty()) {
+    check_kept(options.outputs, options.against, "the report of --against");
+  }
   if (!options.work.empty()) {
-    check_kept(files, fs::path(options.work) / WorkFolder::kStudyName, "kept by --work");
+    check_kept(options.outputs, fs::path(options.work) / WorkFolder::kStudyName, "kept by --work");
   }
-  return files;
 }
 
 void check_supported(const MeasureOptions& options) {
@@ -198,7 +194,7 @@ class MeasureJob {
 
   ExitCode run() {
     check_supported(options_);
-    files_ = plan_files(options_);
+    check_reports(options_);
     read_earlier();
     std::optional<lang::LoweredScene> lowered = lower();
     if (!lowered) return ExitCode::Findings;
@@ -238,36 +234,32 @@ class MeasureJob {
 
   std::optional<lang::LoweredScene> lower() {
     const auto start = std::chrono::steady_clock::now();
-    source_ = read_scene(options_.scene, env_);
-    compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
-    if (options_.frame && !compiler_->animation() && !sink_.has_errors()) {
+    const auto source = read_scene(options_.scene, env_);
+    lang::DiagnosticSink sink;
+    lang::Compiler compiler(*source, program_options(options_.scene, env_), sink);
+    if (options_.frame && !compiler.animation() && !sink.has_errors()) {
       throw UsageError("--frame: the scene has no `animation`, so all frames are the same");
     }
     lang::Overrides overrides = options_.overrides;
     overrides.instancing = instancing_for(options_.kernel, overrides);
     overrides.names_output = true;
-    auto lowered = compiler_->lower(overrides, options_.frame);
+    auto lowered = compiler.lower(overrides, options_.frame);
     const double seconds = seconds_since(start);
-    for (const fs::path& part : compiler_->dependencies()) {
-      check_kept(files_, part, "a part of the scene");
+    for (const fs::path& part : compiler.dependencies()) {
+      check_kept(options_.outputs, part, "a part of the scene");
     }
-    if (lowered) {
-      const render::Kernel kernel = choose_kernel(options_.kernel, overrides, *lowered, *compiler_);
-      request_ = options_.kernel;
-      request_.precision = lowered->precision;
-      request_.may_take_double = !overrides.has(lang::render_property::kPrecision);
-      print_findings(select_unallowed(sink_), options_.scene.diagnostics, env_.err,
-                     env_.err_is_terminal, env_);
-      check_not_refused(kernel);
-      machine_.emplace_back("instruction set", instruction_set(kernel));
-      machine_.emplace_back("kernel", name_of(kernel));
-      read_seconds_ = seconds;
-    } else {
-      print_findings(select_unallowed(sink_), options_.scene.diagnostics, env_.err,
-                     env_.err_is_terminal, env_);
-    }
-    compiler_.reset();
-    source_.reset();
+    std::optional<render::Kernel> kernel;
+    if (lowered) kernel = choose_kernel(options_.kernel, overrides, *lowered, compiler);
+    print_findings(select_unallowed(sink), options_.scene.diagnostics, env_.err,
+                   env_.err_is_terminal, env_);
+    if (!lowered) return lowered;
+    check_not_refused(*kernel);
+    request_ = options_.kernel;
+    request_.precision = lowered->precision;
+    request_.may_take_double = !overrides.has(lang::render_property::kPrecision);
+    machine_.emplace_back("instruction set", instruction_set(*kernel));
+    machine_.emplace_back("kernel", name_of(*kernel));
+    read_seconds_ = seconds;
     return lowered;
   }
 
@@ -278,9 +270,10 @@ class MeasureJob {
           fmt::format("--against: `{}` cannot be compared: it is a report of another {}",
                       lang::printable(options_.against), what));
     };
-    if (earlier_->scene_digest != scene_digest_) fail("scene");
-    if (earlier_->full_width != settings.width || earlier_->full_height != settings.height) {
-      fail(fmt::format("size ({} × {})", earlier_->full_width, earlier_->full_height));
+    if (earlier_->provenance.scene_digest != scene_digest_) fail("scene");
+    const render::Measurement& before = earlier_->measurement;
+    if (before.full_width != settings.width || before.full_height != settings.height) {
+      fail(fmt::format("size ({} × {})", before.full_width, before.full_height));
     }
   }
 
@@ -316,23 +309,22 @@ class MeasureJob {
     render::RenderMonitor monitor;
     const InterruptGuard interrupt(monitor.cancel);
     StudyProgress progress(options_.quiet, env_);
-    render::StudyObserver observer;
-    observer.on_task = [&](const std::string& step, double share) { progress.show(step, share); };
-    observer.on_reference = [&](const render::ReferencePicture& picture) {
-      measure_other_seconds(picture.picture, lowered);
-      if (work_) work_->save(picture);
-    };
-    observer.on_picture = [&](const render::Configuration& configuration, int samples,
-                              const render::Picture& picture,
-                              const render::ReferencePicture& reference_picture) {
-      const std::string key = details_->add(configuration, samples, picture, reference_picture);
-      if (!work_) return;
-      work_->save(key, details_->at(key));
-      work_->save(Details::kReferenceKey, details_->at(Details::kReferenceKey));
-    };
-    observer.on_progress = [&](const render::StudyLedger& ledger) {
-      if (work_) work_->save(ledger, *details_);
-    };
+    const render::StudyObserver observer{
+        .on_task = [&](const std::string& step, double share) { progress.show(step, share); },
+        .on_reference =
+            [&](const render::ReferencePicture& picture) {
+              measure_other_seconds(picture.picture, lowered);
+              if (work_) work_->save(picture);
+            },
+        .on_picture =
+            [&](const render::Configuration& configuration, int samples,
+                const render::Picture& picture, const render::ReferencePicture& compared) {
+              details_->add(configuration, samples, picture, compared);
+            },
+        .on_progress =
+            [&](const render::StudyLedger& ledger) {
+              if (work_) work_->save(ledger, *details_);
+            }};
     render::Study study(lowered.scene, lowered.settings, request_, study_options(lowered.settings),
                         ledger_, observer, monitor);
     study.run(std::move(reference));
@@ -342,7 +334,7 @@ class MeasureJob {
   render::StudyOptions study_options(const render::RenderSettings& settings) const {
     render::StudyOptions options{.budget_seconds = options_.budget_seconds, .goal = settings.error};
     // Errors are only comparable at the size of the earlier measurement.
-    if (earlier_) options.size = {earlier_->width, earlier_->height};
+    if (earlier_) options.size = {earlier_->measurement.width, earlier_->measurement.height};
     return options;
   }
 
@@ -355,12 +347,9 @@ class MeasureJob {
       return seconds_since(start);
     };
     const double loading = seconds_to_encode(render::Picture(1, 1));
-    std::array<double, 3> encoding;
-    for (double& seconds : encoding) seconds = seconds_to_encode(picture);
-    std::ranges::sort(encoding);
     const double area = static_cast<double>(lowered.settings.width) * lowered.settings.height /
                         static_cast<double>(picture.pixels.size());
-    ledger_.other_seconds = read_seconds_ + loading + encoding[1] * area;
+    ledger_.other_seconds = read_seconds_ + loading + seconds_to_encode(picture) * area;
   }
 
   Report report_of(const render::Measurement& measurement) const {
@@ -368,10 +357,11 @@ class MeasureJob {
                   .provenance = {.scene = lang::printable(options_.scene.name()),
                                  .version = full_version(),
                                  .command = quoted_command(),
+                                 .scene_digest = scene_digest_,
                                  .machine = machine_}};
     details_->fill(report);
     report.notes = notes_of(measurement);
-    if (earlier_) report.against = compare_with_earlier(measurement, machine_, *earlier_);
+    if (earlier_) report.against = compare_with_earlier(measurement, report.provenance, *earlier_);
     return report;
   }
 
@@ -391,13 +381,13 @@ class MeasureJob {
     const Report report = report_of(measurement);
     const auto text_of = [&](std::string_view format) {
       if (format == "html") return html_report(report);
-      if (format == "json") return to_json(report, scene_digest_);
+      if (format == "json") return to_json(report);
       if (format == "csv") return to_csv(measurement);
-      return to_text(report);
+      return text_report(report);
     };
-    for (const auto& [path, extension] : files_) {
+    for (const fs::path path : options_.outputs) {
       const fs::path name = is_complete ? path : partial_name(path);
-      const std::string text = text_of(extension);
+      const std::string text = text_of(format_of(path));
       try {
         render::write_file_atomically(name, std::as_bytes(std::span(text)));
         written_.push_back(lang::printable(name.string()));
@@ -406,7 +396,7 @@ class MeasureJob {
         code = ExitCode::Usage;
       }
     }
-    if (is_complete || files_.empty()) env_.out << text_of(options_.format);
+    if (is_complete || options_.outputs.empty()) env_.out << text_of(options_.format);
     if (!report.against) return code;
     if (report.against->points.empty()) {
       env_.err << fmt::format("error: no comparison with `{}`: {}\n",
@@ -419,9 +409,9 @@ class MeasureJob {
 
   ExitCode finish_interrupted(const render::RenderSettings& settings) {
     ExitCode code = ExitCode::Interrupted;
-    if (!ledger_.evaluations.empty()) code = graver(code, write(settings, false));
+    if (!ledger_.points.empty()) code = graver(code, write(settings, false));
     env_.err << "interrupted";
-    if (ledger_.evaluations.empty()) env_.err << " before the first point was measured";
+    if (ledger_.points.empty()) env_.err << " before the first point was measured";
     for (std::size_t i = 0; i < written_.size(); ++i) {
       env_.err << (i == 0 ? "; the partial report was saved as " : ", ") << written_[i];
     }
@@ -434,12 +424,8 @@ class MeasureJob {
   const MeasureOptions& options_;
   Environment& env_;
   std::vector<std::pair<std::string, std::string>> machine_;
-  std::vector<ReportFile> files_;
   std::vector<std::string> written_;
   std::optional<EarlierMeasurement> earlier_;
-  lang::DiagnosticSink sink_;
-  std::shared_ptr<const lang::Document> source_;
-  std::optional<lang::Compiler> compiler_;
   render::KernelRequest request_;
   std::string scene_digest_;
   double read_seconds_ = 0;

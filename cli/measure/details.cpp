@@ -1,14 +1,10 @@
 #include "cli/measure/details.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <stdexcept>
-#include <string>
 #include <tuple>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,7 +12,6 @@
 #include "cli/report/figures.hpp"
 #include "render/compare/color_map.hpp"
 #include "render/image/image.hpp"
-#include "render/measure/configuration.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -25,15 +20,23 @@ using render::LinearRgb;
 using render::Picture;
 
 constexpr int kCropWidth = 96, kCropHeight = 72;
+constexpr const char* kReferenceKey = "reference";
 constexpr int kMapWidth = 240, kThumbnailWidth = 400;
 
-/// The root mean square of the difference over the channels, per pixel.
-std::vector<float> errors_of(const Picture& picture, const Picture& reference) {
-  std::vector<float> errors;
-  errors.reserve(picture.pixels.size());
+/// A file name for the details of a picture.
+std::string key_of(const render::Configuration& configuration, int samples) {
+  std::string key =
+      fmt::format("{}-samples-{}", fmt::join(render::parts_of(configuration), "-"), samples);
+  std::ranges::replace(key, ' ', '-');
+  return key;
+}
+
+/// The root mean square of the difference over the channels, per pixel, as grey.
+Picture errors_of(const Picture& picture, const Picture& reference) {
+  Picture errors(picture.width, picture.height);
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     const LinearRgb d = picture.pixels[i] - reference.pixels[i];
-    errors.push_back(static_cast<float>(std::sqrt((d.r * d.r + d.g * d.g + d.b * d.b) / 3)));
+    errors.pixels[i] = LinearRgb{std::sqrt((d.r * d.r + d.g * d.g + d.b * d.b) / 3)};
   }
   return errors;
 }
@@ -46,238 +49,177 @@ Picture cropped(const Picture& picture, const Window& window) {
   return crop;
 }
 
-/// The range of pixels out of `count` that are averaged into pixel `i` of `fewer`.
-std::pair<int, int> pixels_of(int i, int fewer, int count) {
-  const auto edge = [&](int at) {
-    return static_cast<int>(static_cast<long long>(at) * count / fewer);
+/// Averages over the pixels that each pixel of the smaller picture covers (a box filter).
+Picture shrunk(const Picture& picture, int width, int height) {
+  const auto covered = [](int i, int fewer, int count) {
+    const auto edge = [&](std::int64_t at) { return static_cast<int>(at * count / fewer); };
+    return std::pair(edge(i), std::max(edge(i + 1), edge(i) + 1));
   };
-  return {edge(i), std::max(edge(i + 1), edge(i) + 1)};
-}
-
-/// `value(x, y)` averaged over the source pixels of each pixel of a smaller picture.
-template <typename T, typename Value>
-std::vector<T> shrunk(int width, int height, int from_width, int from_height, Value value) {
-  std::vector<T> values;
+  Picture smaller(width, height);
   for (int v = 0; v < height; ++v) {
-    const auto [top, bottom] = pixels_of(v, height, from_height);
+    const auto [top, bottom] = covered(v, height, picture.height);
     for (int u = 0; u < width; ++u) {
-      const auto [left, right] = pixels_of(u, width, from_width);
-      auto sum = value(left, top) * 0.0;
+      const auto [left, right] = covered(u, width, picture.width);
+      LinearRgb sum;
       for (int y = top; y < bottom; ++y) {
-        for (int x = left; x < right; ++x) sum = sum + value(x, y);
+        for (int x = left; x < right; ++x) sum = sum + picture.at(x, y);
       }
-      values.push_back(static_cast<T>(sum / static_cast<double>((bottom - top) * (right - left))));
+      smaller.at(u, v) = sum / static_cast<double>((bottom - top) * (right - left));
     }
   }
-  return values;
+  return smaller;
 }
 
-/// A size of at most `max_width` with the same shape.
-std::pair<int, int> smaller_size(int width, int height, int max_width) {
-  const int smaller = std::min(width, max_width);
-  return {smaller, std::max(1, static_cast<int>(static_cast<long long>(height) * smaller / width))};
+/// A size of at most `max_width` with the shape of the picture.
+std::pair<int, int> smaller_size(const Picture& picture, int max_width) {
+  const int width = std::min(picture.width, max_width);
+  const std::int64_t height = std::int64_t{picture.height} * width / picture.width;
+  return {width, std::max(1, static_cast<int>(height))};
 }
 
-/// Reads a window within pictures of this size.
-Window window_of(const Json& json, int width, int height) {
-  Window window{.title = field<std::string>(json, "title"),
-                .x = whole_field(json, "x", 0, width - 1),
-                .y = whole_field(json, "y", 0, height - 1)};
-  window.width = whole_field(json, "width", 1, width - window.x);
-  window.height = whole_field(json, "height", 1, height - window.y);
-  return window;
-}
-
-/// Reads a size that is at most that of the pictures.
-std::pair<int, int> size_of(const Json& json, const std::string& name, int width, int height) {
-  const Json& size = any_field(json, name);
-  if (!size.is_array() || size.size() != 2) {
-    throw std::invalid_argument(fmt::format("its `{}` is not a list of two", name));
+/// Overlapping windows over the whole picture, from the noisiest to the cleanest.
+std::vector<Window> windows_by_noise(const Picture& errors) {
+  const int width = std::min(errors.width, kCropWidth);
+  const int height = std::min(errors.height, kCropHeight);
+  std::vector<std::pair<double, Window>> rated;
+  for (int y = 0; y + height <= errors.height; y += std::max(height / 2, 1)) {
+    for (int x = 0; x + width <= errors.width; x += std::max(width / 2, 1)) {
+      double sum = 0;
+      for (int v = y; v < y + height; ++v) {
+        // Square roots, so that a few bright pixels do not dominate.
+        for (int u = x; u < x + width; ++u) sum += std::sqrt(errors.at(u, v).r);
+      }
+      rated.push_back({sum, {.x = x, .y = y, .width = width, .height = height}});
+    }
   }
-  return {static_cast<int>(whole_of(size[0], name, 1, width)),
-          static_cast<int>(whole_of(size[1], name, 1, height))};
+  std::ranges::stable_sort(rated, std::greater(), &std::pair<double, Window>::first);
+  std::vector<Window> windows;
+  for (auto& [sum, window] : rated) windows.push_back(std::move(window));
+  return windows;
+}
+
+std::string as_string(const std::vector<std::byte>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 }  // namespace
 
-std::string Details::key_of(const render::Configuration& configuration, int samples) {
-  std::string key =
-      fmt::format("{}-samples-{}", fmt::join(render::parts_of(configuration), "-"), samples);
-  std::ranges::replace(key, ' ', '-');
-  return key;
-}
-
-void Details::choose_windows(const Picture& picture, const render::ReferencePicture& reference) {
-  const std::vector<float> errors = errors_of(picture, reference.picture);
-  mean_ = render::mean_radiance(reference.picture);
+void Details::choose_layout(const Picture& picture, const render::ReferencePicture& reference) {
+  layout_.mean = render::mean_radiance(reference.picture);
   // Four times the overall error, so that the maps of better pictures are not black.
   constexpr double kBrightest = 4;
-  top_ = kBrightest * render::error_against(picture, reference).value * mean_;
-  if (!(top_ > 0)) top_ = 1;  // without noise everything is black
-  std::tie(map_width_, map_height_) = smaller_size(picture.width, picture.height, kMapWidth);
-  std::tie(thumbnail_width_, thumbnail_height_) =
-      smaller_size(picture.width, picture.height, kThumbnailWidth);
-
-  const int width = std::min(picture.width, kCropWidth);
-  const int height = std::min(picture.height, kCropHeight);
-  std::vector<std::pair<double, Window>> places;
-  for (int y = 0; y + height <= picture.height; y += std::max(height / 2, 1)) {
-    for (int x = 0; x + width <= picture.width; x += std::max(width / 2, 1)) {
-      double sum = 0;
-      for (int v = y; v < y + height; ++v) {
-        const auto row = errors.begin() + static_cast<std::ptrdiff_t>(v) * picture.width + x;
-        // Square roots, so that a few bright pixels do not dominate.
-        for (int u = 0; u < width; ++u) sum += std::sqrt(static_cast<double>(row[u]));
-      }
-      places.push_back({sum, {.x = x, .y = y, .width = width, .height = height}});
-    }
-  }
-  std::ranges::stable_sort(places, std::greater(), &std::pair<double, Window>::first);
-  const auto add = [&](const char* title, std::size_t rank) {
-    Window window = places[rank].second;
-    window.title =
-        fmt::format("{} ({} × {} pixels from {}, {})", title, width, height, window.x, window.y);
-    windows_.push_back(window);
+  layout_.top = kBrightest * render::error_against(picture, reference).value * layout_.mean;
+  if (!(layout_.top > 0)) layout_.top = 1;  // without noise everything is black
+  std::tie(layout_.map_width, layout_.map_height) = smaller_size(picture, kMapWidth);
+  std::tie(layout_.thumbnail_width, layout_.thumbnail_height) =
+      smaller_size(picture, kThumbnailWidth);
+  const std::vector<Window> windows = windows_by_noise(errors_of(picture, reference.picture));
+  const auto add = [&](const char* title, Window window) {
+    window.title = fmt::format("{} ({} × {} pixels from {}, {})", title, window.width,
+                               window.height, window.x, window.y);
+    layout_.windows.push_back(std::move(window));
   };
-  add("The noisiest area", 0);
-  if (places.size() > 4) add("An area of medium noise", places.size() / 2);
+  add("The noisiest area", windows.front());
+  if (windows.size() > 4) add("An area of medium noise", windows[windows.size() / 2]);
 }
 
 std::string Details::png(const Picture& picture) const {
-  const auto bytes = render::encode_picture(
-      picture, {.format = render::ImageFormat::Png, .tone = tone_, .metadata = {.software = ""}});
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  return as_string(render::encode_picture(
+      picture, {.format = render::ImageFormat::Png, .tone = tone_, .metadata = {.software = ""}}));
 }
 
-PictureDetails Details::details_of(const Picture& picture,
-                                   const render::ReferencePicture* reference) const {
-  PictureDetails details;
-  for (const Window& window : windows_) details.crops.push_back(png(cropped(picture, window)));
-  if (reference == nullptr) return details;
-  const std::vector<float> errors = errors_of(picture, reference->picture);
-  const auto error_at = [&](int x, int y) {
-    return static_cast<double>(
-        errors[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-               static_cast<std::size_t>(x)]);
-  };
-  const auto values =
-      shrunk<float>(map_width_, map_height_, picture.width, picture.height, error_at);
-  const Picture map = render::color_mapped(values, map_width_, map_height_, top_);
-  const auto bytes = render::encode_picture(
-      map, {.format = render::ImageFormat::Png, .metadata = {.software = ""}});
-  details.error_map.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  return details;
+std::vector<std::string> Details::crops_of(const Picture& picture) const {
+  std::vector<std::string> crops;
+  for (const Window& window : layout_.windows) crops.push_back(png(cropped(picture, window)));
+  return crops;
 }
 
-std::string Details::add(const render::Configuration& configuration, int samples,
-                         const Picture& picture, const render::ReferencePicture& reference) {
-  if (windows_.empty()) choose_windows(picture, reference);
-  if (!pictures_.contains(kReferenceKey)) {
-    PictureDetails details = details_of(reference.picture, nullptr);
-    // The whole reference takes the place of its error map.
-    Picture small(thumbnail_width_, thumbnail_height_);
-    small.pixels = shrunk<LinearRgb>(small.width, small.height, picture.width, picture.height,
-                                     [&](int x, int y) { return reference.picture.at(x, y); });
-    details.error_map = png(small);
-    pictures_[kReferenceKey] = std::move(details);
+std::string Details::error_map(const Picture& picture, const Picture& reference) const {
+  std::vector<float> values;
+  for (const LinearRgb& error :
+       shrunk(errors_of(picture, reference), layout_.map_width, layout_.map_height).pixels) {
+    values.push_back(static_cast<float>(error.r));
   }
-  std::string key = key_of(configuration, samples);
-  pictures_[key] = details_of(picture, &reference);
-  return key;
+  return as_string(render::encode_picture(
+      render::color_mapped(values, layout_.map_width, layout_.map_height, layout_.top),
+      {.format = render::ImageFormat::Png, .metadata = {.software = ""}}));
 }
 
-void Details::add_rows(Report& report, const std::string& title,
-                       const std::vector<Shown>& shown) const {
-  for (std::size_t i = 0; i < windows_.size(); ++i) {
-    ReportRow row{.title = fmt::format("{}. {}", title, windows_[i].title), .images = {}};
+void Details::add(const render::Configuration& configuration, int samples, const Picture& picture,
+                  const render::ReferencePicture& reference) {
+  if (layout_.windows.empty()) choose_layout(picture, reference);
+  if (!pictures_.contains(kReferenceKey)) {
+    // The whole reference takes the place of its error map.
+    pictures_[kReferenceKey] = {.crops = crops_of(reference.picture),
+                                .error_map = png(shrunk(reference.picture, layout_.thumbnail_width,
+                                                        layout_.thumbnail_height))};
+  }
+  pictures_[key_of(configuration, samples)] = {.crops = crops_of(picture),
+                                               .error_map = error_map(picture, reference.picture)};
+}
+
+void Details::add_rows(Report& report, const std::string& title, std::vector<Shown> shown) const {
+  ReportRow maps{.title = title, .images = {}};
+  for (const auto& [name, key] : shown) {
+    maps.images.push_back({.title = name,
+                           .png = pictures_.at(key).error_map,
+                           .width = layout_.map_width,
+                           .height = layout_.map_height});
+  }
+  report.error_maps.push_back(std::move(maps));
+  shown.push_back({"reference", kReferenceKey});
+  for (std::size_t i = 0; i < layout_.windows.size(); ++i) {
+    const Window& window = layout_.windows[i];
+    ReportRow row{.title = fmt::format("{}. {}", title, window.title), .images = {}};
     for (const auto& [name, key] : shown) {
       row.images.push_back({.title = name,
-                            .png = at(key).crops.at(i),
-                            .width = windows_[i].width,
-                            .height = windows_[i].height});
+                            .png = pictures_.at(key).crops.at(i),
+                            .width = window.width,
+                            .height = window.height});
     }
     report.crops.push_back(std::move(row));
   }
-  ReportRow maps{.title = title, .images = {}};
-  for (const auto& [name, key] : shown) {
-    if (key == kReferenceKey) continue;
-    maps.images.push_back(
-        {.title = name, .png = at(key).error_map, .width = map_width_, .height = map_height_});
-  }
-  report.error_maps.push_back(std::move(maps));
 }
 
 void Details::fill(Report& report) const {
-  if (windows_.empty() || !pictures_.contains(kReferenceKey)) return;
+  if (!pictures_.contains(kReferenceKey)) return;
   const render::Measurement& measurement = report.measurement;
-  report.error_map_top = mean_ > 0 ? top_ / mean_ : 0;
+  report.error_map_top = layout_.mean > 0 ? layout_.top / layout_.mean : 0;
   report.picture = {.title = "The reference",
-                    .png = at(kReferenceKey).error_map,
-                    .width = thumbnail_width_,
-                    .height = thumbnail_height_};
+                    .png = pictures_.at(kReferenceKey).error_map,
+                    .width = layout_.thumbnail_width,
+                    .height = layout_.thumbnail_height};
 
-  std::vector<Shown> own;
+  constexpr int kSamples = 64;
+  std::vector<Shown> own, configurations;
   for (const render::Point& point : measurement.points) {
     const std::string key = key_of(point.configuration, point.samples);
-    if (point.configuration != measurement.own || !pictures_.contains(key)) continue;
-    own.push_back(
-        {fmt::format("{} samples, error {}", point.samples, percent(point.error.value)), key});
+    if (!pictures_.contains(key)) continue;
+    const std::string error = percent(point.error.value);
+    if (point.configuration == measurement.own) {
+      own.push_back({fmt::format("{} samples, error {}", point.samples, error), key});
+    }
+    if (point.samples == kSamples) {
+      configurations.push_back(
+          {fmt::format("{}, {}, error {}", describe_configuration(measurement, point.configuration),
+                       duration(point.seconds.value), error),
+           key});
+    }
   }
   // At most four, from the first to the last.
-  constexpr std::size_t kMaxCount = 4;
-  std::vector<Shown> shown;
-  for (std::size_t i = 0; i < std::min(own.size(), kMaxCount); ++i) {
-    const std::size_t steps = std::min(own.size(), kMaxCount) - 1;
-    shown.push_back(own[steps == 0 ? 0 : i * (own.size() - 1) / steps]);
+  constexpr std::size_t kMaxShown = 4;
+  std::vector<Shown> spread = own;
+  if (own.size() > kMaxShown) {
+    spread.clear();
+    for (std::size_t i = 0; i < kMaxShown; ++i) {
+      spread.push_back(own[i * (own.size() - 1) / (kMaxShown - 1)]);
+    }
   }
-  if (shown.empty()) return;
-  shown.push_back({"reference", kReferenceKey});
-  add_rows(report, "Increasing samples", shown);
-
-  // All configurations that have a point with this number of samples.
-  constexpr int kSamples = 64;
-  std::vector<Shown> configurations;
-  for (const render::Point& point : measurement.points) {
-    const std::string key = key_of(point.configuration, point.samples);
-    if (point.samples != kSamples || !pictures_.contains(key)) continue;
-    configurations.push_back(
-        {fmt::format("{}, {}, error {}", describe_configuration(measurement, point.configuration),
-                     duration(point.seconds.value), percent(point.error.value)),
-         key});
-  }
+  if (spread.empty()) return;
+  add_rows(report, "Increasing samples", std::move(spread));
   if (configurations.size() < 2) return;
-  configurations.push_back({"reference", kReferenceKey});
-  add_rows(report, fmt::format("Every configuration with {} samples", kSamples), configurations);
-}
-
-std::vector<std::string> Details::keys() const {
-  std::vector<std::string> keys;
-  for (const auto& [key, pictures] : pictures_) keys.push_back(key);
-  return keys;
-}
-
-Json Details::frame_json() const {
-  if (windows_.empty()) return nullptr;
-  Json windows = Json::array();
-  for (const auto& [title, x, y, width, height] : windows_) {
-    windows.push_back({{"title", title}, {"x", x}, {"y", y}, {"width", width}, {"height", height}});
-  }
-  return {{"windows", windows},
-          {"top", top_},
-          {"mean", mean_},
-          {"map", {map_width_, map_height_}},
-          {"thumbnail", {thumbnail_width_, thumbnail_height_}}};
-}
-
-void Details::read_frame(const Json& json, int width, int height) {
-  if (json.is_null()) return;
-  windows_ = list_field(json, "windows",
-                        [&](const Json& window) { return window_of(window, width, height); });
-  if (windows_.empty()) throw std::invalid_argument("its `windows` are empty");
-  top_ = positive_field(json, "top");
-  mean_ = field<double>(json, "mean");
-  std::tie(map_width_, map_height_) = size_of(json, "map", width, height);
-  std::tie(thumbnail_width_, thumbnail_height_) = size_of(json, "thumbnail", width, height);
+  add_rows(report, fmt::format("Every configuration with {} samples", kSamples),
+           std::move(configurations));
 }
 
 }  // namespace sdlc::cli

@@ -1,16 +1,14 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-
+#include "cli/measure/json.hpp"
 #include "render/measure/study.hpp"
 
 namespace sdlc::cli {
 
-/// The results of a study so far, as text; read_ledger restores the exact numbers.
-std::string to_json(const render::StudyLedger& ledger);
+/// The results of a study so far; read_ledger restores the exact numbers.
+Json ledger_json(const render::StudyLedger& ledger);
 
-/// Throws std::invalid_argument with the reason if the text is not a ledger, or is inconsistent.
-render::StudyLedger read_ledger(std::string_view text);
+/// Throws std::invalid_argument with the reason if the JSON is not a ledger.
+render::StudyLedger read_ledger(const Json& json);
 
 }  // namespace sdlc::cli

@@ -50,4 +50,34 @@ std::vector<std::string> notes_of(const render::Measurement& measurement) {
   return notes;
 }
 
+render::Comparison compare_with_earlier(const render::Measurement& measurement,
+                                        const Provenance& provenance,
+                                        const EarlierMeasurement& earlier) {
+  const render::Measurement& before = earlier.measurement;
+  const bool is_same_machine =
+      earlier.provenance.machine == provenance.machine && before.threads == measurement.threads;
+  render::Comparison comparison =
+      compare_measurements(measurement.points, before.points, is_same_machine);
+  comparison.version = earlier.provenance.version;
+  std::vector<std::string>& notes = comparison.notes;
+  if (!is_same_machine) {
+    notes.emplace_back(
+        "it was made with another machine, kernel or number of threads: times are not compared");
+  }
+  if (!before.is_complete) notes.emplace_back("it was interrupted, and holds only some points");
+  if (before.seed != measurement.seed) notes.emplace_back("it has a different seed");
+  if (comparison.points.empty()) {
+    notes.emplace_back("the two have no point in common; a larger --budget gives more of them");
+  } else if (!comparison.time_ratio && is_same_machine) {
+    notes.emplace_back("fewer than three common points: times are not compared");
+  }
+  return comparison;
+}
+
+bool is_worse(const render::Comparison& comparison) {
+  return comparison.time == render::Verdict::Worse ||
+         std::ranges::count(comparison.points, render::Verdict::Worse,
+                            &render::PointChange::error) > 0;
+}
+
 }  // namespace sdlc::cli

@@ -3,11 +3,20 @@
 #include <string>
 #include <vector>
 
-#include "render/measure/measurement.hpp"
+#include "cli/measure/measurement_data.hpp"
+#include "render/measure/against.hpp"
 
+/// What a reader has to know before reading a measurement, as sentences.
 namespace sdlc::cli {
 
-/// Warnings that a reader has to know before reading a measurement, as sentences.
 std::vector<std::string> notes_of(const render::Measurement& measurement);
+
+/// Compares a measurement with an earlier one of the same scene and size, with notes.
+render::Comparison compare_with_earlier(const render::Measurement& measurement,
+                                        const Provenance& provenance,
+                                        const EarlierMeasurement& earlier);
+
+/// Whether anything has become worse.
+bool is_worse(const render::Comparison& comparison);
 
 }  // namespace sdlc::cli

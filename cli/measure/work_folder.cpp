@@ -1,8 +1,8 @@
 #include "cli/measure/work_folder.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -23,6 +23,11 @@
 #include "render/math/fnv.hpp"
 
 namespace sdlc::cli {
+
+SDLC_MEMBERS(Window, title, x, y, width, height)
+SDLC_MEMBERS(DetailLayout, windows, top, mean, map_width, map_height, thumbnail_width,
+             thumbnail_height)
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -44,32 +49,27 @@ void write_file(const fs::path& path, std::string_view bytes) {
   render::write_file_atomically(path, std::as_bytes(std::span(bytes)));
 }
 
-/// Values per pixel of a reference: red, green, blue, and two for its noise.
-constexpr std::size_t kValues = 5;
+/// A pixel of a reference: red, green, blue, and two values for its noise.
+using ReferencePixel = std::array<float, 5>;
 
 std::string reference_bytes(const render::ReferencePicture& reference) {
-  std::vector<float> values;
-  values.reserve(reference.picture.pixels.size() * kValues);
+  std::string bytes;
   for (std::size_t i = 0; i < reference.picture.pixels.size(); ++i) {
-    const render::LinearRgb& pixel = reference.picture.pixels[i];
-    for (const double v : {pixel.r, pixel.g, pixel.b}) values.push_back(static_cast<float>(v));
-    values.push_back(reference.noise[i]);
-    values.push_back(reference.covariance[i]);
+    const auto [r, g, b] = reference.picture.pixels[i];
+    const ReferencePixel pixel{static_cast<float>(r), static_cast<float>(g), static_cast<float>(b),
+                               reference.noise[i], reference.covariance[i]};
+    bytes.append(reinterpret_cast<const char*>(pixel.data()), sizeof pixel);
   }
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
+  return bytes;
 }
 
-/// nullopt if the file does not hold a picture of this size.
-std::optional<render::ReferencePicture> reference_of(const std::string& bytes, int width,
-                                                     int height) {
+render::ReferencePicture reference_of(std::string_view bytes, int width, int height) {
   render::ReferencePicture reference{.picture = render::Picture(width, height)};
-  const std::size_t pixels = reference.picture.pixels.size();
-  if (bytes.size() != pixels * kValues * sizeof(float)) return std::nullopt;
-  std::vector<float> values(pixels * kValues);
-  std::memcpy(values.data(), bytes.data(), bytes.size());
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const float* const pixel = values.data() + i * kValues;
-    reference.picture.pixels[i] = {pixel[0], pixel[1], pixel[2]};
+  for (render::LinearRgb& color : reference.picture.pixels) {
+    ReferencePixel pixel;
+    std::memcpy(pixel.data(), bytes.data(), sizeof pixel);
+    bytes.remove_prefix(sizeof pixel);
+    color = {pixel[0], pixel[1], pixel[2]};
     reference.noise.push_back(pixel[3]);
     reference.covariance.push_back(pixel[4]);
   }
@@ -146,89 +146,88 @@ void WorkFolder::check_identity(const Json& kept) const {
   }
 }
 
-void WorkFolder::read_study(const std::string& text, render::StudyLedger& ledger, Details& details,
-                            std::vector<std::string>& keys) {
-  const Json json = parse_json(text);
-  if (field<std::string>(json, "format") != kFormat) {
-    throw std::invalid_argument("it is not a measurement");
-  }
-  check_identity(any_field(json, "identity"));
-  ledger = read_ledger(any_field(json, "ledger").dump());
-  const Json& frame = any_field(json, "details");
-  if (ledger.plan) details.read_frame(frame, ledger.plan->width, ledger.plan->height);
-  keys = list_field(json, "pictures", [](const Json& key) { return string_of(key, "pictures"); });
-  if (!keys.empty() && details.windows().empty()) {
-    throw std::invalid_argument("it has `pictures` but no `windows`");
-  }
-  const Json& digests = any_field(json, "digests");
-  if (!digests.is_object()) throw std::invalid_argument("its `digests` is not an object");
-  for (const auto& [name, digest] : digests.items()) digests_[name] = string_of(digest, name);
+WorkFolder::State WorkFolder::read_study(const std::string& text) {
+  const Json file = parse_json(text);
+  std::string format, digest;
+  read_value(field(file, "format"), "format", {}, format);
+  if (format != kFormat) throw std::invalid_argument("it is not a measurement");
+  read_value(field(file, "digest"), "digest", {}, digest);
+  const Json& study = field(file, "study");
+  if (digest != digest_of(study.dump())) throw std::invalid_argument("it was changed");
+  check_identity(field(study, "identity"));
+  digests_ = field(study, "digests");
+  State state{.ledger = read_ledger(field(study, "ledger"))};
+  read_value(field(study, "layout"), "layout", {}, state.layout);
+  read_value(field(study, "pictures"), "pictures", {}, state.keys);
+  return state;
 }
 
-bool WorkFolder::load(render::StudyLedger& ledger,
+void WorkFolder::load(render::StudyLedger& ledger,
                       std::optional<render::ReferencePicture>& reference, Details& details) {
   const std::optional<std::string> text = read_file(folder_ / kStudyName);
-  if (!text) return false;
-  std::vector<std::string> keys;
+  if (!text) return;
+  State state;
   try {
-    read_study(*text, ledger, details, keys);
+    state = read_study(*text);
   } catch (const std::invalid_argument& error) {
     refuse_to_go_on(folder_, fmt::format("its study.json cannot be read ({})", error.what()));
   }
+  ledger = std::move(state.ledger);
+  details.restore(state.layout);
   if (ledger.reference) {
-    reference = reference_of(read_whole(kReferenceName), ledger.plan->width, ledger.plan->height);
-    if (!reference) refuse_to_go_on(folder_, "its reference.f32 has a different size");
+    const auto [width, height] = std::pair(ledger.plan->width, ledger.plan->height);
+    const std::string bytes = read_whole(kReferenceName);
+    if (bytes.size() / sizeof(ReferencePixel) != std::size_t(width) * std::size_t(height)) {
+      refuse_to_go_on(folder_, "its reference.f32 has a different size");
+    }
+    reference = reference_of(bytes, width, height);
   }
-  const std::size_t crops = details.windows().size();
-  for (const std::string& key : keys) {
+  for (const std::string& key : state.keys) {
     PictureDetails pictures;
-    for (std::size_t i = 0; i < crops; ++i) {
+    for (std::size_t i = 0; i < state.layout.windows.size(); ++i) {
       pictures.crops.push_back(read_whole(picture_name(key, crop_name(i))));
     }
     pictures.error_map = read_whole(picture_name(key, kMapName));
     details.restore(key, std::move(pictures));
   }
-  return true;
 }
 
-std::string WorkFolder::read_whole(const std::string& name) const {
-  const auto digest = digests_.find(name);
-  // A name that was not written by us could be any path.
-  if (digest == digests_.end()) {
-    refuse_to_go_on(folder_, fmt::format("its study.json has no digest of {}", name));
-  }
+std::string WorkFolder::read_whole(const std::string& name) {
   std::optional<std::string> bytes = read_file(folder_ / name);
   if (!bytes) refuse_to_go_on(folder_, fmt::format("its {} is missing", name));
-  if (digest_of(*bytes) != digest->second) {
+  if (digest_of(*bytes) != digests_[name]) {
     refuse_to_go_on(folder_, fmt::format("its {} is damaged", name));
   }
   return *std::move(bytes);
 }
 
 void WorkFolder::write(const std::string& name, std::string_view bytes) {
+  const std::string digest = digest_of(bytes);
+  if (digests_[name] == digest) return;
   write_file(folder_ / name, bytes);
-  digests_[name] = digest_of(bytes);
+  digests_[name] = digest;
 }
 
 void WorkFolder::save(const render::StudyLedger& ledger, const Details& details) {
-  const Json json{{"format", kFormat},
-                  {"identity", identity_},
-                  {"ledger", Json::parse(to_json(ledger))},
-                  {"details", details.frame_json()},
-                  {"pictures", details.keys()},
-                  {"digests", digests_}};
-  write_file(folder_ / kStudyName, json.dump(1) + "\n");
+  Json keys = Json::array();
+  for (const auto& [key, pictures] : details.pictures()) {
+    keys.push_back(key);
+    for (std::size_t i = 0; i < pictures.crops.size(); ++i) {
+      write(picture_name(key, crop_name(i)), pictures.crops[i]);
+    }
+    write(picture_name(key, kMapName), pictures.error_map);
+  }
+  const Json study{{"identity", identity_},
+                   {"ledger", ledger_json(ledger)},
+                   {"layout", value_json(details.layout())},
+                   {"pictures", keys},
+                   {"digests", digests_}};
+  const Json file{{"format", kFormat}, {"digest", digest_of(study.dump())}, {"study", study}};
+  write_file(folder_ / kStudyName, file.dump(1) + "\n");
 }
 
 void WorkFolder::save(const render::ReferencePicture& reference) {
   write(kReferenceName, reference_bytes(reference));
-}
-
-void WorkFolder::save(const std::string& key, const PictureDetails& pictures) {
-  for (std::size_t i = 0; i < pictures.crops.size(); ++i) {
-    write(picture_name(key, crop_name(i)), pictures.crops[i]);
-  }
-  write(picture_name(key, kMapName), pictures.error_map);
 }
 
 }  // namespace sdlc::cli

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/measure/details.hpp"
+#include "cli/measure/json.hpp"
 #include "render/measure/reference_error.hpp"
 #include "render/measure/study.hpp"
 
@@ -38,26 +39,29 @@ class WorkFolder {
   /// users know. Creates the folder if necessary, and rejects one with other files.
   WorkFolder(std::filesystem::path folder, Json identity);
 
-  /// Loads the results of an earlier run; returns false if there are none. Throws IoError if they
-  /// are of another measurement, damaged or unreadable, with the reason. Pictures and references
-  /// that study.json does not list belong to a run that ended before it was written, and are
-  /// ignored.
-  bool load(render::StudyLedger& ledger, std::optional<render::ReferencePicture>& reference,
+  /// Loads the results of an earlier run, if any. Throws IoError if they are of another
+  /// measurement, damaged or changed, with the reason. Files that study.json does not list belong
+  /// to a run that ended before it was written, and are ignored.
+  void load(render::StudyLedger& ledger, std::optional<render::ReferencePicture>& reference,
             Details& details);
 
   void save(const render::StudyLedger& ledger, const Details& details);
   void save(const render::ReferencePicture& reference);
-  /// The pictures under this key.
-  void save(const std::string& key, const PictureDetails& pictures);
 
  private:
   void check_identity(const Json& kept) const;
   void check_only_ours() const;
-  void read_study(const std::string& text, render::StudyLedger& ledger, Details& details,
-                  std::vector<std::string>& keys);
+  /// The content of study.json.
+  struct State {
+    render::StudyLedger ledger{};
+    DetailLayout layout{};
+    std::vector<std::string> keys{};  ///< of the pictures
+  };
+  /// Throws std::invalid_argument if the text is not what save() wrote.
+  State read_study(const std::string& text);
   /// Reads a file listed in study.json and verifies its digest.
-  std::string read_whole(const std::string& name) const;
-  /// Writes a file and records its digest for study.json.
+  std::string read_whole(const std::string& name);
+  /// Writes a file unless it is unchanged, and records its digest for study.json.
   void write(const std::string& name, std::string_view bytes);
 
   std::filesystem::path folder_;

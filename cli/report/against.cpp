@@ -1,57 +1,60 @@
-#include <array>
-#include <cstddef>
+#include <algorithm>
 #include <cstdint>
-#include <string_view>
-#include <utility>
+#include <string>
 
 #include <fmt/format.h>
 
 #include "cli/numbers/format_numbers.hpp"
 #include "cli/report/figures.hpp"
 #include "cli/report/html.hpp"
-#include "cli/report/sections.hpp"
+#include "cli/report/section.hpp"
 
 namespace sdlc::cli {
 namespace {
 
-std::string_view class_of(render::Verdict verdict) {
-  static constexpr std::array<std::string_view, 3> kClasses{"same", "better", "worse"};
-  return kClasses[static_cast<std::size_t>(verdict)];
+std::string verdict_html(render::Verdict verdict) {
+  if (verdict == render::Verdict::NotDistinguished) return std::string(name_of(verdict));
+  return fmt::format("<span class=\"verdict {0}\">{0}</span>", name_of(verdict));
+}
+
+/// What the exit status of --against reports; empty if nothing is worse.
+std::string worse_html(const render::Comparison& against) {
+  const auto worse =
+      std::ranges::count(against.points, render::Verdict::Worse, &render::PointChange::error);
+  std::string what;
+  if (worse > 0) what = fmt::format("the error of {} of {} renders", worse, against.points.size());
+  if (against.time == render::Verdict::Worse) what += what.empty() ? "the times" : ", the times";
+  return what.empty() ? what : fmt::format("<strong>WORSE</strong>: {}.", what);
 }
 
 }  // namespace
 
-std::string against_section(const Report& report) {
-  if (!report.against) return "";
+Section against_section(const Report& report) {
+  Section section;
+  if (!report.against) return section;
   const render::Comparison& against = *report.against;
-  std::string html =
-      fmt::format("<p>The earlier measurement was made by {}.</p>\n", escaped(against.earlier));
-  html += against.time_ratio
-              ? fmt::format("<p>A render takes <strong>{}</strong> as long as before: {}.</p>\n",
-                            read(*against.time_ratio, times).text(), name_of(against.time))
-              : std::string("<p>Times are not compared.</p>\n");
-  for (const std::string& note : against.notes) {
-    html += callout(note);
+  section.paragraph("Against the earlier measurement made by " + escaped(against.version) + ".");
+  if (const std::string worse = worse_html(against); !worse.empty()) section.paragraph(worse);
+  section.paragraph(against.time_ratio
+                        ? fmt::format("A render takes <strong>{}</strong> as long as before: {}.",
+                                      read(*against.time_ratio, times).text(),
+                                      verdict_html(against.time))
+                        : std::string("Times are not compared."));
+  for (const std::string& note : against.notes) section.callout(note);
+  if (against.points.empty()) {
+    section.paragraph("The two have no render in common.");
+    return section;
   }
-  if (against.points.empty()) return html + "<p>The two have no render in common.</p>\n";
-  HtmlTable table("Renders in both measurements",
-                  "#Samples|Configuration|#Error before|#Error now|Error|#Time before|#Time now");
-  for (const render::PointChange& change : against.points) {
-    const Reading error_before = read(change.error_before, percent),
-                  error_after = read(change.error_after, percent),
-                  seconds_before = read(change.seconds_before, duration),
-                  seconds_after = read(change.seconds_after, duration);
-    table.row()
-        .cell(format_whole(static_cast<std::uint64_t>(change.samples)))
-        .cell(escaped(describe_configuration(report.measurement, change.configuration)))
-        .cell(error_before.value, error_before.interval)
-        .cell(error_after.value, error_after.interval)
-        .cell(fmt::format("<span class=\"verdict {}\">{}</span>", class_of(change.error),
-                          name_of(change.error)))
-        .cell(seconds_before.value, seconds_before.interval)
-        .cell(seconds_after.value, seconds_after.interval);
+  Table table("Renders in both measurements",
+              "#Samples|Configuration|#Error before|#Error now|Error|-#Time before|-#Time now");
+  for (const auto& [before, after, error] : against.points) {
+    table.row({format_whole(static_cast<std::uint64_t>(after.samples)),
+               escaped(describe_configuration(report.measurement, after.configuration)),
+               read(before.error, percent), read(after.error, percent), verdict_html(error),
+               read(before.seconds, duration), read(after.seconds, duration)});
   }
-  return html + std::move(table).finish();
+  section.table(table);
+  return section;
 }
 
 }  // namespace sdlc::cli

@@ -1,6 +1,7 @@
 #include "cli/report/chart.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -17,7 +18,7 @@ namespace {
 // In units of the drawing, which is as wide as its column.
 constexpr double kWidth = 600, kHeight = 420;
 constexpr double kLeft = 72, kRight = 24, kTop = 66, kBottom = 50;
-constexpr double kRadius = 5, kFadedRadius = 3.6, kTargetRadius = 11;
+constexpr double kRadius = 5, kTargetRadius = 11;
 constexpr double kZeroLane = 22;  // below the plot, for values that a logarithmic axis cannot show
 
 bool has_place(const ChartPoint& point) noexcept {
@@ -220,12 +221,13 @@ std::string draw_bar(const Plot& plot, const ChartPoint& point) {
   return path.empty() ? path : fmt::format("<path class=\"bar\" d=\"{}\"/>", path);
 }
 
-std::string_view class_of(MarkLook look) {
-  switch (look) {
-    case MarkLook::Hollow: return "hollow";
-    case MarkLook::Faded: return "faded";
-    default: return "filled";
-  }
+std::string_view class_of(render::Dominance dominance) {
+  constexpr std::array<std::string_view, 3> kClasses{"filled", "hollow", "faded"};
+  return kClasses[static_cast<std::size_t>(dominance)];
+}
+
+double radius_of(render::Dominance dominance) {
+  return dominance == render::Dominance::Dominated ? 3.6 : kRadius;
 }
 
 /// The figures of a point are above the plot, where they hide no other.
@@ -239,18 +241,17 @@ std::string draw_reading(const ChartSeries& series, const ChartPoint& point,
 }
 
 std::string draw_point(const Plot& plot, const ChartSeries& series, const ChartPoint& point) {
-  const double radius = point.look == MarkLook::Faded ? kFadedRadius : kRadius;
   const std::string title =
       point.remark.empty() ? series.name : fmt::format("{} · {}", series.name, point.remark);
   return fmt::format("<g class=\"point s{} {}\" tabindex=\"0\" role=\"img\" aria-label=\"{}: {}\">",
-                     series.style % kSeriesStyles, class_of(point.look), escaped(title),
+                     series.style % kSeriesStyles, class_of(point.dominance), escaped(title),
                      escaped(point.reading)) +
          draw_bar(plot, point) +
          fmt::format(
              "<g transform=\"translate({:.1f} {:.1f})\"><circle class=\"target\" r=\"{}\"/>"
              "<path class=\"mark\" d=\"{}\"/></g>\n",
              plot.x(point.x.value), plot.y(point.y.value), kTargetRadius,
-             mark_outline(series.style, radius)) +
+             mark_outline(series.style, radius_of(point.dominance))) +
          draw_reading(series, point, title) + "</g>\n";
 }
 
@@ -328,11 +329,11 @@ std::string legend_sample(std::size_t style) {
       style % kSeriesStyles, dashes(style), mark_outline(style, kRadius));
 }
 
-std::string look_sample(MarkLook look) {
+std::string look_sample(render::Dominance dominance) {
   return fmt::format(
       "<svg class=\"sample look s0\" viewBox=\"0 0 16 16\" aria-hidden=\"true\"><g class=\"{}\">"
       "<path class=\"mark\" transform=\"translate(8 8)\" d=\"{}\"/></g></svg>",
-      class_of(look), mark_outline(0, look == MarkLook::Faded ? kFadedRadius : kRadius));
+      class_of(dominance), mark_outline(0, radius_of(dominance)));
 }
 
 }  // namespace sdlc::cli

@@ -15,27 +15,25 @@
 /// on it.
 namespace sdlc::cli {
 
-enum class MarkLook { Filled, Hollow, Faded };
-
 struct ChartPoint {
-  render::Measured x, y;
-  MarkLook look = MarkLook::Filled;
-  std::string reading;  ///< the figures in words
-  std::string remark;   ///< meaning of the look; may be empty
+  render::Measured x{}, y{};
+  render::Dominance dominance = render::Dominance::Front;  ///< the look of the mark
+  std::string reading{};                                   ///< the figures in words
+  std::string remark{};                                    ///< may be empty
 };
 
 struct ChartSeries {
   std::size_t style = 0;  ///< index of colour, shape and dashes, which repeat after the eighth
-  std::string key;        ///< a letter next to the last mark; may be empty
-  std::string name;
-  std::vector<ChartPoint> points;
-  bool is_joined = false;       ///< by lines from mark to mark
-  std::optional<double> slope;  ///< of the straight line through the marks
+  std::string key{};      ///< a letter next to the last mark; may be empty
+  std::string name{};
+  std::vector<ChartPoint> points{};
+  bool is_joined = false;         ///< by lines from mark to mark
+  std::optional<double> slope{};  ///< of the straight line through the marks
 };
 
 /// The quantity along an axis.
 struct ChartAxis {
-  std::string label;
+  std::string label{};
   FigureText* tick = nullptr;
 };
 
@@ -48,10 +46,11 @@ struct ChartLevel {
 struct Chart {
   std::string id;
   std::string title, description;
-  ChartAxis x, y;
-  std::vector<ChartSeries> series;
-  std::vector<std::pair<double, double>> front;  ///< corners of a falling staircase, ascending in x
-  std::optional<ChartLevel> level;
+  ChartAxis x{}, y{};
+  std::vector<ChartSeries> series{};
+  std::vector<std::pair<double, double>>
+      front{};  ///< corners of a falling staircase, ascending in x
+  std::optional<ChartLevel> level{};
 };
 
 /// Whether any point can be drawn: both coordinates are finite.
@@ -66,7 +65,7 @@ std::string chart_figure(const Chart& chart, std::string_view caption);
 
 /// The mark of a series with a piece of its line, for a legend.
 std::string legend_sample(std::size_t style);
-/// A single mark, to explain a look.
-std::string look_sample(MarkLook look);
+/// A single mark, to explain its look.
+std::string look_sample(render::Dominance dominance);
 
 }  // namespace sdlc::cli

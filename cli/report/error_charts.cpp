@@ -9,7 +9,7 @@
 
 #include "cli/report/chart.hpp"
 #include "cli/report/html.hpp"
-#include "cli/report/sections.hpp"
+#include "cli/report/section.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -20,14 +20,6 @@ std::string seconds_tick(double seconds) {
 }
 std::string samples_tick(double samples) { return figure(samples, 6); }
 
-MarkLook look_of(render::Dominance dominance) {
-  switch (dominance) {
-    case render::Dominance::Front: return MarkLook::Filled;
-    case render::Dominance::NotDistinguished: return MarkLook::Hollow;
-    default: return MarkLook::Faded;
-  }
-}
-
 /// The series with the error of each point over `x` of the point.
 template <typename X>
 std::vector<ChartSeries> series_over(const render::Measurement& measurement, X&& x) {
@@ -36,15 +28,13 @@ std::vector<ChartSeries> series_over(const render::Measurement& measurement, X&&
     const render::Series& series = measurement.series[i];
     ChartSeries drawn{.style = i,
                       .key = series_key(i),
-                      .name = describe_configuration(measurement, series.configuration),
-                      .points = {},
-                      .slope = {}};
+                      .name = describe_configuration(measurement, series.configuration)};
     for (const std::size_t index : series.points) {
       const render::Point& point = measurement.points[index];
       drawn.points.push_back(
           {.x = x(point),
            .y = point.error,
-           .look = look_of(point.dominance),
+           .dominance = point.dominance,
            .reading = fmt::format(
                "{}, {}, error {}", count_of(static_cast<std::uint64_t>(point.samples), "sample"),
                read(point.seconds, duration).text(), read(point.error, percent).text()),
@@ -72,7 +62,6 @@ Chart error_against_time(const render::Measurement& measurement) {
       .x = {"time of a render", seconds_tick},
       .y = {"error", percent_tick},
       .series = series_over(measurement, [](const render::Point& point) { return point.seconds; }),
-      .front = {},
       .level = reference_level(measurement)};
   for (ChartSeries& series : chart.series) series.is_joined = true;
   for (const render::Point& point : measurement.points) {
@@ -84,28 +73,24 @@ Chart error_against_time(const render::Measurement& measurement) {
 }
 
 Chart error_against_samples(const render::Measurement& measurement) {
-  Chart chart{.id = "error-samples",
-              .title = "Error against samples",
-              .description =
-                  "The error of each render over its samples per pixel, with a straight line for "
-                  "each configuration with three or more renders.",
-              .x = {"samples per pixel", samples_tick},
-              .y = {"error", percent_tick},
-              .series = series_over(measurement,
-                                    [](const render::Point& point) {
-                                      return render::Measured{
-                                          .value = static_cast<double>(point.samples),
-                                          .interval = {}};
-                                    }),
-              .front = {},
-              .level = reference_level(measurement)};
+  Chart chart{
+      .id = "error-samples",
+      .title = "Error against samples",
+      .description =
+          "The error of each render over its samples per pixel, with a straight line for "
+          "each configuration with three or more renders.",
+      .x = {"samples per pixel", samples_tick},
+      .y = {"error", percent_tick},
+      .series = series_over(measurement,
+                            [](const render::Point& point) {
+                              return render::Measured{.value = static_cast<double>(point.samples)};
+                            }),
+      .level = reference_level(measurement)};
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     if (const auto& slope = measurement.series[i].slope) chart.series[i].slope = slope->value;
   }
   return chart;
 }
-
-std::string plain(double number) { return figure(number); }
 
 std::string legend(const render::Measurement& measurement) {
   std::string html = "<ul class=\"legend\">\n";
@@ -114,7 +99,7 @@ std::string legend(const render::Measurement& measurement) {
     html += fmt::format("<li>{} <b>{}</b> <span>{}<br/><small>{}</small></span></li>\n",
                         legend_sample(i), series_key(i),
                         escaped(describe_configuration(measurement, series.configuration)),
-                        series.slope ? "slope " + read(*series.slope, plain).text()
+                        series.slope ? "slope " + read(*series.slope, figure).text()
                                      : std::string("no slope: fewer than three renders"));
   }
   return html + "</ul>\n";
@@ -136,7 +121,8 @@ std::string looks() {
       "{} on the Pareto front: no other render is both faster and more accurate. {} not "
       "distinguishable from the front: another render is faster and more accurate, but their "
       "intervals overlap. {} dominated: another render is clearly faster and more accurate.",
-      look_sample(MarkLook::Filled), look_sample(MarkLook::Hollow), look_sample(MarkLook::Faded));
+      look_sample(render::Dominance::Front), look_sample(render::Dominance::NotDistinguished),
+      look_sample(render::Dominance::Dominated));
 }
 
 }  // namespace
@@ -147,24 +133,27 @@ std::string series_key(std::size_t index) {
   return index < kLetters ? letter : letter + fmt::to_string(index / kLetters);
 }
 
-std::string error_charts_section(const Report& report) {
+Section error_charts_section(const Report& report) {
   const render::Measurement& measurement = report.measurement;
   const Chart by_time = error_against_time(measurement);
   const Chart by_samples = error_against_samples(measurement);
-  if (!can_be_drawn(by_time) && !can_be_drawn(by_samples)) return "";
+  Section section;
+  if (!can_be_drawn(by_time) && !can_be_drawn(by_samples)) return section;
   const std::string missing = missing_points(measurement);
-  return legend(measurement) + "<div class=\"charts\">\n" +
-         chart_figure(by_time,
-                      "Lower and further left is better. The stepped line is the front: the "
-                      "smallest error reached within a time. " +
-                          looks() + missing) +
-         chart_figure(
-             by_samples,
-             "The lines are straight fits; their slopes are in the key above. At −0.5, the slope "
-             "of independent samples, half the error takes four times the samples; at −1 twice. A "
-             "line that flattens out has reached the bias of its depth or precision." +
-                 missing) +
-         "</div>\n";
+  section.page_only(legend(measurement) + "<div class=\"charts\">\n");
+  section.page_only(chart_figure(
+      by_time,
+      "Lower and further left is better. The stepped line is the front: the smallest error reached "
+      "within a time. " +
+          looks() + missing));
+  section.page_only(chart_figure(
+      by_samples,
+      "The lines are straight fits; their slopes are in the key above. At −0.5, the slope of "
+      "independent samples, half the error takes four times the samples; at −1 twice. A line that "
+      "flattens out has reached the bias of its depth or precision." +
+          missing));
+  section.page_only("</div>\n");
+  return section;
 }
 
 }  // namespace sdlc::cli

@@ -50,6 +50,8 @@ std::string figure(double number, int digits) {
                      superscript(exponent));
 }
 
+std::string figure(double number) { return figure(number, 3); }
+
 std::string percent(double share) {
   if (!std::isfinite(share)) return std::string(kUnknown);
   return fmt::format("{}{}%", figure(100 * share), kSpace);
@@ -73,6 +75,11 @@ std::string duration(double seconds) {
 std::string times(double ratio) {
   return std::isfinite(ratio) ? fmt::format("{}{}times", figure(ratio), kSpace)
                               : std::string(kUnknown);
+}
+
+std::string rate(double per_second) {
+  return std::isfinite(per_second) && per_second >= 0 ? format_count(per_second)
+                                                      : std::string(kUnknown);
 }
 
 std::string count_of(std::uint64_t count, std::string_view noun) {

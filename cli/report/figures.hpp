@@ -10,7 +10,9 @@
 namespace sdlc::cli {
 
 /// At most this many significant digits: "0.98", "1230", "−2.1·10⁻⁶"; "unknown" if not finite.
-std::string figure(double number, int digits = 3);
+std::string figure(double number, int digits);
+/// The same with three digits.
+std::string figure(double number);
 
 /// A share in percent, with a no-break space: "0.98 %".
 std::string percent(double share);
@@ -20,6 +22,8 @@ std::string percent_tick(double share);
 std::string duration(double seconds);
 /// "1.04 times"
 std::string times(double ratio);
+/// Per second, with a metric prefix: "7.12 M"; "unknown" if invalid.
+std::string rate(double per_second);
 
 /// "1 sample", "1,024 samples"
 std::string count_of(std::uint64_t count, std::string_view noun);

@@ -1,8 +1,9 @@
 #include "cli/report/html.hpp"
 
+#include <algorithm>
 #include <cstdint>
-
-#include <fmt/format.h>
+#include <iterator>
+#include <utility>
 
 #include "lang/text/display_width.hpp"
 
@@ -41,67 +42,23 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-HtmlTable::HtmlTable(std::string_view caption, std::string_view columns) {
-  out_ = fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\"><table>\n"
-      "<caption>{0}</caption>\n<thead><tr>",
-      escaped(caption));
-  for (std::size_t begin = 0; begin <= columns.size();) {
-    const std::size_t end = std::min(columns.find('|', begin), columns.size());
-    std::string_view heading = columns.substr(begin, end - begin);
-    const bool is_number = heading.starts_with('#');
-    if (is_number) heading.remove_prefix(1);
-    columns_ += is_number ? '#' : ' ';
-    out_ += fmt::format("<th scope=\"col\"{}>{}</th>", is_number ? " class=\"number\"" : "",
-                        escaped(heading));
-    begin = end + 1;
+std::string plain_text(std::string_view html) {
+  static constexpr std::pair<std::string_view, std::string_view> kEntities[] = {
+      {"&lt;", "<"},  {"&gt;", ">"},  {"&quot;", "\""},
+      {"&#39;", "'"}, {"&amp;", "&"}, {"\u00a0", " "}};
+  std::string text;
+  while (!html.empty()) {
+    if (html.front() == '<') {
+      html.remove_prefix(std::min(html.find('>'), html.size() - 1) + 1);
+      continue;
+    }
+    const auto entity = std::ranges::find_if(
+        kEntities, [&](const auto& candidate) { return html.starts_with(candidate.first); });
+    const bool is_entity = entity != std::end(kEntities);
+    text += is_entity ? entity->second : html.substr(0, 1);
+    html.remove_prefix(is_entity ? entity->first.size() : 1);
   }
-  out_ += "</tr></thead>\n";
-}
-
-void HtmlTable::group(std::string_view html) {
-  end_group();
-  out_ +=
-      fmt::format("<tbody><tr><th scope=\"rowgroup\" colspan=\"{}\" class=\"group\">{}</th></tr>\n",
-                  columns_.size(), html);
-  is_in_group_ = true;
-}
-
-HtmlTable& HtmlTable::row() {
-  end_row();
-  if (!is_in_group_) out_ += "<tbody>\n";
-  is_in_group_ = is_in_row_ = true;
-  out_ += "<tr>";
-  return *this;
-}
-
-HtmlTable& HtmlTable::cell(std::string_view html) { return cell(html, ""); }
-
-HtmlTable& HtmlTable::cell(std::string_view html, std::string_view small) {
-  const char* tag = column_ == 0 ? "th" : "td";
-  out_ += fmt::format("<{}{}{}>{}", tag, column_ == 0 ? " scope=\"row\"" : "",
-                      columns_[column_] == '#' ? " class=\"number\"" : "", html);
-  if (!small.empty()) out_ += fmt::format(" <small>{}</small>", small);
-  out_ += fmt::format("</{}>", tag);
-  ++column_;
-  return *this;
-}
-
-std::string HtmlTable::finish() && {
-  end_group();
-  return std::move(out_) + "</table></div>\n";
-}
-
-void HtmlTable::end_row() {
-  if (is_in_row_) out_ += "</tr>\n";
-  is_in_row_ = false;
-  column_ = 0;
-}
-
-void HtmlTable::end_group() {
-  end_row();
-  if (is_in_group_) out_ += "</tbody>\n";
-  is_in_group_ = false;
+  return text;
 }
 
 }  // namespace sdlc::cli

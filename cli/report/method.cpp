@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include "cli/numbers/format_numbers.hpp"
 #include "cli/report/figures.hpp"
 #include "cli/report/html.hpp"
-#include "cli/report/sections.hpp"
+#include "cli/report/section.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -20,6 +19,8 @@ class Facts {
   std::string out_;
 };
 
+}  // namespace
+
 std::string describe_reference(const render::Reference& reference) {
   std::string text = fmt::format(
       "{}, {}, seed {}, rendered in {}; its own error is {}, and its mean radiance {}",
@@ -33,9 +34,7 @@ std::string describe_reference(const render::Reference& reference) {
   return text;
 }
 
-}  // namespace
-
-std::string method_section(const Report& report) {
+Section method_section(const Report& report) {
   const render::Measurement& measurement = report.measurement;
   Facts facts;
   facts.add("Reference", measurement.reference ? escaped(describe_reference(*measurement.reference))
@@ -63,10 +62,14 @@ std::string method_section(const Report& report) {
       "one is better, and says so. Times are medians for building and tracing on this "
       "machine.</p>\n";
   html += facts.finish();
-  if (report.provenance.machine.empty()) return html;
-  Facts machine;
-  for (const auto& [what, value] : report.provenance.machine) machine.add(what, escaped(value));
-  return html + "<h3>The machine</h3>\n" + machine.finish();
+  if (!report.provenance.machine.empty()) {
+    Facts machine;
+    for (const auto& [what, value] : report.provenance.machine) machine.add(what, escaped(value));
+    html += "<h3>The machine</h3>\n" + machine.finish();
+  }
+  Section section;
+  section.page_only(html);
+  return section;
 }
 
 }  // namespace sdlc::cli

@@ -2,7 +2,7 @@
 
 #include "cli/report/figures.hpp"
 #include "cli/report/html.hpp"
-#include "cli/report/sections.hpp"
+#include "cli/report/section.hpp"
 #include "render/compare/color_map.hpp"
 #include "render/image/tone.hpp"
 #include "render/math/color.hpp"
@@ -48,11 +48,12 @@ std::string picture_element(const ReportImage& image) {
       base64(image.png), image.width, image.height, escaped(image.title));
 }
 
-std::string pictures_section(const Report& report) {
-  std::string html;
-  for (const ReportRow& row : report.crops) html += picture_row(row, "crops");
-  for (const ReportRow& row : report.error_maps) html += picture_row(row, "maps");
-  return report.error_maps.empty() ? html : html + color_bar(report.error_map_top);
+Section pictures_section(const Report& report) {
+  Section section;
+  for (const ReportRow& row : report.crops) section.page_only(picture_row(row, "crops"));
+  for (const ReportRow& row : report.error_maps) section.page_only(picture_row(row, "maps"));
+  if (!report.error_maps.empty()) section.page_only(color_bar(report.error_map_top));
+  return section;
 }
 
 }  // namespace sdlc::cli

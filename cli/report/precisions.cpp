@@ -5,7 +5,7 @@
 
 #include "cli/report/figures.hpp"
 #include "cli/report/html.hpp"
-#include "cli/report/sections.hpp"
+#include "cli/report/section.hpp"
 #include "render/scene/precision.hpp"
 
 namespace sdlc::cli {
@@ -26,28 +26,28 @@ std::string capitalized(std::string_view word) {
 
 }  // namespace
 
-std::string precision_section(const Report& report) {
-  if (!report.measurement.precision) return "";
+Section precision_section(const Report& report) {
+  Section section;
+  if (!report.measurement.precision) return section;
   const render::PrecisionDifference& precision = *report.measurement.precision;
   const std::string taken(name_of(precision.taken)), other(name_of(precision.other));
-  std::string html;
   if (precision.refusal.empty()) {
-    html = fmt::format(
-        "<p>Along the same paths, {} minus {}: {} of the mean radiance: <strong>{}</strong>. The "
+    section.paragraph(fmt::format(
+        "Along the same paths, {} minus {}: {} of the mean radiance: <strong>{}</strong>. The "
         "two pictures differ by {} (root mean square, like an error), mostly where rounding made "
-        "single paths diverge. {} takes {} the time.</p>\n",
+        "single paths diverge. {} takes {} the time.",
         taken, other, read(precision.mean_difference, percent).text(),
         verdict_of(precision.mean_difference), percent(precision.rms_difference),
-        capitalized(other), times(precision.seconds));
+        capitalized(other), times(precision.seconds)));
   } else {
-    html = fmt::format("<p>{} was not compared with {}: {}.</p>\n", capitalized(taken), other,
-                       escaped(precision.refusal));
+    section.paragraph(fmt::format("{} was not compared with {}: {}.", capitalized(taken), other,
+                                  escaped(precision.refusal)));
   }
   if (!precision.bound.empty()) {
-    html += fmt::format("<p>By default the scene is traced in {}: {}.</p>\n", taken,
-                        escaped(precision.bound));
+    section.paragraph(
+        fmt::format("By default the scene is traced in {}: {}.", taken, escaped(precision.bound)));
   }
-  return html;
+  return section;
 }
 
 }  // namespace sdlc::cli

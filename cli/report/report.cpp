@@ -6,26 +6,27 @@
 
 #include "cli/report/figures.hpp"
 #include "cli/report/html.hpp"
-#include "cli/report/sections.hpp"
+#include "cli/report/section.hpp"
 #include "cli/report/style.hpp"
 
 namespace sdlc::cli {
 namespace {
 
-struct Section {
+struct Part {
   std::string_view id, heading;
-  std::string (*body)(const Report&);
+  Section (*section)(const Report&);
 };
 
-constexpr std::array kSections{
-    Section{"recommendation", "Recommended settings", recommendation_section},
-    Section{"charts", "Error and render time", error_charts_section},
-    Section{"depth", "Depth", depth_section},
-    Section{"precision", "Precision", precision_section},
-    Section{"pictures", "Pictures", pictures_section},
-    Section{"renders", "All renders", points_section},
-    Section{"against", "Comparison with an earlier measurement", against_section},
-    Section{"method", "How it was measured", method_section},
+/// In the order of the page.
+constexpr std::array kParts{
+    Part{"recommendation", "Recommended settings", recommendation_section},
+    Part{"charts", "Error and render time", error_charts_section},
+    Part{"depth", "Depth", depth_section},
+    Part{"precision", "Precision", precision_section},
+    Part{"pictures", "Pictures", pictures_section},
+    Part{"renders", "All renders", points_section},
+    Part{"against", "Comparison with an earlier measurement", against_section},
+    Part{"method", "How it was measured", method_section},
 };
 
 /// Nothing is loaded, and no script runs, whatever a scene is called.
@@ -65,14 +66,14 @@ std::string subtitle(const render::Measurement& measurement) {
 
 std::string html_report(const Report& report) {
   std::string links, sections;
-  for (const Section& section : kSections) {
-    const std::string body = section.body(report);
-    if (body.empty()) continue;
-    links += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section.id, section.heading);
+  for (const auto& [id, heading, section] : kParts) {
+    const std::string html = section(report).html();
+    if (html.empty()) continue;
+    links += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", id, heading);
     sections += fmt::format(
         "<section id=\"{0}\" aria-labelledby=\"{0}-heading\">\n<h2 id=\"{0}-heading\">{1}</h2>\n{2}"
         "</section>\n",
-        section.id, section.heading, body);
+        id, heading, html);
   }
   return head(report) +
          fmt::format(
@@ -81,7 +82,23 @@ std::string html_report(const Report& report) {
              "<nav aria-label=\"Sections\"><ul>\n{}</ul></nav>\n</header>\n"
              "<main id=\"main\">\n{}{}</main>\n</body>\n</html>\n",
              escaped(report.provenance.scene), subtitle(report.measurement), links,
-             callouts(report), sections);
+             callouts(report).html(), sections);
+}
+
+std::string text_report(const Report& report) {
+  const render::Measurement& measurement = report.measurement;
+  std::string text = fmt::format("{}, {} × {} pixels\n", report.provenance.scene, measurement.width,
+                                 measurement.height);
+  if (measurement.reference) {
+    text += plain_text("reference: " + describe_reference(*measurement.reference)) + "\n";
+  }
+  // The recommendation is last, where it stays visible.
+  constexpr std::array kSections{points_section,  depth_section, precision_section,
+                                 against_section, callouts,      recommendation_section};
+  for (const auto& section : kSections) {
+    if (const std::string part = section(report).text(); !part.empty()) text += "\n" + part;
+  }
+  return text;
 }
 
 }  // namespace sdlc::cli

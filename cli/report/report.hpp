@@ -13,9 +13,10 @@ namespace sdlc::cli {
 
 /// The origin of a measurement, shown at the end of the page.
 struct Provenance {
-  std::string scene;    ///< name of the file
-  std::string version;  ///< of sdlc, with its commit
-  std::string command;  ///< the command line, quoted for a shell
+  std::string scene{};    ///< name of the file
+  std::string version{};  ///< of sdlc, with its commit
+  std::string command{};  ///< the command line, quoted for a shell
+  std::string scene_digest{};
   /// "processor", "cores", "memory", "system", "instruction set" …, with their values.
   std::vector<std::pair<std::string, std::string>> machine{};
 };
@@ -59,5 +60,8 @@ std::string describe_configuration(const render::Measurement& measurement,
 
 /// The page: self-contained HTML, without scripts and network access.
 std::string html_report(const Report& report);
+
+/// The report for a terminal.
+std::string text_report(const Report& report);
 
 }  // namespace sdlc::cli

@@ -1,11 +1,8 @@
 #include "render/measure/against.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
-#include "render/accuracy/student_t.hpp"
 #include "render/measure/noise_of_time.hpp"
 
 namespace sdlc::render {
@@ -44,17 +41,13 @@ constexpr double kMinSeconds = 0.005;
 std::optional<Measured> mean_ratio(const std::vector<PointChange>& points, double sigma) {
   std::vector<double> ratios;
   for (const PointChange& point : points) {
-    if (point.seconds_before.value < kMinSeconds) continue;
-    ratios.push_back(std::log(point.seconds_after.value / point.seconds_before.value));
+    if (point.before.seconds.value < kMinSeconds) continue;
+    ratios.push_back(std::log(point.after.seconds.value / point.before.seconds.value));
   }
   constexpr std::size_t kMinPoints = 3;
   if (ratios.size() < kMinPoints) return std::nullopt;
-  const auto n = static_cast<double>(ratios.size());
-  double mean = 0, squares = 0;
-  for (const double ratio : ratios) mean += ratio / n;
-  for (const double ratio : ratios) squares += std::pow(ratio - mean, 2);
-  const double of_points = student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
-  const double half_width = std::hypot(of_points, kNormalQuantile * sigma);
+  const auto [mean, interval] = mean_of(ratios);
+  const double half_width = std::hypot(interval.to - mean, kNormalQuantile * sigma);
   return Measured{std::exp(mean), {std::exp(mean - half_width), std::exp(mean + half_width)}};
 }
 
@@ -68,32 +61,15 @@ double noise_of(const std::vector<Point>& points) {
 
 }  // namespace
 
-std::string_view name_of(Verdict verdict) noexcept {
-  constexpr std::array<std::string_view, 3> kNames{"not distinguished", "better", "worse"};
-  return kNames[static_cast<std::size_t>(verdict)];
-}
-
 Comparison compare_measurements(const std::vector<Point>& now, const std::vector<Point>& before,
                                 bool has_comparable_times) {
   Comparison comparison;
-  std::vector<const Point*> pairs;
   for (const Point& point : now) {
-    const auto earlier = std::ranges::find_if(before, [&](const Point& other) {
-      return other.configuration == point.configuration && other.samples == point.samples;
-    });
-    if (earlier == before.end()) continue;
-    pairs.push_back(&point);
-    comparison.points.push_back({.configuration = point.configuration,
-                                 .samples = point.samples,
-                                 .error_before = earlier->error,
-                                 .error_after = point.error,
-                                 .seconds_before = earlier->seconds,
-                                 .seconds_after = point.seconds});
-    pairs.push_back(&*earlier);
+    const Point* const earlier = find_point(before, point.configuration, point.samples);
+    if (earlier != nullptr) comparison.points.push_back({.before = *earlier, .after = point});
   }
-  for (std::size_t i = 0; i < comparison.points.size(); ++i) {
-    comparison.points[i].error =
-        judge_error(*pairs[2 * i], *pairs[2 * i + 1], comparison.points.size());
+  for (PointChange& change : comparison.points) {
+    change.error = judge_error(change.after, change.before, comparison.points.size());
   }
   if (has_comparable_times) {
     comparison.time_ratio =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,21 +13,19 @@ namespace sdlc::render {
 
 enum class Verdict : std::uint8_t { NotDistinguished, Better, Worse };
 
-/// "not distinguished", "better", "worse".
-std::string_view name_of(Verdict verdict) noexcept;
+template <>
+inline constexpr auto kWords<Verdict> = std::to_array<std::string_view>({"not distinguished",
+                                                                         "better", "worse"});
 
 /// A point that is also in an earlier measurement of the same scene.
 struct PointChange {
-  Configuration configuration{};
-  int samples = 0;
-  Measured error_before, error_after;
-  Measured seconds_before, seconds_after;
+  Point before{}, after{};
   Verdict error = Verdict::NotDistinguished;  ///< at 95 % for all points together
 };
 
 /// Changes since an earlier measurement.
 struct Comparison {
-  std::string earlier{};  ///< version of the program that made it
+  std::string version{};  ///< of the program that made the earlier one
   std::vector<PointChange> points{};
   /// Mean ratio of the times, now to then, over all points; nullopt if they are not comparable.
   std::optional<Measured> time_ratio{};

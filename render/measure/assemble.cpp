@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "render/accuracy/student_t.hpp"
 #include "render/measure/noise_of_time.hpp"
 #include "render/measure/study.hpp"
 #include "render/measure/trade.hpp"
@@ -12,38 +11,10 @@
 namespace sdlc::render {
 namespace {
 
-/// The mean of a few values with its 95 % interval, by Student's t distribution.
-Measured mean_of(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  double mean = 0, squares = 0;
-  for (const double value : values) mean += value / n;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  const double half_width =
-      values.size() < 2 ? INFINITY : student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
-  return {mean, {mean - half_width, mean + half_width}};
-}
-
 double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
 std::vector<Point> points_of(const StudyLedger& ledger) {
-  std::vector<Point> points;
-  for (const Evaluation& evaluation : ledger.evaluations) {
-    Point point{.configuration = evaluation.configuration,
-                .samples = evaluation.samples,
-                .error = evaluation.error,
-                .error_spread = evaluation.error_spread,
-                .difference = evaluation.difference,
-                .flip = evaluation.flip,
-                .scarce_emitters = evaluation.scarce_emitters,
-                .cut_share = evaluation.cut_share};
-    for (const TimedRender& render : ledger.renders) {
-      if (render.configuration != point.configuration || render.samples != point.samples) continue;
-      point.timings.push_back(render.seconds);
-      point.samples_per_second = static_cast<double>(render.camera_samples);
-      point.rays_per_second = static_cast<double>(render.rays);
-    }
-    points.push_back(std::move(point));
-  }
+  std::vector<Point> points = ledger.points;
   // Points of the scene's own configuration first; per configuration in ascending order of samples.
   const auto rank = [&](const Point& point) {
     const auto& costs = ledger.plan->costs;
@@ -77,15 +48,15 @@ std::vector<DepthLoss> losses_of(const StudyLedger& ledger, int own) {
       const auto here = find(depth), full = find(deepest), usual = find(own);
       if (here == ledger.depths.end()) continue;
       lost.push_back(share(full->mean - here->mean, full->mean));
-      cut.push_back(here->cut_share);
+      cut.push_back(here->cut_paths);
       seconds += here->seconds;
       own_seconds += usual->seconds;
     }
     if (lost.size() < 2) return {};
     losses.push_back({.depth = depth,
                       .loss = mean_of(lost),
-                      .seconds = share(seconds, own_seconds),
-                      .cut_share = mean_of(cut).value});
+                      .relative_seconds = share(seconds, own_seconds),
+                      .cut_paths = mean_of(cut).value});
   }
   return losses;
 }
@@ -114,7 +85,7 @@ std::optional<PrecisionDifference> precision_of(const StudyLedger& ledger) {
   return difference;
 }
 
-/// The points that are missing: no time was left, not planned, or impossible to render.
+/// The planned points that are missing, and the configurations that cannot be rendered.
 std::vector<LeftOut> left_out_of(const StudyLedger& ledger, const std::vector<Point>& points,
                                  int own_samples) {
   std::vector<LeftOut> left_out;
@@ -122,10 +93,8 @@ std::vector<LeftOut> left_out_of(const StudyLedger& ledger, const std::vector<Po
     if (!cost.refusal.empty()) left_out.push_back({cost.configuration, 0, cost.refusal});
   }
   const auto add = [&](const StudyTask& task) {
-    const bool is_there = std::ranges::any_of(points, [&](const Point& point) {
-      return point.configuration == task.configuration && point.samples == task.samples;
-    });
-    if (!is_there) left_out.push_back({task.configuration, task.samples, "there was no time left"});
+    if (find_point(points, task.configuration, task.samples) != nullptr) return;
+    left_out.push_back({task.configuration, task.samples, "there was no time left"});
   };
   for (const StudyTask& task : ledger.plan->tasks) {
     if (task.kind == StudyTask::Kind::Point) add(task);
@@ -151,59 +120,28 @@ std::size_t main_of(const std::vector<Recommendation>& all, std::optional<double
 
 /// Scales the figures of a measured render to the scene's own size, including reading and writing.
 /// Only the tracing time depends on the size.
-class FullSize {
- public:
-  FullSize(const StudyLedger& ledger, const RenderSettings& settings)
-      : ledger_(ledger),
-        area_(static_cast<double>(settings.width) * settings.height /
-              (static_cast<double>(ledger.plan->width) * ledger.plan->height)) {}
-
-  bool is_measured() const { return area_ == 1; }
-
-  Measured seconds(const Configuration& configuration, const Measured& measured) const {
-    const double building = ledger_.plan->cost_of(configuration).build_seconds;
-    const double tracing = std::max(measured.value - building, 0.0) * area_ + building;
-    // The time to load the picture codec is known only to within 50 %.
-    constexpr double kOfOther = 1.5;
-    const double other = ledger_.other_seconds;
-    return {tracing + other,
-            {tracing * measured.interval.from / measured.value + other / kOfOther,
-             tracing * measured.interval.to / measured.value + other * kOfOther}};
-  }
-
- private:
-  const StudyLedger& ledger_;
-  double area_;
-};
-
-std::optional<Recommendation> as_it_is(const Measurement& measurement, const NoiseOfTime& noise,
-                                       const FullSize& full_size) {
-  for (const Point& point : measurement.points) {
-    if (point.configuration != measurement.own || point.samples != measurement.own_samples)
-      continue;
-    return Recommendation{
-        .configuration = point.configuration,
-        .samples = point.samples,
-        .is_measured = full_size.is_measured(),
-        .error = point.error,
-        .seconds = full_size.seconds(point.configuration,
-                                     noise.next(point.seconds.value, point.timings.size()))};
-  }
-  return std::nullopt;
+void scale_to_full_size(Recommendation& recommendation, const StudyLedger& ledger,
+                        const RenderSettings& settings) {
+  const double area = static_cast<double>(settings.width) * settings.height /
+                      (static_cast<double>(ledger.plan->width) * ledger.plan->height);
+  const double building = ledger.plan->cost_of(recommendation.configuration).build_seconds;
+  const auto [seconds, interval] = recommendation.seconds;
+  const double tracing = std::max(seconds - building, 0.0) * area + building;
+  // The time to load the picture codec is known only to within 50 %.
+  constexpr double kOfOther = 1.5;
+  const double other = ledger.other_seconds;
+  recommendation.seconds = {tracing + other,
+                            {tracing * interval.from / seconds + other / kOfOther,
+                             tracing * interval.to / seconds + other * kOfOther}};
+  recommendation.is_measured = recommendation.is_measured && area == 1;
 }
 
-/// For a picture without noise any number of samples is enough, so recommend the fewest.
-std::optional<Recommendation> without_noise(const Measurement& measurement,
-                                            const NoiseOfTime& noise) {
-  for (const Point& point : measurement.points) {
-    if (point.configuration != measurement.own || point.error.interval.to != 0) continue;
-    return Recommendation{.configuration = point.configuration,
-                          .samples = point.samples,
-                          .is_measured = true,
-                          .error = point.error,
-                          .seconds = noise.next(point.seconds.value, point.timings.size())};
-  }
-  return std::nullopt;
+Recommendation recommendation_of(const Point& point, const NoiseOfTime& noise) {
+  return {.configuration = point.configuration,
+          .samples = point.samples,
+          .is_measured = true,
+          .error = point.error,
+          .seconds = noise.next(point.seconds.value, point.timings.size())};
 }
 
 std::vector<Recommendation> recommendations_of(const Measurement& measurement,
@@ -220,9 +158,12 @@ std::vector<Recommendation> recommendations_of(const Measurement& measurement,
     if (is_same) all.pop_back();
     all.push_back(*std::move(found));
   }
-  if (all.empty()) {
-    if (const auto found = without_noise(measurement, noise)) all.push_back(*found);
-  }
+  if (!all.empty()) return all;
+  // For a picture without noise any number of samples is enough, so recommend the fewest.
+  const auto noiseless = std::ranges::find_if(points, [&](const Point& point) {
+    return point.configuration == measurement.own && point.error.interval.to == 0;
+  });
+  if (noiseless != points.end()) all.push_back(recommendation_of(*noiseless, noise));
   return all;
 }
 
@@ -248,10 +189,11 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
   measurement.points = points_of(ledger);
   std::vector<Point>& points = measurement.points;
   const NoiseOfTime noise = noise_of(points);
+  const double pixels = static_cast<double>(measurement.width) * measurement.height;
   for (Point& point : points) {
     point.seconds = noise.typical(point.timings);
-    point.samples_per_second /= point.seconds.value;
-    point.rays_per_second /= point.seconds.value;
+    point.samples_per_second = pixels * point.samples / point.seconds.value;
+    point.rays_per_second = static_cast<double>(point.rays) / point.seconds.value;
   }
   mark_dominance(points);
   measurement.series = group_by_configuration(points);
@@ -260,14 +202,14 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
   measurement.precision = precision_of(ledger);
   measurement.left_out = left_out_of(ledger, points, settings.samples);
 
-  const FullSize full_size(ledger, settings);
-  measurement.as_it_is = as_it_is(measurement, noise, full_size);
+  if (const Point* own = find_point(points, measurement.own, settings.samples)) {
+    measurement.as_it_is = recommendation_of(*own, noise);
+    scale_to_full_size(*measurement.as_it_is, ledger, settings);
+  }
   measurement.recommendations = recommendations_of(measurement, noise);
   measurement.main_recommendation = main_of(measurement.recommendations, options.goal);
   for (Recommendation& recommendation : measurement.recommendations) {
-    recommendation.seconds =
-        full_size.seconds(recommendation.configuration, recommendation.seconds);
-    recommendation.is_measured = recommendation.is_measured && full_size.is_measured();
+    scale_to_full_size(recommendation, ledger, settings);
   }
   return measurement;
 }

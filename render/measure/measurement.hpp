@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -19,7 +21,7 @@ namespace sdlc::render {
 
 struct Measured {
   double value = 0;
-  Interval interval;
+  Interval interval{};
 };
 
 /// A point's status compared with all others in time and error.
@@ -29,25 +31,37 @@ enum class Dominance : std::uint8_t {
   Dominated,         ///< another point is better beyond the intervals
 };
 
-/// "front", "not distinguished", "dominated".
-std::string_view name_of(Dominance dominance) noexcept;
+template <>
+inline constexpr auto kWords<Dominance> =
+    std::to_array<std::string_view>({"front", "not distinguished", "dominated"});
 
 /// A render that was timed and compared with the reference.
 struct Point {
   Configuration configuration{};
   int samples = 0;
   std::vector<double> timings{};  ///< building and tracing, per repetition
-  Measured seconds{};             ///< median
-  double samples_per_second = 0, rays_per_second = 0;
+  std::uint64_t rays = 0;
   Measured error{};  ///< of this very picture, including the bias of its depth and precision
   /// The standard deviation of the error over seeds, estimated from the pixels.
   double error_spread = 0;
   Difference difference{};  ///< includes the noise of the reference
   double flip = 0;
   std::uint64_t scarce_emitters = 0;  ///< RenderResult::scarce_emitters
-  double cut_share = 0;               ///< of its paths, cut off by the depth limit
+  double cut_paths = 0;               ///< share of its paths that the depth limit cut off
+  // Concluded from all points together.
+  Measured seconds{};  ///< median of the timings
+  double samples_per_second = 0, rays_per_second = 0;
   Dominance dominance = Dominance::Front;
 };
+
+/// The point of a configuration with a number of samples; null if there is none.
+template <typename Points>
+auto* find_point(Points& points, const Configuration& configuration, int samples) {
+  const auto found = std::ranges::find_if(points, [&](const Point& point) {
+    return point.configuration == configuration && point.samples == samples;
+  });
+  return found == points.end() ? nullptr : &*found;
+}
 
 /// The points of one configuration, with increasing numbers of samples.
 struct Series {
@@ -62,9 +76,9 @@ struct Series {
 /// measured. A lower bound if Measurement::depths_have_converged is false.
 struct DepthLoss {
   int depth = 0;
-  Measured loss{};       ///< share of the mean radiance
-  double seconds = 0;    ///< of a render, relative to the scene's own depth
-  double cut_share = 0;  ///< of all paths
+  Measured loss{};              ///< share of the mean radiance
+  double relative_seconds = 0;  ///< of a render; the scene's own depth has 1
+  double cut_paths = 0;         ///< share of all paths
 };
 
 /// The same paths in two precisions.

@@ -21,6 +21,16 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
+Measured mean_of(std::span<const double> values) {
+  const auto n = static_cast<double>(values.size());
+  double mean = 0, squares = 0;
+  for (const double value : values) mean += value / n;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  const double half_width =
+      values.size() < 2 ? INFINITY : student_t_975(n - 1) * std::sqrt(squares / (n - 1) / n);
+  return {mean, {mean - half_width, mean + half_width}};
+}
+
 NoiseOfTime::NoiseOfTime(std::span<const std::vector<double>> timings) {
   double squares = 0;
   for (const std::vector<double>& repeats : timings) {

@@ -8,6 +8,9 @@
 
 namespace sdlc::render {
 
+/// The mean of a few values with its 95 % interval, by Student's t distribution.
+Measured mean_of(std::span<const double> values);
+
 /// The noise of render times on this machine: the standard deviation of the logarithm of the time,
 /// from renders repeated over the whole measurement.
 class NoiseOfTime {

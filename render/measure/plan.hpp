@@ -36,6 +36,10 @@ struct StudyTask {
   friend bool operator==(const StudyTask&, const StudyTask&) = default;
 };
 
+template <>
+inline constexpr auto kWords<StudyTask::Kind> =
+    std::to_array<std::string_view>({"reference", "point", "repeat", "depths", "precisions"});
+
 /// "64 samples, sobol, light sampling auto, float, depth 16", "depths, 1 of 4".
 std::string describe(const StudyTask& task);
 

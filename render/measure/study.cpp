@@ -24,7 +24,7 @@ double seconds_since(Clock::time_point start) {
 /// Seeds far from those of the points, so that the reference is independent of them.
 constexpr std::uint64_t kReferenceSeed = 1'000'003, kProbeSeed = 2'000'003;
 
-double cut_share(const RenderResult& result) {
+double cut_paths(const RenderResult& result) {
   return static_cast<double>(result.truncated_paths) /
          static_cast<double>(std::max<std::uint64_t>(result.camera_samples, 1));
 }
@@ -85,6 +85,18 @@ RenderSettings Study::settings_of(const Configuration& configuration, int sample
   return settings;
 }
 
+Kernel Study::kernel_of(const Configuration& configuration) const {
+  return choose_kernel(scene_, settings_of(configuration, 8, settings_.seed),
+                       request_of(configuration));
+}
+
+RenderResult Study::render_once(const RenderSettings& settings,
+                                const Configuration& configuration) {
+  monitor_.samples_done = 0;
+  monitor_.rays_done = 0;
+  return render(scene_, settings, monitor_, request_of(configuration));
+}
+
 std::vector<Configuration> Study::configurations() const {
   std::vector<Configuration> configurations{own_};
   const auto add = [&](auto Configuration::*member, auto value) {
@@ -107,13 +119,13 @@ std::vector<Configuration> Study::configurations() const {
 
 ConfigurationCost Study::try_configuration(const Configuration& configuration) {
   ConfigurationCost cost{.configuration = configuration};
-  RenderSettings settings = settings_of(configuration, 8, settings_.seed);
-  const Kernel kernel = choose_kernel(scene_, settings, request_of(configuration));
+  const Kernel kernel = kernel_of(configuration);
   if (kernel.refusal) {
     cost.refusal = describe(kernel.refusal->obstacle);
     return cost;
   }
   cost.configuration.precision = kernel.precision;
+  RenderSettings settings = settings_of(configuration, 8, settings_.seed);
   // Small enough to be cheap, large enough to keep all lanes and threads busy.
   constexpr double kPixels = 1 << 15;
   const double scale = std::sqrt(kPixels / (static_cast<double>(settings.width) * settings.height));
@@ -121,7 +133,7 @@ ConfigurationCost Study::try_configuration(const Configuration& configuration) {
     settings.width = std::max(1, static_cast<int>(settings.width * scale));
     settings.height = std::max(1, static_cast<int>(settings.height * scale));
   }
-  const RenderResult result = render(scene_, settings, monitor_, request_of(configuration));
+  const RenderResult result = render_once(settings, configuration);
   cost.build_seconds = result.build_seconds;
   cost.seconds_per_sample = result.render_seconds / (static_cast<double>(settings.width) *
                                                      settings.height * settings.samples);
@@ -130,8 +142,7 @@ ConfigurationCost Study::try_configuration(const Configuration& configuration) {
 
 ConfigurationCost Study::guess_configuration(const Configuration& configuration,
                                              const ConfigurationCost& own) const {
-  const Kernel kernel = choose_kernel(scene_, settings_of(configuration, 8, settings_.seed),
-                                      request_of(configuration));
+  const Kernel kernel = kernel_of(configuration);
   ConfigurationCost cost = own;
   cost.configuration = configuration;
   cost.configuration.precision = kernel.precision;
@@ -183,14 +194,8 @@ void Study::make_plan() {
   std::erase_if(ledger_.plan->depths, [&](int depth) {
     Configuration configuration = own_;
     configuration.depth = depth;
-    return !is_possible(configuration);
+    return kernel_of(configuration).refusal.has_value();
   });
-}
-
-bool Study::is_possible(const Configuration& configuration) const {
-  return !choose_kernel(scene_, settings_of(configuration, 8, settings_.seed),
-                        request_of(configuration))
-              .refusal;
 }
 
 double Study::seconds_left() const {
@@ -206,24 +211,20 @@ std::optional<RenderResult> Study::rendered(const Configuration& configuration, 
                                             std::uint64_t seed, bool keeps_variance) {
   RenderSettings settings = settings_of(configuration, samples, seed);
   settings.keeps_variance = keeps_variance;
-  monitor_.samples_done = 0;
-  monitor_.rays_done = 0;
-  RenderResult result = render(scene_, settings, monitor_, request_of(configuration));
+  RenderResult result = render_once(settings, configuration);
   if (!result.is_complete) return std::nullopt;
   ledger_.nonfinite_samples += result.nonfinite_samples;
   return result;
 }
 
 bool Study::is_done(const StudyTask& task) const {
-  const auto is_same = [&](const auto& done) {
-    return done.configuration == task.configuration && done.samples == task.samples;
-  };
+  const Point* const point = find_point(ledger_.points, task.configuration, task.samples);
   const auto of_round = [&](const auto& probe) { return probe.round == task.round; };
   switch (task.kind) {
     case StudyTask::Kind::Reference: return ledger_.reference && reference_;
-    case StudyTask::Kind::Point: return std::ranges::any_of(ledger_.evaluations, is_same);
-    case StudyTask::Kind::Repeat:
-      return std::ranges::count_if(ledger_.renders, is_same) > task.round;
+    case StudyTask::Kind::Point: return point != nullptr;
+    case StudyTask::Kind::Repeat:  // nothing to repeat if there was no time for the point
+      return point == nullptr || std::cmp_greater(point->timings.size(), task.round);
     case StudyTask::Kind::Depths:
       return static_cast<std::size_t>(std::ranges::count_if(ledger_.depths, of_round)) ==
              ledger_.plan->depths.size();
@@ -256,21 +257,22 @@ bool Study::run_point(const StudyTask& task) {
   const std::optional<RenderResult> result =
       rendered(task.configuration, task.samples, settings_.seed);
   if (!result) return false;
-  ledger_.renders.push_back({.configuration = task.configuration,
-                             .samples = task.samples,
-                             .seconds = seconds_of(*result),
-                             .camera_samples = result->camera_samples,
-                             .rays = result->rays});
-  if (task.kind == StudyTask::Kind::Repeat) return true;
+  if (task.kind == StudyTask::Kind::Repeat) {
+    Point* const point = find_point(ledger_.points, task.configuration, task.samples);
+    point->timings.push_back(seconds_of(*result));
+    return true;
+  }
   const Picture& picture = result->picture;
-  ledger_.evaluations.push_back({.configuration = task.configuration,
-                                 .samples = task.samples,
-                                 .error = error_against(picture, *reference_),
-                                 .error_spread = error_spread(picture, *reference_),
-                                 .difference = measure_difference(picture, reference_->picture),
-                                 .flip = flip(picture, reference_->picture).mean,
-                                 .scarce_emitters = result->scarce_emitters.size(),
-                                 .cut_share = cut_share(*result)});
+  ledger_.points.push_back({.configuration = task.configuration,
+                            .samples = task.samples,
+                            .timings = {seconds_of(*result)},
+                            .rays = result->rays,
+                            .error = error_against(picture, *reference_),
+                            .error_spread = error_spread(picture, *reference_),
+                            .difference = measure_difference(picture, reference_->picture),
+                            .flip = flip(picture, reference_->picture).mean,
+                            .scarce_emitters = result->scarce_emitters.size(),
+                            .cut_paths = cut_paths(*result)});
   if (observer_.on_picture) {
     observer_.on_picture(task.configuration, task.samples, picture, *reference_);
   }
@@ -286,7 +288,7 @@ bool depths_have_converged(std::span<const DepthProbe> probes) {
   const auto [deepest, light] = *means.rbegin();
   double cut = 0;
   for (const DepthProbe& probe : probes) {
-    if (probe.depth == deepest) cut = std::max(cut, probe.cut_share);
+    if (probe.depth == deepest) cut = std::max(cut, probe.cut_paths);
   }
   int quiet = 0;  // number of doublings of the depth that added almost no light
   for (auto deep = std::prev(means.end()); deep->first > 1; ++quiet) {
@@ -314,13 +316,13 @@ bool Study::run_depths(const StudyTask& task) {
                       .round = task.round,
                       .mean = mean_radiance(result->picture),
                       .seconds = seconds_of(*result),
-                      .cut_share = cut_share(*result)});
+                      .cut_paths = cut_paths(*result)});
     // The first round goes on until no more light is found; the others use the same depths.
     if (task.round > 0 || i + 1 < depths.size() || depths_have_converged(probes)) continue;
     if (configuration.depth > kMaxProbedDepth / 2) continue;
     configuration.depth *= 2;
     const double seconds = kProbeSeeds * 2 * probes.back().seconds;  // upper bound over all rounds
-    if (seconds > seconds_left() || !is_possible(configuration)) continue;
+    if (seconds > seconds_left() || kernel_of(configuration).refusal) continue;
     depths.push_back(configuration.depth);
   }
   ledger_.plan->depths = std::move(depths);
@@ -393,14 +395,15 @@ void Study::run(std::optional<ReferencePicture> reference) {
   }
   run_recommended();
   run_longer();
+  run_recommended();
 }
 
 void Study::run_longer() {
   // Only as long as the reference is better.
   while (!monitor_.cancel.load()) {
     int max_samples = 0;
-    for (const Evaluation& evaluation : ledger_.evaluations) {
-      if (evaluation.configuration == own_) max_samples = std::max(max_samples, evaluation.samples);
+    for (const Point& point : ledger_.points) {
+      if (point.configuration == own_) max_samples = std::max(max_samples, point.samples);
     }
     // Double the samples.
     int samples = static_cast<int>(kMinReplicatedSamples);
@@ -413,18 +416,18 @@ void Study::run_longer() {
 }
 
 void Study::run_recommended() {
-  // If a point misses its goal, try again with more samples.
-  constexpr int kTries = 3;
-  const std::size_t count = measurement().recommendations.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    for (int attempt = 0; attempt < kTries; ++attempt) {
-      const Measurement now = measurement();
-      if (i >= now.recommendations.size() || now.recommendations[i].is_measured) break;
-      const Recommendation& next = now.recommendations[i];
-      const StudyTask task{.configuration = next.configuration, .samples = next.samples};
-      if (is_done(task) || expected_seconds(task) > seconds_left()) break;
-      if (!run_and_account(task)) return;
+  // Each point may change the recommendations: go on until all are measured, so that a resumed
+  // study has nothing to add.
+  while (!monitor_.cancel.load()) {
+    std::optional<StudyTask> next;
+    for (const Recommendation& recommended : measurement().recommendations) {
+      const StudyTask task{.configuration = recommended.configuration,
+                           .samples = recommended.samples};
+      if (is_done(task) || expected_seconds(task) > seconds_left()) continue;
+      next = task;
+      break;
     }
+    if (!next || !run_and_account(*next)) return;
   }
 }
 

@@ -18,33 +18,13 @@
 
 namespace sdlc::render {
 
-/// A render of a point, for its time.
-struct TimedRender {
-  Configuration configuration{};
-  int samples = 0;
-  double seconds = 0;  ///< building and tracing
-  std::uint64_t camera_samples = 0, rays = 0;
-};
-
-/// A picture that was compared with the reference.
-struct Evaluation {
-  Configuration configuration{};
-  int samples = 0;
-  Measured error{};
-  double error_spread = 0;
-  Difference difference{};
-  double flip = 0;
-  std::uint64_t scarce_emitters = 0;
-  double cut_share = 0;
-};
-
 /// A picture of one depth and seed.
 struct DepthProbe {
   int depth = 0;
   int round = 0;
   double mean = 0;  ///< radiance
   double seconds = 0;
-  double cut_share = 0;
+  double cut_paths = 0;
 };
 
 /// Whether deeper paths carry no significant light: the last doubling of the depth added none and
@@ -63,8 +43,7 @@ struct PrecisionProbe {
 struct StudyLedger {
   std::optional<StudyPlan> plan{};
   std::optional<Reference> reference{};
-  std::vector<TimedRender> renders{};
-  std::vector<Evaluation> evaluations{};
+  std::vector<Point> points{};  ///< as rendered, without the conclusions from all of them
   std::vector<DepthProbe> depths{};
   std::vector<PrecisionProbe> precisions{};
   std::string precision_bound{};  ///< in words
@@ -114,13 +93,15 @@ class Study {
   RenderSettings settings_of(const Configuration& configuration, int samples,
                              std::uint64_t seed) const;
   KernelRequest request_of(const Configuration& configuration) const;
+  Kernel kernel_of(const Configuration& configuration) const;
   std::vector<Configuration> configurations() const;
   ConfigurationCost try_configuration(const Configuration& configuration);
   /// From the trial of the own configuration.
   ConfigurationCost guess_configuration(const Configuration& configuration,
                                         const ConfigurationCost& own) const;
   void make_plan();
-  bool is_possible(const Configuration& configuration) const;
+  RenderResult render_once(const RenderSettings& settings, const Configuration& configuration);
+  /// nullopt if cancelled.
   std::optional<RenderResult> rendered(const Configuration& configuration, int samples,
                                        std::uint64_t seed, bool keeps_variance = false);
   bool is_done(const StudyTask& task) const;

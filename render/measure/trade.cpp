@@ -130,16 +130,7 @@ std::optional<SamplesForError> beyond_last(double goal, const Series& series,
   return std::nullopt;
 }
 
-}  // namespace
-
-std::string_view name_of(Dominance dominance) noexcept {
-  constexpr std::array<std::string_view, 3> kNames{"front", "not distinguished", "dominated"};
-  return kNames[static_cast<std::size_t>(dominance)];
-}
-
-namespace {
-
-/// The standing of `point` if only it and `other` existed.
+/// The dominance of `point` if only it and `other` existed.
 Dominance dominance_by(const Point& other, const Point& point) {
   const double quicker = point.seconds.value - other.seconds.value;
   const double nearer = point.error.value - other.error.value;

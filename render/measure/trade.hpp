@@ -10,7 +10,7 @@
 /// Conclusions from points: slopes, the Pareto front, and recommendations.
 namespace sdlc::render {
 
-/// Sets the standing of each point. Dominated: another point is clearly faster (their time
+/// Sets the dominance of each point. Dominated: another point is clearly faster (their time
 /// intervals do not overlap) and clearly more accurate, or equally accurate to the bit. Not
 /// distinguishable: another point is faster and more accurate, but not clearly so in both, or
 /// clearly faster with an overlapping error.

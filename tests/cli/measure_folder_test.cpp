@@ -3,12 +3,14 @@
 #include <string>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "render/math/fnv.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -17,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using nlohmann::json;
+/// In the order of the file, of which the digest depends.
+using json = nlohmann::ordered_json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -28,6 +31,13 @@ background { bottom: white, top: #80b3ff }
 sphere ball { center: (0, 0.5, 0), radius: 0.5, material: specular(color: tan, fuzz: 0.3) }
 render { width: 6, samples: 8, depth: 4 }
 )";
+
+/// The digest that makes a change of study.json look genuine.
+std::string digest_of(const json& study) {
+  render::Fnv1a hash;
+  hash.add(study.dump());
+  return fmt::format("{:016x}", hash.value());
+}
 
 class MeasureFolder : public testing::Test {
  protected:
@@ -101,17 +111,17 @@ TEST_F(MeasureFolder, IsRefusedWhereItHoldsFilesOfSomethingElse) {
 
 TEST_F(MeasureFolder, TakesNoNoticeOfFilesThatItsStudyDoesNotName) {
   ASSERT_EQ(run().exit_code, 0);
-  json study = json::parse(content_of(kept("study.json")));
+  json file = json::parse(content_of(kept("study.json")));
   // As saved before the reference was rendered.
+  json& study = file["study"];
   json& ledger = study["ledger"];
   ledger["reference"] = nullptr;
-  for (const char* name : {"renders", "evaluations", "depths", "precisions"}) {
-    ledger[name] = json::array();
-  }
-  study["details"] = nullptr;
+  for (const char* name : {"points", "depths", "precisions"}) ledger[name] = json::array();
+  study["layout"]["windows"] = json::array();
   study["pictures"] = json::array();
   study["digests"] = json::object();
-  write_text(kept("study.json"), study.dump());
+  file["digest"] = digest_of(study);
+  write_text(kept("study.json"), file.dump());
   write_text(kept("reference.f32"), "of a run that was killed");
   const ProgramResult again = run();
   EXPECT_EQ(again.exit_code, 0) << again.err;
@@ -119,31 +129,36 @@ TEST_F(MeasureFolder, TakesNoNoticeOfFilesThatItsStudyDoesNotName) {
   EXPECT_EQ(run().exit_code, 0);
 }
 
-TEST_F(MeasureFolder, IsRefusedWhereItsStudyDoesNotGoTogether) {
+TEST_F(MeasureFolder, IsRefusedWhereItsStudyWasChanged) {
   ASSERT_EQ(run().exit_code, 0);
   const json study = json::parse(content_of(kept("study.json")));
-  const auto expect_told = [&](const char* pointer, const json& value, const std::string& words) {
+  const auto expect_told = [&](const char* pointer, const json& value,
+                               const std::string& words = "it was changed") {
     json changed = study;
     changed[json::json_pointer(pointer)] = value;
     expect_refused(changed, words);
   };
-  expect_told("/ledger/renders", json::array(), "one of its `evaluations` was never timed");
-  expect_told("/ledger/plan/width", -16, "its `width` is not a whole number from 1 to");
-  expect_told("/ledger/plan/tasks/1/samples", 0, "`tasks`, number 2: its `samples` is not a whole");
-  expect_told("/ledger/plan/tasks/1/samples", 1e300, "its `samples` is not a whole number");
-  expect_told("/ledger/plan", nullptr, "it has results but no `plan`");
-  expect_told("/details/windows", json::array(), "its `windows` are empty");
-  expect_told("/details", nullptr, "it has `pictures` but no `windows`");
-  expect_told("/details/windows/0/x", 6, "its `x` is not a whole number from 0 to 5");
-  expect_told("/details/windows/0/width", 7, "its `width` is not a whole number from 1 to 6");
-  expect_told("/details/map", json::array({0, 1}), "its `map` is not a whole number from 1 to 6");
-  expect_told("/details/thumbnail", json::array({6}), "its `thumbnail` is not a list of two");
-  expect_told("/details/top", 0, "its `top` is not above 0");
-  expect_told("/pictures/0", 7, "its `pictures` is no text");
+  expect_told("/study/ledger/points", json::array());
+  expect_told("/study/ledger/points/0/timings", json::array());
+  expect_told("/study/ledger/plan/width", -16);
+  expect_told("/study/ledger/plan/tasks/1/samples", 1e300);
+  expect_told("/study/ledger/plan", nullptr);
+  expect_told("/study/layout/windows", json::array());
+  expect_told("/study/layout/windows/0/x", 6);
+  expect_told("/study/pictures/0", "../../etc/passwd");
+  expect_told("/study/digests/reference.f32", "0");
+  expect_told("/digest", "0");
+  expect_told("/digest", 7, "its `digest` is no text");
+  expect_told("/format", "other", "it is not a measurement");
+  json other_plan = study;
+  other_plan["study"]["ledger"]["plan"]["width"] = -16;
+  other_plan["digest"] = digest_of(other_plan["study"]);
+  expect_refused(other_plan, "its `width` is not a whole number from 0 to");
   json unnamed = study;
-  unnamed["digests"].erase("reference.f32");
+  unnamed["study"]["digests"].erase("reference.f32");
+  unnamed["digest"] = digest_of(unnamed["study"]);
   write_text(kept("study.json"), unnamed.dump());
-  EXPECT_THAT(run().err, HasSubstr("its study.json has no digest of reference.f32"));
+  EXPECT_THAT(run().err, HasSubstr("its reference.f32 is damaged"));
   write_text(kept("study.json"), study.dump());
   EXPECT_EQ(run().exit_code, 0);
 }

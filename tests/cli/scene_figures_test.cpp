@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "render/bvh/bvh.hpp"
+#include "render/wide/wide_scene.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -91,7 +91,7 @@ TEST(EstimateMemory, AddsUpWhatGrowsWithTheSpheres) {
   EXPECT_EQ(memory.spheres, 3000 * sizeof(render::Sphere));
   EXPECT_EQ(memory.motion, 3000 * sizeof(Vec3));
   EXPECT_EQ(memory.materials, 4 * sizeof(render::Material));
-  EXPECT_EQ(memory.bvh, render::Bvh::estimated_bytes(3000, true));
+  EXPECT_EQ(memory.bvh, render::WideScene<double>::estimated_bytes(scene, render::Search::Bvh));
   EXPECT_EQ(memory.picture, 5000 * sizeof(render::LinearRgb));
   EXPECT_EQ(memory.total(), memory.spheres + memory.motion + memory.materials + memory.bvh +
                                 5000 * sizeof(render::LinearRgb));

@@ -18,11 +18,7 @@ using testing::Not;
 std::string tick(double value) { return figure(value) + "!"; }
 
 ChartPoint point(double x, double y, std::string reading = "a reading") {
-  return {.x = {.value = x, .interval = {}},
-          .y = {.value = y, .interval = {}},
-          .look = MarkLook::Filled,
-          .reading = std::move(reading),
-          .remark = ""};
+  return {.x = {.value = x}, .y = {.value = y}, .reading = std::move(reading)};
 }
 
 Chart chart_of(std::vector<ChartPoint> points) {

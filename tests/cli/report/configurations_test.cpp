@@ -41,7 +41,7 @@ TEST(RenderFlags, SayWhatDiffersFromTheScenesOwn) {
   }
 }
 
-TEST(DescribeWay, NamesAllOfIt) {
+TEST(DescribeConfiguration, NamesAllOfIt) {
   EXPECT_EQ(describe_configuration(
                 {.sampler = Sobol, .light_sampling = On, .precision = Float, .depth = 16}),
             "Sobol', light sampling on, float, depth 16");
@@ -49,7 +49,7 @@ TEST(DescribeWay, NamesAllOfIt) {
             "independent, light sampling auto, mixed, depth 4");
 }
 
-TEST(DescribeWay, AmongOthersLeavesOutWhatAllShare) {
+TEST(DescribeConfiguration, AmongOthersLeavesOutWhatAllShare) {
   render::Measurement measurement;
   const auto add = [&](Configuration configuration) {
     measurement.series.push_back({.configuration = configuration, .points = {}, .slope = {}});

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/report/table.hpp"
+
 namespace sdlc::cli {
 namespace {
 
@@ -36,12 +38,18 @@ TEST(Base64, TakesAllBytes) {
   EXPECT_EQ(base64(std::string("\xff\xfe\xfd\x00\x80", 5)), "//79AIA=");
 }
 
-TEST(HtmlTable, HasHeadingsOfColumnsRowsAndGroups) {
-  HtmlTable table("Fruit & more", "Name|#Weight");
-  table.row().cell("apple").cell("3", "2 to 4");
+TEST(Html, IsPlainTextInATerminal) {
+  EXPECT_EQ(plain_text("<p class=\"x\">2\u00a0s &lt; <b>3</b>\u00a0s</p> &amp;lt; &quot;&#39;"),
+            "2 s < 3 s &lt; \"'");
+  EXPECT_EQ(plain_text("a <unfinished"), "a ");
+}
+
+TEST(Table, HasHeadingsOfColumnsRowsAndGroups) {
+  Table table("Fruit & more", "Name|#Weight");
+  table.row({"apple", {"3", "2 to 4"}});
   table.group("Nuts");
-  table.row().cell("almond").cell("1");
-  EXPECT_EQ(std::move(table).finish(),
+  table.row({"almond", "1"});
+  EXPECT_EQ(table.html(),
             R"(<div class="scroll" tabindex="0" role="region" aria-label="Fruit &amp; more"><table>
 <caption>Fruit &amp; more</caption>
 <thead><tr><th scope="col">Name</th><th scope="col" class="number">Weight</th></tr></thead>
@@ -52,6 +60,19 @@ TEST(HtmlTable, HasHeadingsOfColumnsRowsAndGroups) {
 <tr><th scope="row">almond</th><td class="number">1</td></tr>
 </tbody>
 </table></div>
+)");
+}
+
+TEST(Table, AlignsItsColumnsInATerminal) {
+  Table table("Fruit & more", "Name|-Only on the page|#Weight|Remark");
+  table.group("<b>Stone</b> fruit");
+  table.row({"plum &amp; co", "x", {"3", "2 to 4"}, "<i>sweet</i>"});
+  table.row({"cherry", "y", "1", ""});
+  EXPECT_EQ(table.text(), R"(Fruit & more
+  Name       Weight      Remark
+Stone fruit
+  plum & co  3 (2 to 4)  sweet
+  cherry     1
 )");
 }
 

@@ -122,13 +122,13 @@ std::vector<Degenerate> degenerates() {
       point.error = {.value = kInfinity, .interval = {kNan, kInfinity}};
       point.seconds = {.value = kNan, .interval = {kNan, kNan}};
       point.samples_per_second = point.rays_per_second = kInfinity;
-      point.flip = point.cut_share = kNan;
+      point.flip = point.cut_paths = kNan;
       point.difference.rmse = point.difference.relative_mse = kInfinity;
       point.difference.largest.value = -kInfinity;
     }
     for (render::DepthLoss& depth : m.depths) {
       depth.loss.value = kNan;
-      depth.seconds = kInfinity;
+      depth.relative_seconds = kInfinity;
     }
     for (render::Series& series : m.series) series.slope->value = kNan;
     m.reference->error = {.value = kInfinity, .interval = {0.1, kInfinity}};
@@ -227,7 +227,7 @@ TEST(HtmlReport, HasTheFiguresOfEachRender) {
           read(point.seconds, duration).value, read(point.seconds, duration).interval,
           figure(point.difference.rmse), figure(point.difference.relative_mse),
           figure(point.difference.trimmed_relative_mse), figure(point.flip),
-          figure(point.difference.largest.value), percent(point.cut_share)}) {
+          figure(point.difference.largest.value), percent(point.cut_paths)}) {
       EXPECT_THAT(table, testing::AnyOf(HasSubstr(">" + text + "<"), HasSubstr(">" + text + " <")));
     }
   }
@@ -252,7 +252,7 @@ TEST(HtmlReport, EscapesAllThatComesFromOutside) {
       .scene = hostile, .version = hostile, .command = hostile, .machine = {{hostile, hostile}}};
   report.picture.title = hostile;
   report.crops[0].title = report.crops[0].images[0].title = hostile;
-  report.against->earlier = hostile;
+  report.against->version = hostile;
   report.against->notes = report.notes = {hostile};
   const std::string page = html_report(report);
   EXPECT_EQ(markup_error(page), "");

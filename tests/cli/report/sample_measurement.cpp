@@ -59,7 +59,7 @@ void add_series(render::Measurement& measurement, const Law& law, int first, int
                                     .y = 97,
                                     .channel = static_cast<int>(number % 3)}};
     point.flip = 0.6 * std::sqrt(error);
-    point.cut_share = law.configuration.depth > 8 ? 0.0004 : 0.031;
+    point.cut_paths = law.configuration.depth > 8 ? 0.0004 : 0.031;
     point.scarce_emitters =
         law.configuration.light_sampling == render::LightSampling::Off && samples < 64;
     series.points.push_back(measurement.points.size());
@@ -153,8 +153,8 @@ render::Measurement sample_measurement() {
     measurement.depths.push_back(
         {.depth = depth,
          .loss = {.value = loss, .interval = {loss * 0.9 - 1e-5, loss * 1.1}},
-         .seconds = (1 - 0.6 * std::exp(-0.2 * depth)) / (1 - 0.6 * std::exp(-3.2)),
-         .cut_share = 2 * loss});
+         .relative_seconds = (1 - 0.6 * std::exp(-0.2 * depth)) / (1 - 0.6 * std::exp(-3.2)),
+         .cut_paths = 2 * loss});
   }
   measurement.depths_have_converged = true;
   measurement.precision = render::PrecisionDifference{
@@ -202,23 +202,21 @@ cli::Report sample_report(const render::Measurement& measurement) {
                   row("Shadow under the table", 48, 32, 6, 0.4)};
   report.error_maps = {row("Where the error is", 200, 112, 3, 1)};
   report.error_map_top = 0.5;
-  render::Comparison against{.earlier = "sdlc 0.1.0 (5b41410)",
+  render::Comparison against{.version = "sdlc 0.1.0 (5b41410)",
                              .points = {},
                              .time_ratio = around(0.91, 0.04),
                              .time = render::Verdict::Better,
                              .notes = {"the earlier one was made with seed 3"}};
   for (std::size_t i = 0; i < 4; ++i) {
     const render::Point& point = measurement.points[i];
-    against.points.push_back(
-        {.configuration = point.configuration,
-         .samples = point.samples,
-         .error_before = around(point.error.value * (i == 2 ? 1.4 : 1.01), 0.06),
-         .error_after = point.error,
-         .seconds_before = around(point.seconds.value / 0.91, 0.05),
-         .seconds_after = point.seconds,
-         .error = i == 2   ? render::Verdict::Better
-                  : i == 3 ? render::Verdict::Worse
-                           : render::Verdict::NotDistinguished});
+    render::Point before = point;
+    before.error = around(point.error.value * (i == 2 ? 1.4 : 1.01), 0.06);
+    before.seconds = around(point.seconds.value / 0.91, 0.05);
+    against.points.push_back({.before = before,
+                              .after = point,
+                              .error = i == 2   ? render::Verdict::Better
+                                       : i == 3 ? render::Verdict::Worse
+                                                : render::Verdict::NotDistinguished});
   }
   report.against = std::move(against);
   return report;

@@ -14,8 +14,8 @@ inline render::Point point(int samples, double seconds, double error,
   return {.configuration = configuration,
           .samples = samples,
           .timings = {seconds},
-          .seconds = measured(seconds, 0.02),
-          .error = measured(error, 0.02)};
+          .error = measured(error, 0.02),
+          .seconds = measured(seconds, 0.02)};
 }
 
 inline const render::Configuration kIndependent{.sampler = render::SamplerKind::Independent};

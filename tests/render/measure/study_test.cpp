@@ -116,7 +116,7 @@ TEST_F(StudyTest, TellsWhatDepthsLose) {
 std::vector<render::DepthProbe> probes(std::vector<std::pair<int, double>> means, double cut) {
   std::vector<render::DepthProbe> all;
   for (const auto& [depth, mean] : means) {
-    all.push_back({.depth = depth, .mean = mean, .cut_share = cut});
+    all.push_back({.depth = depth, .mean = mean, .cut_paths = cut});
   }
   return all;
 }
@@ -174,7 +174,7 @@ TEST_F(StudyTest, GoesOnWhereItWasStoppedAndComesToTheSame) {
 
   StudyLedger parts = short_ledger();
   for (int stops = 0; stops < 4; ++stops) run(parts, 3);
-  EXPECT_LT(parts.evaluations.size(), whole.evaluations.size());
+  EXPECT_LT(parts.points.size(), whole.points.size());
   run(parts);
   // The points beyond the plan depend on timing.
   for (const render::StudyTask& task : whole.plan->tasks) {
@@ -193,7 +193,7 @@ TEST_F(StudyTest, LosesNothingWhenItIsStopped) {
   StudyLedger ledger = short_ledger();
   run(ledger, 4);
   EXPECT_TRUE(ledger.reference);
-  EXPECT_EQ(ledger.evaluations.size(), 3u);
+  EXPECT_EQ(ledger.points.size(), 3u);
   const Measurement result = measurement(ledger);
   EXPECT_EQ(result.points.size(), 3u);
   EXPECT_FALSE(result.left_out.empty());
@@ -214,7 +214,9 @@ TEST_F(StudyTest, RecommendsForTheFullSizeWhereASmallerPictureWasMeasured) {
   StudyLedger ledger = short_ledger();
   for (render::ConfigurationCost& cost : ledger.plan->costs) cost.build_seconds = 1000;
   run(ledger);
-  for (render::TimedRender& render : ledger.renders) render.seconds += 1000;
+  for (Point& point : ledger.points) {
+    for (double& seconds : point.timings) seconds += 1000;
+  }
   ledger.other_seconds = 50;
   const Measurement at_size = measurement(ledger);
   render::RenderSettings larger = kSettings;

@@ -23,7 +23,7 @@ std::vector<Point> sobol_points() {
   return points;
 }
 
-TEST(Standings, WhatIsSlowerAndWorseBeyondTheIntervalsIsDominated) {
+TEST(MarkDominance, WhatIsSlowerAndWorseBeyondTheIntervalsIsDominated) {
   std::vector<Point> points{point(8, 1, 0.1), point(16, 2, 0.05), point(16, 3, 0.07, kIndependent)};
   mark_dominance(points);
   EXPECT_EQ(points[0].dominance, Dominance::Front);
@@ -31,7 +31,7 @@ TEST(Standings, WhatIsSlowerAndWorseBeyondTheIntervalsIsDominated) {
   EXPECT_EQ(points[2].dominance, Dominance::Dominated);
 }
 
-TEST(Standings, WhatIsSlowerAndWorseWithinThemIsNotDistinguished) {
+TEST(MarkDominance, WhatIsSlowerAndWorseWithinThemIsNotDistinguished) {
   std::vector<Point> points{point(16, 2, 0.05), point(16, 2.05, 0.07, kIndependent),
                             point(16, 3, 0.051, kIndependent)};
   mark_dominance(points);
@@ -39,20 +39,20 @@ TEST(Standings, WhatIsSlowerAndWorseWithinThemIsNotDistinguished) {
   EXPECT_EQ(points[2].dominance, Dominance::NotDistinguished) << "their errors overlap";
 }
 
-TEST(Standings, TheSamePictureMadeMoreSlowlyIsDominated) {
+TEST(MarkDominance, TheSamePictureMadeMoreSlowlyIsDominated) {
   std::vector<Point> points{point(16, 2, 0.05), point(16, 3, 0.05, kIndependent)};
   mark_dominance(points);
   EXPECT_EQ(points[0].dominance, Dominance::Front);
   EXPECT_EQ(points[1].dominance, Dominance::Dominated);
 }
 
-TEST(Standings, WhatIsClearlySlowerAndHardlyNearerIsNotDistinguished) {
+TEST(MarkDominance, WhatIsClearlySlowerAndHardlyNearerIsNotDistinguished) {
   std::vector<Point> points{point(16, 2, 0.05), point(16, 3, 0.0499, kIndependent)};
   mark_dominance(points);
   EXPECT_EQ(points[1].dominance, Dominance::NotDistinguished);
 }
 
-TEST(SeriesOfAWay, HaveTheSlopeOfTheirLine) {
+TEST(GroupByConfiguration, HaveTheSlopeOfTheirLine) {
   std::vector<Point> points = sobol_points();
   points.push_back(point(16, 1, 0.3, kIndependent));
   const std::vector<Series> series = group_by_configuration(points);
@@ -63,7 +63,7 @@ TEST(SeriesOfAWay, HaveTheSlopeOfTheirLine) {
   EXPECT_FALSE(series[1].slope) << "of one point there is none";
 }
 
-TEST(SeriesOfAWay, SayHowFarTheirPointsAreFromTheLine) {
+TEST(GroupByConfiguration, SayHowFarTheirPointsAreFromTheLine) {
   std::vector<Point> points = sobol_points();
   points[1].error = measured(points[1].error.value * 1.3, 0.02);
   const Series series = group_by_configuration(points).front();
@@ -104,7 +104,7 @@ TEST(SamplesForAnError, AreBeyondThePointsByTheSlopeAndNotForEver) {
   EXPECT_FALSE(samples_for(last / 1000, series, points));
 }
 
-TEST(SeriesOfAWay, HaveAnUncertainSlopeOfTwoPoints) {
+TEST(GroupByConfiguration, HaveAnUncertainSlopeOfTwoPoints) {
   const std::vector<Point> points{point(16, 1, 0.1), point(64, 4, 0.05)};
   const Series series = group_by_configuration(points).front();
   ASSERT_TRUE(series.slope);
@@ -113,7 +113,7 @@ TEST(SeriesOfAWay, HaveAnUncertainSlopeOfTwoPoints) {
   EXPECT_GT(series.slope->interval.to, -0.4);
 }
 
-TEST(Recommendations, KnowAWayOfTwoPointsBeyondThem) {
+TEST(Recommendations, KnowAConfigurationOfTwoPointsBeyondThem) {
   std::vector<Point> points{point(8, 1, 0.4), point(32, 4, 0.2), point(128, 16, 0.1)};
   const render::Configuration lights{.light_sampling = render::LightSampling::On};
   points.push_back(point(16, 3, 0.02, lights));
@@ -147,7 +147,7 @@ TEST(Goals, AreRoundErrorsThatThePointsReach) {
   EXPECT_TRUE(render::worthwhile_goals({}, {}).empty());
 }
 
-TEST(Recommendations, TakeTheQuickestWay) {
+TEST(Recommendations, TakeTheFastestConfiguration) {
   std::vector<Point> points{point(8, 1, 0.1), point(32, 4, 0.05)};
   const render::Configuration lights{.light_sampling = render::LightSampling::On};
   points.push_back(point(8, 1.5, 0.04, lights));
@@ -163,7 +163,7 @@ TEST(Recommendations, TakeTheQuickestWay) {
   EXPECT_GT(found->seconds.interval.to, 1.5);
 }
 
-TEST(Recommendations, KeepTheScenesOwnWayWhereNoOtherIsClearlyQuicker) {
+TEST(Recommendations, KeepTheScenesOwnConfigurationUnlessAnotherIsClearlyFaster) {
   std::vector<Point> points{point(8, 1, 0.1), point(32, 4, 0.05)};
   points.push_back(point(32, 3.9, 0.05, kIndependent));
   const auto found =

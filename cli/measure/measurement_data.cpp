@@ -1,0 +1,206 @@
+#include "cli/measure/measurement_data.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "cli/measure/json.hpp"
+
+namespace sdlc::cli {
+
+using render::Measurement;
+
+template <>
+inline constexpr std::tuple kMembers<render::Series>{WriteOnly("", &render::Series::configuration),
+                                                     WriteOnly("points", &render::Series::points),
+                                                     WriteOnly("slope", &render::Series::slope)};
+
+SDLC_MEMBERS(render::DepthLoss, depth, loss, relative_seconds, cut_paths)
+
+template <>
+inline constexpr std::tuple kMembers<render::PrecisionDifference>{
+    WriteOnly("taken", &render::PrecisionDifference::taken),
+    WriteOnly("other", &render::PrecisionDifference::other),
+    WriteOnly("bound", &render::PrecisionDifference::bound),
+    WriteOnly("refusal",
+              [](const render::PrecisionDifference& precision) {
+                return precision.refusal.empty() ? std::nullopt : std::optional(precision.refusal);
+              }),
+    WriteOnly("mean_difference", &render::PrecisionDifference::mean_difference),
+    WriteOnly("rms_difference", &render::PrecisionDifference::rms_difference),
+    WriteOnly("relative_seconds", &render::PrecisionDifference::seconds)};
+
+template <>
+inline constexpr std::tuple kMembers<render::Recommendation>{
+    WriteOnly("goal",
+              [](const render::Recommendation& choice) {
+                return choice.goal > 0 ? std::optional(choice.goal) : std::nullopt;
+              }),
+    WriteOnly("samples", &render::Recommendation::samples),
+    WriteOnly("", &render::Recommendation::configuration),
+    WriteOnly("is_measured", &render::Recommendation::is_measured),
+    WriteOnly("relative_error", &render::Recommendation::error),
+    WriteOnly("seconds", &render::Recommendation::seconds)};
+
+template <>
+inline constexpr std::tuple kMembers<render::LeftOut>{
+    WriteOnly("", &render::LeftOut::configuration),
+    WriteOnly("samples",
+              [](const render::LeftOut& left) {
+                return left.samples > 0 ? std::optional(left.samples) : std::nullopt;
+              }),
+    WriteOnly("reason", &render::LeftOut::reason)};
+
+template <>
+inline constexpr std::tuple kMembers<render::PointChange>{
+    WriteOnly(
+        "", [](const auto& change) -> auto& { return change.after.configuration; }),
+    WriteOnly("samples", [](const auto& change) { return change.after.samples; }),
+    WriteOnly("relative_error_before", [](const auto& change) { return change.before.error; }),
+    WriteOnly("relative_error", [](const auto& change) { return change.after.error; }),
+    WriteOnly("seconds_before", [](const auto& change) { return change.before.seconds; }),
+    WriteOnly("seconds", [](const auto& change) { return change.after.seconds; }),
+    WriteOnly("error", &render::PointChange::error)};
+
+SDLC_MEMBERS(render::Comparison, version, points, time_ratio, time, notes)
+
+namespace {
+
+constexpr const char* kFormat = "sdlc-measurement";
+constexpr int kFormatVersion = 1;
+
+Json recommendation_json(const Measurement& measurement, const render::Recommendation& choice) {
+  Json json = value_json(choice);
+  json["flags"] = render_flags(measurement, choice.configuration, choice.samples);
+  return json;
+}
+
+Json recommendations_json(const Measurement& measurement) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < measurement.recommendations.size(); ++i) {
+    all.push_back(recommendation_json(measurement, measurement.recommendations[i]));
+    all.back()["is_main"] = i == measurement.main_recommendation;
+  }
+  return all;
+}
+
+Json as_it_is_json(const Measurement& measurement) {
+  return measurement.as_it_is ? recommendation_json(measurement, *measurement.as_it_is) : Json();
+}
+
+}  // namespace
+
+template <>
+inline constexpr std::tuple kMembers<Measurement>{
+    Member("width", &Measurement::width, Range{1}),
+    Member("height", &Measurement::height, Range{1}),
+    Member("full_width", &Measurement::full_width, Range{1}),
+    Member("full_height", &Measurement::full_height, Range{1}),
+    WriteOnly("samples", &Measurement::own_samples),
+    Member("seed", &Measurement::seed),
+    Member("threads", &Measurement::threads, Range{1}),
+    WriteOnly("budget_seconds", &Measurement::budget_seconds),
+    WriteOnly("spent_seconds", &Measurement::spent_seconds),
+    WriteOnly("other_seconds", &Measurement::other_seconds),
+    WriteOnly("nonfinite_samples", &Measurement::nonfinite_samples),
+    Member("is_complete", &Measurement::is_complete),
+    WriteOnly("own", &Measurement::own),
+    WriteOnly("reference", &Measurement::reference),
+    Member("points", &Measurement::points),
+    WriteOnly("series", &Measurement::series),
+    WriteOnly("depths", &Measurement::depths),
+    WriteOnly("depths_have_converged", &Measurement::depths_have_converged),
+    WriteOnly("precision", &Measurement::precision),
+    WriteOnly("as_it_is", as_it_is_json),
+    WriteOnly("recommendations", recommendations_json),
+    WriteOnly("left_out", &Measurement::left_out)};
+
+template <>
+inline constexpr std::tuple kMembers<Provenance>{
+    Member("version", &Provenance::version), WriteOnly("command", &Provenance::command),
+    Member("machine", &Provenance::machine), WriteOnly("scene", &Provenance::scene),
+    Member("scene_digest", &Provenance::scene_digest)};
+
+namespace {
+
+std::string csv_text(const Json& json) {
+  if (json.is_null()) return "";
+  if (json.is_string()) return json.get<std::string>();
+  return json.is_number_float() ? fmt::to_string(json.get<double>()) : json.dump();
+}
+
+/// Calls `add(name, text)` for each cell. No text contains a comma, a quote or a line end.
+template <typename Add>
+void for_each_cell(const render::Point& point, Add&& add) {
+  const Json json = value_json(point);
+  for (const auto& [name, value] : json.items()) {
+    if (const std::string base = name.substr(0, name.rfind("_interval")); base != name) {
+      add(base + "_from", csv_text(value[0]));
+      add(base + "_to", csv_text(value[1]));
+    } else if (value.is_object()) {
+      for (const auto& [part, number] : value.items()) {
+        if (!number.is_string()) add(part == "value" ? name : name + "_" + part, csv_text(number));
+      }
+    } else {
+      add(name, value.is_array() ? fmt::to_string(value.size()) : csv_text(value));
+    }
+  }
+}
+
+}  // namespace
+
+std::string to_json(const Report& report) {
+  Json json{{"format", kFormat}, {"format_version", kFormatVersion}};
+  write_members(json, report.provenance);
+  write_members(json, report.measurement);
+  json["against"] = value_json(report.against);
+  json["notes"] = report.notes;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string to_csv(const Measurement& measurement) {
+  std::string names, rows;
+  const auto append = [](std::string& line, const std::string& text) {
+    if (!line.empty() && line.back() != '\n') line += ',';
+    line += text;
+  };
+  for_each_cell({}, [&](const std::string& name, const std::string&) { append(names, name); });
+  for (const render::Point& point : measurement.points) {
+    for_each_cell(point, [&](const std::string&, const std::string& text) { append(rows, text); });
+    rows += "\r\n";
+  }
+  return names + "\r\n" + rows;
+}
+
+EarlierMeasurement read_measurement(std::string_view text) {
+  const Json json = parse_json(text);
+  if (!json.is_object() || !json.contains("format") || json.at("format") != kFormat) {
+    throw std::invalid_argument("it is not a JSON report of `sdlc measure`");
+  }
+  int version = 0;
+  read_value(field(json, "format_version"), "format_version", {}, version);
+  if (version != kFormatVersion) {
+    throw std::invalid_argument(fmt::format(
+        "it has version {} of the format, and this sdlc reads {}", version, kFormatVersion));
+  }
+  EarlierMeasurement earlier;
+  read_members(json, earlier.provenance);
+  read_members(json, earlier.measurement);
+  for (std::size_t i = 0; i < earlier.measurement.points.size(); ++i) {
+    const render::Point& point = earlier.measurement.points[i];
+    const auto refuse = [&](const char* what) {
+      throw std::invalid_argument(fmt::format("`points`, number {}: {}", i + 1, what));
+    };
+    const bool is_timed = point.seconds.value > 0 &&
+                          std::ranges::all_of(point.timings, [](double s) { return s > 0; });
+    if (!is_timed) refuse("it took no time");
+    if (!(point.error.value >= 0)) refuse("its `relative_error` is invalid");
+  }
+  return earlier;
+}
+
+}  // namespace sdlc::cli
