@@ -395,7 +395,6 @@ void Study::run(std::optional<ReferencePicture> reference) {
   }
   run_recommended();
   run_longer();
-  run_recommended();
 }
 
 void Study::run_longer() {
@@ -416,18 +415,18 @@ void Study::run_longer() {
 }
 
 void Study::run_recommended() {
-  // Each point may change the recommendations: go on until all are measured, so that a resumed
-  // study has nothing to add.
-  while (!monitor_.cancel.load()) {
-    std::optional<StudyTask> next;
-    for (const Recommendation& recommended : measurement().recommendations) {
-      const StudyTask task{.configuration = recommended.configuration,
-                           .samples = recommended.samples};
-      if (is_done(task) || expected_seconds(task) > seconds_left()) continue;
-      next = task;
-      break;
+  // If a point misses its goal, try again with more samples.
+  constexpr int kTries = 3;
+  const std::size_t count = measurement().recommendations.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (int attempt = 0; attempt < kTries; ++attempt) {
+      const Measurement now = measurement();
+      if (i >= now.recommendations.size() || now.recommendations[i].is_measured) break;
+      const Recommendation& next = now.recommendations[i];
+      const StudyTask task{.configuration = next.configuration, .samples = next.samples};
+      if (is_done(task) || expected_seconds(task) > seconds_left()) break;
+      if (!run_and_account(task)) return;
     }
-    if (!next || !run_and_account(*next)) return;
   }
 }
 
