@@ -11,11 +11,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/numbers/format_numbers.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/words.hpp"
 #include "render/film/film.hpp"
-#include "render/scene/instances.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -47,7 +45,7 @@ void add_aov_option(CLI::App& command, Aovs& aovs) {
       ->allow_extra_args(false);  // FILE may follow
 }
 
-void check_aovs(const Aovs& aovs, const std::vector<Output>& outputs, const render::Scene& scene,
+void check_aovs(const Aovs& aovs, const std::vector<Output>& outputs,
                 const render::RenderSettings& settings) {
   if (!aovs.any()) return;
   const auto is_exr = [](const Output& output) {
@@ -65,32 +63,21 @@ void check_aovs(const Aovs& aovs, const std::vector<Output>& outputs, const rend
                     "{1}; use more, such as --samples {0}, or omit `variance`",
                     min_samples, settings.samples));
   }
-  if (!aovs.has_first_hits() || scene.instances.empty()) return;
-  if (const std::uint64_t spheres = count_spheres(scene); spheres > render::kMaxExpandedSpheres) {
-    throw UsageError(
-        fmt::format("--aov: `normal`, `depth` and `albedo` expand instances, which is limited to "
-                    "{} spheres, and this scene has {}; `variance` and `samples` are possible",
-                    format_whole(render::kMaxExpandedSpheres), format_whole(spheres)));
-  }
 }
 
 std::size_t aov_bytes(const Aovs& aovs, std::size_t pixels) noexcept {
   // Each channel, plus its part of the encoded file.
   const std::size_t channels = aovs.channels() * 2 * sizeof(float);
-  return pixels * (channels + (aovs.variance ? sizeof(render::LinearRgb) : 0));
+  return pixels * (channels + (aovs.variance ? sizeof(render::LinearRgb) : 0) +
+                   (aovs.has_features() ? sizeof(render::PixelFeatures) : 0));
 }
 
-void add_picture_layers(const Aovs& aovs, const render::RenderSettings& settings,
-                        const render::RenderResult& result, std::vector<render::Layer>& layers,
-                        std::ostream& err) {
+std::vector<render::Layer> picture_layers(const Aovs& aovs, const render::RenderSettings& settings,
+                                          const render::RenderResult& result, std::ostream& err) {
+  std::vector<render::Layer> layers = feature_layers(result.features, aovs);
   // Only a render with a goal counts the samples per pixel.
   const bool is_counted = result.is_complete || settings.has_goal();
   std::vector<std::string_view> missing;
-  if (aovs.has_first_hits() && layers.empty()) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (aovs.*kMembers[i]) missing.push_back(kWords[i]);
-    }
-  }
   if (aovs.variance) {
     if (is_counted && !result.variance.pixels.empty()) {
       std::ranges::move(render::variance_layers(result.variance), std::back_inserter(layers));
@@ -106,13 +93,14 @@ void add_picture_layers(const Aovs& aovs, const render::RenderSettings& settings
       missing.push_back("samples");
     }
   }
-  if (missing.empty()) return;
+  if (missing.empty()) return layers;
   const std::string reason =
       result.is_complete
           ? fmt::format("it takes at least {} samples per pixel, and there was time for {}",
                         render::kMinReplicatedSamples, result.min_samples)
           : "the render was interrupted";
   err << fmt::format("warning: --aov: without {}, as {}\n", fmt::join(missing, ", "), reason);
+  return layers;
 }
 
 }  // namespace sdlc::cli

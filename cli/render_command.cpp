@@ -37,7 +37,7 @@
 #include "lang/lower/lowered_scene.hpp"
 #include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"
-#include "render/aov/aov.hpp"
+#include "render/film/aov.hpp"
 #include "render/film/film.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/image.hpp"
@@ -171,11 +171,10 @@ double seconds_to_trace(const render::RenderSettings& settings, std::size_t outp
   return std::max(*settings.seconds - spent - to_write, kMinSecondsToTrace);
 }
 
-/// Traces with progress; Ctrl-C ends it early. Moves the scene's spheres away, and appends the
-/// first-hit channels of --aov to `layers`.
+/// Traces with progress; Ctrl-C ends it early. Moves the scene away.
 render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
                            const RenderOptions& options, RenderStatistics& statistics,
-                           std::vector<render::Layer>& layers, Environment& env) {
+                           Environment& env) {
   render::RenderMonitor monitor;
   monitor.on_tracing = [&] {
     // For ten million spheres, freed memory of the compiler and the BVH builder would keep 140 MB
@@ -185,13 +184,6 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
     render::preload_image_codec();
   };
   const InterruptGuard interrupt(monitor.cancel);
-  if (options.aovs.has_first_hits()) {
-    const auto start = std::chrono::steady_clock::now();
-    layers = first_hit_layers(lowered.scene, lowered.settings, options.aovs, monitor.cancel);
-    if (auto& seconds = lowered.settings.seconds) {
-      *seconds = std::max(*seconds - seconds_since(start), kMinSecondsToTrace);
-    }
-  }
   const ProgressReporter progress(progress_style(options, env), monitor, lowered.settings, env.err);
   return render::render(std::move(kernel), std::move(lowered.scene), lowered.settings, monitor);
 }
@@ -364,9 +356,10 @@ class RenderJob {
     }
 
     lowered.settings.keeps_variance = options_.aovs.variance;
+    lowered.settings.keeps_first_hits = options_.aovs.has_features();
     const render::RenderSettings settings = lowered.settings;
     const std::vector<Output> outputs = plan_outputs(output_request(lowered, frame));
-    check_aovs(options_.aovs, outputs, lowered.scene, settings);
+    check_aovs(options_.aovs, outputs, settings);
     check_memory(settings, options_.aovs);
     check_not_refused(kernel);
 
@@ -375,15 +368,14 @@ class RenderJob {
     }
     // Until here there is nothing to save, and a signal may end the process.
     if (!guard_) guard_.emplace(interrupted_);
-    std::vector<render::Layer> layers;
-    render::RenderResult result =
-        trace(lowered, std::move(kernel), options_, statistics, layers, env_);
+    render::RenderResult result = trace(lowered, std::move(kernel), options_, statistics, env_);
     result.build_seconds += choice_seconds;
     if (!result.is_complete) {
       if (result.camera_samples == 0) return conclude(options_, settings, result, {}, env_);
       env_.err << "interrupted; saving the partial picture" << std::endl;
     }
-    add_picture_layers(options_.aovs, settings, result, layers, env_.err);
+    const std::vector<render::Layer> layers =
+        picture_layers(options_.aovs, settings, result, env_.err);
     const auto write_start = std::chrono::steady_clock::now();
     Written written = write_pictures(outputs, options_, lowered, result, layers, env_);
     statistics.write_seconds = seconds_since(write_start);

@@ -15,15 +15,18 @@ double grey(LinearRgb c) noexcept { return (c.r + c.g + c.b) / 3; }
 
 }  // namespace
 
-std::size_t Film::bytes_per_pixel(std::uint64_t samples) noexcept {
+std::size_t Film::bytes_per_pixel(std::uint64_t samples, Channels channels) noexcept {
   const std::size_t replicates = samples < kMinReplicatedSamples ? 1 : kReplicates;
   const std::uint64_t count = (samples + replicates - 1) / replicates;
   const std::size_t values = SampleSum::values_of(0, static_cast<std::uint32_t>(count));
-  return replicates * (values * sizeof(LinearRgb) + sizeof(std::uint32_t));
+  const std::size_t sums = replicates * (values * sizeof(LinearRgb) + sizeof(std::uint32_t));
+  return sums + (channels == Channels::Color ? 0 : sizeof(FirstHitSums));
 }
 
-Film::Film(const FilmExtent& extent)
-    : extent_(extent), counts_(extent.pixels * extent.replicates) {}
+Film::Film(const FilmExtent& extent, Channels channels)
+    : extent_(extent),
+      counts_(extent.pixels * extent.replicates),
+      first_hits_(channels == Channels::Color ? 0 : extent.pixels) {}
 
 void Film::Deleter::operator()(LinearRgb* values) const noexcept { free_table(values); }
 
@@ -128,6 +131,10 @@ void OpenPixels::open(std::uint32_t largest_target) {
   const std::size_t slots = targets_.size() * film_.extent_.replicates;
   ends_.resize(slots);
   for (std::size_t i = 0; i < slots; ++i) ends_[i] = film_.end_of(first + i);
+  if (film_.channels() != Channels::Color) {
+    planned_hits_.resize(targets_.size());
+    added_hits_.resize(targets_.size());
+  }
   const std::uint32_t first_sample = film_.extent_.first_sample;
   stride_ = largest_target <= SampleSum::kBlock
                 ? 1
@@ -146,7 +153,8 @@ void OpenPixels::open(std::uint32_t largest_target) {
   }
 }
 
-void OpenPixels::plan(std::uint32_t max_blocks, std::vector<PixelRun>& runs) const {
+void OpenPixels::plan(std::uint32_t max_blocks, std::vector<PixelRun>& runs) {
+  std::ranges::fill(planned_hits_, FirstHitSums{});
   const std::uint32_t replicates = film_.extent_.replicates, first = film_.extent_.first_sample;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     const std::size_t slot = i * replicates;
@@ -161,6 +169,7 @@ void OpenPixels::plan(std::uint32_t max_blocks, std::vector<PixelRun>& runs) con
       // In place: a run is large to copy.
       PixelRun& run = runs.emplace_back();
       run.pixel = film_.extent_.first_pixel + begin_ + i;
+      if (!planned_hits_.empty()) run.first_hits = &planned_hits_[i];
       is_done = true;
       for (std::uint32_t r = 0; r < replicates; ++r) {
         if (next[r] >= target[r]) continue;
@@ -185,17 +194,29 @@ void OpenPixels::add(const PixelRun& run) noexcept {
     sum.extend(run.parts[r].sum, run.parts[r].count);
     ends_[slot] = sum.end();
   }
+  if (run.first_hits == nullptr) return;
+  added_hits_[pixel] += *run.first_hits;
+  *run.first_hits = {};  // other runs of the pixel have the same
+}
+
+bool OpenPixels::has_room(std::size_t pixel) const noexcept {
+  const std::uint32_t replicates = film_.extent_.replicates;
+  return std::ranges::all_of(
+      std::span(ends_).subspan(pixel * replicates, replicates), [&](std::uint32_t end) {
+        return SampleSum::values_of(film_.extent_.first_sample, end) <= film_.stride_;
+      });
 }
 
 void OpenPixels::close() noexcept {
-  const std::size_t first = begin_ * film_.extent_.replicates;
-  for (std::size_t i = 0; i < ends_.size(); ++i) {
-    if (!own_values_.empty()) {
-      const std::size_t values = SampleSum::values_of(film_.extent_.first_sample, ends_[i]);
-      if (values > film_.stride_) continue;
-      std::copy_n(values_ + i * stride_, values, film_.storage(first + i).begin());
+  const std::uint32_t replicates = film_.extent_.replicates;
+  for (std::size_t pixel = 0; pixel < targets_.size(); ++pixel) {
+    if (!has_room(pixel)) continue;
+    for (std::uint32_t r = 0; r < replicates; ++r) {
+      const std::size_t own = pixel * replicates + r, slot = begin_ * replicates + own;
+      if (!own_values_.empty()) std::ranges::copy(sum(own).values(), film_.storage(slot).begin());
+      film_.counts_[slot] = ends_[own] - film_.extent_.first_sample;
     }
-    film_.counts_[first + i] = ends_[i] - film_.extent_.first_sample;
+    if (!added_hits_.empty()) film_.first_hits_[begin_ + pixel] += added_hits_[pixel];
   }
 }
 

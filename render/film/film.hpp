@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "render/film/first_hits.hpp"
 #include "render/film/pixel_run.hpp"
 #include "render/film/sample_sum.hpp"
 #include "render/math/color.hpp"
@@ -51,18 +52,25 @@ struct FilmExtent {
   friend bool operator==(const FilmExtent&, const FilmExtent&) = default;
 };
 
+/// Whether a film has the sums of first hits, too.
+enum class Channels : bool { Color, ColorAndFirstHits };
+
 /// The exact sums of the samples of some pixels, by replicate. A film can be continued, in as many
 /// steps as one likes, with the same bits as in one step. Different threads may work on different
 /// pixels at the same time.
 class Film {
  public:
   /// The bytes of a pixel that has `samples` samples.
-  static std::size_t bytes_per_pixel(std::uint64_t samples) noexcept;
+  static std::size_t bytes_per_pixel(std::uint64_t samples,
+                                     Channels channels = Channels::Color) noexcept;
 
-  explicit Film(const FilmExtent& extent);
+  explicit Film(const FilmExtent& extent, Channels channels = Channels::Color);
 
   const FilmExtent& extent() const noexcept { return extent_; }
   std::size_t size() const noexcept { return extent_.pixels; }
+  Channels channels() const noexcept {
+    return first_hits_.empty() ? Channels::Color : Channels::ColorAndFirstHits;
+  }
 
   /// Makes room for pixels with these samples in their replicates, beside what each has. Not
   /// thread-safe.
@@ -79,6 +87,9 @@ class Film {
   /// Replaces the sum of a replicate, for which the film has room. `sum` begins at
   /// FilmExtent::first_sample.
   void set(std::size_t pixel, std::uint32_t replicate, const SampleSum& sum) noexcept;
+  /// Precondition: the film has them.
+  const FirstHitSums& first_hits(std::size_t pixel) const noexcept { return first_hits_[pixel]; }
+  FirstHitSums& first_hits(std::size_t pixel) noexcept { return first_hits_[pixel]; }
   /// Black if there is no sample.
   LinearRgb mean(std::size_t pixel) const noexcept;
   /// Precondition: each replicate has a sample.
@@ -109,9 +120,10 @@ class Film {
   std::array<LinearRgb, kReplicates> means(std::size_t pixel) const noexcept;
 
   FilmExtent extent_;
-  std::size_t stride_ = 0;             // values per sum
-  std::vector<std::uint32_t> counts_;  // by slot
-  Values values_;                      // by slot; undefined where there is no sample
+  std::size_t stride_ = 0;                // values per sum
+  std::vector<std::uint32_t> counts_;     // by slot
+  Values values_;                         // by slot; undefined where there is no sample
+  std::vector<FirstHitSums> first_hits_;  // by pixel
 };
 
 /// Some pixels of a film while they are traced. The film has their samples after close().
@@ -133,15 +145,16 @@ class OpenPixels {
 
   /// Appends the next runs: at most `max_blocks` for each pixel, nothing once all targets are
   /// reached.
-  void plan(std::uint32_t max_blocks, std::vector<PixelRun>& runs) const;
-  /// Adds a run after it is traced. Runs of a pixel come in the order of plan().
+  void plan(std::uint32_t max_blocks, std::vector<PixelRun>& runs);
+  /// Adds a run after all runs of plan() are traced. Runs of a pixel come in the order of plan().
   void add(const PixelRun& run) noexcept;
-  /// Drops new samples of a pixel that stopped short of its target if the film has no room for the
-  /// sum.
+  /// Drops the new samples of a pixel that stopped short of its target if the film has no room for
+  /// a sum.
   void close() noexcept;
 
  private:
   void open(std::uint32_t largest_target);
+  bool has_room(std::size_t pixel) const noexcept;
   SampleSum sum(std::size_t slot) const noexcept {
     return {{values_ + slot * stride_, stride_}, film_.extent_.first_sample, ends_[slot]};
   }
@@ -153,6 +166,8 @@ class OpenPixels {
   std::vector<std::uint32_t> ends_;
   LinearRgb* values_ = nullptr;
   std::size_t stride_ = 0;
+  // By pixel; empty without first hits. Those of the last plan(), and those of the runs before.
+  std::vector<FirstHitSums> planned_hits_, added_hits_;
 };
 
 }  // namespace sdlc::render

@@ -30,6 +30,7 @@ inline constexpr Tag kOrigin{'o', 'r', 'i', 'g'}, kStatistics{'s', 't', 'a', 't'
 struct StoredExtent {
   std::uint64_t first_pixel, pixels;
   std::uint32_t first_sample, replicates;
+  std::uint64_t has_first_hits;  ///< 0 or 1; the sums then follow those of colours, by pixel
 };
 static_assert(std::has_unique_object_representations_v<StoredExtent>);
 
@@ -45,7 +46,7 @@ void for_each_sum(const Film& film, Visit visit) {
 template <typename T>
 concept Plain = std::is_arithmetic_v<T> || std::is_same_v<T, std::byte> || std::is_same_v<T, Tag> ||
     std::is_same_v<T, StoredExtent> || std::is_same_v<T, FilmStatistics> ||
-    std::is_same_v<T, EmitterCount>;
+    std::is_same_v<T, EmitterCount> || std::is_same_v<T, FirstHitSums>;
 
 template <Plain T>
 std::span<const std::byte> bytes_of(const T& value) {

@@ -84,15 +84,22 @@ struct Plan {
 
 /// Writes the sums of a chain to the pixel of a film that has room for them.
 void join(const Chain& chain, std::uint64_t pixel, Film& film) {
+  const auto pixel_in = [&](const Film& of) {
+    return static_cast<std::size_t>(pixel - of.extent().first_pixel);
+  };
   std::array<LinearRgb, 2 * std::numeric_limits<std::uint32_t>::digits + 1> values;
   for (std::uint32_t r = 0; r < film.extent().replicates; ++r) {
     if (chain.counts[r] == 0) continue;
     SampleSum sum(values, chain.first, chain.first);
     for (const Film* part : chain.films) {
-      const auto at = static_cast<std::size_t>(pixel - part->extent().first_pixel);
+      const std::size_t at = pixel_in(*part);
       if (part->count(at, r) > 0) sum.append(part->sum(at, r));
     }
-    film.set(static_cast<std::size_t>(pixel - film.extent().first_pixel), r, sum);
+    film.set(pixel_in(film), r, sum);
+  }
+  if (film.channels() == Channels::Color) return;
+  for (const Film* part : chain.films) {
+    film.first_hits(pixel_in(film)) += part->first_hits(pixel_in(*part));
   }
 }
 
@@ -127,7 +134,8 @@ std::vector<Film> merge_films(std::vector<const Film*> films) {
     merged.emplace_back(FilmExtent{.first_pixel = plan.begin,
                                    .pixels = static_cast<std::size_t>(plan.end - plan.begin),
                                    .first_sample = first,
-                                   .replicates = films.front()->extent().replicates});
+                                   .replicates = films.front()->extent().replicates},
+                        films.front()->channels());
     merged.back().reserve(plan.counts);
   }
   for (std::uint64_t pixel = begin; pixel < end; ++pixel) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "render/film/first_hits.hpp"
 #include "render/math/color.hpp"
 
 namespace sdlc::render {
@@ -22,6 +23,7 @@ struct PixelRun {
 
   std::uint64_t pixel = 0;  ///< row by row from the top left of the picture
   std::array<Part, kReplicates> parts{};
+  FirstHitSums* first_hits = nullptr;  ///< to which those of the samples are added; may be null
 
   std::uint64_t samples() const noexcept {
     return std::uint64_t{parts[0].count} + parts[1].count + parts[2].count + parts[3].count;

@@ -115,12 +115,14 @@ class Reader {
     const auto stored = take<StoredExtent>();
     const bool is_sound = (stored.replicates == 1 || stored.replicates == kReplicates) &&
                           stored.first_sample % SampleSum::kBlock == 0 &&
+                          stored.has_first_hits <= 1 &&
                           stored.pixels <= section_ / (stored.replicates * sizeof(std::uint32_t));
     if (!is_sound) damaged("a film cannot be read");
     Film film({.first_pixel = stored.first_pixel,
                .pixels = static_cast<std::size_t>(stored.pixels),
                .first_sample = stored.first_sample,
-               .replicates = stored.replicates});
+               .replicates = stored.replicates},
+              stored.has_first_hits == 1 ? Channels::ColorAndFirstHits : Channels::Color);
     std::vector<ReplicateCounts> counts(film.size());
     for_each_sum(film, [&](std::size_t pixel, std::uint32_t r) {
       counts[pixel][r] = take<std::uint32_t>();
@@ -133,6 +135,9 @@ class Reader {
       take(std::as_writable_bytes(std::span(values)));
       film.set(pixel, r, SampleSum(values, stored.first_sample, end));
     });
+    for (std::size_t pixel = 0; stored.has_first_hits == 1 && pixel < film.size(); ++pixel) {
+      film.first_hits(pixel) = take<FirstHitSums>();
+    }
     film_.films.push_back(std::move(film));
   }
 

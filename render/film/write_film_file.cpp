@@ -56,9 +56,10 @@ void write_section(const WritePiece& write, Tag tag, std::span<const std::byte> 
 
 void write_film(const WritePiece& write, const Film& film) {
   const FilmExtent& extent = film.extent();
+  const bool has_first_hits = film.channels() != Channels::Color;
   const StoredExtent stored{extent.first_pixel, extent.pixels, extent.first_sample,
-                            extent.replicates};
-  std::uint64_t size = sizeof(stored);
+                            extent.replicates, has_first_hits ? 1u : 0u};
+  std::uint64_t size = sizeof(stored) + (has_first_hits ? film.size() * sizeof(FirstHitSums) : 0);
   for_each_sum(film, [&](std::size_t pixel, std::uint32_t r) {
     size += sizeof(std::uint32_t) + film.sum(pixel, r).values().size_bytes();
   });
@@ -71,6 +72,9 @@ void write_film(const WritePiece& write, const Film& film) {
   for_each_sum(film, [&](std::size_t pixel, std::uint32_t r) {
     section.add(std::as_bytes(film.sum(pixel, r).values()));
   });
+  for (std::size_t pixel = 0; has_first_hits && pixel < film.size(); ++pixel) {
+    section.add(bytes_of(film.first_hits(pixel)));
+  }
   section.end();
 }
 

@@ -27,7 +27,7 @@ double root_mean_square(LinearRgb c) noexcept {
   return largest * std::sqrt((unit.r * unit.r + unit.g * unit.g + unit.b * unit.b) / 3);
 }
 
-/// The kinds of path that are possible with the scene's surfaces and depth limit.
+/// Whether some surface scatters so that light continues.
 struct Surfaces {
   bool diffuse = false;
   bool specular = false;  // mirrors or glass
@@ -81,27 +81,11 @@ double poisson_limit(double n) noexcept {
 
 }  // namespace
 
-EmitterTally::EmitterTally(const Scene& scene, std::span<const std::uint32_t> lights,
-                           int max_depth) {
-  count_emitters(scene);
-  classify(scene, lights, max_depth);
-}
-
-void EmitterTally::count_emitters(const Scene& scene) {
-  const std::vector<std::uint32_t> emitters = choose_lights(scene, LightSampling::On);
-  if (emitters.empty()) return;
-  paths_ = std::vector<Count>(scene.spheres.size());
-  for (Count& paths : paths_) paths.store(kEnough, std::memory_order_relaxed);
-  for (const std::uint32_t i : emitters) paths_[i].store(0, std::memory_order_relaxed);
-  scarce_ = emitters.size();
-}
-
-void EmitterTally::classify(const Scene& scene, std::span<const std::uint32_t> lights,
-                            int max_depth) {
-  classes_of_spheres_.assign(scene.spheres.size(), kNoClass);
+EmitterClasses::EmitterClasses(const Scene& scene, std::span<const std::uint32_t> lights)
+    : emitters(choose_lights(scene, LightSampling::On)), of_spheres(scene.spheres.size(), kNone) {
   const Surfaces surfaces(scene);
   // Without scattering surfaces every path is a camera ray, and unlit spheres are plain pixels.
-  if (!surfaces.diffuse && !surfaces.specular && paths_.empty()) return;
+  if (!surfaces.diffuse && !surfaces.specular && emitters.empty()) return;
 
   double brightest = 0;
   for (const Material& material : scene.materials) {
@@ -111,7 +95,7 @@ void EmitterTally::classify(const Scene& scene, std::span<const std::uint32_t> l
 
   constexpr int kOctaves = 64;  // below the brightest; the last class includes everything darker
   std::array<std::uint8_t, 2 * kOctaves> class_of_octave;
-  class_of_octave.fill(kNoClass);
+  class_of_octave.fill(kNone);
   const ViewPyramid view(scene.camera);
   const Rebase rebase(scene);
   for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
@@ -121,35 +105,47 @@ void EmitterTally::classify(const Scene& scene, std::span<const std::uint32_t> l
     const bool is_sampled = std::ranges::binary_search(lights, i);
     const double below = std::fmin(std::log2(brightest / radiance), kOctaves - 1);
     std::uint8_t& id = class_of_octave[2 * static_cast<std::size_t>(below) + (is_sampled ? 1 : 0)];
-    if (id == kNoClass) {
-      id = static_cast<std::uint8_t>(classes_.size());
-      classes_.push_back({.sphere = i});
+    if (id == kNone) {
+      id = static_cast<std::uint8_t>(classes.size());
+      classes.push_back({.sphere = i});
     }
-    classes_of_spheres_[i] = id;
-    Class& c = classes_[id];
+    of_spheres[i] = id;
+    Class& c = classes[id];
     c.radiance = std::fmax(c.radiance, radiance);
     const Sphere sphere = rebase.sphere(scene.spheres[i]);
     const Vec3 shift = scene.shifts.empty() ? Vec3{} : rebase.shift(scene.shifts[i]);
     // A bounding sphere of the sphere's whole motion.
     c.kinds[index_of(LightPath::Visible)] |=
         view.may_show(sphere.center + shift / 2, sphere.radius + moderate_length(shift) / 2);
-    c.kinds[index_of(LightPath::Reflected)] = surfaces.specular && max_depth >= 2;
+    c.kinds[index_of(LightPath::Reflected)] = surfaces.specular;
     // Each connection contributes little, and its noise shows up in the replicates.
-    c.kinds[index_of(LightPath::Direct)] = surfaces.diffuse && !is_sampled && max_depth >= 2;
-    c.kinds[index_of(LightPath::Caustic)] = surfaces.diffuse && surfaces.specular && max_depth >= 3;
+    c.kinds[index_of(LightPath::Direct)] = surfaces.diffuse && !is_sampled;
+    c.kinds[index_of(LightPath::Caustic)] = surfaces.diffuse && surfaces.specular;
   }
-  found_ = std::vector<std::array<Count, kLightPaths>>(classes_.size());
-  for (const Class& c : classes_) {
-    open_ += static_cast<std::size_t>(std::ranges::count(c.kinds, true));
+}
+
+EmitterTally::EmitterTally(const EmitterClasses& classes, int max_depth)
+    : classes_(classes), found_(classes.classes.size()) {
+  is_deep_enough_[index_of(LightPath::Visible)] = true;
+  is_deep_enough_[index_of(LightPath::Reflected)] = max_depth >= 2;
+  is_deep_enough_[index_of(LightPath::Direct)] = max_depth >= 2;
+  is_deep_enough_[index_of(LightPath::Caustic)] = max_depth >= 3;
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    for (std::size_t kind = 0; kind < kLightPaths; ++kind) open_ += counts(i, kind) ? 1 : 0;
   }
+  if (classes.emitters.empty()) return;
+  paths_ = std::vector<Count>(classes.of_spheres.size());
+  for (Count& paths : paths_) paths.store(kEnough, std::memory_order_relaxed);
+  for (const std::uint32_t i : classes.emitters) paths_[i].store(0, std::memory_order_relaxed);
+  scarce_ = classes.emitters.size();
 }
 
 template <typename Tally, typename Visit>
 void EmitterTally::for_each_count(Tally& tally, Visit visit) {
   for (auto& paths : tally.paths_) visit(paths, kEnough, tally.scarce_);
-  for (std::size_t i = 0; i < tally.classes_.size(); ++i) {
+  for (std::size_t i = 0; i < tally.found_.size(); ++i) {
     for (std::size_t kind = 0; kind < kLightPaths; ++kind) {
-      if (!tally.classes_[i].kinds[kind]) continue;
+      if (!tally.counts(i, kind)) continue;
       visit(tally.found_[i][kind], witnesses(static_cast<LightPath>(kind)), tally.open_);
     }
   }
@@ -183,15 +179,15 @@ std::vector<ReachedEmitter> EmitterTally::scarce() const {
 
 std::vector<RarePath> EmitterTally::rare() const {
   std::vector<RarePath> rare;
-  for (std::size_t i = 0; i < classes_.size(); ++i) {
+  for (std::size_t i = 0; i < found_.size(); ++i) {
     for (std::size_t kind = 0; kind < kLightPaths; ++kind) {
       const std::uint8_t paths = found_[i][kind].load(std::memory_order_relaxed);
       const auto path = static_cast<LightPath>(kind);
-      if (!classes_[i].kinds[kind] || paths >= witnesses(path)) continue;
+      if (!counts(i, kind) || paths >= witnesses(path)) continue;
       rare.push_back({.kind = path,
                       .paths = paths,
-                      .sphere = classes_[i].sphere,
-                      .radiance = classes_[i].radiance});
+                      .sphere = classes_.classes[i].sphere,
+                      .radiance = classes_.classes[i].radiance});
     }
   }
   return rare;

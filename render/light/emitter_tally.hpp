@@ -35,6 +35,7 @@ enum class LightPath : std::uint8_t {
   Caustic,    ///< E … D S+ L: connections cannot find it
 };
 inline constexpr std::size_t kLightPaths = 4;
+constexpr std::size_t index_of(LightPath kind) noexcept { return static_cast<std::size_t>(kind); }
 
 /// What a path hit before it reached an emitter.
 struct PathHistory {
@@ -57,12 +58,29 @@ struct RarePath {
   double radiance;       ///< of the brightest emitter: root mean square over channels
 };
 
-/// Counts the paths that reach emitters, up to the numbers that matter. Spheres of prototypes are
-/// not counted. Any thread may count; totals do not depend on the order.
-///
-/// Emissive spheres are counted individually, over all kinds of path. Kinds of path are counted per
-/// class. A class consists of emissive and unlit spheres whose radiance agrees to a factor of 2,
-/// and of which all or none are sampled lights.
+/// The emitters of a scene. A class consists of emissive and unlit spheres whose radiance agrees to
+/// a factor of 2, and of which all or none are sampled lights. Spheres of prototypes have none.
+struct EmitterClasses {
+  static constexpr std::uint8_t kNone = 0xFF;
+
+  struct Class {
+    std::uint32_t sphere = 0;               ///< the first of the class
+    double radiance = 0;                    ///< of the brightest
+    std::array<bool, kLightPaths> kinds{};  ///< that are possible in the scene, at any depth
+  };
+
+  std::vector<std::uint32_t> emitters;  ///< the emissive spheres
+  std::vector<Class> classes;
+  std::vector<std::uint8_t> of_spheres;  ///< the class of each sphere, or kNone
+
+  EmitterClasses() = default;
+  /// `lights`: the spheres from choose_lights(), for which Direct paths are found by connections.
+  EmitterClasses(const Scene& scene, std::span<const std::uint32_t> lights);
+};
+
+/// Counts the paths that reach emitters, up to the numbers that matter. Any thread may count;
+/// totals do not depend on the order. Emissive spheres are counted individually, over all kinds of
+/// path; kinds of path are counted per class.
 class EmitterTally {
  public:
   /// An emitter found by this many paths was not found by accident.
@@ -76,8 +94,8 @@ class EmitterTally {
   /// still be off by one path. After this many paths that error cannot go unnoticed.
   static constexpr std::uint8_t kEvenWitnesses = 255;
 
-  /// `lights`: the spheres from choose_lights(), for which Direct paths are found by connections.
-  EmitterTally(const Scene& scene, std::span<const std::uint32_t> lights, int max_depth);
+  /// For paths of at most `max_depth` rays. Keeps a reference to `classes`.
+  EmitterTally(const EmitterClasses& classes, int max_depth);
 
   /// Whether some count still matters. Afterwards count() need not be called.
   bool is_counting() const noexcept {
@@ -88,8 +106,8 @@ class EmitterTally {
   /// is_counting() was true.
   void count(std::uint32_t sphere, LightPath kind) noexcept {
     if (!paths_.empty()) add(paths_[sphere], kEnough, scarce_);
-    const std::uint8_t of = classes_of_spheres_[sphere];
-    if (of == kNoClass || !classes_[of].kinds[index_of(kind)]) return;
+    const std::uint8_t of = classes_.of_spheres[sphere];
+    if (of == EmitterClasses::kNone || !counts(of, index_of(kind))) return;
     add(found_[of][index_of(kind)], witnesses(kind), open_);
   }
 
@@ -103,21 +121,11 @@ class EmitterTally {
   std::vector<RarePath> rare() const;
 
  private:
-  static constexpr std::uint8_t kNoClass = 0xFF;
   using Count = std::atomic<std::uint8_t>;
-
-  struct Class {
-    std::uint32_t sphere = 0;  // the first of the class
-    double radiance = 0;
-    std::array<bool, kLightPaths> kinds{};  // the kinds to count
-  };
 
   static constexpr std::uint8_t witnesses(LightPath kind) noexcept {
     const bool is_even = kind == LightPath::Visible || kind == LightPath::Reflected;
     return is_even ? kEvenWitnesses : kWitnesses;
-  }
-  static constexpr std::size_t index_of(LightPath kind) noexcept {
-    return static_cast<std::size_t>(kind);
   }
   /// Increments `count` up to `enough`, and decrements `left` when it gets there.
   static void add(Count& count, std::uint8_t enough, std::atomic<std::size_t>& left) noexcept {
@@ -132,15 +140,17 @@ class EmitterTally {
   /// Calls `visit(count, enough, left)` with each count.
   template <typename Tally, typename Visit>
   static void for_each_count(Tally& tally, Visit visit);
-  void count_emitters(const Scene& scene);
-  void classify(const Scene& scene, std::span<const std::uint32_t> lights, int max_depth);
+  /// Whether paths of this kind to this class are counted.
+  bool counts(std::size_t of, std::size_t kind) const noexcept {
+    return classes_.classes[of].kinds[kind] && is_deep_enough_[kind];
+  }
 
+  const EmitterClasses& classes_;
+  std::array<bool, kLightPaths> is_deep_enough_;
   std::vector<Count> paths_;  // kEnough for non-emitters; empty if there are no emitters
   std::atomic<std::size_t> scarce_{0};
 
-  std::vector<Class> classes_;
-  std::vector<std::uint8_t> classes_of_spheres_;  // empty if nothing emits
-  std::vector<std::array<Count, kLightPaths>> found_;
+  std::vector<std::array<Count, kLightPaths>> found_;  // by class
   std::atomic<std::size_t> open_{0};  // number of (class, kind) pairs with too few paths
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 
@@ -17,8 +18,9 @@ inline void* allocate_table(std::size_t bytes) {
   constexpr std::size_t kVector = 64, kHugePage = std::size_t{1} << 21;
   const bool is_large = bytes >= 4 * kHugePage;
   const std::size_t alignment = is_large ? kHugePage : kVector;
+  if (bytes > PTRDIFF_MAX - kHugePage) throw std::bad_alloc();
   const std::size_t size = (bytes + alignment - 1) / alignment * alignment;
-  void* const memory = size < bytes ? nullptr : std::aligned_alloc(alignment, size);
+  void* const memory = std::aligned_alloc(alignment, size);
   if (memory == nullptr && bytes > 0) throw std::bad_alloc();
 #if defined(MADV_HUGEPAGE)
   if (is_large) ::madvise(memory, size, MADV_HUGEPAGE);  // only advice: errors do not matter

@@ -94,7 +94,25 @@ RenderResult Study::render_once(const RenderSettings& settings,
                                 const Configuration& configuration) {
   monitor_.samples_done = 0;
   monitor_.rays_done = 0;
-  return render(scene_, settings, monitor_, request_of(configuration));
+  return render(*prepared(settings, configuration), settings, monitor_);
+}
+
+std::shared_ptr<const PreparedScene> Study::prepared(const RenderSettings& settings,
+                                                     const Configuration& configuration) {
+  const std::array<int, 2> size{settings.width, settings.height};
+  const auto known = std::ranges::find_if(prepared_, [&](const Prepared& one) {
+    return one.configuration == configuration && one.size == size;
+  });
+  if (known != prepared_.end()) {
+    std::rotate(prepared_.begin(), known, std::next(known));
+  } else {
+    constexpr std::size_t kKept = 2;
+    if (prepared_.size() == kKept) prepared_.pop_back();
+    prepared_.insert(prepared_.begin(), {configuration, size,
+                                         std::make_shared<const PreparedScene>(prepare(
+                                             scene_, settings, request_of(configuration)))});
+  }
+  return prepared_.front().scene;
 }
 
 std::vector<Configuration> Study::configurations() const {

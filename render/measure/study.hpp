@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +15,7 @@
 #include "render/measure/reference_error.hpp"
 #include "render/scene/scene.hpp"
 #include "render/tiles/kernel.hpp"
+#include "render/tiles/prepared_scene.hpp"
 #include "render/tiles/render.hpp"
 
 namespace sdlc::render {
@@ -94,6 +96,9 @@ class Study {
                              std::uint64_t seed) const;
   KernelRequest request_of(const Configuration& configuration) const;
   Kernel kernel_of(const Configuration& configuration) const;
+  /// The scene prepared for a configuration, which the next renders use again.
+  std::shared_ptr<const PreparedScene> prepared(const RenderSettings& settings,
+                                                const Configuration& configuration);
   std::vector<Configuration> configurations() const;
   ConfigurationCost try_configuration(const Configuration& configuration);
   /// From the trial of the own configuration.
@@ -133,6 +138,13 @@ class Study {
   RenderMonitor& monitor_;
   Configuration own_{};
   std::optional<ReferencePicture> reference_{};
+  /// The scenes that were used last. Two, so that two configurations can be compared in turn.
+  struct Prepared {
+    Configuration configuration;
+    std::array<int, 2> size;
+    std::shared_ptr<const PreparedScene> scene;
+  };
+  std::vector<Prepared> prepared_;
   double spent_before_ = 0;
   double predicted_ = 0, taken_ = 0;  // totals of this run
   std::chrono::steady_clock::time_point start_{};

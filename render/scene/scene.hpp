@@ -114,6 +114,8 @@ struct RenderSettings {
   std::optional<double> seconds{};
   bool is_adaptive = false;     ///< with `error`: more samples for noisier pixels
   bool keeps_variance = false;  ///< keep it per pixel, in RenderResult::variance and spreads
+  bool keeps_first_hits =
+      false;  ///< average the first hits of each pixel, in RenderResult::features
 
   bool has_goal() const noexcept { return error || seconds; }
   /// With one sample per pixel, it goes through the pixel's centre.

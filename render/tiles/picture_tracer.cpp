@@ -15,9 +15,13 @@ constexpr std::size_t kRunsPerBatch = 4096;
 
 }  // namespace
 
-PictureTracer::PictureTracer(const Tracer& tracer, const RenderSettings& settings, int threads,
-                             RenderMonitor& monitor)
-    : tracer_(tracer), settings_(settings), threads_(threads), monitor_(monitor) {}
+PictureTracer::PictureTracer(const Tracer& tracer, const RenderSettings& settings,
+                             EmitterTally& emitters, int threads, RenderMonitor& monitor)
+    : tracer_(tracer),
+      settings_(settings),
+      emitters_(emitters),
+      threads_(threads),
+      monitor_(monitor) {}
 
 std::size_t PictureTracer::pixels_per_tile(std::size_t pixels,
                                            std::uint64_t samples) const noexcept {
@@ -59,7 +63,7 @@ bool PictureTracer::trace_tile(Film& film, std::size_t begin, std::size_t end, c
     is_whole = runs.empty();
     if (is_whole || is_late()) break;
     TraceCounts counts;
-    if (!tracer_.trace(runs, counts, monitor_.cancel)) break;
+    if (!tracer_.trace(settings_, &emitters_, runs, counts, monitor_.cancel)) break;
     std::uint64_t samples = 0;
     for (const PixelRun& run : runs) {
       pixels.add(run);
@@ -100,7 +104,7 @@ void PictureTracer::trace_tiles(const FilmExtent& extent, const ReplicateCounts&
                   FilmExtent tile = extent;
                   tile.first_pixel += begin;
                   tile.pixels = end - begin;
-                  Film film(tile);
+                  Film film(tile, channels_of(settings_));
                   film.reserve(std::span(&target, 1));
                   const bool is_whole = trace_tile(
                       film, 0, film.size(), [&](std::size_t) { return target; },

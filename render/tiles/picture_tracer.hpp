@@ -8,8 +8,9 @@
 
 #include "render/film/film.hpp"
 #include "render/image/picture.hpp"
+#include "render/light/emitter_tally.hpp"
 #include "render/tiles/render.hpp"
-#include "render/tiles/tracer.hpp"
+#include "render/wide/tracer.hpp"
 
 namespace sdlc::render {
 
@@ -18,8 +19,8 @@ namespace sdlc::render {
 class PictureTracer {
  public:
   /// Keeps references to all arguments.
-  PictureTracer(const Tracer& tracer, const RenderSettings& settings, int threads,
-                RenderMonitor& monitor);
+  PictureTracer(const Tracer& tracer, const RenderSettings& settings, EmitterTally& emitters,
+                int threads, RenderMonitor& monitor);
 
   /// The number of samples that a pixel shall have in each replicate.
   using Target = std::function<ReplicateCounts(std::size_t pixel)>;
@@ -50,6 +51,7 @@ class PictureTracer {
 
   const Tracer& tracer_;
   const RenderSettings& settings_;
+  EmitterTally& emitters_;
   int threads_;
   RenderMonitor& monitor_;
   std::atomic<std::uint64_t> truncated_{0};

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -12,18 +11,19 @@
 #include "render/light/emitter_tally.hpp"
 #include "render/tiles/goal_render.hpp"
 #include "render/tiles/picture_tracer.hpp"
-#include "render/tiles/tracer.hpp"
 #include "render/tiles/workers.hpp"
 
 namespace sdlc::render {
 namespace {
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 /// Renders without a goal. `film` may be null.
-void render_at_once(PictureTracer& tracer, const RenderSettings& settings,
+void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderSettings& settings,
                     const RenderMonitor& monitor, Film* film, RenderResult& result) {
   const auto samples = static_cast<std::uint64_t>(settings.samples);
   result.max_samples = samples;
@@ -36,19 +36,23 @@ void render_at_once(PictureTracer& tracer, const RenderSettings& settings,
   if (has_replicates && settings.keeps_variance) {
     result.variance = Picture(settings.width, settings.height);
   }
+  if (settings.keeps_first_hits) result.features.resize(extent.pixels);
   const auto take_tile = [&](const Film& tile, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t pixel = tile.extent().first_pixel + i;
       result.picture.pixels[pixel] = tile.mean(i);
       if (!spreads.empty()) spreads[pixel] = tile.spread(i);
       if (!result.variance.pixels.empty()) result.variance.pixels[pixel] = tile.variance(i);
+      if (settings.keeps_first_hits) {
+        result.features[pixel] = tracer.features_of(tile.first_hits(i), tile.samples(i));
+      }
     }
   };
   if (film == nullptr) {
-    tracer.trace_tiles(extent, target, take_tile);
+    pictures.trace_tiles(extent, target, take_tile);
   } else {
     film->reserve(std::span(&target, 1));
-    tracer.trace_pass(
+    pictures.trace_pass(
         *film, samples, [&](std::size_t) { return target; }, [] { return false; }, take_tile);
   }
   if (monitor.cancel.load()) return;  // some pixels have no sample
@@ -57,60 +61,36 @@ void render_at_once(PictureTracer& tracer, const RenderSettings& settings,
   if (settings.keeps_variance) result.spreads = std::move(spreads);
 }
 
-}  // namespace
-
-FilmExtent extent_of(const RenderSettings& settings) noexcept {
-  const bool has_replicates =
-      settings.has_goal() || settings.samples >= static_cast<int>(kMinReplicatedSamples);
-  return {.pixels =
-              static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height),
-          .replicates = has_replicates ? kReplicates : 1};
-}
-
-RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor,
-                    const KernelRequest& request) {
-  const auto start = std::chrono::steady_clock::now();
-  Kernel kernel = choose_kernel(scene, settings, request);
-  const double choice_seconds = seconds_since(start);
-  RenderResult result = render(std::move(kernel), std::move(scene), settings, monitor);
-  result.build_seconds += choice_seconds;
-  return result;
-}
-
-RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
-                    RenderMonitor& monitor) {
-  return render(std::move(kernel), std::move(scene), settings, monitor, nullptr);
-}
-
-RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
-                    RenderMonitor& monitor, Film* film) {
-  const auto start = std::chrono::steady_clock::now();
+/// RenderSettings::seconds counts from `start`. `film` may be null.
+RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
+                          const RenderSettings& settings, RenderMonitor& monitor, Film* film) {
   std::optional<Film> own;
   if (film == nullptr && (settings.has_goal() || monitor.on_pass)) {
-    film = &own.emplace(extent_of(settings));
+    film = &own.emplace(extent_of(settings), channels_of(settings));
   }
   RenderResult result;
   result.picture = Picture(settings.width, settings.height);
+  result.kernel = scene.kernel();
+  result.build_seconds = scene.build_seconds();
+  result.bvh_bytes = scene.memory_bytes();
   Workers workers(settings.threads);
   result.threads = workers.count();
-  const auto build_start = std::chrono::steady_clock::now();
-  result.kernel = std::move(kernel);
-  EmitterTally emitters(scene, result.kernel.lights, settings.depth);
-  const std::unique_ptr<const Tracer> tracer =
-      workers.run([&] { return make_tracer(result.kernel, std::move(scene), settings, emitters); });
-  result.kernel.bounds.near_pairs.reset();  // for a lattice of touching spheres it is larger than
-                                            // the spheres
-  result.build_seconds = seconds_since(build_start);
-  result.bvh_bytes = tracer->memory_bytes();
+  EmitterTally emitters(scene.emitters(), settings.depth);
   if (monitor.on_tracing) monitor.on_tracing();
 
-  const auto render_start = std::chrono::steady_clock::now();
-  PictureTracer pictures(*tracer, settings, result.threads, monitor);
+  const auto render_start = Clock::now();
+  PictureTracer pictures(scene.tracer(), settings, emitters, result.threads, monitor);
   workers.run([&] {
     if (settings.has_goal()) {
       GoalRender(pictures, settings, emitters, start, monitor, *film, result).run();
+      if (settings.keeps_first_hits) {
+        for (std::size_t i = 0; i < film->size(); ++i) {
+          result.features.push_back(
+              scene.tracer().features_of(film->first_hits(i), film->samples(i)));
+        }
+      }
     } else {
-      render_at_once(pictures, settings, monitor, film, result);
+      render_at_once(pictures, scene.tracer(), settings, monitor, film, result);
       if (monitor.on_pass) monitor.on_pass(*film);
     }
   });
@@ -129,6 +109,39 @@ RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
   result.scarce_emitters = emitters.scarce();
   result.sampled_lights = static_cast<std::uint32_t>(result.kernel.lights.size());
   return result;
+}
+
+}  // namespace
+
+FilmExtent extent_of(const RenderSettings& settings) noexcept {
+  const bool has_replicates =
+      settings.has_goal() || settings.samples >= static_cast<int>(kMinReplicatedSamples);
+  return {.pixels =
+              static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height),
+          .replicates = has_replicates ? kReplicates : 1};
+}
+
+Channels channels_of(const RenderSettings& settings) noexcept {
+  return settings.keeps_first_hits ? Channels::ColorAndFirstHits : Channels::Color;
+}
+
+RenderResult render(const PreparedScene& scene, const RenderSettings& settings,
+                    RenderMonitor& monitor, Film* film) {
+  return render_since(Clock::now(), scene, settings, monitor, film);
+}
+
+RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
+                    RenderMonitor& monitor) {
+  const auto start = Clock::now();
+  const PreparedScene prepared(std::move(kernel), std::move(scene), settings.threads);
+  return render_since(start, prepared, settings, monitor, nullptr);
+}
+
+RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor,
+                    const KernelRequest& request) {
+  const auto start = Clock::now();
+  const PreparedScene prepared = prepare(std::move(scene), settings, request);
+  return render_since(start, prepared, settings, monitor, nullptr);
 }
 
 }  // namespace sdlc::render

@@ -13,6 +13,7 @@
 #include "render/light/emitter_tally.hpp"
 #include "render/scene/scene.hpp"
 #include "render/tiles/kernel.hpp"
+#include "render/tiles/prepared_scene.hpp"
 
 namespace sdlc::render {
 
@@ -48,6 +49,8 @@ struct RenderResult {
   std::optional<ErrorEstimate> error{};
   Picture variance;                  ///< variance of each pixel's mean, if requested and known
   std::vector<PixelSpread> spreads;  ///< the same per pixel, channels combined
+  /// By pixel, if requested; that of a pixel without samples is PixelFeatures{}.
+  std::vector<PixelFeatures> features;
   std::vector<std::uint32_t> samples_of_pixels;  ///< empty if all pixels have the same number
   std::uint32_t sampled_lights = 0;              ///< emitters that diffuse surfaces sample directly
   /// Emitters that fewer than EmitterTally::kEnough paths reached: their light may be missing.
@@ -55,32 +58,36 @@ struct RenderResult {
   /// Kinds of path that were found too rarely for the error to be known; empty if it is known.
   std::vector<RarePath> rare_paths;
   std::size_t bvh_bytes = 0;  ///< 0 without a BVH
-  double build_seconds = 0;   ///< rebasing, building the BVH and choosing the kernel
+  double build_seconds = 0;   ///< PreparedScene::build_seconds()
   double render_seconds = 0;  ///< tracing only
 };
 
-/// Renders the scene tile by tile on all threads, with the kernel of choose_kernel(). With a goal
-/// it runs passes over the whole picture until a goal or the max number of samples is reached; the
-/// time limit may leave some pixels with fewer samples than others.
+/// Renders the scene tile by tile on all threads. With a goal it runs passes over the whole picture
+/// until a goal or the max number of samples is reached; the time limit may leave some pixels with
+/// fewer samples than others.
 ///
 /// Without a time limit, the same scene, settings and seed give the same bytes for any number of
 /// threads and any order of tiles. An error goal that was reached with N samples per pixel gives
 /// the same bytes as N samples. With a wide kernel this also holds across all instruction sets with
 /// fused multiply-add, which is all but SSE4.
+///
+/// The samples are added to `film`, with extent_of() and channels_of() the settings, unless it is
+/// null. If it has
+/// samples of an earlier render of the same picture, the render goes on from there.
+RenderResult render(const PreparedScene& scene, const RenderSettings& settings,
+                    RenderMonitor& monitor, Film* film = nullptr);
+
+/// Prepares the scene for `kernel`, which is from choose_kernel() and not refused, and renders it.
+/// The time limit includes building.
+RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
+                    RenderMonitor& monitor);
+/// The same with the kernel that is chosen now.
 RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor,
                     const KernelRequest& request = {});
 
-/// The same with a kernel from choose_kernel() that was not refused; its time is not included in
-/// the seconds.
-RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
-                    RenderMonitor& monitor);
-
 /// The extent of a film of the whole picture.
 FilmExtent extent_of(const RenderSettings& settings) noexcept;
-
-/// The same into a film with extent_of() the settings; null to keep none. If the film has samples
-/// of an earlier render of the same picture, those are kept, and the render goes on from there.
-RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
-                    RenderMonitor& monitor, Film* film);
+/// The channels of a film with these settings.
+Channels channels_of(const RenderSettings& settings) noexcept;
 
 }  // namespace sdlc::render

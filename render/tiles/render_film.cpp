@@ -1,15 +1,11 @@
 #include "render/tiles/render_film.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "render/light/emitter_tally.hpp"
-#include "render/scene/digest.hpp"
 #include "render/tiles/picture_tracer.hpp"
-#include "render/tiles/tracer.hpp"
 #include "render/tiles/workers.hpp"
 
 namespace sdlc::render {
@@ -30,39 +26,40 @@ ReplicateCounts counts_in(const FilmPart& part, std::uint64_t samples) {
 
 Film& film_of(const FilmPart& part, StoredFilm& stored) {
   const auto known = std::ranges::find(stored.films, part.extent, &Film::extent);
-  return known == stored.films.end() ? stored.films.emplace_back(part.extent) : *known;
+  if (known != stored.films.end()) return *known;
+  return stored.films.emplace_back(
+      part.extent, stored.origin.has_first_hits ? Channels::ColorAndFirstHits : Channels::Color);
 }
 
 }  // namespace
 
-StoredFilm new_film(const Kernel& kernel, const Scene& scene, const RenderSettings& settings) {
-  const EmitterTally emitters(scene, kernel.lights, settings.depth);
-  return {.origin = {.scene = digest_of(scene),
+StoredFilm new_film(const PreparedScene& scene, std::uint64_t digest,
+                    const RenderSettings& settings) {
+  const Kernel& kernel = scene.kernel();
+  return {.origin = {.scene = digest,
                      .width = static_cast<std::uint32_t>(settings.width),
                      .height = static_cast<std::uint32_t>(settings.height),
                      .depth = static_cast<std::uint32_t>(settings.depth),
                      .seed = settings.seed,
                      .sampler = settings.sampler,
                      .is_centred = settings.is_centred(),
+                     .has_first_hits = settings.keeps_first_hits,
                      .precision = kernel.precision,
                      .arithmetic = kernel.backend->is_fused ? "fused" : "separate",
                      .program = {}},
           .statistics = {},
           .lights = kernel.lights,
           .exact_spheres = kernel.exact_spheres,
-          .emitters = emitters.counts(),
+          .emitters = EmitterTally(scene.emitters(), settings.depth).counts(),
           .targets = {},
           .films = {}};
 }
 
-bool render_part(const Kernel& kernel, Scene scene, const RenderSettings& settings,
-                 RenderMonitor& monitor, const FilmPart& part,
-                 std::span<const std::uint32_t> samples, StoredFilm& stored) {
+bool render_part(const PreparedScene& scene, const RenderSettings& settings, RenderMonitor& monitor,
+                 const FilmPart& part, std::span<const std::uint32_t> samples, StoredFilm& stored) {
   Workers workers(settings.threads);
-  EmitterTally emitters(scene, kernel.lights, settings.depth);
+  EmitterTally emitters(scene.emitters(), settings.depth);
   emitters.restore(stored.emitters);
-  const std::unique_ptr<const Tracer> tracer =
-      workers.run([&] { return make_tracer(kernel, std::move(scene), settings, emitters); });
 
   Film& film = film_of(part, stored);
   std::vector<ReplicateCounts> targets(film.size());
@@ -75,7 +72,7 @@ bool render_part(const Kernel& kernel, Scene scene, const RenderSettings& settin
     added = std::max(added, target - std::min(target, film.samples(i)));
   }
   film.reserve(targets);
-  PictureTracer pictures(*tracer, settings, workers.count(), monitor);
+  PictureTracer pictures(scene.tracer(), settings, emitters, workers.count(), monitor);
   const std::uint64_t rays = monitor.rays_done.load();
   const bool is_whole = workers.run([&] {
     return pictures.trace_pass(

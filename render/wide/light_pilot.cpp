@@ -66,9 +66,10 @@ TraceCounts trace(Scene scene, const RenderSettings& settings,
   const Vec3 right = pinhole.across() / width, up = pinhole.upwards() / height;
   rebase_to_camera(scene);
   part_touching(scene, Precision::Double, {});
-  const WideScene<double> wide(scene, std::min(settings.depth, kMaxDepth), Search::Bvh, {}, lights);
+  const WideScene<double> wide(scene, Search::Bvh, {}, lights);
   WideView<double> view;
   view.width = kPixels;
+  view.max_depth = static_cast<std::uint32_t>(std::min(settings.depth, kMaxDepth));
   view.spread_right = {right.x, right.y, right.z};
   view.spread_up = {up.x, up.y, up.z};
   view.sampler = SamplerKind::Independent;

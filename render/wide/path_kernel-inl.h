@@ -86,6 +86,9 @@ class WidePaths {
   }
   template <typename KindOf>
   void count_reached(Mask mask, Bits index, const KindOf& kind_of, EmitterTally& emitters) const;
+  /// Adds the hits of camera rays to the sums of their pixels.
+  void add_first_hits(Mask first, const Nearest& nearest, Triple<V> direction, Triple<V> outward,
+                      Triple<V> color) const;
   /// Counts the paths that end on the spheres of `mask`, and updates the history of the others.
   void follow_paths(Mask ends, Bits index, Mask fresh, Bits surface, EmitterTally& emitters);
 
@@ -254,6 +257,38 @@ void WidePaths<T, F>::follow_paths(Mask ends, Bits index, Mask fresh, Bits surfa
 }
 
 template <typename T, typename F>
+void WidePaths<T, F>::add_first_hits(Mask first, const Nearest& nearest, Triple<V> direction,
+                                     Triple<V> outward, Triple<V> color) const {
+  const D d;
+  const V depth = hn::Mul(nearest.t, dot(direction, spread(d, view_.forward)));
+  const V facing = hn::IfThenElse(hn::Gt(dot(direction, outward), hn::Zero(d)), set(-1), set(1));
+  const std::array<V, 8> values{hn::Mul(outward.x, facing),
+                                hn::Mul(outward.y, facing),
+                                hn::Mul(outward.z, facing),
+                                color.x,
+                                color.y,
+                                color.z,
+                                depth,
+                                nearest.t};
+  alignas(64) std::array<std::array<T, kLanes>, 8> of_lanes;
+  for (std::size_t i = 0; i < values.size(); ++i) hn::Store(values[i], d, of_lanes[i].data());
+  alignas(64) std::array<Word, kLanes> indices;
+  hn::Store(nearest.index, DU(), indices.data());
+  for (std::uint32_t lanes = bits_of(d, first); lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+    const auto value = [&](std::size_t i) { return static_cast<double>(of_lanes[i][lane]); };
+    run_[lane]->first_hits->add({.normal = {value(0), value(1), value(2)},
+                                 .depth = value(6) * view_.depth_units,
+                                 .albedo = {value(3), value(4), value(5)}});
+    if (view_.picked == nullptr) continue;
+    const auto index = static_cast<std::uint64_t>(indices[lane]);
+    *view_.picked = {.slot = static_cast<std::uint32_t>(index),
+                     .row = static_cast<std::uint32_t>(index >> 32),
+                     .distance = value(7)};
+  }
+}
+
+template <typename T, typename F>
 void WidePaths<T, F>::trace(TraceCounts& counts, const std::atomic<bool>& cancel) {
   const D d;
   const DU du;
@@ -308,7 +343,7 @@ void WidePaths<T, F>::trace(TraceCounts& counts, const std::atomic<bool>& cancel
       next = choose(fresh, place, next);
       origin = choose(fresh, Triple<V>{zero, zero, zero}, origin);
       beta = choose(fresh, Triple<V>{one, one, one}, beta);
-      depth_left = hn::IfThenElse(fresh_bits, word(scene_.max_depth), depth_left);
+      depth_left = hn::IfThenElse(fresh_bits, word(view_.max_depth), depth_left);
       Bits under_camera = word(scene_.camera_sphere);
       if constexpr (F::kInstances) {
         const Bits row = word(scene_.instances.camera_row);
@@ -383,6 +418,10 @@ void WidePaths<T, F>::trace(TraceCounts& counts, const std::atomic<bool>& cancel
         choose(is_rehit, minus_scaled(normal, direction, hn::Add(inwards, inwards)), from_center);
     outward = scaled(outward, hn::Div(one, hn::Sqrt(dot(outward, outward))));
     const V cosine = dot(direction, outward);
+    if (HWY_UNLIKELY(view_.keeps_first_hits)) {
+      const Mask is_first = hn::RebindMask(d, hn::Eq(depth_left, word(view_.max_depth)));
+      add_first_hits(hn::And(hn::And(alive, hit), is_first), nearest, direction, outward, color);
+    }
 
     Mask absorbed = hn::MaskFromVec(hn::Zero(d));
     const LaneSampler<D> sampler(view_.sampler, stream, mixer, order);
@@ -404,7 +443,7 @@ void WidePaths<T, F>::trace(TraceCounts& counts, const std::atomic<bool>& cancel
 
     [[maybe_unused]] Mask is_first = hn::MaskFromVec(zero);  // the hit of a camera ray
     if constexpr (F::kPilot) {
-      is_first = hn::RebindMask(d, hn::Eq(depth_left, word(scene_.max_depth)));
+      is_first = hn::RebindMask(d, hn::Eq(depth_left, word(view_.max_depth)));
     }
     depth_left = hn::Sub(depth_left, word(1));
     const Mask shines =

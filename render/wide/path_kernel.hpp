@@ -36,10 +36,19 @@ struct PlainPaths {
   std::uint64_t choices = 0;      ///< surfaces at which a light was chosen
 };
 
+/// The first hit of the last camera ray, in the tables of a WideScene.
+struct PickedSlot {
+  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+  std::uint32_t slot = kNone;
+  std::uint32_t row = 0;  ///< of the InstanceTable
+  double distance = 0;    ///< in the rebased scene
+};
+
 /// What all pixels of a picture share.
 template <typename T>
 struct WideView {
   std::uint64_t width = 0, seed = 0;
+  std::uint32_t max_depth = 1;
   /// In the image plane at distance 1, from the camera: the upper left corner of the picture, and
   /// the sides of a pixel.
   Vec3 corner, right, down;
@@ -47,7 +56,13 @@ struct WideView {
   std::array<T, 3> spread_right{}, spread_up{};
   SamplerKind sampler = SamplerKind::Sobol;
   EmitterTally* emitters = nullptr;  ///< counts reached emitters; may be null
-  PlainPaths* plain = nullptr;       ///< KernelFeatures::pilot
+  /// For runs with PixelRun::first_hits: the view direction, of length 1, and the depth that is
+  /// summed for a distance of 1.
+  bool keeps_first_hits = false;
+  std::array<T, 3> forward{};
+  double depth_units = 0;
+  PickedSlot* picked = nullptr;  ///< may be null
+  PlainPaths* plain = nullptr;   ///< KernelFeatures::pilot
 };
 
 /// Traces all samples of `runs`, a run in one lane. Returns soon, with meaningless sums, if

@@ -1,6 +1,7 @@
 #include "render/wide/tracer.hpp"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "render/camera/pinhole.hpp"
@@ -21,6 +22,7 @@ WideView<T> view_of(const Pinhole& pinhole, const RenderSettings& settings,
                     EmitterTally* emitters) {
   WideView<T> view{.width = static_cast<std::uint64_t>(settings.width),
                    .seed = settings.seed,
+                   .max_depth = static_cast<std::uint32_t>(settings.depth),
                    .corner = pinhole.place(0, 1),
                    .right = pinhole.across() / settings.width,
                    .down = -pinhole.upwards() / settings.height,
@@ -44,26 +46,70 @@ void fill_sky(Scene& scene) {
   if (scene.camera.from == scene.camera.at) scene.camera.at.z -= 1;
 }
 
+/// An upper limit for the distance of a surface from the camera in a rebased scene.
+double reach_of(const Scene& rebased, std::span<const std::uint32_t> exact_spheres) {
+  double reach = 4;  // twice the extent of the other spheres
+  for (const std::uint32_t i : exact_spheres) {
+    const Vec3 shift = rebased.shifts.empty() ? Vec3{} : rebased.shifts[i];
+    const Sphere& sphere = rebased.spheres[i];
+    reach = std::fmax(
+        reach, 2 * (moderate_length(sphere.center) + moderate_length(shift) + sphere.radius));
+  }
+  return reach;
+}
+
 /// The tracer for numbers of type T.
 template <typename T>
 class TracerIn final : public Tracer {
  public:
-  TracerIn(const Scene& rebased, const RenderSettings& settings, const TracerOptions& options,
-           const WideView<T>& view, ChooseKernel<T>& choose)
-      : scene_(rebased, settings.depth, options.search, options.exact_spheres, options.lights),
-        kernel_(choose(features_of(scene_))),
-        view_(view) {}
+  TracerIn(const Scene& rebased, const Rebase& rebase, const Pinhole& pinhole,
+           const TracerOptions& options, ChooseKernel<T>& choose)
+      : Tracer(rebase, reach_of(rebased, options.exact_spheres)),
+        scene_(rebased, options.search, options.exact_spheres, options.lights),
+        kernel_(choose(kernel_features(scene_))),
+        pinhole_(pinhole) {}
 
-  bool trace(std::span<PixelRun> runs, TraceCounts& counts,
-             const std::atomic<bool>& cancel) const override {
-    kernel_(scene_, view_, runs, counts, cancel);
+  bool trace(const RenderSettings& settings, EmitterTally* emitters, std::span<PixelRun> runs,
+             TraceCounts& counts, const std::atomic<bool>& cancel) const override {
+    kernel_(scene_, view(settings, emitters, runs), runs, counts, cancel);
     return !cancel.load(std::memory_order_relaxed);
+  }
+
+  std::optional<PickedSphere> pick(const RenderSettings& settings,
+                                   std::uint64_t pixel) const override {
+    RenderSettings centred = settings;
+    centred.samples = centred.depth = 1;
+    centred.error.reset();
+    centred.seconds.reset();
+    FirstHitSums sums;
+    PixelRun run{
+        .pixel = pixel, .parts = {{{.first = 0, .count = 1, .sum = {}}}}, .first_hits = &sums};
+    const std::span<PixelRun> runs(&run, 1);
+    PickedSlot picked;
+    WideView<T> view = this->view(centred, nullptr, runs);
+    view.picked = &picked;
+    TraceCounts counts;
+    kernel_(scene_, view, runs, counts, std::atomic<bool>{false});
+    if (picked.slot == PickedSlot::kNone) return std::nullopt;
+    PickedSphere sphere{.sphere = scene_.index_in_scene[picked.slot],
+                        .distance = rebase().length_in_scene(picked.distance)};
+    if (picked.row > 0) sphere.instance = picked.row - 1;
+    return sphere;
   }
 
   std::size_t memory_bytes() const noexcept override { return scene_.memory_bytes(); }
 
  private:
-  static KernelFeatures features_of(const WideScene<T>& scene) {
+  WideView<T> view(const RenderSettings& settings, EmitterTally* emitters,
+                   std::span<const PixelRun> runs) const {
+    WideView<T> view = view_of<T>(pinhole_, settings, emitters);
+    view.keeps_first_hits = !runs.empty() && runs.front().first_hits != nullptr;
+    view.forward = rounded<T>(pinhole_.place(0.5, 0.5));
+    view.depth_units = depth_units();
+    return view;
+  }
+
+  static KernelFeatures kernel_features(const WideScene<T>& scene) {
     return {.motion = scene.has_motion,
             .exact_spheres = scene.exact_spheres > 0,
             .bvh = scene.search == Search::Bvh,
@@ -73,25 +119,32 @@ class TracerIn final : public Tracer {
 
   const WideScene<T> scene_;
   TraceRuns<T>* const kernel_;
-  const WideView<T> view_;
+  const Pinhole pinhole_;
 };
 
 }  // namespace
 
-std::unique_ptr<const Tracer> make_tracer(Scene scene, const RenderSettings& settings,
-                                          const TracerOptions& options) {
+Tracer::Tracer(const Rebase& rebase, double reach) noexcept
+    : rebase_(rebase), depth_units_(std::ldexp(1.0, 94 - std::ilogb(reach))) {}
+
+PixelFeatures Tracer::features_of(const FirstHitSums& sums, std::uint64_t samples) const noexcept {
+  const double depth =
+      sums.hits() > 0 ? rebase_.length_in_scene(sums.mean_depth() / depth_units_) : kNoDepth;
+  return {.normal = sums.mean_normal(samples), .depth = depth, .albedo = sums.mean_albedo(samples)};
+}
+
+std::unique_ptr<const Tracer> make_tracer(Scene scene, const TracerOptions& options) {
   if (scene.spheres.empty() && scene.instances.empty()) fill_sky(scene);
   const Pinhole pinhole(scene.camera);
+  const Rebase rebase(scene, options.exact_spheres);
   rebase_to_camera(scene, options.exact_spheres);
   part_touching(scene, options.precision, options.exact_spheres, options.near_pairs);
   const Backend& backend = *options.backend;
   if (options.precision == Precision::Double) {
-    return std::make_unique<TracerIn<double>>(scene, settings, options,
-                                              view_of<double>(pinhole, settings, options.emitters),
+    return std::make_unique<TracerIn<double>>(scene, rebase, pinhole, options,
                                               *backend.kernel_in_double);
   }
-  return std::make_unique<TracerIn<float>>(scene, settings, options,
-                                           view_of<float>(pinhole, settings, options.emitters),
+  return std::make_unique<TracerIn<float>>(scene, rebase, pinhole, options,
                                            *backend.kernel_in_float);
 }
 

@@ -7,26 +7,54 @@
 #include <optional>
 #include <span>
 
+#include "render/film/first_hits.hpp"
 #include "render/film/pixel_run.hpp"
 #include "render/light/emitter_tally.hpp"
 #include "render/scene/near_pairs.hpp"
 #include "render/scene/precision.hpp"
+#include "render/scene/rebase.hpp"
 #include "render/scene/scene.hpp"
 #include "render/wide/backend.hpp"
 #include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {
 
-/// A kernel prepared for a scene. All threads may read it.
+/// The first sphere on a ray.
+struct PickedSphere {
+  std::uint32_t sphere = 0;  ///< index in the scene, or in the prototype of the instance
+  std::optional<std::uint32_t> instance{};
+  double distance = 0;  ///< from the camera
+
+  friend bool operator==(const PickedSphere&, const PickedSphere&) = default;
+};
+
+/// A kernel with its tables of a scene. All threads may read it.
 class Tracer {
  public:
   virtual ~Tracer() = default;
 
-  /// Adds the samples of each run to its sums. Returns false, with meaningless sums, if `cancel`
-  /// was set.
-  virtual bool trace(std::span<PixelRun> runs, TraceCounts& counts,
+  /// Adds the samples of each run to its sums. `emitters` counts the emitters that paths reach; it
+  /// may be null. Returns false, with meaningless sums, if `cancel` was set.
+  virtual bool trace(const RenderSettings& settings, EmitterTally* emitters,
+                     std::span<PixelRun> runs, TraceCounts& counts,
                      const std::atomic<bool>& cancel) const = 0;
+  /// The sphere at the centre of a pixel; nullopt for the background.
+  virtual std::optional<PickedSphere> pick(const RenderSettings& settings,
+                                           std::uint64_t pixel) const = 0;
+  /// The features of a pixel that has `samples` samples, at least one.
+  PixelFeatures features_of(const FirstHitSums& sums, std::uint64_t samples) const noexcept;
   virtual std::size_t memory_bytes() const noexcept = 0;  ///< of tables and BVH
+
+ protected:
+  /// `reach`: an upper limit for distances in the rebased scene.
+  Tracer(const Rebase& rebase, double reach) noexcept;
+
+  double depth_units() const noexcept { return depth_units_; }
+  const Rebase& rebase() const noexcept { return rebase_; }
+
+ private:
+  Rebase rebase_;
+  double depth_units_;  // of FirstHitSums, for a distance of 1 in the rebased scene
 };
 
 struct TracerOptions {
@@ -38,12 +66,10 @@ struct TracerOptions {
   /// PrecisionBounds::near_pairs, if known.
   std::optional<std::span<const SpherePair>> near_pairs{};
   std::span<const std::uint32_t> lights{};  ///< the spheres from choose_lights()
-  EmitterTally* emitters = nullptr;         ///< counts reached emitters; may be null
 };
 
 /// `scene` is in world coordinates and already checked; the camera is on the surface of at most one
 /// of its spheres, unless the backend allows more. Search::All allows at most kMaxWideSpheres.
-std::unique_ptr<const Tracer> make_tracer(Scene scene, const RenderSettings& settings,
-                                          const TracerOptions& options);
+std::unique_ptr<const Tracer> make_tracer(Scene scene, const TracerOptions& options);
 
 }  // namespace sdlc::render

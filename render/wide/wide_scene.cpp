@@ -45,12 +45,11 @@ std::vector<std::uint32_t> without(std::size_t spheres, std::span<const std::uin
 }  // namespace
 
 template <typename T>
-WideScene<T>::WideScene(const Scene& scene, int depth, Search search_for_hits,
+WideScene<T>::WideScene(const Scene& scene, Search search_for_hits,
                         std::span<const std::uint32_t> spheres_in_double,
                         std::span<const std::uint32_t> sampled_lights)
     : search(search_for_hits),
       exact_spheres(spheres_in_double.size()),
-      max_depth(static_cast<std::uint32_t>(depth)),
       has_motion(render::has_motion(scene)) {
   std::vector<std::uint32_t> order = without(scene.spheres.size(), spheres_in_double);
   if (search == Search::Bvh) {

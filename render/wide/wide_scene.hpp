@@ -41,9 +41,9 @@ struct WideScene {
   /// Search::All allows at most kMaxWideSpheres spheres and no instances; instances require double.
   /// `exact_spheres`: the spheres to compute in double, at most kMaxExactSpheres; only if T is
   /// float. `sampled_lights`: the spheres from choose_lights().
-  WideScene(const Scene& scene, int depth, Search search,
-            std::span<const std::uint32_t> exact_spheres = {},
-            std::span<const std::uint32_t> sampled_lights = {});
+  explicit WideScene(const Scene& scene, Search search,
+                     std::span<const std::uint32_t> exact_spheres = {},
+                     std::span<const std::uint32_t> sampled_lights = {});
 
   // Tables by slot, padded to whole vectors. Slots of spheres in double come last; the others are
   // in scene order, or in the order of the BVH with empty slots.
@@ -85,7 +85,6 @@ struct WideScene {
   };
   std::array<Exact, kMaxExactSpheres> exact{};
 
-  std::uint32_t max_depth = 1;
   bool has_motion = false;
   bool has_exact_fresnel = false;
   Triple sky_center{}, sky_slope{};  ///< radiance of the background: sky_center + sky_slope · y

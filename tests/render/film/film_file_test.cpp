@@ -103,7 +103,7 @@ TEST_F(FilmFile, TakesTheValuesOfTheFilmAndLittleMore) {
   const std::size_t rest = written(film).size();
   const std::vector<std::uint32_t> totals(1000, 256);
   film.films.push_back(traced_film({.pixels = 1000}, totals));
-  EXPECT_EQ(written(film).size() - rest, 1000 * Film::bytes_per_pixel(256) + 24 + 20);
+  EXPECT_EQ(written(film).size() - rest, 1000 * Film::bytes_per_pixel(256) + 32 + 20);
 }
 
 TEST_F(FilmFile, IsRefusedIfAnyByteIsChanged) {

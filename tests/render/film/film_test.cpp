@@ -87,7 +87,7 @@ TEST(Film, PlansRunsThatEndWithTheirBlocks) {
   bring_to(film, 0, 4 * 40);
   const ReplicateCounts target{200, 40, 40, 41};
   film.reserve(std::span(&target, 1));
-  const OpenPixels open(film, 0, 1, [&](std::size_t) { return target; });
+  OpenPixels open(film, 0, 1, [&](std::size_t) { return target; });
   std::vector<PixelRun> runs;
   open.plan(2, runs);
   ASSERT_EQ(runs.size(), 2u);

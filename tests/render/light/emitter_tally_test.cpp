@@ -45,7 +45,8 @@ std::vector<LightPath> rare_kinds(const EmitterTally& tally, std::uint32_t spher
 }
 
 TEST(EmitterTally, TellsWhichEmittersFewPathsReached) {
-  EmitterTally tally(two_emitters(), {}, kDepth);
+  const EmitterClasses classes(two_emitters(), {});
+  EmitterTally tally(classes, kDepth);
   EXPECT_THAT(tally.scarce(), ElementsAre(ReachedEmitter{1, 0}, ReachedEmitter{3, 0}));
   count(tally, 0, 50);
   count(tally, 1, 29);
@@ -58,7 +59,7 @@ TEST(EmitterTally, TellsWhichEmittersFewPathsReached) {
 
 TEST(EmitterTally, HasNothingToCountWithoutEmitters) {
   const Scene scene = test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{});
-  EXPECT_FALSE(EmitterTally(scene, {}, kDepth).is_counting());
+  EXPECT_FALSE(EmitterTally(EmitterClasses(scene, {}), kDepth).is_counting());
 }
 
 /// Seen along −z through a narrow beam: a diffuse ball, and lights in front of and behind the
@@ -75,21 +76,23 @@ Scene lights_around(const Material& ball) {
 
 TEST(EmitterTally, CountsTheKindsOfPathThatTheSceneMakesPossible) {
   const Scene matt = lights_around(test::diffuse(LinearRgb{1}));
-  EXPECT_THAT(rare_kinds(EmitterTally(matt, {}, kDepth), 2), ElementsAre(Direct));
-  EXPECT_THAT(rare_kinds(EmitterTally(matt, {}, kDepth), 3), ElementsAre(Visible, Direct));
-  EXPECT_THAT(rare_kinds(EmitterTally(matt, {}, 1), 3), ElementsAre(Visible));
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(matt, {}), kDepth), 2), ElementsAre(Direct));
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(matt, {}), kDepth), 3),
+              ElementsAre(Visible, Direct));
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(matt, {}), 1), 3), ElementsAre(Visible));
   // Unlit ones emit too; this one belongs to the class of sphere 2.
-  EXPECT_EQ(EmitterTally(matt, {}, kDepth).rare().size(), 3u);
+  EXPECT_EQ(EmitterTally(EmitterClasses(matt, {}), kDepth).rare().size(), 3u);
 
   const Scene glass = lights_around(test::transmissive(LinearRgb{1}, 1.5));
-  EXPECT_THAT(rare_kinds(EmitterTally(glass, {}, kDepth), 3),
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(glass, {}), kDepth), 3),
               ElementsAre(Visible, Reflected, Direct, Caustic));
-  EXPECT_THAT(rare_kinds(EmitterTally(glass, {}, 2), 3), ElementsAre(Visible, Reflected, Direct));
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(glass, {}), 2), 3),
+              ElementsAre(Visible, Reflected, Direct));
   // Connections find sampled lights.
   const std::vector<std::uint32_t> lights{2, 3};
-  EXPECT_THAT(rare_kinds(EmitterTally(glass, lights, kDepth), 3),
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(glass, lights), kDepth), 3),
               ElementsAre(Visible, Reflected, Caustic));
-  EXPECT_THAT(rare_kinds(EmitterTally(glass, lights, kDepth), 4),
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(glass, lights), kDepth), 4),
               ElementsAre(Reflected, Direct, Caustic));
 }
 
@@ -97,7 +100,8 @@ TEST(EmitterTally, CountsTheKindsOfPathThatTheSceneMakesPossible) {
 TEST(EmitterTally, CountsKindsOfPathApart) {
   const std::vector<std::uint32_t> lights{2, 3};
   const Scene scene = lights_around(test::transmissive(LinearRgb{1}, 1.5));
-  EmitterTally tally(scene, lights, kDepth);
+  const EmitterClasses classes(scene, lights);
+  EmitterTally tally(classes, kDepth);
   count(tally, 3, 1000, Direct);
   count(tally, 3, 1000, Visible);
   count(tally, 3, 255, Reflected);
@@ -129,7 +133,8 @@ TEST(UnseenError, IsThatOfAsManyPathsAsMayHaveBeenMissed) {
 
 TEST(EmitterTally, LosesNothingThatSeveralThreadsCount) {
   for (int round = 0; round < 50; ++round) {
-    EmitterTally tally(two_emitters(), {}, kDepth);
+    const EmitterClasses classes(two_emitters(), {});
+    EmitterTally tally(classes, kDepth);
     std::vector<std::thread> threads;
     for (int i = 0; i < 4; ++i) {
       threads.emplace_back([&] {

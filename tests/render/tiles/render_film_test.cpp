@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "render/film/film_file.hpp"
+#include "render/scene/digest.hpp"
 #include "tests/support/statistics/scenes.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -109,13 +110,13 @@ std::vector<Case> cases() {
 class FilmParts : public testing::TestWithParam<Case> {};
 
 TEST_P(FilmParts, GiveTheBytesOfARenderAtOnceHoweverItWasCut) {
-  const RenderSettings& settings = GetParam().settings;
+  RenderSettings settings = GetParam().settings;
+  settings.keeps_first_hits = settings.sampler == SamplerKind::Sobol;
   // In the dark every pixel takes the most samples.
   const Scene scene = room(settings.is_adaptive ? 1 : 0.1);
-  const Kernel kernel = choose_kernel(scene, settings, GetParam().kernel);
-  ASSERT_FALSE(kernel.refusal);
+  const PreparedScene prepared = prepare(scene, settings, GetParam().kernel);
   RenderMonitor monitor;
-  const RenderResult expected = render(kernel, scene, settings, monitor);
+  const RenderResult expected = render(prepared, settings, monitor);
   ASSERT_EQ(expected.samples_of_pixels.empty(), !settings.is_adaptive);
   std::vector<std::uint32_t> samples = expected.samples_of_pixels;
   if (samples.empty()) samples = {static_cast<std::uint32_t>(settings.samples)};
@@ -123,22 +124,27 @@ TEST_P(FilmParts, GiveTheBytesOfARenderAtOnceHoweverItWasCut) {
   std::minstd_rand random(7);
   const std::uint32_t replicates =
       settings.samples < static_cast<int>(kMinReplicatedSamples) ? 1 : kReplicates;
-  StoredFilm whole = new_film(kernel, scene, settings);
+  StoredFilm whole = new_film(prepared, digest_of(scene), settings);
   for (const FilmPart& part :
        random_parts(random, expected.picture.pixels.size(), replicates, 1 + random() % 9)) {
-    StoredFilm film = new_film(kernel, scene, settings);
-    EXPECT_TRUE(render_part(kernel, scene, settings, monitor, part, samples, film));
+    StoredFilm film = new_film(prepared, digest_of(scene), settings);
+    EXPECT_TRUE(render_part(prepared, settings, monitor, part, samples, film));
     add_film(whole, film, "part");
   }
   ASSERT_EQ(whole.films.size(), 1u);
   EXPECT_EQ(bytes_of(picture_of(whole)), bytes_of(expected.picture));
   EXPECT_EQ(whole.statistics.rays, expected.rays);
   EXPECT_EQ(whole.statistics.truncated_paths, expected.truncated_paths);
+  for (std::size_t i = 0; i < expected.features.size(); ++i) {
+    const Film& film = whole.films[0];
+    ASSERT_EQ(prepared.tracer().features_of(film.first_hits(i), film.samples(i)),
+              expected.features[i]);
+  }
 
-  StoredFilm at_once = new_film(kernel, scene, settings);
+  StoredFilm at_once = new_film(prepared, digest_of(scene), settings);
   const FilmPart all{
       .extent = {.pixels = expected.picture.pixels.size(), .replicates = replicates}};
-  EXPECT_TRUE(render_part(kernel, scene, settings, monitor, all, samples, at_once));
+  EXPECT_TRUE(render_part(prepared, settings, monitor, all, samples, at_once));
   EXPECT_EQ(at_once.emitters, whole.emitters);
   const test::TemporaryFolder folder;
   write_film_file(folder / "whole", whole);
@@ -152,17 +158,17 @@ INSTANTIATE_TEST_SUITE_P(RenderFilm, FilmParts, testing::ValuesIn(cases()),
 TEST(RenderFilm, GoesOnWithMoreSamples) {
   RenderSettings settings{.width = 30, .height = 20, .samples = 200, .depth = 8};
   const Scene scene = room();
-  const Kernel kernel = choose_kernel(scene, settings);
+  const PreparedScene prepared = prepare(scene, settings);
   const FilmPart all{.extent = {.pixels = 600}};
-  StoredFilm film = new_film(kernel, scene, settings);
+  StoredFilm film = new_film(prepared, digest_of(scene), settings);
   RenderMonitor monitor;
   for (const std::uint32_t samples : {200u, 201u, 900u}) {
-    EXPECT_TRUE(render_part(kernel, scene, settings, monitor, all, std::span(&samples, 1), film));
+    EXPECT_TRUE(render_part(prepared, settings, monitor, all, std::span(&samples, 1), film));
   }
   settings.samples = 900;
   EXPECT_EQ(monitor.samples_done.load(), 600u * 900);
   RenderMonitor again;
-  const RenderResult expected = render(kernel, scene, settings, again);
+  const RenderResult expected = render(prepared, settings, again);
   EXPECT_EQ(bytes_of(picture_of(film)), bytes_of(expected.picture));
   EXPECT_EQ(film.statistics.rays, expected.rays);
 }
@@ -170,15 +176,15 @@ TEST(RenderFilm, GoesOnWithMoreSamples) {
 TEST(RenderFilm, GoesOnAfterACancelledRender) {
   const RenderSettings settings{.width = 30, .height = 20, .samples = 900, .depth = 8};
   const Scene scene = room();
-  const Kernel kernel = choose_kernel(scene, settings);
+  const PreparedScene prepared = prepare(scene, settings);
   const FilmPart all{.extent = {.pixels = 600}};
   const std::uint32_t samples = 900;
-  StoredFilm film = new_film(kernel, scene, settings);
+  StoredFilm film = new_film(prepared, digest_of(scene), settings);
   RenderMonitor cancelled, monitor;
   cancelled.cancel = true;
-  EXPECT_FALSE(render_part(kernel, scene, settings, cancelled, all, std::span(&samples, 1), film));
-  EXPECT_TRUE(render_part(kernel, scene, settings, monitor, all, std::span(&samples, 1), film));
-  const RenderResult expected = render(kernel, scene, settings, monitor);
+  EXPECT_FALSE(render_part(prepared, settings, cancelled, all, std::span(&samples, 1), film));
+  EXPECT_TRUE(render_part(prepared, settings, monitor, all, std::span(&samples, 1), film));
+  const RenderResult expected = render(prepared, settings, monitor);
   EXPECT_EQ(bytes_of(picture_of(film)), bytes_of(expected.picture));
 }
 
@@ -186,10 +192,10 @@ TEST(RenderFilm, GoesOnAfterACancelledRender) {
 RenderResult continued(const RenderSettings& first, const RenderSettings& settings,
                        RenderMonitor& monitor) {
   const Scene scene = room(1);
-  const Kernel kernel = choose_kernel(scene, settings);
+  const PreparedScene prepared = prepare(scene, settings);
   Film film(extent_of(settings));
-  render(kernel, scene, first, monitor, &film);
-  return render(kernel, scene, settings, monitor, &film);
+  render(prepared, first, monitor, &film);
+  return render(prepared, settings, monitor, &film);
 }
 
 TEST(RenderFilm, IsContinuedByARenderWithoutAGoal) {
@@ -236,18 +242,18 @@ TEST(RenderFilm, IsContinuedTowardsAnError) {
 TEST(RenderFilm, TakesOnlyThePixelsOfACrop) {
   const RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
   const Scene scene = room();
-  const Kernel kernel = choose_kernel(scene, settings);
+  const PreparedScene prepared = prepare(scene, settings);
   // Columns 10 to 14 of the rows 5 to 7.
   std::vector<std::uint32_t> samples(600, 0);
   for (std::size_t y = 5; y < 8; ++y) {
     for (std::size_t x = 10; x < 15; ++x) samples[30 * y + x] = 64;
   }
-  StoredFilm film = new_film(kernel, scene, settings);
+  StoredFilm film = new_film(prepared, digest_of(scene), settings);
   RenderMonitor monitor;
   const FilmPart rows{.extent = {.first_pixel = 30 * 5, .pixels = 30 * 3}};
-  EXPECT_TRUE(render_part(kernel, scene, settings, monitor, rows, samples, film));
+  EXPECT_TRUE(render_part(prepared, settings, monitor, rows, samples, film));
   EXPECT_EQ(monitor.samples_done.load(), 15u * 64);
-  const Picture crop = picture_of(film), whole = render(kernel, scene, settings, monitor).picture;
+  const Picture crop = picture_of(film), whole = render(prepared, settings, monitor).picture;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     EXPECT_EQ(crop.pixels[i], samples[i] > 0 ? whole.pixels[i] : LinearRgb{}) << i;
   }
@@ -256,16 +262,16 @@ TEST(RenderFilm, TakesOnlyThePixelsOfACrop) {
 TEST(RenderFilm, HasTheOriginOfItsPicture) {
   RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
   const Scene scene = room();
-  const Kernel kernel = choose_kernel(scene, settings);
-  const StoredFilm film = new_film(kernel, scene, settings);
+  const PreparedScene prepared = prepare(scene, settings);
+  const StoredFilm film = new_film(prepared, digest_of(scene), settings);
   settings.depth = 9;
-  EXPECT_NE(new_film(kernel, scene, settings).origin, film.origin);
+  EXPECT_NE(new_film(prepared, digest_of(scene), settings).origin, film.origin);
   settings.depth = 8;
   settings.samples = 128;  // a render may go on
-  EXPECT_EQ(new_film(kernel, scene, settings).origin, film.origin);
+  EXPECT_EQ(new_film(prepared, digest_of(scene), settings).origin, film.origin);
   Scene other = scene;
   other.spheres[0].radius = 99;
-  EXPECT_NE(new_film(kernel, other, settings).origin, film.origin);
+  EXPECT_NE(new_film(prepared, digest_of(other), settings).origin, film.origin);
 }
 
 }  // namespace

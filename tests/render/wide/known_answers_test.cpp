@@ -207,17 +207,16 @@ TEST_P(KnownAnswer, AGroundMetInDoubleIsMetWhereItIs) {
   add_sphere(scene, {3e5, 2e5, 0}, 1e5, diffuse(kWhite));
   const render::RenderSettings settings{.width = 8, .height = 8, .samples = 16, .depth = 1000};
   const std::array<std::uint32_t, 1> ground{0};
-  const auto tracer = make_tracer(scene, settings,
-                                  {.precision = render::Precision::Mixed,
-                                   .backend = GetParam().backend,
-                                   .search = render::Search::All,
-                                   .exact_spheres = ground});
+  const auto tracer = make_tracer(scene, {.precision = render::Precision::Mixed,
+                                          .backend = GetParam().backend,
+                                          .search = render::Search::All,
+                                          .exact_spheres = ground});
   std::vector<render::PixelRun> runs;
   for (std::uint64_t pixel = 0; pixel < 64; ++pixel) {
     runs.push_back({.pixel = pixel, .parts = {{{.first = 0, .count = 16, .sum = {}}}}});
   }
   render::TraceCounts counts;
-  ASSERT_TRUE(tracer->trace(runs, counts, std::atomic<bool>{false}));
+  ASSERT_TRUE(tracer->trace(settings, nullptr, runs, counts, std::atomic<bool>{false}));
   for (const render::PixelRun& run : runs) EXPECT_EQ(run.parts[0].sum, LinearRgb{16});
 }
 

@@ -156,6 +156,35 @@ TEST_P(WidePaths, AreThoseOfTheReference) {
   }
 }
 
+TEST_P(WidePaths, HitTheFirstSurfacesOfTheReference) {
+  for (const Scene& scene : {rich_scene(), moving_scene()}) {
+    const RenderSettings settings{
+        .width = 60, .height = 40, .samples = 8, .depth = 3, .keeps_first_hits = true};
+    render::RenderMonitor monitor;
+    render::KernelRequest request = GetParam().request();
+    const auto features = render::render(scene, settings, monitor, request).features;
+    request.search = Search::Bvh;
+    const auto by_bvh = render::render(scene, settings, monitor, request).features;
+    const auto expected = render_by_reference(scene, settings).features;
+    ASSERT_EQ(features.size(), expected.size());
+    const bool is_double = GetParam().precision == Precision::Double;
+    const double tolerance = is_double ? 1e-8 : 1e-3;
+    int differing = 0;
+    for (std::size_t i = 0; i < features.size(); ++i) {
+      const render::PixelFeatures &a = features[i], &b = expected[i];
+      ASSERT_TRUE(a.normal == by_bvh[i].normal && a.depth == by_bvh[i].depth);
+      const double difference =
+          std::max({length(a.normal - b.normal), std::fabs(a.depth / b.depth - 1),
+                    std::fabs(a.albedo.r - b.albedo.r), std::fabs(a.albedo.g - b.albedo.g),
+                    std::fabs(a.albedo.b - b.albedo.b)});
+      differing += difference > tolerance ? 1 : 0;
+    }
+    // In float, rays at the edge of a sphere may miss it, and the normal there is off by the root
+    // of the rounding error: a thousandth.
+    EXPECT_LE(differing, is_double ? 0 : 12);
+  }
+}
+
 TEST_P(WidePaths, GiveTheSameBytesForAnyNumberOfThreads) {
   RenderSettings settings = kSettings;
   settings.threads = 1;

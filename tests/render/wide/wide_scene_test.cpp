@@ -27,7 +27,7 @@ Scene colorful_crowd() {
 
 template <typename T>
 double bytes_a_sphere(const Scene& scene) {
-  const WideScene<T> wide(scene, 16, Search::Bvh);
+  const WideScene<T> wide(scene, Search::Bvh);
   return static_cast<double>(wide.memory_bytes()) / kMany;
 }
 

@@ -11,13 +11,13 @@
 #include "render/camera/pinhole.hpp"
 #include "render/film/film.hpp"
 #include "render/light/lights.hpp"
-#include "render/math/ray.hpp"
 #include "render/sampler/sampler.hpp"
 #include "render/scene/camera_surface.hpp"
 #include "render/scene/rebase.hpp"
 #include "render/scene/touching.hpp"
-#include "render/sphere/intersect.hpp"
+#include "tests/support/reference/intersect.hpp"
 #include "tests/support/reference/light_choice.hpp"
+#include "tests/support/reference/ray.hpp"
 #include "tests/support/reference/scatter.hpp"
 
 namespace sdlc::test::reference {
@@ -32,7 +32,11 @@ class PathTracer {
  public:
   PathTracer(Scene scene, const RenderSettings& settings, std::span<const std::uint32_t> lights,
              RenderResult& result, EmitterTally& emitters)
-      : pinhole_(scene.camera), settings_(settings), result_(result), emitters_(emitters) {
+      : pinhole_(scene.camera),
+        rebase_(scene),
+        settings_(settings),
+        result_(result),
+        emitters_(emitters) {
     rebase_to_camera(scene);
     part_touching(scene, Precision::Double);
     lights_ = Lights(scene, lights);
@@ -51,6 +55,7 @@ class PathTracer {
     const ReplicateCounts counts = has_replicates
                                        ? split_in_replicates(samples)
                                        : ReplicateCounts{static_cast<std::uint32_t>(samples)};
+    hits_ = 0;
     LinearRgb sum;
     for (std::uint32_t replicate = 0; replicate < kReplicates; ++replicate) {
       const std::uint64_t key = PathSampler::stream_key(settings_.seed, index, replicate);
@@ -62,6 +67,12 @@ class PathTracer {
           ++result_.nonfinite_samples;
         }
       }
+    }
+    if (settings_.keeps_first_hits) {
+      PixelFeatures& mean = result_.features[index];
+      mean.normal = mean.normal / static_cast<double>(samples);
+      mean.albedo = mean.albedo / static_cast<double>(samples);
+      mean.depth = hits_ > 0 ? rebase_.length_in_scene(mean.depth / hits_) : kNoDepth;
     }
     return sum / static_cast<double>(samples);
   }
@@ -75,7 +86,26 @@ class PathTracer {
     const Vec3 direction =
         pinhole_.direction((x + dx) / settings_.width, (row + dy) / settings_.height);
     const double u = scene_.shifts.empty() ? 0 : sampler.pair(kTime).first;
-    return li({.origin = {}, .direction = direction, .u = u}, sampler);
+    const Ray ray{.origin = {}, .direction = direction, .u = u};
+    if (settings_.keeps_first_hits) add_first_hit(ray, result_.features[pixel]);
+    return li(ray, sampler);
+  }
+
+  /// Adds normal, depth and albedo to the sums of a pixel.
+  void add_first_hit(const Ray& ray, PixelFeatures& sums) {
+    Departure departure;
+    const Hit hit = intersect(ray, camera_surfaces_, departure);
+    if (hit.sphere == kNoSphere) return;
+    const Vec3 outward = hit.sphere == departure.sphere
+                             ? rehit_normal(ray.direction, departure.normal)
+                             : unit(ray.direction * hit.t - center(hit.sphere, ray.u));
+    const Material& material = material_of(hit.sphere);
+    const double light = material.type == MaterialType::Emissive ? material.parameter : 1;
+    const LinearRgb color = material.color * light;
+    sums.normal += dot(ray.direction, outward) > 0 ? -outward : outward;
+    sums.albedo += {std::fmin(color.r, 1), std::fmin(color.g, 1), std::fmin(color.b, 1)};
+    sums.depth += hit.t * dot(ray.direction, pinhole_.place(0.5, 0.5));
+    ++hits_;
   }
 
   Vec3 center(std::uint32_t sphere, double u) const {
@@ -199,10 +229,12 @@ class PathTracer {
   }
 
   Pinhole pinhole_;
+  Rebase rebase_;
   const RenderSettings& settings_;
   RenderResult& result_;
   EmitterTally& emitters_;
   Scene scene_;
+  int hits_ = 0;  // of the camera rays of the pixel
   Lights lights_;
   std::vector<Departure> camera_surfaces_;  // spheres whose surface contains the camera
 };
@@ -217,8 +249,12 @@ render::RenderResult render_by_reference(const render::Scene& scene,
   render::RenderResult result;
   result.kernel = choose_kernel(scene, settings, {.backend = &render::portable_backend()});
   result.picture = render::Picture(settings.width, settings.height);
+  if (settings.keeps_first_hits) {
+    result.features.assign(result.picture.pixels.size(), {.normal = {}, .depth = 0, .albedo = {}});
+  }
   result.sampled_lights = static_cast<std::uint32_t>(result.kernel.lights.size());
-  render::EmitterTally emitters(scene, result.kernel.lights, settings.depth);
+  const render::EmitterClasses classes(scene, result.kernel.lights);
+  render::EmitterTally emitters(classes, settings.depth);
   reference::PathTracer tracer(scene, settings, result.kernel.lights, result, emitters);
   for (std::size_t i = 0; i < result.picture.pixels.size(); ++i) {
     result.picture.pixels[i] = tracer.pixel(i);

@@ -1,10 +1,9 @@
-#include "render/aov/aov.hpp"
+#include "render/film/aov.hpp"
 
-#include <atomic>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,40 +12,22 @@
 
 #include "render/math/power_of_two.hpp"
 #include "render/math/vec3.hpp"
+#include "render/tiles/render.hpp"
 
 namespace sdlc::render {
 namespace {
 
-constexpr Aovs kFirstHits{.normal = true, .depth = true, .albedo = true};
+constexpr Aovs kFeatures{.normal = true, .depth = true, .albedo = true};
 
-using Channels = std::map<std::string, std::vector<float>>;
-
-Channels channels_of(Scene scene, const RenderSettings& settings) {
-  const std::atomic<bool> cancel = false;
-  Channels channels;
-  for (Layer& layer : first_hit_layers(std::move(scene), settings, kFirstHits, cancel)) {
-    channels[layer.name] = std::move(layer.values);
-  }
-  return channels;
-}
-
-/// The channels of one pixel.
-struct Pixel {
-  Vec3 normal;
-  double depth;
-  LinearRgb albedo;
-};
-
-Pixel pixel_of(const Channels& channels, std::size_t i) {
-  const auto value = [&](const char* name) -> double { return channels.at(name)[i]; };
-  return {.normal = {value("normal.X"), value("normal.Y"), value("normal.Z")},
-          .depth = value("Z"),
-          .albedo = {value("albedo.R"), value("albedo.G"), value("albedo.B")}};
+std::vector<PixelFeatures> features_of(Scene scene, RenderSettings settings) {
+  settings.keeps_first_hits = true;
+  RenderMonitor monitor;
+  return render(std::move(scene), settings, monitor).features;
 }
 
 /// Of a picture of one pixel with one ray through its centre.
-Pixel middle_of(Scene scene) {
-  return pixel_of(channels_of(std::move(scene), {.width = 1, .height = 1, .samples = 1}), 0);
+PixelFeatures middle_of(Scene scene) {
+  return features_of(std::move(scene), {.width = 1, .height = 1, .samples = 1})[0];
 }
 
 constexpr LinearRgb kTan{0.5, 0.25, 0.125};
@@ -63,30 +44,36 @@ Scene ball(Material material = {.color = kTan}) {
 constexpr RenderSettings kSmall{.width = 33, .height = 33, .samples = 64};
 constexpr std::size_t kMiddle = 16 * 33 + 16;
 
-TEST(FirstHitLayers, TellOfTheSphereInTheMiddle) {
-  const Pixel middle = middle_of(ball());
+TEST(PixelFeatures, TellOfTheSphereInTheMiddle) {
+  const PixelFeatures middle = middle_of(ball());
   EXPECT_EQ(middle.depth, 4);
   EXPECT_EQ(middle.normal, (Vec3{0, 0, 1}));
   EXPECT_EQ(middle.albedo, kTan);
 }
 
-TEST(FirstHitLayers, AreThoseThatAreAskedForInTheirOrder) {
-  const std::atomic<bool> cancel = false;
+TEST(FeatureLayers, AreThoseThatAreRequestedInTheirOrder) {
+  const std::vector<PixelFeatures> features(6);
   const auto names = [&](const Aovs& aovs) {
     std::string all;
-    for (const Layer& layer : first_hit_layers(ball(), {.width = 2, .height = 3}, aovs, cancel)) {
+    for (const Layer& layer : feature_layers(features, aovs)) {
       EXPECT_EQ(layer.values.size(), 6u);
       all += layer.name + ' ';
     }
     return all;
   };
-  EXPECT_EQ(names(kFirstHits), "normal.X normal.Y normal.Z Z albedo.R albedo.G albedo.B ");
+  EXPECT_EQ(names(kFeatures), "normal.X normal.Y normal.Z Z albedo.R albedo.G albedo.B ");
   EXPECT_EQ(names({.depth = true, .variance = true, .samples = true}), "Z ");
   EXPECT_EQ(names({.albedo = true}), "albedo.R albedo.G albedo.B ");
 }
 
-TEST(FirstHitLayers, HoldTheSkyAsNoSurface) {
-  const Pixel corner = pixel_of(channels_of(ball(), kSmall), 0);
+TEST(FeatureLayers, ClampDepthsToTheLargestFloat) {
+  const std::vector<PixelFeatures> features{{.normal = {}, .depth = 4e200, .albedo = {}}};
+  EXPECT_EQ(feature_layers(features, {.depth = true})[0].values[0],
+            std::numeric_limits<float>::max());
+}
+
+TEST(PixelFeatures, HoldTheSkyAsNoSurface) {
+  const PixelFeatures corner = features_of(ball(), kSmall)[0];
   EXPECT_EQ(corner.depth, kNoDepth);
   EXPECT_EQ(corner.normal, Vec3{});
   EXPECT_EQ(corner.albedo, LinearRgb{});
@@ -94,20 +81,20 @@ TEST(FirstHitLayers, HoldTheSkyAsNoSurface) {
 
 // Depth is along the view, as in Cycles: for a sphere so large that it is flat it is constant over
 // the picture, unlike the distance to the camera.
-TEST(FirstHitLayers, MeasureDepthAlongTheView) {
+TEST(PixelFeatures, MeasureDepthAlongTheView) {
   Scene scene = ball();
   scene.camera.plane_height = 2;
   scene.spheres = {{.center = {0, 0, -1e9}, .radius = 1e9, .material = 0}};
-  const Channels channels = channels_of(scene, kSmall);
-  EXPECT_NEAR(pixel_of(channels, kMiddle).depth, 5, 1e-5);
-  EXPECT_NEAR(pixel_of(channels, 0).depth, 5, 1e-5);
+  const auto channels = features_of(scene, kSmall);
+  EXPECT_NEAR(channels[kMiddle].depth, 5, 1e-5);
+  EXPECT_NEAR(channels[0].depth, 5, 1e-5);
 }
 
-TEST(FirstHitLayers, AreMeansOverThePixel) {
+TEST(PixelFeatures, AreMeansOverThePixel) {
   // At distance 1 the ball is a disc of radius 1 / √24: half of the only pixel.
   Scene scene = ball();
   scene.camera.plane_height = std::sqrt(2 * 3.14159265 / 24);
-  const Pixel pixel = pixel_of(channels_of(scene, {.width = 1, .height = 1, .samples = 2}), 0);
+  const PixelFeatures pixel = features_of(scene, {.width = 1, .height = 1, .samples = 16})[0];
   EXPECT_NEAR(pixel.albedo.r, kTan.r / 2, kTan.r / 8);
   EXPECT_EQ(pixel.albedo.r * 32, std::round(pixel.albedo.r * 32)) << "sixteenths of its colour";
   EXPECT_GT(pixel.normal.z, 0.2);
@@ -116,24 +103,23 @@ TEST(FirstHitLayers, AreMeansOverThePixel) {
   EXPECT_LT(pixel.depth, 5);
 }
 
-TEST(FirstHitLayers, FollowWhatMovesWhileTheShutterIsOpen) {
+TEST(PixelFeatures, FollowWhatMovesWhileTheShutterIsOpen) {
   Scene scene = ball();
   scene.shifts = {{0, 0, -2}};
   scene.camera.plane_height = 1e-6;  // so that curvature does not count
-  const double mean =
-      pixel_of(channels_of(scene, {.width = 1, .height = 1, .samples = 2}), 0).depth;
+  const double mean = features_of(scene, {.width = 1, .height = 1, .samples = 16})[0].depth;
   EXPECT_NEAR(mean, 5, 2.0 / 16) << "4 at the opening, 6 at the closing, stratified";
 }
 
-TEST(FirstHitLayers, TurnNormalsToTheCameraInsideOfASphere) {
+TEST(PixelFeatures, TurnNormalsToTheCameraInsideOfASphere) {
   Scene scene = ball();
   scene.spheres[0].radius = 8;
-  const Pixel middle = middle_of(scene);
+  const PixelFeatures middle = middle_of(scene);
   EXPECT_EQ(middle.depth, 13);
   EXPECT_EQ(middle.normal, (Vec3{0, 0, 1}));
 }
 
-TEST(FirstHitLayers, LeaveTheSurfaceThatTheCameraStandsOn) {
+TEST(PixelFeatures, LeaveTheSurfaceThatTheCameraStandsOn) {
   Scene scene = ball();
   scene.spheres.push_back({.center = {0, 0, 6}, .radius = 1, .material = 0});
   EXPECT_EQ(middle_of(scene).depth, 4) << "looking away from it";
@@ -145,7 +131,7 @@ TEST(FirstHitLayers, LeaveTheSurfaceThatTheCameraStandsOn) {
 }
 
 // Rounding would put half of the cameras before the surface, and half of them beyond it.
-TEST(FirstHitLayers, LeaveTheSurfaceThatTheCameraStandsOnButForRounding) {
+TEST(PixelFeatures, LeaveTheSurfaceThatTheCameraStandsOnButForRounding) {
   for (int i = 0; i < 100; ++i) {
     Scene scene = ball();
     const Vec3 view = unit({std::sin(i), std::cos(i), std::sin(3 * i)});
@@ -164,7 +150,7 @@ TEST(FirstHitLayers, LeaveTheSurfaceThatTheCameraStandsOnButForRounding) {
   }
 }
 
-TEST(FirstHitLayers, KeepTheirBitsInAScaledScene) {
+TEST(PixelFeatures, KeepTheirBitsInAScaledScene) {
   const auto scaled = [](int e) {
     Scene scene = ball();
     scene.spheres.push_back({.center = {0.4, 0.3, 1.1}, .radius = 0.7, .material = 0});
@@ -173,48 +159,57 @@ TEST(FirstHitLayers, KeepTheirBitsInAScaledScene) {
       sphere.center = scaled_by_power_of_two(sphere.center, e);
       sphere.radius = std::ldexp(sphere.radius, e);
     }
-    return channels_of(scene, kSmall);
+    return features_of(scene, kSmall);
   };
-  const Channels one = scaled(0);
-  for (const int e : {-60, 60}) {
-    const Channels other = scaled(e);
-    for (const auto& [name, values] : one) {
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        const bool is_scaled = name == "Z" && values[i] != static_cast<float>(kNoDepth);
-        ASSERT_EQ(other.at(name)[i], is_scaled ? std::ldexp(values[i], e) : values[i]) << name;
-      }
+  const std::vector<PixelFeatures> one = scaled(0);
+  for (const int e : {-60, 60, 900}) {
+    const std::vector<PixelFeatures> other = scaled(e);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      PixelFeatures expected = one[i];
+      if (expected.depth != kNoDepth) expected.depth = std::ldexp(expected.depth, e);
+      ASSERT_TRUE(other[i] == expected) << i;
     }
   }
 }
 
-TEST(FirstHitLayers, KeepDepthsThatAFloatCannotHoldAsTheLargest) {
+// A speck of 1e-12 in front of the camera, and a planet 1e12 away in the same picture.
+TEST(PixelFeatures, KeepTheDigitsOfDepthsThatDifferInMagnitude) {
   Scene scene = ball();
-  scene.camera.from.z = 5e200;
-  scene.spheres[0].radius = 1e200;
-  EXPECT_EQ(middle_of(scene).depth, std::numeric_limits<float>::max());
+  scene.spheres = {{.center = {0, 0, 5 - 2e-12}, .radius = 1e-12, .material = 0},
+                   {.center = {0, 0, -1e12}, .radius = 9e11, .material = 0}};
+  scene.camera.from = {0, 0, 0};
+  scene.camera.at = {0, 0, -1};
+  scene.spheres[0].center.z = -2e-12;
+  const auto features = features_of(scene, kSmall);
+  EXPECT_NEAR(features[kMiddle].depth, 1e-12, 1e-14);
+  EXPECT_NEAR(features[0].depth, 1.6e11, 1e11);
+  EXPECT_LT(features[0].depth, 1e12);
 }
 
-TEST(FirstHitLayers, AreTheSameBitsForAnyNumberOfThreads) {
+TEST(PixelFeatures, AreTheSameBitsForAnyNumberOfThreadsAndPasses) {
   RenderSettings settings = kSmall;
   settings.threads = 1;
-  const Channels one = channels_of(ball(), settings);
+  const std::vector<PixelFeatures> one = features_of(ball(), settings);
   settings.threads = 7;
-  EXPECT_EQ(channels_of(ball(), settings), one);
+  EXPECT_TRUE(features_of(ball(), settings) == one);
+  RenderSettings passes = settings;
+  passes.seconds = 1e9;  // a time limit alone makes many passes
+  EXPECT_TRUE(features_of(ball(), passes) == one);
   settings.seed = 1;
-  EXPECT_NE(channels_of(ball(), settings), one) << "and others for another seed";
+  EXPECT_FALSE(features_of(ball(), settings) == one) << "another seed";
 }
 
-TEST(FirstHitLayers, SeeTheSpheresOfInstances) {
+TEST(PixelFeatures, SeeTheSpheresOfInstances) {
   Scene scene = ball();
   scene.prototypes = {{.spheres = scene.spheres, .shifts = {}}};
   scene.spheres.clear();
   scene.instances = {{.prototype = 0, .placement = {.translate = {0, 0, 1}}, .shift = {}}};
-  const Pixel middle = middle_of(scene);
+  const PixelFeatures middle = middle_of(scene);
   EXPECT_EQ(middle.depth, 3);
   EXPECT_EQ(middle.albedo, kTan);
 }
 
-TEST(FirstHitLayers, TakeLightAndTintsForColoursUpToOne) {
+TEST(PixelFeatures, TakeLightAndTintsForColoursUpToOne) {
   const auto albedo = [](const Material& material) { return middle_of(ball(material)).albedo; };
   EXPECT_EQ(albedo({.color = kTan, .parameter = 0, .type = MaterialType::Specular}), kTan);
   EXPECT_EQ(albedo({.color = kTan, .parameter = 1.5, .type = MaterialType::Transmissive}), kTan);
@@ -223,15 +218,38 @@ TEST(FirstHitLayers, TakeLightAndTintsForColoursUpToOne) {
             (LinearRgb{1, 1, 0.5}));
 }
 
-TEST(FirstHitLayers, AreEmptyOnceTheyAreCancelled) {
-  const std::atomic<bool> cancel = true;
-  EXPECT_TRUE(first_hit_layers(ball(), kSmall, kFirstHits, cancel).empty());
-}
-
-TEST(FirstHitLayers, HoldNothingInAnEmptyScene) {
+TEST(PixelFeatures, HoldNothingInAnEmptyScene) {
   Scene scene = ball();
   scene.spheres.clear();
   EXPECT_EQ(middle_of(scene).depth, kNoDepth);
+}
+
+// The first rays of both samplers pass through the centre only with one sample.
+TEST(PreparedScene, PicksTheSphereAtThePixel) {
+  Scene scene = ball();
+  scene.spheres.push_back({.center = {0, 0, 20}, .radius = 1, .material = 0});
+  const PreparedScene prepared = prepare(scene, kSmall);
+  const auto picked = prepared.pick(kSmall, kMiddle);
+  ASSERT_TRUE(picked);
+  EXPECT_EQ(picked->sphere, 0u);
+  EXPECT_FALSE(picked->instance);
+  EXPECT_NEAR(picked->distance, 4, 1e-6);
+  EXPECT_FALSE(prepared.pick(kSmall, 0));
+}
+
+TEST(PreparedScene, PicksTheInstanceOfASphere) {
+  Scene scene = ball();
+  scene.prototypes = {{.spheres = {{.center = {9, 9, 0}, .radius = 1, .material = 0},
+                                   {.center = {0, 0, 0}, .radius = 1, .material = 0}},
+                       .shifts = {}}};
+  scene.spheres = {{.center = {0, 9, 0}, .radius = 1, .material = 0}};
+  scene.instances = {{.prototype = 0, .placement = {.translate = {50, 0, 1}}, .shift = {}},
+                     {.prototype = 0, .placement = {.translate = {0, 0, 1}}, .shift = {}}};
+  const auto picked = prepare(scene, kSmall).pick(kSmall, kMiddle);
+  ASSERT_TRUE(picked);
+  EXPECT_EQ(picked->sphere, 1u);
+  EXPECT_EQ(picked->instance, 1u);
+  EXPECT_NEAR(picked->distance, 3, 1e-9);
 }
 
 TEST(PictureLayers, HoldTheVarianceByChannel) {

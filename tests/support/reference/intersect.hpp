@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <limits>
 
-#include "render/math/ray.hpp"
 #include "render/math/vec3.hpp"
+#include "tests/support/reference/ray.hpp"
 
 /// Ray-sphere intersection without any epsilon.
-namespace sdlc::render {
+namespace sdlc::test::reference {
+
+using namespace render;  // NOLINT
 
 inline constexpr double kNoHit = std::numeric_limits<double>::infinity();
 inline constexpr std::uint32_t kNoSphere = 0xFFFFFFFF;
@@ -52,4 +54,4 @@ inline Vec3 rehit_normal(Vec3 direction, Vec3 normal) noexcept {
   return unit(normal - direction * (2 * dot(direction, normal)));
 }
 
-}  // namespace sdlc::render
+}  // namespace sdlc::test::reference

@@ -2,7 +2,9 @@
 
 #include "render/math/vec3.hpp"
 
-namespace sdlc::render {
+namespace sdlc::test::reference {
+
+using namespace render;  // NOLINT
 
 /// A half-line. `direction` has length 1; `u` is the time within the shutter, from 0 (opening) to 1
 /// (closing).
@@ -12,4 +14,4 @@ struct Ray {
   double u = 0;
 };
 
-}  // namespace sdlc::render
+}  // namespace sdlc::test::reference

@@ -1,8 +1,8 @@
-#include "render/sphere/intersect.hpp"
+#include "tests/support/reference/intersect.hpp"
 
 #include <gtest/gtest.h>
 
-namespace sdlc::render {
+namespace sdlc::test::reference {
 namespace {
 
 TEST(HitDistance, IsTheNearPointFromOutside) {
@@ -47,4 +47,4 @@ TEST(RehitNormal, KeepsLengthAndAngleOverAThousandReflections) {
 }
 
 }  // namespace
-}  // namespace sdlc::render
+}  // namespace sdlc::test::reference
