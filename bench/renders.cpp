@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 
 namespace sdlc::bench {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "render/image/tone.hpp"
 #include "render/scene/scene.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 
 /// Messages about the accuracy of a picture.
 namespace sdlc::cli {

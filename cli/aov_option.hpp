@@ -9,7 +9,7 @@
 #include "cli/outputs.hpp"
 #include "render/film/aov.hpp"
 #include "render/scene/scene.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 
 /// `sdlc render --aov`: auxiliary channels in EXR files.
 namespace sdlc::cli {

@@ -10,7 +10,7 @@
 #include "lang/compile/compile.hpp"
 #include "lang/eval/eval.hpp"
 #include "lang/lower/lowered_scene.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 
 /// The output of `sdlc inspect`.
 namespace sdlc::cli {

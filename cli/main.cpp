@@ -14,7 +14,7 @@
 #include "cli/program.hpp"
 #include "cli/stack.hpp"
 #include "render/image/atomic_file.hpp"
-#include "render/tiles/threads.hpp"
+#include "render/parallel/threads.hpp"
 
 namespace {
 

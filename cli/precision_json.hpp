@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "render/scene/precision.hpp"
+#include "render/exactness/precision.hpp"
 
 namespace sdlc::cli {
 

@@ -19,7 +19,7 @@
 #include "cli/words.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/io_error.hpp"
-#include "render/tiles/threads.hpp"
+#include "render/parallel/threads.hpp"
 #include "render/wide/backend.hpp"
 
 namespace sdlc::cli {

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 
 namespace sdlc::cli {
 

@@ -42,9 +42,9 @@
 #include "render/image/atomic_file.hpp"
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
+#include "render/parallel/threads.hpp"
 #include "render/scene/instances.hpp"
-#include "render/tiles/render.hpp"
-#include "render/tiles/threads.hpp"
+#include "render/session/render.hpp"
 
 namespace sdlc::cli {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "render/math/vec3.hpp"
 #include "render/scene/scene.hpp"
-#include "render/tiles/kernel.hpp"
+#include "render/wide/kernel.hpp"
 
 /// Figures about a scene, each from one pass over its spheres.
 namespace sdlc::cli {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lang/compile/compile.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 
 namespace sdlc::cli {
 

@@ -6,7 +6,7 @@
 #include "cli/report/figures.hpp"
 #include "cli/report/html.hpp"
 #include "cli/report/section.hpp"
-#include "render/scene/precision.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
 namespace {

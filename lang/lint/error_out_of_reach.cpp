@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "lang/lint/context.hpp"
-#include "render/accuracy/error_goal.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/error_goal.hpp"
+#include "render/session/render.hpp"
 
 namespace sdlc::lang {
 namespace {

@@ -10,9 +10,9 @@
 #include "lang/lower/settings.hpp"
 #include "lang/object/object.hpp"
 #include "lang/source/source.hpp"
+#include "render/exactness/coincident.hpp"
 #include "render/math/placement.hpp"
 #include "render/math/vec3.hpp"
-#include "render/scene/coincident.hpp"
 
 // Data about a scene that is only computed for checks.
 namespace sdlc::lang {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "render/scene/coincident.hpp"
+#include "render/exactness/coincident.hpp"
 
 namespace sdlc::lang {
 namespace {

@@ -10,7 +10,6 @@
 #include "lang/source/source.hpp"
 #include "render/image/tone.hpp"
 #include "render/math/interval.hpp"
-#include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::lang {

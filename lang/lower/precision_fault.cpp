@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "render/scene/near_pairs.hpp"
+#include "render/exactness/near_pairs.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::lang {
 namespace {

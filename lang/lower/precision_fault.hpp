@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
-#include "render/scene/precision.hpp"
+#include "render/exactness/precision.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::lang {

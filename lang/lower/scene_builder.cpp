@@ -6,7 +6,7 @@
 #include "lang/lower/camera.hpp"
 #include "lang/lower/placement.hpp"
 #include "lang/schema/schema.hpp"
-#include "render/scene/coincident.hpp"
+#include "render/exactness/coincident.hpp"
 
 namespace sdlc::lang {
 namespace {

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-#include "render/sampler/sampler.hpp"
+#include "render/shading/sampler.hpp"
 
 namespace sdlc::lang {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "render/film/film.hpp"
 #include "render/film/film_origin.hpp"
-#include "render/light/emitter_tally.hpp"
+#include "render/shading/emitter_tally.hpp"
 
 /// Films on disk. docs/decisions/0021 describes the format.
 namespace sdlc::render {

@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::render {

@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "render/image/io_error.hpp"
-#include "render/image/thread_probe.hpp"
+#include "render/parallel/thread_probe.hpp"
 
 namespace sdlc::render {
 namespace {

@@ -4,11 +4,6 @@
 
 namespace sdlc::render {
 
-/// The number of threads that the codec's libraries start while they are loaded, with some margin:
-/// four of log4cplus, one of OpenImageIO. The libraries abort the process, or wait forever, if one
-/// cannot be started.
-inline constexpr int kCodecThreads = 6;
-
 /// Returns the codec; the first call loads it (about 0.2 s). Throws IoError if the module is
 /// missing, cannot be loaded or was built for another version of the program.
 ImageCodec& image_codec();

@@ -14,6 +14,17 @@ inline Vec3 scaled_by_power_of_two(Vec3 v, int e) noexcept {
   return {std::ldexp(v.x, e), std::ldexp(v.y, e), std::ldexp(v.z, e)};
 }
 
+/// The length of a finite vector, also if its squares overflow or underflow.
+inline double moderate_length(Vec3 v) noexcept {
+  // No square of a relevant component comes near the limits of double, and the result equals
+  // length().
+  constexpr double kMin = 0x1p-800, kMax = 0x1p800;
+  const double squared = length_squared(v);
+  if (squared >= kMin && squared < kMax) return std::sqrt(squared);
+  const int e = exponent_of(max_abs(v));
+  return std::ldexp(length(scaled_by_power_of_two(v, -e)), e);
+}
+
 /// `v` scaled by the power of two that brings its largest component into [1, 2), so that the square
 /// of its length neither overflows nor underflows. Precondition: finite, not zero.
 inline Vec3 with_moderate_length(Vec3 v) noexcept {

@@ -6,7 +6,7 @@
 #include "render/measure/noise_of_time.hpp"
 #include "render/measure/study.hpp"
 #include "render/measure/trade.hpp"
-#include "render/tiles/threads.hpp"
+#include "render/parallel/threads.hpp"
 
 namespace sdlc::render {
 namespace {

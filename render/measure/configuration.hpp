@@ -5,7 +5,6 @@
 #include <tuple>
 #include <vector>
 
-#include "render/scene/precision.hpp"
 #include "render/scene/settings.hpp"
 
 namespace sdlc::render {

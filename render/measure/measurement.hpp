@@ -12,7 +12,7 @@
 #include "render/compare/difference.hpp"
 #include "render/math/interval.hpp"
 #include "render/measure/configuration.hpp"
-#include "render/scene/precision.hpp"
+#include "render/scene/scene.hpp"
 
 /// How error depends on render time: a scene is rendered with many configurations, each compared
 /// with one long reference render. All intervals are 95 % confidence intervals. Errors are relative

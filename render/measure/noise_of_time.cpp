@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/accuracy/student_t.hpp"
+#include "render/session/student_t.hpp"
 
 namespace sdlc::render {
 namespace {

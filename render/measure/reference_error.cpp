@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "render/accuracy/pooled_variance.hpp"
 #include "render/image/layer.hpp"
+#include "render/session/pooled_variance.hpp"
 
 namespace sdlc::render {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "render/image/picture.hpp"
 #include "render/measure/measurement.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 
 namespace sdlc::render {
 

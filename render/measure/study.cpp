@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "render/compare/flip.hpp"
-#include "render/light/choose_lights.hpp"
 #include "render/measure/trade.hpp"
+#include "render/shading/choose_lights.hpp"
 
 namespace sdlc::render {
 namespace {

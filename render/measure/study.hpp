@@ -14,9 +14,9 @@
 #include "render/measure/plan.hpp"
 #include "render/measure/reference_error.hpp"
 #include "render/scene/scene.hpp"
-#include "render/tiles/kernel.hpp"
-#include "render/tiles/prepared_scene.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/prepared_scene.hpp"
+#include "render/session/render.hpp"
+#include "render/wide/kernel.hpp"
 
 namespace sdlc::render {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "render/accuracy/student_t.hpp"
+#include "render/session/student_t.hpp"
 
 namespace sdlc::render {
 namespace {

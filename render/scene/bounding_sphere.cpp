@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "render/scene/rebase.hpp"
+#include "render/math/power_of_two.hpp"
 
 namespace sdlc::render {
 namespace {

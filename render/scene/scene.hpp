@@ -98,6 +98,10 @@ enum class LightSampling : std::uint8_t {
 /// The max camera paths per pixel if there is a goal and no explicit limit.
 inline constexpr int kMaxSamples = 1 << 24;
 
+/// The floating-point precision of paths. Mixed: float, except that intersections with the largest
+/// spheres use double.
+enum class Precision : std::uint8_t { Float, Mixed, Double };
+
 /// How the picture is rendered.
 struct RenderSettings {
   int width = 960;

@@ -8,7 +8,6 @@
 #include <tuple>
 #include <type_traits>
 
-#include "render/scene/precision.hpp"
 #include "render/scene/scene.hpp"
 
 /// The table of render settings. A row gives a member of RenderSettings its name: that of the

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "render/scene/precision.hpp"
+#include "render/scene/scene.hpp"
 #include "render/wide/path_kernel.hpp"
 
 namespace sdlc::render {

@@ -14,11 +14,11 @@
 
 #include <hwy/highway.h>
 
-#include "render/light/light_tree.hpp"
-#include "render/sampler/sampler.hpp"
+#include "render/shading/light_tree.hpp"
+#include "render/shading/sampler.hpp"
+#include "render/shading/wide_lights.hpp"
 #include "render/wide/table_reader-inl.h"
 #include "render/wide/vector_math-inl.h"
-#include "render/wide/wide_lights.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "render/camera/pinhole.hpp"
+#include "render/exactness/rebase.hpp"
+#include "render/exactness/touching.hpp"
 #include "render/film/pixel_run.hpp"
-#include "render/scene/rebase.hpp"
-#include "render/scene/touching.hpp"
+#include "render/shading/pinhole.hpp"
 #include "render/wide/path_kernel.hpp"
 #include "render/wide/wide_scene.hpp"
 

@@ -17,7 +17,7 @@
 
 #include <hwy/highway.h>
 
-#include "render/sampler/sampler.hpp"
+#include "render/shading/sampler.hpp"
 #include "render/wide/light_connections-inl.h"
 #include "render/wide/nearest-inl.h"
 #include "render/wide/path_kernel.hpp"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "render/film/pixel_run.hpp"
-#include "render/light/emitter_tally.hpp"
 #include "render/math/vec3.hpp"
+#include "render/shading/emitter_tally.hpp"
 #include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {

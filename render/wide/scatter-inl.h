@@ -13,7 +13,7 @@
 
 #include <hwy/highway.h>
 
-#include "render/sampler/sampler.hpp"
+#include "render/shading/sampler.hpp"
 #include "render/wide/table_reader-inl.h"
 #include "render/wide/vector_math-inl.h"
 #include "render/wide/wide_scene.hpp"

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "render/camera/pinhole.hpp"
-#include "render/scene/rebase.hpp"
-#include "render/scene/touching.hpp"
+#include "render/exactness/rebase.hpp"
+#include "render/exactness/touching.hpp"
+#include "render/shading/pinhole.hpp"
 #include "render/wide/path_kernel.hpp"
 
 namespace sdlc::render {

@@ -7,13 +7,13 @@
 #include <optional>
 #include <span>
 
+#include "render/exactness/near_pairs.hpp"
+#include "render/exactness/precision.hpp"
+#include "render/exactness/rebase.hpp"
 #include "render/film/first_hits.hpp"
 #include "render/film/pixel_run.hpp"
-#include "render/light/emitter_tally.hpp"
-#include "render/scene/near_pairs.hpp"
-#include "render/scene/precision.hpp"
-#include "render/scene/rebase.hpp"
 #include "render/scene/scene.hpp"
+#include "render/shading/emitter_tally.hpp"
 #include "render/wide/backend.hpp"
 #include "render/wide/wide_scene.hpp"
 

@@ -14,8 +14,8 @@
 
 #include <hwy/highway.h>
 
-#include "render/sampler/owen.hpp"
-#include "render/sampler/sampler.hpp"
+#include "render/shading/owen.hpp"
+#include "render/shading/sampler.hpp"
 #include "render/wide/two_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

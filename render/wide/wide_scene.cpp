@@ -9,10 +9,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "render/scene/camera_surface.hpp"
+#include "render/exactness/camera_surface.hpp"
+#include "render/exactness/near_pairs.hpp"
+#include "render/parallel/ranges.hpp"
 #include "render/scene/instances.hpp"
-#include "render/scene/near_pairs.hpp"
-#include "render/scene/ranges.hpp"
 
 namespace sdlc::render {
 namespace {

@@ -6,13 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "render/scene/precision.hpp"
+#include "render/exactness/precision.hpp"
+#include "render/hierarchy/instance_table.hpp"
+#include "render/hierarchy/wide_bvh.hpp"
+#include "render/math/vector_allocator.hpp"
 #include "render/scene/scene.hpp"
-#include "render/wide/instance_table.hpp"
-#include "render/wide/optics.hpp"
-#include "render/wide/vector_allocator.hpp"
-#include "render/wide/wide_bvh.hpp"
-#include "render/wide/wide_lights.hpp"
+#include "render/shading/optics.hpp"
+#include "render/shading/wide_lights.hpp"
 
 namespace sdlc::render {
 

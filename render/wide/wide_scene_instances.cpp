@@ -5,8 +5,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include "render/exactness/camera_surface.hpp"
+#include "render/hierarchy/instance_table.hpp"
 #include "render/scene/instances.hpp"
-#include "render/wide/instance_table.hpp"
 #include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {

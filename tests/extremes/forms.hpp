@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "render/scene/precision.hpp"
-#include "render/tiles/render.hpp"
+#include "render/exactness/precision.hpp"
+#include "render/scene/settings.hpp"
+#include "render/session/render.hpp"
 
 /// All kernels, precisions and instruction sets that this machine can run.
 namespace sdlc::test {

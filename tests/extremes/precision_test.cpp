@@ -1,4 +1,4 @@
-#include "render/scene/precision.hpp"
+#include "render/exactness/precision.hpp"
 
 #include <cmath>
 #include <cstdlib>

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "lang/compile/compile.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 #include "tests/render/wide/kernels.hpp"
 
 // Compares pictures with those of an independent renderer, which include the standard error of

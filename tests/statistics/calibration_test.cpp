@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "render/scene/settings.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 #include "tests/support/statistics/rooms.hpp"
 #include "tests/support/statistics/scenes.hpp"
 

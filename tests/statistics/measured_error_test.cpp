@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "render/measure/reference_error.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 #include "tests/support/statistics/rooms.hpp"
 
 // Compares the measured error of a picture, by a reference with noise of its own, with the distance

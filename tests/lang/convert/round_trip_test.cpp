@@ -13,7 +13,7 @@
 #include "lang/convert/convert.hpp"
 #include "lang/format/format.hpp"
 #include "render/scene/digest.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 #include "tests/support/configs/config_generator.hpp"
 
 // Properties of every config: it converts to a scene and back to a config with the same meaning,

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 #include "tests/render/wide/kernels.hpp"
 #include "tests/support/statistics/random.hpp"
 #include "tests/support/statistics/scenes.hpp"

@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "render/tiles/render.hpp"
+#include "render/scene/settings.hpp"
+#include "render/session/render.hpp"
 
 /// The wide kernel in all configurations that this machine can run.
 namespace sdlc::test {

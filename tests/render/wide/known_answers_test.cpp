@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 #include "render/wide/tracer.hpp"
 #include "tests/render/wide/kernels.hpp"
 #include "tests/support/statistics/scenes.hpp"

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "render/scene/instances.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 #include "tests/render/wide/kernels.hpp"
 #include "tests/support/reference/path_tracer.hpp"
 #include "tests/support/statistics/random.hpp"

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 #include "tests/render/wide/kernels.hpp"
 #include "tests/support/reference/path_tracer.hpp"
 #include "tests/support/statistics/scaled_scene.hpp"

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "render/light/lights.hpp"
 #include "render/math/color.hpp"
 #include "render/math/vec3.hpp"
-#include "render/sampler/sampler.hpp"
+#include "render/shading/lights.hpp"
+#include "render/shading/sampler.hpp"
 
 namespace sdlc::test::reference {
 

@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "render/camera/pinhole.hpp"
+#include "render/exactness/camera_surface.hpp"
+#include "render/exactness/rebase.hpp"
+#include "render/exactness/touching.hpp"
 #include "render/film/film.hpp"
-#include "render/light/lights.hpp"
-#include "render/sampler/sampler.hpp"
-#include "render/scene/camera_surface.hpp"
-#include "render/scene/rebase.hpp"
-#include "render/scene/touching.hpp"
+#include "render/shading/lights.hpp"
+#include "render/shading/pinhole.hpp"
+#include "render/shading/sampler.hpp"
 #include "tests/support/reference/intersect.hpp"
 #include "tests/support/reference/light_choice.hpp"
 #include "tests/support/reference/ray.hpp"

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "render/scene/scene.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 
 namespace sdlc::test {
 

@@ -5,8 +5,8 @@
 
 #include "render/math/sincos.hpp"
 #include "render/math/vec3.hpp"
-#include "render/sampler/sampler.hpp"
 #include "render/scene/scene.hpp"
+#include "render/shading/sampler.hpp"
 #include "tests/support/reference/fresnel.hpp"
 
 /// Scattering at surfaces. Directions in and out have length 1. Surfaces that end the path are

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "render/scene/scene.hpp"
-#include "render/tiles/render.hpp"
+#include "render/session/render.hpp"
 #include "tests/support/statistics/estimate.hpp"
 
 /// Short helpers to build test scenes.

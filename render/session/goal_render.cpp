@@ -1,0 +1,191 @@
+#include "render/session/goal_render.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "render/session/adaptive_samples.hpp"
+#include "render/session/error_goal.hpp"
+
+namespace sdlc::render {
+
+bool has_unseen_error(const RenderResult& result, const EmitterTally& emitters) {
+  if (!result.error || !emitters.is_counting()) return false;
+  const double unseen = unseen_error(emitters.rare(), result.error->mean,
+                                     result.picture.pixels.size(), result.min_samples);
+  return unseen > result.error->interval.to / 2;
+}
+
+GoalRender::GoalRender(PictureTracer& tracer, const RenderSettings& settings,
+                       const EmitterTally& emitters, Clock::time_point start,
+                       RenderMonitor& monitor, Film& film, RenderResult& result)
+    : tracer_(tracer),
+      settings_(settings),
+      emitters_(emitters),
+      monitor_(monitor),
+      result_(result),
+      start_(start),
+      film_(film) {
+  if (!settings.seconds) return;
+  deadline_ = start + std::chrono::duration_cast<Clock::duration>(
+                          std::chrono::duration<double>(std::min(*settings.seconds, 1e9)));
+}
+
+bool GoalRender::is_late() const {
+  // The first pass is always finished: a picture must not have holes.
+  return deadline_ && !is_first_pass_ && Clock::now() >= *deadline_;
+}
+
+bool GoalRender::pass(std::span<const std::uint32_t> samples) {
+  std::vector<ReplicateCounts> counts;
+  counts.reserve(samples.size());
+  for (const std::uint32_t of_pixel : samples) counts.push_back(split_in_replicates(of_pixel));
+  film_.reserve(counts);
+  const std::uint64_t most = std::ranges::max(samples);
+  const std::uint64_t added = most - std::min(most, film_.samples(0));
+  const bool is_whole = tracer_.trace_pass(
+      film_, added, [&](std::size_t pixel) { return counts[counts.size() == 1 ? 0 : pixel]; },
+      [this] { return is_late(); });
+  is_first_pass_ = false;
+  if (monitor_.on_pass) monitor_.on_pass(film_);
+  if (deadline_) {
+    report_progress(std::chrono::duration<double>(Clock::now() - start_).count() /
+                    *settings_.seconds);
+  }
+  return is_whole && !is_late();
+}
+
+std::vector<std::uint32_t> GoalRender::samples_of_film() const {
+  std::vector<std::uint32_t> samples(film_.size());
+  for (std::size_t i = 0; i < film_.size(); ++i) {
+    samples[i] = static_cast<std::uint32_t>(film_.samples(i));
+  }
+  return samples;
+}
+
+std::uint64_t GoalRender::fewest_samples() const {
+  std::uint64_t fewest = film_.samples(0);
+  for (std::size_t i = 1; i < film_.size(); ++i) fewest = std::min(fewest, film_.samples(i));
+  return fewest;
+}
+
+void GoalRender::report_progress(double share) {
+  monitor_.goal_share = std::max(monitor_.goal_share.load(), std::min(share, 1.0));
+}
+
+void GoalRender::estimate() {
+  spreads_.resize(film_.size());
+  result_.min_samples = result_.max_samples = film_.samples(0);
+  for (std::size_t i = 1; i < film_.size(); ++i) {
+    const std::uint64_t samples = film_.samples(i);
+    result_.min_samples = std::min(result_.min_samples, samples);
+    result_.max_samples = std::max(result_.max_samples, samples);
+  }
+  const bool is_known = result_.min_samples >= kMinReplicatedSamples;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film_.size(), 1024),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        result_.picture.pixels[i] = film_.mean(i);
+                        if (is_known) spreads_[i] = film_.spread(i);
+                      }
+                    });
+  result_.error.reset();
+  if (is_known) result_.error = estimate_error(result_.picture, spreads_);
+}
+
+void GoalRender::run() {
+  if (settings_.error && settings_.is_adaptive) {
+    run_adaptive();
+  } else {
+    run_uniform();
+  }
+  estimate();
+  result_.has_reached_error =
+      settings_.error && result_.error && result_.error->interval.to <= *settings_.error;
+  if (result_.min_samples != result_.max_samples) {
+    result_.samples_of_pixels = samples_of_film();
+  }
+  if (settings_.keeps_variance && result_.error) {
+    result_.variance = Picture(settings_.width, settings_.height);
+    for (std::size_t i = 0; i < film_.size(); ++i) {
+      result_.variance.pixels[i] = film_.variance(i);
+    }
+    result_.spreads = std::move(spreads_);
+  }
+}
+
+void GoalRender::run_uniform() {
+  const auto max_samples = static_cast<std::uint64_t>(settings_.samples);
+  ErrorGoal goal(settings_.error.value_or(0), max_samples);
+  // With only a time limit the first pass is as short as possible, and is finished.
+  std::optional<std::uint64_t> samples = settings_.error ? goal.first_samples() : 1;
+  samples = std::max(*samples, fewest_samples());
+  while (samples) {
+    const auto of_pixel = static_cast<std::uint32_t>(*samples);
+    if (!pass(std::span(&of_pixel, 1))) return;
+    if (settings_.error) {
+      estimate();
+      if (!result_.error) return;
+      const double to_go = *settings_.error / result_.error->interval.to;
+      report_progress(to_go * to_go);
+      const std::uint64_t now = *samples;
+      samples = goal.next_samples(now, *result_.error);
+      if (goal.is_reached() && has_unseen_error(result_, emitters_)) {
+        // Limited: a kind of path may be occluded everywhere.
+        constexpr std::uint64_t kMaxBlindSamples = 1024;
+        const std::uint64_t next =
+            std::min({2 * now, std::max(now, kMaxBlindSamples), max_samples});
+        if (next <= now) return;
+        samples = next;
+      }
+    } else if (*samples >= max_samples) {
+      return;
+    } else {
+      const std::uint64_t next =
+          *samples < kMinReplicatedSamples
+              ? (*samples < kReplicates ? kReplicates : kMinReplicatedSamples)
+              : *samples +
+                    std::max<std::uint64_t>(kReplicates, *samples / 4 / kReplicates * kReplicates);
+      samples = std::min(next, max_samples);
+    }
+  }
+}
+
+void GoalRender::run_adaptive() {
+  const auto max_samples = static_cast<std::uint64_t>(settings_.samples);
+  const auto pilot =
+      static_cast<std::uint32_t>(std::min<std::uint64_t>(kPilotSamples, max_samples));
+  if (!pass(std::span(&pilot, 1))) return;
+  estimate();
+  if (!result_.error || result_.error->interval.to <= *settings_.error) return;
+  if (result_.max_samples > pilot) return run_adaptive(samples_of_film());
+  // The confidence interval has a width at the end, so the estimate itself has to be lower than the
+  // goal.
+  const double width = result_.error->relative_error / result_.error->interval.to;
+  std::vector<std::uint32_t> samples =
+      adaptive_samples(spreads_, *result_.error, settings_.width, *settings_.error * width,
+                       settings_.sampler, pilot, max_samples);
+  run_adaptive(std::move(samples));
+}
+
+void GoalRender::run_adaptive(std::vector<std::uint32_t> samples) {
+  const auto max_samples = static_cast<std::uint64_t>(settings_.samples);
+  while (pass(samples)) {
+    estimate();
+    if (!result_.error) return;
+    const double left = result_.error->interval.to / *settings_.error;
+    report_progress(1 / (left * left));
+    if (left <= 1 || result_.min_samples >= max_samples) return;
+    // Scale all by the same factor: the error falls at least with the square root of the samples.
+    const double factor = std::clamp(left * left, 1.02, 1.25);
+    for (std::uint32_t& n : samples) {
+      const double wanted = std::ceil(n * factor / kReplicates) * kReplicates;
+      n = static_cast<std::uint32_t>(std::min(wanted, static_cast<double>(max_samples)));
+    }
+  }
+}
+
+}  // namespace sdlc::render

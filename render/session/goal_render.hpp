@@ -1,0 +1,60 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "render/film/film.hpp"
+#include "render/session/picture_tracer.hpp"
+#include "render/session/render.hpp"
+#include "render/shading/emitter_tally.hpp"
+
+namespace sdlc::render {
+
+/// Whether rare kinds of path may add more than half of the interval's upper end to the error of a
+/// picture, an eighth in total. False if the error is not known anyway.
+bool has_unseen_error(const RenderResult& result, const EmitterTally& emitters);
+
+/// A render with a goal: passes over the whole picture until a goal is reached.
+class GoalRender {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// Keeps references to all arguments. RenderSettings::seconds counts from `start`.
+  GoalRender(PictureTracer& tracer, const RenderSettings& settings, const EmitterTally& emitters,
+             Clock::time_point start, RenderMonitor& monitor, Film& film, RenderResult& result);
+
+  void run();
+
+ private:
+  /// Brings the pixels to these samples, or all of them to the only element. Returns false if it
+  /// was the last pass because of the time limit or cancellation.
+  bool pass(std::span<const std::uint32_t> samples);
+  void run_uniform();
+  void run_adaptive();
+  /// Goes on from these samples of each pixel, of which there may be more already.
+  void run_adaptive(std::vector<std::uint32_t> samples);
+  std::vector<std::uint32_t> samples_of_film() const;
+  std::uint64_t fewest_samples() const;
+  bool is_late() const;
+  void report_progress(double share);
+  /// Updates the picture, its error estimate and the numbers of samples.
+  void estimate();
+
+  PictureTracer& tracer_;
+  const RenderSettings& settings_;
+  const EmitterTally& emitters_;
+  RenderMonitor& monitor_;
+  RenderResult& result_;
+  std::optional<Clock::time_point> deadline_;
+  Clock::time_point start_;
+  Film& film_;
+  std::vector<PixelSpread> spreads_;
+  bool is_first_pass_ = true;
+};
+
+}  // namespace sdlc::render

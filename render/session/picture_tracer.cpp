@@ -1,0 +1,116 @@
+#include "render/session/picture_tracer.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+
+namespace sdlc::render {
+namespace {
+
+// Some thousands of runs at a time keep all lanes busy, and their sums in the cache.
+constexpr std::size_t kRunsPerBatch = 4096;
+
+}  // namespace
+
+PictureTracer::PictureTracer(const Tracer& tracer, const RenderSettings& settings,
+                             EmitterTally& emitters, int threads, RenderMonitor& monitor)
+    : tracer_(tracer),
+      settings_(settings),
+      emitters_(emitters),
+      threads_(threads),
+      monitor_(monitor) {}
+
+std::size_t PictureTracer::pixels_per_tile(std::size_t pixels,
+                                           std::uint64_t samples) const noexcept {
+  // Lanes idle while a tile's last runs end: half a run in 64 of them, with 16 lanes. Threads idle
+  // during the picture's last tiles.
+  constexpr std::size_t kSamplesPerTile = 1 << 16, kMaxPixels = 1024, kTilesPerThread = 16,
+                        kMaxTiles = 1 << 30;
+  const std::size_t min_tile = std::max<std::size_t>(1, pixels / kMaxTiles);
+  const std::size_t of_threads = pixels / (static_cast<std::size_t>(threads_) * kTilesPerThread);
+  const std::size_t of_samples = kSamplesPerTile / std::max<std::uint64_t>(samples, 1);
+  return std::clamp(std::min(of_samples, kMaxPixels), min_tile, std::max(min_tile, of_threads));
+}
+
+void PictureTracer::for_each_tile(
+    std::size_t pixels, std::size_t pixels_per_tile,
+    const std::function<void(std::size_t begin, std::size_t end)>& body) const {
+  const std::size_t tiles = (pixels + pixels_per_tile - 1) / pixels_per_tile;
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, tiles, 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t tile = range.begin(); tile < range.end(); ++tile) {
+          if (monitor_.cancel.load(std::memory_order_relaxed)) return;
+          const std::size_t begin = tile * pixels_per_tile;
+          body(begin, std::min(pixels, begin + pixels_per_tile));
+        }
+      },
+      tbb::simple_partitioner{});
+}
+
+bool PictureTracer::trace_tile(Film& film, std::size_t begin, std::size_t end, const Target& target,
+                               const IsLate& is_late) {
+  const std::size_t max_blocks = std::max<std::size_t>(1, kRunsPerBatch / (end - begin));
+  thread_local std::vector<PixelRun> runs;  // thread_local, so that its memory is mapped once
+  OpenPixels pixels(film, begin, end, target);
+  bool is_whole = false;
+  while (true) {
+    runs.clear();
+    pixels.plan(static_cast<std::uint32_t>(max_blocks), runs);
+    is_whole = runs.empty();
+    if (is_whole || is_late()) break;
+    TraceCounts counts;
+    if (!tracer_.trace(settings_, &emitters_, runs, counts, monitor_.cancel)) break;
+    std::uint64_t samples = 0;
+    for (const PixelRun& run : runs) {
+      pixels.add(run);
+      samples += run.samples();
+    }
+    monitor_.samples_done.fetch_add(samples, std::memory_order_relaxed);
+    monitor_.rays_done.fetch_add(counts.rays, std::memory_order_relaxed);
+    truncated_.fetch_add(counts.truncated_paths, std::memory_order_relaxed);
+    nonfinite_.fetch_add(counts.nonfinite_samples, std::memory_order_relaxed);
+  }
+  pixels.close();
+  return is_whole;
+}
+
+bool PictureTracer::trace_pass(Film& film, std::uint64_t added, const Target& target,
+                               const IsLate& is_late, const OnTile& on_tile) {
+  std::atomic<bool> is_whole{true};
+  // Use smaller tiles if the time limit may end the pass, because started tiles are finished.
+  constexpr std::uint64_t kSmaller = 8;
+  const std::size_t tile =
+      pixels_per_tile(film.size(), settings_.seconds ? kSmaller * added : added);
+  for_each_tile(film.size(), tile, [&](std::size_t begin, std::size_t end) {
+    if (!trace_tile(film, begin, end, target, is_late)) {
+      is_whole = false;
+    } else if (on_tile) {
+      on_tile(film, begin, end);
+    }
+  });
+  return is_whole && !monitor_.cancel.load();
+}
+
+void PictureTracer::trace_tiles(const FilmExtent& extent, const ReplicateCounts& target,
+                                const OnTile& on_tile) {
+  std::uint64_t samples = 0;
+  for (const std::uint32_t count : target) samples += count;
+  for_each_tile(extent.pixels, pixels_per_tile(extent.pixels, samples),
+                [&](std::size_t begin, std::size_t end) {
+                  FilmExtent tile = extent;
+                  tile.first_pixel += begin;
+                  tile.pixels = end - begin;
+                  Film film(tile, channels_of(settings_));
+                  film.reserve(std::span(&target, 1));
+                  const bool is_whole = trace_tile(
+                      film, 0, film.size(), [&](std::size_t) { return target; },
+                      [] { return false; });
+                  if (is_whole) on_tile(film, 0, film.size());
+                });
+}
+
+}  // namespace sdlc::render

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "render/film/film.hpp"
+#include "render/image/picture.hpp"
+#include "render/session/render.hpp"
+#include "render/shading/emitter_tally.hpp"
+#include "render/wide/tracer.hpp"
+
+namespace sdlc::render {
+
+/// Traces the pixels of a picture tile by tile, on all threads of the current arena. A tile is a
+/// run of pixels, long enough to keep all lanes busy, and short enough to keep all threads busy.
+class PictureTracer {
+ public:
+  /// Keeps references to all arguments.
+  PictureTracer(const Tracer& tracer, const RenderSettings& settings, EmitterTally& emitters,
+                int threads, RenderMonitor& monitor);
+
+  /// The number of samples that a pixel shall have in each replicate.
+  using Target = std::function<ReplicateCounts(std::size_t pixel)>;
+  using IsLate = std::function<bool()>;
+  /// Called when the pixels [begin, end) of a film have reached their targets, on the thread that
+  /// traced them.
+  using OnTile = std::function<void(const Film& film, std::size_t begin, std::size_t end)>;
+
+  /// Brings the pixels of a film, which has room for them, to their targets; `added` is the largest
+  /// number of samples that a pixel gets. Starts no new work after `is_late` returns true. Returns
+  /// false if any work is left.
+  bool trace_pass(Film& film, std::uint64_t added, const Target& target, const IsLate& is_late,
+                  const OnTile& on_tile = {});
+
+  /// Brings all pixels of the extent to the same target in films of one tile each, which are
+  /// dropped after `on_tile`: a whole film takes more memory than the picture.
+  void trace_tiles(const FilmExtent& extent, const ReplicateCounts& target, const OnTile& on_tile);
+
+  std::uint64_t truncated_paths() const noexcept { return truncated_; }
+  std::uint64_t nonfinite_samples() const noexcept { return nonfinite_; }
+
+ private:
+  bool trace_tile(Film& film, std::size_t begin, std::size_t end, const Target& target,
+                  const IsLate& is_late);
+  void for_each_tile(std::size_t pixels, std::size_t pixels_per_tile,
+                     const std::function<void(std::size_t begin, std::size_t end)>& body) const;
+  std::size_t pixels_per_tile(std::size_t pixels, std::uint64_t samples) const noexcept;
+
+  const Tracer& tracer_;
+  const RenderSettings& settings_;
+  EmitterTally& emitters_;
+  int threads_;
+  RenderMonitor& monitor_;
+  std::atomic<std::uint64_t> truncated_{0};
+  std::atomic<std::uint64_t> nonfinite_{0};
+};
+
+}  // namespace sdlc::render

@@ -1,0 +1,147 @@
+#include "render/session/render.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "render/film/film.hpp"
+#include "render/parallel/workers.hpp"
+#include "render/session/goal_render.hpp"
+#include "render/session/picture_tracer.hpp"
+#include "render/shading/emitter_tally.hpp"
+
+namespace sdlc::render {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Renders without a goal. `film` may be null.
+void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderSettings& settings,
+                    const RenderMonitor& monitor, Film* film, RenderResult& result) {
+  const auto samples = static_cast<std::uint64_t>(settings.samples);
+  result.max_samples = samples;
+  const FilmExtent extent = extent_of(settings);
+  const bool has_replicates = extent.replicates > 1;
+  const ReplicateCounts target = has_replicates
+                                     ? split_in_replicates(samples)
+                                     : ReplicateCounts{static_cast<std::uint32_t>(samples)};
+  std::vector<PixelSpread> spreads(has_replicates ? extent.pixels : 0);
+  if (has_replicates && settings.keeps_variance) {
+    result.variance = Picture(settings.width, settings.height);
+  }
+  if (settings.keeps_first_hits) result.features.resize(extent.pixels);
+  const auto take_tile = [&](const Film& tile, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t pixel = tile.extent().first_pixel + i;
+      result.picture.pixels[pixel] = tile.mean(i);
+      if (!spreads.empty()) spreads[pixel] = tile.spread(i);
+      if (!result.variance.pixels.empty()) result.variance.pixels[pixel] = tile.variance(i);
+      if (settings.keeps_first_hits) {
+        result.features[pixel] = tracer.features_of(tile.first_hits(i), tile.samples(i));
+      }
+    }
+  };
+  if (film == nullptr) {
+    pictures.trace_tiles(extent, target, take_tile);
+  } else {
+    film->reserve(std::span(&target, 1));
+    pictures.trace_pass(
+        *film, samples, [&](std::size_t) { return target; }, [] { return false; }, take_tile);
+  }
+  if (monitor.cancel.load()) return;  // some pixels have no sample
+  result.min_samples = samples;
+  if (has_replicates) result.error = estimate_error(result.picture, spreads);
+  if (settings.keeps_variance) result.spreads = std::move(spreads);
+}
+
+/// RenderSettings::seconds counts from `start`. `film` may be null.
+RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
+                          const RenderSettings& settings, RenderMonitor& monitor, Film* film) {
+  std::optional<Film> own;
+  if (film == nullptr && (settings.has_goal() || monitor.on_pass)) {
+    film = &own.emplace(extent_of(settings), channels_of(settings));
+  }
+  RenderResult result;
+  result.picture = Picture(settings.width, settings.height);
+  result.kernel = scene.kernel();
+  result.build_seconds = scene.build_seconds();
+  result.bvh_bytes = scene.memory_bytes();
+  Workers workers(settings.threads);
+  result.threads = workers.count();
+  EmitterTally emitters(scene.emitters(), settings.depth);
+  if (monitor.on_tracing) monitor.on_tracing();
+
+  const auto render_start = Clock::now();
+  PictureTracer pictures(scene.tracer(), settings, emitters, result.threads, monitor);
+  workers.run([&] {
+    if (settings.has_goal()) {
+      GoalRender(pictures, settings, emitters, start, monitor, *film, result).run();
+      if (settings.keeps_first_hits) {
+        for (std::size_t i = 0; i < film->size(); ++i) {
+          result.features.push_back(
+              scene.tracer().features_of(film->first_hits(i), film->samples(i)));
+        }
+      }
+    } else {
+      render_at_once(pictures, scene.tracer(), settings, monitor, film, result);
+      if (monitor.on_pass) monitor.on_pass(*film);
+    }
+  });
+  result.render_seconds = seconds_since(render_start);
+  result.is_complete = !monitor.cancel.load();
+  if (!result.is_complete) result.error.reset();
+  if (has_unseen_error(result, emitters)) {
+    result.rare_paths = emitters.rare();
+    result.error.reset();
+    result.has_reached_error = false;
+  }
+  result.camera_samples = monitor.samples_done.load();
+  result.rays = monitor.rays_done.load();
+  result.truncated_paths = pictures.truncated_paths();
+  result.nonfinite_samples = pictures.nonfinite_samples();
+  result.scarce_emitters = emitters.scarce();
+  result.sampled_lights = static_cast<std::uint32_t>(result.kernel.lights.size());
+  return result;
+}
+
+}  // namespace
+
+FilmExtent extent_of(const RenderSettings& settings) noexcept {
+  const bool has_replicates =
+      settings.has_goal() || settings.samples >= static_cast<int>(kMinReplicatedSamples);
+  return {.pixels =
+              static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height),
+          .replicates = has_replicates ? kReplicates : 1};
+}
+
+Channels channels_of(const RenderSettings& settings) noexcept {
+  return settings.keeps_first_hits ? Channels::ColorAndFirstHits : Channels::Color;
+}
+
+RenderResult render(const PreparedScene& scene, const RenderSettings& settings,
+                    RenderMonitor& monitor, Film* film) {
+  return render_since(Clock::now(), scene, settings, monitor, film);
+}
+
+RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
+                    RenderMonitor& monitor) {
+  const auto start = Clock::now();
+  const PreparedScene prepared(std::move(kernel), std::move(scene), settings.threads);
+  return render_since(start, prepared, settings, monitor, nullptr);
+}
+
+RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor,
+                    const KernelRequest& request) {
+  const auto start = Clock::now();
+  const PreparedScene prepared = prepare(std::move(scene), settings, request);
+  return render_since(start, prepared, settings, monitor, nullptr);
+}
+
+}  // namespace sdlc::render

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "render/film/film.hpp"
+#include "render/image/picture.hpp"
+#include "render/scene/scene.hpp"
+#include "render/session/error_estimate.hpp"
+#include "render/session/prepared_scene.hpp"
+#include "render/shading/emitter_tally.hpp"
+#include "render/wide/kernel.hpp"
+
+namespace sdlc::render {
+
+/// Progress of a render for other threads, and a means to cancel it.
+struct RenderMonitor {
+  std::atomic<bool> cancel{false};  ///< set to end the render within milliseconds
+  std::atomic<std::uint64_t> samples_done{0};
+  std::atomic<std::uint64_t> rays_done{0};
+  /// For a render with a goal: the progress towards it after the last pass, from 0 to 1.
+  std::atomic<double> goal_share{0};
+  /// Called once, after everything is built and before the first path is traced.
+  std::function<void()> on_tracing;
+  /// Called after each pass with the samples so far: once, at the end, if there is no goal.
+  std::function<void(const Film& film)> on_pass;
+};
+
+/// A picture with statistics about its render.
+struct RenderResult {
+  Picture picture;           ///< mean radiance; pixels without samples are black
+  bool is_complete = false;  ///< false after a cancelled render
+  Kernel kernel;             ///< without its near pairs
+  int threads = 0;           ///< the requested number, with 0 replaced by all hardware threads
+  std::uint64_t camera_samples = 0;
+  std::uint64_t rays = 0;
+  std::uint64_t truncated_paths = 0;
+  std::uint64_t nonfinite_samples = 0;  ///< excluded from their pixel's sum; not 0 indicates a
+                                        ///< defect
+  std::uint64_t min_samples = 0;        ///< of any pixel
+  std::uint64_t max_samples = 0;
+  bool has_reached_error = false;  ///< RenderSettings::error
+  /// For a complete picture with at least 8 samples per pixel; nullopt if rare kinds of path may
+  /// add more than half of the interval's upper end (unseen_error()).
+  std::optional<ErrorEstimate> error{};
+  Picture variance;                  ///< variance of each pixel's mean, if requested and known
+  std::vector<PixelSpread> spreads;  ///< the same per pixel, channels combined
+  /// By pixel, if requested; that of a pixel without samples is PixelFeatures{}.
+  std::vector<PixelFeatures> features;
+  std::vector<std::uint32_t> samples_of_pixels;  ///< empty if all pixels have the same number
+  std::uint32_t sampled_lights = 0;              ///< emitters that diffuse surfaces sample directly
+  /// Emitters that fewer than EmitterTally::kEnough paths reached: their light may be missing.
+  std::vector<ReachedEmitter> scarce_emitters;
+  /// Kinds of path that were found too rarely for the error to be known; empty if it is known.
+  std::vector<RarePath> rare_paths;
+  std::size_t bvh_bytes = 0;  ///< 0 without a BVH
+  double build_seconds = 0;   ///< PreparedScene::build_seconds()
+  double render_seconds = 0;  ///< tracing only
+};
+
+/// Renders the scene tile by tile on all threads. With a goal it runs passes over the whole picture
+/// until a goal or the max number of samples is reached; the time limit may leave some pixels with
+/// fewer samples than others.
+///
+/// Without a time limit, the same scene, settings and seed give the same bytes for any number of
+/// threads and any order of tiles. An error goal that was reached with N samples per pixel gives
+/// the same bytes as N samples. With a wide kernel this also holds across all instruction sets with
+/// fused multiply-add, which is all but SSE4.
+///
+/// The samples are added to `film`, with extent_of() and channels_of() the settings, unless it is
+/// null. If it has
+/// samples of an earlier render of the same picture, the render goes on from there.
+RenderResult render(const PreparedScene& scene, const RenderSettings& settings,
+                    RenderMonitor& monitor, Film* film = nullptr);
+
+/// Prepares the scene for `kernel`, which is from choose_kernel() and not refused, and renders it.
+/// The time limit includes building.
+RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
+                    RenderMonitor& monitor);
+/// The same with the kernel that is chosen now.
+RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor,
+                    const KernelRequest& request = {});
+
+/// The extent of a film of the whole picture.
+FilmExtent extent_of(const RenderSettings& settings) noexcept;
+/// The channels of a film with these settings.
+Channels channels_of(const RenderSettings& settings) noexcept;
+
+}  // namespace sdlc::render

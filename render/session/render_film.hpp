@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "render/film/film_file.hpp"
+#include "render/image/picture.hpp"
+#include "render/session/render.hpp"
+
+/// Pictures in parts: crops, shards and checkpoints.
+namespace sdlc::render {
+
+/// Some samples of some pixels.
+struct FilmPart {
+  FilmExtent extent;
+  /// Of each replicate, the samples from FilmExtent::first_sample to here; a multiple of
+  /// SampleSum::kBlock if a later part goes on.
+  std::uint32_t end_sample = std::numeric_limits<std::uint32_t>::max();
+};
+
+/// A film without samples, for render_part() with the same arguments. `digest`: digest_of() the
+/// scene that was prepared.
+StoredFilm new_film(const PreparedScene& scene, std::uint64_t digest,
+                    const RenderSettings& settings);
+
+/// Adds to `stored` the samples of a part that it lacks. Each pixel of the picture has the same
+/// number of `samples`, or there is one number per pixel; the goals of `settings` are ignored. A
+/// film with the extent of the part is continued; otherwise one is added. Returns false if
+/// `monitor` cancelled it: some samples are then missing, and a second call adds them.
+///
+/// Parts that are joined by add_film() have the bits of a render of the whole picture.
+bool render_part(const PreparedScene& scene, const RenderSettings& settings, RenderMonitor& monitor,
+                 const FilmPart& part, std::span<const std::uint32_t> samples, StoredFilm& stored);
+
+/// The picture of the films' samples; black where a pixel has none. Throws std::invalid_argument if
+/// a film does not begin with the first sample.
+Picture picture_of(const StoredFilm& stored);
+
+}  // namespace sdlc::render

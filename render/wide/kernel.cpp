@@ -1,0 +1,217 @@
+#include "render/wide/kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <tbb/global_control.h>
+
+#include "render/exactness/camera_surface.hpp"
+#include "render/exactness/precision.hpp"
+#include "render/parallel/threads.hpp"
+#include "render/shading/choose_lights.hpp"
+#include "render/wide/light_pilot.hpp"
+#include "render/wide/wide_scene.hpp"
+
+namespace sdlc::render {
+namespace {
+
+// Nanoseconds per ray, fitted to a ground with 23 to 249 spheres on it, on one thread of a Zen 4
+// with AVX2. With AVX-512 the crossover is at about the same number of spheres.
+double cost_of_all(double spheres, Precision precision) {
+  return precision == Precision::Double ? 25 + 0.55 * spheres : 16 + 0.36 * spheres;
+}
+double cost_of_bvh(double spheres, Precision precision) {
+  const double depth = std::log2(spheres);
+  return precision == Precision::Double ? 70 + 4 * depth : 30 + 3.4 * depth;
+}
+
+std::string whole(double number) { return std::to_string(std::lround(number)); }
+
+using Subject = KernelRefusal::Subject;
+
+/// Why no vectors, or the portable backend if it was requested, can trace the scene.
+std::optional<KernelObstacle> obstacle_to(const Scene& scene, const KernelRequest& request) {
+  const bool is_portable = request.backend == &portable_backend();
+  if (!is_portable && available_vectors().empty()) return KernelObstacle::NoVectors;
+  if (!is_portable && scene.spheres.empty()) return KernelObstacle::NoSpheres;
+  const bool tests_all = request.search == Search::All;
+  if (tests_all && scene.spheres.size() > kMaxWideSpheres) return KernelObstacle::TooManySpheres;
+  const Backend& backend = request.backend != nullptr ? *request.backend : best_backend();
+  const bool allows_surfaces = backend.allows_camera_on_surfaces && !tests_all;
+  if (!allows_surfaces && count_under_camera(scene) > 1) return KernelObstacle::SeveralSurfaces;
+  return std::nullopt;
+}
+
+Kernel kernel_in_double(const Scene& scene, const RenderSettings& settings, std::string reason) {
+  Kernel kernel;
+  kernel.reason = std::move(reason);
+  kernel.bounds = judge_precision(scene, scene.camera, settings, Precision::Double);
+  return kernel;
+}
+
+/// The precision that was requested, or that the scene requires, and the reason.
+Kernel judged_kernel(const Scene& scene, const RenderSettings& settings,
+                     const KernelRequest& request) {
+  if (request.precision == Precision::Double) {
+    return kernel_in_double(scene, settings, "double was requested");
+  }
+  FloatVerdict verdict = judge_float(scene, scene.camera, settings);
+  const PrecisionClause clause = verdict.in_float.deciding();
+  const std::string objection = describe(clause, verdict.in_float[clause]);
+  if (!verdict.is_accepted && !request.precision) {
+    return kernel_in_double(scene, settings, objection);
+  }
+
+  Kernel kernel;
+  kernel.bounds = std::move(verdict.bounds);
+  kernel.exact_spheres = std::move(verdict.exact_spheres);
+  const bool is_mixed = !kernel.exact_spheres.empty();
+  kernel.precision = is_mixed ? Precision::Mixed : Precision::Float;
+  if (is_mixed) {
+    kernel.reason = std::to_string(kernel.exact_spheres.size()) + " in double: " + objection;
+  } else if (!verdict.is_accepted) {
+    kernel.reason = "float was requested, but " + objection;
+  } else {
+    kernel.reason = "rounding errors are far below a pixel";
+  }
+  return kernel;
+}
+
+Kernel refused(Subject subject, KernelObstacle obstacle, const KernelRequest& request) {
+  Kernel kernel;
+  kernel.refusal = {.subject = subject, .obstacle = obstacle, .backend = request.backend};
+  return kernel;
+}
+
+/// Instances are traced through a BVH in double.
+Kernel kernel_for_instances(const Scene& scene, const RenderSettings& settings,
+                            const KernelRequest& request) {
+  if (request.search == Search::All) {
+    return refused(Subject::Search, KernelObstacle::InstancesByBvh, request);
+  }
+  if (request.precision && request.precision != Precision::Double && !request.may_take_double) {
+    return refused(Subject::Precision, KernelObstacle::InstancesInDouble, request);
+  }
+  if (count_under_camera(scene) > 1) {
+    return refused(Subject::Instances, KernelObstacle::SeveralSurfaces, request);
+  }
+  Kernel kernel = kernel_in_double(scene, settings, "instances are traced in double");
+  kernel.backend = request.backend != nullptr ? request.backend : &best_backend();
+  return kernel;
+}
+
+Kernel vector_kernel_for(const Scene& scene, const RenderSettings& settings,
+                         const KernelRequest& request) {
+  Kernel kernel = judged_kernel(scene, settings, request);
+  if (request.search) {
+    kernel.search = *request.search;
+  } else {
+    const auto spheres = static_cast<double>(scene.spheres.size());
+    const double all = cost_of_all(spheres, kernel.precision);
+    const double bvh = cost_of_bvh(spheres, kernel.precision);
+    const bool is_small = scene.spheres.size() <= kMaxWideSpheres && all <= bvh;
+    kernel.search = is_small ? Search::All : Search::Bvh;
+    kernel.reason +=
+        "; model: " + whole(all) + " ns per ray with every sphere, " + whole(bvh) + " with a BVH";
+  }
+  kernel.backend = request.backend != nullptr ? request.backend : &best_backend();
+  return kernel;
+}
+
+Kernel portable_kernel_for(const Scene& scene, const RenderSettings& settings,
+                           const KernelRequest& request, std::string reason) {
+  Kernel kernel = kernel_in_double(scene, settings, std::move(reason));
+  // With 20 spheres a ray takes two thirds of the time, with 64 about the same.
+  constexpr std::size_t kFewSpheres = 48;
+  const bool has_few = scene.spheres.size() <= kFewSpheres && count_under_camera(scene) <= 1;
+  kernel.search = request.search.value_or(has_few ? Search::All : Search::Bvh);
+  return kernel;
+}
+
+Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
+                  const KernelRequest& request) {
+  // The search for gaps is parallel.
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(thread_count(settings.threads)));
+  if (request.backend != nullptr && !request.backend->is_available()) {
+    return refused(Subject::Backend, KernelObstacle::OtherMachine, request);
+  }
+  if (!scene.instances.empty()) return kernel_for_instances(scene, settings, request);
+  const bool is_portable = request.backend == &portable_backend();
+  const auto obstacle = obstacle_to(scene, request);
+  const bool takes_double = request.may_take_double && (is_portable || obstacle);
+  const bool wants_float =
+      request.precision && request.precision != Precision::Double && !takes_double;
+  if (is_portable && wants_float) {
+    return refused(Subject::Precision, KernelObstacle::PortableInDouble, request);
+  }
+  if (!obstacle) {
+    return is_portable
+               ? portable_kernel_for(scene, settings, request, "the scalar kernel was requested")
+               : vector_kernel_for(scene, settings, request);
+  }
+  if (request.search) return refused(Subject::Search, *obstacle, request);
+  if (request.backend != nullptr) return refused(Subject::Backend, *obstacle, request);
+  if (wants_float) return refused(Subject::Precision, *obstacle, request);
+  return portable_kernel_for(scene, settings, request, describe(*obstacle));
+}
+
+/// The emitters that diffuse surfaces sample. The geometric choice decides if the pilot found
+/// hardly any light: light in one corner of the picture may be what matters.
+std::vector<std::uint32_t> lights_for(const Scene& scene, const RenderSettings& settings) {
+  std::vector<std::uint32_t> chosen = choose_lights(scene, settings.light_sampling);
+  constexpr std::size_t kMaxPilotSpheres = 1 << 17;  // building the BVH twice takes time
+  if (settings.light_sampling != LightSampling::Auto || !scene.instances.empty() ||
+      scene.spheres.size() > kMaxPilotSpheres) {
+    return chosen;
+  }
+  std::vector<std::uint32_t> all = choose_lights(scene, LightSampling::On);
+  if (all.empty()) return all;
+  constexpr std::uint64_t kEnoughConnections = 30;
+  const LightPilot of_all = run_light_pilot(scene, settings, all);
+  if (of_all.connections < kEnoughConnections) return chosen;
+  LightPilot of_chosen;
+  if (!chosen.empty() && chosen.size() < all.size()) {
+    of_chosen = run_light_pilot(scene, settings, chosen);
+  }
+  const auto cost = [](const LightPilot& pilot) { return pilot.variance * pilot.work; };
+  if (std::min(cost(of_all), cost(of_chosen)) >= 1) return {};
+  return cost(of_chosen) < cost(of_all) ? chosen : all;
+}
+
+}  // namespace
+
+std::string describe(KernelObstacle obstacle) {
+  switch (obstacle) {
+    case KernelObstacle::OtherMachine: return "this machine lacks the instructions";
+    case KernelObstacle::NoVectors: return "the machine lacks the instructions of the wide kernels";
+    case KernelObstacle::NoSpheres: return "no spheres";
+    case KernelObstacle::TooManySpheres:
+      return "more than " + std::to_string(kMaxWideSpheres) + " spheres";
+    case KernelObstacle::SeveralSurfaces: return "the camera is on several surfaces";
+    case KernelObstacle::PortableInDouble: return "the scalar kernel computes in double";
+    case KernelObstacle::InstancesByBvh: return "instances are traced with a BVH";
+    default: return "instances are traced in double";
+  }
+}
+
+std::string_view name_of(const Kernel& kernel) noexcept {
+  if (kernel.is_portable()) return "scalar";
+  return kernel.search == Search::All ? "wide" : "bvh";
+}
+
+Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
+                     const KernelRequest& request) {
+  Kernel kernel = kernel_for(scene, settings, request);
+  if (!kernel.refusal) kernel.lights = lights_for(scene, settings);
+  return kernel;
+}
+
+std::size_t estimated_bytes(const Kernel& kernel, const Scene& scene) noexcept {
+  return kernel.precision == Precision::Double
+             ? WideScene<double>::estimated_bytes(scene, kernel.search)
+             : WideScene<float>::estimated_bytes(scene, kernel.search);
+}
+
+}  // namespace sdlc::render

@@ -1,0 +1,278 @@
+#include "render/session/render_film.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "render/film/film_file.hpp"
+#include "render/scene/digest.hpp"
+#include "tests/support/statistics/scenes.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace sdlc::render {
+namespace {
+
+constexpr std::uint32_t kBlock = SampleSum::kBlock;
+
+/// Every material, a lamp and motion.
+Scene room(double sky = 0.1) {
+  Scene scene = test::beam_scene({0, 1, 4}, {0, 0, 0}, LinearRgb{sky});
+  scene.camera.aspect = 1.5;
+  scene.camera.plane_height = 1.2;
+  test::add_sphere(scene, {0, -100.5, 0}, 100, test::diffuse({0.5, 0.6, 0.3}));
+  test::add_sphere(scene, {-1, 0, 0}, 0.5, test::specular({0.8, 0.8, 0.6}, 0.2));
+  test::add_sphere(scene, {0, 0, 0}, 0.5, test::transmissive({1, 1, 1}, 1.5));
+  test::add_sphere(scene, {1, 0, 0}, 0.5, test::diffuse({0.9, 0.2, 0.1}));
+  test::add_sphere(scene, {0.5, 1.5, -1}, 0.3, test::emissive({1, 0.9, 0.8}, 5));
+  scene.shifts.assign(scene.spheres.size(), Vec3{});
+  scene.shifts[3] = {0, 0.4, 0};
+  return scene;
+}
+
+std::string bytes_of(const Picture& picture) {
+  return {reinterpret_cast<const char*>(picture.pixels.data()),
+          picture.pixels.size() * sizeof(LinearRgb)};
+}
+
+/// The parts of a picture that is cut at random pixels and blocks.
+std::vector<FilmPart> random_parts(std::minstd_rand& random, std::size_t pixels,
+                                   std::uint32_t replicates, std::size_t count) {
+  const auto below = [&](std::size_t end) { return static_cast<std::uint32_t>(random() % end); };
+  std::vector<FilmPart> parts{{.extent = {.pixels = pixels, .replicates = replicates}}};
+  for (int attempt = 0; attempt < 40 && parts.size() < count; ++attempt) {
+    FilmPart& part = parts[below(parts.size())];
+    FilmPart other = part;
+    if (below(2) == 0 && part.extent.pixels > 1) {
+      part.extent.pixels = 1 + below(part.extent.pixels - 1);
+      other.extent.first_pixel += part.extent.pixels;
+      other.extent.pixels -= part.extent.pixels;
+    } else {
+      const std::uint32_t at = kBlock * (1 + below(4));
+      if (at <= part.extent.first_sample || at >= part.end_sample) continue;
+      part.end_sample = other.extent.first_sample = at;
+    }
+    parts.push_back(other);
+  }
+  std::ranges::shuffle(parts, random);
+  return parts;
+}
+
+struct Case {
+  std::string name;
+  KernelRequest kernel;
+  RenderSettings settings;
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+std::vector<Case> cases() {
+  std::vector<Case> cases;
+  const RenderSettings settings{.width = 30, .height = 20, .depth = 8, .seed = 3, .threads = 2};
+  const auto add = [&](const std::string& name, const KernelRequest& kernel) {
+    for (const SamplerKind sampler : {SamplerKind::Sobol, SamplerKind::Independent}) {
+      for (const LightSampling lights : {LightSampling::On, LightSampling::Off}) {
+        Case one{name, kernel, settings};
+        one.settings.sampler = sampler;
+        one.settings.light_sampling = lights;
+        one.name += sampler == SamplerKind::Sobol ? "_sobol" : "_independent";
+        one.name += lights == LightSampling::On ? "_lights" : "";
+        for (const int samples : {5, 700, 1024}) {
+          one.settings.samples = samples;
+          cases.push_back(one);
+          cases.back().name += "_" + std::to_string(samples);
+        }
+        one.settings.samples = 6000;
+        one.settings.error = 0.02;
+        one.settings.is_adaptive = true;
+        cases.push_back(one);
+        cases.back().name += "_adaptive";
+      }
+    }
+  };
+  add("scalar", {.backend = &portable_backend()});
+  for (const Backend* backend : available_vectors()) {
+    for (const Precision precision : {Precision::Float, Precision::Double}) {
+      const std::string name =
+          std::string(backend->name) + (precision == Precision::Float ? "_float" : "_double");
+      add(name, {.search = Search::All, .precision = precision, .backend = backend});
+      add("bvh_" + name, {.search = Search::Bvh, .precision = precision, .backend = backend});
+    }
+  }
+  return cases;
+}
+
+class FilmParts : public testing::TestWithParam<Case> {};
+
+TEST_P(FilmParts, GiveTheBytesOfARenderAtOnceHoweverItWasCut) {
+  RenderSettings settings = GetParam().settings;
+  settings.keeps_first_hits = settings.sampler == SamplerKind::Sobol;
+  // In the dark every pixel takes the most samples.
+  const Scene scene = room(settings.is_adaptive ? 1 : 0.1);
+  const PreparedScene prepared = prepare(scene, settings, GetParam().kernel);
+  RenderMonitor monitor;
+  const RenderResult expected = render(prepared, settings, monitor);
+  ASSERT_EQ(expected.samples_of_pixels.empty(), !settings.is_adaptive);
+  std::vector<std::uint32_t> samples = expected.samples_of_pixels;
+  if (samples.empty()) samples = {static_cast<std::uint32_t>(settings.samples)};
+
+  std::minstd_rand random(7);
+  const std::uint32_t replicates =
+      settings.samples < static_cast<int>(kMinReplicatedSamples) ? 1 : kReplicates;
+  StoredFilm whole = new_film(prepared, digest_of(scene), settings);
+  for (const FilmPart& part :
+       random_parts(random, expected.picture.pixels.size(), replicates, 1 + random() % 9)) {
+    StoredFilm film = new_film(prepared, digest_of(scene), settings);
+    EXPECT_TRUE(render_part(prepared, settings, monitor, part, samples, film));
+    add_film(whole, film, "part");
+  }
+  ASSERT_EQ(whole.films.size(), 1u);
+  EXPECT_EQ(bytes_of(picture_of(whole)), bytes_of(expected.picture));
+  EXPECT_EQ(whole.statistics.rays, expected.rays);
+  EXPECT_EQ(whole.statistics.truncated_paths, expected.truncated_paths);
+  for (std::size_t i = 0; i < expected.features.size(); ++i) {
+    const Film& film = whole.films[0];
+    ASSERT_EQ(prepared.tracer().features_of(film.first_hits(i), film.samples(i)),
+              expected.features[i]);
+  }
+
+  StoredFilm at_once = new_film(prepared, digest_of(scene), settings);
+  const FilmPart all{
+      .extent = {.pixels = expected.picture.pixels.size(), .replicates = replicates}};
+  EXPECT_TRUE(render_part(prepared, settings, monitor, all, samples, at_once));
+  EXPECT_EQ(at_once.emitters, whole.emitters);
+  const test::TemporaryFolder folder;
+  write_film_file(folder / "whole", whole);
+  write_film_file(folder / "at once", at_once);
+  EXPECT_EQ(test::content_of(folder / "whole"), test::content_of(folder / "at once"));
+}
+
+INSTANTIATE_TEST_SUITE_P(RenderFilm, FilmParts, testing::ValuesIn(cases()),
+                         [](const auto& c) { return c.param.name; });
+
+TEST(RenderFilm, GoesOnWithMoreSamples) {
+  RenderSettings settings{.width = 30, .height = 20, .samples = 200, .depth = 8};
+  const Scene scene = room();
+  const PreparedScene prepared = prepare(scene, settings);
+  const FilmPart all{.extent = {.pixels = 600}};
+  StoredFilm film = new_film(prepared, digest_of(scene), settings);
+  RenderMonitor monitor;
+  for (const std::uint32_t samples : {200u, 201u, 900u}) {
+    EXPECT_TRUE(render_part(prepared, settings, monitor, all, std::span(&samples, 1), film));
+  }
+  settings.samples = 900;
+  EXPECT_EQ(monitor.samples_done.load(), 600u * 900);
+  RenderMonitor again;
+  const RenderResult expected = render(prepared, settings, again);
+  EXPECT_EQ(bytes_of(picture_of(film)), bytes_of(expected.picture));
+  EXPECT_EQ(film.statistics.rays, expected.rays);
+}
+
+TEST(RenderFilm, GoesOnAfterACancelledRender) {
+  const RenderSettings settings{.width = 30, .height = 20, .samples = 900, .depth = 8};
+  const Scene scene = room();
+  const PreparedScene prepared = prepare(scene, settings);
+  const FilmPart all{.extent = {.pixels = 600}};
+  const std::uint32_t samples = 900;
+  StoredFilm film = new_film(prepared, digest_of(scene), settings);
+  RenderMonitor cancelled, monitor;
+  cancelled.cancel = true;
+  EXPECT_FALSE(render_part(prepared, settings, cancelled, all, std::span(&samples, 1), film));
+  EXPECT_TRUE(render_part(prepared, settings, monitor, all, std::span(&samples, 1), film));
+  const RenderResult expected = render(prepared, settings, monitor);
+  EXPECT_EQ(bytes_of(picture_of(film)), bytes_of(expected.picture));
+}
+
+/// The picture of a film that was rendered with `first` and then goes on with `settings`.
+RenderResult continued(const RenderSettings& first, const RenderSettings& settings,
+                       RenderMonitor& monitor) {
+  const Scene scene = room(1);
+  const PreparedScene prepared = prepare(scene, settings);
+  Film film(extent_of(settings));
+  render(prepared, first, monitor, &film);
+  return render(prepared, settings, monitor, &film);
+}
+
+TEST(RenderFilm, IsContinuedByARenderWithoutAGoal) {
+  RenderSettings first{.width = 30, .height = 20, .samples = 70, .depth = 8}, settings = first;
+  settings.samples = 300;
+  RenderMonitor monitor, again;
+  int passes = 0;
+  monitor.on_pass = [&](const Film& film) {
+    EXPECT_EQ(film.samples(599), ++passes == 1 ? 70u : 300u);
+  };
+  const RenderResult result = continued(first, settings, monitor);
+  EXPECT_EQ(passes, 2);
+  EXPECT_EQ(result.camera_samples, 600u * 300);
+  const RenderResult expected = render(room(1), settings, again);
+  EXPECT_EQ(bytes_of(result.picture), bytes_of(expected.picture));
+  EXPECT_EQ(result.error->relative_error, expected.error->relative_error);
+}
+
+TEST(RenderFilm, IsContinuedTowardsAnError) {
+  for (const bool is_adaptive : {false, true}) {
+    RenderSettings first{.width = 30, .height = 20, .samples = 4000, .depth = 8, .error = 0.03},
+        settings = first;
+    first.is_adaptive = settings.is_adaptive = is_adaptive;
+    settings.error = 0.015;
+    RenderMonitor monitor;
+    std::uint64_t samples = 0;
+    monitor.on_pass = [&](const Film& film) {
+      EXPECT_GE(film.samples(0), samples) << "samples were lost";
+      samples = film.samples(0);
+    };
+    const RenderResult result = continued(first, settings, monitor);
+    EXPECT_TRUE(result.has_reached_error);
+    EXPECT_LE(result.error->interval.to, 0.015);
+    EXPECT_EQ(result.samples_of_pixels.empty(), !is_adaptive);
+    if (is_adaptive) continue;
+    // The same number of samples at once gives the same picture.
+    settings.error.reset();
+    settings.samples = static_cast<int>(result.max_samples);
+    RenderMonitor again;
+    EXPECT_EQ(bytes_of(result.picture), bytes_of(render(room(1), settings, again).picture));
+  }
+}
+
+TEST(RenderFilm, TakesOnlyThePixelsOfACrop) {
+  const RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
+  const Scene scene = room();
+  const PreparedScene prepared = prepare(scene, settings);
+  // Columns 10 to 14 of the rows 5 to 7.
+  std::vector<std::uint32_t> samples(600, 0);
+  for (std::size_t y = 5; y < 8; ++y) {
+    for (std::size_t x = 10; x < 15; ++x) samples[30 * y + x] = 64;
+  }
+  StoredFilm film = new_film(prepared, digest_of(scene), settings);
+  RenderMonitor monitor;
+  const FilmPart rows{.extent = {.first_pixel = 30 * 5, .pixels = 30 * 3}};
+  EXPECT_TRUE(render_part(prepared, settings, monitor, rows, samples, film));
+  EXPECT_EQ(monitor.samples_done.load(), 15u * 64);
+  const Picture crop = picture_of(film), whole = render(prepared, settings, monitor).picture;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    EXPECT_EQ(crop.pixels[i], samples[i] > 0 ? whole.pixels[i] : LinearRgb{}) << i;
+  }
+}
+
+TEST(RenderFilm, HasTheOriginOfItsPicture) {
+  RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
+  const Scene scene = room();
+  const PreparedScene prepared = prepare(scene, settings);
+  const StoredFilm film = new_film(prepared, digest_of(scene), settings);
+  settings.depth = 9;
+  EXPECT_NE(new_film(prepared, digest_of(scene), settings).origin, film.origin);
+  settings.depth = 8;
+  settings.samples = 128;  // a render may go on
+  EXPECT_EQ(new_film(prepared, digest_of(scene), settings).origin, film.origin);
+  Scene other = scene;
+  other.spheres[0].radius = 99;
+  EXPECT_NE(new_film(prepared, digest_of(other), settings).origin, film.origin);
+}
+
+}  // namespace
+}  // namespace sdlc::render

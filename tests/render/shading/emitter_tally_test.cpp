@@ -1,0 +1,151 @@
+#include "render/shading/emitter_tally.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/statistics/scenes.hpp"
+
+namespace sdlc::render {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using enum LightPath;
+
+/// Spheres 1 and 3 emit light.
+Scene two_emitters() {
+  Scene scene = test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{});
+  test::add_sphere(scene, {0, 0, 0}, 1, test::diffuse(LinearRgb{1}));
+  test::add_sphere(scene, {2, 0, 0}, 1, test::emissive(LinearRgb{1}, 2));
+  test::add_sphere(scene, {4, 0, 0}, 1, test::unlit(LinearRgb{1}));
+  test::add_sphere(scene, {6, 0, 0}, 1, test::emissive(LinearRgb{1}, 2));
+  test::add_sphere(scene, {8, 0, 0}, 0, test::emissive(LinearRgb{1}, 2));
+  return scene;
+}
+
+constexpr int kDepth = 4;
+
+void count(EmitterTally& tally, std::uint32_t sphere, int times,
+           LightPath kind = LightPath::Direct) {
+  for (int i = 0; i < times; ++i) tally.count(sphere, kind);
+}
+
+/// The rare kinds of path, for the class of one sphere.
+std::vector<LightPath> rare_kinds(const EmitterTally& tally, std::uint32_t sphere) {
+  std::vector<LightPath> kinds;
+  for (const RarePath& path : tally.rare()) {
+    if (path.sphere == sphere) kinds.push_back(path.kind);
+  }
+  return kinds;
+}
+
+TEST(EmitterTally, TellsWhichEmittersFewPathsReached) {
+  const EmitterClasses classes(two_emitters(), {});
+  EmitterTally tally(classes, kDepth);
+  EXPECT_THAT(tally.scarce(), ElementsAre(ReachedEmitter{1, 0}, ReachedEmitter{3, 0}));
+  count(tally, 0, 50);
+  count(tally, 1, 29);
+  count(tally, 3, 300);
+  EXPECT_TRUE(tally.is_counting());
+  EXPECT_THAT(tally.scarce(), ElementsAre(ReachedEmitter{1, 29}));
+  count(tally, 1, 1);
+  EXPECT_THAT(tally.scarce(), IsEmpty());
+}
+
+TEST(EmitterTally, HasNothingToCountWithoutEmitters) {
+  const Scene scene = test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{});
+  EXPECT_FALSE(EmitterTally(EmitterClasses(scene, {}), kDepth).is_counting());
+}
+
+/// Seen along −z through a narrow beam: a diffuse ball, and lights in front of and behind the
+/// camera.
+Scene lights_around(const Material& ball) {
+  Scene scene = test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{});
+  test::add_sphere(scene, {0, 0, 0}, 1, test::diffuse(LinearRgb{1}));
+  test::add_sphere(scene, {0, 3, 0}, 1, ball);
+  test::add_sphere(scene, {0, 0, 9}, 1, test::emissive(LinearRgb{1}, 2));
+  test::add_sphere(scene, {0, 0, -9}, 1, test::emissive(LinearRgb{1}, 64));
+  test::add_sphere(scene, {0, 9, 9}, 1, test::unlit(LinearRgb{1.5}));
+  return scene;
+}
+
+TEST(EmitterTally, CountsTheKindsOfPathThatTheSceneMakesPossible) {
+  const Scene matt = lights_around(test::diffuse(LinearRgb{1}));
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(matt, {}), kDepth), 2), ElementsAre(Direct));
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(matt, {}), kDepth), 3),
+              ElementsAre(Visible, Direct));
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(matt, {}), 1), 3), ElementsAre(Visible));
+  // Unlit ones emit too; this one belongs to the class of sphere 2.
+  EXPECT_EQ(EmitterTally(EmitterClasses(matt, {}), kDepth).rare().size(), 3u);
+
+  const Scene glass = lights_around(test::transmissive(LinearRgb{1}, 1.5));
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(glass, {}), kDepth), 3),
+              ElementsAre(Visible, Reflected, Direct, Caustic));
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(glass, {}), 2), 3),
+              ElementsAre(Visible, Reflected, Direct));
+  // Connections find sampled lights.
+  const std::vector<std::uint32_t> lights{2, 3};
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(glass, lights), kDepth), 3),
+              ElementsAre(Visible, Reflected, Caustic));
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(glass, lights), kDepth), 4),
+              ElementsAre(Reflected, Direct, Caustic));
+}
+
+// A lamp that connections have reached a thousand times may cause a caustic that nothing found.
+TEST(EmitterTally, CountsKindsOfPathApart) {
+  const std::vector<std::uint32_t> lights{2, 3};
+  const Scene scene = lights_around(test::transmissive(LinearRgb{1}, 1.5));
+  const EmitterClasses classes(scene, lights);
+  EmitterTally tally(classes, kDepth);
+  count(tally, 3, 1000, Direct);
+  count(tally, 3, 1000, Visible);
+  count(tally, 3, 255, Reflected);
+  count(tally, 3, 1, Caustic);
+  EXPECT_THAT(rare_kinds(tally, 3), ElementsAre(Caustic));
+  EXPECT_THAT(tally.scarce(), ElementsAre(ReachedEmitter{2, 0}));
+  count(tally, 3, 1, Caustic);
+  EXPECT_THAT(rare_kinds(tally, 3), IsEmpty());
+}
+
+TEST(LightPath, IsNamedAfterWhatThePathMet) {
+  EXPECT_EQ(light_path({}), Visible);
+  EXPECT_EQ(light_path({.has_scattered = true}), Reflected);
+  EXPECT_EQ(light_path({true, true, true}), Direct);
+  EXPECT_EQ(light_path({true, true, false}), Caustic);
+}
+
+// 95 % limits of the Poisson distribution, from tables: 2.996 and 4.744 for 0 and 1.
+TEST(UnseenError, IsThatOfAsManyPathsAsMayHaveBeenMissed) {
+  const auto error = [](std::uint32_t paths) {
+    const std::vector<RarePath> rare{{Caustic, paths, 0, 3.0}};
+    return unseen_error(rare, 0.5, 100, 8);
+  };
+  EXPECT_NEAR(error(0), 3 * 2.996 / (10 * 8) / 0.5, 3e-3);
+  EXPECT_NEAR(error(1), 3 * 4.744 / (10 * 8) / 0.5, 3e-3);
+  EXPECT_NEAR(error(2), 3.0 / (10 * 8) / 0.5, 1e-12);  // one path more or less
+  EXPECT_EQ(unseen_error({}, 0, 100, 8), 0);
+}
+
+TEST(EmitterTally, LosesNothingThatSeveralThreadsCount) {
+  for (int round = 0; round < 50; ++round) {
+    const EmitterClasses classes(two_emitters(), {});
+    EmitterTally tally(classes, kDepth);
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i) {
+      threads.emplace_back([&] {
+        count(tally, 1, 7);
+        count(tally, 3, 100);
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_THAT(tally.scarce(), ElementsAre(ReachedEmitter{1, 28}));
+  }
+}
+
+}  // namespace
+}  // namespace sdlc::render
