@@ -87,11 +87,11 @@ auto Interactions<T, F>::at(const Paths<T>& paths, const Hit<T>& hit) const -> I
   const D d;
   const DU du;
   const V one = hn::Set(d, T{1});
-  const Mask is_hit = hn::Lt(hit.distance, hn::Set(d, std::numeric_limits<T>::infinity()));
-  const TableReader<D> by_slot(Search::slot_of(hit.index), scene_.slots);
-  const TableReader<D> by_material = material_reader(by_slot);
-  const TableReader<D> by_optics = optics_reader(by_material);
-  const Bits surface = hn::IfThenElseZero(hn::RebindMask(du, is_hit), by_optics(scene_.surface));
+  Mask is_hit = hn::Lt(hit.distance, hn::Set(d, std::numeric_limits<T>::infinity()));
+  TableReader<D> by_slot(Search::slot_of(hit.index), scene_.slots);
+  TableReader<D> by_material = material_reader(by_slot);
+  TableReader<D> by_optics = optics_reader(by_material);
+  Bits surface = hn::IfThenElseZero(hn::RebindMask(du, is_hit), by_optics(scene_.surface));
   const Triple<V> color = by_material(scene_.color);
   const Triple<V> sky =
       plus_scaled(spread(d, scene_.sky_center), spread(d, scene_.sky_slope), paths.direction.y);

@@ -130,7 +130,7 @@ auto LightSampler<T, kMotion>::choose_leaf(Mask wanted, const Place& at,
   for (int level = 0; level < lights_.levels; ++level) {
     if (level == LightTree::kLevelsPerNumber) u = sampler.pair(kChoice).second;
     const Bits left = hn::Add(node, node);
-    const Children shares = children(left, at);
+    Children shares = children(left, at);
     const Mask goes_left = hn::Lt(u, shares.share_left);
     const V share = hn::IfThenElse(goes_left, shares.share_left, shares.share_right);
     u = hn::Div(hn::IfThenElse(goes_left, u, hn::Sub(u, shares.share_left)), share);
@@ -174,11 +174,11 @@ auto LightSampler<T, kMotion>::sample(Mask wanted, const Place& at,
                                       const LaneSampler<D>& sampler) const -> Sample {
   const D d;
   const V one = set(1), zero = hn::Zero(d);
-  const Choice chosen = choose_leaf(wanted, at, sampler);
+  Choice chosen = choose_leaf(wanted, at, sampler);
   const TableReader<D> read(chosen.leaf, lights_.leaves);
-  const Cone seen = cone(read, at);
+  Cone seen = cone(read, at);
 
-  const auto [height, turn] = sampler.pair(kLight);
+  auto [height, turn] = sampler.pair(kLight);
   const V below = hn::Mul(height, seen.height);
   const V cosine = hn::Sub(one, below);
   const V sine_squared = hn::Mul(below, hn::Sub(set(2), below));
@@ -219,14 +219,14 @@ auto LightSampler<T, kMotion>::bsdf_weight(Mask is_light, Bits leaf, const Place
   Bits node = word(1);
   for (int level = lights_.levels - 1; level >= 0; --level) {
     const Bits left = hn::Add(node, node);
-    const Children shares = children(left, at);
+    Children shares = children(left, at);
     const Bits side = hn::And(hn::ShiftRightSame(leaf, level), word(1));
     const Mask goes_left = hn::RebindMask(d, hn::Eq(side, hn::Zero(du)));
     const V share = hn::IfThenElse(goes_left, shares.share_left, shares.share_right);
     probability = hn::IfThenElseZero(shares.any, hn::Mul(probability, share));
     node = hn::Add(left, side);
   }
-  const Cone seen = cone(TableReader<D>(leaf, lights_.leaves), at);
+  Cone seen = cone(TableReader<D>(leaf, lights_.leaves), at);
   const Mask is_sampled = hn::And(seen.exists, hn::Gt(probability, hn::Zero(d)));
   return hn::IfThenElse(is_sampled, balance_heuristic(probability, seen, cosine), one);
 }

@@ -35,7 +35,8 @@ namespace sdlc::render::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// The work of a thread: one path per lane, replaced as soon as it ends. The stages of trace() are
-/// inline, so that the state of the paths stays in registers.
+/// inline, so that the state of the paths stays in registers. Local structs of vectors are not
+/// const: GCC 12 would keep them in memory.
 template <typename T, typename F>
 class WidePaths {
  public:
@@ -106,18 +107,18 @@ void WidePaths<T, F>::trace(const std::atomic<bool>& cancel) {
 
     if (!hn::AllFalse(D(), paths.fresh)) camera.start(paths, runs_);
     set_directions(paths);
-    const Hit hit = intersect(paths);
-    const Interaction at = interactions.at(paths, hit);
+    Hit hit = intersect(paths);
+    Interaction at = interactions.at(paths, hit);
     paths.throughput = product(paths.throughput, at.color);
     if constexpr (F::kLights) weigh_emission(paths, hit, at);
 
     const LaneSampler<D> sampler = paths.sampler(view_.sampler, runs_.mixer());
-    const auto scattered = Bsdf<T>(scene_, at.by_optics)
-                               .sample(paths.direction, at.normal, at.cosine, at.surface, sampler);
+    auto scattered = Bsdf<T>(scene_, at.by_optics)
+                         .sample(paths.direction, at.normal, at.cosine, at.surface, sampler);
     paths.next = scattered.direction;
     paths.stream = add_low_32(paths.stream, word(kVertexStep));
     interactions.depart(paths, hit, at);
-    const Ends ends = end_paths(paths, at, scattered.absorbed);
+    Ends ends = end_paths(paths, at, scattered.absorbed);
     if (HWY_UNLIKELY(emitters_.is_counting())) {
       emitters_.add_vertices(hn::And(ends.emitted, at.is_hit), hit.index, ends.all, at.surface);
     }
@@ -208,9 +209,8 @@ void WidePaths<T, F>::connect_lights(Paths& paths, const Interaction& at, const 
   if constexpr (F::kPilot) view_.plain->choices += hn::CountTrue(d, paths.light_sampled);
   if (hn::AllFalse(d, paths.light_sampled)) return;
   const Triple<V> facing = flipped(at.normal, hn::AndNot(at.cosine, hn::SignBit(d)));
-  const LightSample light =
-      Lights(scene_.lights)
-          .sample(paths.light_sampled, {paths.origin, facing, paths.time}, sampler);
+  LightSample light = Lights(scene_.lights)
+                          .sample(paths.light_sampled, {paths.origin, facing, paths.time}, sampler);
   if (hn::AllFalse(d, light.exists)) return;
 
   const Mask visible = trace_shadow_rays(paths, light);
