@@ -1,11 +1,11 @@
 // Next event estimation for diffuse surfaces. Compiled once per instruction set, so it has no
 // include guard but Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_LIGHT_CONNECTIONS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_LIGHT_CONNECTIONS_INL_H
-#undef SDLC_RENDER_WIDE_LIGHT_CONNECTIONS_INL_H
+#if defined(SDLC_RENDER_WIDE_LIGHT_SAMPLER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_WIDE_LIGHT_SAMPLER_INL_H
+#undef SDLC_RENDER_WIDE_LIGHT_SAMPLER_INL_H
 #else
-#define SDLC_RENDER_WIDE_LIGHT_CONNECTIONS_INL_H
+#define SDLC_RENDER_WIDE_LIGHT_SAMPLER_INL_H
 #endif
 // clang-format on
 
@@ -32,7 +32,7 @@ inline constexpr double kLargestLightSine2 = 0.9;
 /// Chooses lights by LightTree, and directions in the cone in which the light is seen (Shirley,
 /// Wang, Zimmerman, "Monte Carlo techniques for direct lighting calculations", 1996, 3.2).
 template <typename T, bool kMotion>
-class LightConnections {
+class LightSampler {
  public:
   using D = Lanes<T>;
   using DU = hn::RebindToUnsigned<D>;
@@ -46,21 +46,21 @@ class LightConnections {
     V time;
   };
   /// A shadow ray towards a light.
-  struct Connection {
+  struct Sample {
     Mask exists;  ///< a light may be visible; the other members are undefined elsewhere
     Triple<V> direction;
     V distance;          ///< an occluder is nearer than this
     Triple<V> radiance;  ///< contribution if unoccluded, without the attenuation of the surface
-    V weight;            ///< share of the light's radiance in this contribution
+    V bsdf_weight;       ///< share of the light's radiance in this contribution
     Bits slot;
   };
 
-  explicit HWY_INLINE LightConnections(const WideLights<T>& lights) : lights_(lights) {}
+  explicit HWY_INLINE LightSampler(const WideLights<T>& lights) : lights_(lights) {}
 
   /// For the lanes of `wanted`.
-  HWY_INLINE Connection connect(Mask wanted, const Place& at, const LaneSampler<D>& sampler) const;
+  HWY_INLINE Sample sample(Mask wanted, const Place& at, const LaneSampler<D>& sampler) const;
   /// The weight of scattered rays that hit the light of a leaf, for the lanes of `is_light`.
-  HWY_INLINE V weight_of_hit(Mask is_light, Bits leaf, const Place& at, V cosine) const;
+  HWY_INLINE V bsdf_weight(Mask is_light, Bits leaf, const Place& at, V cosine) const;
 
  private:
   struct Choice {
@@ -86,7 +86,7 @@ class LightConnections {
   HWY_INLINE Children children(Bits left, const Place& at) const;
   HWY_INLINE Choice choose_leaf(Mask wanted, const Place& at, const LaneSampler<D>& sampler) const;
   HWY_INLINE Cone cone(const TableReader<D>& read, const Place& at) const;
-  static HWY_INLINE V scattering_weight(V probability, const Cone& cone, V cosine);
+  static HWY_INLINE V balance_heuristic(V probability, const Cone& cone, V cosine);
 
   const WideLights<T>& lights_;
 };
@@ -95,7 +95,7 @@ class LightConnections {
 /// θ / d². The cosine is that of the highest point of the bounding sphere above the horizon; the
 /// bound is 0 if all of it is below.
 template <typename T, bool kMotion>
-auto LightConnections<T, kMotion>::importance(Bits node, const Place& at) const -> V {
+auto LightSampler<T, kMotion>::importance(Bits node, const Place& at) const -> V {
   const D d;
   const TableReader<D> read(node, lights_.nodes);
   const Triple<V> to_center = minus(read(lights_.node_center), at.x);
@@ -110,7 +110,7 @@ auto LightConnections<T, kMotion>::importance(Bits node, const Place& at) const 
 /// For the node whose left child is `left`. None may be chosen if no light arrives from either, or
 /// if the point is so near that the bounds overflow.
 template <typename T, bool kMotion>
-auto LightConnections<T, kMotion>::children(Bits left, const Place& at) const -> Children {
+auto LightSampler<T, kMotion>::children(Bits left, const Place& at) const -> Children {
   const D d;
   const V of_left = importance(left, at), of_right = importance(hn::Add(left, word(1)), at);
   const V total = hn::Add(of_left, of_right);
@@ -120,8 +120,8 @@ auto LightConnections<T, kMotion>::children(Bits left, const Place& at) const ->
 }
 
 template <typename T, bool kMotion>
-auto LightConnections<T, kMotion>::choose_leaf(Mask wanted, const Place& at,
-                                               const LaneSampler<D>& sampler) const -> Choice {
+auto LightSampler<T, kMotion>::choose_leaf(Mask wanted, const Place& at,
+                                           const LaneSampler<D>& sampler) const -> Choice {
   const D d;
   const DU du;
   V u = sampler.first(kChoice);
@@ -130,7 +130,7 @@ auto LightConnections<T, kMotion>::choose_leaf(Mask wanted, const Place& at,
   for (int level = 0; level < lights_.levels; ++level) {
     if (level == LightTree::kLevelsPerNumber) u = sampler.pair(kChoice).second;
     const Bits left = hn::Add(node, node);
-    const Children shares = children(left, at);
+    Children shares = children(left, at);
     const Mask goes_left = hn::Lt(u, shares.share_left);
     const V share = hn::IfThenElse(goes_left, shares.share_left, shares.share_right);
     u = hn::Div(hn::IfThenElse(goes_left, u, hn::Sub(u, shares.share_left)), share);
@@ -142,7 +142,7 @@ auto LightConnections<T, kMotion>::choose_leaf(Mask wanted, const Place& at,
 }
 
 template <typename T, bool kMotion>
-auto LightConnections<T, kMotion>::cone(const TableReader<D>& read, const Place& at) const -> Cone {
+auto LightSampler<T, kMotion>::cone(const TableReader<D>& read, const Place& at) const -> Cone {
   const V one = set(1);
   Triple<V> center = read(lights_.center);
   if constexpr (kMotion) center = plus_scaled(center, read(lights_.shift), at.time);
@@ -164,22 +164,21 @@ auto LightConnections<T, kMotion>::cone(const TableReader<D>& read, const Place&
 /// `cosine` is between direction and normal. Valid if there is a cone and the probability is above
 /// 0.
 template <typename T, bool kMotion>
-auto LightConnections<T, kMotion>::scattering_weight(V probability, const Cone& cone, V cosine)
-    -> V {
+auto LightSampler<T, kMotion>::balance_heuristic(V probability, const Cone& cone, V cosine) -> V {
   const V scattered = hn::Mul(hn::Add(cone.height, cone.height), cosine);
   return hn::Div(scattered, hn::Add(probability, scattered));
 }
 
 template <typename T, bool kMotion>
-auto LightConnections<T, kMotion>::connect(Mask wanted, const Place& at,
-                                           const LaneSampler<D>& sampler) const -> Connection {
+auto LightSampler<T, kMotion>::sample(Mask wanted, const Place& at,
+                                      const LaneSampler<D>& sampler) const -> Sample {
   const D d;
   const V one = set(1), zero = hn::Zero(d);
-  const Choice chosen = choose_leaf(wanted, at, sampler);
+  Choice chosen = choose_leaf(wanted, at, sampler);
   const TableReader<D> read(chosen.leaf, lights_.leaves);
-  const Cone seen = cone(read, at);
+  Cone seen = cone(read, at);
 
-  const auto [height, turn] = sampler.pair(kLight);
+  auto [height, turn] = sampler.pair(kLight);
   const V below = hn::Mul(height, seen.height);
   const V cosine = hn::Sub(one, below);
   const V sine_squared = hn::Mul(below, hn::Sub(set(2), below));
@@ -199,19 +198,19 @@ auto LightConnections<T, kMotion>::connect(Mask wanted, const Place& at,
   const V half_chord = hn::Sqrt(hn::Max(hn::Sub(seen.radius_squared, across_squared), zero));
 
   const V to_normal = dot(direction, at.normal);
-  const V weight = scattering_weight(chosen.probability, seen, to_normal);
+  const V weight = balance_heuristic(chosen.probability, seen, to_normal);
   const Mask is_above = hn::And(seen.exists, hn::Gt(to_normal, zero));
   return {.exists = hn::And(hn::Gt(chosen.probability, zero), is_above),
           .direction = direction,
           .distance = hn::MulSub(seen.distance, cosine, half_chord),
           .radiance = scaled(read(lights_.radiance), weight),
-          .weight = weight,
+          .bsdf_weight = weight,
           .slot = read(lights_.slot)};
 }
 
 template <typename T, bool kMotion>
-auto LightConnections<T, kMotion>::weight_of_hit(Mask is_light, Bits leaf, const Place& at,
-                                                 V cosine) const -> V {
+auto LightSampler<T, kMotion>::bsdf_weight(Mask is_light, Bits leaf, const Place& at,
+                                           V cosine) const -> V {
   const D d;
   const DU du;
   const V one = set(1);
@@ -220,16 +219,16 @@ auto LightConnections<T, kMotion>::weight_of_hit(Mask is_light, Bits leaf, const
   Bits node = word(1);
   for (int level = lights_.levels - 1; level >= 0; --level) {
     const Bits left = hn::Add(node, node);
-    const Children shares = children(left, at);
+    Children shares = children(left, at);
     const Bits side = hn::And(hn::ShiftRightSame(leaf, level), word(1));
     const Mask goes_left = hn::RebindMask(d, hn::Eq(side, hn::Zero(du)));
     const V share = hn::IfThenElse(goes_left, shares.share_left, shares.share_right);
     probability = hn::IfThenElseZero(shares.any, hn::Mul(probability, share));
     node = hn::Add(left, side);
   }
-  const Cone seen = cone(TableReader<D>(leaf, lights_.leaves), at);
+  Cone seen = cone(TableReader<D>(leaf, lights_.leaves), at);
   const Mask is_sampled = hn::And(seen.exists, hn::Gt(probability, hn::Zero(d)));
-  return hn::IfThenElse(is_sampled, scattering_weight(probability, seen, cosine), one);
+  return hn::IfThenElse(is_sampled, balance_heuristic(probability, seen, cosine), one);
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE

@@ -46,6 +46,11 @@ template <typename V>
 HWY_INLINE Triple<V> scaled(Triple<V> a, V s) {
   return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
 }
+/// By component.
+template <typename V>
+HWY_INLINE Triple<V> product(Triple<V> a, Triple<V> b) {
+  return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
+}
 template <typename V>
 HWY_INLINE Triple<V> minus(Triple<V> a, Triple<V> b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};

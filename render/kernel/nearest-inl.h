@@ -84,15 +84,15 @@ class NearestSphere {
   template <bool kAsks>
   HWY_INLINE void intersect_tables(Triple<V> origin, Triple<V> direction, V time, Bits departed,
                                    V rehit, Nearest& nearest) const;
-  void intersect_exact(Triple<V> origin, Triple<V> direction, V time, Bits departed, V rehit,
-                       Nearest& nearest) const;
-  void intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed, Mask alive,
-                     Nearest& nearest) const;
+  HWY_NOINLINE void intersect_exact(Triple<V> origin, Triple<V> direction, V time, Bits departed,
+                                    V rehit, Nearest& nearest) const;
+  HWY_NOINLINE void intersect_bvh(Triple<V> origin, Triple<V> direction, V time, Bits departed,
+                                  Mask alive, Nearest& nearest) const;
   template <typename Find>
   static HWY_INLINE void find_one_by_one(Bits departed, Mask alive, Nearest& nearest,
                                          const Find& find);
-  void intersect_placed(Triple<V> origin, Triple<V> direction, V time, Bits departed, Mask alive,
-                        Nearest& nearest) const;
+  HWY_NOINLINE void intersect_placed(Triple<V> origin, Triple<V> direction, V time, Bits departed,
+                                     Mask alive, Nearest& nearest) const;
   static HWY_INLINE V first_from_zero(V enters, V leaves);
   static HWY_INLINE void take_if_nearer(V t, Bits index, Nearest& nearest);
 

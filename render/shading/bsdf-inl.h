@@ -1,11 +1,11 @@
-// Scattering of paths by materials. Compiled once per instruction set, so it has no include guard
-// but Highway's.
+// The scattering of light by materials. Compiled once per instruction set, so it has no include
+// guard but Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_SCATTER_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_SCATTER_INL_H
-#undef SDLC_RENDER_WIDE_SCATTER_INL_H
+#if defined(SDLC_RENDER_WIDE_BSDF_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_WIDE_BSDF_INL_H
+#undef SDLC_RENDER_WIDE_BSDF_INL_H
 #else
-#define SDLC_RENDER_WIDE_SCATTER_INL_H
+#define SDLC_RENDER_WIDE_BSDF_INL_H
 #endif
 // clang-format on
 
@@ -23,9 +23,9 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Scatters paths at surfaces, by the optics that `read_optics` looks up.
+/// Samples the scattering at surfaces, whose optics `read_optics` looks up.
 template <typename T>
-class Scattering {
+class Bsdf {
  public:
   using D = Lanes<T>;
   using DU = hn::RebindToUnsigned<D>;
@@ -33,15 +33,25 @@ class Scattering {
   using Bits = hn::Vec<DU>;
   using Mask = hn::Mask<D>;
 
-  HWY_INLINE Scattering(const WideScene<T>& scene, const TableReader<D>& read_optics)
+  struct Sample {
+    Triple<V> direction;  ///< of any length; undefined where the path ends
+    Mask absorbed;
+  };
+
+  HWY_INLINE Bsdf(const WideScene<T>& scene, const TableReader<D>& read_optics)
       : scene_(scene), read_(read_optics) {}
 
   static HWY_INLINE Mask has(Bits surface, SurfaceBit bit) {
     return hn::RebindMask(D(), hn::TestBit(surface, hn::Set(DU(), std::uint32_t{bit})));
   }
 
-  HWY_INLINE Triple<V> scatter(Triple<V> direction, Triple<V> outward, V cosine, Bits surface,
-                               const LaneSampler<D>& sampler, Mask& absorbed) const;
+  static HWY_INLINE Mask is_diffuse(Bits surface) {
+    const Bits others = hn::Set(DU(), std::uint32_t{kEndsPath | kMirrors | kRefracts});
+    return hn::RebindMask(D(), hn::Eq(hn::And(surface, others), hn::Zero(DU())));
+  }
+
+  HWY_INLINE Sample sample(Triple<V> direction, Triple<V> outward, V cosine, Bits surface,
+                           const LaneSampler<D>& sampler) const;
 
  private:
   static HWY_INLINE V set(double v) { return hn::Set(D(), static_cast<T>(v)); }
@@ -53,12 +63,11 @@ class Scattering {
   const TableReader<D>& read_;
 };
 
-/// The next direction of each path, of any length; undefined for lanes whose path ends. `surface`
-/// is 0 without a hit.
+/// `outward` is the normal; `cosine` is of `direction` and `outward`; `surface` holds SurfaceBits,
+/// 0 without a hit.
 template <typename T>
-HWY_INLINE auto Scattering<T>::scatter(Triple<V> direction, Triple<V> outward, V cosine,
-                                       Bits surface, const LaneSampler<D>& sampler,
-                                       Mask& absorbed) const -> Triple<V> {
+HWY_INLINE auto Bsdf<T>::sample(Triple<V> direction, Triple<V> outward, V cosine, Bits surface,
+                                const LaneSampler<D>& sampler) const -> Sample {
   const D d;
   const V one = set(1);
   // The normal on the side of the ray: flipped if the cosine is positive.
@@ -73,7 +82,8 @@ HWY_INLINE auto Scattering<T>::scatter(Triple<V> direction, Triple<V> outward, V
   Triple<V> next{hn::Add(facing.x, on_sphere.x), hn::Add(facing.y, on_sphere.y),
                  hn::Add(facing.z, on_sphere.z)};
   const Mask mirrors = has(surface, kMirrors), refracts = has(surface, kRefracts);
-  if (hn::AllFalse(d, hn::Or(mirrors, refracts))) return next;
+  Mask absorbed = hn::MaskFromVec(hn::Zero(d));
+  if (hn::AllFalse(d, hn::Or(mirrors, refracts))) return {next, absorbed};
 
   const Triple<V> mirrored = minus_scaled(direction, outward, hn::Add(cosine, cosine));
   if (!hn::AllFalse(d, mirrors)) {
@@ -90,13 +100,13 @@ HWY_INLINE auto Scattering<T>::scatter(Triple<V> direction, Triple<V> outward, V
         refract(direction, facing, mirrored, cosine, surface, sampler.first(kChoice));
     next = choose(refracts, onwards, next);
   }
-  return next;
+  return {next, absorbed};
 }
 
 /// Refracts, or reflects if `choice` is below the reflectance of Fresnel's term.
 template <typename T>
-HWY_INLINE auto Scattering<T>::refract(Triple<V> direction, Triple<V> facing, Triple<V> mirrored,
-                                       V cosine, Bits surface, V choice) const -> Triple<V> {
+HWY_INLINE auto Bsdf<T>::refract(Triple<V> direction, Triple<V> facing, Triple<V> mirrored,
+                                 V cosine, Bits surface, V choice) const -> Triple<V> {
   const D d;
   const V one = set(1), zero = hn::Zero(d);
   const V eta = hn::IfThenElse(hn::Gt(cosine, zero), read_(scene_.first), read_(scene_.second));

@@ -1,0 +1,138 @@
+// The first rays of paths. Compiled once per instruction set, so it has no include guard but
+// Highway's.
+// clang-format off
+#if defined(SDLC_RENDER_WIDE_CAMERA_RAYS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_WIDE_CAMERA_RAYS_INL_H
+#undef SDLC_RENDER_WIDE_CAMERA_RAYS_INL_H
+#else
+#define SDLC_RENDER_WIDE_CAMERA_RAYS_INL_H
+#endif
+// clang-format on
+
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+#include "render/sampler/sampler.hpp"
+#include "render/wide/nearest-inl.h"
+#include "render/wide/path_kernel.hpp"
+#include "render/wide/paths-inl.h"
+#include "render/wide/vector_math-inl.h"
+#include "render/wide/wide_scene.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace sdlc::render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <typename T, typename F>
+class CameraRays {
+ public:
+  using D = Lanes<T>;
+  using DU = hn::RebindToUnsigned<D>;
+  using V = hn::Vec<D>;
+  using Bits = hn::Vec<DU>;
+  using Mask = hn::Mask<D>;
+  using Nearest = typename NearestSphere<T, F>::Nearest;
+
+  HWY_INLINE CameraRays(const WideScene<T>& scene, const WideView<T>& view)
+      : scene_(scene), view_(view) {}
+
+  template <typename Runs>
+  HWY_INLINE void start(Paths<T>& paths, Runs& runs) const;
+  void intersect_camera_spheres(Mask fresh, Triple<V> direction, Nearest& nearest, Bits& departed,
+                                Triple<V>& normal, V& cosine) const;
+
+ private:
+  static HWY_INLINE Bits word(std::uint32_t v) { return hn::Set(DU(), v); }
+
+  HWY_INLINE Bits stream_start(Bits stream_key, Bits mixer, Bits sample) const;
+  HWY_INLINE void depart_from_camera(Paths<T>& paths) const;
+
+  const WideScene<T>& scene_;
+  const WideView<T>& view_;
+};
+
+/// Starts a path in the fresh lanes.
+template <typename T, typename F>
+template <typename Runs>
+void CameraRays<T, F>::start(Paths<T>& paths, Runs& runs) const {
+  const D d;
+  const auto fresh_bits = hn::RebindMask(DU(), paths.fresh);
+  const V zero = hn::Zero(d), one = hn::Set(d, T{1});
+
+  const Bits sample = runs.take_samples(paths.fresh);
+  const Bits start = stream_start(runs.stream_key(), runs.mixer(), sample);
+  paths.order = hn::IfThenElse(fresh_bits, reverse_lane_bits(sample), paths.order);
+  const LaneSampler<D> sampler(view_.sampler, start, runs.mixer(), paths.order);
+  const auto in_pixel = sampler.pair(kPixel);
+  const Triple<V> place =
+      plus_scaled(plus_scaled(runs.corner(), spread(d, view_.spread_right), in_pixel.first),
+                  spread(d, view_.spread_up), in_pixel.second);
+  if constexpr (F::kMotion) {
+    paths.time = hn::IfThenElse(paths.fresh, sampler.first(kTime), paths.time);
+  }
+  const Bits at_vertex = add_low_32(start, word(PathSampler::kPairIncrement * kCameraPairs));
+  paths.stream = hn::IfThenElse(fresh_bits, at_vertex, paths.stream);
+  paths.next = choose(paths.fresh, place, paths.next);
+  paths.origin = choose(paths.fresh, Triple<V>{zero, zero, zero}, paths.origin);
+  paths.throughput = choose(paths.fresh, Triple<V>{one, one, one}, paths.throughput);
+  paths.depth_left = hn::IfThenElse(fresh_bits, word(scene_.max_depth), paths.depth_left);
+  depart_from_camera(paths);
+}
+
+/// The start of PathSampler.
+template <typename T, typename F>
+auto CameraRays<T, F>::stream_start(Bits stream_key, Bits mixer, Bits sample) const -> Bits {
+  Bits start = stream_key;
+  if (view_.sampler == SamplerKind::Independent) {
+    start = add_low_32(start, mul_low_32(sample, PathSampler::kIncrement));
+  }
+  start = mix_lanes(start, mixer);
+  return hn::Xor(start, hn::ShiftRight<16>(start));
+}
+
+/// The camera may be in the surface of a sphere.
+template <typename T, typename F>
+void CameraRays<T, F>::depart_from_camera(Paths<T>& paths) const {
+  const D d;
+  Bits sphere = word(scene_.camera_sphere);
+  if constexpr (F::kInstances) {
+    sphere = hn::Or(sphere, hn::ShiftLeft<32>(word(scene_.instances.camera_row)));
+  }
+  paths.departed = hn::IfThenElse(hn::RebindMask(DU(), paths.fresh), sphere, paths.departed);
+  if (HWY_UNLIKELY(scene_.camera_sphere != scene_.kNoCameraSphere)) {
+    const V radius = hn::Set(d, scene_.camera_sphere_radius);
+    paths.normal = choose(paths.fresh, spread(d, scene_.camera_normal), paths.normal);
+    paths.radius = hn::IfThenElse(paths.fresh, radius, paths.radius);
+  }
+}
+
+/// The first hits of camera rays that leave several spheres. `nearest` is that of all other
+/// spheres; these can only be hit from inside, where rays leave them again. Out of line, and with
+/// arguments in memory: the case is rare.
+template <typename T, typename F>
+void CameraRays<T, F>::intersect_camera_spheres(Mask fresh, Triple<V> direction, Nearest& nearest,
+                                                Bits& departed, Triple<V>& normal,
+                                                V& cosine) const {
+  const D d;
+  const DU du;
+  for (const auto& sphere : scene_.camera_spheres) {
+    const Triple<V> outward = spread(d, sphere.normal);
+    const V cosine_here = dot(direction, outward);
+    const V rehit = rehit_distance(cosine_here, hn::Set(d, sphere.radius));
+    const Mask is_nearer =
+        hn::And(fresh, hn::And(hn::Ge(rehit, hn::Zero(d)), hn::Lt(rehit, nearest.t)));
+    const auto is_nearer_bits = hn::RebindMask(du, is_nearer);
+    nearest.t = hn::IfThenElse(is_nearer, rehit, nearest.t);
+    nearest.index = hn::IfThenElse(is_nearer_bits, word(sphere.slot), nearest.index);
+    departed = hn::IfThenElse(is_nearer_bits, word(sphere.slot), departed);
+    normal = choose(is_nearer, outward, normal);
+    cosine = hn::IfThenElse(is_nearer, cosine_here, cosine);
+  }
+}
+
+}  // namespace sdlc::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,92 @@
+// The state of the paths. Compiled once per instruction set, so it has no include guard but
+// Highway's.
+// clang-format off
+#if defined(SDLC_RENDER_WIDE_PATHS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_WIDE_PATHS_INL_H
+#undef SDLC_RENDER_WIDE_PATHS_INL_H
+#else
+#define SDLC_RENDER_WIDE_PATHS_INL_H
+#endif
+// clang-format on
+
+#include <hwy/highway.h>
+
+#include "render/wide/vector_math-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sdlc::render::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// One path per lane.
+template <typename T>
+struct Paths {
+  using D = Lanes<T>;
+  using V = hn::Vec<D>;
+  using Bits = hn::Vec<hn::RebindToUnsigned<D>>;
+  using Mask = hn::Mask<D>;
+
+  Mask alive;  ///< lanes that have a path
+  Mask fresh;  ///< lanes whose ray is a camera ray
+
+  Triple<V> origin;
+  Triple<V> next;       ///< direction of the next ray, of any length
+  Triple<V> direction;  ///< the same, normalised
+  V time;
+
+  // The sphere that the ray leaves.
+  Bits departed;     ///< index as in Hit
+  Triple<V> normal;  ///< outward, at the origin of the ray
+  V radius;
+
+  Triple<V> throughput;
+  Bits depth_left;     ///< rays until the path is truncated
+  Bits stream, order;  ///< LaneSampler
+
+  // With KernelFeatures::lights.
+  Triple<V> radiance;  ///< from light connections so far
+  Mask light_sampled;  ///< the ray leaves a surface where a light was sampled
+  V plain_square;      ///< KernelFeatures::pilot: see PlainPaths::squares
+
+  static HWY_INLINE Paths begin(Mask alive) {
+    const V zero = hn::Zero(D());
+    const Bits none = hn::Zero(hn::RebindToUnsigned<D>());
+    const Triple<V> nowhere{zero, zero, zero};
+    return {.alive = alive,
+            .fresh = alive,
+            .origin = nowhere,
+            .next = {zero, zero, hn::Set(D(), T{1})},
+            .direction = nowhere,
+            .time = zero,
+            .departed = none,
+            .normal = nowhere,
+            .radius = zero,
+            .throughput = nowhere,
+            .depth_left = none,
+            .stream = none,
+            .order = none,
+            .radiance = nowhere,
+            .light_sampled = hn::MaskFromVec(zero),
+            .plain_square = zero};
+  }
+
+  HWY_INLINE LaneSampler<D> sampler(SamplerKind kind, Bits mixer) const {
+    return {kind, stream, mixer, order};
+  }
+};
+
+/// The distance at which a ray hits the sphere that it leaves again, negative if it does not.
+/// `cosine` is between the ray and the outward normal.
+template <typename V>
+HWY_INLINE V rehit_distance(V cosine, V radius) {
+  const hn::DFromV<V> d;
+  using T = hn::TFromV<V>;
+  return hn::IfThenElse(hn::Lt(cosine, hn::Zero(d)),
+                        hn::Mul(hn::Mul(hn::Set(d, T{-2}), cosine), radius),
+                        hn::Neg(hn::Set(d, T{1})));
+}
+
+}  // namespace sdlc::render::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
