@@ -6,9 +6,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "render/kernel/kernel.hpp"
 #include "render/scene/scene.hpp"
 #include "render/scene/settings.hpp"
-#include "render/wide/kernel.hpp"
 
 /// Shared by the benchmarks of the renderer. They time whole renders on one thread, from the first
 /// path to the last, in CPU time; the cost of a ray is that time divided by the number of rays.

@@ -4,7 +4,8 @@
 
 // Random numbers and the directions made from them, for the scalar and the wide kernels.
 
-#include "render/wide/vector_math-inl.h"
+#include "render/lanes/vector_math-inl.h"
+#include "render/shading/lane_sampler-inl.h"
 
 #ifndef SDLC_LANE_FUNCTION
 #define SDLC_LANE_FUNCTION

@@ -12,8 +12,8 @@
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "cli/words.hpp"
+#include "render/kernel/backend.hpp"
 #include "render/scene/instances.hpp"
-#include "render/wide/backend.hpp"
 
 namespace sdlc::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include "lang/compile/compile.hpp"
 #include "lang/lower/lowered_scene.hpp"
 #include "lang/lower/overrides.hpp"
-#include "render/wide/kernel.hpp"
+#include "render/kernel/kernel.hpp"
 
 namespace sdlc::cli {
 

@@ -19,8 +19,8 @@
 #include "cli/words.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/io_error.hpp"
+#include "render/kernel/backend.hpp"
 #include "render/parallel/threads.hpp"
-#include "render/wide/backend.hpp"
 
 namespace sdlc::cli {
 namespace {

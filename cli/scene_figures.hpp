@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "render/kernel/kernel.hpp"
 #include "render/math/vec3.hpp"
 #include "render/scene/scene.hpp"
-#include "render/wide/kernel.hpp"
 
 /// Figures about a scene, each from one pass over its spheres.
 namespace sdlc::cli {

@@ -1,4 +1,4 @@
-#include "render/wide/backend.hpp"
+#include "render/kernel/backend.hpp"
 
 #include <array>
 #include <vector>

@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
+#include "render/kernel/path_kernel.hpp"
 #include "render/scene/scene.hpp"
-#include "render/wide/path_kernel.hpp"
 
 namespace sdlc::render {
 

@@ -1,11 +1,11 @@
 // Finds the first spheres on the rays of all lanes. Compiled once per instruction set, so it has no
 // include guard but Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_BVH_WAVE_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_BVH_WAVE_INL_H
-#undef SDLC_RENDER_WIDE_BVH_WAVE_INL_H
+#if defined(SDLC_RENDER_KERNEL_BVH_WAVE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_KERNEL_BVH_WAVE_INL_H
+#undef SDLC_RENDER_KERNEL_BVH_WAVE_INL_H
 #else
-#define SDLC_RENDER_WIDE_BVH_WAVE_INL_H
+#define SDLC_RENDER_KERNEL_BVH_WAVE_INL_H
 #endif
 // clang-format on
 
@@ -19,8 +19,8 @@
 
 #include <hwy/highway.h>
 
-#include "render/wide/bvh_search-inl.h"
-#include "render/wide/wide_scene.hpp"
+#include "render/kernel/bvh_search-inl.h"
+#include "render/kernel/wide_scene.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {

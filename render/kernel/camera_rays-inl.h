@@ -1,11 +1,11 @@
 // The first rays of paths. Compiled once per instruction set, so it has no include guard but
 // Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_CAMERA_RAYS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_CAMERA_RAYS_INL_H
-#undef SDLC_RENDER_WIDE_CAMERA_RAYS_INL_H
+#if defined(SDLC_RENDER_KERNEL_CAMERA_RAYS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_KERNEL_CAMERA_RAYS_INL_H
+#undef SDLC_RENDER_KERNEL_CAMERA_RAYS_INL_H
 #else
-#define SDLC_RENDER_WIDE_CAMERA_RAYS_INL_H
+#define SDLC_RENDER_KERNEL_CAMERA_RAYS_INL_H
 #endif
 // clang-format on
 
@@ -13,12 +13,13 @@
 
 #include <hwy/highway.h>
 
-#include "render/sampler/sampler.hpp"
-#include "render/wide/nearest-inl.h"
-#include "render/wide/path_kernel.hpp"
-#include "render/wide/paths-inl.h"
-#include "render/wide/vector_math-inl.h"
-#include "render/wide/wide_scene.hpp"
+#include "render/kernel/nearest-inl.h"
+#include "render/kernel/path_kernel.hpp"
+#include "render/kernel/paths-inl.h"
+#include "render/kernel/wide_scene.hpp"
+#include "render/lanes/vector_math-inl.h"
+#include "render/shading/lane_sampler-inl.h"
+#include "render/shading/sampler.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
@@ -77,7 +78,7 @@ void CameraRays<T, F>::start(Paths<T>& paths, Runs& runs) const {
   paths.next = choose(paths.fresh, place, paths.next);
   paths.origin = choose(paths.fresh, Triple<V>{zero, zero, zero}, paths.origin);
   paths.throughput = choose(paths.fresh, Triple<V>{one, one, one}, paths.throughput);
-  paths.depth_left = hn::IfThenElse(fresh_bits, word(scene_.max_depth), paths.depth_left);
+  paths.depth_left = hn::IfThenElse(fresh_bits, word(view_.max_depth), paths.depth_left);
   depart_from_camera(paths);
 }
 

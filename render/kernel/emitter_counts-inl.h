@@ -1,11 +1,11 @@
 // Counts the paths that reach emitters. Compiled once per instruction set, so it has no include
 // guard but Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_EMITTER_COUNTS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_EMITTER_COUNTS_INL_H
-#undef SDLC_RENDER_WIDE_EMITTER_COUNTS_INL_H
+#if defined(SDLC_RENDER_KERNEL_EMITTER_COUNTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_KERNEL_EMITTER_COUNTS_INL_H
+#undef SDLC_RENDER_KERNEL_EMITTER_COUNTS_INL_H
 #else
-#define SDLC_RENDER_WIDE_EMITTER_COUNTS_INL_H
+#define SDLC_RENDER_KERNEL_EMITTER_COUNTS_INL_H
 #endif
 // clang-format on
 
@@ -16,10 +16,10 @@
 
 #include <hwy/highway.h>
 
-#include "render/light/emitter_tally.hpp"
-#include "render/wide/bsdf-inl.h"
-#include "render/wide/vector_math-inl.h"
-#include "render/wide/wide_scene.hpp"
+#include "render/kernel/wide_scene.hpp"
+#include "render/lanes/vector_math-inl.h"
+#include "render/shading/bsdf-inl.h"
+#include "render/shading/emitter_tally.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {

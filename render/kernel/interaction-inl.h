@@ -1,11 +1,11 @@
 // Where rays hit, and what they find there. Compiled once per instruction set, so it has no include
 // guard but Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_INTERACTION_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_INTERACTION_INL_H
-#undef SDLC_RENDER_WIDE_INTERACTION_INL_H
+#if defined(SDLC_RENDER_KERNEL_INTERACTION_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_KERNEL_INTERACTION_INL_H
+#undef SDLC_RENDER_KERNEL_INTERACTION_INL_H
 #else
-#define SDLC_RENDER_WIDE_INTERACTION_INL_H
+#define SDLC_RENDER_KERNEL_INTERACTION_INL_H
 #endif
 // clang-format on
 
@@ -15,11 +15,11 @@
 
 #include <hwy/highway.h>
 
-#include "render/wide/nearest-inl.h"
-#include "render/wide/paths-inl.h"
-#include "render/wide/table_reader-inl.h"
-#include "render/wide/vector_math-inl.h"
-#include "render/wide/wide_scene.hpp"
+#include "render/kernel/nearest-inl.h"
+#include "render/kernel/paths-inl.h"
+#include "render/kernel/wide_scene.hpp"
+#include "render/lanes/table_reader-inl.h"
+#include "render/lanes/vector_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
@@ -91,7 +91,7 @@ auto Interactions<T, F>::at(const Paths<T>& paths, const Hit<T>& hit) const -> I
   TableReader<D> by_slot(Search::slot_of(hit.index), scene_.slots);
   TableReader<D> by_material = material_reader(by_slot);
   TableReader<D> by_optics = optics_reader(by_material);
-  Bits surface = hn::IfThenElseZero(hn::RebindMask(du, is_hit), by_optics(scene_.surface));
+  Bits surface = hn::IfThenElseZero(hn::RebindMask(du, is_hit), by_optics(scene_.bsdf.surface));
   const Triple<V> color = by_material(scene_.color);
   const Triple<V> sky =
       plus_scaled(spread(d, scene_.sky_center), spread(d, scene_.sky_slope), paths.direction.y);

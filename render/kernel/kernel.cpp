@@ -1,4 +1,4 @@
-#include "render/wide/kernel.hpp"
+#include "render/kernel/kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 
 #include "render/exactness/camera_surface.hpp"
 #include "render/exactness/precision.hpp"
+#include "render/kernel/light_pilot.hpp"
+#include "render/kernel/wide_scene.hpp"
 #include "render/parallel/threads.hpp"
 #include "render/shading/choose_lights.hpp"
-#include "render/wide/light_pilot.hpp"
-#include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "render/exactness/precision.hpp"
+#include "render/kernel/backend.hpp"
+#include "render/kernel/wide_scene.hpp"
 #include "render/scene/scene.hpp"
-#include "render/wide/backend.hpp"
-#include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {
 

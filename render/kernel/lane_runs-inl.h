@@ -1,11 +1,11 @@
 // Runs of samples, one per lane, and their sums. Compiled once per instruction set, so it has no
 // include guard but Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_LANE_RUNS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_LANE_RUNS_INL_H
-#undef SDLC_RENDER_WIDE_LANE_RUNS_INL_H
+#if defined(SDLC_RENDER_KERNEL_LANE_RUNS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_KERNEL_LANE_RUNS_INL_H
+#undef SDLC_RENDER_KERNEL_LANE_RUNS_INL_H
 #else
-#define SDLC_RENDER_WIDE_LANE_RUNS_INL_H
+#define SDLC_RENDER_KERNEL_LANE_RUNS_INL_H
 #endif
 // clang-format on
 
@@ -17,9 +17,9 @@
 
 #include <hwy/highway.h>
 
-#include "render/sampler/sampler.hpp"
-#include "render/wide/path_kernel.hpp"
-#include "render/wide/vector_math-inl.h"
+#include "render/kernel/path_kernel.hpp"
+#include "render/lanes/vector_math-inl.h"
+#include "render/shading/sampler.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
@@ -62,6 +62,8 @@ class LaneRuns {
   /// The halves of PathSampler::stream_key().
   HWY_INLINE Bits stream_key() const { return hn::Load(DU(), stream_key_.data()); }
   HWY_INLINE Bits mixer() const { return hn::Load(DU(), mixer_.data()); }
+
+  const PixelRun& run(std::size_t lane) const { return *run_[lane]; }
 
   HWY_INLINE void add(Mask mask, Triple<V> contribution);
   HWY_INLINE bool end_samples(Mask ended);

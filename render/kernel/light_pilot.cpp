@@ -1,4 +1,4 @@
-#include "render/wide/light_pilot.hpp"
+#include "render/kernel/light_pilot.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -11,9 +11,9 @@
 #include "render/exactness/rebase.hpp"
 #include "render/exactness/touching.hpp"
 #include "render/film/pixel_run.hpp"
+#include "render/kernel/path_kernel.hpp"
+#include "render/kernel/wide_scene.hpp"
 #include "render/shading/pinhole.hpp"
-#include "render/wide/path_kernel.hpp"
-#include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {
 namespace {

@@ -1,11 +1,11 @@
 // Finds the first sphere on each lane's ray. Compiled once per instruction set, so it has no
 // include guard but Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_NEAREST_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_NEAREST_INL_H
-#undef SDLC_RENDER_WIDE_NEAREST_INL_H
+#if defined(SDLC_RENDER_KERNEL_NEAREST_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_KERNEL_NEAREST_INL_H
+#undef SDLC_RENDER_KERNEL_NEAREST_INL_H
 #else
-#define SDLC_RENDER_WIDE_NEAREST_INL_H
+#define SDLC_RENDER_KERNEL_NEAREST_INL_H
 #endif
 // clang-format on
 
@@ -17,11 +17,11 @@
 
 #include <hwy/highway.h>
 
-#include "render/wide/bvh_search-inl.h"
-#include "render/wide/vector_math-inl.h"
-#include "render/wide/wide_scene.hpp"
+#include "render/kernel/bvh_search-inl.h"
+#include "render/kernel/wide_scene.hpp"
+#include "render/lanes/vector_math-inl.h"
 #if HWY_TARGET != HWY_SCALAR
-#include "render/wide/bvh_wave-inl.h"
+#include "render/kernel/bvh_wave-inl.h"
 #endif
 
 HWY_BEFORE_NAMESPACE();

@@ -1,11 +1,11 @@
 // Tables that every lane reads at its own index. Compiled once per instruction set, so it has no
 // include guard but Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_TABLE_READER_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_TABLE_READER_INL_H
-#undef SDLC_RENDER_WIDE_TABLE_READER_INL_H
+#if defined(SDLC_RENDER_LANES_TABLE_READER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_LANES_TABLE_READER_INL_H
+#undef SDLC_RENDER_LANES_TABLE_READER_INL_H
 #else
-#define SDLC_RENDER_WIDE_TABLE_READER_INL_H
+#define SDLC_RENDER_LANES_TABLE_READER_INL_H
 #endif
 // clang-format on
 
@@ -16,7 +16,7 @@
 
 #include <hwy/highway.h>
 
-#include "render/wide/vector_math-inl.h"
+#include "render/lanes/vector_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {

@@ -2,11 +2,11 @@
 // by the vector extension of the compilers, which translate them for every machine. Highway's own
 // emulation of 128 bits is miscompiled by g++ before 12.3 (GCC bug 106322).
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_TWO_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_TWO_LANES_INL_H
-#undef SDLC_RENDER_WIDE_TWO_LANES_INL_H
+#if defined(SDLC_RENDER_LANES_TWO_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_LANES_TWO_LANES_INL_H
+#undef SDLC_RENDER_LANES_TWO_LANES_INL_H
 #else
-#define SDLC_RENDER_WIDE_TWO_LANES_INL_H
+#define SDLC_RENDER_LANES_TWO_LANES_INL_H
 #endif
 // clang-format on
 

@@ -1,11 +1,11 @@
-// 3D vectors, random numbers and trigonometry per lane. Compiled once per instruction set, so it
+// 3D vectors, 32-bit arithmetic and trigonometry per lane. Compiled once per instruction set, so it
 // has no include guard but Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_VECTOR_MATH_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_VECTOR_MATH_INL_H
-#undef SDLC_RENDER_WIDE_VECTOR_MATH_INL_H
+#if defined(SDLC_RENDER_LANES_VECTOR_MATH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_LANES_VECTOR_MATH_INL_H
+#undef SDLC_RENDER_LANES_VECTOR_MATH_INL_H
 #else
-#define SDLC_RENDER_WIDE_VECTOR_MATH_INL_H
+#define SDLC_RENDER_LANES_VECTOR_MATH_INL_H
 #endif
 // clang-format on
 
@@ -14,9 +14,7 @@
 
 #include <hwy/highway.h>
 
-#include "render/shading/owen.hpp"
-#include "render/shading/sampler.hpp"
-#include "render/wide/two_lanes-inl.h"
+#include "render/lanes/two_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
@@ -95,7 +93,7 @@ HWY_INLINE V chord_discriminant(Triple<V> to_center, Triple<V> direction, V clos
       hn::NegMulAdd(across.y, across.y, hn::NegMulAdd(across.z, across.z, radius_squared)));
 }
 
-// The functions below are those of render/sampler/sampler.hpp for every lane.
+// The functions below are those of render/shading/sampler.hpp for every lane.
 
 /// The low 32 bits of a product; 64-bit lanes hold numbers below 2^32.
 template <typename V>
@@ -136,28 +134,6 @@ HWY_INLINE V add_low_32(V a, V b) {
   return hn::And(hn::Add(a, b), hn::Set(du, 0xFFFFFFFFu));
 }
 
-template <typename V>
-HWY_INLINE V mix_lanes(V x, V key) {
-  x = add_low_32(mul_low_32(hn::Xor(x, hn::ShiftRight<16>(x)), 0x7FEB352D), key);
-  return mul_low_32(hn::Xor(x, hn::ShiftRight<15>(x)), 0x846CA68B);
-}
-
-/// Converts 32 bits to a number in [0, 1); float keeps 24 of them, double all.
-template <typename D, typename V>
-HWY_INLINE hn::Vec<D> uniform_from_bits(D d, V bits) {
-  if constexpr (sizeof(hn::TFromD<D>) == 4) {
-    const hn::RebindToSigned<D> di;
-    return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, hn::ShiftRight<8>(bits))),
-                   hn::Set(d, 0x1p-24f));
-  } else {
-    const hn::RebindToUnsigned<D> du;
-    // Puts the bits into the low part of the significand of a number from 2^52 on.
-    const auto magic = hn::Set(d, 0x1p52);
-    const auto number = hn::BitCast(d, hn::Or(bits, hn::BitCast(du, magic)));
-    return hn::Mul(hn::Sub(number, magic), hn::Set(d, 0x1p-32));
-  }
-}
-
 /// reversed_bits in every lane.
 template <typename V>
 HWY_INLINE V reverse_lane_bits(V x) {
@@ -194,78 +170,6 @@ HWY_INLINE V reverse_lane_bits(V x) {
                        hn::TableLookupBytes(hn::Or(upper, lower), hn::LoadDup128(bytes, kOrder)));
   }
 }
-
-/// scramble_upwards in every lane.
-template <typename V>
-HWY_INLINE V scramble_lanes_upwards(V x, V key) {
-  const hn::DFromV<V> du;
-  x = hn::Xor(x, mul_low_32(x, kScramble[0]));
-  x = add_low_32(x, key);
-  x = mul_low_32(x, hn::Or(hn::ShiftRight<16>(key), hn::Set(du, 1)));
-  x = hn::Xor(x, mul_low_32(x, kScramble[1]));
-  return hn::Xor(x, mul_low_32(x, kScramble[2]));
-}
-
-/// sobol_second_reversed in every lane.
-template <typename V>
-HWY_INLINE V sobol_second_reversed_lanes(V index) {
-  const hn::DFromV<V> du;
-  using Word = hn::TFromV<V>;
-  const auto upper = [&](V v, Word mask) HWY_ATTR { return hn::And(v, hn::Set(du, mask)); };
-  index = hn::Xor(index, hn::ShiftRight<16>(index));
-  index = hn::Xor(index, hn::ShiftRight<8>(upper(index, 0xFF00FF00u)));
-  index = hn::Xor(index, hn::ShiftRight<4>(upper(index, 0xF0F0F0F0u)));
-  index = hn::Xor(index, hn::ShiftRight<2>(upper(index, 0xCCCCCCCCu)));
-  return hn::Xor(index, hn::ShiftRight<1>(upper(index, 0xAAAAAAAAu)));
-}
-
-/// The random numbers of a path, or of one of its vertices.
-template <typename D>
-class LaneSampler {
- public:
-  using V = hn::Vec<D>;
-  using Bits = hn::Vec<hn::RebindToUnsigned<D>>;
-  struct Pair {
-    V first, second;
-  };
-
-  /// `start` is PathSampler's plus the increments up to the first pair; `order` is PathSampler's.
-  HWY_INLINE LaneSampler(SamplerKind kind, Bits start, Bits mixer, Bits order)
-      : kind_(kind), start_(start), mixer_(mixer), order_(order) {}
-
-  HWY_INLINE Pair pair(std::uint32_t index) const {
-    if (kind_ == SamplerKind::Independent) {
-      return {uniform_from_bits(D(), word(index, 0)), uniform_from_bits(D(), word(index, 1))};
-    }
-    const Bits place = shuffled(index);
-    const Bits x = scramble_lanes_upwards(place, key(word(index, 1)));
-    const Bits y = scramble_lanes_upwards(sobol_second_reversed_lanes(place), key(word(index, 2)));
-    return {uniform_from_bits(D(), reverse_lane_bits(x)),
-            uniform_from_bits(D(), reverse_lane_bits(y))};
-  }
-
-  /// The first number of a pair.
-  HWY_INLINE V first(std::uint32_t index) const {
-    if (kind_ == SamplerKind::Independent) return uniform_from_bits(D(), word(index, 0));
-    const Bits x = scramble_lanes_upwards(shuffled(index), key(word(index, 1)));
-    return uniform_from_bits(D(), reverse_lane_bits(x));
-  }
-
- private:
-  HWY_INLINE Bits word(std::uint32_t pair, std::uint32_t i) const {
-    const hn::RebindToUnsigned<D> du;
-    const std::uint32_t offset =
-        pair * PathSampler::kPairIncrement + (i + 1) * PathSampler::kIncrement;
-    return mix_lanes(add_low_32(start_, hn::Set(du, offset)), mixer_);
-  }
-  static HWY_INLINE Bits key(Bits word) { return hn::Xor(word, hn::ShiftRight<16>(word)); }
-  HWY_INLINE Bits shuffled(std::uint32_t pair) const {
-    return reverse_lane_bits(scramble_lanes_upwards(order_, key(word(pair, 0))));
-  }
-
-  SamplerKind kind_;
-  Bits start_, mixer_, order_;
-};
 
 /// sin(2π x) for |x| ≤ 1/4.
 template <typename V>

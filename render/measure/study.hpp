@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "render/kernel/kernel.hpp"
 #include "render/measure/measurement.hpp"
 #include "render/measure/plan.hpp"
 #include "render/measure/reference_error.hpp"
 #include "render/scene/scene.hpp"
 #include "render/session/prepared_scene.hpp"
 #include "render/session/render.hpp"
-#include "render/wide/kernel.hpp"
 
 namespace sdlc::render {
 

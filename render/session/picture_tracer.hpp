@@ -8,9 +8,9 @@
 
 #include "render/film/film.hpp"
 #include "render/image/picture.hpp"
+#include "render/kernel/tracer.hpp"
 #include "render/session/render.hpp"
 #include "render/shading/emitter_tally.hpp"
-#include "render/wide/tracer.hpp"
 
 namespace sdlc::render {
 

@@ -5,10 +5,10 @@
 #include <memory>
 #include <optional>
 
+#include "render/kernel/kernel.hpp"
+#include "render/kernel/tracer.hpp"
 #include "render/scene/scene.hpp"
 #include "render/shading/emitter_tally.hpp"
-#include "render/wide/kernel.hpp"
-#include "render/wide/tracer.hpp"
 
 namespace sdlc::render {
 

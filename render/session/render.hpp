@@ -9,11 +9,11 @@
 
 #include "render/film/film.hpp"
 #include "render/image/picture.hpp"
+#include "render/kernel/kernel.hpp"
 #include "render/scene/scene.hpp"
 #include "render/session/error_estimate.hpp"
 #include "render/session/prepared_scene.hpp"
 #include "render/shading/emitter_tally.hpp"
-#include "render/wide/kernel.hpp"
 
 namespace sdlc::render {
 

@@ -1,11 +1,11 @@
 // The scattering of light by materials. Compiled once per instruction set, so it has no include
 // guard but Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_BSDF_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_BSDF_INL_H
-#undef SDLC_RENDER_WIDE_BSDF_INL_H
+#if defined(SDLC_RENDER_SHADING_BSDF_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_SHADING_BSDF_INL_H
+#undef SDLC_RENDER_SHADING_BSDF_INL_H
 #else
-#define SDLC_RENDER_WIDE_BSDF_INL_H
+#define SDLC_RENDER_SHADING_BSDF_INL_H
 #endif
 // clang-format on
 
@@ -13,10 +13,11 @@
 
 #include <hwy/highway.h>
 
+#include "render/lanes/table_reader-inl.h"
+#include "render/lanes/vector_math-inl.h"
+#include "render/shading/lane_sampler-inl.h"
+#include "render/shading/optics.hpp"
 #include "render/shading/sampler.hpp"
-#include "render/wide/table_reader-inl.h"
-#include "render/wide/vector_math-inl.h"
-#include "render/wide/wide_scene.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
@@ -38,8 +39,8 @@ class Bsdf {
     Mask absorbed;
   };
 
-  HWY_INLINE Bsdf(const WideScene<T>& scene, const TableReader<D>& read_optics)
-      : scene_(scene), read_(read_optics) {}
+  HWY_INLINE Bsdf(const OpticsColumns<T>& columns, const TableReader<D>& read_optics)
+      : columns_(columns), read_(read_optics) {}
 
   static HWY_INLINE Mask has(Bits surface, SurfaceBit bit) {
     return hn::RebindMask(D(), hn::TestBit(surface, hn::Set(DU(), std::uint32_t{bit})));
@@ -59,7 +60,7 @@ class Bsdf {
   HWY_INLINE Triple<V> refract(Triple<V> direction, Triple<V> facing, Triple<V> mirrored, V cosine,
                                Bits surface, V choice) const;
 
-  const WideScene<T>& scene_;
+  const OpticsColumns<T>& columns_;
   const TableReader<D>& read_;
 };
 
@@ -87,10 +88,10 @@ HWY_INLINE auto Bsdf<T>::sample(Triple<V> direction, Triple<V> outward, V cosine
 
   const Triple<V> mirrored = minus_scaled(direction, outward, hn::Add(cosine, cosine));
   if (!hn::AllFalse(d, mirrors)) {
-    Triple<V> spread_out = scaled(mirrored, read_(scene_.first));
+    Triple<V> spread_out = scaled(mirrored, read_(columns_.first));
     if (!hn::AllFalse(d, has(surface, kIsFuzzy))) {
       const V radius = cube_root(sampler.first(kChoice));
-      spread_out = plus_scaled(spread_out, on_sphere, hn::Mul(radius, read_(scene_.second)));
+      spread_out = plus_scaled(spread_out, on_sphere, hn::Mul(radius, read_(columns_.second)));
     }
     absorbed = hn::And(mirrors, hn::Not(hn::Gt(dot(spread_out, facing), hn::Zero(d))));
     next = choose(mirrors, spread_out, next);
@@ -109,14 +110,14 @@ HWY_INLINE auto Bsdf<T>::refract(Triple<V> direction, Triple<V> facing, Triple<V
                                  V cosine, Bits surface, V choice) const -> Triple<V> {
   const D d;
   const V one = set(1), zero = hn::Zero(d);
-  const V eta = hn::IfThenElse(hn::Gt(cosine, zero), read_(scene_.first), read_(scene_.second));
+  const V eta = hn::IfThenElse(hn::Gt(cosine, zero), read_(columns_.first), read_(columns_.second));
   const V incident = hn::Min(hn::Abs(cosine), one);
   const V sine_squared = hn::NegMulAdd(incident, incident, one);
   const V beyond_squared = hn::NegMulAdd(hn::Mul(eta, eta), sine_squared, one);
-  const V straight = read_(scene_.straight);
+  const V straight = read_(columns_.straight);
   const V m = hn::Sub(one, incident), m2 = hn::Mul(m, m);
   V share = hn::MulAdd(hn::Sub(one, straight), hn::Mul(hn::Mul(m2, m2), m), straight);
-  if (HWY_UNLIKELY(scene_.has_exact_fresnel)) {
+  if (HWY_UNLIKELY(columns_.has_exact_fresnel)) {
     const V exact = fresnel_exact_lanes(incident, hn::Sqrt(hn::Max(beyond_squared, zero)), eta);
     share = hn::IfThenElse(has(surface, kIsExact), exact, share);
   }

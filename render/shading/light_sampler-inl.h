@@ -1,11 +1,11 @@
 // Next event estimation for diffuse surfaces. Compiled once per instruction set, so it has no
 // include guard but Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_LIGHT_SAMPLER_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_LIGHT_SAMPLER_INL_H
-#undef SDLC_RENDER_WIDE_LIGHT_SAMPLER_INL_H
+#if defined(SDLC_RENDER_SHADING_LIGHT_SAMPLER_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_SHADING_LIGHT_SAMPLER_INL_H
+#undef SDLC_RENDER_SHADING_LIGHT_SAMPLER_INL_H
 #else
-#define SDLC_RENDER_WIDE_LIGHT_SAMPLER_INL_H
+#define SDLC_RENDER_SHADING_LIGHT_SAMPLER_INL_H
 #endif
 // clang-format on
 
@@ -14,11 +14,12 @@
 
 #include <hwy/highway.h>
 
+#include "render/lanes/table_reader-inl.h"
+#include "render/lanes/vector_math-inl.h"
+#include "render/shading/lane_sampler-inl.h"
 #include "render/shading/light_tree.hpp"
 #include "render/shading/sampler.hpp"
 #include "render/shading/wide_lights.hpp"
-#include "render/wide/table_reader-inl.h"
-#include "render/wide/vector_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/math/vector_allocator.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::render {
@@ -23,6 +24,21 @@ struct Optics {
 };
 
 Optics optics_of(const Material& material) noexcept;
+
+/// Optics in numbers of type T, as columns. Values are undefined for surfaces that do not use them.
+template <typename T>
+struct OpticsColumns {
+  using Table = std::vector<T, VectorAllocator<T>>;
+  using IndexTable = std::vector<std::uint32_t, VectorAllocator<std::uint32_t>>;
+
+  /// kMirrors: the weights of the mirrored direction and of the perturbing ball; the larger one is
+  /// 1, so that neither overflows. kRefracts: the refractive index and its inverse.
+  Table first;
+  Table second;
+  Table straight;      ///< kRefracts: reflectance at normal incidence
+  IndexTable surface;  ///< SurfaceBits
+  bool has_exact_fresnel = false;
+};
 
 /// The distinct optics: most materials of a large scene differ only in colour.
 class OpticsTable {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "render/image/image.hpp"
-#include "render/wide/backend.hpp"
+#include "render/kernel/backend.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "render/wide/wide_scene.hpp"
+#include "render/kernel/wide_scene.hpp"
 
 namespace sdlc::cli {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "lang/compile/compile.hpp"
 #include "render/session/render.hpp"
-#include "tests/render/wide/kernels.hpp"
+#include "tests/render/kernel/kernels.hpp"
 
 // Compares pictures with those of an independent renderer, which include the standard error of
 // every pixel. They are not part of the repository; without them the tests are skipped.

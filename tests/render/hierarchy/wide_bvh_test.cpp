@@ -12,7 +12,7 @@
 #include <tbb/task_arena.h>
 
 #include "render/session/render.hpp"
-#include "tests/render/wide/kernels.hpp"
+#include "tests/render/kernel/kernels.hpp"
 #include "tests/support/reference/path_tracer.hpp"
 #include "tests/support/statistics/random.hpp"
 #include "tests/support/statistics/scenes.hpp"

@@ -1,15 +1,17 @@
 // The wide path tracer. Compiled once per instruction set, so it has no include guard but
 // Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_PATH_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_PATH_KERNEL_INL_H
-#undef SDLC_RENDER_WIDE_PATH_KERNEL_INL_H
+#if defined(SDLC_RENDER_KERNEL_PATH_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_KERNEL_PATH_KERNEL_INL_H
+#undef SDLC_RENDER_KERNEL_PATH_KERNEL_INL_H
 #else
-#define SDLC_RENDER_WIDE_PATH_KERNEL_INL_H
+#define SDLC_RENDER_KERNEL_PATH_KERNEL_INL_H
 #endif
 // clang-format on
 
+#include <array>
 #include <atomic>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -17,17 +19,18 @@
 
 #include <hwy/highway.h>
 
-#include "render/sampler/sampler.hpp"
-#include "render/wide/bsdf-inl.h"
-#include "render/wide/camera_rays-inl.h"
-#include "render/wide/emitter_counts-inl.h"
-#include "render/wide/interaction-inl.h"
-#include "render/wide/lane_runs-inl.h"
-#include "render/wide/light_sampler-inl.h"
-#include "render/wide/nearest-inl.h"
-#include "render/wide/path_kernel.hpp"
-#include "render/wide/paths-inl.h"
-#include "render/wide/vector_math-inl.h"
+#include "render/kernel/camera_rays-inl.h"
+#include "render/kernel/emitter_counts-inl.h"
+#include "render/kernel/interaction-inl.h"
+#include "render/kernel/lane_runs-inl.h"
+#include "render/kernel/nearest-inl.h"
+#include "render/kernel/path_kernel.hpp"
+#include "render/kernel/paths-inl.h"
+#include "render/lanes/vector_math-inl.h"
+#include "render/shading/bsdf-inl.h"
+#include "render/shading/lane_sampler-inl.h"
+#include "render/shading/light_sampler-inl.h"
+#include "render/shading/sampler.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
@@ -62,6 +65,7 @@ class WidePaths {
   using Search = NearestSphere<T, F>;
   using Lights = LightSampler<T, F::kMotion>;
   using LightSample = typename Lights::Sample;
+  static constexpr std::size_t kLanes = hn::MaxLanes(D());
 
   struct Ends {
     Mask emitted;  // on an emitter or in the sky
@@ -78,6 +82,7 @@ class WidePaths {
 
   static HWY_INLINE void set_directions(Paths& paths);
   HWY_INLINE Hit intersect(Paths& paths);
+  HWY_NOINLINE void add_first_hits(const Paths& paths, const Hit& hit, const Interaction& at) const;
   HWY_INLINE void weigh_emission(Paths& paths, const Hit& hit, const Interaction& at) const;
   HWY_INLINE Ends end_paths(Paths& paths, const Interaction& at, Mask absorbed);
   HWY_INLINE void connect_lights(Paths& paths, const Interaction& at, const Ends& ends,
@@ -109,11 +114,12 @@ void WidePaths<T, F>::trace(const std::atomic<bool>& cancel) {
     set_directions(paths);
     Hit hit = intersect(paths);
     Interaction at = interactions.at(paths, hit);
+    if (HWY_UNLIKELY(view_.keeps_first_hits)) add_first_hits(paths, hit, at);
     paths.throughput = product(paths.throughput, at.color);
     if constexpr (F::kLights) weigh_emission(paths, hit, at);
 
     const LaneSampler<D> sampler = paths.sampler(view_.sampler, runs_.mixer());
-    auto scattered = Bsdf<T>(scene_, at.by_optics)
+    auto scattered = Bsdf<T>(scene_.bsdf, at.by_optics)
                          .sample(paths.direction, at.normal, at.cosine, at.surface, sampler);
     paths.next = scattered.direction;
     paths.stream = add_low_32(paths.stream, word(kVertexStep));
@@ -164,6 +170,35 @@ auto WidePaths<T, F>::intersect(Paths& paths) -> Hit {
   }
   counts_.rays += hn::CountTrue(D(), paths.alive);
   return {nearest.t, nearest.index, cosine};
+}
+
+/// Adds normal, depth and albedo of the surfaces that camera rays hit to those of their pixels.
+template <typename T, typename F>
+void WidePaths<T, F>::add_first_hits(const Paths& paths, const Hit& hit,
+                                     const Interaction& at) const {
+  const D d;
+  const V depth = hn::Mul(hit.distance, dot(paths.direction, spread(d, view_.forward)));
+  const V facing = hn::IfThenElse(hn::Gt(at.cosine, hn::Zero(d)), set(-1), set(1));
+  const Triple<V> normal = scaled(at.normal, facing);
+  const std::array<V, 8> values{normal.x,   normal.y,   normal.z, at.color.x,
+                                at.color.y, at.color.z, depth,    hit.distance};
+  alignas(64) std::array<std::array<T, kLanes>, 8> of_lanes;
+  for (std::size_t i = 0; i < values.size(); ++i) hn::Store(values[i], d, of_lanes[i].data());
+  alignas(64) std::array<hn::TFromD<DU>, kLanes> indices;
+  hn::Store(hit.index, DU(), indices.data());
+  const Mask first = hn::And(hn::And(paths.alive, paths.fresh), at.is_hit);
+  for (std::uint32_t lanes = bits_of(d, first); lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+    const auto value = [&](std::size_t i) { return static_cast<double>(of_lanes[i][lane]); };
+    runs_.run(lane).first_hits->add({.normal = {value(0), value(1), value(2)},
+                                     .depth = value(6) * view_.depth_units,
+                                     .albedo = {value(3), value(4), value(5)}});
+    if (view_.picked == nullptr) continue;
+    const auto index = static_cast<std::uint64_t>(indices[lane]);
+    *view_.picked = {.slot = static_cast<std::uint32_t>(index),
+                     .row = static_cast<std::uint32_t>(index >> 32),
+                     .distance = value(7)};
+  }
 }
 
 /// Multiple importance sampling: emission is weighted where its light was also sampled at the

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "render/session/render.hpp"
-#include "tests/render/wide/kernels.hpp"
+#include "tests/render/kernel/kernels.hpp"
 #include "tests/support/statistics/random.hpp"
 #include "tests/support/statistics/scenes.hpp"
 

@@ -1,4 +1,4 @@
-#include "render/wide/kernel.hpp"
+#include "render/kernel/kernel.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,8 +7,8 @@
 
 #include "render/exactness/camera_surface.hpp"
 #include "render/hierarchy/instance_table.hpp"
+#include "render/kernel/wide_scene.hpp"
 #include "render/scene/instances.hpp"
-#include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {
 

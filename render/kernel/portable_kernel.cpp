@@ -1,6 +1,6 @@
 // The kernels for every machine, with vectors of two numbers.
 #define HWY_COMPILE_ONLY_SCALAR
-#include "render/wide/path_kernel-inl.h"
+#include "render/kernel/path_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render {

@@ -1,9 +1,9 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "render/wide/path_kernel.cpp"
+#define HWY_TARGET_INCLUDE "render/kernel/path_kernel.cpp"
 #include <hwy/foreach_target.h>
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
-#include "render/wide/path_kernel-inl.h"
+#include "render/kernel/path_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {

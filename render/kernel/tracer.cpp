@@ -1,4 +1,4 @@
-#include "render/wide/tracer.hpp"
+#include "render/kernel/tracer.hpp"
 
 #include <array>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include "render/exactness/rebase.hpp"
 #include "render/exactness/touching.hpp"
+#include "render/kernel/path_kernel.hpp"
 #include "render/shading/pinhole.hpp"
-#include "render/wide/path_kernel.hpp"
 
 namespace sdlc::render {
 namespace {

@@ -58,14 +58,7 @@ struct WideScene {
   TableTriple color;  ///< attenuation; for materials that end the path, radiance
   IndexTable optics;  ///< Search::Bvh: the rows of the following tables
 
-  // Tables by optics, which many materials share, or by slot with Search::All. Values are undefined
-  // for surfaces that do not use them.
-  /// kMirrors: the weights of the mirrored direction and of the perturbing ball; the larger one is
-  /// 1, so that neither overflows. kRefracts: the refractive index and its inverse.
-  Table first;
-  Table second;
-  Table straight;      ///< kRefracts: reflectance at normal incidence
-  IndexTable surface;  ///< SurfaceBits
+  OpticsColumns<T> bsdf;  ///< by optics, which many materials share, or by slot with Search::All
 
   Search search = Search::All;
   WideBvh<T> bvh;  ///< its slots are moved to index_in_scene
@@ -86,7 +79,6 @@ struct WideScene {
   std::array<Exact, kMaxExactSpheres> exact{};
 
   bool has_motion = false;
-  bool has_exact_fresnel = false;
   Triple sky_center{}, sky_slope{};  ///< radiance of the background: sky_center + sky_slope · y
 
   /// The slot of the sphere that contains the camera in its surface, or kNoCameraSphere, with its

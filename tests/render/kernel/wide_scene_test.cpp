@@ -1,4 +1,4 @@
-#include "render/wide/wide_scene.hpp"
+#include "render/kernel/wide_scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "render/wide/wide_scene.hpp"
+#include "render/kernel/wide_scene.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -202,8 +202,10 @@ void WideScene<T>::make_room_for_materials() {
 
 template <typename T>
 void WideScene<T>::make_room_for_optics() {
-  for (Table* table : {&first, &second, &straight}) table->resize(padded(optics_rows), T{});
-  surface.resize(padded(optics_rows), 0);
+  for (Table* table : {&bsdf.first, &bsdf.second, &bsdf.straight}) {
+    table->resize(padded(optics_rows), T{});
+  }
+  bsdf.surface.resize(padded(optics_rows), 0);
 }
 
 template <typename T>
@@ -218,17 +220,17 @@ constexpr double kLargestIndex = 1e300;
 
 template <typename T>
 void WideScene<T>::add_optics(std::size_t row, const Optics& of) {
-  surface[row] = of.surface;
+  bsdf.surface[row] = of.surface;
   const double p = of.parameter;
   if ((of.surface & kMirrors) != 0) {
-    first[row] = static_cast<T>(p > 1 ? 1 / p : 1);
-    second[row] = static_cast<T>(std::min(p, 1.0));
+    bsdf.first[row] = static_cast<T>(p > 1 ? 1 / p : 1);
+    bsdf.second[row] = static_cast<T>(std::min(p, 1.0));
   } else if ((of.surface & kRefracts) != 0) {
-    has_exact_fresnel |= (of.surface & kIsExact) != 0;
+    bsdf.has_exact_fresnel |= (of.surface & kIsExact) != 0;
     const double root = (1 - p) / (1 + p);
-    first[row] = static_cast<T>(p);
-    second[row] = static_cast<T>(std::min(1 / p, kLargestIndex));
-    straight[row] = static_cast<T>(root * root);
+    bsdf.first[row] = static_cast<T>(p);
+    bsdf.second[row] = static_cast<T>(std::min(1 / p, kLargestIndex));
+    bsdf.straight[row] = static_cast<T>(root * root);
   }
 }
 
@@ -237,13 +239,13 @@ std::size_t WideScene<T>::memory_bytes() const noexcept {
   std::size_t bytes = bvh.nodes.capacity() * sizeof(typename WideBvh<T>::Node) +
                       instances.memory_bytes() + lights.memory_bytes() +
                       index_in_scene.capacity() * sizeof(std::uint32_t);
-  for (const IndexTable* table : {&material, &optics, &surface}) {
+  for (const IndexTable* table : {&material, &optics, &bsdf.surface}) {
     bytes += table->capacity() * sizeof(std::uint32_t);
   }
   for (const TableTriple* triple : {&center, &shift, &color}) {
     for (const Table& table : *triple) bytes += table.capacity() * sizeof(T);
   }
-  for (const Table* table : {&radius, &radius_squared, &first, &second, &straight}) {
+  for (const Table* table : {&radius, &radius_squared, &bsdf.first, &bsdf.second, &bsdf.straight}) {
     bytes += table->capacity() * sizeof(T);
   }
   return bytes;

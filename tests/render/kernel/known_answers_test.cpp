@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "render/kernel/tracer.hpp"
 #include "render/session/render.hpp"
-#include "render/wide/tracer.hpp"
-#include "tests/render/wide/kernels.hpp"
+#include "tests/render/kernel/kernels.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
 // Scenes whose radiance is known in closed form, by the wide kernel. H0 of each test: the

@@ -1,17 +1,18 @@
 // The state of the paths. Compiled once per instruction set, so it has no include guard but
 // Highway's.
 // clang-format off
-#if defined(SDLC_RENDER_WIDE_PATHS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SDLC_RENDER_WIDE_PATHS_INL_H
-#undef SDLC_RENDER_WIDE_PATHS_INL_H
+#if defined(SDLC_RENDER_KERNEL_PATHS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SDLC_RENDER_KERNEL_PATHS_INL_H
+#undef SDLC_RENDER_KERNEL_PATHS_INL_H
 #else
-#define SDLC_RENDER_WIDE_PATHS_INL_H
+#define SDLC_RENDER_KERNEL_PATHS_INL_H
 #endif
 // clang-format on
 
 #include <hwy/highway.h>
 
-#include "render/wide/vector_math-inl.h"
+#include "render/lanes/vector_math-inl.h"
+#include "render/shading/lane_sampler-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {

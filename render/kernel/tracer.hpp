@@ -12,10 +12,10 @@
 #include "render/exactness/rebase.hpp"
 #include "render/film/first_hits.hpp"
 #include "render/film/pixel_run.hpp"
+#include "render/kernel/backend.hpp"
+#include "render/kernel/wide_scene.hpp"
 #include "render/scene/scene.hpp"
 #include "render/shading/emitter_tally.hpp"
-#include "render/wide/backend.hpp"
-#include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {
 

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "render/session/render.hpp"
-#include "tests/render/wide/kernels.hpp"
+#include "tests/render/kernel/kernels.hpp"
 #include "tests/support/reference/path_tracer.hpp"
 #include "tests/support/statistics/scaled_scene.hpp"
 #include "tests/support/statistics/scenes.hpp"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "render/film/pixel_run.hpp"
+#include "render/kernel/wide_scene.hpp"
 #include "render/math/vec3.hpp"
 #include "render/shading/emitter_tally.hpp"
-#include "render/wide/wide_scene.hpp"
 
 namespace sdlc::render {
 

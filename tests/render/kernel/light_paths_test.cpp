@@ -9,7 +9,7 @@
 
 #include "render/scene/instances.hpp"
 #include "render/session/render.hpp"
-#include "tests/render/wide/kernels.hpp"
+#include "tests/render/kernel/kernels.hpp"
 #include "tests/support/reference/path_tracer.hpp"
 #include "tests/support/statistics/random.hpp"
 #include "tests/support/statistics/scaled_scene.hpp"
