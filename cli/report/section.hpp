@@ -44,7 +44,9 @@ std::string describe_reference(const render::Reference& reference);
 /// "on the front".
 std::string_view words_of(render::Dominance dominance);
 
-/// The letter of a series in charts and tables: A to Z, then A1.
+/// The letter of a series in charts and tables.
+std::string series_letter(std::size_t index);
+/// The letter in the colour of the series, as HTML.
 std::string series_key(std::size_t index);
 
 /// The picture as an element with embedded data; empty without a picture.

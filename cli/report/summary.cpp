@@ -11,18 +11,10 @@
 namespace sdlc::cli {
 namespace {
 
-/// The flags as typed; a line may only break between flags.
 std::string flags_element(const render::Measurement& measurement,
                           const render::Recommendation& choice) {
-  const std::string flags = render_flags(measurement, choice.configuration, choice.samples);
-  std::string html;
-  for (std::size_t begin = 0; begin < flags.size();) {
-    const std::size_t end = std::min(flags.find(" --", begin), flags.size());
-    html += fmt::format("{}<span class=\"flag\">{}</span>", begin == 0 ? "" : " ",
-                        escaped(flags.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return fmt::format("<code>{}</code>", html);
+  return fmt::format("<code>{}</code>",
+                     escaped(render_flags(measurement, choice.configuration, choice.samples)));
 }
 
 Table recommendation_table(const render::Measurement& measurement) {
