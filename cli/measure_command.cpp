@@ -404,7 +404,9 @@ class MeasureJob {
                               fmt::join(report.against->notes, "; "));
       return ExitCode::Usage;
     }
-    return graver(code, is_worse(*report.against) ? ExitCode::Findings : ExitCode::Success);
+    const bool is_worse =
+        report.against->worse_errors > 0 || report.against->time == render::Verdict::Worse;
+    return graver(code, is_worse ? ExitCode::Findings : ExitCode::Success);
   }
 
   ExitCode finish_interrupted(const render::RenderSettings& settings) {

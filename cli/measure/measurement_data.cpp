@@ -14,58 +14,15 @@ namespace sdlc::cli {
 
 using render::Measurement;
 
-template <>
-inline constexpr std::tuple kMembers<render::Series>{WriteOnly("", &render::Series::configuration),
-                                                     WriteOnly("points", &render::Series::points),
-                                                     WriteOnly("slope", &render::Series::slope)};
-
+SDLC_MEMBERS(render::Series, configuration, points, slope)
 SDLC_MEMBERS(render::DepthLoss, depth, loss, relative_seconds, cut_paths)
-
-template <>
-inline constexpr std::tuple kMembers<render::PrecisionDifference>{
-    WriteOnly("taken", &render::PrecisionDifference::taken),
-    WriteOnly("other", &render::PrecisionDifference::other),
-    WriteOnly("bound", &render::PrecisionDifference::bound),
-    WriteOnly("refusal",
-              [](const render::PrecisionDifference& precision) {
-                return precision.refusal.empty() ? std::nullopt : std::optional(precision.refusal);
-              }),
-    WriteOnly("mean_difference", &render::PrecisionDifference::mean_difference),
-    WriteOnly("rms_difference", &render::PrecisionDifference::rms_difference),
-    WriteOnly("relative_seconds", &render::PrecisionDifference::seconds)};
-
-template <>
-inline constexpr std::tuple kMembers<render::Recommendation>{
-    WriteOnly("goal",
-              [](const render::Recommendation& choice) {
-                return choice.goal > 0 ? std::optional(choice.goal) : std::nullopt;
-              }),
-    WriteOnly("samples", &render::Recommendation::samples),
-    WriteOnly("", &render::Recommendation::configuration),
-    WriteOnly("is_measured", &render::Recommendation::is_measured),
-    WriteOnly("relative_error", &render::Recommendation::error),
-    WriteOnly("seconds", &render::Recommendation::seconds)};
-
-template <>
-inline constexpr std::tuple kMembers<render::LeftOut>{
-    WriteOnly("", &render::LeftOut::configuration),
-    WriteOnly("samples",
-              [](const render::LeftOut& left) {
-                return left.samples > 0 ? std::optional(left.samples) : std::nullopt;
-              }),
-    WriteOnly("reason", &render::LeftOut::reason)};
-
-template <>
-inline constexpr std::tuple kMembers<render::PointChange>{
-    WriteOnly(
-        "", [](const auto& change) -> auto& { return change.after.configuration; }),
-    WriteOnly("samples", [](const auto& change) { return change.after.samples; }),
-    WriteOnly("relative_error_before", [](const auto& change) { return change.before.error; }),
-    WriteOnly("relative_error", [](const auto& change) { return change.after.error; }),
-    WriteOnly("seconds_before", [](const auto& change) { return change.before.seconds; }),
-    WriteOnly("seconds", [](const auto& change) { return change.after.seconds; }),
-    WriteOnly("error", &render::PointChange::error)};
-
+SDLC_MEMBERS(render::PrecisionDifference, taken, other, bound, refusal, mean_difference,
+             rms_difference, relative_seconds)
+SDLC_MEMBERS(render::Recommendation, goal, samples, configuration, is_measured, relative_error,
+             seconds)
+SDLC_MEMBERS(render::LeftOut, configuration, samples, reason)
+SDLC_MEMBERS(render::PointChange, configuration, samples, relative_error_before, relative_error,
+             seconds_before, seconds, error)
 SDLC_MEMBERS(render::Comparison, version, points, time_ratio, time, notes)
 
 namespace {
@@ -100,7 +57,7 @@ inline constexpr std::tuple kMembers<Measurement>{
     Member("height", &Measurement::height, Range{1}),
     Member("full_width", &Measurement::full_width, Range{1}),
     Member("full_height", &Measurement::full_height, Range{1}),
-    WriteOnly("samples", &Measurement::own_samples),
+    WriteOnly("samples", &Measurement::samples),
     Member("seed", &Measurement::seed),
     Member("threads", &Measurement::threads, Range{1}),
     WriteOnly("budget_seconds", &Measurement::budget_seconds),

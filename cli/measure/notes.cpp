@@ -74,10 +74,4 @@ render::Comparison compare_with_earlier(const render::Measurement& measurement,
   return comparison;
 }
 
-bool is_worse(const render::Comparison& comparison) {
-  return comparison.time == render::Verdict::Worse ||
-         std::ranges::count(comparison.points, render::Verdict::Worse,
-                            &render::PointChange::error) > 0;
-}
-
 }  // namespace sdlc::cli

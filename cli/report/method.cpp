@@ -39,8 +39,8 @@ Section method_section(const Report& report) {
   html +=
       fact("Reference", measurement.reference ? escaped(describe_reference(*measurement.reference))
                                               : "none was rendered");
-  html += fact("The scene's own settings", escaped(count_of(measurement.own_samples, "sample") +
-                                                   ", " + describe_configuration(measurement.own)));
+  html += fact("The scene's own settings", escaped(count_of(measurement.samples, "sample") + ", " +
+                                                   describe_configuration(measurement.own)));
   html += fact("Size", fmt::format("{} × {} pixels", measurement.width, measurement.height));
   html += fact("Seed", fmt::to_string(measurement.seed));
   html += fact("Threads", fmt::to_string(measurement.threads));

@@ -78,7 +78,7 @@ constexpr auto in_difference(T render::Difference::*member) {
 template <>
 inline constexpr std::tuple kMembers<render::Point>{
     Column(Member("samples", &render::Point::samples, kSamplesRange), "#Samples", samples_cell),
-    Member("", &render::Point::configuration),
+    Member("configuration", &render::Point::configuration),
     Column(Member("seconds", &render::Point::seconds), "#Time", duration),
     Member("timings", &render::Point::timings),
     Column(Member("samples_per_second", &render::Point::samples_per_second), "-#Samples/s", rate),

@@ -57,7 +57,7 @@ std::string explanations() {
 Table left_out_table(const render::Measurement& measurement) {
   Table table("What was left out", "#Samples|Configuration|Why");
   for (const render::LeftOut& left : measurement.left_out) {
-    table.row({left.samples > 0 ? fmt::to_string(left.samples) : "all",
+    table.row({left.samples ? fmt::to_string(*left.samples) : "all",
                escaped(describe_configuration(left.configuration)), escaped(left.reason)});
   }
   return table;

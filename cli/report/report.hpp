@@ -38,7 +38,7 @@ struct Report {
   const render::Measurement& measurement;
   Provenance provenance{};
   ReportImage picture{};           ///< the reference, reduced
-  std::vector<ReportRow> crops{};  ///< details; the last one of each row is the reference
+  std::vector<ReportRow> crops{};  ///< the last one of each row is the reference
   std::vector<ReportRow> error_maps{};
   double error_map_top = 0;  ///< the error of the brightest colour, relative to the mean
   std::optional<render::Comparison> against{};

@@ -20,8 +20,8 @@ std::string flags_element(const render::Measurement& measurement,
 Table recommendation_table(const render::Measurement& measurement) {
   Table table("Recommended settings, for each goal", "Goal|Flags|#Error|#Time|Known");
   for (const render::Recommendation& choice : measurement.recommendations) {
-    table.row({percent(choice.goal), flags_element(measurement, choice),
-               read(choice.error, percent), read(choice.seconds, duration),
+    table.row({percent(choice.goal.value_or(0)), flags_element(measurement, choice),
+               read(choice.relative_error, percent), read(choice.seconds, duration),
                choice.is_measured ? "measured" : "by the line"});
   }
   return table;
@@ -56,10 +56,10 @@ Section recommendation_section(const Report& report) {
     const render::Recommendation& choice = measurement.recommendations[main];
     section.paragraph(
         fmt::format("{}: {}, about {}; error {}.",
-                    choice.goal > 0 ? fmt::format("For an error of {}", percent(choice.goal))
-                                    : std::string("For a picture without noise"),
+                    choice.goal ? fmt::format("For an error of {}", percent(*choice.goal))
+                                : std::string("For a picture without noise"),
                     flags_element(measurement, choice), read(choice.seconds, duration).text(),
-                    read(choice.error, percent).text()),
+                    read(choice.relative_error, percent).text()),
         "lead");
     section.paragraph(fmt::format(
         "Add the flags to <code>sdlc render</code>. {}",
@@ -68,9 +68,9 @@ Section recommendation_section(const Report& report) {
                              "that configuration."));
     if (measurement.as_it_is) {
       const render::Recommendation& own = *measurement.as_it_is;
-      section.paragraph(
-          fmt::format("The scene's own settings, with {} samples: about {}; error {}.", own.samples,
-                      read(own.seconds, duration).text(), read(own.error, percent).text()));
+      section.paragraph(fmt::format(
+          "The scene's own settings, with {} samples: about {}; error {}.", own.samples,
+          read(own.seconds, duration).text(), read(own.relative_error, percent).text()));
     }
     section.table(recommendation_table(measurement));
     section.page_only(

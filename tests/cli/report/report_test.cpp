@@ -133,7 +133,7 @@ std::vector<Degenerate> degenerates() {
     for (render::Series& series : m.series) series.slope->value = kNan;
     m.reference->error = {.value = kInfinity, .interval = {0.1, kInfinity}};
     m.reference->mean_radiance = kNan;
-    m.precision->mean_difference.value = m.precision->seconds = kNan;
+    m.precision->mean_difference.value = m.precision->relative_seconds = kNan;
     m.recommendations[1].seconds = {.value = kInfinity, .interval = {kNan, kNan}};
     m.spent_seconds = kNan;
   });
