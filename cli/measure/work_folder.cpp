@@ -151,7 +151,8 @@ WorkFolder::State WorkFolder::read_study(const std::string& text) {
   if (digest != digest_of(study.dump())) throw std::invalid_argument("it was changed");
   check_identity(field(study, "identity"));
   digests_ = field(study, "digests");
-  State state{.ledger = read_ledger(field(study, "ledger"))};
+  State state;
+  read_value(field(study, "ledger"), "ledger", {}, state.ledger);
   read_value(field(study, "layout"), "layout", {}, state.layout);
   read_value(field(study, "pictures"), "pictures", {}, state.keys);
   return state;
@@ -206,7 +207,7 @@ void WorkFolder::save(const render::StudyLedger& ledger, const Details& details)
     write(map_name(key), pictures.map);
   }
   const Json study{{"identity", identity_},
-                   {"ledger", ledger_json(ledger)},
+                   {"ledger", value_json(ledger)},
                    {"layout", value_json(details.layout())},
                    {"pictures", keys},
                    {"digests", digests_}};

@@ -46,7 +46,7 @@ Section against_section(const Report& report) {
   Table table("Renders in both measurements",
               "#Samples|Configuration|#Error before|#Error now|Error|-#Time before|-#Time now");
   for (const render::PointChange& point : against.points) {
-    table.row({fmt::to_string(point.samples),
+    table.row({whole(point.samples),
                escaped(describe_configuration(report.measurement, point.configuration)),
                read(point.relative_error_before, percent), read(point.relative_error, percent),
                verdict_html(point.error), read(point.seconds_before, duration),

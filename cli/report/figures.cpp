@@ -21,6 +21,8 @@ std::string figure(double number) {
   return fmt::format("{}", std::strtod(rounded.c_str(), nullptr));
 }
 
+std::string whole(double count) { return format_whole(static_cast<std::uint64_t>(count)); }
+
 std::string percent(double share) {
   if (!std::isfinite(share)) return std::string(kUnknown);
   return fmt::format("{}{}%", figure(100 * share), kSpace);

@@ -15,6 +15,8 @@ namespace sdlc::cli {
 
 /// With three significant digits: "0.98", "1230", "-2.14e-06"; "unknown" if not finite.
 std::string figure(double number);
+/// "1,024"
+std::string whole(double count);
 /// A share in percent, with a no-break space: "0.98 %".
 std::string percent(double share);
 /// Like format_seconds(), but with three digits below a minute; "unknown" if invalid.

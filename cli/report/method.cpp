@@ -15,11 +15,11 @@ std::string fact(std::string_view term, std::string_view html) {
 }  // namespace
 
 std::string describe_reference(const render::Reference& reference) {
-  std::string text = fmt::format(
-      "{}, {}, seed {}, rendered in {}; its own error is {}, and its mean radiance {}",
-      count_of(reference.samples, "sample"), describe_configuration(reference.configuration),
-      reference.seed, duration(reference.seconds), read(reference.error, percent).text(),
-      figure(reference.mean_radiance));
+  std::string text =
+      fmt::format("{}, {}, seed {}, rendered in {}; its own error is {}, and its mean radiance {}",
+                  count_of(reference.samples, "sample"), describe(reference.configuration),
+                  reference.seed, duration(reference.seconds),
+                  read(reference.error, percent).text(), figure(reference.mean_radiance));
   if (reference.scarce_emitters > 0) {
     text += fmt::format("; {} reached by very few of its paths, so that light may be missing",
                         count_of(reference.scarce_emitters, "emitter"));
@@ -39,8 +39,8 @@ Section method_section(const Report& report) {
   html +=
       fact("Reference", measurement.reference ? escaped(describe_reference(*measurement.reference))
                                               : "none was rendered");
-  html += fact("The scene's own settings", escaped(count_of(measurement.samples, "sample") + ", " +
-                                                   describe_configuration(measurement.own)));
+  html += fact("The scene's own settings",
+               escaped(count_of(measurement.samples, "sample") + ", " + describe(measurement.own)));
   html += fact("Size", fmt::format("{} × {} pixels", measurement.width, measurement.height));
   html += fact("Seed", fmt::to_string(measurement.seed));
   html += fact("Threads", fmt::to_string(measurement.threads));

@@ -50,11 +50,8 @@ struct Report {
 std::string render_flags(const render::Measurement& measurement,
                          const render::Configuration& configuration, int samples);
 
-/// "Sobol', light sampling on, float, depth 16".
-std::string describe_configuration(const render::Configuration& configuration);
-
-/// The same without the parts that all series of the measurement share; complete if nothing would
-/// be left.
+/// A configuration without the parts that all series of the measurement share; complete if nothing
+/// would be left.
 std::string describe_configuration(const render::Measurement& measurement,
                                    const render::Configuration& configuration);
 

@@ -38,7 +38,7 @@ Section pictures_section(const Report& report);
 Section against_section(const Report& report);
 Section method_section(const Report& report);
 
-/// "512 samples, Sobol', …; its own error is 0.1 %, …".
+/// "512 samples, sobol, …; its own error is 0.1 %, …".
 std::string describe_reference(const render::Reference& reference);
 
 /// "on the front".
