@@ -378,6 +378,7 @@ class MeasureJob {
     render::Measurement measurement = measurement_of(ledger_, settings, study_options(settings));
     measurement.is_complete = is_complete;
     measurement.given = options_.given;
+    add_flags(measurement);
     const Report report = report_of(measurement);
     const auto text_of = [&](std::string_view format) {
       if (format == "html") return html_report(report);

@@ -19,7 +19,7 @@ SDLC_MEMBERS(render::DepthLoss, depth, loss, relative_seconds, cut_paths)
 SDLC_MEMBERS(render::PrecisionDifference, taken, other, bound, refusal, mean_difference,
              rms_difference, relative_seconds)
 SDLC_MEMBERS(render::Recommendation, goal, samples, configuration, is_measured, relative_error,
-             seconds)
+             seconds, flags, is_main)
 SDLC_MEMBERS(render::LeftOut, configuration, samples, reason)
 SDLC_MEMBERS(render::PointChange, configuration, samples, relative_error_before, relative_error,
              seconds_before, seconds, error)
@@ -29,25 +29,6 @@ namespace {
 
 constexpr const char* kFormat = "sdlc-measurement";
 constexpr int kFormatVersion = 1;
-
-Json recommendation_json(const Measurement& measurement, const render::Recommendation& choice) {
-  Json json = value_json(choice);
-  json["flags"] = render_flags(measurement, choice.configuration, choice.samples);
-  return json;
-}
-
-Json recommendations_json(const Measurement& measurement) {
-  Json all = Json::array();
-  for (std::size_t i = 0; i < measurement.recommendations.size(); ++i) {
-    all.push_back(recommendation_json(measurement, measurement.recommendations[i]));
-    all.back()["is_main"] = i == measurement.main_recommendation;
-  }
-  return all;
-}
-
-Json as_it_is_json(const Measurement& measurement) {
-  return measurement.as_it_is ? recommendation_json(measurement, *measurement.as_it_is) : Json();
-}
 
 }  // namespace
 
@@ -72,15 +53,11 @@ inline constexpr std::tuple kMembers<Measurement>{
     WriteOnly("depths", &Measurement::depths),
     WriteOnly("depths_have_converged", &Measurement::depths_have_converged),
     WriteOnly("precision", &Measurement::precision),
-    WriteOnly("as_it_is", as_it_is_json),
-    WriteOnly("recommendations", recommendations_json),
+    WriteOnly("as_it_is", &Measurement::as_it_is),
+    WriteOnly("recommendations", &Measurement::recommendations),
     WriteOnly("left_out", &Measurement::left_out)};
 
-template <>
-inline constexpr std::tuple kMembers<Provenance>{
-    Member("version", &Provenance::version), WriteOnly("command", &Provenance::command),
-    Member("machine", &Provenance::machine), WriteOnly("scene", &Provenance::scene),
-    Member("scene_digest", &Provenance::scene_digest)};
+SDLC_MEMBERS(Provenance, version, command, machine, scene, scene_digest)
 
 namespace {
 

@@ -37,6 +37,14 @@ std::string render_flags(const render::Measurement& measurement,
   return flags;
 }
 
+void add_flags(render::Measurement& measurement) {
+  const auto add = [&](render::Recommendation& choice) {
+    choice.flags = render_flags(measurement, choice.configuration, choice.samples);
+  };
+  std::ranges::for_each(measurement.recommendations, add);
+  if (measurement.as_it_is) add(*measurement.as_it_is);
+}
+
 std::string describe_configuration(const render::Measurement& measurement,
                                    const render::Configuration& configuration) {
   const std::vector<std::string> parts = render::parts_of(configuration);

@@ -50,6 +50,9 @@ struct Report {
 std::string render_flags(const render::Measurement& measurement,
                          const render::Configuration& configuration, int samples);
 
+/// Fills in Recommendation::flags.
+void add_flags(render::Measurement& measurement);
+
 /// A configuration without the parts that all series of the measurement share; complete if nothing
 /// would be left.
 std::string describe_configuration(const render::Measurement& measurement,

@@ -26,7 +26,7 @@ class Section {
   std::string html_, text_;
 };
 
-/// What a reader has to know first: warnings, missing points, a different size.
+/// The notes of the report.
 Section callouts(const Report& report);
 
 Section recommendation_section(const Report& report);

@@ -107,9 +107,9 @@ std::vector<LeftOut> left_out_of(const StudyLedger& ledger, const std::vector<Po
   return left_out;
 }
 
-/// The recommendation to show first: the one for the requested error; otherwise the one nearest to
-/// 1 %, preferring measured points.
-std::size_t main_of(const std::vector<Recommendation>& all, std::optional<double> goal) {
+/// Shows first the recommendation for the requested error; otherwise the one nearest to 1 %,
+/// preferring measured points.
+void mark_main(std::vector<Recommendation>& all, std::optional<double> goal) {
   constexpr double kUsual = 0.01;
   const double wanted = goal.value_or(kUsual);
   const auto distance = [&](const Recommendation& recommendation) {
@@ -117,7 +117,7 @@ std::size_t main_of(const std::vector<Recommendation>& all, std::optional<double
                      std::abs(std::log(recommendation.goal.value_or(0) / wanted)));
   };
   const auto best = std::ranges::min_element(all, {}, distance);
-  return static_cast<std::size_t>(best - all.begin());
+  if (best != all.end()) best->is_main = true;
 }
 
 /// Scales the figures of a measured render to the scene's own size, including reading and writing.
@@ -209,7 +209,7 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
     scale_to_full_size(*measurement.as_it_is, ledger, settings);
   }
   measurement.recommendations = recommendations_of(measurement, noise);
-  measurement.main_recommendation = main_of(measurement.recommendations, options.goal);
+  mark_main(measurement.recommendations, options.goal);
   for (Recommendation& recommendation : measurement.recommendations) {
     scale_to_full_size(recommendation, ledger, settings);
   }

@@ -114,6 +114,8 @@ struct Recommendation {
                               ///< the series
   Measured relative_error{};  ///< expected or measured
   Measured seconds{};  ///< of the next `sdlc render` on this machine, including reading and writing
+  std::string flags{};   ///< of `sdlc render`; filled in by the command line
+  bool is_main = false;  ///< shown first
 };
 
 struct LeftOut {
@@ -150,7 +152,6 @@ struct Measurement {
   /// The scene with its own settings, if they were measured; without a goal.
   std::optional<Recommendation> as_it_is{};
   std::vector<Recommendation> recommendations{};  ///< from the largest error to the smallest
-  std::size_t main_recommendation = 0;
   std::vector<LeftOut> left_out{};
   std::uint64_t nonfinite_samples = 0;  ///< of all renders; not 0 indicates a defect
   GivenFlags given{};

@@ -148,7 +148,7 @@ std::vector<Degenerate> degenerates() {
   add("many series", [](Measurement& m) {
     for (int i = 0; i < 30; ++i) m.series.push_back(m.series[static_cast<std::size_t>(i % 4)]);
   });
-  add("no such recommendation", [](Measurement& m) { m.main_recommendation = 99; });
+  add("no main recommendation", [](Measurement& m) { m.recommendations[1].is_main = false; });
   return all;
 }
 
@@ -265,7 +265,8 @@ TEST(HtmlReport, ShowsFirstWhatIsMissing) {
   measurement.is_complete = false;
   measurement.full_width = 1920;
   Report report = bare_report(measurement);
-  report.notes = {"a lamp was hardly reached"};
+  report.notes = notes_of(measurement);
+  report.notes.emplace_back("a lamp was hardly reached");
   const std::string page = html_report(report);
   for (const char* part : {"a lamp was hardly reached", "interrupted:", "1920 × 225"}) {
     EXPECT_LT(page.find(part), page.find("For an error of")) << part;

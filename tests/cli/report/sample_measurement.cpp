@@ -179,7 +179,8 @@ render::Measurement sample_measurement() {
                                   .samples = 7424,
                                   .relative_error = around(0.00197, 0.05),
                                   .seconds = around(171, 0.05)}};
-  measurement.main_recommendation = 1;
+  measurement.recommendations[1].is_main = true;
+  cli::add_flags(measurement);
   measurement.left_out = {{.configuration = measurement.series[2].configuration,
                            .samples = 4096,
                            .reason = "its render would take 65 s, and 13 s are left"},
