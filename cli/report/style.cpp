@@ -64,12 +64,14 @@ td small, tbody th.number small { display: block; }
 .chart { display: block; width: 100%; min-width: 27rem; font-size: 14px; }
 .chart text { fill: var(--ink); font-variant-numeric: tabular-nums; }
 .chart .tick, .chart .note { fill: var(--soft); }
+.chart .key, .chart .note { paint-order: stroke; stroke: var(--page); stroke-width: 3px; }
 .grid { stroke: var(--rule); }
 .level { stroke: var(--soft); stroke-dasharray: 1 3; }
 .front { fill: none; stroke: var(--front); stroke-width: 3; }
 .s0 { --of: var(--s0); } .s1 { --of: var(--s1); } .s2 { --of: var(--s2); } .s3 { --of: var(--s3); }
 .s4 { --of: var(--s4); } .s5 { --of: var(--s5); } .s6 { --of: var(--s6); } .s7 { --of: var(--s7); }
 .line, .bar { fill: none; stroke: var(--of); stroke-width: 1.4; }
+.bar { opacity: .5; }
 .mark { fill: var(--of); stroke: var(--of); stroke-width: 1.6; }
 .hollow .mark { fill: var(--page); }
 .faded { opacity: .5; }
