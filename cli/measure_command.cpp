@@ -378,6 +378,7 @@ class MeasureJob {
     render::Measurement measurement = measurement_of(ledger_, settings, study_options(settings));
     measurement.is_complete = is_complete;
     measurement.given = options_.given;
+    add_flags(measurement);
     const Report report = report_of(measurement);
     const auto text_of = [&](std::string_view format) {
       if (format == "html") return html_report(report);
@@ -404,7 +405,9 @@ class MeasureJob {
                               fmt::join(report.against->notes, "; "));
       return ExitCode::Usage;
     }
-    return graver(code, is_worse(*report.against) ? ExitCode::Findings : ExitCode::Success);
+    const bool is_worse =
+        report.against->worse_errors > 0 || report.against->time == render::Verdict::Worse;
+    return graver(code, is_worse ? ExitCode::Findings : ExitCode::Success);
   }
 
   ExitCode finish_interrupted(const render::RenderSettings& settings) {

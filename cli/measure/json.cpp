@@ -39,13 +39,10 @@ void read_value(const Json& json, const std::string& name, Range, std::string& v
 }
 
 void read_value(const Json& json, const std::string& name, Range range, int& value) {
-  // Rejects numbers with a point or an exponent; integers beyond 64 bits are parsed as such.
-  const bool is_in_range = json.is_number_unsigned()
-                               ? std::cmp_less_equal(json.get<std::uint64_t>(), range.max) &&
-                                     std::cmp_greater_equal(json.get<std::uint64_t>(), range.min)
-                               : json.is_number_integer() &&
-                                     json.get<std::int64_t>() >= range.min &&
-                                     json.get<std::int64_t>() <= range.max;
+  // Rejects numbers with a point or an exponent; those beyond 63 bits become negative.
+  const bool is_in_range = json.is_number_integer() &&
+                           json.get<std::int64_t>() >= std::max(range.min, std::int64_t{0}) &&
+                           json.get<std::int64_t>() <= range.max;
   if (!is_in_range) {
     refuse_field(name, fmt::format("not a whole number from {} to {}", range.min, range.max));
   }

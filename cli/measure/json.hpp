@@ -130,13 +130,16 @@ inline constexpr auto kMembers<render::Configuration> = std::apply(
 
 template <>
 inline constexpr std::tuple kMembers<render::Reference>{
-    Member("", &render::Reference::configuration),
+    Member("configuration", &render::Reference::configuration),
     Member("samples", &render::Reference::samples, kSamplesRange),
     Member("seed", &render::Reference::seed),
     Member("seconds", &render::Reference::seconds),
     Member("relative_error", &render::Reference::error),
     Member("mean_radiance", &render::Reference::mean_radiance),
     Member("scarce_emitters", &render::Reference::scarce_emitters)};
+
+/// The fields of a member of this name are fields of the struct itself.
+inline constexpr std::string_view kInlined = "configuration";
 
 /// A number with an interval is two fields: NAME and NAME_interval.
 inline std::string interval_name(std::string_view name) { return std::string(name) + "_interval"; }
@@ -154,8 +157,8 @@ void write_members(Json& json, const T& object) {
       json[name] = value ? value_json(value->value) : Json();
       json[interval_name(name)] = value ? value_json(value->interval) : Json();
     } else {
-      if constexpr (Declared<Value>) {
-        if (name.empty()) return write_members(json, value);
+      if constexpr (std::same_as<Value, render::Configuration>) {
+        if (name == kInlined) return write_members(json, value);
       }
       json[name] = value_json(value);
     }
@@ -175,7 +178,7 @@ void read_members(const Json& json, T& object) {
         read_value(field(json, name), name, {}, value.value);
         read_value(field(json, interval_name(name)), interval_name(name), {}, value.interval);
       } else if constexpr (Declared<Value>) {
-        read_value(name.empty() ? json : field(json, name), name, {}, value);
+        read_value(name == kInlined ? json : field(json, name), name, {}, value);
       } else {
         read_value(field(json, name), name, member.range, value);
       }

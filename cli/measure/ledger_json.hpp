@@ -3,12 +3,17 @@
 #include "cli/measure/json.hpp"
 #include "render/measure/study.hpp"
 
+/// The results of a study as JSON, with exact numbers.
 namespace sdlc::cli {
 
-/// The results of a study so far; read_ledger restores the exact numbers.
-Json ledger_json(const render::StudyLedger& ledger);
-
-/// Throws std::invalid_argument with the reason if the JSON is not a ledger.
-render::StudyLedger read_ledger(const Json& json);
+SDLC_MEMBERS(render::StudyTask, kind, configuration, samples, round)
+SDLC_MEMBERS(render::ConfigurationCost, configuration, build_seconds, seconds_per_sample, refusal)
+SDLC_MEMBERS(render::StudyPlan, width, height, costs, reference_configuration, reference_samples,
+             depths, probe_samples, tasks)
+SDLC_MEMBERS(render::DepthProbe, depth, round, mean, seconds, cut_paths)
+SDLC_MEMBERS(render::PrecisionProbe, round, mean, other_mean, rms_difference, seconds,
+             other_seconds)
+SDLC_MEMBERS(render::StudyLedger, plan, reference, points, depths, precisions, precision_bound,
+             other_seconds, spent_seconds, nonfinite_samples)
 
 }  // namespace sdlc::cli

@@ -14,83 +14,21 @@ namespace sdlc::cli {
 
 using render::Measurement;
 
-template <>
-inline constexpr std::tuple kMembers<render::Series>{WriteOnly("", &render::Series::configuration),
-                                                     WriteOnly("points", &render::Series::points),
-                                                     WriteOnly("slope", &render::Series::slope)};
-
+SDLC_MEMBERS(render::Series, configuration, points, slope)
 SDLC_MEMBERS(render::DepthLoss, depth, loss, relative_seconds, cut_paths)
-
-template <>
-inline constexpr std::tuple kMembers<render::PrecisionDifference>{
-    WriteOnly("taken", &render::PrecisionDifference::taken),
-    WriteOnly("other", &render::PrecisionDifference::other),
-    WriteOnly("bound", &render::PrecisionDifference::bound),
-    WriteOnly("refusal",
-              [](const render::PrecisionDifference& precision) {
-                return precision.refusal.empty() ? std::nullopt : std::optional(precision.refusal);
-              }),
-    WriteOnly("mean_difference", &render::PrecisionDifference::mean_difference),
-    WriteOnly("rms_difference", &render::PrecisionDifference::rms_difference),
-    WriteOnly("relative_seconds", &render::PrecisionDifference::seconds)};
-
-template <>
-inline constexpr std::tuple kMembers<render::Recommendation>{
-    WriteOnly("goal",
-              [](const render::Recommendation& choice) {
-                return choice.goal > 0 ? std::optional(choice.goal) : std::nullopt;
-              }),
-    WriteOnly("samples", &render::Recommendation::samples),
-    WriteOnly("", &render::Recommendation::configuration),
-    WriteOnly("is_measured", &render::Recommendation::is_measured),
-    WriteOnly("relative_error", &render::Recommendation::error),
-    WriteOnly("seconds", &render::Recommendation::seconds)};
-
-template <>
-inline constexpr std::tuple kMembers<render::LeftOut>{
-    WriteOnly("", &render::LeftOut::configuration),
-    WriteOnly("samples",
-              [](const render::LeftOut& left) {
-                return left.samples > 0 ? std::optional(left.samples) : std::nullopt;
-              }),
-    WriteOnly("reason", &render::LeftOut::reason)};
-
-template <>
-inline constexpr std::tuple kMembers<render::PointChange>{
-    WriteOnly(
-        "", [](const auto& change) -> auto& { return change.after.configuration; }),
-    WriteOnly("samples", [](const auto& change) { return change.after.samples; }),
-    WriteOnly("relative_error_before", [](const auto& change) { return change.before.error; }),
-    WriteOnly("relative_error", [](const auto& change) { return change.after.error; }),
-    WriteOnly("seconds_before", [](const auto& change) { return change.before.seconds; }),
-    WriteOnly("seconds", [](const auto& change) { return change.after.seconds; }),
-    WriteOnly("error", &render::PointChange::error)};
-
+SDLC_MEMBERS(render::PrecisionDifference, taken, other, bound, refusal, mean_difference,
+             rms_difference, relative_seconds)
+SDLC_MEMBERS(render::Recommendation, goal, samples, configuration, is_measured, relative_error,
+             seconds, flags, is_main)
+SDLC_MEMBERS(render::LeftOut, configuration, samples, reason)
+SDLC_MEMBERS(render::PointChange, configuration, samples, relative_error_before, relative_error,
+             seconds_before, seconds, error)
 SDLC_MEMBERS(render::Comparison, version, points, time_ratio, time, notes)
 
 namespace {
 
 constexpr const char* kFormat = "sdlc-measurement";
 constexpr int kFormatVersion = 1;
-
-Json recommendation_json(const Measurement& measurement, const render::Recommendation& choice) {
-  Json json = value_json(choice);
-  json["flags"] = render_flags(measurement, choice.configuration, choice.samples);
-  return json;
-}
-
-Json recommendations_json(const Measurement& measurement) {
-  Json all = Json::array();
-  for (std::size_t i = 0; i < measurement.recommendations.size(); ++i) {
-    all.push_back(recommendation_json(measurement, measurement.recommendations[i]));
-    all.back()["is_main"] = i == measurement.main_recommendation;
-  }
-  return all;
-}
-
-Json as_it_is_json(const Measurement& measurement) {
-  return measurement.as_it_is ? recommendation_json(measurement, *measurement.as_it_is) : Json();
-}
 
 }  // namespace
 
@@ -100,7 +38,7 @@ inline constexpr std::tuple kMembers<Measurement>{
     Member("height", &Measurement::height, Range{1}),
     Member("full_width", &Measurement::full_width, Range{1}),
     Member("full_height", &Measurement::full_height, Range{1}),
-    WriteOnly("samples", &Measurement::own_samples),
+    WriteOnly("samples", &Measurement::samples),
     Member("seed", &Measurement::seed),
     Member("threads", &Measurement::threads, Range{1}),
     WriteOnly("budget_seconds", &Measurement::budget_seconds),
@@ -115,15 +53,11 @@ inline constexpr std::tuple kMembers<Measurement>{
     WriteOnly("depths", &Measurement::depths),
     WriteOnly("depths_have_converged", &Measurement::depths_have_converged),
     WriteOnly("precision", &Measurement::precision),
-    WriteOnly("as_it_is", as_it_is_json),
-    WriteOnly("recommendations", recommendations_json),
+    WriteOnly("as_it_is", &Measurement::as_it_is),
+    WriteOnly("recommendations", &Measurement::recommendations),
     WriteOnly("left_out", &Measurement::left_out)};
 
-template <>
-inline constexpr std::tuple kMembers<Provenance>{
-    Member("version", &Provenance::version), WriteOnly("command", &Provenance::command),
-    Member("machine", &Provenance::machine), WriteOnly("scene", &Provenance::scene),
-    Member("scene_digest", &Provenance::scene_digest)};
+SDLC_MEMBERS(Provenance, version, command, machine, scene, scene_digest)
 
 namespace {
 

@@ -14,6 +14,16 @@ std::vector<std::string> notes_of(const render::Measurement& measurement) {
     notes.push_back(fmt::format("{} samples were not finite and were left out: a bug in sdlc.",
                                 measurement.nonfinite_samples));
   }
+  if (!measurement.is_complete) {
+    notes.emplace_back("interrupted: some planned renders are missing.");
+  }
+  if (measurement.width != measurement.full_width ||
+      measurement.height != measurement.full_height) {
+    notes.push_back(fmt::format(
+        "measured at {} × {} pixels, while the scene has {} × {}: errors are about the same, times "
+        "grow with the number of pixels.",
+        measurement.width, measurement.height, measurement.full_width, measurement.full_height));
+  }
   if (!measurement.reference) return notes;
   if (measurement.points.empty()) {
     notes.emplace_back("There was only time for the reference. A longer --budget measures points.");
@@ -72,12 +82,6 @@ render::Comparison compare_with_earlier(const render::Measurement& measurement,
     notes.emplace_back("fewer than three common points: times are not compared");
   }
   return comparison;
-}
-
-bool is_worse(const render::Comparison& comparison) {
-  return comparison.time == render::Verdict::Worse ||
-         std::ranges::count(comparison.points, render::Verdict::Worse,
-                            &render::PointChange::error) > 0;
 }
 
 }  // namespace sdlc::cli

@@ -16,7 +16,4 @@ render::Comparison compare_with_earlier(const render::Measurement& measurement,
                                         const Provenance& provenance,
                                         const EarlierMeasurement& earlier);
 
-/// Whether anything has become worse.
-bool is_worse(const render::Comparison& comparison);
-
 }  // namespace sdlc::cli

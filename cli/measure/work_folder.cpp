@@ -24,9 +24,7 @@
 
 namespace sdlc::cli {
 
-SDLC_MEMBERS(Window, title, x, y, width, height)
-SDLC_MEMBERS(DetailLayout, windows, top, mean, map_width, map_height, thumbnail_width,
-             thumbnail_height)
+SDLC_MEMBERS(DetailLayout, top, map_width, map_height, x, y, width, height)
 
 namespace {
 
@@ -34,7 +32,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLockName = "lock";
 constexpr const char* kReferenceName = "reference.f32";
-constexpr const char* kMapName = "map";
 constexpr const char* kFormat = "sdlc-measure-work";
 
 std::optional<std::string> read_file(const fs::path& path) {
@@ -76,10 +73,8 @@ render::ReferencePicture reference_of(std::string_view bytes, int width, int hei
   return reference;
 }
 
-std::string picture_name(const std::string& key, const std::string& what) {
-  return fmt::format("{}.{}.png", key, what);
-}
-std::string crop_name(std::size_t index) { return fmt::format("crop-{}", index + 1); }
+std::string crop_name(const std::string& key) { return key + ".crop.png"; }
+std::string map_name(const std::string& key) { return key + ".map.png"; }
 
 std::string digest_of(std::string_view bytes) {
   render::Fnv1a hash;
@@ -156,7 +151,8 @@ WorkFolder::State WorkFolder::read_study(const std::string& text) {
   if (digest != digest_of(study.dump())) throw std::invalid_argument("it was changed");
   check_identity(field(study, "identity"));
   digests_ = field(study, "digests");
-  State state{.ledger = read_ledger(field(study, "ledger"))};
+  State state;
+  read_value(field(study, "ledger"), "ledger", {}, state.ledger);
   read_value(field(study, "layout"), "layout", {}, state.layout);
   read_value(field(study, "pictures"), "pictures", {}, state.keys);
   return state;
@@ -183,12 +179,7 @@ void WorkFolder::load(render::StudyLedger& ledger,
     reference = reference_of(bytes, width, height);
   }
   for (const std::string& key : state.keys) {
-    PictureDetails pictures;
-    for (std::size_t i = 0; i < state.layout.windows.size(); ++i) {
-      pictures.crops.push_back(read_whole(picture_name(key, crop_name(i))));
-    }
-    pictures.error_map = read_whole(picture_name(key, kMapName));
-    details.restore(key, std::move(pictures));
+    details.restore(key, {.crop = read_whole(crop_name(key)), .map = read_whole(map_name(key))});
   }
 }
 
@@ -212,13 +203,11 @@ void WorkFolder::save(const render::StudyLedger& ledger, const Details& details)
   Json keys = Json::array();
   for (const auto& [key, pictures] : details.pictures()) {
     keys.push_back(key);
-    for (std::size_t i = 0; i < pictures.crops.size(); ++i) {
-      write(picture_name(key, crop_name(i)), pictures.crops[i]);
-    }
-    write(picture_name(key, kMapName), pictures.error_map);
+    write(crop_name(key), pictures.crop);
+    write(map_name(key), pictures.map);
   }
   const Json study{{"identity", identity_},
-                   {"ledger", ledger_json(ledger)},
+                   {"ledger", value_json(ledger)},
                    {"layout", value_json(details.layout())},
                    {"pictures", keys},
                    {"digests", digests_}};

@@ -1,10 +1,7 @@
-#include <algorithm>
-#include <cstdint>
 #include <string>
 
 #include <fmt/format.h>
 
-#include "cli/numbers/format_numbers.hpp"
 #include "cli/report/figures.hpp"
 #include "cli/report/html.hpp"
 #include "cli/report/section.hpp"
@@ -19,10 +16,11 @@ std::string verdict_html(render::Verdict verdict) {
 
 /// What the exit status of --against reports; empty if nothing is worse.
 std::string worse_html(const render::Comparison& against) {
-  const auto worse =
-      std::ranges::count(against.points, render::Verdict::Worse, &render::PointChange::error);
   std::string what;
-  if (worse > 0) what = fmt::format("the error of {} of {} renders", worse, against.points.size());
+  if (against.worse_errors > 0) {
+    what =
+        fmt::format("the error of {} of {} renders", against.worse_errors, against.points.size());
+  }
   if (against.time == render::Verdict::Worse) what += what.empty() ? "the times" : ", the times";
   return what.empty() ? what : fmt::format("<strong>WORSE</strong>: {}.", what);
 }
@@ -47,11 +45,12 @@ Section against_section(const Report& report) {
   }
   Table table("Renders in both measurements",
               "#Samples|Configuration|#Error before|#Error now|Error|-#Time before|-#Time now");
-  for (const auto& [before, after, error] : against.points) {
-    table.row({format_whole(static_cast<std::uint64_t>(after.samples)),
-               escaped(describe_configuration(report.measurement, after.configuration)),
-               read(before.error, percent), read(after.error, percent), verdict_html(error),
-               read(before.seconds, duration), read(after.seconds, duration)});
+  for (const render::PointChange& point : against.points) {
+    table.row({whole(point.samples),
+               escaped(describe_configuration(report.measurement, point.configuration)),
+               read(point.relative_error_before, percent), read(point.relative_error, percent),
+               verdict_html(point.error), read(point.seconds_before, duration),
+               read(point.seconds, duration)});
   }
   section.table(table);
   return section;

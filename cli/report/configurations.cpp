@@ -12,12 +12,6 @@
 namespace sdlc::cli {
 namespace {
 
-std::vector<std::string> report_parts(const render::Configuration& configuration) {
-  std::vector<std::string> parts = render::parts_of(configuration);
-  std::ranges::replace(parts, std::string("sobol"), std::string("Sobol'"));
-  return parts;
-}
-
 /// The configuration as requested by flags: --precision cannot request Mixed, which is chosen for
 /// Float if necessary.
 render::Configuration requested(render::Configuration configuration) {
@@ -43,22 +37,26 @@ std::string render_flags(const render::Measurement& measurement,
   return flags;
 }
 
-std::string describe_configuration(const render::Configuration& configuration) {
-  return fmt::format("{}", fmt::join(report_parts(configuration), ", "));
+void add_flags(render::Measurement& measurement) {
+  const auto add = [&](render::Recommendation& choice) {
+    choice.flags = render_flags(measurement, choice.configuration, choice.samples);
+  };
+  std::ranges::for_each(measurement.recommendations, add);
+  if (measurement.as_it_is) add(*measurement.as_it_is);
 }
 
 std::string describe_configuration(const render::Measurement& measurement,
                                    const render::Configuration& configuration) {
-  const std::vector<std::string> parts = report_parts(configuration);
+  const std::vector<std::string> parts = render::parts_of(configuration);
   std::vector<std::string> distinct;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const bool is_shared =
         std::ranges::all_of(measurement.series, [&](const render::Series& series) {
-          return report_parts(series.configuration)[i] == parts[i];
+          return render::parts_of(series.configuration)[i] == parts[i];
         });
     if (!is_shared) distinct.push_back(parts[i]);
   }
-  return distinct.empty() ? describe_configuration(configuration)
+  return distinct.empty() ? render::describe(configuration)
                           : fmt::format("{}", fmt::join(distinct, ", "));
 }
 

@@ -1,6 +1,5 @@
 #include "cli/report/figures.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -14,52 +13,19 @@ namespace {
 constexpr std::string_view kUnknown = "unknown";
 constexpr std::string_view kSpace = "\u00a0";
 
-std::string superscript(int number) {
-  static constexpr std::string_view kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text;
-  for (const char c : fmt::to_string(number)) {
-    text += c == '-' ? "⁻" : kDigits[static_cast<std::size_t>(c - '0')];
-  }
-  return text;
-}
-
-std::string fixed(double number, int decimals) {
-  std::string text = fmt::format("{:.{}f}", number, decimals);
-  if (decimals > 0) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
-  return text;
-}
-
 }  // namespace
 
-std::string figure(double number, int digits) {
+std::string figure(double number) {
   if (!std::isfinite(number)) return std::string(kUnknown);
-  if (number == 0) return "0";
-  const std::string sign = number < 0 ? "−" : "";
-  // Round first: 9.996 has the exponent 1.
-  const std::string rounded = fmt::format("{:.{}e}", std::abs(number), digits - 1);
-  const std::size_t mark = rounded.find('e');
-  const int exponent = std::atoi(rounded.c_str() + mark + 1);
-  if (exponent >= -4 && exponent < 7) {
-    return sign + fixed(std::strtod(rounded.c_str(), nullptr), std::max(0, digits - 1 - exponent));
-  }
-  const std::string mantissa = fixed(std::strtod(rounded.substr(0, mark).c_str(), nullptr), digits);
-  return fmt::format("{}{}10{}", sign, mantissa == "1" ? "" : mantissa + "·",
-                     superscript(exponent));
+  const std::string rounded = fmt::format("{:.2e}", number + 0.0);  // no negative zero
+  return fmt::format("{}", std::strtod(rounded.c_str(), nullptr));
 }
 
-std::string figure(double number) { return figure(number, 3); }
+std::string whole(double count) { return format_whole(static_cast<std::uint64_t>(count)); }
 
 std::string percent(double share) {
   if (!std::isfinite(share)) return std::string(kUnknown);
   return fmt::format("{}{}%", figure(100 * share), kSpace);
-}
-
-std::string percent_tick(double share) {
-  constexpr int kDigits = 6;  // more than any tick has; hides the rounding error of 0.07 * 100
-  return fmt::format("{}{}%", figure(100 * share, kDigits), kSpace);
 }
 
 std::string duration(double seconds) {
@@ -80,10 +46,6 @@ std::string times(double ratio) {
 std::string rate(double per_second) {
   return std::isfinite(per_second) && per_second >= 0 ? format_count(per_second)
                                                       : std::string(kUnknown);
-}
-
-std::string count_of(std::uint64_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", format_whole(count), noun, count == 1 ? "" : "s");
 }
 
 std::string Reading::text() const {

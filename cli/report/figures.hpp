@@ -1,23 +1,24 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+
+#include "cli/numbers/format_numbers.hpp"
 #include "render/measure/measurement.hpp"
 
 /// Measured numbers formatted for the page.
 namespace sdlc::cli {
 
-/// At most this many significant digits: "0.98", "1230", "−2.1·10⁻⁶"; "unknown" if not finite.
-std::string figure(double number, int digits);
-/// The same with three digits.
+/// With three significant digits: "0.98", "1230", "-2.14e-06"; "unknown" if not finite.
 std::string figure(double number);
-
+/// "1,024"
+std::string whole(double count);
 /// A share in percent, with a no-break space: "0.98 %".
 std::string percent(double share);
-/// The same with all digits, for the ticks of an axis.
-std::string percent_tick(double share);
 /// Like format_seconds(), but with three digits below a minute; "unknown" if invalid.
 std::string duration(double seconds);
 /// "1.04 times"
@@ -26,7 +27,11 @@ std::string times(double ratio);
 std::string rate(double per_second);
 
 /// "1 sample", "1,024 samples"
-std::string count_of(std::uint64_t count, std::string_view noun);
+template <std::integral T>
+std::string count_of(T count, std::string_view noun) {
+  const std::string number = format_whole(static_cast<std::uint64_t>(count));
+  return fmt::format("{} {}{}", number, noun, count == 1 ? "" : "s");
+}
 
 /// A figure and its interval, separately: "0.98 %" and "0.96 to 1.01 %".
 struct Reading {

@@ -18,8 +18,8 @@ enum class Presence { Required, Optional };
 /// A field that is written and read.
 template <typename Access>
 struct Member {
-  std::string_view name;  ///< empty: the fields of the value belong to the struct itself
-  Access access;          ///< T& → V&: a member pointer or a function
+  std::string_view name;
+  Access access;  ///< T& → V&: a member pointer or a function
   Range range;
   Presence presence;  ///< Optional: earlier versions did not write it
 

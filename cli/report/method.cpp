@@ -7,26 +7,19 @@
 namespace sdlc::cli {
 namespace {
 
-/// A list of terms and their descriptions.
-class Facts {
- public:
-  void add(std::string_view term, std::string_view html) {
-    out_ += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", escaped(term), html);
-  }
-  std::string finish() const { return "<dl>\n" + out_ + "</dl>\n"; }
-
- private:
-  std::string out_;
-};
+/// A row of a description list.
+std::string fact(std::string_view term, std::string_view html) {
+  return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", escaped(term), html);
+}
 
 }  // namespace
 
 std::string describe_reference(const render::Reference& reference) {
-  std::string text = fmt::format(
-      "{}, {}, seed {}, rendered in {}; its own error is {}, and its mean radiance {}",
-      count_of(static_cast<std::uint64_t>(reference.samples), "sample"),
-      describe_configuration(reference.configuration), reference.seed, duration(reference.seconds),
-      read(reference.error, percent).text(), figure(reference.mean_radiance));
+  std::string text =
+      fmt::format("{}, {}, seed {}, rendered in {}; its own error is {}, and its mean radiance {}",
+                  count_of(reference.samples, "sample"), describe(reference.configuration),
+                  reference.seed, duration(reference.seconds),
+                  read(reference.error, percent).text(), figure(reference.mean_radiance));
   if (reference.scarce_emitters > 0) {
     text += fmt::format("; {} reached by very few of its paths, so that light may be missing",
                         count_of(reference.scarce_emitters, "emitter"));
@@ -36,39 +29,32 @@ std::string describe_reference(const render::Reference& reference) {
 
 Section method_section(const Report& report) {
   const render::Measurement& measurement = report.measurement;
-  Facts facts;
-  facts.add("Reference", measurement.reference ? escaped(describe_reference(*measurement.reference))
-                                               : std::string("none was rendered"));
-  facts.add("The scene's own settings",
-            escaped(fmt::format(
-                "{}, {}", count_of(static_cast<std::uint64_t>(measurement.own_samples), "sample"),
-                describe_configuration(measurement.own))));
-  facts.add("Size", fmt::format("{} × {} pixels", measurement.width, measurement.height));
-  facts.add("Seed", fmt::to_string(measurement.seed));
-  facts.add("Threads", fmt::to_string(measurement.threads));
-  facts.add("Time spent", fmt::format("{} of a budget of {}", duration(measurement.spent_seconds),
-                                      duration(measurement.budget_seconds)));
-  facts.add("Reading and writing",
-            fmt::format("{} for a picture of full size; part of the recommended times",
-                        duration(measurement.other_seconds)));
-  facts.add("Version", escaped(report.provenance.version));
-  facts.add("Command", fmt::format("<code>{}</code>", escaped(report.provenance.command)));
   std::string html =
       "<p>Each render was timed and its picture compared with one long reference. The error is the "
       "root mean square difference over all pixels and channels, in linear radiance, divided by "
       "the mean radiance: 1 % is almost invisible, 5 % is fine grain, 20 % is a draft. Each figure "
-      "has a 95 % confidence interval: of a hundred such intervals about ninety-five cover the "
-      "true value. If the intervals of two renders overlap, this measurement cannot decide which "
-      "one is better, and says so. Times are medians for building and tracing on this "
-      "machine.</p>\n";
-  html += facts.finish();
-  if (!report.provenance.machine.empty()) {
-    Facts machine;
-    for (const auto& [what, value] : report.provenance.machine) machine.add(what, escaped(value));
-    html += "<h3>The machine</h3>\n" + machine.finish();
-  }
+      "has a 95 % confidence interval. If the intervals of two renders overlap, this measurement "
+      "cannot decide which one is better. Times are medians for building and tracing on this "
+      "machine.</p>\n<dl>\n";
+  html +=
+      fact("Reference", measurement.reference ? escaped(describe_reference(*measurement.reference))
+                                              : "none was rendered");
+  html += fact("The scene's own settings",
+               escaped(count_of(measurement.samples, "sample") + ", " + describe(measurement.own)));
+  html += fact("Size", fmt::format("{} × {} pixels", measurement.width, measurement.height));
+  html += fact("Seed", fmt::to_string(measurement.seed));
+  html += fact("Threads", fmt::to_string(measurement.threads));
+  html +=
+      fact("Time spent", fmt::format("{} of a budget of {}", duration(measurement.spent_seconds),
+                                     duration(measurement.budget_seconds)));
+  html += fact("Reading and writing",
+               fmt::format("{} for a picture of full size; part of the recommended times",
+                           duration(measurement.other_seconds)));
+  html += fact("Version", escaped(report.provenance.version));
+  html += fact("Command", fmt::format("<code>{}</code>", escaped(report.provenance.command)));
+  for (const auto& [what, value] : report.provenance.machine) html += fact(what, escaped(value));
   Section section;
-  section.page_only(html);
+  section.page_only(html + "</dl>\n");
   return section;
 }
 

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/report/chart.hpp"
 #include "cli/report/html.hpp"
 #include "cli/report/point_columns.hpp"
 
@@ -31,8 +30,7 @@ Table points_table(const render::Measurement& measurement) {
   for (std::size_t i = 0; i < measurement.series.size(); ++i) {
     const render::Series& series = measurement.series[i];
     table.group(fmt::format(
-        "{} {} {}{}", legend_sample(i), series_key(i),
-        escaped(describe_configuration(series.configuration)),
+        "{} {}{}", series_key(i), escaped(describe(series.configuration)),
         series.slope ? fmt::format(" <small>slope {}</small>", read(*series.slope, figure).text())
                      : ""));
     for (const std::size_t index : series.points) {
@@ -59,8 +57,8 @@ std::string explanations() {
 Table left_out_table(const render::Measurement& measurement) {
   Table table("What was left out", "#Samples|Configuration|Why");
   for (const render::LeftOut& left : measurement.left_out) {
-    table.row({left.samples > 0 ? format_whole(static_cast<std::uint64_t>(left.samples)) : "all",
-               escaped(describe_configuration(left.configuration)), escaped(left.reason)});
+    table.row({left.samples ? whole(*left.samples) : "all", escaped(describe(left.configuration)),
+               escaped(left.reason)});
   }
   return table;
 }

@@ -18,12 +18,6 @@ std::string_view verdict_of(const render::Measured& difference) {
   return from <= 0 && to >= 0 ? "not distinguished" : "a significant difference";
 }
 
-std::string capitalized(std::string_view word) {
-  std::string text(word);
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] += 'A' - 'a';
-  return text;
-}
-
 }  // namespace
 
 Section precision_section(const Report& report) {
@@ -31,17 +25,17 @@ Section precision_section(const Report& report) {
   if (!report.measurement.precision) return section;
   const render::PrecisionDifference& precision = *report.measurement.precision;
   const std::string taken(name_of(precision.taken)), other(name_of(precision.other));
-  if (precision.refusal.empty()) {
+  if (!precision.refusal) {
     section.paragraph(fmt::format(
         "Along the same paths, {} minus {}: {} of the mean radiance: <strong>{}</strong>. The "
         "two pictures differ by {} (root mean square, like an error), mostly where rounding made "
-        "single paths diverge. {} takes {} the time.",
+        "single paths diverge. A render in {} takes {} the time.",
         taken, other, read(precision.mean_difference, percent).text(),
-        verdict_of(precision.mean_difference), percent(precision.rms_difference),
-        capitalized(other), times(precision.seconds)));
+        verdict_of(precision.mean_difference), percent(precision.rms_difference), other,
+        times(precision.relative_seconds)));
   } else {
-    section.paragraph(fmt::format("{} was not compared with {}: {}.", capitalized(taken), other,
-                                  escaped(precision.refusal)));
+    section.paragraph(fmt::format("The difference between {} and {} was not measured: {}.", taken,
+                                  other, escaped(*precision.refusal)));
   }
   if (!precision.bound.empty()) {
     section.paragraph(

@@ -54,12 +54,10 @@ std::string subtitle(const render::Measurement& measurement) {
   std::string text = fmt::format(
       "{} in {}, {} × {} pixels, {}, {}", count_of(measurement.points.size(), "render"),
       count_of(measurement.series.size(), "configuration"), measurement.width, measurement.height,
-      count_of(static_cast<std::uint64_t>(measurement.threads), "thread"),
-      duration(measurement.spent_seconds));
+      count_of(measurement.threads, "thread"), duration(measurement.spent_seconds));
   if (!measurement.reference) return text + "; there is no reference.";
-  return text + fmt::format(
-                    "; compared with a reference of {}.",
-                    count_of(static_cast<std::uint64_t>(measurement.reference->samples), "sample"));
+  return text + fmt::format("; compared with a reference of {}.",
+                            count_of(measurement.reference->samples, "sample"));
 }
 
 }  // namespace
@@ -75,14 +73,13 @@ std::string html_report(const Report& report) {
         "</section>\n",
         id, heading, html);
   }
-  return head(report) +
-         fmt::format(
-             "<body>\n<a class=\"skip\" href=\"#main\">Skip to the recommendation</a>\n"
-             "<header>\n<p class=\"kind\">sdlc measure</p>\n<h1>{}</h1>\n<p class=\"fine\">{}</p>\n"
-             "<nav aria-label=\"Sections\"><ul>\n{}</ul></nav>\n</header>\n"
-             "<main id=\"main\">\n{}{}</main>\n</body>\n</html>\n",
-             escaped(report.provenance.scene), subtitle(report.measurement), links,
-             callouts(report).html(), sections);
+  return head(report) + fmt::format(
+                            "<body>\n<header>\n<p class=\"kind\">sdlc measure</p>\n<h1>{}</h1>\n<p "
+                            "class=\"fine\">{}</p>\n"
+                            "<nav aria-label=\"Sections\"><ul>\n{}</ul></nav>\n</header>\n"
+                            "<main>\n{}{}</main>\n</body>\n</html>\n",
+                            escaped(report.provenance.scene), subtitle(report.measurement), links,
+                            callouts(report).html(), sections);
 }
 
 std::string text_report(const Report& report) {

@@ -38,7 +38,7 @@ struct Report {
   const render::Measurement& measurement;
   Provenance provenance{};
   ReportImage picture{};           ///< the reference, reduced
-  std::vector<ReportRow> crops{};  ///< details; the last one of each row is the reference
+  std::vector<ReportRow> crops{};  ///< the last one of each row is the reference
   std::vector<ReportRow> error_maps{};
   double error_map_top = 0;  ///< the error of the brightest colour, relative to the mean
   std::optional<render::Comparison> against{};
@@ -50,11 +50,11 @@ struct Report {
 std::string render_flags(const render::Measurement& measurement,
                          const render::Configuration& configuration, int samples);
 
-/// "Sobol', light sampling on, float, depth 16".
-std::string describe_configuration(const render::Configuration& configuration);
+/// Fills in Recommendation::flags.
+void add_flags(render::Measurement& measurement);
 
-/// The same without the parts that all series of the measurement share; complete if nothing would
-/// be left.
+/// A configuration without the parts that all series of the measurement share; complete if nothing
+/// would be left.
 std::string describe_configuration(const render::Measurement& measurement,
                                    const render::Configuration& configuration);
 

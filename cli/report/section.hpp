@@ -26,7 +26,7 @@ class Section {
   std::string html_, text_;
 };
 
-/// What a reader has to know first: warnings, missing points, a different size.
+/// The notes of the report.
 Section callouts(const Report& report);
 
 Section recommendation_section(const Report& report);
@@ -38,13 +38,15 @@ Section pictures_section(const Report& report);
 Section against_section(const Report& report);
 Section method_section(const Report& report);
 
-/// "512 samples, Sobol', …; its own error is 0.1 %, …".
+/// "512 samples, sobol, …; its own error is 0.1 %, …".
 std::string describe_reference(const render::Reference& reference);
 
 /// "on the front".
 std::string_view words_of(render::Dominance dominance);
 
-/// The letter of a series in charts and tables: A to Z, then A1.
+/// The letter of a series in charts and tables.
+std::string series_letter(std::size_t index);
+/// The letter in the colour of the series, as HTML.
 std::string series_key(std::size_t index);
 
 /// The picture as an element with embedded data; empty without a picture.

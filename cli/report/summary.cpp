@@ -11,25 +11,15 @@
 namespace sdlc::cli {
 namespace {
 
-/// The flags as typed; a line may only break between flags.
-std::string flags_element(const render::Measurement& measurement,
-                          const render::Recommendation& choice) {
-  const std::string flags = render_flags(measurement, choice.configuration, choice.samples);
-  std::string html;
-  for (std::size_t begin = 0; begin < flags.size();) {
-    const std::size_t end = std::min(flags.find(" --", begin), flags.size());
-    html += fmt::format("{}<span class=\"flag\">{}</span>", begin == 0 ? "" : " ",
-                        escaped(flags.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return fmt::format("<code>{}</code>", html);
+std::string flags_element(const render::Recommendation& choice) {
+  return fmt::format("<code>{}</code>", escaped(choice.flags));
 }
 
 Table recommendation_table(const render::Measurement& measurement) {
   Table table("Recommended settings, for each goal", "Goal|Flags|#Error|#Time|Known");
   for (const render::Recommendation& choice : measurement.recommendations) {
-    table.row({percent(choice.goal), flags_element(measurement, choice),
-               read(choice.error, percent), read(choice.seconds, duration),
+    table.row({percent(choice.goal.value_or(0)), flags_element(choice),
+               read(choice.relative_error, percent), read(choice.seconds, duration),
                choice.is_measured ? "measured" : "by the line"});
   }
   return table;
@@ -38,17 +28,8 @@ Table recommendation_table(const render::Measurement& measurement) {
 }  // namespace
 
 Section callouts(const Report& report) {
-  const render::Measurement& measurement = report.measurement;
   Section section;
   for (const std::string& note : report.notes) section.callout(note);
-  if (!measurement.is_complete) section.callout("interrupted: some planned renders are missing.");
-  if (measurement.width != measurement.full_width ||
-      measurement.height != measurement.full_height) {
-    section.callout(fmt::format(
-        "measured at {} × {} pixels, while the scene has {} × {}: errors are about the same, times "
-        "grow with the number of pixels.",
-        measurement.width, measurement.height, measurement.full_width, measurement.full_height));
-  }
   return section;
 }
 
@@ -59,15 +40,15 @@ Section recommendation_section(const Report& report) {
   if (measurement.recommendations.empty()) {
     section.paragraph("No recommendation: too little was measured.", "lead");
   } else {
-    const std::size_t main =
-        std::min(measurement.main_recommendation, measurement.recommendations.size() - 1);
-    const render::Recommendation& choice = measurement.recommendations[main];
+    const auto& all = measurement.recommendations;
+    const auto main = std::ranges::find(all, true, &render::Recommendation::is_main);
+    const render::Recommendation& choice = main == all.end() ? all.front() : *main;
     section.paragraph(
         fmt::format("{}: {}, about {}; error {}.",
-                    choice.goal > 0 ? fmt::format("For an error of {}", percent(choice.goal))
-                                    : std::string("For a picture without noise"),
-                    flags_element(measurement, choice), read(choice.seconds, duration).text(),
-                    read(choice.error, percent).text()),
+                    choice.goal ? fmt::format("For an error of {}", percent(*choice.goal))
+                                : std::string("For a picture without noise"),
+                    flags_element(choice), read(choice.seconds, duration).text(),
+                    read(choice.relative_error, percent).text()),
         "lead");
     section.paragraph(fmt::format(
         "Add the flags to <code>sdlc render</code>. {}",
@@ -76,9 +57,9 @@ Section recommendation_section(const Report& report) {
                              "that configuration."));
     if (measurement.as_it_is) {
       const render::Recommendation& own = *measurement.as_it_is;
-      section.paragraph(
-          fmt::format("The scene's own settings, with {} samples: about {}; error {}.", own.samples,
-                      read(own.seconds, duration).text(), read(own.error, percent).text()));
+      section.paragraph(fmt::format(
+          "The scene's own settings, with {} samples: about {}; error {}.", own.samples,
+          read(own.seconds, duration).text(), read(own.relative_error, percent).text()));
     }
     section.table(recommendation_table(measurement));
     section.page_only(

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "render/measure/noise_of_time.hpp"
 
@@ -41,8 +42,8 @@ constexpr double kMinSeconds = 0.005;
 std::optional<Measured> mean_ratio(const std::vector<PointChange>& points, double sigma) {
   std::vector<double> ratios;
   for (const PointChange& point : points) {
-    if (point.before.seconds.value < kMinSeconds) continue;
-    ratios.push_back(std::log(point.after.seconds.value / point.before.seconds.value));
+    if (point.seconds_before.value < kMinSeconds) continue;
+    ratios.push_back(std::log(point.seconds.value / point.seconds_before.value));
   }
   constexpr std::size_t kMinPoints = 3;
   if (ratios.size() < kMinPoints) return std::nullopt;
@@ -64,12 +65,20 @@ double noise_of(const std::vector<Point>& points) {
 Comparison compare_measurements(const std::vector<Point>& now, const std::vector<Point>& before,
                                 bool has_comparable_times) {
   Comparison comparison;
+  std::vector<std::pair<const Point*, const Point*>> common;
   for (const Point& point : now) {
     const Point* const earlier = find_point(before, point.configuration, point.samples);
-    if (earlier != nullptr) comparison.points.push_back({.before = *earlier, .after = point});
+    if (earlier != nullptr) common.emplace_back(&point, earlier);
   }
-  for (PointChange& change : comparison.points) {
-    change.error = judge_error(change.after, change.before, comparison.points.size());
+  for (const auto& [after, earlier] : common) {
+    comparison.points.push_back({.configuration = after->configuration,
+                                 .samples = after->samples,
+                                 .relative_error_before = earlier->error,
+                                 .relative_error = after->error,
+                                 .seconds_before = earlier->seconds,
+                                 .seconds = after->seconds,
+                                 .error = judge_error(*after, *earlier, common.size())});
+    if (comparison.points.back().error == Verdict::Worse) ++comparison.worse_errors;
   }
   if (has_comparable_times) {
     comparison.time_ratio =

@@ -19,7 +19,9 @@ inline constexpr auto kWords<Verdict> = std::to_array<std::string_view>({"not di
 
 /// A point that is also in an earlier measurement of the same scene.
 struct PointChange {
-  Point before{}, after{};
+  Configuration configuration{};
+  int samples = 0;
+  Measured relative_error_before{}, relative_error{}, seconds_before{}, seconds{};
   Verdict error = Verdict::NotDistinguished;  ///< at 95 % for all points together
 };
 
@@ -30,7 +32,9 @@ struct Comparison {
   /// Mean ratio of the times, now to then, over all points; nullopt if they are not comparable.
   std::optional<Measured> time_ratio{};
   Verdict time = Verdict::NotDistinguished;
-  std::vector<std::string> notes;  ///< other differences: "another machine: times are not compared"
+  int worse_errors = 0;  ///< number of points
+  std::vector<std::string>
+      notes{};  ///< other differences: "another machine: times are not compared"
 };
 
 /// Compares the points that both measurements have. An error has changed if the difference exceeds

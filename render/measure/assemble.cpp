@@ -67,9 +67,11 @@ std::optional<PrecisionDifference> precision_of(const StudyLedger& ledger) {
   if (other == nullptr) return std::nullopt;
   PrecisionDifference difference{.taken = own.precision,
                                  .other = other->configuration.precision,
-                                 .refusal = other->refusal,
                                  .bound = ledger.precision_bound};
-  if (!difference.refusal.empty()) return difference;
+  if (!other->refusal.empty()) {
+    difference.refusal = other->refusal;
+    return difference;
+  }
   if (ledger.precisions.size() < 2) return std::nullopt;
   std::vector<double> differences, squares;
   double seconds = 0, other_seconds = 0;
@@ -81,7 +83,7 @@ std::optional<PrecisionDifference> precision_of(const StudyLedger& ledger) {
   }
   difference.mean_difference = mean_of(differences);
   difference.rms_difference = std::sqrt(mean_of(squares).value);
-  difference.seconds = share(other_seconds, seconds);
+  difference.relative_seconds = share(other_seconds, seconds);
   return difference;
 }
 
@@ -90,7 +92,7 @@ std::vector<LeftOut> left_out_of(const StudyLedger& ledger, const std::vector<Po
                                  int own_samples) {
   std::vector<LeftOut> left_out;
   for (const ConfigurationCost& cost : ledger.plan->costs) {
-    if (!cost.refusal.empty()) left_out.push_back({cost.configuration, 0, cost.refusal});
+    if (!cost.refusal.empty()) left_out.push_back({cost.configuration, {}, cost.refusal});
   }
   const auto add = [&](const StudyTask& task) {
     if (find_point(points, task.configuration, task.samples) != nullptr) return;
@@ -105,17 +107,17 @@ std::vector<LeftOut> left_out_of(const StudyLedger& ledger, const std::vector<Po
   return left_out;
 }
 
-/// The recommendation to show first: the one for the requested error; otherwise the one nearest to
-/// 1 %, preferring measured points.
-std::size_t main_of(const std::vector<Recommendation>& all, std::optional<double> goal) {
+/// Shows first the recommendation for the requested error; otherwise the one nearest to 1 %,
+/// preferring measured points.
+void mark_main(std::vector<Recommendation>& all, std::optional<double> goal) {
   constexpr double kUsual = 0.01;
   const double wanted = goal.value_or(kUsual);
   const auto distance = [&](const Recommendation& recommendation) {
     return std::pair(!goal && !recommendation.is_measured,
-                     std::abs(std::log(recommendation.goal / wanted)));
+                     std::abs(std::log(recommendation.goal.value_or(0) / wanted)));
   };
   const auto best = std::ranges::min_element(all, {}, distance);
-  return static_cast<std::size_t>(best - all.begin());
+  if (best != all.end()) best->is_main = true;
 }
 
 /// Scales the figures of a measured render to the scene's own size, including reading and writing.
@@ -140,7 +142,7 @@ Recommendation recommendation_of(const Point& point, const NoiseOfTime& noise) {
   return {.configuration = point.configuration,
           .samples = point.samples,
           .is_measured = true,
-          .error = point.error,
+          .relative_error = point.error,
           .seconds = noise.next(point.seconds.value, point.timings.size())};
 }
 
@@ -173,7 +175,7 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
                            const StudyOptions& options) {
   Measurement measurement{.full_width = settings.width,
                           .full_height = settings.height,
-                          .own_samples = settings.samples,
+                          .samples = settings.samples,
                           .seed = settings.seed,
                           .threads = thread_count(settings.threads),
                           .budget_seconds = options.budget_seconds,
@@ -207,7 +209,7 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
     scale_to_full_size(*measurement.as_it_is, ledger, settings);
   }
   measurement.recommendations = recommendations_of(measurement, noise);
-  measurement.main_recommendation = main_of(measurement.recommendations, options.goal);
+  mark_main(measurement.recommendations, options.goal);
   for (Recommendation& recommendation : measurement.recommendations) {
     scale_to_full_size(recommendation, ledger, settings);
   }

@@ -85,12 +85,13 @@ struct DepthLoss {
 struct PrecisionDifference {
   Precision taken = Precision::Float;  ///< the automatic choice
   Precision other = Precision::Double;
-  std::string refusal{};       ///< why the other precision is impossible; the figures are then 0
-  Measured mean_difference{};  ///< (taken − other) mean radiance, relative
-  double rms_difference = 0;   ///< of the pictures, relative like an error; mostly from paths that
-                               ///< diverge
-  double seconds = 0;          ///< of the other precision, relative to the one taken
-  std::string bound{};         ///< the deciding criterion, in words
+  /// Why the other precision is impossible; the figures are then 0.
+  std::optional<std::string> refusal{};
+  Measured mean_difference{};   ///< (taken − other) mean radiance, relative
+  double rms_difference = 0;    ///< of the pictures, relative like an error; mostly from paths that
+                                ///< diverge
+  double relative_seconds = 0;  ///< of the other precision, relative to the one taken
+  std::string bound{};          ///< the deciding criterion, in words
 };
 
 /// The reference that all pictures are compared with.
@@ -106,18 +107,20 @@ struct Reference {
 
 /// The settings recommended for reaching an error.
 struct Recommendation {
-  double goal = 0;  ///< relative error
+  std::optional<double> goal{};  ///< relative error; nullopt: the picture has no noise
   Configuration configuration{};
   int samples = 0;
-  bool is_measured = false;  ///< this number of samples was rendered; otherwise extrapolated along
-                             ///< the series
-  Measured error{};          ///< expected or measured
+  bool is_measured = false;   ///< this number of samples was rendered; otherwise extrapolated along
+                              ///< the series
+  Measured relative_error{};  ///< expected or measured
   Measured seconds{};  ///< of the next `sdlc render` on this machine, including reading and writing
+  std::string flags{};   ///< of `sdlc render`; filled in by the command line
+  bool is_main = false;  ///< shown first
 };
 
 struct LeftOut {
   Configuration configuration{};
-  int samples = 0;  ///< 0: any number
+  std::optional<int> samples{};  ///< nullopt: any number
   std::string reason{};
 };
 
@@ -132,7 +135,7 @@ struct Measurement {
   Configuration own{};
   int width = 0, height = 0;  ///< the measured size
   int full_width = 0, full_height = 0;
-  int own_samples = 0;
+  int samples = 0;
   std::uint64_t seed = 0;
   int threads = 0;
   double budget_seconds = 0;
@@ -146,10 +149,9 @@ struct Measurement {
   bool depths_have_converged = false;  ///< paths deeper than the last entry carry no light
   std::optional<PrecisionDifference> precision{};
   std::optional<double> goal{};  ///< requested error
-  /// The scene with its own settings, if they were measured; `goal` is 0.
+  /// The scene with its own settings, if they were measured; without a goal.
   std::optional<Recommendation> as_it_is{};
   std::vector<Recommendation> recommendations{};  ///< from the largest error to the smallest
-  std::size_t main_recommendation = 0;
   std::vector<LeftOut> left_out{};
   std::uint64_t nonfinite_samples = 0;  ///< of all renders; not 0 indicates a defect
   GivenFlags given{};

@@ -232,7 +232,7 @@ std::optional<Recommendation> recommend(double goal, std::span<const Series> ser
                         .configuration = of_best->configuration,
                         .samples = best->samples,
                         .is_measured = best->is_measured,
-                        .error = best->error,
+                        .relative_error = best->error,
                         .seconds = noise.next(best->seconds, points[best->point].timings.size())};
 }
 

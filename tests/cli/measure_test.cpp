@@ -124,7 +124,7 @@ TEST_F(Measure, ReportsIfTheRequestedErrorIsTooFar) {
   const ProgramResult result = run("--error 0.00001% -o a.json --quiet");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.out,
-              HasSubstr("No number of samples can be predicted for the requested error of 10"));
+              HasSubstr("No number of samples can be predicted for the requested error of 1e-05"));
   EXPECT_FALSE(report("a.json")["notes"].empty());
 }
 

@@ -15,6 +15,12 @@ namespace {
 
 using render::StudyLedger;
 
+StudyLedger read_ledger(const Json& json) {
+  StudyLedger ledger;
+  read_members(json, ledger);
+  return ledger;
+}
+
 /// Every field with a different number.
 StudyLedger full_ledger() {
   const render::Configuration configuration{.sampler = render::SamplerKind::Independent,
@@ -76,9 +82,9 @@ StudyLedger full_ledger() {
 }
 
 TEST(LedgerJson, ComesBackWithEveryBit) {
-  const Json json = ledger_json(full_ledger());
+  const Json json = value_json(full_ledger());
   const std::string text = json.dump();
-  EXPECT_EQ(ledger_json(read_ledger(parse_json(text))).dump(), text);
+  EXPECT_EQ(value_json(read_ledger(parse_json(text))).dump(), text);
   for (const char* value : {"independent", "mixed", "0.3333333333333333", "1000003", "0.70001",
                             "\"a \\\"bound\\\"\"", "blue", "-0.5", "\"repeat\"", "500"}) {
     EXPECT_NE(text.find(value), std::string::npos) << value;
@@ -86,13 +92,13 @@ TEST(LedgerJson, ComesBackWithEveryBit) {
 }
 
 TEST(LedgerJson, OfNothingComesBackToo) {
-  const StudyLedger ledger = read_ledger(ledger_json(StudyLedger{}));
+  const StudyLedger ledger = read_ledger(value_json(StudyLedger{}));
   EXPECT_FALSE(ledger.plan);
   EXPECT_FALSE(ledger.reference);
 }
 
 TEST(LedgerJson, RefusesFieldsThatDoNotFit) {
-  const std::string text = ledger_json(full_ledger()).dump(1);
+  const std::string text = value_json(full_ledger()).dump(1);
   const auto complaint = [&](const std::string& from, const std::string& to) -> std::string {
     std::string changed = text;
     const std::size_t at = changed.find(from);

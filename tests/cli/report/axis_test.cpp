@@ -1,6 +1,5 @@
 #include "cli/report/axis.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -12,39 +11,28 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-LogAxis covering(std::vector<double> values) { return LogAxis::covering(values); }
+LogAxis covering(std::vector<double> values) { return LogAxis(values); }
 
-std::vector<double> labels(const LogAxis& axis, std::size_t most) {
-  std::vector<double> values;
-  for (const Tick& tick : axis.ticks(most)) {
-    if (tick.is_labelled) values.push_back(tick.value);
-  }
-  return values;
+auto are(std::vector<double> values) { return testing::Pointwise(testing::DoubleEq(), values); }
+
+TEST(LogAxis, TicksAreAtOneTwoAndFive) {
+  EXPECT_THAT(covering({0.1, 8}).ticks(10), are({0.1, 0.2, 0.5, 1, 2, 5}));
 }
 
-TEST(LogAxis, LabelsStandAtOneTwoAndFive) {
-  EXPECT_THAT(labels(covering({0.1, 8}), 10), testing::ElementsAre(0.1, 0.2, 0.5, 1, 2, 5));
+TEST(LogAxis, IfThoseAreTooManyTicksAreAtPowersOfTen) {
+  EXPECT_THAT(covering({0.1, 50}).ticks(6), are({0.1, 1, 10}));
 }
 
-TEST(LogAxis, WhereThatIsTooManyTheyStandAtOneAndThree) {
-  EXPECT_THAT(labels(covering({0.1, 50}), 6), testing::ElementsAre(0.1, 0.3, 1, 3, 10, 30));
-}
-
-TEST(LogAxis, BetweenLabelsThereAreLinesForAllMultiples) {
-  EXPECT_EQ(covering({1, 10}).ticks(10).size(), 10u);
+TEST(LogAxis, CoversADecadeAtLeast) {
+  EXPECT_THAT(covering({0.9, 1.3}).ticks(8), are({0.5, 1, 2}));
 }
 
 TEST(LogAxis, ManyDecadesHaveLabelsAtSomePowersOfTen) {
-  const std::vector<double> values = labels(covering({1e-9, 1e9}), 8);
+  const std::vector<double> values = covering({1e-9, 1e9}).ticks(8);
   EXPECT_THAT(values, testing::SizeIs(testing::AllOf(testing::Ge(3u), testing::Le(8u))));
   for (const double value : values) {
     EXPECT_DOUBLE_EQ(std::log10(value), std::round(std::log10(value)));
   }
-}
-
-TEST(LogAxis, ANarrowRangeHasEvenSteps) {
-  EXPECT_THAT(labels(covering({0.9, 1.3}), 8),
-              testing::Pointwise(testing::DoubleEq(), {0.9, 1.0, 1.1, 1.2, 1.3}));
 }
 
 TEST(LogAxis, SharesFollowLogarithms) {
@@ -73,10 +61,8 @@ TEST(LogAxis, TheFarthestNumbersHaveAxesToo) {
   for (const std::vector<double>& values :
        {std::vector<double>{}, {kLeast}, {kLargest}, {kLeast, kLargest}}) {
     const LogAxis axis = covering(values);
-    EXPECT_GT(axis.from(), 0);
-    EXPECT_TRUE(std::isfinite(axis.to()));
-    EXPECT_LE(axis.ticks(8).size(), 60u);
-    for (const Tick& tick : axis.ticks(8)) EXPECT_TRUE(std::isfinite(tick.value));
+    EXPECT_LE(axis.ticks(8).size(), 8u);
+    for (const double tick : axis.ticks(8)) EXPECT_TRUE(std::isfinite(tick));
     for (const double value : values) {
       EXPECT_GE(axis.share(value), 0);
       EXPECT_LE(axis.share(value), 1);

@@ -42,10 +42,10 @@ TEST(RenderFlags, SayWhatDiffersFromTheScenesOwn) {
 }
 
 TEST(DescribeConfiguration, NamesAllOfIt) {
-  EXPECT_EQ(describe_configuration(
-                {.sampler = Sobol, .light_sampling = On, .precision = Float, .depth = 16}),
-            "Sobol', light sampling on, float, depth 16");
-  EXPECT_EQ(describe_configuration({.sampler = Independent, .precision = Mixed, .depth = 4}),
+  EXPECT_EQ(describe(Configuration{
+                .sampler = Sobol, .light_sampling = On, .precision = Float, .depth = 16}),
+            "sobol, light sampling on, float, depth 16");
+  EXPECT_EQ(describe(Configuration{.sampler = Independent, .precision = Mixed, .depth = 4}),
             "independent, light sampling auto, mixed, depth 4");
 }
 
@@ -56,12 +56,12 @@ TEST(DescribeConfiguration, AmongOthersLeavesOutWhatAllShare) {
   };
   add({.sampler = Sobol});
   EXPECT_EQ(describe_configuration(measurement, measurement.series[0].configuration),
-            "Sobol', light sampling auto, float, depth 16");
+            "sobol, light sampling auto, float, depth 16");
   add({.sampler = Independent});
-  EXPECT_EQ(describe_configuration(measurement, measurement.series[0].configuration), "Sobol'");
+  EXPECT_EQ(describe_configuration(measurement, measurement.series[0].configuration), "sobol");
   add({.sampler = Sobol, .depth = 4});
   EXPECT_EQ(describe_configuration(measurement, measurement.series[2].configuration),
-            "Sobol', depth 4");
+            "sobol, depth 4");
 }
 
 }  // namespace

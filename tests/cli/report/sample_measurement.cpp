@@ -121,7 +121,7 @@ render::Measurement sample_measurement() {
   measurement.own = {.sampler = Sobol, .light_sampling = Auto, .depth = 16};
   measurement.width = measurement.full_width = 400;
   measurement.height = measurement.full_height = 225;
-  measurement.own_samples = 64;
+  measurement.samples = 64;
   measurement.seed = 7;
   measurement.threads = 2;
   measurement.budget_seconds = 300;
@@ -161,25 +161,26 @@ render::Measurement sample_measurement() {
       .refusal = {},
       .mean_difference = {.value = -2e-5, .interval = {-6e-5, 2e-5}},
       .rms_difference = 0.0021,
-      .seconds = 1.83,
+      .relative_seconds = 1.83,
       .bound = "a hit is off by 0.0021 of the smallest radius, where 0.01 is allowed"};
   measurement.recommendations = {{.goal = 0.05,
                                   .configuration = measurement.own,
                                   .samples = 48,
-                                  .error = around(0.0498, 0.05),
+                                  .relative_error = around(0.0498, 0.05),
                                   .seconds = around(0.876, 0.06)},
                                  {.goal = 0.01,
                                   .configuration = measurement.own,
                                   .samples = 1024,
                                   .is_measured = true,
-                                  .error = around(0.0075, 0.05),
+                                  .relative_error = around(0.0075, 0.05),
                                   .seconds = around(17.7, 0.05)},
                                  {.goal = 0.002,
                                   .configuration = {.light_sampling = On, .depth = 16},
                                   .samples = 7424,
-                                  .error = around(0.00197, 0.05),
+                                  .relative_error = around(0.00197, 0.05),
                                   .seconds = around(171, 0.05)}};
-  measurement.main_recommendation = 1;
+  measurement.recommendations[1].is_main = true;
+  cli::add_flags(measurement);
   measurement.left_out = {{.configuration = measurement.series[2].configuration,
                            .samples = 4096,
                            .reason = "its render would take 65 s, and 13 s are left"},
@@ -206,17 +207,20 @@ cli::Report sample_report(const render::Measurement& measurement) {
                              .points = {},
                              .time_ratio = around(0.91, 0.04),
                              .time = render::Verdict::Better,
+                             .worse_errors = 1,
                              .notes = {"the earlier one was made with seed 3"}};
   for (std::size_t i = 0; i < 4; ++i) {
     const render::Point& point = measurement.points[i];
-    render::Point before = point;
-    before.error = around(point.error.value * (i == 2 ? 1.4 : 1.01), 0.06);
-    before.seconds = around(point.seconds.value / 0.91, 0.05);
-    against.points.push_back({.before = before,
-                              .after = point,
-                              .error = i == 2   ? render::Verdict::Better
-                                       : i == 3 ? render::Verdict::Worse
-                                                : render::Verdict::NotDistinguished});
+    against.points.push_back(
+        {.configuration = point.configuration,
+         .samples = point.samples,
+         .relative_error_before = around(point.error.value * (i == 2 ? 1.4 : 1.01), 0.06),
+         .relative_error = point.error,
+         .seconds_before = around(point.seconds.value / 0.91, 0.05),
+         .seconds = point.seconds,
+         .error = i == 2   ? render::Verdict::Better
+                  : i == 3 ? render::Verdict::Worse
+                           : render::Verdict::NotDistinguished});
   }
   report.against = std::move(against);
   return report;

@@ -162,7 +162,7 @@ TEST_F(StudyTest, FindsFloatAndDoubleToAgree) {
   run(ledger);
   const auto precision = measurement(ledger).precision;
   ASSERT_TRUE(precision);
-  EXPECT_EQ(precision->refusal, "");
+  EXPECT_EQ(precision->refusal, std::nullopt);
   EXPECT_LE(precision->mean_difference.interval.from, 0);
   EXPECT_GE(precision->mean_difference.interval.to, 0);
   EXPECT_LT(std::abs(precision->mean_difference.value), 0.01);
@@ -244,7 +244,7 @@ TEST_F(StudyTest, RecommendsTheFewestSamplesForABlackScene) {
   for (const Point& point : result.points) EXPECT_EQ(point.error.value, 0);
   ASSERT_EQ(result.recommendations.size(), 1u);
   EXPECT_EQ(result.recommendations[0].samples, 8);
-  EXPECT_EQ(result.recommendations[0].goal, 0);
+  EXPECT_EQ(result.recommendations[0].goal, std::nullopt);
 }
 
 }  // namespace
