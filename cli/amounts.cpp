@@ -9,9 +9,9 @@
 #include <string_view>
 #include <system_error>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/command_line.hpp"
 #include "lang/text/ascii.hpp"
 #include "lang/text/display_width.hpp"
 
@@ -99,7 +99,7 @@ double parse_amount(const std::string& flag, const std::string& text, std::strin
                     std::string (*repair)(std::string_view)) {
   if (const auto amount = read(text)) return *amount;
   const std::string repaired = repair(text);
-  throw CLI::ValidationError(
+  throw ArgumentError(
       flag, fmt::format("takes {}, not `{}`{}", wanted, lang::printable(text),
                         read(repaired) ? fmt::format(" (did you mean `{}`?)", repaired) : ""));
 }
@@ -114,8 +114,7 @@ std::optional<double> read_finite(const std::string& text) {
 
 [[noreturn]] void refuse_number(const std::string& flag, const std::string& text,
                                 std::string_view wanted) {
-  throw CLI::ValidationError(flag,
-                             fmt::format("takes {}, not `{}`", wanted, lang::printable(text)));
+  throw ArgumentError(flag, fmt::format("takes {}, not `{}`", wanted, lang::printable(text)));
 }
 
 }  // namespace

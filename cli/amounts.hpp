@@ -5,18 +5,17 @@
 namespace sdlc::cli {
 
 /// Parses a share: a number above 0 and at most 1, or at most 100 with a `%`. Throws
-/// CLI::ValidationError, which names the flag.
+/// ArgumentError.
 double parse_share(const std::string& flag, const std::string& text);
 
-/// Parses a ratio: a finite number from 0 on, or a percentage with `%`. Throws
-/// CLI::ValidationError, which names the flag.
+/// Parses a ratio: a finite number from 0 on, or a percentage with `%`. Throws ArgumentError.
 double parse_ratio(const std::string& flag, const std::string& text);
 
 /// Parses a duration in seconds: a number with a unit, `ms`, `s`, `min` or `h`; above 0 and finite.
-/// Throws CLI::ValidationError, which names the flag.
+/// Throws ArgumentError.
 double parse_duration(const std::string& flag, const std::string& text);
 
-/// Parses a finite number of at least `min`. Throws CLI::ValidationError, which names the flag.
+/// Parses a finite number of at least `min`. Throws ArgumentError.
 double parse_number(const std::string& flag, const std::string& text, double min);
 
 /// The same for any finite number.

@@ -12,7 +12,6 @@
 #include <fmt/ranges.h>
 
 #include "cli/usage_error.hpp"
-#include "cli/words.hpp"
 #include "render/film/film.hpp"
 
 namespace sdlc::cli {
@@ -27,9 +26,9 @@ constexpr std::array kMembers{&Aovs::normal, &Aovs::depth, &Aovs::albedo, &Aovs:
 
 }  // namespace
 
-void add_aov_option(CLI::App& command, Aovs& aovs) {
+void add_aov_option(Command& command, Aovs& aovs) {
   command
-      .add_option_function<std::vector<std::string>>(
+      .add_repeated(
           "--aov",
           [&aovs](const std::vector<std::string>& words) {
             for (const std::string& word : words) {
@@ -38,11 +37,8 @@ void add_aov_option(CLI::App& command, Aovs& aovs) {
             }
           },
           "Additional channels in .exr outputs, comma-separated (may be repeated)")
-      ->check(one_of(kWords))
-      ->delimiter(',')
-      ->take_all()
-      ->expected(1)
-      ->allow_extra_args(false);  // FILE may follow
+      .one_of(kWords)
+      .comma_separated();
 }
 
 void check_aovs(const Aovs& aovs, const std::vector<Output>& outputs,

@@ -4,8 +4,7 @@
 #include <ostream>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command_line.hpp"
 #include "cli/outputs.hpp"
 #include "render/film/aov.hpp"
 #include "render/scene/scene.hpp"
@@ -14,7 +13,7 @@
 /// `sdlc render --aov`: auxiliary channels in EXR files.
 namespace sdlc::cli {
 
-void add_aov_option(CLI::App& command, render::Aovs& aovs);
+void add_aov_option(Command& command, render::Aovs& aovs);
 
 /// Throws UsageError if the requested channels are impossible. Called before anything is rendered.
 void check_aovs(const render::Aovs& aovs, const std::vector<Output>& outputs,

@@ -27,26 +27,23 @@ bool fits_some_code(std::string_view beginning) {
   });
 }
 
-void add_codes(CLI::App& command, const std::string& flag, std::vector<std::string>& codes,
+void add_codes(Command& command, const std::string& flag, std::vector<std::string>& codes,
                const std::string& doc) {
   command
-      .add_option_function<std::vector<std::string>>(
+      .add_repeated(
           flag,
           [flag, &codes](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) {
               try {
                 codes.push_back(parse_code(text));
               } catch (const std::invalid_argument& error) {
-                throw CLI::ValidationError(flag, error.what());
+                throw ArgumentError(flag, error.what());
               }
             }
           },
           doc)
-      ->type_name("CODES")
-      ->delimiter(',')
-      ->take_all()
-      ->expected(1)
-      ->allow_extra_args(false);  // FILE may follow
+      .type_name("CODES")
+      .comma_separated();
 }
 
 }  // namespace
@@ -66,7 +63,7 @@ std::optional<bool> CodeFilter::answer(std::string_view code) const {
   return against > 0 ? std::optional(false) : std::nullopt;
 }
 
-void add_code_filter(CLI::App& command, CodeFilter& filter) {
+void add_code_filter(Command& command, CodeFilter& filter) {
   add_codes(command, "--select", filter.selected,
             "Only diagnostics with these codes or prefixes, such as E104,W4");
   add_codes(command, "--ignore", filter.ignored, "All except these");

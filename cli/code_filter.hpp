@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command_line.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 
 namespace sdlc::cli {
@@ -29,6 +28,6 @@ std::string parse_code(std::string text);
 
 /// --select and --ignore: comma-separated lists, which may be repeated. A code that matches no
 /// diagnostic is rejected.
-void add_code_filter(CLI::App& command, CodeFilter& filter);
+void add_code_filter(Command& command, CodeFilter& filter);
 
 }  // namespace sdlc::cli

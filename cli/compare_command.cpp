@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/amounts.hpp"
+#include "cli/command_line.hpp"
 #include "cli/compare_pair.hpp"
 #include "cli/compare_report.hpp"
 #include "cli/dispatcher.hpp"
@@ -22,7 +22,6 @@
 #include "cli/outputs.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
-#include "cli/words.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/compare/color_map.hpp"
 #include "render/compare/difference.hpp"
@@ -229,12 +228,12 @@ class CompareJob {
   render::ImageFormat format_ = render::ImageFormat::Png;
 };
 
-void add_number(CLI::App& command, const std::string& flag, const char* type,
+void add_number(Command& command, const std::string& flag, const char* type,
                 const std::string& help, std::function<void(const std::string&)> set) {
-  command.add_option_function<std::string>(flag, std::move(set), help)->type_name(type);
+  command.add_text(flag, std::move(set), help).type_name(type);
 }
 
-void add_gates(CLI::App& command, CompareOptions& options) {
+void add_gates(Command& command, CompareOptions& options) {
   for (std::size_t i = 0; i < kGates.size(); ++i) {
     const GateKind& gate = kGates[i];
     const std::string flag = std::string("--") + gate.flag;
@@ -247,38 +246,37 @@ void add_gates(CLI::App& command, CompareOptions& options) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, Dispatcher& dispatcher) {
+void add_compare_command(Command& program, Dispatcher& dispatcher) {
   // Beyond this range the picture is smaller than on any display, or the filter has hundreds of
   // pixels.
   constexpr double kMinPixelsPerDegree = 1, kMaxPixelsPerDegree = 1000;
   auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = app.add_subcommand(
+  Command command = program.add_command(
       "compare", "Compare a picture with a reference, and fail if they differ too much");
-  command->add_option("A", options->picture, "The picture")->required();
-  command->add_option("B", options->reference, "The reference, of the same size and kind")
-      ->required();
-  add_gates(*command, *options);
-  command->add_option("-o,--output", options->output,
-                      "Write the difference: as colours, or signed, A - B, to an .exr");
-  command->add_option("--what", options->what, "Contents of -o: the difference, or the FLIP map")
-      ->check(one_of(kMaps));
-  add_number(*command, "--top", "X",
+  command.add_text("A", options->picture, "The picture").required();
+  command.add_text("B", options->reference, "The reference, of the same size and kind").required();
+  add_gates(command, *options);
+  command.add_text("-o,--output", options->output,
+                   "Write the difference: as colours, or signed, A - B, to an .exr");
+  command.add_text("--what", options->what, "Contents of -o: the difference, or the FLIP map")
+      .one_of(kMaps);
+  add_number(command, "--top", "X",
              "Value of the brightest colour of -o; default: the largest, 1 for FLIP",
              [options = options.get()](const std::string& text) {
                options->top = parse_positive_number("--top", text);
              });
-  add_number(*command, "--pixels-per-degree", "X",
+  add_number(command, "--pixels-per-degree", "X",
              "Resolution of the viewer, for FLIP: 1 to 1000; default 67.0206",
              [options = options.get()](const std::string& text) {
                const double v = parse_number("--pixels-per-degree", text, kMinPixelsPerDegree);
                if (v > kMaxPixelsPerDegree) {
-                 throw CLI::ValidationError("--pixels-per-degree", "takes a number up to 1000");
+                 throw ArgumentError("--pixels-per-degree", "takes a number up to 1000");
                }
                options->pixels_per_degree = v;
              });
-  command->add_option("--format", options->format, "Format of the report")->check(one_of(kFormats));
-  command->add_flag("--quiet", options->quiet, "No report, except with --format json");
-  command->footer(
+  command.add_text("--format", options->format, "Format of the report").one_of(kFormats);
+  command.add_flag("--quiet", options->quiet, "No report, except with --format json");
+  command.footer(
       "Examples:\n"
       "  sdlc compare new.exr reference.exr                     all measures\n"
       "  sdlc compare new.png old.png --max-difference 0        fails unless they are equal\n"

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/command_line.hpp"
 #include "cli/diagnostics_output.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/outputs.hpp"
@@ -21,7 +21,6 @@
 #include "cli/scene_options.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
-#include "cli/words.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/convert/convert.hpp"
 #include "lang/object/check.hpp"
@@ -240,13 +239,13 @@ class ConvertJob {
   std::size_t unusable_ = 0;  // files that could not be read or written
 };
 
-void add_choice_options(CLI::App& command, lang::ConvertOptions& options) {
+void add_choice_options(Command& command, lang::ConvertOptions& options) {
   const auto properties = lang::kind_info(lang::ObjectKind::Render).properties;
-  command.add_option("--camera", options.camera, "The camera to convert, if there are several");
+  command.add_text("--camera", options.camera, "The camera to convert, if there are several");
   command
-      .add_option("--tone", options.tone,
-                  "Replaces the scene's own; a config supports sqrt and linear")
-      ->check(one_of(properties[lang::render_property::kTone].words));
+      .add_text("--tone", options.tone,
+                "Replaces the scene's own; a config supports sqrt and linear")
+      .one_of(properties[lang::render_property::kTone].words);
   add_whole_number(
       command, "--frame", {.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber)},
       [&options](std::uint64_t frame) { options.frame = static_cast<int>(frame); },
@@ -255,30 +254,30 @@ void add_choice_options(CLI::App& command, lang::ConvertOptions& options) {
 
 }  // namespace
 
-void add_convert_command(CLI::App& app, Dispatcher& dispatcher) {
+void add_convert_command(Command& program, Dispatcher& dispatcher) {
   auto options = std::make_shared<ConvertCommandOptions>();
-  CLI::App* command =
-      app.add_subcommand("convert", "Convert JSON configs to scenes, and scenes to configs");
+  Command command =
+      program.add_command("convert", "Convert JSON configs to scenes, and scenes to configs");
   command
-      ->add_option("IN", options->inputs,
-                   "Scenes, JSON configs, or folders of them; `-` reads standard input")
-      ->required();
-  command->add_option("-o,--output", options->output,
-                      "Output file; for several inputs a folder, which mirrors the tree; `-`: "
-                      "standard output. Default: next to IN, with the other extension");
-  command->add_option("--to", options->to, "The format to convert to; default: the other one")
-      ->check(one_of(kFormats));
-  command->add_flag(
+      .add_texts("IN", options->inputs,
+                 "Scenes, JSON configs, or folders of them; `-` reads standard input")
+      .required();
+  command.add_text("-o,--output", options->output,
+                   "Output file; for several inputs a folder, which mirrors the tree; `-`: "
+                   "standard output. Default: next to IN, with the other extension");
+  command.add_text("--to", options->to, "The format to convert to; default: the other one")
+      .one_of(kFormats);
+  command.add_flag(
       "--strict", options->is_strict,
       "Write nothing if there are warnings, except those about keys that configs must have");
-  command->add_flag("--overwrite", options->overwrites,
-                    "Replace existing files that -o does not name");
-  add_choice_options(*command, options->conversion);
-  add_set_option(*command, options->sets);
-  add_reading_options(*command, options->reading);
-  add_diagnostics_options(*command, options->diagnostics);
-  command->add_flag("--quiet", options->quiet, "Only diagnostics on standard error");
-  command->footer(
+  command.add_flag("--overwrite", options->overwrites,
+                   "Replace existing files that -o does not name");
+  add_choice_options(command, options->conversion);
+  add_set_option(command, options->sets);
+  add_reading_options(command, options->reading);
+  add_diagnostics_options(command, options->diagnostics);
+  command.add_flag("--quiet", options->quiet, "Only diagnostics on standard error");
+  command.footer(
       "Examples:\n"
       "  sdlc convert old.json                    to old.scene\n"
       "  sdlc convert old.json -o -               to standard output\n"

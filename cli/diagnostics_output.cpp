@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "cli/version.hpp"
-#include "cli/words.hpp"
 #include "lang/explain/explain.hpp"
 
 namespace sdlc::cli {
@@ -44,19 +43,19 @@ const NamedFormat& format_of(const DiagnosticsOptions& options) {
   return *std::ranges::find(kFormats, options.format, &NamedFormat::name);
 }
 
-void add_options(CLI::App& command, DiagnosticsOptions& options,
+void add_options(Command& command, DiagnosticsOptions& options,
                  std::span<const std::string_view> formats) {
-  command.add_option("--format", options.format, "Format of diagnostics")->check(one_of(formats));
-  command.add_option("--color", options.color, "Colours in diagnostics")->check(one_of(kColors));
+  command.add_text("--format", options.format, "Format of diagnostics").one_of(formats);
+  command.add_text("--color", options.color, "Colours in diagnostics").one_of(kColors);
 }
 
 }  // namespace
 
-void add_diagnostics_options(CLI::App& command, DiagnosticsOptions& options) {
+void add_diagnostics_options(Command& command, DiagnosticsOptions& options) {
   add_options(command, options, kFormatNames);
 }
 
-void add_answer_options(CLI::App& command, DiagnosticsOptions& options) {
+void add_answer_options(Command& command, DiagnosticsOptions& options) {
   add_options(command, options, std::span(kFormatNames).first(kAnswerFormats));
 }
 

@@ -4,8 +4,7 @@
 #include <ostream>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command_line.hpp"
 #include "cli/environment.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/report/findings.hpp"
@@ -19,10 +18,10 @@ struct DiagnosticsOptions {
   std::string color = "auto";
 };
 
-void add_diagnostics_options(CLI::App& command, DiagnosticsOptions& options);
+void add_diagnostics_options(Command& command, DiagnosticsOptions& options);
 
 /// The same for a command whose own output also has the chosen format: human, concise or json.
-void add_answer_options(CLI::App& command, DiagnosticsOptions& options);
+void add_answer_options(Command& command, DiagnosticsOptions& options);
 
 /// Whether to use colours, from --color, NO_COLOR and the kind of output.
 bool wants_color(const DiagnosticsOptions& options, bool is_terminal, const Environment& env);

@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/command_line.hpp"
 #include "cli/diagnostics_output.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/page_text.hpp"
@@ -115,18 +115,18 @@ ExitCode run_explain(const ExplainOptions& options, Environment& env) {
 
 }  // namespace
 
-void add_explain_command(CLI::App& app, Dispatcher& dispatcher) {
+void add_explain_command(Command& program, Dispatcher& dispatcher) {
   auto options = std::make_shared<ExplainOptions>();
-  CLI::App* command =
-      app.add_subcommand("explain", "Explain a diagnostic, with an example and its fix");
-  command->add_option(
+  Command command =
+      program.add_command("explain", "Explain a diagnostic, with an example and its fix");
+  command.add_texts(
       "CODE", options->topics,
       "A code, the name of a diagnostic, or a prefix of codes; default: a list of all");
-  add_answer_options(*command, options->diagnostics);
-  command->get_option("--format")
-      ->description("human: the page; concise: one line per code; json: the page as Markdown");
-  command->get_option("--color")->description("Bold headings");
-  command->footer(
+  add_answer_options(command, options->diagnostics);
+  command.option("--format")
+      .description("human: the page; concise: one line per code; json: the page as Markdown");
+  command.option("--color").description("Bold headings");
+  command.footer(
       "Examples:\n"
       "  sdlc explain E104                the meaning of a code\n"
       "  sdlc explain unknown_property    the same by name\n"

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/command_line.hpp"
 #include "cli/diagnostics_output.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/outputs.hpp"
@@ -41,8 +41,8 @@ struct FmtOptions {
 lang::LineRange parse_lines(const std::string& text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) {
-    throw CLI::ValidationError("--range",
-                               fmt::format("takes FIRST:LAST, not `{}`", lang::printable(text)));
+    throw ArgumentError("--range",
+                        fmt::format("takes FIRST:LAST, not `{}`", lang::printable(text)));
   }
   const auto line = [](const std::string& number) {
     return static_cast<std::uint32_t>(
@@ -50,7 +50,7 @@ lang::LineRange parse_lines(const std::string& text) {
   };
   const lang::LineRange lines{line(text.substr(0, colon)), line(text.substr(colon + 1))};
   if (lines.first > lines.last) {
-    throw CLI::ValidationError("--range", "the first line must not be after the last");
+    throw ArgumentError("--range", "the first line must not be after the last");
   }
   return lines;
 }
@@ -177,27 +177,27 @@ class FmtJob {
 
 }  // namespace
 
-void add_fmt_command(CLI::App& app, Dispatcher& dispatcher) {
+void add_fmt_command(Command& program, Dispatcher& dispatcher) {
   auto options = std::make_shared<FmtOptions>();
-  CLI::App* command = app.add_subcommand("fmt", "Format scenes in the canonical layout");
+  Command command = program.add_command("fmt", "Format scenes in the canonical layout");
   command
-      ->add_option("FILE", options->arguments,
-                   "Scenes and folders of them; `-` formats standard input to standard output")
-      ->required();
-  command->add_flag("--check", options->checks, "Only list the files that would change");
-  command->add_flag("--diff", options->shows_diff,
-                    "Only show the changes, as a patch; replaces the list of --check");
+      .add_texts("FILE", options->arguments,
+                 "Scenes and folders of them; `-` formats standard input to standard output")
+      .required();
+  command.add_flag("--check", options->checks, "Only list the files that would change");
+  command.add_flag("--diff", options->shows_diff,
+                   "Only show the changes, as a patch; replaces the list of --check");
   command
-      ->add_option_function<std::string>(
+      .add_text(
           "--range", [options](const std::string& text) { options->lines = parse_lines(text); },
           "Only format the statements that touch these lines, counted from 1")
-      ->type_name("FIRST:LAST");
-  command->add_option("--stdin-filename", options->stdin_filename,
-                      "Name of a scene from standard input in messages");
-  add_limit_option(*command, options->limits);
-  add_diagnostics_options(*command, options->diagnostics);
-  command->add_flag("--quiet", options->quiet, "Only errors on standard error");
-  command->footer(
+      .type_name("FIRST:LAST");
+  command.add_text("--stdin-filename", options->stdin_filename,
+                   "Name of a scene from standard input in messages");
+  add_limit_option(command, options->limits);
+  add_diagnostics_options(command, options->diagnostics);
+  command.add_flag("--quiet", options->quiet, "Only errors on standard error");
+  command.footer(
       "Examples:\n"
       "  sdlc fmt ball.scene\n"
       "  sdlc fmt scenes/ --check\n"

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "cli/clock.hpp"
+#include "cli/command_line.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/inspect_report.hpp"
 #include "cli/kernel_options.hpp"
@@ -203,21 +203,21 @@ class InspectJob {
 
 }  // namespace
 
-void add_inspect_command(CLI::App& app, Dispatcher& dispatcher) {
+void add_inspect_command(Command& program, Dispatcher& dispatcher) {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* command =
-      app.add_subcommand("inspect", "Show what a scene contains and requires, without rendering");
-  add_scene_options(*command, options->scene);
-  command->get_option("--format")->description("Format of diagnostics; json: also of the report");
+  Command command =
+      program.add_command("inspect", "Show what a scene contains and requires, without rendering");
+  add_scene_options(command, options->scene);
+  command.option("--format").description("Format of diagnostics; json: also of the report");
   add_whole_number(
-      *command, "--frame", {.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber)},
+      command, "--frame", {.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber)},
       [options](std::uint64_t frame) { options->frame = static_cast<int>(frame); },
       "The frame to inspect; default: the first of the scene's animation");
-  CLI::Option* deps =
-      command->add_flag("--deps", options->wants_files,
-                        "Only list the files that the scene reads, one per line, the scene first");
+  const Option deps =
+      command.add_flag("--deps", options->wants_files,
+                       "Only list the files that the scene reads, one per line, the scene first");
   command
-      ->add_option_function<std::vector<std::string>>(
+      .add_repeated(
           "--where",
           [options](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) {
@@ -227,15 +227,14 @@ void add_inspect_command(CLI::App& app, Dispatcher& dispatcher) {
           },
           "Only show the origin of sphere N, counted from 0: its place in the text, and the "
           "groups, loops and files that lead to it (may be repeated)")
-      ->type_name("N")
-      ->take_all()
-      ->expected(1)
-      ->excludes(deps);
-  add_override_options(*command, options->overrides);
-  add_kernel_options(*command, options->kernel);
+      .type_name("N")
+      .takes_several()
+      .excludes(deps);
+  add_override_options(command, options->overrides);
+  add_kernel_options(command, options->kernel);
   // Accepted because all commands have it; without effect here.
-  command->add_flag("--quiet")->description("Only diagnostics on standard error");
-  command->footer(
+  command.add_flag("--quiet", "Only diagnostics on standard error");
+  command.footer(
       "Examples:\n"
       "  sdlc inspect ball.scene\n"
       "  sdlc inspect ring.scene --set count=200 --frame 12\n"

@@ -11,7 +11,6 @@
 
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
-#include "cli/words.hpp"
 #include "render/kernel/backend.hpp"
 #include "render/scene/instances.hpp"
 
@@ -55,10 +54,10 @@ std::string describe(const KernelRefusal& refusal) {
 
 }  // namespace
 
-void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
+void add_kernel_options(Command& command, render::KernelRequest& request) {
   static constexpr std::array<std::string_view, 4> kKernels{kAuto, kScalar, "wide", "bvh"};
   command
-      .add_option_function<std::string>(
+      .add_text(
           "--kernel",
           [&request](const std::string& word) {
             if (word == kScalar) request.backend = &render::portable_backend();
@@ -67,7 +66,7 @@ void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
           },
           "How paths are traced: one at a time, or one per vector lane; with all spheres tested "
           "per ray, or with a BVH")
-      ->check(one_of(kKernels));
+      .one_of(kKernels);
 
   static const std::vector<std::string_view> isas = [] {
     std::vector<std::string_view> names{kAuto};
@@ -75,7 +74,7 @@ void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
     return names;
   }();
   command
-      .add_option_function<std::string>(
+      .add_text(
           "--isa",
           [&request](const std::string& word) {  // after that of --kernel
             if (word == kAuto) return;
@@ -86,7 +85,7 @@ void add_kernel_options(CLI::App& command, render::KernelRequest& request) {
             request.backend = &*std::ranges::find(all, word, &render::Backend::name);
           },
           "The instruction set of the wide kernels; auto: the best available")
-      ->check(one_of(isas));
+      .one_of(isas);
 }
 
 lang::Instancing instancing_for(const render::KernelRequest& flags,

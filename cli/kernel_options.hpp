@@ -2,8 +2,7 @@
 
 #include <string_view>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command_line.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/lower/lowered_scene.hpp"
 #include "lang/lower/overrides.hpp"
@@ -17,7 +16,7 @@ lang::Instancing instancing_for(const render::KernelRequest& flags,
                                 const lang::Overrides& overrides);
 
 /// Adds --kernel and --isa, which override the automatic choice.
-void add_kernel_options(CLI::App& command, render::KernelRequest& request);
+void add_kernel_options(Command& command, render::KernelRequest& request);
 
 /// Chooses the kernel for the flags and the scene, which `compiler` lowered last. Warns if its
 /// precision does not resolve the scene. Expands automatic instances if no kernel supports them.

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/code_filter.hpp"
+#include "cli/command_line.hpp"
 #include "cli/diagnostics_output.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/lint_config.hpp"
@@ -309,37 +309,36 @@ class LintJob {
 
 }  // namespace
 
-void add_lint_command(CLI::App& app, Dispatcher& dispatcher) {
+void add_lint_command(Command& program, Dispatcher& dispatcher) {
   auto options = std::make_shared<LintOptions>();
-  CLI::App* command =
-      app.add_subcommand("lint", "Report mistakes in scenes without rendering them");
+  Command command = program.add_command("lint", "Report mistakes in scenes without rendering them");
   command
-      ->add_option("FILE", options->arguments,
-                   "Scenes, JSON configs, or folders of them; `-` reads standard input")
-      ->required();
-  add_reading_options(*command, options->reading);
-  add_diagnostics_options(*command, options->diagnostics);
-  add_code_filter(*command, options->filter);
-  command->add_flag("--fix", options->fixes,
-                    "Apply the safe fixes, and report what is left; fixed standard input goes to "
-                    "standard output");
-  command->add_flag("--unsafe-fixes", options->fixes_unsafe,
-                    "Also apply guesses, such as the nearest name");
-  command->add_flag("--diff", options->shows_diff,
-                    "Write nothing; show the changes of --fix or --unsafe-fixes as a patch");
+      .add_texts("FILE", options->arguments,
+                 "Scenes, JSON configs, or folders of them; `-` reads standard input")
+      .required();
+  add_reading_options(command, options->reading);
+  add_diagnostics_options(command, options->diagnostics);
+  add_code_filter(command, options->filter);
+  command.add_flag("--fix", options->fixes,
+                   "Apply the safe fixes, and report what is left; fixed standard input goes to "
+                   "standard output");
+  command.add_flag("--unsafe-fixes", options->fixes_unsafe,
+                   "Also apply guesses, such as the nearest name");
+  command.add_flag("--diff", options->shows_diff,
+                   "Write nothing; show the changes of --fix or --unsafe-fixes as a patch");
   add_whole_number(
-      *command, "--max-warnings", {},
+      command, "--max-warnings", {},
       [options](std::uint64_t count) { options->max_warnings = count; },
       "Succeed with up to this many warnings; default: 0");
-  CLI::Option* config =
+  const Option config =
       command
-          ->add_option("--config", options->config.file,
-                       "Settings for all files; default: the nearest .sdlc.toml of each")
-          ->type_name("FILE");
-  command->add_flag("--no-config", options->config.is_unused, "Ignore .sdlc.toml files")
-      ->excludes(config);
-  command->add_flag("--quiet", options->quiet, "Only findings");
-  command->footer(
+          .add_text("--config", options->config.file,
+                    "Settings for all files; default: the nearest .sdlc.toml of each")
+          .type_name("FILE");
+  command.add_flag("--no-config", options->config.is_unused, "Ignore .sdlc.toml files")
+      .excludes(config);
+  command.add_flag("--quiet", options->quiet, "Only findings");
+  command.footer(
       "Examples:\n"
       "  sdlc lint ball.scene\n"
       "  sdlc lint scenes/ old-config.json --format concise\n"

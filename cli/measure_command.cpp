@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/amounts.hpp"
 #include "cli/clock.hpp"
+#include "cli/command_line.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
@@ -67,28 +67,28 @@ struct MeasureOptions {
 };
 
 /// The flags of this command line that a render of the same picture needs too.
-render::GivenFlags given_flags(const CLI::App& command) {
+render::GivenFlags given_flags(const Command& command) {
   // Flags about measuring, and those that a recommendation contains itself.
-  static constexpr std::array<std::string_view, 12> kOwn{
-      "FILE",      "--help", "--format", "--color",   "--output", "--budget",
-      "--against", "--work", "--quiet",  "--samples", "--error",  "--stdin-filename"};
+  static constexpr std::array<std::string_view, 11> kOwn{
+      "--help", "--format", "--color",   "--output", "--budget",        "--against",
+      "--work", "--quiet",  "--samples", "--error",  "--stdin-filename"};
+  const std::vector<GivenFlag> flags = command.given_flags();
   std::vector<std::string> configuration_flags;
   render::GivenFlags given;
   render::for_each_configuration_setting([&](const auto& setting) {
     const std::string flag = render::flag_of(setting.name);
     configuration_flags.push_back(flag);
-    if (command.count(flag) > 0) given.of_configuration.emplace_back(setting.name);
+    if (std::ranges::count(flags, flag, &GivenFlag::name) > 0) {
+      given.of_configuration.emplace_back(setting.name);
+    }
   });
-  const auto is_given = [](const CLI::Option* option) { return option->count() > 0; };
-  for (const CLI::Option* option : command.get_options(is_given)) {
-    const std::string name =
-        option->get_lnames().empty() ? "FILE" : "--" + option->get_lnames().front();
+  for (const GivenFlag& flag : flags) {
+    const std::string& name = flag.name;
     if (std::ranges::count(kOwn, name) || std::ranges::count(configuration_flags, name)) continue;
-    const bool has_value = option->get_items_expected_max() > 0;
-    for (const std::string& value : option->results()) {
+    for (const std::string& value : flag.values) {
       if (!given.others.empty()) given.others += ' ';
       given.others += name == "--frame" ? "--frames" : name;
-      if (has_value) given.others += ' ' + shell_quoted(value);
+      if (flag.takes_value) given.others += ' ' + shell_quoted(value);
     }
   }
   return given;
@@ -439,40 +439,36 @@ class MeasureJob {
 
 }  // namespace
 
-void add_measure_command(CLI::App& app, Dispatcher& dispatcher) {
+void add_measure_command(Command& program, Dispatcher& dispatcher) {
   auto options = std::make_shared<MeasureOptions>();
-  CLI::App* command = app.add_subcommand(
+  Command command = program.add_command(
       "measure", "Measure the error of a scene's picture against render time on this machine");
-  add_scene_options(*command, options->scene);
-  command->remove_option(command->get_option("--format"));
-  command->add_option("--format", options->format, "Format of the report on standard output")
-      ->check(one_of(kFormats));
+  add_scene_options(command, options->scene);
+  command.remove_option("--format");
+  command.add_text("--format", options->format, "Format of the report on standard output")
+      .one_of(kFormats);
+  command.add_repeated("-o,--output", options->outputs,
+                       "A report to write, by its extension: html, json or csv (may be repeated)");
   command
-      ->add_option("-o,--output", options->outputs,
-                   "A report to write, by its extension: html, json or csv (may be repeated)")
-      ->take_all()
-      ->expected(1)
-      ->allow_extra_args(false);  // FILE may follow
-  command
-      ->add_option_function<std::string>(
+      .add_text(
           "--budget",
           [options](const std::string& text) {
             options->budget_seconds = parse_duration("--budget", text);
           },
           "Time limit of the measurement, such as `5min`; default: 1min")
-      ->type_name("T");
-  command->add_option("--against", options->against,
-                      "Compare with this earlier report (.json); exit status 1 if worse");
-  command->add_option("--work", options->work,
-                      "Save all results in this folder, so that the same command can resume");
+      .type_name("T");
+  command.add_text("--against", options->against,
+                   "Compare with this earlier report (.json); exit status 1 if worse");
+  command.add_text("--work", options->work,
+                   "Save all results in this folder, so that the same command can resume");
   add_whole_number(
-      *command, "--frame", {.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber)},
+      command, "--frame", {.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber)},
       [options](std::uint64_t frame) { options->frame = static_cast<int>(frame); },
       "The frame to measure; default: the first of the scene's animation");
-  add_override_options(*command, options->overrides);
-  add_kernel_options(*command, options->kernel);
-  command->add_flag("--quiet", options->quiet, "Only diagnostics on standard error");
-  command->footer(
+  add_override_options(command, options->overrides);
+  add_kernel_options(command, options->kernel);
+  command.add_flag("--quiet", options->quiet, "Only diagnostics on standard error");
+  command.footer(
       "Examples:\n"
       "  sdlc measure ball.scene\n"
       "  sdlc measure ball.scene --budget 5min -o ball.html -o ball.json\n"
@@ -483,7 +479,7 @@ void add_measure_command(CLI::App& app, Dispatcher& dispatcher) {
       "reference.\n"
       "--error is the goal of the recommendation. docs/measure.md explains the report.");
   dispatcher.on(command, [options, command](Environment& env) {
-    options->given = given_flags(*command);
+    options->given = given_flags(command);
     return MeasureJob(*options, env).run();
   });
 }

@@ -11,7 +11,6 @@
 #include "cli/amounts.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
-#include "cli/words.hpp"
 #include "lang/object/check.hpp"
 #include "lang/schema/schema.hpp"
 #include "render/scene/settings.hpp"
@@ -24,17 +23,17 @@ const lang::Property& render_property(std::size_t index) {
 }
 
 /// A flag for a property that is a word or a name.
-void add_word(CLI::App& command, std::size_t index, lang::Overrides& overrides) {
+void add_word(Command& command, std::size_t index, lang::Overrides& overrides) {
   const lang::Property& property = render_property(index);
-  CLI::Option* option = command.add_option_function<std::string>(
+  Option option = command.add_text(
       render::flag_of(property.name),
       [index, &overrides](const std::string& word) { overrides.render.emplace_back(index, word); },
       std::string(property.doc));
-  if (!property.words.empty()) option->check(one_of(property.words));
+  if (!property.words.empty()) option.one_of(property.words);
 }
 
 /// A flag for a property that is a whole number.
-void add_number(CLI::App& command, std::size_t index, lang::Overrides& overrides) {
+void add_number(Command& command, std::size_t index, lang::Overrides& overrides) {
   const lang::Property& property = render_property(index);
   const bool is_seed = index == lang::render_property::kSeed;
   WholeNumbers range{.lowest = property.range == lang::Range::AtLeastOne ? 1u : 0u};
@@ -51,12 +50,12 @@ void add_number(CLI::App& command, std::size_t index, lang::Overrides& overrides
       std::string(property.doc));
 }
 
-void add_instances(CLI::App& command, lang::Instancing& instancing) {
+void add_instances(Command& command, lang::Instancing& instancing) {
   using lang::Instancing;
   static constexpr std::array<std::string_view, 3> kWords{"auto", "always", "never"};
   static constexpr std::array kMeanings{Instancing::Auto, Instancing::Always, Instancing::Never};
   command
-      .add_option_function<std::string>(
+      .add_text(
           "--instances",
           [&instancing](const std::string& word) {
             const auto found = std::ranges::find(kWords, word);
@@ -64,21 +63,21 @@ void add_instances(CLI::App& command, lang::Instancing& instancing) {
           },
           "Share equal groups in memory: saves memory, but tracing is slower; auto: in scenes of "
           "more than a million spheres")
-      ->check(one_of(kWords));
+      .one_of(kWords);
 }
 
 /// A flag whose value is an amount that `parse` reads; `take` is called with it.
-void add_amount(CLI::App& command, const std::string& flag,
+void add_amount(Command& command, const std::string& flag,
                 double (*parse)(const std::string& flag, const std::string& text),
                 const std::function<void(double)>& take, const std::string& type,
                 const std::string& doc) {
   command
-      .add_option_function<std::string>(
+      .add_text(
           flag, [=](const std::string& text) { take(parse(flag, text)); }, doc)
-      ->type_name(type);
+      .type_name(type);
 }
 
-void add_goals(CLI::App& command, lang::Overrides& overrides) {
+void add_goals(Command& command, lang::Overrides& overrides) {
   const lang::Property& error = render_property(lang::render_property::kError);
   add_amount(
       command, render::flag_of(error.name), parse_share,
@@ -95,7 +94,7 @@ void add_goals(CLI::App& command, lang::Overrides& overrides) {
 
 }  // namespace
 
-void add_override_options(CLI::App& command, lang::Overrides& overrides) {
+void add_override_options(Command& command, lang::Overrides& overrides) {
   using namespace lang::render_property;
   for (std::size_t i = 0; i < kCount; ++i) {
     if (render_property(i).type == lang::Type::WholeNumber) add_number(command, i, overrides);

@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/accuracy_report.hpp"
 #include "cli/aov_option.hpp"
 #include "cli/clock.hpp"
+#include "cli/command_line.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/frames.hpp"
@@ -31,7 +31,6 @@
 #include "cli/statistics.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
-#include "cli/words.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/lower/lowered_scene.hpp"
@@ -411,42 +410,37 @@ ExitCode run_render(const RenderOptions& options, Environment& env) {
 
 }  // namespace
 
-void add_render_command(CLI::App& app, Dispatcher& dispatcher) {
+void add_render_command(Command& program, Dispatcher& dispatcher) {
   auto options = std::make_shared<RenderOptions>();
-  CLI::App* command =
-      app.add_subcommand("render", "Render a .scene or a .json config to a picture");
-  add_scene_options(*command, options->scene);
+  Command command = program.add_command("render", "Render a .scene or a .json config to a picture");
+  add_scene_options(command, options->scene);
+  command.add_repeated(
+      "-o,--output", options->outputs,
+      "A picture to write, by its extension (may be repeated; `-`: PNG to standard "
+      "output). Default: that of the scene, otherwise FILE's stem with .png");
+  add_override_options(command, options->overrides);
+  add_kernel_options(command, options->kernel);
+  add_aov_option(command, options->aovs);
+  command.add_flag("--ppm-text", options->ppm_text, "Write PPM as decimal numbers");
+  command.add_flag("--no-clobber,!--overwrite", options->keeps_existing, "Refuse to replace files");
+  command.add_text("--progress", options->progress, "Format of the progress on standard error")
+      .one_of(kProgressWords);
+  command.add_text("--stats", options->stats,
+                   "Write statistics to this file, as JSON; `-`: standard output");
+  command.add_flag("--quiet", options->quiet, "Only diagnostics on standard error");
   command
-      ->add_option("-o,--output", options->outputs,
-                   "A picture to write, by its extension (may be repeated; `-`: PNG to standard "
-                   "output). Default: that of the scene, otherwise FILE's stem with .png")
-      ->take_all()
-      ->expected(1)
-      ->allow_extra_args(false);  // FILE may follow
-  add_override_options(*command, options->overrides);
-  add_kernel_options(*command, options->kernel);
-  add_aov_option(*command, options->aovs);
-  command->add_flag("--ppm-text", options->ppm_text, "Write PPM as decimal numbers");
-  command->add_flag("--no-clobber,!--overwrite", options->keeps_existing,
-                    "Refuse to replace files");
-  command->add_option("--progress", options->progress, "Format of the progress on standard error")
-      ->check(one_of(kProgressWords));
-  command->add_option("--stats", options->stats,
-                      "Write statistics to this file, as JSON; `-`: standard output");
-  command->add_flag("--quiet", options->quiet, "Only diagnostics on standard error");
-  command
-      ->add_option_function<std::string>(
+      .add_text(
           "--frames",
           [options](const std::string& text) {
             options->frames = parse_frames(text);
             if (options->frames) return;
-            throw CLI::ValidationError(
-                "--frames", fmt::format("takes A, A-B or A-BxS with whole numbers, not `{}`",
-                                        lang::printable(text)));
+            throw ArgumentError("--frames",
+                                fmt::format("takes A, A-B or A-BxS with whole numbers, not `{}`",
+                                            lang::printable(text)));
           },
           "The frames to render, every S-th from A to B; default: those of the scene's animation")
-      ->type_name("A-B[xS]");
-  command->footer(
+      .type_name("A-B[xS]");
+  command.footer(
       "Examples:\n"
       "  sdlc render ball.scene\n"
       "  sdlc render ball.scene -o ball.png -o ball.exr --samples 256\n"

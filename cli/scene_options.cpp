@@ -23,8 +23,7 @@ namespace {
 std::pair<std::string, std::string> split_pair(const std::string& flag, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
-    throw CLI::ValidationError(flag,
-                               fmt::format("takes NAME=VALUE, not `{}`", lang::printable(text)));
+    throw ArgumentError(flag, fmt::format("takes NAME=VALUE, not `{}`", lang::printable(text)));
   }
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
@@ -51,12 +50,12 @@ void set_limit(const std::string& text, lang::Limits& limits) {
   if (found == lang::kLimits.end()) {
     std::vector<std::string_view> names;
     for (const lang::LimitInfo& limit : lang::kLimits) names.push_back(limit.name);
-    throw CLI::ValidationError("--limit", fmt::format("unknown limit `{}`{}", lang::printable(name),
-                                                      did_you_mean(name, names)));
+    throw ArgumentError("--limit", fmt::format("unknown limit `{}`{}", lang::printable(name),
+                                               did_you_mean(name, names)));
   }
   const std::optional<std::uint64_t> number = read_limit(value);
   if (!number) {
-    throw CLI::ValidationError(
+    throw ArgumentError(
         "--limit", fmt::format("{} takes a whole number, optionally with KiB, MiB or GiB, not `{}`",
                                name, lang::printable(value)));
   }
@@ -65,32 +64,29 @@ void set_limit(const std::string& text, lang::Limits& limits) {
 
 }  // namespace
 
-void add_limit_option(CLI::App& command, lang::Limits& limits) {
+void add_limit_option(Command& command, lang::Limits& limits) {
   std::string all;
   for (const lang::LimitInfo& limit : lang::kLimits) {
     all += fmt::format("{}{} ({}: {})", all.empty() ? "" : ", ", limit.name, limits.*(limit.limit),
                        limit.doc);
   }
   command
-      .add_option_function<std::vector<std::string>>(
+      .add_repeated(
           "--limit",
           [&limits](const std::vector<std::string>& pairs) {
             for (const std::string& pair : pairs) set_limit(pair, limits);
           },
           "Change the resource limits of a scene: " + all)
-      ->type_name("NAME=N")
-      ->take_all()
-      ->expected(1)
-      ->allow_extra_args(false);  // FILE may follow
+      .type_name("NAME=N");
 }
 
-void add_reading_options(CLI::App& command, ReadingOptions& options) {
+void add_reading_options(Command& command, ReadingOptions& options) {
   command.add_flag("--sandbox", options.is_sandboxed,
                    "Refuse to read files outside the scene's folder, and to write files there that "
                    "the scene names");
   add_limit_option(command, options.limits);
-  command.add_option("--stdin-filename", options.stdin_filename,
-                     "Name of a scene from standard input in messages");
+  command.add_text("--stdin-filename", options.stdin_filename,
+                   "Name of a scene from standard input in messages");
 }
 
 std::string stdin_name(const ReadingOptions& options) {
@@ -126,9 +122,9 @@ std::string SceneOptions::name() const {
   return file == kStandardStream ? stdin_name(reading) : file;
 }
 
-void add_set_option(CLI::App& command, std::vector<lang::SetOption>& sets) {
+void add_set_option(Command& command, std::vector<lang::SetOption>& sets) {
   command
-      .add_option_function<std::vector<std::string>>(
+      .add_repeated(
           "--set",
           [&sets](const std::vector<std::string>& pairs) {
             for (const std::string& pair : pairs) {
@@ -137,14 +133,11 @@ void add_set_option(CLI::App& command, std::vector<lang::SetOption>& sets) {
             }
           },
           "Set a param of the scene (may be repeated)")
-      ->type_name("NAME=VALUE")
-      ->take_all()
-      ->expected(1)
-      ->allow_extra_args(false);  // FILE may follow
+      .type_name("NAME=VALUE");
 }
 
-void add_scene_options(CLI::App& command, SceneOptions& options) {
-  command.add_option("FILE", options.file, "The scene; `-` reads standard input")->required();
+void add_scene_options(Command& command, SceneOptions& options) {
+  command.add_text("FILE", options.file, "The scene; `-` reads standard input").required();
   add_set_option(command, options.sets);
   add_reading_options(command, options.reading);
   add_diagnostics_options(command, options.diagnostics);

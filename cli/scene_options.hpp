@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command_line.hpp"
 #include "cli/diagnostics_output.hpp"
 #include "cli/environment.hpp"
 #include "lang/program/program.hpp"
@@ -23,9 +22,9 @@ struct ReadingOptions {
 };
 
 /// --limit NAME=N
-void add_limit_option(CLI::App& command, lang::Limits& limits);
+void add_limit_option(Command& command, lang::Limits& limits);
 
-void add_reading_options(CLI::App& command, ReadingOptions& options);
+void add_reading_options(Command& command, ReadingOptions& options);
 
 /// The name of a scene from standard input in messages.
 std::string stdin_name(const ReadingOptions& options);
@@ -52,9 +51,9 @@ struct SceneOptions {
 };
 
 /// --set NAME=VALUE
-void add_set_option(CLI::App& command, std::vector<lang::SetOption>& sets);
+void add_set_option(Command& command, std::vector<lang::SetOption>& sets);
 
-void add_scene_options(CLI::App& command, SceneOptions& options);
+void add_scene_options(Command& command, SceneOptions& options);
 
 /// Throws render::IoError for a pipe, a device or the like, which cannot be replaced.
 void refuse_special(const std::string& path, const Environment& env);

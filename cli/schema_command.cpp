@@ -1,23 +1,22 @@
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command_line.hpp"
 #include "cli/config_schema.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/language_tables.hpp"
 
 namespace sdlc::cli {
 
-void add_schema_command(CLI::App& app, Dispatcher& dispatcher) {
+void add_schema_command(Command& program, Dispatcher& dispatcher) {
   auto is_language = std::make_shared<bool>(false);
-  CLI::App* command =
-      app.add_subcommand("schema", "Print the JSON Schema of configs, or the language's tables");
-  command->add_flag("--language", *is_language,
-                    "Print the kinds, properties, materials, functions, types, limits, colours and "
-                    "diagnostics of the language instead, as JSON");
+  Command command =
+      program.add_command("schema", "Print the JSON Schema of configs, or the language's tables");
+  command.add_flag("--language", *is_language,
+                   "Print the kinds, properties, materials, functions, types, limits, colours and "
+                   "diagnostics of the language instead, as JSON");
   // Accepted because all commands have it; without effect here.
-  command->add_flag("--quiet")->description("Has no effect here");
-  command->footer(
+  command.add_flag("--quiet", "Has no effect here");
+  command.footer(
       "Examples:\n"
       "  sdlc schema > sdlc-config.schema.json\n"
       "  sdlc schema --language | jq '.functions[].signature'\n"

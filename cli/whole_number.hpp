@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include "cli/command_line.hpp"
 
 namespace sdlc::cli {
 
@@ -13,12 +13,12 @@ struct WholeNumbers {
   std::uint64_t lowest = 0, highest = UINT64_MAX;
 };
 
-/// Parses decimal digits. Throws CLI::ValidationError, which names the flag.
+/// Parses decimal digits. Throws ArgumentError.
 std::uint64_t parse_whole_number(const std::string& flag, const std::string& text,
                                  WholeNumbers range);
 
 /// Adds a flag whose value is a whole number, which is passed to `take`.
-CLI::Option* add_whole_number(CLI::App& command, const std::string& flag, WholeNumbers range,
-                              std::function<void(std::uint64_t)> take, const std::string& doc);
+Option add_whole_number(Command& command, const std::string& flag, WholeNumbers range,
+                        std::function<void(std::uint64_t)> take, const std::string& doc);
 
 }  // namespace sdlc::cli

@@ -3,9 +3,10 @@
 #include <cstddef>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "cli/command_line.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -21,7 +22,7 @@ std::string complaint(Parse parse, const std::string& text) {
   try {
     parse("--flag", text);
     return {};
-  } catch (const CLI::ValidationError& error) {
+  } catch (const ArgumentError& error) {
     return error.what();
   }
 }
