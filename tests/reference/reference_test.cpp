@@ -96,7 +96,7 @@ struct Form {
 };
 
 /// The automatic choice, and with fewer samples everything else that this machine supports. All
-/// trace the same paths, which tests/render/wide compares one by one; here each is tested
+/// trace the same paths, which tests/render/kernel compares one by one; here each is tested
 /// independently.
 std::vector<Form> forms() {
   std::vector<Form> all{{"chosen", {}, 256},
