@@ -34,7 +34,7 @@
 namespace sdlc::cli {
 namespace {
 
-constexpr std::array<std::string_view, 3> kFormats{"human", "concise", "json"};
+constexpr std::array<std::string_view, 3> kReportFormats{"human", "concise", "json"};
 constexpr std::array<std::string_view, 2> kMaps{"difference", "flip"};
 
 double parse_limit(const std::string& flag, const std::string& text) {
@@ -80,7 +80,7 @@ struct CompareOptions {
   std::optional<double> top;
   double pixels_per_degree = render::kFlipPixelsPerDegree;
   std::array<std::optional<double>, kGates.size()> limits;
-  std::string format{kFormats[0]};
+  std::string format{kReportFormats[0]};
   bool quiet = false;
 };
 
@@ -274,7 +274,7 @@ void add_compare_command(Command& program, Dispatcher& dispatcher) {
                }
                options->pixels_per_degree = v;
              });
-  command.add_text("--format", options->format, "Format of the report").one_of(kFormats);
+  command.add_text("--format", options->format, "Format of the report").one_of(kReportFormats);
   command.add_flag("--quiet", options->quiet, "No report, except with --format json");
   command.footer(
       "Examples:\n"

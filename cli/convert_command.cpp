@@ -35,10 +35,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 2> kFormats{"scene", "json"};
+constexpr std::array<std::string_view, 2> kSourceFormats{"scene", "json"};
 
 std::string_view name_of(lang::SourceFormat format) {
-  return kFormats[format == lang::SourceFormat::Scene ? 0 : 1];
+  return kSourceFormats[format == lang::SourceFormat::Scene ? 0 : 1];
 }
 
 struct ConvertCommandOptions {
@@ -266,7 +266,7 @@ void add_convert_command(Command& program, Dispatcher& dispatcher) {
                    "Output file; for several inputs a folder, which mirrors the tree; `-`: "
                    "standard output. Default: next to IN, with the other extension");
   command.add_text("--to", options->to, "The format to convert to; default: the other one")
-      .one_of(kFormats);
+      .one_of(kSourceFormats);
   command.add_flag(
       "--strict", options->is_strict,
       "Write nothing if there are warnings, except those about keys that configs must have");

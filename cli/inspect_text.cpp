@@ -20,15 +20,15 @@
 namespace sdlc::cli {
 namespace {
 
-std::string plural(std::size_t count, std::string_view noun) {
+std::string counted(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", format_whole(count), noun, count == 1 ? "" : "s");
 }
 
-std::string triple(double x, double y, double z) {
+std::string format_triple(double x, double y, double z) {
   return fmt::format("({}, {}, {})", format_rounded(x), format_rounded(y), format_rounded(z));
 }
-std::string triple(render::Vec3 v) { return triple(v.x, v.y, v.z); }
-std::string linear(render::LinearRgb c) { return "linear" + triple(c.r, c.g, c.b); }
+std::string format_triple(render::Vec3 v) { return format_triple(v.x, v.y, v.z); }
+std::string linear(render::LinearRgb c) { return "linear" + format_triple(c.r, c.g, c.b); }
 
 /// The name, or `otherwise` if it is empty.
 std::string name_or(const std::string& name, std::string_view otherwise) {
@@ -57,18 +57,18 @@ class Sheet {
 void write_files(const InspectReport& report, Sheet& sheet) {
   std::string text = lang::printable(report.scene);
   if (!report.dependencies.empty()) {
-    text += fmt::format(", which reads {}", plural(report.dependencies.size(), "other file"));
+    text += fmt::format(", which reads {}", counted(report.dependencies.size(), "other file"));
   }
   sheet.row("scene", text);
   if (report.errors > 0) {
     sheet.detail("incomplete", fmt::format("{}; the report excludes the invalid parts",
-                                           plural(report.errors, "error")));
+                                           counted(report.errors, "error")));
   }
   if (!report.animation) return;
   const auto& [first, last, step, fps, where] = *report.animation;
   const auto count = frame_count({.first = first, .last = last, .step = step});
   sheet.row("animation", fmt::format("{}: {} .. {}{}, {} per second",
-                                     plural(static_cast<std::size_t>(count), "frame"), first, last,
+                                     counted(static_cast<std::size_t>(count), "frame"), first, last,
                                      step == 1 ? "" : fmt::format(" in steps of {}", step),
                                      format_rounded(fps)));
   sheet.detail("shown",
@@ -98,11 +98,12 @@ void write_spheres(const InspectReport& report, Sheet& sheet) {
   sheet.row("spheres", text);
   if (!scene.instances.empty()) {
     sheet.detail("instances", fmt::format("{} of {}, and {}", format_whole(scene.instances.size()),
-                                          plural(scene.prototypes.size(), "prototype"),
-                                          plural(scene.spheres.size(), "plain sphere")));
+                                          counted(scene.prototypes.size(), "prototype"),
+                                          counted(scene.spheres.size(), "plain sphere")));
   }
-  sheet.detail("bounds", fmt::format("{} to {}{}", triple(figures.low), triple(figures.high),
-                                     figures.moving > 0 ? ", while the shutter is open" : ""));
+  sheet.detail("bounds",
+               fmt::format("{} to {}{}", format_triple(figures.low), format_triple(figures.high),
+                           figures.moving > 0 ? ", while the shutter is open" : ""));
   sheet.detail("radii",
                fmt::format("{} to {}, ratio {}", radius(figures.smallest), radius(figures.largest),
                            format_rounded(figures.radius_ratio())));
@@ -116,14 +117,14 @@ void write_materials(const MaterialCounts& counts, Sheet& sheet) {
   std::size_t distinct = 0, widest = 0;
   for (const MaterialFigures& row : counts) {
     distinct += row.materials;
-    widest = std::max(widest, plural(row.spheres, "sphere").size());
+    widest = std::max(widest, counted(row.spheres, "sphere").size());
   }
   if (distinct == 0) return;
   sheet.row("materials", fmt::format("{} distinct", format_whole(distinct)));
   for (const MaterialFigures& row : counts) {
     if (row.spheres == 0) continue;
     sheet.detail(material_name(row.type),
-                 fmt::format("{:<{}}  {} distinct", plural(row.spheres, "sphere"), widest,
+                 fmt::format("{:<{}}  {} distinct", counted(row.spheres, "sphere"), widest,
                              format_whole(row.materials)));
   }
 }
@@ -142,8 +143,8 @@ void write_camera(const lang::LoweredScene& lowered, Sheet& sheet) {
   }
   sheet.row("camera", text);
   const render::Camera& camera = lowered.scene.camera;
-  sheet.detail("from", triple(camera.from));
-  sheet.detail("at", triple(camera.at));
+  sheet.detail("from", format_triple(camera.from));
+  sheet.detail("at", format_triple(camera.at));
   std::string fov = format_rounded(chosen.fov.degrees) + "deg";
   if (chosen.view_height != 2) fov += ", view_height " + format_rounded(chosen.view_height);
   sheet.detail("fov", fov);
@@ -191,7 +192,7 @@ void write_picture(const InspectReport& report, Sheet& sheet) {
   const bool has_goal = settings.error || settings.seconds;
   const auto [numbers, choices] = describe_settings(settings);
   sheet.row("picture", fmt::format("{}, {}{}, {}, tone {}", size, has_goal ? "at most " : "",
-                                   plural(static_cast<std::size_t>(settings.samples), "sample"),
+                                   counted(static_cast<std::size_t>(settings.samples), "sample"),
                                    numbers, name_of(report.lowered.output.tone)));
   sheet.detail("sampling", choices);
   if (has_goal) sheet.detail("until", describe_goals(settings));
@@ -205,7 +206,7 @@ std::string describe_bounds(const PrecisionFigures& figures) {
   const render::PrecisionBound& bound = figures.bounds[clause];
   std::string text = figures.bounds.is_accepted() ? "accepted" : "refused";
   if (!figures.exact_spheres.empty()) {
-    text += fmt::format(", {} met in double", plural(figures.exact_spheres.size(), "sphere"));
+    text += fmt::format(", {} met in double", counted(figures.exact_spheres.size(), "sphere"));
   }
   text += ": " + describe(clause, bound);
   std::vector<std::string> spheres;
@@ -271,10 +272,10 @@ std::string to_text(std::span<const TracedSphere> spheres) {
     const std::string& name = traced.origin.name;
     text += fmt::format("sphere {}{}: center {}, radius {}, {}\n", traced.index,
                         name.empty() ? "" : fmt::format(" `{}`", lang::printable(name)),
-                        triple(traced.sphere.center), format_rounded(traced.sphere.radius),
+                        format_triple(traced.sphere.center), format_rounded(traced.sphere.radius),
                         material_name(traced.material));
     if (traced.shift != render::Vec3{}) {
-      text += fmt::format("  moves by {} while the shutter is open\n", triple(traced.shift));
+      text += fmt::format("  moves by {} while the shutter is open\n", format_triple(traced.shift));
     }
     text += fmt::format("  at {}\n", lang::describe_place(traced.origin.where));
     for (const lang::ChainLink& link : traced.origin.chain) {

@@ -64,7 +64,8 @@ void add_kernel_options(Command& command, render::KernelRequest& request) {
             if (word == "wide") request.search = Search::All;
             if (word == "bvh") request.search = Search::Bvh;
           },
-          "How paths are traced: one at a time, or one per vector lane; with all spheres tested "
+          "How paths are traced: on every machine alike, or with its vectors; with all spheres "
+          "tested "
           "per ray, or with a BVH")
       .one_of(kKernels);
 

@@ -50,7 +50,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 3> kFormats{"human", "json", "csv"};
+constexpr std::array<std::string_view, 3> kMeasurementFormats{"human", "json", "csv"};
 
 struct MeasureOptions {
   SceneOptions scene;
@@ -446,7 +446,7 @@ void add_measure_command(Command& program, Dispatcher& dispatcher) {
   add_scene_options(command, options->scene);
   command.remove_option("--format");
   command.add_text("--format", options->format, "Format of the report on standard output")
-      .one_of(kFormats);
+      .one_of(kMeasurementFormats);
   command.add_repeated("-o,--output", options->outputs,
                        "A report to write, by its extension: html, json or csv (may be repeated)");
   command

@@ -70,12 +70,13 @@ struct RenderOptions {
 void check_memory(const render::RenderSettings& settings, const render::Aovs& aovs) {
   const auto pixels =
       static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
-  // The picture, its 32-bit copy, the encoded file, the error estimates, and the film. A goal may
-  // be reached with few samples.
-  const auto samples = static_cast<std::uint64_t>(settings.samples);
-  const std::size_t pixel_bytes =
-      sizeof(render::LinearRgb) + 2 * 3 * sizeof(float) + sizeof(render::PixelSpread) +
-      render::Film::bytes_per_pixel(settings.has_goal() ? render::kMinReplicatedSamples : samples);
+  // The picture, its 32-bit copy, the encoded file, and the error estimates.
+  std::size_t pixel_bytes =
+      sizeof(render::LinearRgb) + 2 * 3 * sizeof(float) + sizeof(render::PixelSpread);
+  if (settings.has_goal()) {  // the film; a goal may be reached with few samples
+    pixel_bytes +=
+        render::Film::bytes_per_pixel(render::kMinReplicatedSamples, channels_of(settings));
+  }
   const std::size_t bytes = pixels * pixel_bytes + aov_bytes(aovs, pixels);
   if (bytes > physical_memory_bytes()) throw std::bad_alloc();
 }

@@ -39,9 +39,15 @@ endif()
 # The checked standard library reports out-of-range indices where they happen.
 add_compile_definitions($<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 
+# Without ccache, the first build is what counts: precompiled headers and several sources in one translation unit
+# halve it. ccache stores nothing that was compiled with precompiled headers.
 find_program(CCACHE ccache)
-if(CCACHE)
+if(CCACHE AND NOT DEFINED ENV{CCACHE_DISABLE})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+  set(SDLC_BUILDS_ONCE OFF)
+else()
+  set(SDLC_BUILDS_ONCE ON)
 endif()
 
 # The build tree has the shape of an installation, so that the program finds its modules the same way in both.

@@ -4,6 +4,11 @@
 find_package(GTest REQUIRED)
 include(GoogleTest)
 
+# As for modules, with GoogleTest. A program, because libraries are compiled with -fPIC and programs with -fPIE.
+add_executable(sdlc_test_precompiled EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/precompiled.cpp)
+target_link_libraries(sdlc_test_precompiled PRIVATE GTest::gmock GTest::gtest GTest::gtest_main)
+target_precompile_headers(sdlc_test_precompiled PRIVATE ${SDLC_PRECOMPILED_HEADERS} <gmock/gmock.h> <gtest/gtest.h>)
+
 function(sdlc_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "FILES;LINKS")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_FILES)
@@ -13,6 +18,7 @@ function(sdlc_test name)
   add_executable(${name} ${arg_FILES})
   target_link_libraries(${name} PRIVATE ${arg_LINKS} GTest::gmock GTest::gtest GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_precompile_headers(${name} REUSE_FROM sdlc_test_precompiled)
   target_compile_definitions(${name} PRIVATE SDLC_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   # Beside bin/, so that test programs find modules as the real program does, but are not among the programs
   # for users.

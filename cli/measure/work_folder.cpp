@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLockName = "lock";
 constexpr const char* kReferenceName = "reference.f32";
-constexpr const char* kFormat = "sdlc-measure-work";
+constexpr const char* kFolderFormat = "sdlc-measure-work";
 
 std::optional<std::string> read_file(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -145,7 +145,7 @@ WorkFolder::State WorkFolder::read_study(const std::string& text) {
   const Json file = parse_json(text);
   std::string format, digest;
   read_value(field(file, "format"), "format", {}, format);
-  if (format != kFormat) throw std::invalid_argument("it is not a measurement");
+  if (format != kFolderFormat) throw std::invalid_argument("it is not a measurement");
   read_value(field(file, "digest"), "digest", {}, digest);
   const Json& study = field(file, "study");
   if (digest != digest_of(study.dump())) throw std::invalid_argument("it was changed");
@@ -211,7 +211,7 @@ void WorkFolder::save(const render::StudyLedger& ledger, const Details& details)
                    {"layout", value_json(details.layout())},
                    {"pictures", keys},
                    {"digests", digests_}};
-  const Json file{{"format", kFormat}, {"digest", digest_of(study.dump())}, {"study", study}};
+  const Json file{{"format", kFolderFormat}, {"digest", digest_of(study.dump())}, {"study", study}};
   write_file(folder_ / kStudyName, file.dump(1) + "\n");
 }
 

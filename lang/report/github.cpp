@@ -12,7 +12,7 @@ namespace sdlc::lang {
 namespace {
 
 /// Escapes the message of a workflow command.
-std::string escaped(std::string_view text) {
+std::string escaped_for_log(std::string_view text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
@@ -28,7 +28,7 @@ std::string escaped(std::string_view text) {
 /// Escapes the value of a property of a workflow command.
 std::string escaped_property(std::string_view text) {
   std::string result;
-  for (const char c : escaped(text)) {
+  for (const char c : escaped_for_log(text)) {
     switch (c) {
       case ':': result += "%3A"; break;
       case ',': result += "%2C"; break;
@@ -60,13 +60,13 @@ class GithubWriter final : public DiagnosticWriter {
     out_ << fmt::format(
         "::{} {}title={}::{}\n", is_error ? "error" : "warning", properties,
         escaped_property(fmt::format("sdlc {} {}", diagnostic.info->code, diagnostic.info->name)),
-        escaped(message));
+        escaped_for_log(message));
   }
 
   void fail(const std::string& name, const std::string& reason) override {
     out_ << fmt::format("::error file={},title=sdlc::{}\n",
                         escaped_property(printable(report_path(name, facts_.root))),
-                        escaped(printable(reason)));
+                        escaped_for_log(printable(reason)));
   }
 
   void finish(const DiagnosticCounts& counts) override {

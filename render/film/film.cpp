@@ -25,6 +25,7 @@ std::size_t Film::bytes_per_pixel(std::uint64_t samples, Channels channels) noex
 
 Film::Film(const FilmExtent& extent, Channels channels)
     : extent_(extent),
+      channels_(channels),
       counts_(extent.pixels * extent.replicates),
       first_hits_(channels == Channels::Color ? 0 : extent.pixels) {}
 
@@ -199,25 +200,20 @@ void OpenPixels::add(const PixelRun& run) noexcept {
   *run.first_hits = {};  // other runs of the pixel have the same
 }
 
-bool OpenPixels::has_room(std::size_t pixel) const noexcept {
-  const std::uint32_t replicates = film_.extent_.replicates;
-  return std::ranges::all_of(
-      std::span(ends_).subspan(pixel * replicates, replicates), [&](std::uint32_t end) {
-        return SampleSum::values_of(film_.extent_.first_sample, end) <= film_.stride_;
-      });
-}
-
-void OpenPixels::close() noexcept {
-  const std::uint32_t replicates = film_.extent_.replicates;
-  for (std::size_t pixel = 0; pixel < targets_.size(); ++pixel) {
-    if (!has_room(pixel)) continue;
-    for (std::uint32_t r = 0; r < replicates; ++r) {
-      const std::size_t own = pixel * replicates + r, slot = begin_ * replicates + own;
-      if (!own_values_.empty()) std::ranges::copy(sum(own).values(), film_.storage(slot).begin());
-      film_.counts_[slot] = ends_[own] - film_.extent_.first_sample;
-    }
-    if (!added_hits_.empty()) film_.first_hits_[begin_ + pixel] += added_hits_[pixel];
+bool OpenPixels::close() noexcept {
+  const std::uint32_t first_sample = film_.extent_.first_sample;
+  const bool has_room = std::ranges::all_of(ends_, [&](std::uint32_t end) {
+    return SampleSum::values_of(first_sample, end) <= film_.stride_;
+  });
+  if (!has_room) return false;
+  const std::size_t first = begin_ * film_.extent_.replicates;
+  for (std::size_t i = 0; i < ends_.size(); ++i) {
+    if (!own_values_.empty()) std::ranges::copy(sum(i).values(), film_.storage(first + i).begin());
+    film_.counts_[first + i] = ends_[i] - first_sample;
   }
+  for (std::size_t i = 0; i < added_hits_.size(); ++i)
+    film_.first_hits_[begin_ + i] += added_hits_[i];
+  return true;
 }
 
 }  // namespace sdlc::render

@@ -68,9 +68,7 @@ class Film {
 
   const FilmExtent& extent() const noexcept { return extent_; }
   std::size_t size() const noexcept { return extent_.pixels; }
-  Channels channels() const noexcept {
-    return first_hits_.empty() ? Channels::Color : Channels::ColorAndFirstHits;
-  }
+  Channels channels() const noexcept { return channels_; }
 
   /// Makes room for pixels with these samples in their replicates, beside what each has. Not
   /// thread-safe.
@@ -120,13 +118,14 @@ class Film {
   std::array<LinearRgb, kReplicates> means(std::size_t pixel) const noexcept;
 
   FilmExtent extent_;
+  Channels channels_;
   std::size_t stride_ = 0;                // values per sum
   std::vector<std::uint32_t> counts_;     // by slot
   Values values_;                         // by slot; undefined where there is no sample
   std::vector<FirstHitSums> first_hits_;  // by pixel
 };
 
-/// Some pixels of a film while they are traced. The film has their samples after close().
+/// Some pixels of a film while they are traced. The film has their new samples only after close().
 class OpenPixels {
  public:
   /// The pixels [begin, end) of the film, which has room for `target(pixel)` samples in each
@@ -148,13 +147,12 @@ class OpenPixels {
   void plan(std::uint32_t max_blocks, std::vector<PixelRun>& runs);
   /// Adds a run after all runs of plan() are traced. Runs of a pixel come in the order of plan().
   void add(const PixelRun& run) noexcept;
-  /// Drops the new samples of a pixel that stopped short of its target if the film has no room for
-  /// a sum.
-  void close() noexcept;
+  /// Moves the samples to the film. Returns false, and drops all new samples, if the film has no
+  /// room for the sum of a pixel that stopped short of its target.
+  bool close() noexcept;
 
  private:
   void open(std::uint32_t largest_target);
-  bool has_room(std::size_t pixel) const noexcept;
   SampleSum sum(std::size_t slot) const noexcept {
     return {{values_ + slot * stride_, stride_}, film_.extent_.first_sample, ends_[slot]};
   }

@@ -23,7 +23,8 @@ void for_each_member(Origin& origin, Visit visit) {
   visit("seed", origin.seed);
   visit("sampler", origin.sampler);
   visit("centred", origin.is_centred);
-  visit("features", origin.has_first_hits);
+  visit("replicates", origin.replicates);
+  visit("first_hits", origin.has_first_hits);
   visit("precision", origin.precision);
   visit("arithmetic", origin.arithmetic);
   visit("program", origin.program);

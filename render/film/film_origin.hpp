@@ -15,8 +15,9 @@ struct FilmOrigin {
   std::uint32_t depth = 0;
   std::uint64_t seed = 0;
   SamplerKind sampler = SamplerKind::Sobol;
-  bool is_centred = false;      ///< RenderSettings::is_centred()
-  bool has_first_hits = false;  ///< RenderSettings::keeps_first_hits
+  bool is_centred = false;       ///< RenderSettings::is_centred()
+  std::uint32_t replicates = 0;  ///< FilmExtent::replicates of all films
+  bool has_first_hits = false;   ///< RenderSettings::keeps_first_hits
   Precision precision = Precision::Double;
   /// "fused" or "separate": how products are rounded before they are added (Backend::is_fused).
   std::string arithmetic;

@@ -42,11 +42,13 @@ struct Chain {
   /// before them.
   bool append(const Film& film, std::uint64_t pixel, const ReplicateCounts& added) {
     const std::uint32_t next = film.extent().first_sample;
+    bool is_next = true;
     for (std::uint32_t r = 0; r < kReplicates; ++r) {
       if (added[r] == 0) continue;
       if (first + counts[r] > next) throw DoubledSample(pixel, next);
-      if (first + counts[r] < next) return false;
+      is_next = is_next && first + counts[r] == next;
     }
+    if (!is_next) return false;
     for (std::uint32_t r = 0; r < kReplicates; ++r) {
       if (added[r] > 0) counts[r] = next + added[r] - first;
     }

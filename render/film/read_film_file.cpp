@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,10 +34,12 @@ class Reader {
 
   StoredFilm run() {
     read_head();
-    std::vector<Tag> known;  // the sections so far, of which each but `film` is there once
+    std::vector<Tag> known;  // the sections so far
     while (known.empty() || known.back() != kEnd) {
       const Tag tag = begin_section();
-      if (tag != kFilm && std::ranges::count(known, tag) > 0) damaged("a section is there twice");
+      if (is_single(tag) && std::ranges::count(known, tag) > 0) {
+        damaged("a section is there twice");
+      }
       known.push_back(tag);
       read_section(tag);
       end_section();
@@ -45,10 +48,16 @@ class Reader {
     for (const Tag tag : {kOrigin, kStatistics}) {
       if (std::ranges::count(known, tag) == 0) damaged("a section is missing");
     }
+    check_films();
     return std::move(film_);
   }
 
  private:
+  static bool is_single(Tag tag) {
+    constexpr std::array kSingle{kOrigin, kStatistics, kLights, kExact, kEmitters, kTargets};
+    return std::ranges::count(kSingle, tag) > 0;
+  }
+
   [[noreturn]] void damaged(const std::string& cause) const {
     throw FilmError(Reason::Damaged, path_, "the file is damaged: " + cause);
   }
@@ -104,6 +113,20 @@ class Reader {
     }
   }
 
+  /// Whether the films are of the picture of the origin.
+  void check_films() const {
+    const FilmOrigin& origin = film_.origin;
+    const std::uint64_t pixels = std::uint64_t{origin.width} * origin.height;
+    bool is_sound = pixels > 0 && (film_.targets.empty() || film_.targets.size() == pixels);
+    for (const Film& film : film_.films) {
+      const FilmExtent& extent = film.extent();
+      is_sound = is_sound && extent.replicates == origin.replicates &&
+                 extent.first_pixel <= pixels && extent.pixels <= pixels - extent.first_pixel &&
+                 (film.channels() != Channels::Color) == origin.has_first_hits;
+    }
+    if (!is_sound) damaged("its films are of another picture");
+  }
+
   void read_origin() {
     const std::vector<char> text = take_rest<char>();
     if (!read_text(std::string_view(text.data(), text.size()), film_.origin)) {
@@ -127,6 +150,14 @@ class Reader {
     for_each_sum(film, [&](std::size_t pixel, std::uint32_t r) {
       counts[pixel][r] = take<std::uint32_t>();
     });
+    std::uint64_t size = stored.has_first_hits * film.size() * sizeof(FirstHitSums);
+    for_each_sum(film, [&](std::size_t pixel, std::uint32_t r) {
+      const std::uint64_t end = std::uint64_t{stored.first_sample} + counts[pixel][r];
+      if (end > std::numeric_limits<std::uint32_t>::max()) damaged("a film cannot be read");
+      size += SampleSum::values_of(stored.first_sample, static_cast<std::uint32_t>(end)) *
+              sizeof(LinearRgb);
+    });
+    if (size != section_) damaged("a film cannot be read");
     film.reserve(counts);
     std::vector<LinearRgb> values;
     for_each_sum(film, [&](std::size_t pixel, std::uint32_t r) {

@@ -18,6 +18,13 @@ struct TraceCounts {
   std::uint64_t rays = 0;
   std::uint64_t truncated_paths = 0;    ///< cut off by the depth limit, counted as black
   std::uint64_t nonfinite_samples = 0;  ///< counted as black
+
+  TraceCounts& operator+=(const TraceCounts& other) noexcept {
+    rays += other.rays;
+    truncated_paths += other.truncated_paths;
+    nonfinite_samples += other.nonfinite_samples;
+    return *this;
+  }
 };
 
 /// Estimates, from paths with connections to lights, what the same paths without connections would

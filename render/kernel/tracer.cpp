@@ -128,6 +128,7 @@ Tracer::Tracer(const Rebase& rebase, double reach) noexcept
     : rebase_(rebase), depth_units_(std::ldexp(1.0, 94 - std::ilogb(reach))) {}
 
 PixelFeatures Tracer::features_of(const FirstHitSums& sums, std::uint64_t samples) const noexcept {
+  if (samples == 0) return {};
   const double depth =
       sums.hits() > 0 ? rebase_.length_in_scene(sums.mean_depth() / depth_units_) : kNoDepth;
   return {.normal = sums.mean_normal(samples), .depth = depth, .albedo = sums.mean_albedo(samples)};

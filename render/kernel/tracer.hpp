@@ -41,7 +41,7 @@ class Tracer {
   /// The sphere at the centre of a pixel; nullopt for the background.
   virtual std::optional<PickedSphere> pick(const RenderSettings& settings,
                                            std::uint64_t pixel) const = 0;
-  /// The features of a pixel that has `samples` samples, at least one.
+  /// The features of a pixel that has `samples` samples; PixelFeatures{} without any.
   PixelFeatures features_of(const FirstHitSums& sums, std::uint64_t samples) const noexcept;
   virtual std::size_t memory_bytes() const noexcept = 0;  ///< of tables and BVH
 

@@ -52,7 +52,7 @@ std::optional<Measured> mean_ratio(const std::vector<PointChange>& points, doubl
   return Measured{std::exp(mean), {std::exp(mean - half_width), std::exp(mean + half_width)}};
 }
 
-double noise_of(const std::vector<Point>& points) {
+double spread_of(const std::vector<Point>& points) {
   std::vector<std::vector<double>> timings;
   for (const Point& point : points) {
     if (point.seconds.value >= kMinSeconds) timings.push_back(point.timings);
@@ -82,7 +82,7 @@ Comparison compare_measurements(const std::vector<Point>& now, const std::vector
   }
   if (has_comparable_times) {
     comparison.time_ratio =
-        mean_ratio(comparison.points, std::hypot(noise_of(now), noise_of(before)));
+        mean_ratio(comparison.points, std::hypot(spread_of(now), spread_of(before)));
   }
   if (comparison.time_ratio) {
     const Interval& ratio = comparison.time_ratio->interval;

@@ -33,8 +33,8 @@ std::vector<int> depths_around(int own) {
   return depths;
 }
 
-/// How much is rendered. Every render rebuilds its BVH, as `sdlc render` does; for a million
-/// spheres that takes longer than tracing a small picture.
+/// How much is rendered. A plan counts a build for every render, although renders of the same
+/// configuration share one: for a million spheres it takes longer than tracing a small picture.
 enum class Extent : std::uint8_t {
   Full,
   Reduced,  ///< two points of the scene's own configuration, one of each other

@@ -103,16 +103,13 @@ std::shared_ptr<const PreparedScene> Study::prepared(const RenderSettings& setti
   const auto known = std::ranges::find_if(prepared_, [&](const Prepared& one) {
     return one.configuration == configuration && one.size == size;
   });
-  if (known != prepared_.end()) {
-    std::rotate(prepared_.begin(), known, std::next(known));
-  } else {
-    constexpr std::size_t kKept = 2;
-    if (prepared_.size() == kKept) prepared_.pop_back();
-    prepared_.insert(prepared_.begin(), {configuration, size,
-                                         std::make_shared<const PreparedScene>(prepare(
-                                             scene_, settings, request_of(configuration)))});
-  }
-  return prepared_.front().scene;
+  if (known != prepared_.end()) return known->scene;
+  constexpr std::size_t kKept = 2;
+  if (prepared_.size() == kKept) prepared_.erase(prepared_.begin());
+  prepared_.push_back({configuration, size,
+                       std::make_shared<const PreparedScene>(
+                           prepare(scene_, settings, request_of(configuration)))});
+  return prepared_.back().scene;
 }
 
 std::vector<Configuration> Study::configurations() const {
@@ -142,6 +139,7 @@ ConfigurationCost Study::try_configuration(const Configuration& configuration) {
     cost.refusal = describe(kernel.refusal->obstacle);
     return cost;
   }
+  prepared_.clear();  // each trial measures a build
   cost.configuration.precision = kernel.precision;
   RenderSettings settings = settings_of(configuration, 8, settings_.seed);
   // Small enough to be cheap, large enough to keep all lanes and threads busy.
@@ -272,6 +270,7 @@ bool Study::run_reference(const StudyTask& task) {
 }
 
 bool Study::run_point(const StudyTask& task) {
+  if (task.kind == StudyTask::Kind::Repeat) prepared_.clear();  // its time is independent
   const std::optional<RenderResult> result =
       rendered(task.configuration, task.samples, settings_.seed);
   if (!result) return false;

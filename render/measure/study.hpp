@@ -96,7 +96,8 @@ class Study {
                              std::uint64_t seed) const;
   KernelRequest request_of(const Configuration& configuration) const;
   Kernel kernel_of(const Configuration& configuration) const;
-  /// The scene prepared for a configuration, which the next renders use again.
+  /// The scene prepared for a configuration, which the next renders use again unless it is built
+  /// anew for a time of its own.
   std::shared_ptr<const PreparedScene> prepared(const RenderSettings& settings,
                                                 const Configuration& configuration);
   std::vector<Configuration> configurations() const;

@@ -56,32 +56,41 @@ bool PictureTracer::trace_tile(Film& film, std::size_t begin, std::size_t end, c
   const std::size_t max_blocks = std::max<std::size_t>(1, kRunsPerBatch / (end - begin));
   thread_local std::vector<PixelRun> runs;  // thread_local, so that its memory is mapped once
   OpenPixels pixels(film, begin, end, target);
-  bool is_whole = false;
+  TraceCounts total;
+  bool is_whole = false, is_kept = true;
   while (true) {
     runs.clear();
     pixels.plan(static_cast<std::uint32_t>(max_blocks), runs);
     is_whole = runs.empty();
     if (is_whole || is_late()) break;
     TraceCounts counts;
-    if (!tracer_.trace(settings_, &emitters_, runs, counts, monitor_.cancel)) break;
+    is_kept = tracer_.trace(settings_, &emitters_, runs, counts, monitor_.cancel);
+    if (!is_kept) break;
     std::uint64_t samples = 0;
     for (const PixelRun& run : runs) {
       pixels.add(run);
       samples += run.samples();
     }
+    total += counts;
     monitor_.samples_done.fetch_add(samples, std::memory_order_relaxed);
     monitor_.rays_done.fetch_add(counts.rays, std::memory_order_relaxed);
-    truncated_.fetch_add(counts.truncated_paths, std::memory_order_relaxed);
-    nonfinite_.fetch_add(counts.nonfinite_samples, std::memory_order_relaxed);
   }
-  pixels.close();
+  // All samples of a tile or none, so that the counts are those of the samples in the film.
+  if (!is_kept || !pixels.close()) {
+    has_dropped_ = true;
+    return false;
+  }
+  rays_.fetch_add(total.rays, std::memory_order_relaxed);
+  truncated_.fetch_add(total.truncated_paths, std::memory_order_relaxed);
+  nonfinite_.fetch_add(total.nonfinite_samples, std::memory_order_relaxed);
   return is_whole;
 }
 
 bool PictureTracer::trace_pass(Film& film, std::uint64_t added, const Target& target,
                                const IsLate& is_late, const OnTile& on_tile) {
   std::atomic<bool> is_whole{true};
-  // Use smaller tiles if the time limit may end the pass, because started tiles are finished.
+  // Use smaller tiles if the time limit may end the pass, because a tile is kept or dropped as a
+  // whole.
   constexpr std::uint64_t kSmaller = 8;
   const std::size_t tile =
       pixels_per_tile(film.size(), settings_.seconds ? kSmaller * added : added);

@@ -39,8 +39,12 @@ class PictureTracer {
   /// dropped after `on_tile`: a whole film takes more memory than the picture.
   void trace_tiles(const FilmExtent& extent, const ReplicateCounts& target, const OnTile& on_tile);
 
-  std::uint64_t truncated_paths() const noexcept { return truncated_; }
-  std::uint64_t nonfinite_samples() const noexcept { return nonfinite_; }
+  /// Of the samples that are in films.
+  TraceCounts counts() const noexcept {
+    return {.rays = rays_, .truncated_paths = truncated_, .nonfinite_samples = nonfinite_};
+  }
+  /// Whether emitters were counted for samples that are in no film.
+  bool has_dropped() const noexcept { return has_dropped_; }
 
  private:
   bool trace_tile(Film& film, std::size_t begin, std::size_t end, const Target& target,
@@ -54,8 +58,10 @@ class PictureTracer {
   EmitterTally& emitters_;
   int threads_;
   RenderMonitor& monitor_;
+  std::atomic<std::uint64_t> rays_{0};
   std::atomic<std::uint64_t> truncated_{0};
   std::atomic<std::uint64_t> nonfinite_{0};
+  std::atomic<bool> has_dropped_{false};
 };
 
 }  // namespace sdlc::render

@@ -1,26 +1,16 @@
 #include "render/session/prepared_scene.hpp"
 
-#include <chrono>
 #include <stdexcept>
 #include <utility>
 
+#include "render/math/stopwatch.hpp"
 #include "render/parallel/workers.hpp"
 
 namespace sdlc::render {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-}  // namespace
-
 PreparedScene::PreparedScene(Kernel kernel, Scene scene, int threads) : kernel_(std::move(kernel)) {
-  const auto start = Clock::now();
-  emitters_ = EmitterClasses(scene, kernel_.lights);
   Workers workers(threads);
+  const Stopwatch watch;
+  emitters_ = EmitterClasses(scene, kernel_.lights);
   tracer_ = workers.run([&] {
     return make_tracer(std::move(scene), {.precision = kernel_.precision,
                                           .backend = kernel_.backend,
@@ -31,15 +21,15 @@ PreparedScene::PreparedScene(Kernel kernel, Scene scene, int threads) : kernel_(
   });
   // For a lattice of touching spheres they are larger than the spheres.
   kernel_.bounds.near_pairs.reset();
-  build_seconds_ = seconds_since(start);
+  build_seconds_ = watch.seconds();
 }
 
 PreparedScene prepare(Scene scene, const RenderSettings& settings, const KernelRequest& request) {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   Kernel kernel = choose_kernel(scene, settings, request);
   if (kernel.refusal) throw std::invalid_argument(describe(kernel.refusal->obstacle));
   PreparedScene prepared(std::move(kernel), std::move(scene), settings.threads);
-  prepared.build_seconds_ = seconds_since(start);
+  prepared.build_seconds_ = watch.seconds();
   return prepared;
 }
 

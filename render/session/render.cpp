@@ -1,32 +1,41 @@
 #include "render/session/render.hpp"
 
-#include <chrono>
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "render/film/film.hpp"
+#include "render/math/stopwatch.hpp"
 #include "render/parallel/workers.hpp"
 #include "render/session/goal_render.hpp"
 #include "render/session/picture_tracer.hpp"
+#include "render/session/render_film.hpp"
 #include "render/shading/emitter_tally.hpp"
 
 namespace sdlc::render {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+std::uint64_t fewest_samples(const Film& film) {
+  std::uint64_t fewest = film.samples(0);
+  for (std::size_t i = 1; i < film.size(); ++i) fewest = std::min(fewest, film.samples(i));
+  return fewest;
+}
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+std::uint64_t most_samples(const Film& film) {
+  std::uint64_t most = 0;
+  for (std::size_t i = 0; i < film.size(); ++i) most = std::max(most, film.samples(i));
+  return most;
 }
 
 /// Renders without a goal. `film` may be null.
 void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderSettings& settings,
                     const RenderMonitor& monitor, Film* film, RenderResult& result) {
   const auto samples = static_cast<std::uint64_t>(settings.samples);
-  result.max_samples = samples;
+  result.max_samples = film != nullptr ? std::max(samples, most_samples(*film)) : samples;
   const FilmExtent extent = extent_of(settings);
   const bool has_replicates = extent.replicates > 1;
   const ReplicateCounts target = has_replicates
@@ -56,14 +65,17 @@ void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderS
         *film, samples, [&](std::size_t) { return target; }, [] { return false; }, take_tile);
   }
   if (monitor.cancel.load()) return;  // some pixels have no sample
-  result.min_samples = samples;
+  result.min_samples = film != nullptr ? fewest_samples(*film) : samples;
   if (has_replicates) result.error = estimate_error(result.picture, spreads);
   if (settings.keeps_variance) result.spreads = std::move(spreads);
 }
 
 /// RenderSettings::seconds counts from `start`. `film` may be null.
-RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
-                          const RenderSettings& settings, RenderMonitor& monitor, Film* film) {
+RenderResult render_since(Stopwatch::Clock::time_point start, const PreparedScene& scene,
+                          const RenderSettings& settings, RenderMonitor& monitor,
+                          StoredFilm* stored) {
+  if (stored != nullptr) check_origin(scene, settings, *stored);
+  Film* film = stored != nullptr ? &film_of(extent_of(settings), *stored) : nullptr;
   std::optional<Film> own;
   if (film == nullptr && (settings.has_goal() || monitor.on_pass)) {
     film = &own.emplace(extent_of(settings), channels_of(settings));
@@ -76,9 +88,10 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
   Workers workers(settings.threads);
   result.threads = workers.count();
   EmitterTally emitters(scene.emitters(), settings.depth);
+  if (stored != nullptr) emitters.restore(stored->emitters);
   if (monitor.on_tracing) monitor.on_tracing();
 
-  const auto render_start = Clock::now();
+  const Stopwatch watch;
   PictureTracer pictures(scene.tracer(), settings, emitters, result.threads, monitor);
   workers.run([&] {
     if (settings.has_goal()) {
@@ -94,7 +107,7 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
       if (monitor.on_pass) monitor.on_pass(*film);
     }
   });
-  result.render_seconds = seconds_since(render_start);
+  result.render_seconds = watch.seconds();
   result.is_complete = !monitor.cancel.load();
   if (!result.is_complete) result.error.reset();
   if (has_unseen_error(result, emitters)) {
@@ -104,9 +117,13 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
   }
   result.camera_samples = monitor.samples_done.load();
   result.rays = monitor.rays_done.load();
-  result.truncated_paths = pictures.truncated_paths();
-  result.nonfinite_samples = pictures.nonfinite_samples();
+  result.truncated_paths = pictures.counts().truncated_paths;
+  result.nonfinite_samples = pictures.counts().nonfinite_samples;
   result.scarce_emitters = emitters.scarce();
+  if (stored != nullptr) {
+    store(pictures, emitters, *stored);
+    if (settings.is_adaptive) stored->targets = result.samples_of_pixels;
+  }
   result.sampled_lights = static_cast<std::uint32_t>(result.kernel.lights.size());
   return result;
 }
@@ -126,22 +143,22 @@ Channels channels_of(const RenderSettings& settings) noexcept {
 }
 
 RenderResult render(const PreparedScene& scene, const RenderSettings& settings,
-                    RenderMonitor& monitor, Film* film) {
-  return render_since(Clock::now(), scene, settings, monitor, film);
+                    RenderMonitor& monitor, StoredFilm* film) {
+  return render_since(Stopwatch().start(), scene, settings, monitor, film);
 }
 
 RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
                     RenderMonitor& monitor) {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   const PreparedScene prepared(std::move(kernel), std::move(scene), settings.threads);
-  return render_since(start, prepared, settings, monitor, nullptr);
+  return render_since(watch.start(), prepared, settings, monitor, nullptr);
 }
 
 RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor,
                     const KernelRequest& request) {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   const PreparedScene prepared = prepare(std::move(scene), settings, request);
-  return render_since(start, prepared, settings, monitor, nullptr);
+  return render_since(watch.start(), prepared, settings, monitor, nullptr);
 }
 
 }  // namespace sdlc::render

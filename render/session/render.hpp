@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/film/film.hpp"
+#include "render/film/film_file.hpp"
 #include "render/image/picture.hpp"
 #include "render/kernel/kernel.hpp"
 #include "render/scene/scene.hpp"
@@ -69,13 +70,13 @@ struct RenderResult {
 /// Without a time limit, the same scene, settings and seed give the same bytes for any number of
 /// threads and any order of tiles. An error goal that was reached with N samples per pixel gives
 /// the same bytes as N samples. With a wide kernel this also holds across all instruction sets with
-/// fused multiply-add, which is all but SSE4.
+/// fused multiply-add, which is all but SSE4 and the portable ones.
 ///
-/// The samples are added to `film`, with extent_of() and channels_of() the settings, unless it is
-/// null. If it has
-/// samples of an earlier render of the same picture, the render goes on from there.
+/// The samples are added to `film`, from new_film() or read_film_file(), unless it is null. If it
+/// has samples of the whole picture, the render goes on from there. Throws std::invalid_argument if
+/// it is of another scene or of other settings.
 RenderResult render(const PreparedScene& scene, const RenderSettings& settings,
-                    RenderMonitor& monitor, Film* film = nullptr);
+                    RenderMonitor& monitor, StoredFilm* film = nullptr);
 
 /// Prepares the scene for `kernel`, which is from choose_kernel() and not refused, and renders it.
 /// The time limit includes building.

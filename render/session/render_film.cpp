@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "render/parallel/workers.hpp"
@@ -24,29 +26,66 @@ ReplicateCounts counts_in(const FilmPart& part, std::uint64_t samples) {
   return counts;
 }
 
-Film& film_of(const FilmPart& part, StoredFilm& stored) {
-  const auto known = std::ranges::find(stored.films, part.extent, &Film::extent);
-  if (known != stored.films.end()) return *known;
-  return stored.films.emplace_back(
-      part.extent, stored.origin.has_first_hits ? Channels::ColorAndFirstHits : Channels::Color);
+FilmOrigin origin_of(const PreparedScene& scene, std::uint64_t digest, std::string program,
+                     const RenderSettings& settings) {
+  const Kernel& kernel = scene.kernel();
+  return {.scene = digest,
+          .width = static_cast<std::uint32_t>(settings.width),
+          .height = static_cast<std::uint32_t>(settings.height),
+          .depth = static_cast<std::uint32_t>(settings.depth),
+          .seed = settings.seed,
+          .sampler = settings.sampler,
+          .is_centred = settings.is_centred(),
+          .replicates = extent_of(settings).replicates,
+          .has_first_hits = settings.keeps_first_hits,
+          .precision = kernel.precision,
+          .arithmetic = kernel.backend->is_fused ? "fused" : "separate",
+          .program = std::move(program)};
+}
+
+bool overlap(const FilmExtent& a, const FilmExtent& b) noexcept {
+  return a.first_pixel < b.first_pixel + b.pixels && b.first_pixel < a.first_pixel + a.pixels;
 }
 
 }  // namespace
 
-StoredFilm new_film(const PreparedScene& scene, std::uint64_t digest,
+Film& film_of(const FilmExtent& extent, StoredFilm& stored) {
+  const auto known = std::ranges::find(stored.films, extent, &Film::extent);
+  if (known != stored.films.end()) return *known;
+  for (const Film& film : stored.films) {
+    if (film.extent().first_sample == extent.first_sample && overlap(film.extent(), extent)) {
+      throw std::invalid_argument("a film of other pixels has some of these samples");
+    }
+  }
+  return stored.films.emplace_back(
+      extent, stored.origin.has_first_hits ? Channels::ColorAndFirstHits : Channels::Color);
+}
+
+void check_origin(const PreparedScene& scene, const RenderSettings& settings,
+                  const StoredFilm& stored) {
+  const FilmOrigin& origin = stored.origin;
+  const std::string other =
+      difference(origin, origin_of(scene, origin.scene, origin.program, settings));
+  if (!other.empty()) throw std::invalid_argument("the film is of another picture: " + other);
+  if (stored.lights != scene.kernel().lights ||
+      stored.exact_spheres != scene.kernel().exact_spheres ||
+      stored.emitters.size() != EmitterTally(scene.emitters(), settings.depth).counts().size()) {
+    throw std::invalid_argument("the film is of another scene");
+  }
+}
+
+void store(const PictureTracer& pictures, const EmitterTally& emitters, StoredFilm& stored) {
+  const TraceCounts counts = pictures.counts();
+  stored.statistics.rays += counts.rays;
+  stored.statistics.truncated_paths += counts.truncated_paths;
+  stored.statistics.nonfinite_samples += counts.nonfinite_samples;
+  if (!pictures.has_dropped()) stored.emitters = emitters.counts();
+}
+
+StoredFilm new_film(const PreparedScene& scene, std::uint64_t digest, std::string program,
                     const RenderSettings& settings) {
   const Kernel& kernel = scene.kernel();
-  return {.origin = {.scene = digest,
-                     .width = static_cast<std::uint32_t>(settings.width),
-                     .height = static_cast<std::uint32_t>(settings.height),
-                     .depth = static_cast<std::uint32_t>(settings.depth),
-                     .seed = settings.seed,
-                     .sampler = settings.sampler,
-                     .is_centred = settings.is_centred(),
-                     .has_first_hits = settings.keeps_first_hits,
-                     .precision = kernel.precision,
-                     .arithmetic = kernel.backend->is_fused ? "fused" : "separate",
-                     .program = {}},
+  return {.origin = origin_of(scene, digest, std::move(program), settings),
           .statistics = {},
           .lights = kernel.lights,
           .exact_spheres = kernel.exact_spheres,
@@ -57,11 +96,12 @@ StoredFilm new_film(const PreparedScene& scene, std::uint64_t digest,
 
 bool render_part(const PreparedScene& scene, const RenderSettings& settings, RenderMonitor& monitor,
                  const FilmPart& part, std::span<const std::uint32_t> samples, StoredFilm& stored) {
+  check_origin(scene, settings, stored);
   Workers workers(settings.threads);
   EmitterTally emitters(scene.emitters(), settings.depth);
   emitters.restore(stored.emitters);
 
-  Film& film = film_of(part, stored);
+  Film& film = film_of(part.extent, stored);
   std::vector<ReplicateCounts> targets(film.size());
   std::uint64_t added = 0;
   for (std::size_t i = 0; i < film.size(); ++i) {
@@ -73,15 +113,13 @@ bool render_part(const PreparedScene& scene, const RenderSettings& settings, Ren
   }
   film.reserve(targets);
   PictureTracer pictures(scene.tracer(), settings, emitters, workers.count(), monitor);
-  const std::uint64_t rays = monitor.rays_done.load();
+  if (monitor.on_tracing) monitor.on_tracing();
   const bool is_whole = workers.run([&] {
     return pictures.trace_pass(
         film, added, [&](std::size_t pixel) { return targets[pixel]; }, [] { return false; });
   });
-  stored.statistics.rays += monitor.rays_done.load() - rays;
-  stored.statistics.truncated_paths += pictures.truncated_paths();
-  stored.statistics.nonfinite_samples += pictures.nonfinite_samples();
-  stored.emitters = emitters.counts();
+  if (monitor.on_pass) monitor.on_pass(film);
+  store(pictures, emitters, stored);
   return is_whole;
 }
 

@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 
 #include "render/film/film_file.hpp"
 #include "render/image/picture.hpp"
+#include "render/session/picture_tracer.hpp"
 #include "render/session/render.hpp"
 
 /// Pictures in parts: crops, shards and checkpoints.
@@ -19,15 +21,26 @@ struct FilmPart {
   std::uint32_t end_sample = std::numeric_limits<std::uint32_t>::max();
 };
 
-/// A film without samples, for render_part() with the same arguments. `digest`: digest_of() the
-/// scene that was prepared.
-StoredFilm new_film(const PreparedScene& scene, std::uint64_t digest,
+/// A film without samples, for renders with these settings. `digest`: digest_of() the scene that
+/// was prepared. `program`: its name and version.
+StoredFilm new_film(const PreparedScene& scene, std::uint64_t digest, std::string program,
                     const RenderSettings& settings);
+
+/// Throws std::invalid_argument if the film is not of this scene and these settings.
+void check_origin(const PreparedScene& scene, const RenderSettings& settings,
+                  const StoredFilm& stored);
+/// The film with this extent, which is added if there is none. Throws std::invalid_argument if
+/// another film has some of its samples.
+Film& film_of(const FilmExtent& extent, StoredFilm& stored);
+/// Adds the counts of a render. If it dropped samples, emitters are as before: too few paths are
+/// counted then, so that no error is called known that is not.
+void store(const PictureTracer& pictures, const EmitterTally& emitters, StoredFilm& stored);
 
 /// Adds to `stored` the samples of a part that it lacks. Each pixel of the picture has the same
 /// number of `samples`, or there is one number per pixel; the goals of `settings` are ignored. A
 /// film with the extent of the part is continued; otherwise one is added. Returns false if
-/// `monitor` cancelled it: some samples are then missing, and a second call adds them.
+/// `monitor` cancelled it: some samples are then missing, and a second call adds them. Throws
+/// std::invalid_argument as check_origin() and film_of() do.
 ///
 /// Parts that are joined by add_film() have the bits of a render of the whole picture.
 bool render_part(const PreparedScene& scene, const RenderSettings& settings, RenderMonitor& monitor,

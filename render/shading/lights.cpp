@@ -9,7 +9,7 @@ namespace {
 // The radiance may overflow in sums; the tree needs finite numbers.
 constexpr double kBrightest = 1e300;
 
-double brightness(LinearRgb radiance) noexcept {
+double bounded_brightness(LinearRgb radiance) noexcept {
   return std::fmin(radiance.r / 3 + radiance.g / 3 + radiance.b / 3, kBrightest);
 }
 
@@ -22,7 +22,7 @@ Lights::Lights(const Scene& scene, std::span<const std::uint32_t> spheres) {
   double brightest = 0;
   for (const std::uint32_t i : spheres) {
     const Material& material = scene.materials[scene.spheres[i].material];
-    brightest = std::fmax(brightest, brightness(material.color * material.parameter));
+    brightest = std::fmax(brightest, bounded_brightness(material.color * material.parameter));
   }
   const auto light = [&](std::uint32_t i) {
     const Sphere& sphere = scene.spheres[i];
@@ -35,10 +35,11 @@ Lights::Lights(const Scene& scene, std::span<const std::uint32_t> spheres) {
   };
   for (const std::uint32_t i : spheres) {
     const Light of = light(i);
-    tree_lights.push_back({.center = of.center,
-                           .shift = of.shift,
-                           .radius = of.radius,
-                           .power = brightness(of.radiance) / brightest * of.radius * of.radius});
+    tree_lights.push_back(
+        {.center = of.center,
+         .shift = of.shift,
+         .radius = of.radius,
+         .power = bounded_brightness(of.radiance) / brightest * of.radius * of.radius});
   }
   tree_ = LightTree(tree_lights);
   leaves_.reserve(tree_.lights_of_leaves().size());

@@ -34,6 +34,8 @@ StoredFilm example(std::uint32_t first_sample = 0, std::uint32_t end_sample = 0x
                                .seed = 0xFFFFFFFFFFFFFFFF,
                                .sampler = SamplerKind::Independent,
                                .is_centred = false,
+                               .replicates = kReplicates,
+                               .has_first_hits = true,
                                .precision = Precision::Mixed,
                                .arithmetic = "fused",
                                .program = "sdlc 1.0"},
@@ -103,7 +105,8 @@ TEST_F(FilmFile, TakesTheValuesOfTheFilmAndLittleMore) {
   const std::size_t rest = written(film).size();
   const std::vector<std::uint32_t> totals(1000, 256);
   film.films.push_back(traced_film({.pixels = 1000}, totals));
-  EXPECT_EQ(written(film).size() - rest, 1000 * Film::bytes_per_pixel(256) + 32 + 20);
+  EXPECT_EQ(written(film).size() - rest,
+            1000 * Film::bytes_per_pixel(256, Channels::ColorAndFirstHits) + 32 + 20);
 }
 
 TEST_F(FilmFile, IsRefusedIfAnyByteIsChanged) {

@@ -11,6 +11,7 @@
 
 namespace sdlc::test {
 
+using render::Channels;
 using render::Film;
 using render::FilmExtent;
 using render::kReplicates;
@@ -42,6 +43,12 @@ inline void trace_samples(Film& film, std::span<const ReplicateCounts> counts,
           part.sum += sample(run.pixel, r, part.first + i);
         }
       }
+      if (run.first_hits != nullptr) {
+        for (std::uint64_t i = 0; i < run.samples(); ++i) {
+          const double v = static_cast<double>(run.pixel + 1) / 10;
+          run.first_hits->add({.normal = {v, -v, 0.1}, .depth = v * 0x1p80, .albedo = {v, 1, 0}});
+        }
+      }
       open.add(run);
     }
   }
@@ -50,8 +57,9 @@ inline void trace_samples(Film& film, std::span<const ReplicateCounts> counts,
 
 /// The samples of a part of a picture, of which each pixel has `totals` samples.
 inline Film traced_film(const FilmExtent& extent, std::span<const std::uint32_t> totals,
-                        std::uint32_t end_sample = 0xFFFFFFC0) {
-  Film film(extent);
+                        std::uint32_t end_sample = 0xFFFFFFC0,
+                        Channels channels = Channels::ColorAndFirstHits) {
+  Film film(extent, channels);
   std::vector<ReplicateCounts> counts;
   for (std::size_t i = 0; i < extent.pixels; ++i) {
     ReplicateCounts of_pixel = render::split_in_replicates(totals[extent.first_pixel + i]);
@@ -70,6 +78,11 @@ inline std::vector<double> content_of(const Film& film) {
   std::vector<double> content{static_cast<double>(film.extent().first_pixel),
                               static_cast<double>(film.extent().first_sample)};
   for (std::size_t pixel = 0; pixel < film.size(); ++pixel) {
+    if (film.channels() != Channels::Color && film.samples(pixel) > 0) {
+      const render::FirstHitSums& hits = film.first_hits(pixel);
+      content.insert(content.end(), {static_cast<double>(hits.hits()), hits.mean_depth(),
+                                     hits.mean_normal(1).y, hits.mean_albedo(1).r});
+    }
     for (std::uint32_t r = 0; r < film.extent().replicates; ++r) {
       content.push_back(film.count(pixel, r));
       for (const LinearRgb& value : film.sum(pixel, r).values()) {

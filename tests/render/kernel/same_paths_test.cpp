@@ -172,12 +172,12 @@ TEST_P(WidePaths, HitTheFirstSurfacesOfTheReference) {
     int differing = 0;
     for (std::size_t i = 0; i < features.size(); ++i) {
       const render::PixelFeatures &a = features[i], &b = expected[i];
-      ASSERT_TRUE(a.normal == by_bvh[i].normal && a.depth == by_bvh[i].depth);
+      ASSERT_EQ(a, by_bvh[i]);
       const double difference =
           std::max({length(a.normal - b.normal), std::fabs(a.depth / b.depth - 1),
                     std::fabs(a.albedo.r - b.albedo.r), std::fabs(a.albedo.g - b.albedo.g),
                     std::fabs(a.albedo.b - b.albedo.b)});
-      differing += difference > tolerance ? 1 : 0;
+      differing += difference <= tolerance ? 0 : 1;
     }
     // In float, rays at the edge of a sphere may miss it, and the normal there is off by the root
     // of the rounding error: a thousandth.

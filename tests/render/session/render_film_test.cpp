@@ -5,13 +5,16 @@
 #include <cstring>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "render/film/film_file.hpp"
+#include "render/math/fnv.hpp"
 #include "render/scene/digest.hpp"
 #include "tests/support/statistics/scenes.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -44,7 +47,9 @@ std::string bytes_of(const Picture& picture) {
 /// The parts of a picture that is cut at random pixels and blocks.
 std::vector<FilmPart> random_parts(std::minstd_rand& random, std::size_t pixels,
                                    std::uint32_t replicates, std::size_t count) {
-  const auto below = [&](std::size_t end) { return static_cast<std::uint32_t>(random() % end); };
+  const auto below = [&](std::size_t end) {
+    return static_cast<std::uint32_t>(random() / 1024 % end);
+  };
   std::vector<FilmPart> parts{{.extent = {.pixels = pixels, .replicates = replicates}}};
   for (int attempt = 0; attempt < 40 && parts.size() < count; ++attempt) {
     FilmPart& part = parts[below(parts.size())];
@@ -107,6 +112,25 @@ std::vector<Case> cases() {
   return cases;
 }
 
+std::minstd_rand random_of(const Case& of) {
+  Fnv1a hash;
+  hash.add(of.name);
+  return std::minstd_rand(static_cast<std::uint32_t>(hash.value()));
+}
+
+TEST(RandomParts, AreCutAtPixelsAndBlocksIntoOneToNine) {
+  std::set<std::size_t> counts;
+  std::size_t blocks = 0;
+  for (const Case& of : cases()) {
+    std::minstd_rand random = random_of(of);
+    const auto parts = random_parts(random, 600, kReplicates, 1 + random() / 1024 % 9);
+    counts.insert(parts.size());
+    for (const FilmPart& part : parts) blocks += part.extent.first_sample > 0 ? 1 : 0;
+  }
+  EXPECT_EQ(counts.size(), 9u);
+  EXPECT_GT(blocks, 100u);
+}
+
 class FilmParts : public testing::TestWithParam<Case> {};
 
 TEST_P(FilmParts, GiveTheBytesOfARenderAtOnceHoweverItWasCut) {
@@ -121,13 +145,14 @@ TEST_P(FilmParts, GiveTheBytesOfARenderAtOnceHoweverItWasCut) {
   std::vector<std::uint32_t> samples = expected.samples_of_pixels;
   if (samples.empty()) samples = {static_cast<std::uint32_t>(settings.samples)};
 
-  std::minstd_rand random(7);
+  // Cases differ in their cuts.
+  std::minstd_rand random = random_of(GetParam());
   const std::uint32_t replicates =
       settings.samples < static_cast<int>(kMinReplicatedSamples) ? 1 : kReplicates;
-  StoredFilm whole = new_film(prepared, digest_of(scene), settings);
+  StoredFilm whole = new_film(prepared, digest_of(scene), "sdlc", settings);
   for (const FilmPart& part :
-       random_parts(random, expected.picture.pixels.size(), replicates, 1 + random() % 9)) {
-    StoredFilm film = new_film(prepared, digest_of(scene), settings);
+       random_parts(random, expected.picture.pixels.size(), replicates, 1 + random() / 1024 % 9)) {
+    StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
     EXPECT_TRUE(render_part(prepared, settings, monitor, part, samples, film));
     add_film(whole, film, "part");
   }
@@ -141,7 +166,7 @@ TEST_P(FilmParts, GiveTheBytesOfARenderAtOnceHoweverItWasCut) {
               expected.features[i]);
   }
 
-  StoredFilm at_once = new_film(prepared, digest_of(scene), settings);
+  StoredFilm at_once = new_film(prepared, digest_of(scene), "sdlc", settings);
   const FilmPart all{
       .extent = {.pixels = expected.picture.pixels.size(), .replicates = replicates}};
   EXPECT_TRUE(render_part(prepared, settings, monitor, all, samples, at_once));
@@ -160,7 +185,7 @@ TEST(RenderFilm, GoesOnWithMoreSamples) {
   const Scene scene = room();
   const PreparedScene prepared = prepare(scene, settings);
   const FilmPart all{.extent = {.pixels = 600}};
-  StoredFilm film = new_film(prepared, digest_of(scene), settings);
+  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
   RenderMonitor monitor;
   for (const std::uint32_t samples : {200u, 201u, 900u}) {
     EXPECT_TRUE(render_part(prepared, settings, monitor, all, std::span(&samples, 1), film));
@@ -179,7 +204,7 @@ TEST(RenderFilm, GoesOnAfterACancelledRender) {
   const PreparedScene prepared = prepare(scene, settings);
   const FilmPart all{.extent = {.pixels = 600}};
   const std::uint32_t samples = 900;
-  StoredFilm film = new_film(prepared, digest_of(scene), settings);
+  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
   RenderMonitor cancelled, monitor;
   cancelled.cancel = true;
   EXPECT_FALSE(render_part(prepared, settings, cancelled, all, std::span(&samples, 1), film));
@@ -188,12 +213,71 @@ TEST(RenderFilm, GoesOnAfterACancelledRender) {
   EXPECT_EQ(bytes_of(picture_of(film)), bytes_of(expected.picture));
 }
 
+TEST(RenderFilm, HasTheSameContentAfterItWasCancelledAndContinued) {
+  const RenderSettings settings{
+      .width = 60, .height = 40, .samples = 2000, .depth = 8, .keeps_first_hits = true};
+  const Scene scene = room();
+  const PreparedScene prepared = prepare(scene, settings);
+  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
+  StoredFilm at_once = new_film(prepared, digest_of(scene), "sdlc", settings);
+  RenderMonitor monitor;
+  render(prepared, settings, monitor, &at_once);
+  std::uint64_t traced = 0;
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    RenderMonitor cancelled;
+    std::jthread canceller([&](const std::stop_token& stop) {
+      while (cancelled.samples_done == 0 && !stop.stop_requested()) std::this_thread::yield();
+      cancelled.cancel = true;
+    });
+    const RenderResult result = render(prepared, settings, cancelled, &film);
+    traced += result.camera_samples;
+    if (result.is_complete) break;
+  }
+  EXPECT_GE(traced, 2400u * 2000);
+  EXPECT_EQ(bytes_of(picture_of(film)), bytes_of(picture_of(at_once)));
+  EXPECT_EQ(film.statistics, at_once.statistics);
+  for (std::size_t i = 0; i < 2400; ++i) {
+    const Film &a = film.films[0], &b = at_once.films[0];
+    ASSERT_EQ(prepared.tracer().features_of(a.first_hits(i), a.samples(i)),
+              prepared.tracer().features_of(b.first_hits(i), b.samples(i)));
+  }
+}
+
+TEST(RenderFilm, KnowsTheSameOfAPictureThatIsFinished) {
+  RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
+  const Scene scene = room();
+  const PreparedScene prepared = prepare(scene, settings);
+  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
+  RenderMonitor monitor;
+  const RenderResult first = render(prepared, settings, monitor, &film);
+  const RenderResult again = render(prepared, settings, monitor, &film);
+  ASSERT_TRUE(first.error && again.error);
+  EXPECT_EQ(again.error->relative_error, first.error->relative_error);
+  EXPECT_EQ(again.scarce_emitters, first.scarce_emitters);
+  EXPECT_EQ(again.rare_paths.size(), first.rare_paths.size());
+  EXPECT_EQ(film.statistics.rays, first.rays);
+}
+
+TEST(RenderFilm, IsRefusedByOtherScenesAndSettings) {
+  RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
+  const PreparedScene prepared = prepare(room(), settings);
+  StoredFilm film = new_film(prepared, 1, "sdlc", settings);
+  RenderMonitor monitor;
+  settings.seed = 5;
+  EXPECT_THROW(render(prepared, settings, monitor, &film), std::invalid_argument);
+  settings.seed = 0;
+  Scene darker = room();
+  darker.spheres.pop_back();
+  darker.shifts.pop_back();
+  EXPECT_THROW(render(prepare(darker, settings), settings, monitor, &film), std::invalid_argument);
+}
+
 /// The picture of a film that was rendered with `first` and then goes on with `settings`.
 RenderResult continued(const RenderSettings& first, const RenderSettings& settings,
                        RenderMonitor& monitor) {
   const Scene scene = room(1);
   const PreparedScene prepared = prepare(scene, settings);
-  Film film(extent_of(settings));
+  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", first);
   render(prepared, first, monitor, &film);
   return render(prepared, settings, monitor, &film);
 }
@@ -248,7 +332,7 @@ TEST(RenderFilm, TakesOnlyThePixelsOfACrop) {
   for (std::size_t y = 5; y < 8; ++y) {
     for (std::size_t x = 10; x < 15; ++x) samples[30 * y + x] = 64;
   }
-  StoredFilm film = new_film(prepared, digest_of(scene), settings);
+  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
   RenderMonitor monitor;
   const FilmPart rows{.extent = {.first_pixel = 30 * 5, .pixels = 30 * 3}};
   EXPECT_TRUE(render_part(prepared, settings, monitor, rows, samples, film));
@@ -263,15 +347,15 @@ TEST(RenderFilm, HasTheOriginOfItsPicture) {
   RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
   const Scene scene = room();
   const PreparedScene prepared = prepare(scene, settings);
-  const StoredFilm film = new_film(prepared, digest_of(scene), settings);
+  const StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
   settings.depth = 9;
-  EXPECT_NE(new_film(prepared, digest_of(scene), settings).origin, film.origin);
+  EXPECT_NE(new_film(prepared, digest_of(scene), "sdlc", settings).origin, film.origin);
   settings.depth = 8;
   settings.samples = 128;  // a render may go on
-  EXPECT_EQ(new_film(prepared, digest_of(scene), settings).origin, film.origin);
+  EXPECT_EQ(new_film(prepared, digest_of(scene), "sdlc", settings).origin, film.origin);
   Scene other = scene;
   other.spheres[0].radius = 99;
-  EXPECT_NE(new_film(prepared, digest_of(other), settings).origin, film.origin);
+  EXPECT_NE(new_film(prepared, digest_of(other), "sdlc", settings).origin, film.origin);
 }
 
 }  // namespace
