@@ -82,7 +82,8 @@ class WidePaths {
 
   static HWY_INLINE void set_directions(Paths& paths);
   HWY_INLINE Hit intersect(Paths& paths);
-  HWY_NOINLINE void add_first_hits(const Paths& paths, const Hit& hit, const Interaction& at) const;
+  HWY_NOINLINE void add_first_hits(Mask first, V distance, Bits index, Triple<V> direction,
+                                   Triple<V> normal, Triple<V> color) const;
   HWY_INLINE void weigh_emission(Paths& paths, const Hit& hit, const Interaction& at) const;
   HWY_INLINE Ends end_paths(Paths& paths, const Interaction& at, Mask absorbed);
   HWY_INLINE void connect_lights(Paths& paths, const Interaction& at, const Ends& ends,
@@ -114,7 +115,11 @@ void WidePaths<T, F>::trace(const std::atomic<bool>& cancel) {
     set_directions(paths);
     Hit hit = intersect(paths);
     Interaction at = interactions.at(paths, hit);
-    if (HWY_UNLIKELY(view_.keeps_first_hits)) add_first_hits(paths, hit, at);
+    if (HWY_UNLIKELY(
+            view_.keeps_first_hits)) {  // by value: paths and interaction stay in registers
+      add_first_hits(hn::And(hn::And(paths.alive, paths.fresh), at.is_hit), hit.distance, hit.index,
+                     paths.direction, at.normal, at.color);
+    }
     paths.throughput = product(paths.throughput, at.color);
     if constexpr (F::kLights) weigh_emission(paths, hit, at);
 
@@ -174,19 +179,18 @@ auto WidePaths<T, F>::intersect(Paths& paths) -> Hit {
 
 /// Adds normal, depth and albedo of the surfaces that camera rays hit to those of their pixels.
 template <typename T, typename F>
-void WidePaths<T, F>::add_first_hits(const Paths& paths, const Hit& hit,
-                                     const Interaction& at) const {
+void WidePaths<T, F>::add_first_hits(Mask first, V distance, Bits index, Triple<V> direction,
+                                     Triple<V> normal, Triple<V> color) const {
   const D d;
-  const V depth = hn::Mul(hit.distance, dot(paths.direction, spread(d, view_.forward)));
-  const V facing = hn::IfThenElse(hn::Gt(at.cosine, hn::Zero(d)), set(-1), set(1));
-  const Triple<V> normal = scaled(at.normal, facing);
-  const std::array<V, 8> values{normal.x,   normal.y,   normal.z, at.color.x,
-                                at.color.y, at.color.z, depth,    hit.distance};
+  const V depth = hn::Mul(distance, dot(direction, spread(d, view_.forward)));
+  const Mask is_inside = hn::Gt(dot(direction, normal), hn::Zero(d));
+  normal = scaled(normal, hn::IfThenElse(is_inside, set(-1), set(1)));
+  const std::array<V, 8> values{normal.x, normal.y, normal.z, color.x,
+                                color.y,  color.z,  depth,    distance};
   alignas(64) std::array<std::array<T, kLanes>, 8> of_lanes;
   for (std::size_t i = 0; i < values.size(); ++i) hn::Store(values[i], d, of_lanes[i].data());
   alignas(64) std::array<hn::TFromD<DU>, kLanes> indices;
-  hn::Store(hit.index, DU(), indices.data());
-  const Mask first = hn::And(hn::And(paths.alive, paths.fresh), at.is_hit);
+  hn::Store(index, DU(), indices.data());
   for (std::uint32_t lanes = bits_of(d, first); lanes != 0; lanes &= lanes - 1) {
     const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
     const auto value = [&](std::size_t i) { return static_cast<double>(of_lanes[i][lane]); };
@@ -194,9 +198,9 @@ void WidePaths<T, F>::add_first_hits(const Paths& paths, const Hit& hit,
                                      .depth = value(6) * view_.depth_units,
                                      .albedo = {value(3), value(4), value(5)}});
     if (view_.picked == nullptr) continue;
-    const auto index = static_cast<std::uint64_t>(indices[lane]);
-    *view_.picked = {.slot = static_cast<std::uint32_t>(index),
-                     .row = static_cast<std::uint32_t>(index >> 32),
+    const auto slot_and_row = static_cast<std::uint64_t>(indices[lane]);
+    *view_.picked = {.slot = static_cast<std::uint32_t>(slot_and_row),
+                     .row = static_cast<std::uint32_t>(slot_and_row >> 32),
                      .distance = value(7)};
   }
 }
