@@ -49,6 +49,7 @@ class WidePaths {
         view_(view),
         runs_(view, runs),
         emitters_(scene, view.emitters),
+        is_observed_(emitters_.is_counting() || view.keeps_first_hits),
         counts_(counts) {}
 
   void trace(const std::atomic<bool>& cancel);
@@ -82,8 +83,9 @@ class WidePaths {
 
   static HWY_INLINE void set_directions(Paths& paths);
   HWY_INLINE Hit intersect(Paths& paths);
+  /// `throughput`: of camera rays, so that it is the colour of the surface.
   HWY_NOINLINE void add_first_hits(Mask first, V distance, Bits index, Triple<V> direction,
-                                   Triple<V> normal, Triple<V> color) const;
+                                   Triple<V> normal, Triple<V> throughput) const;
   HWY_INLINE void weigh_emission(Paths& paths, const Hit& hit, const Interaction& at) const;
   HWY_INLINE Ends end_paths(Paths& paths, const Interaction& at, Mask absorbed);
   HWY_INLINE void connect_lights(Paths& paths, const Interaction& at, const Ends& ends,
@@ -98,6 +100,7 @@ class WidePaths {
   const WideView<T>& view_;
   LaneRuns<T, F::kPilot> runs_;
   EmitterCounts<T, F::kInstances> emitters_;
+  const bool is_observed_;
   TraceCounts& counts_;
 };
 
@@ -115,11 +118,6 @@ void WidePaths<T, F>::trace(const std::atomic<bool>& cancel) {
     set_directions(paths);
     Hit hit = intersect(paths);
     Interaction at = interactions.at(paths, hit);
-    if (HWY_UNLIKELY(
-            view_.keeps_first_hits)) {  // by value: paths and interaction stay in registers
-      add_first_hits(hn::And(hn::And(paths.alive, paths.fresh), at.is_hit), hit.distance, hit.index,
-                     paths.direction, at.normal, at.color);
-    }
     paths.throughput = product(paths.throughput, at.color);
     if constexpr (F::kLights) weigh_emission(paths, hit, at);
 
@@ -130,8 +128,16 @@ void WidePaths<T, F>::trace(const std::atomic<bool>& cancel) {
     paths.stream = add_low_32(paths.stream, word(kVertexStep));
     interactions.depart(paths, hit, at);
     Ends ends = end_paths(paths, at, scattered.absorbed);
-    if (HWY_UNLIKELY(emitters_.is_counting())) {
-      emitters_.add_vertices(hn::And(ends.emitted, at.is_hit), hit.index, ends.all, at.surface);
+    if (HWY_UNLIKELY(is_observed_)) {  // one branch and plain values: others cost 4 % here
+      if (emitters_.is_counting()) {
+        emitters_.add_vertices(hn::And(ends.emitted, at.is_hit), hit.index, ends.all, at.surface);
+      }
+      if (view_.keeps_first_hits) {
+        const Mask is_first =
+            hn::RebindMask(D(), hn::Eq(paths.depth_left, word(view_.max_depth - 1)));
+        add_first_hits(hn::And(hn::And(paths.alive, is_first), at.is_hit), hit.distance, hit.index,
+                       paths.direction, at.normal, paths.throughput);
+      }
     }
     if constexpr (F::kLights) connect_lights(paths, at, ends, sampler);
     accumulate(paths, ends);
@@ -180,13 +186,13 @@ auto WidePaths<T, F>::intersect(Paths& paths) -> Hit {
 /// Adds normal, depth and albedo of the surfaces that camera rays hit to those of their pixels.
 template <typename T, typename F>
 void WidePaths<T, F>::add_first_hits(Mask first, V distance, Bits index, Triple<V> direction,
-                                     Triple<V> normal, Triple<V> color) const {
+                                     Triple<V> normal, Triple<V> throughput) const {
   const D d;
   const V depth = hn::Mul(distance, dot(direction, spread(d, view_.forward)));
   const Mask is_inside = hn::Gt(dot(direction, normal), hn::Zero(d));
   normal = scaled(normal, hn::IfThenElse(is_inside, set(-1), set(1)));
-  const std::array<V, 8> values{normal.x, normal.y, normal.z, color.x,
-                                color.y,  color.z,  depth,    distance};
+  const std::array<V, 8> values{normal.x,     normal.y,     normal.z, throughput.x,
+                                throughput.y, throughput.z, depth,    distance};
   alignas(64) std::array<std::array<T, kLanes>, 8> of_lanes;
   for (std::size_t i = 0; i < values.size(); ++i) hn::Store(values[i], d, of_lanes[i].data());
   alignas(64) std::array<hn::TFromD<DU>, kLanes> indices;
