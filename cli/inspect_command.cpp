@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/clock.hpp"
 #include "cli/command_line.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/inspect_report.hpp"
@@ -23,6 +22,7 @@
 #include "lang/compile/compile.hpp"
 #include "lang/object/check.hpp"
 #include "lang/text/display_width.hpp"
+#include "render/math/clock.hpp"
 #include "render/scene/instances.hpp"
 
 namespace sdlc::cli {
@@ -46,7 +46,7 @@ class InspectJob {
         env_(env),
         start_(std::chrono::steady_clock::now()),
         source_(read_scene(options.scene, env)),
-        read_seconds_(seconds_since(start_)),
+        read_seconds_(render::seconds_since(start_)),
         compiler_(*source_, program_options(options.scene, env), sink_) {}
 
   ExitCode run() {

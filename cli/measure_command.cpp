@@ -14,7 +14,6 @@
 #include <fmt/ranges.h>
 
 #include "cli/amounts.hpp"
-#include "cli/clock.hpp"
 #include "cli/command_line.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/exit_code.hpp"
@@ -41,6 +40,7 @@
 #include "render/image/atomic_file.hpp"
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
+#include "render/math/clock.hpp"
 #include "render/measure/study.hpp"
 #include "render/scene/digest.hpp"
 #include "render/scene/settings.hpp"
@@ -244,7 +244,7 @@ class MeasureJob {
     overrides.instancing = instancing_for(options_.kernel, overrides);
     overrides.names_output = true;
     auto lowered = compiler.lower(overrides, options_.frame);
-    const double seconds = seconds_since(start);
+    const double seconds = render::seconds_since(start);
     for (const fs::path& part : compiler.dependencies()) {
       check_kept(options_.outputs, part, "a part of the scene");
     }
@@ -344,7 +344,7 @@ class MeasureJob {
     const auto seconds_to_encode = [&](const render::Picture& any) {
       const auto start = std::chrono::steady_clock::now();
       render::encode_picture(any, {.tone = lowered.output.tone});
-      return seconds_since(start);
+      return render::seconds_since(start);
     };
     const double loading = seconds_to_encode(render::Picture(1, 1));
     const double area = static_cast<double>(lowered.settings.width) * lowered.settings.height /

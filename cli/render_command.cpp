@@ -15,7 +15,6 @@
 
 #include "cli/accuracy_report.hpp"
 #include "cli/aov_option.hpp"
-#include "cli/clock.hpp"
 #include "cli/command_line.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/exit_code.hpp"
@@ -41,6 +40,7 @@
 #include "render/image/atomic_file.hpp"
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
+#include "render/math/clock.hpp"
 #include "render/parallel/threads.hpp"
 #include "render/scene/instances.hpp"
 #include "render/session/render.hpp"
@@ -233,7 +233,7 @@ class RenderJob {
 
   ExitCode run() {
     source_ = read_scene(options_.scene, env_);
-    read_seconds_ = seconds_since(start_);
+    read_seconds_ = render::seconds_since(start_);
     compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
     choose_frames();
     ExitCode code = ExitCode::Success;
@@ -293,7 +293,7 @@ class RenderJob {
     const auto choice_start = std::chrono::steady_clock::now();
     render::Kernel kernel;
     if (lowered) kernel = choose_kernel(options_.kernel, overrides, *lowered, *compiler_);
-    const double choice_seconds = seconds_since(choice_start);
+    const double choice_seconds = render::seconds_since(choice_start);
     const bool is_first = frame == frames_.front();
     if (is_first || !sink_.diagnostics().empty()) {
       print_findings(select_unallowed(sink_), options_.scene.diagnostics, env_.err,
@@ -364,7 +364,8 @@ class RenderJob {
     check_not_refused(kernel);
 
     if (settings.seconds) {
-      lowered.settings.seconds = seconds_to_trace(settings, outputs.size(), seconds_since(start));
+      lowered.settings.seconds =
+          seconds_to_trace(settings, outputs.size(), render::seconds_since(start));
     }
     // Until here there is nothing to save, and a signal may end the process.
     if (!guard_) guard_.emplace(interrupted_);
@@ -378,7 +379,7 @@ class RenderJob {
         picture_layers(options_.aovs, settings, result, env_.err);
     const auto write_start = std::chrono::steady_clock::now();
     Written written = write_pictures(outputs, options_, lowered, result, layers, env_);
-    statistics.write_seconds = seconds_since(write_start);
+    statistics.write_seconds = render::seconds_since(write_start);
     if (!options_.stats.empty()) {
       stats_ += to_json(statistics, result) + "\n";
       if (options_.stats != kStandardStream || is_last) {

@@ -64,6 +64,15 @@ std::uint64_t Film::samples(std::size_t pixel) const noexcept {
   return samples;
 }
 
+SampleRange Film::sample_range() const noexcept {
+  SampleRange range{.from = samples(0), .to = samples(0)};
+  for (std::size_t pixel = 1; pixel < size(); ++pixel) {
+    range.from = std::min(range.from, samples(pixel));
+    range.to = std::max(range.to, samples(pixel));
+  }
+  return range;
+}
+
 LinearRgb Film::mean(std::size_t pixel) const noexcept {
   const std::uint64_t count = samples(pixel);
   if (count == 0) return LinearRgb{};

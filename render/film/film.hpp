@@ -52,6 +52,11 @@ struct FilmExtent {
   friend bool operator==(const FilmExtent&, const FilmExtent&) = default;
 };
 
+/// The fewest and the most samples of any pixel.
+struct SampleRange {
+  std::uint64_t from = 0, to = 0;
+};
+
 /// Whether a film has the sums of first hits, too.
 enum class Channels : bool { Color, ColorAndFirstHits };
 
@@ -78,6 +83,8 @@ class Film {
     return replicate < extent_.replicates ? counts_[slot(pixel, replicate)] : 0;
   }
   std::uint64_t samples(std::size_t pixel) const noexcept;
+  /// Precondition: there is a pixel.
+  SampleRange sample_range() const noexcept;
   /// The sum of the samples of a replicate.
   SampleSum sum(std::size_t pixel, std::uint32_t replicate) const noexcept {
     return sum(slot(pixel, replicate));

@@ -18,15 +18,21 @@ using Reason = FilmError::Reason;
 FilmError::FilmError(Reason reason, const fs::path& path, const std::string& cause)
     : std::runtime_error("`" + path.string() + "`: " + cause), reason_(reason) {}
 
+std::string difference(const StoredFilm& film, const StoredFilm& expected) {
+  std::string of_origin = difference(film.origin, expected.origin);
+  if (!of_origin.empty()) return of_origin;
+  if (film.lights != expected.lights) return "other lights are sampled";
+  if (film.exact_spheres != expected.exact_spheres) return "other spheres are computed in double";
+  if (film.emitters.size() != expected.emitters.size()) return "it has other emitters";
+  return {};
+}
+
 void add_film(StoredFilm& into, const StoredFilm& film, const fs::path& path) {
   const auto foreign = [&](const std::string& cause) {
     throw FilmError(Reason::Foreign, path, "the film is of another picture: " + cause);
   };
-  const std::string other = difference(film.origin, into.origin);
+  const std::string other = difference(film, into);
   if (!other.empty()) foreign(other);
-  if (film.lights != into.lights) foreign("other lights are sampled");
-  if (film.exact_spheres != into.exact_spheres) foreign("other spheres are computed in double");
-  if (film.emitters.size() != into.emitters.size()) foreign("it has other emitters");
   if (film.targets != into.targets) foreign("its pixels have other numbers of samples");
   std::vector<const Film*> all;
   for (const Film& each : into.films) all.push_back(&each);
@@ -41,9 +47,7 @@ void add_film(StoredFilm& into, const StoredFilm& film, const fs::path& path) {
                         std::to_string(doubled.sample()) + " of the pixel at (" +
                         std::to_string(x) + ", " + std::to_string(y) + ")");
   }
-  into.statistics.rays += film.statistics.rays;
-  into.statistics.truncated_paths += film.statistics.truncated_paths;
-  into.statistics.nonfinite_samples += film.statistics.nonfinite_samples;
+  into.statistics += film.statistics;
   for (std::size_t i = 0; i < into.emitters.size(); ++i) {
     EmitterCount& count = into.emitters[i];
     const int paths = int{count.paths} + int{film.emitters[i].paths};

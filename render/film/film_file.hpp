@@ -8,30 +8,25 @@
 
 #include "render/film/film.hpp"
 #include "render/film/film_origin.hpp"
+#include "render/film/trace_counts.hpp"
 #include "render/shading/emitter_tally.hpp"
 
 /// Films on disk. docs/decisions/0021 describes the format.
 namespace sdlc::render {
 
-/// What is known about the samples of a film, beside their sums.
-struct FilmStatistics {
-  std::uint64_t rays = 0;
-  std::uint64_t truncated_paths = 0;
-  std::uint64_t nonfinite_samples = 0;
-
-  friend bool operator==(const FilmStatistics&, const FilmStatistics&) = default;
-};
-
 /// Films of one picture with all that a render needs to go on.
 struct StoredFilm {
   FilmOrigin origin;
-  FilmStatistics statistics;
+  TraceCounts statistics;
   std::vector<std::uint32_t> lights;         ///< Kernel::lights
   std::vector<std::uint32_t> exact_spheres;  ///< Kernel::exact_spheres
   std::vector<EmitterCount> emitters;        ///< EmitterTally::counts()
   std::vector<std::uint32_t> targets;        ///< samples of each pixel, if adaptive; else empty
   std::vector<Film> films;
 };
+
+/// The first difference in scene or settings, as a clause; empty if there is none.
+std::string difference(const StoredFilm& film, const StoredFilm& expected);
 
 /// A film file that cannot be used. The message begins with the path.
 class FilmError : public std::runtime_error {

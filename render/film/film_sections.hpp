@@ -45,7 +45,7 @@ void for_each_sum(const Film& film, Visit visit) {
 /// A number or a struct of numbers; no span, whose bytes are not those of its elements.
 template <typename T>
 concept Plain = std::is_arithmetic_v<T> || std::is_same_v<T, std::byte> || std::is_same_v<T, Tag> ||
-    std::is_same_v<T, StoredExtent> || std::is_same_v<T, FilmStatistics> ||
+    std::is_same_v<T, StoredExtent> || std::is_same_v<T, TraceCounts> ||
     std::is_same_v<T, EmitterCount> || std::is_same_v<T, FirstHitSums>;
 
 template <Plain T>

@@ -97,7 +97,7 @@ class Reader {
   void read_section(Tag tag) {
     if (tag == kOrigin) return read_origin();
     if (tag == kStatistics) {
-      film_.statistics = take<FilmStatistics>();
+      film_.statistics = take<TraceCounts>();
     } else if (tag == kLights) {
       film_.lights = take_rest<std::uint32_t>();
     } else if (tag == kExact) {

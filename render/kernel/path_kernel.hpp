@@ -7,25 +7,12 @@
 #include <vector>
 
 #include "render/film/pixel_run.hpp"
+#include "render/film/trace_counts.hpp"
 #include "render/kernel/wide_scene.hpp"
 #include "render/math/vec3.hpp"
 #include "render/shading/emitter_tally.hpp"
 
 namespace sdlc::render {
-
-/// Statistics about the samples of some runs. Sums of integers do not depend on their order.
-struct TraceCounts {
-  std::uint64_t rays = 0;
-  std::uint64_t truncated_paths = 0;    ///< cut off by the depth limit, counted as black
-  std::uint64_t nonfinite_samples = 0;  ///< counted as black
-
-  TraceCounts& operator+=(const TraceCounts& other) noexcept {
-    rays += other.rays;
-    truncated_paths += other.truncated_paths;
-    nonfinite_samples += other.nonfinite_samples;
-    return *this;
-  }
-};
 
 /// Estimates, from paths with connections to lights, what the same paths without connections would
 /// give; summed over paths.

@@ -9,17 +9,12 @@
 #include <utility>
 
 #include "render/compare/flip.hpp"
+#include "render/math/clock.hpp"
 #include "render/measure/trade.hpp"
 #include "render/shading/choose_lights.hpp"
 
 namespace sdlc::render {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Seeds far from those of the points, so that the reference is independent of them.
 constexpr std::uint64_t kReferenceSeed = 1'000'003, kProbeSeed = 2'000'003;

@@ -1,6 +1,7 @@
 #include "render/session/goal_render.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -66,24 +67,15 @@ std::vector<std::uint32_t> GoalRender::samples_of_film() const {
   return samples;
 }
 
-std::uint64_t GoalRender::fewest_samples() const {
-  std::uint64_t fewest = film_.samples(0);
-  for (std::size_t i = 1; i < film_.size(); ++i) fewest = std::min(fewest, film_.samples(i));
-  return fewest;
-}
-
 void GoalRender::report_progress(double share) {
   monitor_.goal_share = std::max(monitor_.goal_share.load(), std::min(share, 1.0));
 }
 
 void GoalRender::estimate() {
   spreads_.resize(film_.size());
-  result_.min_samples = result_.max_samples = film_.samples(0);
-  for (std::size_t i = 1; i < film_.size(); ++i) {
-    const std::uint64_t samples = film_.samples(i);
-    result_.min_samples = std::min(result_.min_samples, samples);
-    result_.max_samples = std::max(result_.max_samples, samples);
-  }
+  const SampleRange range = film_.sample_range();
+  result_.min_samples = range.from;
+  result_.max_samples = range.to;
   const bool is_known = result_.min_samples >= kMinReplicatedSamples;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film_.size(), 1024),
                     [&](const tbb::blocked_range<std::size_t>& range) {
@@ -122,7 +114,7 @@ void GoalRender::run_uniform() {
   ErrorGoal goal(settings_.error.value_or(0), max_samples);
   // With only a time limit the first pass is as short as possible, and is finished.
   std::optional<std::uint64_t> samples = settings_.error ? goal.first_samples() : 1;
-  samples = std::max(*samples, fewest_samples());
+  samples = std::max(*samples, film_.sample_range().from);
   while (samples) {
     const auto of_pixel = static_cast<std::uint32_t>(*samples);
     if (!pass(std::span(&of_pixel, 1))) return;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "render/film/film.hpp"
+#include "render/math/clock.hpp"
 #include "render/session/picture_tracer.hpp"
 #include "render/session/render.hpp"
 #include "render/shading/emitter_tally.hpp"
@@ -22,8 +22,6 @@ bool has_unseen_error(const RenderResult& result, const EmitterTally& emitters);
 /// A render with a goal: passes over the whole picture until a goal is reached.
 class GoalRender {
  public:
-  using Clock = std::chrono::steady_clock;
-
   /// Keeps references to all arguments. RenderSettings::seconds counts from `start`.
   GoalRender(PictureTracer& tracer, const RenderSettings& settings, const EmitterTally& emitters,
              Clock::time_point start, RenderMonitor& monitor, Film& film, RenderResult& result);
@@ -39,7 +37,6 @@ class GoalRender {
   /// Goes on from these samples of each pixel, of which there may be more already.
   void run_adaptive(std::vector<std::uint32_t> samples);
   std::vector<std::uint32_t> samples_of_film() const;
-  std::uint64_t fewest_samples() const;
   bool is_late() const;
   void report_progress(double share);
   /// Updates the picture, its error estimate and the numbers of samples.

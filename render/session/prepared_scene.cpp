@@ -3,13 +3,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "render/math/stopwatch.hpp"
+#include "render/math/clock.hpp"
 #include "render/parallel/workers.hpp"
 
 namespace sdlc::render {
 PreparedScene::PreparedScene(Kernel kernel, Scene scene, int threads) : kernel_(std::move(kernel)) {
   Workers workers(threads);
-  const Stopwatch watch;
+  const auto start = Clock::now();
   emitters_ = EmitterClasses(scene, kernel_.lights);
   tracer_ = workers.run([&] {
     return make_tracer(std::move(scene), {.precision = kernel_.precision,
@@ -21,15 +21,15 @@ PreparedScene::PreparedScene(Kernel kernel, Scene scene, int threads) : kernel_(
   });
   // For a lattice of touching spheres they are larger than the spheres.
   kernel_.bounds.near_pairs.reset();
-  build_seconds_ = watch.seconds();
+  build_seconds_ = seconds_since(start);
 }
 
 PreparedScene prepare(Scene scene, const RenderSettings& settings, const KernelRequest& request) {
-  const Stopwatch watch;
+  const auto start = Clock::now();
   Kernel kernel = choose_kernel(scene, settings, request);
   if (kernel.refusal) throw std::invalid_argument(describe(kernel.refusal->obstacle));
   PreparedScene prepared(std::move(kernel), std::move(scene), settings.threads);
-  prepared.build_seconds_ = watch.seconds();
+  prepared.build_seconds_ = seconds_since(start);
   return prepared;
 }
 

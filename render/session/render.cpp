@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "render/film/film.hpp"
-#include "render/math/stopwatch.hpp"
+#include "render/math/clock.hpp"
 #include "render/parallel/workers.hpp"
 #include "render/session/goal_render.hpp"
 #include "render/session/picture_tracer.hpp"
@@ -19,23 +19,10 @@
 namespace sdlc::render {
 namespace {
 
-std::uint64_t fewest_samples(const Film& film) {
-  std::uint64_t fewest = film.samples(0);
-  for (std::size_t i = 1; i < film.size(); ++i) fewest = std::min(fewest, film.samples(i));
-  return fewest;
-}
-
-std::uint64_t most_samples(const Film& film) {
-  std::uint64_t most = 0;
-  for (std::size_t i = 0; i < film.size(); ++i) most = std::max(most, film.samples(i));
-  return most;
-}
-
 /// Renders without a goal. `film` may be null.
 void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderSettings& settings,
                     const RenderMonitor& monitor, Film* film, RenderResult& result) {
   const auto samples = static_cast<std::uint64_t>(settings.samples);
-  result.max_samples = film != nullptr ? std::max(samples, most_samples(*film)) : samples;
   const FilmExtent extent = extent_of(settings);
   const bool has_replicates = extent.replicates > 1;
   const ReplicateCounts target = has_replicates
@@ -64,14 +51,16 @@ void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderS
     pictures.trace_pass(
         *film, samples, [&](std::size_t) { return target; }, [] { return false; }, take_tile);
   }
+  result.max_samples = samples;
+  if (film != nullptr) result.max_samples = std::max(samples, film->sample_range().to);
   if (monitor.cancel.load()) return;  // some pixels have no sample
-  result.min_samples = film != nullptr ? fewest_samples(*film) : samples;
+  result.min_samples = film != nullptr ? film->sample_range().from : samples;
   if (has_replicates) result.error = estimate_error(result.picture, spreads);
   if (settings.keeps_variance) result.spreads = std::move(spreads);
 }
 
 /// RenderSettings::seconds counts from `start`. `film` may be null.
-RenderResult render_since(Stopwatch::Clock::time_point start, const PreparedScene& scene,
+RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
                           const RenderSettings& settings, RenderMonitor& monitor,
                           StoredFilm* stored) {
   if (stored != nullptr) check_origin(scene, settings, *stored);
@@ -91,7 +80,7 @@ RenderResult render_since(Stopwatch::Clock::time_point start, const PreparedScen
   if (stored != nullptr) emitters.restore(stored->emitters);
   if (monitor.on_tracing) monitor.on_tracing();
 
-  const Stopwatch watch;
+  const auto render_start = Clock::now();
   PictureTracer pictures(scene.tracer(), settings, emitters, result.threads, monitor);
   workers.run([&] {
     if (settings.has_goal()) {
@@ -107,7 +96,7 @@ RenderResult render_since(Stopwatch::Clock::time_point start, const PreparedScen
       if (monitor.on_pass) monitor.on_pass(*film);
     }
   });
-  result.render_seconds = watch.seconds();
+  result.render_seconds = seconds_since(render_start);
   result.is_complete = !monitor.cancel.load();
   if (!result.is_complete) result.error.reset();
   if (has_unseen_error(result, emitters)) {
@@ -144,21 +133,21 @@ Channels channels_of(const RenderSettings& settings) noexcept {
 
 RenderResult render(const PreparedScene& scene, const RenderSettings& settings,
                     RenderMonitor& monitor, StoredFilm* film) {
-  return render_since(Stopwatch().start(), scene, settings, monitor, film);
+  return render_since(Clock::now(), scene, settings, monitor, film);
 }
 
 RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,
                     RenderMonitor& monitor) {
-  const Stopwatch watch;
+  const auto start = Clock::now();
   const PreparedScene prepared(std::move(kernel), std::move(scene), settings.threads);
-  return render_since(watch.start(), prepared, settings, monitor, nullptr);
+  return render_since(start, prepared, settings, monitor, nullptr);
 }
 
 RenderResult render(Scene scene, const RenderSettings& settings, RenderMonitor& monitor,
                     const KernelRequest& request) {
-  const Stopwatch watch;
+  const auto start = Clock::now();
   const PreparedScene prepared = prepare(std::move(scene), settings, request);
-  return render_since(watch.start(), prepared, settings, monitor, nullptr);
+  return render_since(start, prepared, settings, monitor, nullptr);
 }
 
 }  // namespace sdlc::render

@@ -65,20 +65,12 @@ void check_origin(const PreparedScene& scene, const RenderSettings& settings,
                   const StoredFilm& stored) {
   const FilmOrigin& origin = stored.origin;
   const std::string other =
-      difference(origin, origin_of(scene, origin.scene, origin.program, settings));
+      difference(stored, new_film(scene, origin.scene, origin.program, settings));
   if (!other.empty()) throw std::invalid_argument("the film is of another picture: " + other);
-  if (stored.lights != scene.kernel().lights ||
-      stored.exact_spheres != scene.kernel().exact_spheres ||
-      stored.emitters.size() != EmitterTally(scene.emitters(), settings.depth).counts().size()) {
-    throw std::invalid_argument("the film is of another scene");
-  }
 }
 
 void store(const PictureTracer& pictures, const EmitterTally& emitters, StoredFilm& stored) {
-  const TraceCounts counts = pictures.counts();
-  stored.statistics.rays += counts.rays;
-  stored.statistics.truncated_paths += counts.truncated_paths;
-  stored.statistics.nonfinite_samples += counts.nonfinite_samples;
+  stored.statistics += pictures.counts();
   if (!pictures.has_dropped()) stored.emitters = emitters.counts();
 }
 
