@@ -184,7 +184,7 @@ std::string to_json(const InspectReport& report) {
                {"precision", name_of(report.kernel.precision)},
                {"precision_bounds", precisions_json(report)},
                {"kernel", name_of(report.kernel)},
-               {"kernel_reason", report.kernel.reason},
+               {"kernel_reason", reason_for(report.kernel)},
                {"instruction_set", instruction_set(report.kernel)},
                {"memory", memory_json(report)},
                {"parse_seconds", report.times.parse_seconds},

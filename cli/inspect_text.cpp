@@ -224,7 +224,7 @@ void write_requirements(const InspectReport& report, Sheet& sheet) {
                             : fmt::format("{}", fmt::join(report.features, ", ")));
   sheet.detail("kernel", fmt::format("{} precision, {}, for {} ({})",
                                      name_of(report.kernel.precision), name_of(report.kernel),
-                                     instruction_set(report.kernel), report.kernel.reason));
+                                     instruction_set(report.kernel), reason_for(report.kernel)));
   for (const PrecisionFigures& figures : report.precisions) {
     sheet.detail(name_of(figures.precision), describe_bounds(figures));
   }

@@ -123,6 +123,14 @@ void check_not_refused(const render::Kernel& kernel) {
   if (kernel.refusal) throw UsageError(describe(*kernel.refusal));
 }
 
+std::string reason_for(const render::Kernel& kernel) {
+  std::string reason =
+      kernel.obstacle ? render::describe(*kernel.obstacle) : kernel.precision_reason;
+  if (!kernel.ray_times) return reason;
+  return fmt::format("{}; model: {:.0f} ns per ray with every sphere, {:.0f} with a BVH", reason,
+                     kernel.ray_times->all, kernel.ray_times->bvh);
+}
+
 std::string_view instruction_set(const render::Kernel& kernel) noexcept {
   return kernel.is_portable() ? std::string_view(kInstructionSet) : kernel.backend->name;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "cli/command_line.hpp"
@@ -25,6 +26,9 @@ render::Kernel choose_kernel(const render::KernelRequest& flags, const lang::Ove
 
 /// Throws UsageError if the requested kernel was refused.
 void check_not_refused(const render::Kernel& kernel);
+
+/// Why this kernel was chosen, as clauses.
+std::string reason_for(const render::Kernel& kernel);
 
 /// The instruction set, for messages.
 std::string_view instruction_set(const render::Kernel& kernel) noexcept;

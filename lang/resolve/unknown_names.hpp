@@ -74,8 +74,8 @@ class UnknownNames {
   /// Suggests the nearest name that an imported module declares in place of the end of the path;
   /// returns it.
   std::optional<std::string_view> suggest_member(DiagnosticBuilder& report,
-                                                        std::span<const std::string_view> path,
-                                                        const Module& module, NameSpace space);
+                                                 std::span<const std::string_view> path,
+                                                 const Module& module, NameSpace space);
   /// Whether the nearest of this many names may be searched. The number of comparisons is limited:
   /// a text with thousands of errors and thousands of names is not written by hand.
   bool may_suggest(std::size_t names);

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "render/exactness/suspects.hpp"
+#include "render/parallel/ranges.hpp"
 #include "render/scene/bounding_sphere.hpp"
 #include "render/scene/instances.hpp"
-#include "render/parallel/ranges.hpp"
 
 namespace sdlc::render {
 namespace {

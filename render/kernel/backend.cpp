@@ -1,6 +1,8 @@
 #include "render/kernel/backend.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <hwy/detect_targets.h>
@@ -30,6 +32,9 @@ SDLC_DECLARE_KERNELS(N_AVX3)
 #if HWY_TARGETS & HWY_NEON
 SDLC_DECLARE_KERNELS(N_NEON)
 #endif
+#if HWY_TARGETS & HWY_WASM
+SDLC_DECLARE_KERNELS(N_WASM)
+#endif
 
 namespace {
 
@@ -48,18 +53,27 @@ bool has_avx512() noexcept {
 #endif
 bool always() noexcept { return true; }
 
+// Measured with SSE4.
+[[maybe_unused]] constexpr SearchCost kCostInFloatOf16Bytes{
+    .all = 35, .per_sphere = 0.83, .bvh = 60, .per_level = 3.5};
+[[maybe_unused]] constexpr SearchCost kCostInDoubleOf16Bytes{
+    .all = 64, .per_sphere = 1.43, .bvh = 116, .per_level = 6.2};
+
 constexpr std::array kBackends {
   Backend{.name = "portable",
           .vector_bytes = 16,
           .allows_camera_on_surfaces = true,
           .is_available = always,
-          .kernel_in_double = portable_kernel},
+          .kernel_in_double = portable_kernel,
+          .cost_in_double = {.all = 120, .per_sphere = 1.5, .bvh = 190, .per_level = 4}},
 #if HWY_TARGETS & HWY_SSE4
       Backend{.name = "sse4",
               .vector_bytes = 16,
               .has_float = true,
               .is_available = has_sse4,
-              SDLC_CHOOSE_KERNELS(N_SSE4)},
+              SDLC_CHOOSE_KERNELS(N_SSE4),
+              .cost_in_float = kCostInFloatOf16Bytes,
+              .cost_in_double = kCostInDoubleOf16Bytes},
 #endif
 #if HWY_TARGETS & HWY_AVX2
       Backend{.name = "avx2",
@@ -67,7 +81,9 @@ constexpr std::array kBackends {
               .is_fused = true,
               .has_float = true,
               .is_available = has_avx2,
-              SDLC_CHOOSE_KERNELS(N_AVX2)},
+              SDLC_CHOOSE_KERNELS(N_AVX2),
+              .cost_in_float = {.all = 21, .per_sphere = 0.29, .bvh = 40, .per_level = 3.5},
+              .cost_in_double = {.all = 37, .per_sphere = 0.49, .bvh = 75, .per_level = 3.6}},
 #endif
 #if HWY_TARGETS & HWY_AVX3
       Backend{.name = "avx512",
@@ -75,7 +91,9 @@ constexpr std::array kBackends {
               .is_fused = true,
               .has_float = true,
               .is_available = has_avx512,
-              SDLC_CHOOSE_KERNELS(N_AVX3)},
+              SDLC_CHOOSE_KERNELS(N_AVX3),
+              .cost_in_float = {.all = 14, .per_sphere = 0.24, .bvh = 28, .per_level = 2.5},
+              .cost_in_double = {.all = 22, .per_sphere = 0.45, .bvh = 50, .per_level = 5.2}},
 #endif
 #if HWY_TARGETS & HWY_NEON  // only if all machines of the build have it
       Backend{.name = "neon",
@@ -83,11 +101,27 @@ constexpr std::array kBackends {
               .is_fused = true,
               .has_float = true,
               .is_available = always,
-              SDLC_CHOOSE_KERNELS(N_NEON)},
+              SDLC_CHOOSE_KERNELS(N_NEON),
+              .cost_in_float = kCostInFloatOf16Bytes,
+              .cost_in_double = kCostInDoubleOf16Bytes},
+#endif
+#if HWY_TARGETS & HWY_WASM
+      Backend{.name = "wasm",
+              .vector_bytes = 16,
+              .has_float = true,
+              .is_available = always,
+              SDLC_CHOOSE_KERNELS(N_WASM),
+              .cost_in_float = kCostInFloatOf16Bytes,
+              .cost_in_double = kCostInDoubleOf16Bytes},
 #endif
 };
 
 }  // namespace
+
+double SearchCost::of(Search search, std::size_t spheres) const noexcept {
+  const auto count = static_cast<double>(std::max<std::size_t>(spheres, 1));
+  return search == Search::All ? all + per_sphere * count : bvh + per_level * std::log2(count);
+}
 
 std::span<const Backend> backends() noexcept { return kBackends; }
 

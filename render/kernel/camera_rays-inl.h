@@ -73,7 +73,7 @@ void CameraRays<T, F>::start(Paths<T>& paths, Runs& runs) const {
   if constexpr (F::kMotion) {
     paths.time = hn::IfThenElse(paths.fresh, sampler.first(kTime), paths.time);
   }
-  const Bits at_vertex = add_low_32(start, word(PathSampler::kPairIncrement * kCameraPairs));
+  const Bits at_vertex = add_low_32(start, word(kPairIncrement * kCameraPairs));
   paths.stream = hn::IfThenElse(fresh_bits, at_vertex, paths.stream);
   paths.next = choose(paths.fresh, place, paths.next);
   paths.origin = choose(paths.fresh, Triple<V>{zero, zero, zero}, paths.origin);
@@ -82,12 +82,13 @@ void CameraRays<T, F>::start(Paths<T>& paths, Runs& runs) const {
   depart_from_camera(paths);
 }
 
-/// The start of PathSampler.
+/// What the words of a sample are computed from. For Sobol' points they select the scrambling,
+/// which is the same for all samples.
 template <typename T, typename F>
 auto CameraRays<T, F>::stream_start(Bits stream_key, Bits mixer, Bits sample) const -> Bits {
   Bits start = stream_key;
   if (view_.sampler == SamplerKind::Independent) {
-    start = add_low_32(start, mul_low_32(sample, PathSampler::kIncrement));
+    start = add_low_32(start, mul_low_32(sample, kWordIncrement));
   }
   start = mix_lanes(start, mixer);
   return hn::Xor(start, hn::ShiftRight<16>(start));

@@ -1,7 +1,6 @@
 #include "render/kernel/kernel.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <tbb/global_control.h>
@@ -15,18 +14,6 @@
 
 namespace sdlc::render {
 namespace {
-
-// Nanoseconds per ray, fitted to a ground with 23 to 249 spheres on it, on one thread of a Zen 4
-// with AVX2. With AVX-512 the crossover is at about the same number of spheres.
-double cost_of_all(double spheres, Precision precision) {
-  return precision == Precision::Double ? 25 + 0.55 * spheres : 16 + 0.36 * spheres;
-}
-double cost_of_bvh(double spheres, Precision precision) {
-  const double depth = std::log2(spheres);
-  return precision == Precision::Double ? 70 + 4 * depth : 30 + 3.4 * depth;
-}
-
-std::string whole(double number) { return std::to_string(std::lround(number)); }
 
 using Subject = KernelRefusal::Subject;
 
@@ -45,7 +32,7 @@ std::optional<KernelObstacle> obstacle_to(const Scene& scene, const KernelReques
 
 Kernel kernel_in_double(const Scene& scene, const RenderSettings& settings, std::string reason) {
   Kernel kernel;
-  kernel.reason = std::move(reason);
+  kernel.precision_reason = std::move(reason);
   kernel.bounds = judge_precision(scene, scene.camera, settings, Precision::Double);
   return kernel;
 }
@@ -69,11 +56,12 @@ Kernel judged_kernel(const Scene& scene, const RenderSettings& settings,
   const bool is_mixed = !kernel.exact_spheres.empty();
   kernel.precision = is_mixed ? Precision::Mixed : Precision::Float;
   if (is_mixed) {
-    kernel.reason = std::to_string(kernel.exact_spheres.size()) + " in double: " + objection;
+    kernel.precision_reason =
+        std::to_string(kernel.exact_spheres.size()) + " in double: " + objection;
   } else if (!verdict.is_accepted) {
-    kernel.reason = "float was requested, but " + objection;
+    kernel.precision_reason = "float was requested, but " + objection;
   } else {
-    kernel.reason = "rounding errors are far below a pixel";
+    kernel.precision_reason = "rounding errors are far below a pixel";
   }
   return kernel;
 }
@@ -101,32 +89,18 @@ Kernel kernel_for_instances(const Scene& scene, const RenderSettings& settings,
   return kernel;
 }
 
-Kernel vector_kernel_for(const Scene& scene, const RenderSettings& settings,
-                         const KernelRequest& request) {
-  Kernel kernel = judged_kernel(scene, settings, request);
+/// Sets the search to the requested one, or to the faster one.
+void choose_search(Kernel& kernel, const Scene& scene, const KernelRequest& request) {
   if (request.search) {
     kernel.search = *request.search;
-  } else {
-    const auto spheres = static_cast<double>(scene.spheres.size());
-    const double all = cost_of_all(spheres, kernel.precision);
-    const double bvh = cost_of_bvh(spheres, kernel.precision);
-    const bool is_small = scene.spheres.size() <= kMaxWideSpheres && all <= bvh;
-    kernel.search = is_small ? Search::All : Search::Bvh;
-    kernel.reason +=
-        "; model: " + whole(all) + " ns per ray with every sphere, " + whole(bvh) + " with a BVH";
+    return;
   }
-  kernel.backend = request.backend != nullptr ? request.backend : &best_backend();
-  return kernel;
-}
-
-Kernel portable_kernel_for(const Scene& scene, const RenderSettings& settings,
-                           const KernelRequest& request, std::string reason) {
-  Kernel kernel = kernel_in_double(scene, settings, std::move(reason));
-  // With 20 spheres a ray takes two thirds of the time, with 64 about the same.
-  constexpr std::size_t kFewSpheres = 48;
-  const bool has_few = scene.spheres.size() <= kFewSpheres && count_under_camera(scene) <= 1;
-  kernel.search = request.search.value_or(has_few ? Search::All : Search::Bvh);
-  return kernel;
+  const SearchCost& cost = kernel.backend->cost(kernel.precision);
+  const std::size_t spheres = scene.spheres.size();
+  kernel.ray_times = {cost.of(Search::All, spheres), cost.of(Search::Bvh, spheres)};
+  const bool may_test_all = spheres <= kMaxWideSpheres && count_under_camera(scene) <= 1;
+  const bool is_faster = kernel.ray_times->all <= kernel.ray_times->bvh;
+  kernel.search = may_test_all && is_faster ? Search::All : Search::Bvh;
 }
 
 Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
@@ -146,15 +120,21 @@ Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
   if (is_portable && wants_float) {
     return refused(Subject::Precision, KernelObstacle::PortableInDouble, request);
   }
-  if (!obstacle) {
-    return is_portable
-               ? portable_kernel_for(scene, settings, request, "the scalar kernel was requested")
-               : vector_kernel_for(scene, settings, request);
+  if (obstacle) {
+    if (request.search) return refused(Subject::Search, *obstacle, request);
+    if (request.backend != nullptr) return refused(Subject::Backend, *obstacle, request);
+    if (wants_float) return refused(Subject::Precision, *obstacle, request);
   }
-  if (request.search) return refused(Subject::Search, *obstacle, request);
-  if (request.backend != nullptr) return refused(Subject::Backend, *obstacle, request);
-  if (wants_float) return refused(Subject::Precision, *obstacle, request);
-  return portable_kernel_for(scene, settings, request, describe(*obstacle));
+  Kernel kernel;
+  if (is_portable || obstacle) {
+    kernel = kernel_in_double(scene, settings, obstacle ? "" : "the scalar kernel was requested");
+    kernel.obstacle = obstacle;
+  } else {
+    kernel = judged_kernel(scene, settings, request);
+    kernel.backend = request.backend != nullptr ? request.backend : &best_backend();
+  }
+  choose_search(kernel, scene, request);
+  return kernel;
 }
 
 /// The emitters that diffuse surfaces sample. The geometric choice decides if the pilot found

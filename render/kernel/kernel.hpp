@@ -34,7 +34,7 @@ enum class KernelObstacle : std::uint8_t {
   InstancesByBvh,
   InstancesInDouble,
 };
-/// As a clause; does not name the backend.
+/// As a clause. Flags and backends are named by the command line.
 std::string describe(KernelObstacle obstacle);
 
 /// A request that cannot be met.
@@ -48,7 +48,12 @@ struct KernelRefusal {
   friend bool operator==(const KernelRefusal&, const KernelRefusal&) = default;
 };
 
-/// The chosen kernel, and the reason in words.
+/// What decided about the search, in nanoseconds per ray: SearchCost.
+struct ModelledTimes {
+  double all = 0, bvh = 0;
+};
+
+/// The chosen kernel and the reasons for the choice.
 struct Kernel {
   Search search = Search::Bvh;
   Precision precision = Precision::Double;
@@ -58,7 +63,9 @@ struct Kernel {
   std::vector<std::uint32_t> lights;         ///< the spheres from choose_lights()
   /// How close the scene comes to the limits of the precision; unknown for a refused request.
   PrecisionBounds bounds{};
-  std::string reason;  ///< empty for a refused request
+  std::string precision_reason;  ///< as a clause; empty if `obstacle` or `refusal` is the reason
+  std::optional<KernelObstacle> obstacle;  ///< why no vectors were chosen, which is allowed
+  std::optional<ModelledTimes> ray_times;  ///< none if the search was requested
   std::optional<KernelRefusal> refusal;
 
   bool is_portable() const noexcept { return backend == &portable_backend(); }
@@ -69,7 +76,7 @@ std::string_view name_of(const Kernel& kernel) noexcept;
 
 /// Chooses the kernel for render(). The precision is Float or Mixed if the rounding bounds accept
 /// it, never for speed alone, so a scene is traced in the same precision on every machine. The
-/// search follows from a model of the time per ray, fitted to measurements. All kernels trace the
+/// search follows from SearchCost. All kernels trace the
 /// same paths; both searches give the same bytes. O(n log n) time.
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request = {});

@@ -59,7 +59,7 @@ class LaneRuns {
     return {hn::Load(d, corner_[0].data()), hn::Load(d, corner_[1].data()),
             hn::Load(d, corner_[2].data())};
   }
-  /// The halves of PathSampler::stream_key().
+  /// The halves of render::stream_key().
   HWY_INLINE Bits stream_key() const { return hn::Load(DU(), stream_key_.data()); }
   HWY_INLINE Bits mixer() const { return hn::Load(DU(), mixer_.data()); }
 
@@ -175,7 +175,7 @@ bool LaneRuns<T, kPilot>::start_part(std::size_t lane, std::uint32_t replicate) 
   }
   const PixelRun::Part& part = run.parts[replicate];
   replicate_[lane] = replicate;
-  const std::uint64_t key = PathSampler::stream_key(view_.seed, run.pixel, replicate);
+  const std::uint64_t key = render::stream_key(view_.seed, run.pixel, replicate);
   const DU du;
   const Lanes<double> dd;
   put(du, mixer_.data(), lane, static_cast<std::uint32_t>(key >> 32));

@@ -107,7 +107,7 @@ class WidePaths {
 template <typename T, typename F>
 void WidePaths<T, F>::trace(const std::atomic<bool>& cancel) {
   constexpr std::uint32_t kStepsBetweenLooks = 1024;
-  constexpr std::uint32_t kVertexStep = PathSampler::kPairIncrement * kVertexPairs;
+  constexpr std::uint32_t kVertexStep = kPairIncrement * kVertexPairs;
   const CameraRays<T, F> camera(scene_, view_);
   const Interactions<T, F> interactions(scene_);
   Paths paths = Paths::begin(runs_.active());

@@ -93,8 +93,6 @@ HWY_INLINE V chord_discriminant(Triple<V> to_center, Triple<V> direction, V clos
       hn::NegMulAdd(across.y, across.y, hn::NegMulAdd(across.z, across.z, radius_squared)));
 }
 
-// The functions below are those of render/shading/sampler.hpp for every lane.
-
 /// The low 32 bits of a product; 64-bit lanes hold numbers below 2^32.
 template <typename V>
 HWY_INLINE V mul_low_32(V a, V b) {
@@ -134,7 +132,7 @@ HWY_INLINE V add_low_32(V a, V b) {
   return hn::And(hn::Add(a, b), hn::Set(du, 0xFFFFFFFFu));
 }
 
-/// reversed_bits in every lane.
+/// Reverses the order of the low 32 bits.
 template <typename V>
 HWY_INLINE V reverse_lane_bits(V x) {
   const hn::DFromV<V> du;

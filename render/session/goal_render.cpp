@@ -78,8 +78,8 @@ void GoalRender::estimate() {
   result_.max_samples = range.to;
   const bool is_known = result_.min_samples >= kMinReplicatedSamples;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film_.size(), 1024),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                    [&](const tbb::blocked_range<std::size_t>& pixels) {
+                      for (std::size_t i = pixels.begin(); i < pixels.end(); ++i) {
                         result_.picture.pixels[i] = film_.mean(i);
                         if (is_known) spreads_[i] = film_.spread(i);
                       }

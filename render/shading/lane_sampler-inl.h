@@ -14,8 +14,8 @@
 #include <hwy/highway.h>
 
 #include "render/lanes/vector_math-inl.h"
+#include "render/scene/settings.hpp"
 #include "render/shading/lane_sampler-inl.h"
-#include "render/shading/owen.hpp"
 #include "render/shading/sampler.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,7 +23,10 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The hash of PathSampler in every lane.
+/// Two rounds of multiply and shift, with the factors of "lowbias32" from Wellons' search for
+/// 32-bit mixers ("Hash prospector", github.com/skeeto/hash-prospector), with a key that selects
+/// one of 2^32 such mixers. A bijection of `x`. The high bits are the best; the low ones depend on
+/// fewer bits of `x`.
 template <typename V>
 HWY_INLINE V mix_lanes(V x, V key) {
   x = add_low_32(mul_low_32(hn::Xor(x, hn::ShiftRight<16>(x)), 0x7FEB352D), key);
@@ -46,7 +49,15 @@ HWY_INLINE hn::Vec<D> uniform_from_bits(D d, V bits) {
   }
 }
 
-/// scramble_upwards in every lane.
+/// Factors of scramble_lanes_upwards; even, because x is combined with its own product.
+inline constexpr std::uint32_t kScramble[]{0x3D20ADEA, 0x05526C56, 0x53A22864};
+
+/// Nested uniform scrambling (Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995) of
+/// a fraction whose bits are reversed: a bijection in which every bit depends only on itself and
+/// the bits below it. Uses a hash instead of a tree of random bits (Laine, Karras, "Stratified
+/// sampling for stochastic transparency", 2011; Burley, "Practical hash-based Owen scrambling",
+/// 2020; factors from Vegdahl's search, psychopath.io, 2021). The low bits of `key` must be as
+/// random as the high ones.
 template <typename V>
 HWY_INLINE V scramble_lanes_upwards(V x, V key) {
   const hn::DFromV<V> du;
@@ -57,7 +68,10 @@ HWY_INLINE V scramble_lanes_upwards(V x, V key) {
   return hn::Xor(x, mul_low_32(x, kScramble[2]));
 }
 
-/// sobol_second_reversed in every lane.
+/// The second dimension of Sobol's sequence (the first is van der Corput's). Bit k of the fraction,
+/// from the top, is the sum modulo 2 of binomial(j, k) over the set bits j of the index;
+/// binomial(j, k) is odd where the ones of k are a subset of the ones of j (Lucas). Takes an index
+/// and returns a fraction with reversed bits: a sum over supersets, in five steps.
 template <typename V>
 HWY_INLINE V sobol_second_reversed_lanes(V index) {
   const hn::DFromV<V> du;
@@ -80,7 +94,8 @@ class LaneSampler {
     V first, second;
   };
 
-  /// `start` is PathSampler's plus the increments up to the first pair; `order` is PathSampler's.
+  /// `start`: CameraRays::stream_start() plus the increments up to the first pair. `order`: the
+  /// index of the sample, with its bits reversed.
   HWY_INLINE LaneSampler(SamplerKind kind, Bits start, Bits mixer, Bits order)
       : kind_(kind), start_(start), mixer_(mixer), order_(order) {}
 
@@ -106,10 +121,12 @@ class LaneSampler {
   HWY_INLINE Bits word(std::uint32_t pair, std::uint32_t i) const {
     const hn::RebindToUnsigned<D> du;
     const std::uint32_t offset =
-        pair * PathSampler::kPairIncrement + (i + 1) * PathSampler::kIncrement;
+        pair * kPairIncrement + (i + 1) * kWordIncrement;
     return mix_lanes(add_low_32(start_, hn::Set(du, offset)), mixer_);
   }
+  /// The words have random high bits; a key needs random low bits, too.
   static HWY_INLINE Bits key(Bits word) { return hn::Xor(word, hn::ShiftRight<16>(word)); }
+  /// Shuffles the sequence such that the first 2^k points stay together for any k.
   HWY_INLINE Bits shuffled(std::uint32_t pair) const {
     return reverse_lane_bits(scramble_lanes_upwards(order_, key(word(pair, 0))));
   }

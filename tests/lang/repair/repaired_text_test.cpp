@@ -38,7 +38,7 @@ TEST(RepairedText, KeepsTheEndOfAReplacedPart) {
 
 TEST(RepairedText, AppliesRoundAfterRound) {
   RepairedText text("a b c");
-  text.apply({{{1, 1}, ","}});       // a, b c
+  text.apply({{{1, 1}, ","}});  // a, b c
   text.apply({{{4, 4}, ","}});  // a, b, c
   EXPECT_EQ(text.text(), "a, b, c");
   EXPECT_TRUE(text.is_added(1));

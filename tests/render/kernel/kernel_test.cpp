@@ -54,8 +54,10 @@ TEST_F(KernelChoice, TakesDoubleWhereFloatIsNotEnough) {
 TEST_F(KernelChoice, ComesWithTheBoundsOfItsPrecision) {
   const auto expect_bounds = [](const Kernel& kernel, const PrecisionBounds& expected) {
     for (std::size_t i = 0; i < kPrecisionClauses; ++i) {
-      EXPECT_EQ(kernel.bounds.clauses[i].value, expected.clauses[i].value) << kernel.reason;
-      EXPECT_EQ(kernel.bounds.clauses[i].share, expected.clauses[i].share) << kernel.reason;
+      EXPECT_EQ(kernel.bounds.clauses[i].value, expected.clauses[i].value)
+          << kernel.precision_reason;
+      EXPECT_EQ(kernel.bounds.clauses[i].share, expected.clauses[i].share)
+          << kernel.precision_reason;
     }
   };
   Scene scene = line_of_spheres(9, 0.2);
@@ -84,13 +86,20 @@ TEST_F(KernelChoice, ComesWithTheBoundsOfItsPrecision) {
 }
 
 TEST_F(KernelChoice, LeavesManySpheresToTheHierarchy) {
-  EXPECT_EQ(choose_kernel(line_of_spheres(90, 0.2), kSettings).search, Search::All);
-  EXPECT_EQ(choose_kernel(line_of_spheres(115, 0.2), kSettings).search, Search::Bvh);
   const RenderSettings fine{.width = 960, .height = 1 << 22};
-  EXPECT_EQ(choose_kernel(line_of_spheres(20, 0.2), fine).search, Search::All);
+  for (const Backend& backend : backends()) {
+    if (!backend.is_available()) continue;
+    for (const RenderSettings& settings : {kSettings, fine}) {
+      const KernelRequest request{.backend = &backend};
+      const Kernel of_few = choose_kernel(line_of_spheres(20, 0.2), settings, request);
+      const Kernel of_many = choose_kernel(line_of_spheres(250, 0.2), settings, request);
+      EXPECT_EQ(of_few.search, Search::All) << backend.name;
+      EXPECT_LT(of_few.ray_times->all, of_few.ray_times->bvh) << backend.name;
+      EXPECT_EQ(of_many.search, Search::Bvh) << backend.name;
+      EXPECT_GT(of_many.ray_times->all, of_many.ray_times->bvh) << backend.name;
+    }
+  }
   EXPECT_EQ(choose_kernel(line_of_spheres(20, 0.2), fine).precision, Precision::Double);
-  EXPECT_EQ(choose_kernel(line_of_spheres(120, 0.2), fine).search, Search::All);
-  EXPECT_EQ(choose_kernel(line_of_spheres(250, 0.2), fine).search, Search::Bvh);
 }
 
 TEST_F(KernelChoice, LeavesACameraOnSeveralSurfacesToTheScalarKernel) {

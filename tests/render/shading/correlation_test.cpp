@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "render/shading/sampler.hpp"
+#include "tests/support/reference/path_sampler.hpp"
 
 // Neighbouring streams of random numbers, of pixels, samples, dimensions and seeds, must be
 // independent: otherwise the mean of a picture is wrong, although every pixel looks right. (The
@@ -15,6 +16,9 @@
 // that are known to be bad, which they must reject.
 namespace sdlc::render {
 namespace {
+
+using test::reference::PathSampler;
+using test::reference::UniformPair;
 
 /// The coordinates of a random number.
 struct Place {
@@ -24,8 +28,7 @@ struct Place {
 
 /// Our generator.
 double path_number(const Place& place) {
-  const PathSampler sampler(SamplerKind::Independent,
-                            PathSampler::stream_key(place.seed, place.pixel, 0),
+  const PathSampler sampler(SamplerKind::Independent, stream_key(place.seed, place.pixel, 0),
                             static_cast<std::uint32_t>(place.sample));
   const UniformPair pair = sampler.pair(place.dimension / 2);
   return place.dimension % 2 == 0 ? pair.first : pair.second;

@@ -10,21 +10,25 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/reference/path_sampler.hpp"
+
 namespace sdlc::render {
 namespace {
+
+using test::reference::PathSampler;
+using test::reference::UniformPair;
 
 constexpr std::array kKinds{SamplerKind::Sobol, SamplerKind::Independent};
 
 PathSampler independent(std::uint64_t pixel, std::uint64_t sample, std::uint64_t seed = 0) {
-  return {SamplerKind::Independent, PathSampler::stream_key(seed, pixel, 0),
-          static_cast<std::uint32_t>(sample)};
+  return {SamplerKind::Independent, stream_key(seed, pixel, 0), static_cast<std::uint32_t>(sample)};
 }
 
 TEST(PathSampler, IsAFunctionOfSeedPixelReplicateSampleAndPair) {
   for (const SamplerKind kind : kKinds) {
     const auto value = [&](std::uint64_t seed, std::uint64_t pixel, std::uint64_t replicate,
                            std::uint32_t sample, std::uint32_t pair) {
-      const PathSampler sampler(kind, PathSampler::stream_key(seed, pixel, replicate), sample);
+      const PathSampler sampler(kind, stream_key(seed, pixel, replicate), sample);
       return sampler.pair(pair).first;
     };
     const double base = value(1, 2, 3, 4, 5);
@@ -47,7 +51,7 @@ TEST(SobolSampler, PutsOnePointIntoEachElementaryInterval) {
         const double columns = std::ldexp(1, columns_log), rows = std::ldexp(1, k - columns_log);
         std::vector<int> found(points);
         for (std::uint32_t i = 0; i < points; ++i) {
-          const PathSampler sampler(SamplerKind::Sobol, PathSampler::stream_key(5, 77, 1), i);
+          const PathSampler sampler(SamplerKind::Sobol, stream_key(5, 77, 1), i);
           const auto [x, y] = sampler.pair(pair);
           ++found[static_cast<std::size_t>(std::floor(x * columns) * rows + std::floor(y * rows))];
         }
@@ -72,7 +76,7 @@ TEST(SobolSampler, IsUnbiasedOverStreams) {
   for (std::size_t f = 0; f < functions.size(); ++f) {
     double sum = 0, squares = 0;
     for (std::uint64_t stream = 0; stream < kStreams; ++stream) {
-      const std::uint64_t key = PathSampler::stream_key(3, stream / 4, stream % 4);
+      const std::uint64_t key = stream_key(3, stream / 4, stream % 4);
       double mean = 0;
       for (std::uint32_t i = 0; i < 16; ++i) {
         const PathSampler sampler(SamplerKind::Sobol, key, i);
@@ -160,7 +164,7 @@ TEST(PathSampler, MakesPixelMeansThatSpreadAsThoseOfIndependentSamples) {
 
 TEST(PathSampler, StaysBelowOne) {
   for (const SamplerKind kind : kKinds) {
-    const PathSampler sampler(kind, PathSampler::stream_key(3, 1, 0), 4);
+    const PathSampler sampler(kind, stream_key(3, 1, 0), 4);
     for (std::uint32_t pair = 0; pair < 100000; ++pair) {
       const auto [a, b] = sampler.pair(pair);
       ASSERT_GE(std::min(a, b), 0);

@@ -6,7 +6,7 @@
 #include "render/math/color.hpp"
 #include "render/math/vec3.hpp"
 #include "render/shading/lights.hpp"
-#include "render/shading/sampler.hpp"
+#include "tests/support/reference/path_sampler.hpp"
 
 namespace sdlc::test::reference {
 

@@ -5,7 +5,7 @@
 
 #include "render/math/sincos.hpp"
 #include "render/math/vec3.hpp"
-#include "render/shading/sampler.hpp"
+#include "tests/support/reference/path_sampler.hpp"
 
 /// The cone of directions in which a sphere is seen (Shirley, Wang, Zimmerman, "Monte Carlo
 /// techniques for direct lighting calculations", 1996, 3.2).

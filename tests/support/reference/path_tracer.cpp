@@ -58,7 +58,7 @@ class PathTracer {
     hits_ = 0;
     LinearRgb sum;
     for (std::uint32_t replicate = 0; replicate < kReplicates; ++replicate) {
-      const std::uint64_t key = PathSampler::stream_key(settings_.seed, index, replicate);
+      const std::uint64_t key = stream_key(settings_.seed, index, replicate);
       for (std::uint32_t i = 0; i < counts[replicate]; ++i) {
         const LinearRgb value = sample(index, PathSampler(settings_.sampler, key, i));
         if (is_finite(value)) {

@@ -8,6 +8,7 @@
 #include "render/scene/scene.hpp"
 #include "render/shading/sampler.hpp"
 #include "tests/support/reference/fresnel.hpp"
+#include "tests/support/reference/path_sampler.hpp"
 
 /// Scattering at surfaces. Directions in and out have length 1. Surfaces that end the path are
 /// handled by the integrator.

@@ -13,7 +13,7 @@ namespace {
 template <typename Function>
 test::Estimate mean_of(int samples, Function&& function) {
   test::EstimateBuilder builder;
-  const std::uint64_t key = PathSampler::stream_key(11, 0, 0);
+  const std::uint64_t key = stream_key(11, 0, 0);
   for (int i = 0; i < samples; ++i) {
     const PathSampler path(SamplerKind::Independent, key, static_cast<std::uint32_t>(i));
     builder.add(function(VertexSampler(path, 2)));
@@ -58,7 +58,7 @@ TEST(ScatterDiffuse, FollowsTheCosineLaw) {
 TEST(ScatterTransmissive, BendsByTheLawOfSnell) {
   const Vec3 outward{0, 1, 0};
   const double sine = 0.6;
-  const PathSampler path(SamplerKind::Sobol, PathSampler::stream_key(0, 0, 0), 1);
+  const PathSampler path(SamplerKind::Sobol, stream_key(0, 0, 0), 1);
   for (int vertex = 0; vertex < 100; ++vertex) {
     const VertexSampler sample(path, vertex);
     const Vec3 in{sine, -std::sqrt(1 - sine * sine), 0};
@@ -72,7 +72,7 @@ TEST(ScatterTransmissive, BendsByTheLawOfSnell) {
 }
 
 TEST(ScatterTransmissive, ReflectsBeyondTheCriticalAngle) {
-  const PathSampler path(SamplerKind::Sobol, PathSampler::stream_key(0, 0, 0), 1);
+  const PathSampler path(SamplerKind::Sobol, stream_key(0, 0, 0), 1);
   const double sine = 0.7;  // 1 / 1.5 is the limit
   const Vec3 in{sine, std::sqrt(1 - sine * sine), 0};
   for (int vertex = 0; vertex < 100; ++vertex) {
