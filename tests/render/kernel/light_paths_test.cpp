@@ -90,19 +90,13 @@ Scene lit_room() {
 
 Scene lit_from_a_surface() {
   Scene scene = lit_scene();
-  scene.camera.from = {0, 2, 4};
-  add_sphere(scene, {0, 2, 5}, 1, diffuse({0.5, 0.5, 0.5}));
+  put_camera_on_a_surface(scene);
   return scene;
 }
 
-/// The ground and a distant sun are computed in double when the rest is float.
+/// The distant sun is computed in double, too.
 Scene lit_above_a_large_ground() {
-  Scene scene = beam_scene({0, 1, 4}, {0, 0, 0}, LinearRgb{0.1});
-  scene.camera.plane_height = 1.2;
-  add_sphere(scene, {0, -1e4 - 1, 0}, 1e4, diffuse({0.5, 0.6, 0.3}));
-  add_sphere(scene, {-1.2, 0, 0}, 0.5, specular({0.8, 0.8, 0.6}, 0.2));
-  add_sphere(scene, {0, 0, 0}, 0.5, transmissive({1, 0.9, 1}, 1.5));
-  add_sphere(scene, {1.2, 0, 0}, 0.5, diffuse({0.9, 0.2, 0.1}));
+  Scene scene = balls_above_a_large_ground();
   add_sphere(scene, {3e4, 4e4, 1e4}, 1e4, emissive({1, 0.9, 0.7}, 5));
   add_sphere(scene, {0.5, 1, 1}, 0.3, emissive({0.5, 0.9, 0.7}, 5));
   return scene;
@@ -121,11 +115,6 @@ const std::vector<std::pair<const char*, Scene>>& scenes() {
 
 constexpr RenderSettings kSettings{
     .width = 42, .height = 28, .samples = 150, .depth = 12, .light_sampling = LightSampling::On};
-
-double difference(LinearRgb a, LinearRgb b) {
-  const LinearRgb d = a - b;
-  return std::max({std::fabs(d.r), std::fabs(d.g), std::fabs(d.b)});
-}
 
 /// Equal in double except for rounding. In float some paths diverge where rounding changes a
 /// choice. H0: their radiance has the same expectation, except for 1e-6 of the largest by which
@@ -308,23 +297,7 @@ TEST_P(LightPaths, OfInstancesAreThoseOfTheirSpheres) {
 INSTANTIATE_TEST_SUITE_P(Forms, LightPaths, testing::ValuesIn(wide_forms()), form_name);
 
 TEST(LightKernel, GivesTheSameBytesWithAllInstructionSetsThatFuse) {
-  const auto equal = equal_backends();
-  if (equal.size() < 2) GTEST_SKIP() << "this machine has nothing to compare";
-  std::set<Precision> precisions;
-  for (const auto& [name, scene] : scenes()) {
-    for (const Precision precision : {Precision::Float, Precision::Double}) {
-      const auto result = [&](const render::Backend* backend) {
-        return render_with(scene, kSettings, WideForm{backend, precision}.request());
-      };
-      const RenderResult with_first = result(equal.front());
-      precisions.insert(with_first.kernel.precision);
-      for (const render::Backend* other : equal) {
-        EXPECT_EQ(result(other).picture.pixels, with_first.picture.pixels)
-            << name << ", " << name_of(precision) << ", " << other->name;
-      }
-    }
-  }
-  EXPECT_EQ(precisions.size(), 3u) << "mixed too";
+  expect_same_bytes(scenes(), kSettings);
 }
 
 }  // namespace

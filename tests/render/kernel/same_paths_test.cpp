@@ -78,20 +78,13 @@ Scene metal_scene() {
 
 Scene scene_from_a_surface() {
   Scene scene = rich_scene();
-  scene.camera.from = {0, 2, 4};
-  add_sphere(scene, {0, 2, 5}, 1, diffuse({0.5, 0.5, 0.5}));
+  put_camera_on_a_surface(scene);
   return scene;
 }
 
-/// The ground is computed in double when the rest is float.
 Scene scene_above_a_large_ground() {
-  Scene scene = beam_scene({0, 1, 4}, {0, 0, 0}, LinearRgb{1});
+  Scene scene = balls_above_a_large_ground();
   scene.background = {};
-  scene.camera.plane_height = 1.2;
-  add_sphere(scene, {0, -1e4 - 1, 0}, 1e4, diffuse({0.5, 0.6, 0.3}));
-  add_sphere(scene, {-1.2, 0, 0}, 0.5, specular({0.8, 0.8, 0.6}, 0.2));
-  add_sphere(scene, {0, 0, 0}, 0.5, transmissive({1, 0.9, 1}, 1.5));
-  add_sphere(scene, {1.2, 0, 0}, 0.5, diffuse({0.9, 0.2, 0.1}));
   return scene;
 }
 
@@ -116,11 +109,6 @@ const std::vector<std::pair<const char*, Scene>>& scenes() {
 
 // 150 samples: two whole blocks of 64 and a part of one.
 constexpr RenderSettings kSettings{.width = 42, .height = 28, .samples = 150, .depth = 12};
-
-double difference(LinearRgb a, LinearRgb b) {
-  const LinearRgb d = a - b;
-  return std::max({std::fabs(d.r), std::fabs(d.g), std::fabs(d.b)});
-}
 
 class WidePaths : public testing::TestWithParam<WideForm> {};
 
@@ -157,7 +145,7 @@ TEST_P(WidePaths, AreThoseOfTheReference) {
 }
 
 TEST_P(WidePaths, HitTheFirstSurfacesOfTheReference) {
-  for (const Scene& scene : {rich_scene(), moving_scene()}) {
+  for (const auto& [name, scene] : scenes()) {
     const RenderSettings settings{
         .width = 60, .height = 40, .samples = 8, .depth = 3, .keeps_first_hits = true};
     render::RenderMonitor monitor;
@@ -172,7 +160,7 @@ TEST_P(WidePaths, HitTheFirstSurfacesOfTheReference) {
     int differing = 0;
     for (std::size_t i = 0; i < features.size(); ++i) {
       const render::PixelFeatures &a = features[i], &b = expected[i];
-      ASSERT_EQ(a, by_bvh[i]);
+      ASSERT_EQ(a, by_bvh[i]) << name;
       const double difference =
           std::max({length(a.normal - b.normal), std::fabs(a.depth / b.depth - 1),
                     std::fabs(a.albedo.r - b.albedo.r), std::fabs(a.albedo.g - b.albedo.g),
@@ -181,7 +169,7 @@ TEST_P(WidePaths, HitTheFirstSurfacesOfTheReference) {
     }
     // In float, rays at the edge of a sphere may miss it, and the normal there is off by the root
     // of the rounding error: a thousandth.
-    EXPECT_LE(differing, is_double ? 0 : 12);
+    EXPECT_LE(differing, is_double ? 0 : 12) << name;
   }
 }
 
@@ -252,23 +240,7 @@ INSTANTIATE_TEST_SUITE_P(Forms, WidePaths, testing::ValuesIn(wide_forms()), form
 // Square roots and quotients are rounded correctly, and no reciprocal estimates are used: the same
 // bits from every instruction set that fuses multiplication and addition.
 TEST(WideKernel, GivesTheSameBytesWithAllInstructionSetsThatFuse) {
-  const auto equal = equal_backends();
-  if (equal.size() < 2) GTEST_SKIP() << "this machine has nothing to compare";
-  std::set<Precision> precisions;
-  for (const auto& [name, scene] : scenes()) {
-    for (const Precision precision : {Precision::Float, Precision::Double}) {
-      const auto result = [&](const render::Backend* backend) {
-        return render_with(scene, kSettings, WideForm{backend, precision}.request());
-      };
-      const RenderResult with_first = result(equal.front());
-      precisions.insert(with_first.kernel.precision);
-      for (const render::Backend* other : equal) {
-        EXPECT_EQ(result(other).picture.pixels, with_first.picture.pixels)
-            << name << ", " << name_of(precision) << ", " << other->name;
-      }
-    }
-  }
-  EXPECT_EQ(precisions.size(), 3u) << "mixed too";
+  expect_same_bytes(scenes(), kSettings);
 }
 
 }  // namespace
