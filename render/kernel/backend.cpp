@@ -7,7 +7,7 @@
 
 #include <hwy/detect_targets.h>
 
-// The kernels of each instruction set: path_kernel.cpp, path_kernel_lights.cpp,
+// The kernels of each instruction set are in path_kernel.cpp, path_kernel_lights_*.cpp and
 // portable_kernel.cpp.
 #define SDLC_DECLARE_KERNELS(target)                                            \
   namespace target {                                                            \

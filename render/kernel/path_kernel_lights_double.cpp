@@ -1,5 +1,5 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "render/kernel/path_kernel_lights.cpp"
+#define HWY_TARGET_INCLUDE "render/kernel/path_kernel_lights_double.cpp"
 #include <hwy/foreach_target.h>
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
@@ -8,9 +8,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
-TraceRuns<float>* kernel_with_lights(float /*type*/, KernelFeatures features) noexcept {
-  return choose_kernel<float, true>(features);
-}
 TraceRuns<double>* kernel_with_lights(double /*type*/, KernelFeatures features) noexcept {
   return choose_kernel<double, true>(features);
 }
