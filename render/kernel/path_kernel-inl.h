@@ -101,6 +101,7 @@ class WidePaths {
   LaneRuns<T, F::kPilot> runs_;
   EmitterCounts<T, F::kInstances> emitters_;
   const bool is_observed_;
+  SphereTests tests_;
   TraceCounts& counts_;
 };
 
@@ -171,7 +172,7 @@ template <typename T, typename F>
 auto WidePaths<T, F>::intersect(Paths& paths) -> Hit {
   V cosine = dot(paths.direction, paths.normal);
   auto nearest = Search(scene_).find(paths.origin, paths.direction, paths.time, paths.departed,
-                                     rehit_distance(cosine, paths.radius), paths.alive);
+                                     rehit_distance(cosine, paths.radius), paths.alive, tests_);
   if constexpr (kIsPortable) {
     if (HWY_UNLIKELY(scene_.camera_sphere == scene_.kSeveralCameraSpheres)) {
       CameraRays<T, F>(scene_, view_)
@@ -274,7 +275,7 @@ auto WidePaths<T, F>::trace_shadow_rays(const Paths& paths, const LightSample& l
   const D d;
   const V rehit = rehit_distance(dot(light.direction, paths.normal), paths.radius);
   const auto nearest = Search(scene_).find(paths.origin, light.direction, paths.time,
-                                           paths.departed, rehit, light.exists);
+                                           paths.departed, rehit, light.exists, tests_);
   counts_.rays += hn::CountTrue(d, light.exists);
   // If the ray hits or just misses the light's own surface, rounding decides; both count as
   // visible.

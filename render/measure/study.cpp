@@ -405,8 +405,13 @@ void Study::run(std::optional<ReferencePicture> reference) {
     if (is_done(task) || (!is_reference && expected_seconds(task) > seconds_left())) continue;
     if (!run_and_account(task)) return;
   }
+  // The last points may change recommendations, but a study that goes on must not measure more.
+  if (options_.budget_seconds <= ledger_.finished_budget_seconds) return;
   run_recommended();
   run_longer();
+  if (monitor_.cancel.load()) return;
+  ledger_.finished_budget_seconds = options_.budget_seconds;
+  account();
 }
 
 void Study::run_longer() {

@@ -51,6 +51,7 @@ struct StudyLedger {
   std::string precision_bound{};  ///< in words
   double other_seconds = 0;       ///< of a render: reading and writing
   double spent_seconds = 0;
+  double finished_budget_seconds = 0;   ///< the budget within which nothing is left to do
   std::uint64_t nonfinite_samples = 0;  ///< not 0 indicates a defect
 };
 
