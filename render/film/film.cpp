@@ -64,13 +64,13 @@ std::uint64_t Film::samples(std::size_t pixel) const noexcept {
   return samples;
 }
 
-SampleRange Film::sample_range() const noexcept {
-  SampleRange range{.from = samples(0), .to = samples(0)};
+SampleCounts Film::sample_counts() const noexcept {
+  SampleCounts counts{.min = samples(0), .max = samples(0)};
   for (std::size_t pixel = 1; pixel < size(); ++pixel) {
-    range.from = std::min(range.from, samples(pixel));
-    range.to = std::max(range.to, samples(pixel));
+    counts.min = std::min(counts.min, samples(pixel));
+    counts.max = std::max(counts.max, samples(pixel));
   }
-  return range;
+  return counts;
 }
 
 LinearRgb Film::mean(std::size_t pixel) const noexcept {

@@ -52,9 +52,9 @@ struct FilmExtent {
   friend bool operator==(const FilmExtent&, const FilmExtent&) = default;
 };
 
-/// The fewest and the most samples of any pixel.
-struct SampleRange {
-  std::uint64_t from = 0, to = 0;
+/// The smallest and the largest number of samples of a pixel.
+struct SampleCounts {
+  std::uint64_t min = 0, max = 0;
 };
 
 /// Whether a film has the sums of first hits, too.
@@ -83,8 +83,12 @@ class Film {
     return replicate < extent_.replicates ? counts_[slot(pixel, replicate)] : 0;
   }
   std::uint64_t samples(std::size_t pixel) const noexcept;
+  /// After the last sample of any replicate.
+  std::uint32_t end_sample() const noexcept {
+    return extent_.first_sample + (counts_.empty() ? 0 : std::ranges::max(counts_));
+  }
   /// Precondition: there is a pixel.
-  SampleRange sample_range() const noexcept;
+  SampleCounts sample_counts() const noexcept;
   /// The sum of the samples of a replicate.
   SampleSum sum(std::size_t pixel, std::uint32_t replicate) const noexcept {
     return sum(slot(pixel, replicate));

@@ -11,7 +11,7 @@
 namespace sdlc::render {
 namespace {
 
-using Films = std::vector<const Film*>;  // by first sample
+using Films = std::vector<const Film*>;
 
 /// The counts of a pixel in each replicate; zeros where the film does not have the pixel.
 ReplicateCounts counts_of(const Film& film, std::uint64_t pixel) {
@@ -38,17 +38,13 @@ struct Chain {
     counts = added;
   }
 
-  /// Appends the pixel's samples in `film`. Returns false, and changes nothing, if some are missing
+  /// Appends the samples in `film`. Returns false, and changes nothing, if some are missing
   /// before them.
-  bool append(const Film& film, std::uint64_t pixel, const ReplicateCounts& added) {
+  bool append(const Film& film, const ReplicateCounts& added) {
     const std::uint32_t next = film.extent().first_sample;
-    bool is_next = true;
     for (std::uint32_t r = 0; r < kReplicates; ++r) {
-      if (added[r] == 0) continue;
-      if (first + counts[r] > next) throw DoubledSample(pixel, next);
-      is_next = is_next && first + counts[r] == next;
+      if (added[r] > 0 && first + counts[r] != next) return false;
     }
-    if (!is_next) return false;
     for (std::uint32_t r = 0; r < kReplicates; ++r) {
       if (added[r] > 0) counts[r] = next + added[r] - first;
     }
@@ -57,14 +53,21 @@ struct Chain {
   }
 };
 
-/// Calls `visit` with each chain of the pixel, in the order of samples.
+/// Calls `visit` with each chain of the pixel, in the order of samples. Throws DoubledSample.
 template <typename Visit>
 void for_each_chain(const Films& films, std::uint64_t pixel, Visit visit) {
   Chain chain;
+  ReplicateCounts ends{};
   for (const Film* film : films) {
     const ReplicateCounts added = counts_of(*film, pixel);
     if (added == ReplicateCounts{}) continue;
-    if (!chain.is_empty() && chain.append(*film, pixel, added)) continue;
+    const std::uint32_t first = film->extent().first_sample;
+    for (std::uint32_t r = 0; r < kReplicates; ++r) {
+      if (added[r] == 0) continue;
+      if (ends[r] > first) throw DoubledSample(pixel, first);
+      ends[r] = first + added[r];
+    }
+    if (!chain.is_empty() && chain.append(*film, added)) continue;
     if (!chain.is_empty()) visit(chain);
     chain.begin(*film, added);
   }
@@ -83,6 +86,23 @@ struct Plan {
     counts[offset] = of_pixel;
   }
 };
+
+void sort_by_sample(Films& films) {
+  std::ranges::sort(films, {}, [](const Film* film) { return film->extent().first_sample; });
+}
+
+struct PixelRange {
+  std::uint64_t begin = std::numeric_limits<std::uint64_t>::max(), end = 0;
+};
+/// From the first to the last pixel of the films.
+PixelRange pixels_of(const Films& films) {
+  PixelRange range;
+  for (const Film* film : films) {
+    range.begin = std::min(range.begin, film->extent().first_pixel);
+    range.end = std::max(range.end, film->extent().first_pixel + film->extent().pixels);
+  }
+  return range;
+}
 
 /// Writes the sums of a chain to the pixel of a film that has room for them.
 void join(const Chain& chain, std::uint64_t pixel, Film& film) {
@@ -113,18 +133,22 @@ DoubledSample::DoubledSample(std::uint64_t pixel, std::uint32_t sample)
       pixel_(pixel),
       sample_(sample) {}
 
-std::vector<Film> merge_films(std::vector<const Film*> films) {
-  if (films.empty()) return {};
-  std::uint64_t begin = std::numeric_limits<std::uint64_t>::max(), end = 0;
-  for (const Film* film : films) {
-    begin = std::min(begin, film->extent().first_pixel);
-    end = std::max(end, film->extent().first_pixel + film->extent().pixels);
+void check_no_sample_is_doubled(Films films) {
+  if (films.size() < 2) return;
+  sort_by_sample(films);
+  const PixelRange pixels = pixels_of(films);
+  for (std::uint64_t pixel = pixels.begin; pixel < pixels.end; ++pixel) {
+    for_each_chain(films, pixel, [](const Chain&) {});
   }
-  std::ranges::sort(films, {}, [](const Film* film) { return film->extent().first_sample; });
+}
 
+std::vector<Film> merge_films(Films films) {
+  if (films.empty()) return {};
+  sort_by_sample(films);
+  const auto [begin, end] = pixels_of(films);
   std::map<std::uint32_t, Plan> plans;  // by first sample
   for (std::uint64_t pixel = begin; pixel < end; ++pixel) {
-    for_each_chain(films, pixel, [&](const Chain& chain) {
+    for_each_chain(films, pixel, [&, begin = begin](const Chain& chain) {
       plans[chain.first].add(pixel, pixel - begin, chain.counts);
     });
   }

@@ -21,6 +21,9 @@ class DoubledSample : public std::runtime_error {
   std::uint32_t sample_;
 };
 
+/// Throws DoubledSample if two films have a sample in common.
+void check_no_sample_is_doubled(std::vector<const Film*> films);
+
 /// Joins films of one picture, with the same number of replicates, into as few as possible: one for
 /// each first sample. Where all samples of a pixel from the first on are present, the sums have the
 /// bits of a film that was traced at once. The result depends neither on the order of the films nor

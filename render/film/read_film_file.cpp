@@ -15,6 +15,7 @@
 
 #include "render/film/film_file.hpp"
 #include "render/film/film_sections.hpp"
+#include "render/film/merge_films.hpp"
 #include "render/image/io_error.hpp"
 
 namespace sdlc::render {
@@ -117,7 +118,14 @@ class Reader {
   void check_films() const {
     const FilmOrigin& origin = film_.origin;
     const std::uint64_t pixels = std::uint64_t{origin.width} * origin.height;
-    bool is_sound = pixels > 0 && (film_.targets.empty() || film_.targets.size() == pixels);
+    constexpr std::uint32_t kMax = std::numeric_limits<std::int32_t>::max();
+    bool is_sound = pixels > 0 && origin.width <= kMax && origin.height <= kMax &&
+                    origin.depth > 0 && origin.depth <= kMax &&
+                    (origin.replicates == 1 || origin.replicates == kReplicates) &&
+                    (film_.targets.empty() || film_.targets.size() == pixels);
+    for (const EmitterCount& count : film_.emitters) {
+      is_sound = is_sound && count.paths <= count.enough;
+    }
     for (const Film& film : film_.films) {
       const FilmExtent& extent = film.extent();
       is_sound = is_sound && extent.replicates == origin.replicates &&
@@ -125,6 +133,13 @@ class Reader {
                  (film.channels() != Channels::Color) == origin.has_first_hits;
     }
     if (!is_sound) damaged("its films are of another picture");
+    std::vector<const Film*> films;
+    for (const Film& film : film_.films) films.push_back(&film);
+    try {
+      check_no_sample_is_doubled(std::move(films));
+    } catch (const DoubledSample& doubled) {
+      damaged(doubled.what());
+    }
   }
 
   void read_origin() {
@@ -136,10 +151,11 @@ class Reader {
 
   void read_film() {
     const auto stored = take<StoredExtent>();
-    const bool is_sound = (stored.replicates == 1 || stored.replicates == kReplicates) &&
-                          stored.first_sample % SampleSum::kBlock == 0 &&
-                          stored.has_first_hits <= 1 &&
-                          stored.pixels <= section_ / (stored.replicates * sizeof(std::uint32_t));
+    const bool is_sound =
+        (stored.replicates == 1 || stored.replicates == kReplicates) &&
+        stored.first_sample % SampleSum::kBlock == 0 && stored.has_first_hits <= 1 &&
+        stored.pixels <= section_ / (stored.replicates * sizeof(std::uint32_t) +
+                                     stored.has_first_hits * sizeof(FirstHitSums));
     if (!is_sound) damaged("a film cannot be read");
     Film film({.first_pixel = stored.first_pixel,
                .pixels = static_cast<std::size_t>(stored.pixels),

@@ -95,12 +95,11 @@ void choose_search(Kernel& kernel, const Scene& scene, const KernelRequest& requ
     kernel.search = *request.search;
     return;
   }
-  const SearchCost& cost = kernel.backend->cost(kernel.precision);
   const std::size_t spheres = scene.spheres.size();
+  if (spheres == 0 || spheres > kMaxWideSpheres || count_under_camera(scene) > 1) return;  // a BVH
+  const SearchCost& cost = kernel.backend->cost(kernel.precision);
   kernel.ray_times = {cost.of(Search::All, spheres), cost.of(Search::Bvh, spheres)};
-  const bool may_test_all = spheres <= kMaxWideSpheres && count_under_camera(scene) <= 1;
-  const bool is_faster = kernel.ray_times->all <= kernel.ray_times->bvh;
-  kernel.search = may_test_all && is_faster ? Search::All : Search::Bvh;
+  if (kernel.ray_times->all <= kernel.ray_times->bvh) kernel.search = Search::All;
 }
 
 Kernel kernel_for(const Scene& scene, const RenderSettings& settings,

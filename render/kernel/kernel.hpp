@@ -34,7 +34,7 @@ enum class KernelObstacle : std::uint8_t {
   InstancesByBvh,
   InstancesInDouble,
 };
-/// As a clause. Flags and backends are named by the command line.
+/// As a clause.
 std::string describe(KernelObstacle obstacle);
 
 /// A request that cannot be met.
@@ -65,7 +65,7 @@ struct Kernel {
   PrecisionBounds bounds{};
   std::string precision_reason;  ///< as a clause; empty if `obstacle` or `refusal` is the reason
   std::optional<KernelObstacle> obstacle;  ///< why no vectors were chosen, which is allowed
-  std::optional<ModelledTimes> ray_times;  ///< none if the search was requested
+  std::optional<ModelledTimes> ray_times;  ///< none if only one search is possible or requested
   std::optional<KernelRefusal> refusal;
 
   bool is_portable() const noexcept { return backend == &portable_backend(); }
@@ -76,8 +76,8 @@ std::string_view name_of(const Kernel& kernel) noexcept;
 
 /// Chooses the kernel for render(). The precision is Float or Mixed if the rounding bounds accept
 /// it, never for speed alone, so a scene is traced in the same precision on every machine. The
-/// search follows from SearchCost. All kernels trace the
-/// same paths; both searches give the same bytes. O(n log n) time.
+/// search follows from SearchCost. All kernels trace the same paths; both searches give the same
+/// bytes. O(n log n) time.
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request = {});
 

@@ -44,7 +44,7 @@ struct Features {
 template <typename T, bool kMotion>
 class BvhWave;
 
-/// Decides, from the first rays of a thread, whether Search::All asks for each sphere if it meets
+/// Decides, from the first rays of a batch, whether Search::All asks for each sphere if it meets
 /// the ray of any lane, and skips it otherwise. The hits are the same. Asking takes a branch, which
 /// pays where most answers are no: it saves 12 % with 32 small spheres on a ground (2 to 10 % of
 /// the answers are yes), and costs 18 % among the 20 large ones of step8 (28 %).
@@ -90,7 +90,7 @@ class NearestSphere {
 
   explicit HWY_INLINE NearestSphere(const WideScene<T>& scene) : scene_(scene) {}
 
-  /// `tests`: of this thread.
+  /// `tests`: of this batch.
   HWY_INLINE Nearest find(Triple<V> origin, Triple<V> direction, V time, Bits departed, V rehit,
                           Mask alive, SphereTests& tests) const;
   HWY_INLINE V place_in_world(Bits index, V time, Triple<V>& center) const;

@@ -405,7 +405,7 @@ void Study::run(std::optional<ReferencePicture> reference) {
     if (is_done(task) || (!is_reference && expected_seconds(task) > seconds_left())) continue;
     if (!run_and_account(task)) return;
   }
-  // The last points may change recommendations, but a study that goes on must not measure more.
+  // A finished study that is run again with the same budget measures nothing more.
   if (options_.budget_seconds <= ledger_.finished_budget_seconds) return;
   run_recommended();
   run_longer();

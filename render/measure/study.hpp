@@ -51,7 +51,7 @@ struct StudyLedger {
   std::string precision_bound{};  ///< in words
   double other_seconds = 0;       ///< of a render: reading and writing
   double spent_seconds = 0;
-  double finished_budget_seconds = 0;   ///< the budget within which nothing is left to do
+  double finished_budget_seconds = 0;   ///< the largest budget that was used up; 0 if none
   std::uint64_t nonfinite_samples = 0;  ///< not 0 indicates a defect
 };
 

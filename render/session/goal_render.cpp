@@ -45,10 +45,8 @@ bool GoalRender::pass(std::span<const std::uint32_t> samples) {
   counts.reserve(samples.size());
   for (const std::uint32_t of_pixel : samples) counts.push_back(split_in_replicates(of_pixel));
   film_.reserve(counts);
-  const std::uint64_t most = std::ranges::max(samples);
-  const std::uint64_t added = most - std::min(most, film_.samples(0));
   const bool is_whole = tracer_.trace_pass(
-      film_, added, [&](std::size_t pixel) { return counts[counts.size() == 1 ? 0 : pixel]; },
+      film_, [&](std::size_t pixel) { return counts[counts.size() == 1 ? 0 : pixel]; },
       [this] { return is_late(); });
   is_first_pass_ = false;
   if (monitor_.on_pass) monitor_.on_pass(film_);
@@ -73,9 +71,9 @@ void GoalRender::report_progress(double share) {
 
 void GoalRender::estimate() {
   spreads_.resize(film_.size());
-  const SampleRange range = film_.sample_range();
-  result_.min_samples = range.from;
-  result_.max_samples = range.to;
+  const SampleCounts counts = film_.sample_counts();
+  result_.min_samples = counts.min;
+  result_.max_samples = counts.max;
   const bool is_known = result_.min_samples >= kMinReplicatedSamples;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film_.size(), 1024),
                     [&](const tbb::blocked_range<std::size_t>& pixels) {
@@ -114,7 +112,7 @@ void GoalRender::run_uniform() {
   ErrorGoal goal(settings_.error.value_or(0), max_samples);
   // With only a time limit the first pass is as short as possible, and is finished.
   std::optional<std::uint64_t> samples = settings_.error ? goal.first_samples() : 1;
-  samples = std::max(*samples, film_.sample_range().from);
+  samples = std::max(*samples, film_.sample_counts().min);
   while (samples) {
     const auto of_pixel = static_cast<std::uint32_t>(*samples);
     if (!pass(std::span(&of_pixel, 1))) return;
@@ -147,6 +145,8 @@ void GoalRender::run_uniform() {
 }
 
 void GoalRender::run_adaptive() {
+  // First what a cancelled pass lacks: the next passes then are those of a render at once.
+  if (!targets_.empty()) return run_adaptive(std::move(targets_));
   const auto max_samples = static_cast<std::uint64_t>(settings_.samples);
   const auto pilot =
       static_cast<std::uint32_t>(std::min<std::uint64_t>(kPilotSamples, max_samples));
@@ -165,7 +165,8 @@ void GoalRender::run_adaptive() {
 
 void GoalRender::run_adaptive(std::vector<std::uint32_t> samples) {
   const auto max_samples = static_cast<std::uint64_t>(settings_.samples);
-  while (pass(samples)) {
+  targets_ = std::move(samples);
+  while (pass(targets_)) {
     estimate();
     if (!result_.error) return;
     const double left = result_.error->interval.to / *settings_.error;
@@ -173,7 +174,7 @@ void GoalRender::run_adaptive(std::vector<std::uint32_t> samples) {
     if (left <= 1 || result_.min_samples >= max_samples) return;
     // Scale all by the same factor: the error falls at least with the square root of the samples.
     const double factor = std::clamp(left * left, 1.02, 1.25);
-    for (std::uint32_t& n : samples) {
+    for (std::uint32_t& n : targets_) {
       const double wanted = std::ceil(n * factor / kReplicates) * kReplicates;
       n = static_cast<std::uint32_t>(std::min(wanted, static_cast<double>(max_samples)));
     }

@@ -26,7 +26,12 @@ class GoalRender {
   GoalRender(PictureTracer& tracer, const RenderSettings& settings, const EmitterTally& emitters,
              Clock::time_point start, RenderMonitor& monitor, Film& film, RenderResult& result);
 
+  /// Goes on with a render that had these targets().
+  void resume(std::vector<std::uint32_t> targets) { targets_ = std::move(targets); }
   void run();
+  /// The samples of each pixel, as planned by an adaptive render: a cancelled pass has not reached
+  /// all of them. Empty before the first such pass.
+  const std::vector<std::uint32_t>& targets() const noexcept { return targets_; }
 
  private:
   /// Brings the pixels to these samples, or all of them to the only element. Returns false if it
@@ -34,7 +39,7 @@ class GoalRender {
   bool pass(std::span<const std::uint32_t> samples);
   void run_uniform();
   void run_adaptive();
-  /// Goes on from these samples of each pixel, of which there may be more already.
+  /// Begins with these samples of each pixel, of which there may be more already.
   void run_adaptive(std::vector<std::uint32_t> samples);
   std::vector<std::uint32_t> samples_of_film() const;
   bool is_late() const;
@@ -51,6 +56,7 @@ class GoalRender {
   Clock::time_point start_;
   Film& film_;
   std::vector<PixelSpread> spreads_;
+  std::vector<std::uint32_t> targets_;
   bool is_first_pass_ = true;
 };
 

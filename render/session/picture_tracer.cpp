@@ -1,6 +1,7 @@
 #include "render/session/picture_tracer.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 
 #include <tbb/blocked_range.h>
@@ -57,6 +58,7 @@ bool PictureTracer::trace_tile(Film& film, std::size_t begin, std::size_t end, c
   thread_local std::vector<PixelRun> runs;  // thread_local, so that its memory is mapped once
   OpenPixels pixels(film, begin, end, target);
   TraceCounts total;
+  std::uint64_t total_samples = 0;
   bool is_whole = false, is_kept = true;
   while (true) {
     runs.clear();
@@ -72,23 +74,31 @@ bool PictureTracer::trace_tile(Film& film, std::size_t begin, std::size_t end, c
       samples += run.samples();
     }
     total += counts;
+    total_samples += samples;
     monitor_.samples_done.fetch_add(samples, std::memory_order_relaxed);
     monitor_.rays_done.fetch_add(counts.rays, std::memory_order_relaxed);
   }
-  // All samples of a tile or none, so that the counts are those of the samples in the film.
-  if (!is_kept || !pixels.close()) {
-    has_dropped_ = true;
-    return false;
-  }
+  // The counts are those of the samples in the film: of all batches but a cancelled one, or of
+  // none.
+  const bool has_room = pixels.close();
+  if (!is_kept || !has_room) has_dropped_ = true;
+  if (!has_room) return false;
+  samples_.fetch_add(total_samples, std::memory_order_relaxed);
   rays_.fetch_add(total.rays, std::memory_order_relaxed);
   truncated_.fetch_add(total.truncated_paths, std::memory_order_relaxed);
   nonfinite_.fetch_add(total.nonfinite_samples, std::memory_order_relaxed);
   return is_whole;
 }
 
-bool PictureTracer::trace_pass(Film& film, std::uint64_t added, const Target& target,
-                               const IsLate& is_late, const OnTile& on_tile) {
+bool PictureTracer::trace_pass(Film& film, const Target& target, const IsLate& is_late,
+                               const OnTile& on_tile) {
   std::atomic<bool> is_whole{true};
+  std::uint64_t added = 0;  // in the pixel that lacks the most
+  for (std::size_t i = 0; i < film.size(); ++i) {
+    const ReplicateCounts counts = target(i);
+    const std::uint64_t samples = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    added = std::max(added, samples - std::min(samples, film.samples(i)));
+  }
   // Use smaller tiles if the time limit may end the pass, because a tile is kept or dropped as a
   // whole.
   constexpr std::uint64_t kSmaller = 8;

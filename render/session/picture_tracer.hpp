@@ -29,17 +29,18 @@ class PictureTracer {
   /// traced them.
   using OnTile = std::function<void(const Film& film, std::size_t begin, std::size_t end)>;
 
-  /// Brings the pixels of a film, which has room for them, to their targets; `added` is the largest
-  /// number of samples that a pixel gets. Starts no new work after `is_late` returns true. Returns
-  /// false if any work is left.
-  bool trace_pass(Film& film, std::uint64_t added, const Target& target, const IsLate& is_late,
+  /// Brings the pixels of a film, which has room for them, to their targets. Starts no new work
+  /// after `is_late` returns true. Returns false if any work is left.
+  bool trace_pass(Film& film, const Target& target, const IsLate& is_late,
                   const OnTile& on_tile = {});
 
   /// Brings all pixels of the extent to the same target in films of one tile each, which are
   /// dropped after `on_tile`: a whole film takes more memory than the picture.
   void trace_tiles(const FilmExtent& extent, const ReplicateCounts& target, const OnTile& on_tile);
 
-  /// Of the samples that are in films.
+  /// Samples in films.
+  std::uint64_t samples() const noexcept { return samples_; }
+  /// Of these samples.
   TraceCounts counts() const noexcept {
     return {.rays = rays_, .truncated_paths = truncated_, .nonfinite_samples = nonfinite_};
   }
@@ -58,6 +59,7 @@ class PictureTracer {
   EmitterTally& emitters_;
   int threads_;
   RenderMonitor& monitor_;
+  std::atomic<std::uint64_t> samples_{0};
   std::atomic<std::uint64_t> rays_{0};
   std::atomic<std::uint64_t> truncated_{0};
   std::atomic<std::uint64_t> nonfinite_{0};

@@ -49,12 +49,13 @@ void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderS
   } else {
     film->reserve(std::span(&target, 1));
     pictures.trace_pass(
-        *film, samples, [&](std::size_t) { return target; }, [] { return false; }, take_tile);
+        *film, [&](std::size_t) { return target; }, [] { return false; }, take_tile);
   }
-  result.max_samples = samples;
-  if (film != nullptr) result.max_samples = std::max(samples, film->sample_range().to);
+  const SampleCounts counts =
+      film != nullptr ? film->sample_counts() : SampleCounts{.min = samples, .max = samples};
+  result.max_samples = std::max(samples, counts.max);
   if (monitor.cancel.load()) return;  // some pixels have no sample
-  result.min_samples = film != nullptr ? film->sample_range().from : samples;
+  result.min_samples = counts.min;
   if (has_replicates) result.error = estimate_error(result.picture, spreads);
   if (settings.keeps_variance) result.spreads = std::move(spreads);
 }
@@ -64,7 +65,7 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
                           const RenderSettings& settings, RenderMonitor& monitor,
                           StoredFilm* stored) {
   if (stored != nullptr) check_origin(scene, settings, *stored);
-  Film* film = stored != nullptr ? &film_of(extent_of(settings), *stored) : nullptr;
+  Film* film = stored != nullptr ? &film_of({.extent = extent_of(settings)}, *stored) : nullptr;
   std::optional<Film> own;
   if (film == nullptr && (settings.has_goal() || monitor.on_pass)) {
     film = &own.emplace(extent_of(settings), channels_of(settings));
@@ -84,7 +85,10 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
   PictureTracer pictures(scene.tracer(), settings, emitters, result.threads, monitor);
   workers.run([&] {
     if (settings.has_goal()) {
-      GoalRender(pictures, settings, emitters, start, monitor, *film, result).run();
+      GoalRender goal(pictures, settings, emitters, start, monitor, *film, result);
+      if (stored != nullptr) goal.resume(std::move(stored->targets));
+      goal.run();
+      if (stored != nullptr) stored->targets = goal.targets();
       if (settings.keeps_first_hits) {
         for (std::size_t i = 0; i < film->size(); ++i) {
           result.features.push_back(
@@ -104,14 +108,14 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
     result.error.reset();
     result.has_reached_error = false;
   }
-  result.camera_samples = monitor.samples_done.load();
-  result.rays = monitor.rays_done.load();
-  result.truncated_paths = pictures.counts().truncated_paths;
-  result.nonfinite_samples = pictures.counts().nonfinite_samples;
+  const TraceCounts counts = pictures.counts();
+  result.camera_samples = pictures.samples();
+  result.rays = counts.rays;
+  result.truncated_paths = counts.truncated_paths;
+  result.nonfinite_samples = counts.nonfinite_samples;
   result.scarce_emitters = emitters.scarce();
   if (stored != nullptr) {
     store(pictures, emitters, *stored);
-    if (settings.is_adaptive) stored->targets = result.samples_of_pixels;
   }
   result.sampled_lights = static_cast<std::uint32_t>(result.kernel.lights.size());
   return result;

@@ -70,11 +70,12 @@ struct RenderResult {
 /// Without a time limit, the same scene, settings and seed give the same bytes for any number of
 /// threads and any order of tiles. An error goal that was reached with N samples per pixel gives
 /// the same bytes as N samples. With a wide kernel this also holds across all instruction sets with
-/// fused multiply-add, which is all but SSE4 and the portable ones.
+/// fused multiply-add (Backend::is_fused).
 ///
 /// The samples are added to `film`, from new_film() or read_film_file(), unless it is null. If it
-/// has samples of the whole picture, the render goes on from there. Throws std::invalid_argument if
-/// it is of another scene or of other settings.
+/// has samples of the whole picture, the render goes on from there. Precondition: it is of the same
+/// scene and program, see difference(). Throws std::invalid_argument if it is of other settings or
+/// of another kernel.
 RenderResult render(const PreparedScene& scene, const RenderSettings& settings,
                     RenderMonitor& monitor, StoredFilm* film = nullptr);
 

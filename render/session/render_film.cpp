@@ -43,22 +43,28 @@ FilmOrigin origin_of(const PreparedScene& scene, std::uint64_t digest, std::stri
           .program = std::move(program)};
 }
 
-bool overlap(const FilmExtent& a, const FilmExtent& b) noexcept {
-  return a.first_pixel < b.first_pixel + b.pixels && b.first_pixel < a.first_pixel + a.pixels;
+/// Whether the film has samples from `extent.first_sample` to `end_sample` of its pixels.
+bool overlap(const Film& film, const FilmExtent& extent, std::uint32_t end_sample) noexcept {
+  const FilmExtent& has = film.extent();
+  const bool share_pixels = has.first_pixel < extent.first_pixel + extent.pixels &&
+                            extent.first_pixel < has.first_pixel + has.pixels;
+  return share_pixels && has.first_sample < end_sample && film.end_sample() > extent.first_sample;
 }
 
 }  // namespace
 
-Film& film_of(const FilmExtent& extent, StoredFilm& stored) {
-  const auto known = std::ranges::find(stored.films, extent, &Film::extent);
-  if (known != stored.films.end()) return *known;
-  for (const Film& film : stored.films) {
-    if (film.extent().first_sample == extent.first_sample && overlap(film.extent(), extent)) {
-      throw std::invalid_argument("a film of other pixels has some of these samples");
+Film& film_of(const FilmPart& part, StoredFilm& stored) {
+  Film* known = nullptr;
+  for (Film& film : stored.films) {
+    if (film.extent() == part.extent) {
+      known = &film;
+    } else if (overlap(film, part.extent, part.end_sample)) {
+      throw std::invalid_argument("another film has some of these samples");
     }
   }
+  if (known != nullptr) return *known;
   return stored.films.emplace_back(
-      extent, stored.origin.has_first_hits ? Channels::ColorAndFirstHits : Channels::Color);
+      part.extent, stored.origin.has_first_hits ? Channels::ColorAndFirstHits : Channels::Color);
 }
 
 void check_origin(const PreparedScene& scene, const RenderSettings& settings,
@@ -93,22 +99,18 @@ bool render_part(const PreparedScene& scene, const RenderSettings& settings, Ren
   EmitterTally emitters(scene.emitters(), settings.depth);
   emitters.restore(stored.emitters);
 
-  Film& film = film_of(part.extent, stored);
+  Film& film = film_of(part, stored);
   std::vector<ReplicateCounts> targets(film.size());
-  std::uint64_t added = 0;
   for (std::size_t i = 0; i < film.size(); ++i) {
     const std::uint64_t pixel = part.extent.first_pixel + i;
     targets[i] = counts_in(part, samples[samples.size() == 1 ? 0 : pixel]);
-    std::uint64_t target = 0;
-    for (const std::uint32_t count : targets[i]) target += count;
-    added = std::max(added, target - std::min(target, film.samples(i)));
   }
   film.reserve(targets);
   PictureTracer pictures(scene.tracer(), settings, emitters, workers.count(), monitor);
   if (monitor.on_tracing) monitor.on_tracing();
   const bool is_whole = workers.run([&] {
     return pictures.trace_pass(
-        film, added, [&](std::size_t pixel) { return targets[pixel]; }, [] { return false; });
+        film, [&](std::size_t pixel) { return targets[pixel]; }, [] { return false; });
   });
   if (monitor.on_pass) monitor.on_pass(film);
   store(pictures, emitters, stored);

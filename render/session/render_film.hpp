@@ -26,12 +26,13 @@ struct FilmPart {
 StoredFilm new_film(const PreparedScene& scene, std::uint64_t digest, std::string program,
                     const RenderSettings& settings);
 
-/// Throws std::invalid_argument if the film is not of this scene and these settings.
+/// Throws std::invalid_argument if the film is not of these settings and this kernel. The scene and
+/// the program are the caller's to compare: difference() with a new_film().
 void check_origin(const PreparedScene& scene, const RenderSettings& settings,
                   const StoredFilm& stored);
-/// The film with this extent, which is added if there is none. Throws std::invalid_argument if
-/// another film has some of its samples.
-Film& film_of(const FilmExtent& extent, StoredFilm& stored);
+/// The film with the extent of the part, which is added if there is none. Throws
+/// std::invalid_argument if another film has some of its samples.
+Film& film_of(const FilmPart& part, StoredFilm& stored);
 /// Adds the counts of a render. If it dropped samples, emitters are as before: too few paths are
 /// counted then, so that no error is called known that is not.
 void store(const PictureTracer& pictures, const EmitterTally& emitters, StoredFilm& stored);

@@ -15,7 +15,6 @@
 
 #include "render/lanes/vector_math-inl.h"
 #include "render/scene/settings.hpp"
-#include "render/shading/lane_sampler-inl.h"
 #include "render/shading/sampler.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -26,9 +26,6 @@ enum VertexPair : std::uint32_t {
   kLight,      ///< direction within the cone of an emitter
   kVertexPairs,
 };
-constexpr std::uint32_t vertex_pair(int vertex, VertexPair pair) noexcept {
-  return kCameraPairs + static_cast<std::uint32_t>(vertex) * kVertexPairs + pair;
-}
 
 /// The step between consecutive samples and words before mixing: 2^32 divided by the golden ratio,
 /// odd.

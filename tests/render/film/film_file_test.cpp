@@ -124,6 +124,29 @@ TEST_F(FilmFile, IsRefusedIfAnyByteIsChanged) {
   }
 }
 
+TEST_F(FilmFile, IsRefusedIfTwoOfItsFilmsHaveASample) {
+  StoredFilm film = example(), again = example();
+  film.films.push_back(std::move(again.films[0]));
+  EXPECT_EQ(refusal_of(written(film)), Reason::Damaged);
+}
+
+TEST_F(FilmFile, IsRefusedIfItsNumbersAreImpossible) {
+  const auto refusal = [&](const auto& change) {
+    StoredFilm film = example();
+    change(film);
+    return refusal_of(written(film));
+  };
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.origin.width = 0x80000000; }), Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.origin.depth = 0; }), Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) {
+              film.films.clear();
+              film.origin.replicates = 3;
+            }),
+            Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.emitters.push_back({.paths = 9, .enough = 8}); }),
+            Reason::Damaged);
+}
+
 TEST_F(FilmFile, IsRefusedIfItIsCutOrLonger) {
   const std::string bytes = written(example());
   for (std::size_t size = 0; size < bytes.size(); ++size) {

@@ -150,6 +150,19 @@ TEST(MergeFilms, RefusesASampleThatTwoFilmsHave) {
   EXPECT_THROW(merged(films), DoubledSample);
 }
 
+TEST(MergeFilms, RefusesADoubledSampleBehindAGap) {
+  std::vector<Film> films;
+  const auto add = [&](std::uint32_t first_sample, const ReplicateCounts& counts) {
+    Film& film = films.emplace_back(FilmExtent{.pixels = 1, .first_sample = first_sample});
+    test::trace_samples(film, std::vector<ReplicateCounts>{counts});
+  };
+  add(0, {4 * kBlock, kBlock});
+  add(2 * kBlock, {0, kBlock});  // a gap in the second replicate
+  EXPECT_EQ(merged(films).size(), 2u);
+  add(3 * kBlock, {kBlock});
+  EXPECT_THROW(merged(films), DoubledSample);
+}
+
 TEST(MergeFilms, JoinsFilmsOfOneReplicate) {
   std::vector<Film> films;
   for (const std::uint64_t first : {2u, 0u}) {

@@ -17,6 +17,7 @@ namespace {
 
 using test::reference::PathSampler;
 using test::reference::UniformPair;
+using test::reference::vertex_pair;
 
 constexpr std::array kKinds{SamplerKind::Sobol, SamplerKind::Independent};
 

@@ -57,6 +57,10 @@ constexpr ScrambledPoint scrambled_sobol(std::uint32_t order, std::uint32_t shuf
           reversed_bits(scramble_upwards(sobol_second_reversed(index), key(y)))};
 }
 
+constexpr std::uint32_t vertex_pair(int vertex, VertexPair pair) noexcept {
+  return kCameraPairs + static_cast<std::uint32_t>(vertex) * kVertexPairs + pair;
+}
+
 /// Two random numbers, each uniform in [0, 1), never 1.
 struct UniformPair {
   double first, second;
