@@ -51,20 +51,55 @@ bool overlap(const Film& film, const FilmExtent& extent, std::uint32_t end_sampl
   return share_pixels && has.first_sample < end_sample && film.end_sample() > extent.first_sample;
 }
 
+/// Whether a film of `part` can be continued as one of `whole`.
+bool contains(const FilmExtent& whole, const FilmExtent& part) noexcept {
+  return part.first_sample == whole.first_sample && part.replicates == whole.replicates &&
+         part.first_pixel >= whole.first_pixel &&
+         part.first_pixel + part.pixels <= whole.first_pixel + whole.pixels;
+}
+
+/// Copies the samples of films of other pixels to a film that has none.
+void copy_samples(std::span<const Film> from, Film& to) {
+  if (from.empty()) return;
+  const auto offset = [&](const Film& film) {
+    return static_cast<std::size_t>(film.extent().first_pixel - to.extent().first_pixel);
+  };
+  const std::uint32_t replicates = to.extent().replicates;
+  std::vector<ReplicateCounts> counts(to.size());
+  for (const Film& film : from) {
+    for (std::size_t i = 0; i < film.size(); ++i) {
+      for (std::uint32_t r = 0; r < replicates; ++r) counts[offset(film) + i][r] = film.count(i, r);
+    }
+  }
+  to.reserve(counts);
+  for (const Film& film : from) {
+    for (std::size_t i = 0; i < film.size(); ++i) {
+      const std::size_t pixel = offset(film) + i;
+      for (std::uint32_t r = 0; r < replicates; ++r) {
+        if (film.count(i, r) > 0) to.set(pixel, r, film.sum(i, r));
+      }
+      if (to.channels() != Channels::Color) to.first_hits(pixel) = film.first_hits(i);
+    }
+  }
+}
+
 }  // namespace
 
 Film& film_of(const FilmPart& part, StoredFilm& stored) {
-  Film* known = nullptr;
-  for (Film& film : stored.films) {
-    if (film.extent() == part.extent) {
-      known = &film;
-    } else if (overlap(film, part.extent, part.end_sample)) {
+  const auto contained = std::ranges::partition(
+      stored.films, [&](const Film& film) { return !contains(part.extent, film.extent()); });
+  const std::span<Film> others(stored.films.begin(), contained.begin());
+  for (const Film& film : others) {
+    if (overlap(film, part.extent, part.end_sample)) {
       throw std::invalid_argument("another film has some of these samples");
     }
   }
-  if (known != nullptr) return *known;
-  return stored.films.emplace_back(
-      part.extent, stored.origin.has_first_hits ? Channels::ColorAndFirstHits : Channels::Color);
+  if (contained.size() == 1 && contained.front().extent() == part.extent) return contained.front();
+  Film film(part.extent,
+            stored.origin.has_first_hits ? Channels::ColorAndFirstHits : Channels::Color);
+  copy_samples(contained, film);
+  stored.films.erase(contained.begin(), contained.end());
+  return stored.films.emplace_back(std::move(film));
 }
 
 void check_origin(const PreparedScene& scene, const RenderSettings& settings,

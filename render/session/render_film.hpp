@@ -30,8 +30,9 @@ StoredFilm new_film(const PreparedScene& scene, std::uint64_t digest, std::strin
 /// the program are the caller's to compare: difference() with a new_film().
 void check_origin(const PreparedScene& scene, const RenderSettings& settings,
                   const StoredFilm& stored);
-/// The film with the extent of the part, which is added if there is none. Throws
-/// std::invalid_argument if another film has some of its samples.
+/// The film with the extent of the part. It takes over films of fewer pixels with the same first
+/// sample, and is added if there is none. Throws std::invalid_argument if another film has some of
+/// its samples.
 Film& film_of(const FilmPart& part, StoredFilm& stored);
 /// Adds the counts of a render. If it dropped samples, emitters are as before: too few paths are
 /// counted then, so that no error is called known that is not.
@@ -39,9 +40,9 @@ void store(const PictureTracer& pictures, const EmitterTally& emitters, StoredFi
 
 /// Adds to `stored` the samples of a part that it lacks. Each pixel of the picture has the same
 /// number of `samples`, or there is one number per pixel; the goals of `settings` are ignored. A
-/// film with the extent of the part is continued; otherwise one is added. Returns false if
-/// `monitor` cancelled it: some samples are then missing, and a second call adds them. Throws
-/// std::invalid_argument as check_origin() and film_of() do.
+/// film with the extent of the part, or of some of its pixels, is continued; otherwise one is
+/// added. Returns false if `monitor` cancelled it: some samples are then missing, and a second call
+/// adds them. Throws std::invalid_argument as check_origin() and film_of() do.
 ///
 /// Parts that are joined by add_film() have the bits of a render of the whole picture.
 bool render_part(const PreparedScene& scene, const RenderSettings& settings, RenderMonitor& monitor,

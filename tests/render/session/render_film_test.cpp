@@ -372,6 +372,31 @@ TEST(RenderFilm, TakesOnlyThePixelsOfACrop) {
   }
 }
 
+TEST(RenderFilm, IsContinuedFromPartsOfThePicture) {
+  const RenderSettings settings{
+      .width = 30, .height = 20, .samples = 900, .depth = 8, .keeps_first_hits = true};
+  const Scene scene = room();
+  const PreparedScene prepared = prepare(scene, settings);
+  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
+  RenderMonitor monitor;
+  std::uint32_t samples = 900;
+  const FilmPart top{.extent = {.pixels = 100}};
+  const FilmPart middle{.extent = {.first_pixel = 210, .pixels = 90}, .end_sample = 64};
+  EXPECT_TRUE(render_part(prepared, settings, monitor, top, std::span(&samples, 1), film));
+  EXPECT_TRUE(render_part(prepared, settings, monitor, middle, std::span(&samples, 1), film));
+  EXPECT_EQ(film.films.size(), 2u);
+  const RenderResult result = render(prepared, settings, monitor, &film);
+  EXPECT_EQ(film.films.size(), 1u);
+  EXPECT_EQ(monitor.samples_done.load(), 600u * 900);
+  const RenderResult expected = render(prepared, settings, monitor);
+  EXPECT_TRUE(bytes_of(result.picture) == bytes_of(expected.picture));
+  EXPECT_EQ(result.features, expected.features);
+
+  const FilmPart other{.extent = {.first_pixel = 5, .pixels = 10, .first_sample = 64}};
+  EXPECT_THROW(render_part(prepared, settings, monitor, other, std::span(&samples, 1), film),
+               std::invalid_argument);
+}
+
 TEST(RenderFilm, HasTheOriginOfItsPicture) {
   RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
   const Scene scene = room();
