@@ -24,12 +24,12 @@ namespace {
 
 constexpr std::uint32_t kBlock = SampleSum::kBlock;
 
-/// Every material, a lamp and motion.
+/// Every material, a lamp, motion, and a ground that is computed in double when the rest is float.
 Scene room(double sky = 0.1) {
   Scene scene = test::beam_scene({0, 1, 4}, {0, 0, 0}, LinearRgb{sky});
   scene.camera.aspect = 1.5;
   scene.camera.plane_height = 1.2;
-  test::add_sphere(scene, {0, -100.5, 0}, 100, test::diffuse({0.5, 0.6, 0.3}));
+  test::add_sphere(scene, {0, -1e4 - 0.5, 0}, 1e4, test::diffuse({0.5, 0.6, 0.3}));
   test::add_sphere(scene, {-1, 0, 0}, 0.5, test::specular({0.8, 0.8, 0.6}, 0.2));
   test::add_sphere(scene, {0, 0, 0}, 0.5, test::transmissive({1, 1, 1}, 1.5));
   test::add_sphere(scene, {1, 0, 0}, 0.5, test::diffuse({0.9, 0.2, 0.1}));
@@ -69,20 +69,41 @@ std::vector<FilmPart> random_parts(std::minstd_rand& random, std::size_t pixels,
   return parts;
 }
 
+/// The same with instances of two of its balls.
+Scene room_with_instances(double sky) {
+  Scene scene = room(sky);
+  scene.prototypes.push_back({.spheres = {scene.spheres[1], scene.spheres[2]}, .shifts = {}});
+  for (const double x : {-0.5, 0.3, 1.2}) {
+    Instance& instance = scene.instances.emplace_back();
+    instance.placement.translate = {x, 0.4, 0.8};
+    instance.placement.scale = 0.3;
+    instance.shift = {0, x / 4, 0};
+  }
+  return scene;
+}
+
 struct Case {
   std::string name;
   KernelRequest kernel;
   RenderSettings settings;
+  bool has_instances = false;
+
+  Scene scene() const {
+    // In the dark every pixel takes the most samples.
+    const double sky = settings.is_adaptive ? 1 : 0.1;
+    return has_instances ? room_with_instances(sky) : room(sky);
+  }
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 std::vector<Case> cases() {
   std::vector<Case> cases;
   const RenderSettings settings{.width = 30, .height = 20, .depth = 8, .seed = 3, .threads = 2};
-  const auto add = [&](const std::string& name, const KernelRequest& kernel) {
+  const auto add = [&](const std::string& name, const KernelRequest& kernel,
+                       bool has_instances = false) {
     for (const SamplerKind sampler : {SamplerKind::Sobol, SamplerKind::Independent}) {
       for (const LightSampling lights : {LightSampling::On, LightSampling::Off}) {
-        Case one{name, kernel, settings};
+        Case one{name, kernel, settings, has_instances};
         one.settings.sampler = sampler;
         one.settings.light_sampling = lights;
         one.name += sampler == SamplerKind::Sobol ? "_sobol" : "_independent";
@@ -101,7 +122,9 @@ std::vector<Case> cases() {
     }
   };
   add("scalar", {.backend = &portable_backend()});
+  add("instances_scalar", {.backend = &portable_backend()}, true);
   for (const Backend* backend : available_vectors()) {
+    add("instances_" + std::string(backend->name), {.backend = backend}, true);
     for (const Precision precision : {Precision::Float, Precision::Double}) {
       const std::string name =
           std::string(backend->name) + (precision == Precision::Float ? "_float" : "_double");
@@ -136,9 +159,11 @@ class FilmParts : public testing::TestWithParam<Case> {};
 TEST_P(FilmParts, GiveTheBytesOfARenderAtOnceHoweverItWasCut) {
   RenderSettings settings = GetParam().settings;
   settings.keeps_first_hits = settings.sampler == SamplerKind::Sobol;
-  // In the dark every pixel takes the most samples.
-  const Scene scene = room(settings.is_adaptive ? 1 : 0.1);
+  const Scene scene = GetParam().scene();
   const PreparedScene prepared = prepare(scene, settings, GetParam().kernel);
+  if (GetParam().kernel.precision == Precision::Float) {
+    EXPECT_EQ(prepared.kernel().precision, Precision::Mixed) << "the ground is computed in double";
+  }
   RenderMonitor monitor;
   const RenderResult expected = render(prepared, settings, monitor);
   ASSERT_EQ(expected.samples_of_pixels.empty(), !settings.is_adaptive);
