@@ -65,8 +65,7 @@ void add_kernel_options(Command& command, render::KernelRequest& request) {
             if (word == "bvh") request.search = Search::Bvh;
           },
           "How paths are traced: on every machine alike, or with its vectors; with all spheres "
-          "tested "
-          "per ray, or with a BVH")
+          "tested per ray, or with a BVH")
       .one_of(kKernels);
 
   static const std::vector<std::string_view> isas = [] {

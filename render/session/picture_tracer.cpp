@@ -93,8 +93,12 @@ bool PictureTracer::trace_tile(Film& film, std::size_t begin, std::size_t end, c
 bool PictureTracer::trace_pass(Film& film, const Target& target, const IsLate& is_late,
                                const OnTile& on_tile) {
   std::atomic<bool> is_whole{true};
-  std::uint64_t added = 0;  // in the pixel that lacks the most
-  for (std::size_t i = 0; i < film.size(); ++i) {
+  // Only the size of tiles depends on what pixels lack: looking at all of a large picture would
+  // take as long as some of the first passes.
+  constexpr std::size_t kPixelsToLookAt = 4096;
+  const std::size_t step = film.size() / kPixelsToLookAt + 1;
+  std::uint64_t added = 0;
+  for (std::size_t i = 0; i < film.size(); i += step) {
     const ReplicateCounts counts = target(i);
     const std::uint64_t samples = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
     added = std::max(added, samples - std::min(samples, film.samples(i)));
