@@ -55,6 +55,18 @@ std::string rare_light(const std::vector<render::RarePath>& rare) {
       words_of(worst->kind));
 }
 
+/// The warning about radiance whose squares are beyond the range of numbers.
+std::string extreme_light(const render::Picture& picture) {
+  const bool is_bright = std::ranges::any_of(picture.pixels, [](const render::LinearRgb& pixel) {
+    return std::max({pixel.r, pixel.g, pixel.b}) > 1;
+  });
+  return is_bright
+             ? "the error is unknown: the radiance is so large that its square overflows; use "
+               "darker lights"
+             : "the error is unknown: the radiance is so small that its square underflows; "
+               "use brighter lights";
+}
+
 }  // namespace
 
 std::string describe_samples(const render::RenderResult& result) {
@@ -93,9 +105,13 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
     warnings.push_back(fmt::format("the error did not reach {} % within the allowed {}: {}",
                                    percent(*settings.error), limit, reached));
   }
-  if (!result.rare_paths.empty()) warnings.push_back(rare_light(result.rare_paths));
   // With fewer samples the error is not estimated, so nothing can be missing in it.
   const bool has_estimate = result.min_samples >= render::kMinReplicatedSamples;
+  if (!result.rare_paths.empty()) {
+    warnings.push_back(rare_light(result.rare_paths));
+  } else if (has_estimate && !result.error) {
+    warnings.push_back(extreme_light(result.picture));
+  }
   if (has_estimate && !result.scarce_emitters.empty()) {
     warnings.push_back(scarce_light(settings, result.scarce_emitters));
   }

@@ -73,12 +73,18 @@ std::vector<render::Layer> picture_layers(const Aovs& aovs, const render::Render
   std::vector<render::Layer> layers = feature_layers(result.features, aovs);
   // Only a render with a goal counts the samples per pixel.
   const bool is_counted = result.is_complete || settings.has_goal();
+  const auto warn = [&err](std::string_view channels, std::string_view reason) {
+    err << fmt::format("warning: --aov: without {}, as {}\n", channels, reason);
+  };
   std::vector<std::string_view> missing;
   if (aovs.variance) {
-    if (is_counted && !result.variance.pixels.empty()) {
-      std::ranges::move(render::variance_layers(result.variance), std::back_inserter(layers));
-    } else {
+    if (!is_counted || result.variance.pixels.empty()) {
       missing.push_back("variance");
+    } else if (!render::fits_float(result.variance, result.picture)) {
+      // Clamped or 0, it would declare noise a difference.
+      warn("variance", "its values are beyond the range of 32-bit floats");
+    } else {
+      std::ranges::move(render::variance_layers(result.variance), std::back_inserter(layers));
     }
   }
   if (aovs.samples) {
@@ -95,7 +101,7 @@ std::vector<render::Layer> picture_layers(const Aovs& aovs, const render::Render
           ? fmt::format("it takes at least {} samples per pixel, and there was time for {}",
                         render::kMinReplicatedSamples, result.min_samples)
           : "the render was interrupted";
-  err << fmt::format("warning: --aov: without {}, as {}\n", fmt::join(missing, ", "), reason);
+  warn(fmt::to_string(fmt::join(missing, ", ")), reason);
   return layers;
 }
 

@@ -23,8 +23,8 @@ void check_aovs(const render::Aovs& aovs, const std::vector<Output>& outputs,
 std::size_t aov_bytes(const render::Aovs& aovs, std::size_t pixels) noexcept;
 
 /// The requested layers. Unavailable ones are left out, with a message on `err`: the variance with
-/// fewer than 8 samples per pixel, and, for a render that was interrupted without a goal, variance
-/// and samples.
+/// fewer than 8 samples per pixel or beyond the range of floats, and, for a render that was
+/// interrupted without a goal, variance and samples.
 std::vector<render::Layer> picture_layers(const render::Aovs& aovs,
                                           const render::RenderSettings& settings,
                                           const render::RenderResult& result, std::ostream& err);

@@ -1,6 +1,7 @@
 #include "render/film/aov.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -34,6 +35,22 @@ std::vector<Layer> feature_layers(std::span<const PixelFeatures> features, const
     add("albedo.B", [](const PixelFeatures& pixel) { return pixel.albedo.b; });
   }
   return layers;
+}
+
+bool fits_float(const Picture& variance, const Picture& mean) noexcept {
+  using Float = std::numeric_limits<float>;
+  for (const auto channel : {&LinearRgb::r, &LinearRgb::g, &LinearRgb::b}) {
+    double largest = 0, brightest = 0;
+    for (std::size_t i = 0; i < variance.pixels.size(); ++i) {
+      const double value = variance.pixels[i].*channel;
+      if (!(value <= Float::max())) return false;
+      largest = std::max(largest, value);
+      brightest = std::max(brightest, mean.pixels[i].*channel);
+    }
+    const double rounding = brightest * Float::epsilon() / 2;
+    if (largest < Float::min() && largest > rounding * rounding) return false;
+  }
+  return true;
 }
 
 std::vector<Layer> variance_layers(const Picture& variance) {

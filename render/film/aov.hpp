@@ -27,6 +27,10 @@ struct Aovs {
 /// RenderResult::features as the channels among normal, depth and albedo that `aovs` asks for.
 std::vector<Layer> feature_layers(std::span<const PixelFeatures> features, const Aovs& aovs);
 
+/// Whether 32-bit floats can hold the variance of `mean`: no value overflows, and no channel
+/// underflows that differs by more than the rounding of its means.
+bool fits_float(const Picture& variance, const Picture& mean) noexcept;
+
 /// RenderResult::variance as channels.
 std::vector<Layer> variance_layers(const Picture& variance);
 

@@ -123,6 +123,28 @@ TEST_F(AovCommand, LeavesOutAVarianceThatTimeWasTooShortFor) {
   EXPECT_THAT(names("a.exr"), UnorderedElementsAre("R", "G", "B", "samples.V"));
 }
 
+TEST_F(AovCommand, LeavesOutAVarianceThatFloatsCannotHold) {
+  const auto lit = [&](const std::string& intensity) {
+    write_text(folder_ / "lit.scene", content_of(folder_ / "ball.scene") +
+                                          "sphere lamp { center: (0, 9, 9), radius: 5, material: "
+                                          "emissive(color: white, intensity: " +
+                                          intensity + ") }\nbackground { color: black }\n");
+    return run("\"$SDLC\" render lit.scene --quiet --depth 9 --samples 32 --aov variance -o a.exr");
+  };
+  const char* const warning =
+      "warning: --aov: without variance, as its values are beyond the range of 32-bit floats\n";
+  for (const char* intensity : {"1e25", "1e-25", "1e200"}) {
+    const ProgramResult result = lit(intensity);
+    EXPECT_EQ(result.exit_code, 0) << intensity;
+    EXPECT_THAT(result.err, HasSubstr(warning)) << intensity;
+    EXPECT_THAT(names("a.exr"), UnorderedElementsAre("R", "G", "B")) << intensity;
+  }
+  for (const char* intensity : {"1e15", "1e-15"}) {
+    EXPECT_EQ(lit(intensity).err, "") << intensity;
+    EXPECT_EQ(names("a.exr").size(), 6u) << intensity;
+  }
+}
+
 TEST_F(AovCommand, ReportsTheSamplesOfEachPixel) {
   const ProgramResult result =
       render("-o a.exr --aov samples,variance --error 0.3% --adaptive --samples 65536");

@@ -454,6 +454,23 @@ TEST_F(RenderCommand, WarnsOfSamplesThatCannotReachTheError) {
   EXPECT_THAT(result.err, HasSubstr("remove `--samples`, or set it to at least 8"));
 }
 
+TEST_F(RenderCommand, GivesTheReasonWhyTheErrorIsUnknown) {
+  const auto lit_by = [&](const std::string& intensity) {
+    write_text(folder_ / "lamp.scene",
+               "scene 1\ncamera main { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }\n"
+               "background { color: black }\nrender { width: 32, samples: 8 }\n"
+               "sphere { center: (0, 0, 0), radius: 1, material: emissive(color: white, "
+               "intensity: " +
+                   intensity + ") }\n");
+    return run("\"$SDLC\" render lamp.scene -o a.png").err;
+  };
+  EXPECT_THAT(lit_by("1e200"), HasSubstr("warning: the error is unknown: the radiance is so large "
+                                         "that its square overflows; use darker lights\n"));
+  EXPECT_THAT(lit_by("1e-200"), HasSubstr("warning: the error is unknown: the radiance is so small "
+                                          "that its square underflows; use brighter lights\n"));
+  EXPECT_THAT(lit_by("1e100"), Not(HasSubstr("unknown")));
+}
+
 TEST_F(RenderCommand, RefusesNumbersOutOfRange) {
   for (const char* flags : {"--width 0", "--samples -1", "--depth 0", "--samples 1.5",
                             "--threads -2", "--seed -1", "--width 99999999999"}) {

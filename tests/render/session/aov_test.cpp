@@ -271,6 +271,23 @@ TEST(PictureLayers, HoldTheVarianceByChannel) {
   EXPECT_EQ(layers[2].values, std::vector(2, 3.0F));
 }
 
+TEST(PictureLayers, HoldAVarianceOnlyIfFloatsCan) {
+  const auto fits = [](double variance, double mean) {
+    Picture variances(2, 1), means(2, 1);
+    variances.pixels[1].g = variance;
+    means.pixels[1].g = mean;
+    return fits_float(variances, means);
+  };
+  EXPECT_TRUE(fits(0, 1));
+  EXPECT_TRUE(fits(3e38, 1e25));
+  EXPECT_FALSE(fits(4e38, 1e25));
+  EXPECT_FALSE(fits(INFINITY, 1e200));
+  EXPECT_FALSE(fits(NAN, 1e200));
+  EXPECT_TRUE(fits(1e-37, 1e-18));
+  EXPECT_FALSE(fits(1e-39, 1e-18));
+  EXPECT_TRUE(fits(1e-39, 1e-3)) << "the means differ by rounding";
+}
+
 TEST(PictureLayers, HoldTheSamplesOfEachPixelOrThoseOfAll) {
   const std::vector<std::uint32_t> samples{3, 5};
   EXPECT_EQ(samples_layer(samples, 9, 2).values, (std::vector{3.0F, 5.0F}));
