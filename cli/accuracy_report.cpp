@@ -55,16 +55,20 @@ std::string rare_light(const std::vector<render::RarePath>& rare) {
       words_of(worst->kind));
 }
 
-/// The warning about radiance whose squares are beyond the range of numbers.
-std::string extreme_light(const render::Picture& picture) {
-  const bool is_bright = std::ranges::any_of(picture.pixels, [](const render::LinearRgb& pixel) {
-    return std::max({pixel.r, pixel.g, pixel.b}) > 1;
-  });
-  return is_bright
-             ? "the error is unknown: the radiance is so large that its square overflows; use "
-               "darker lights"
-             : "the error is unknown: the radiance is so small that its square underflows; "
-               "use brighter lights";
+/// The warning about an error that no kind of path hides: the picture is black and its paths were
+/// cut off, or squares of the radiance are beyond the range of numbers.
+std::string unknown_error(const render::Picture& picture) {
+  double largest = 0;
+  for (const render::LinearRgb& pixel : picture.pixels) {
+    largest = std::max({largest, pixel.r, pixel.g, pixel.b});
+  }
+  if (largest == 0) {
+    return "the error is unknown: the picture is black and `depth` cut off paths, which may find "
+           "light with a larger one";
+  }
+  return fmt::format("the error is unknown: the radiance is so {}",
+                     largest > 1 ? "large that its square overflows; use darker lights"
+                                 : "small that its square underflows; use brighter lights");
 }
 
 }  // namespace
@@ -110,7 +114,7 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
   if (!result.rare_paths.empty()) {
     warnings.push_back(rare_light(result.rare_paths));
   } else if (has_estimate && !result.error) {
-    warnings.push_back(extreme_light(result.picture));
+    warnings.push_back(unknown_error(result.picture));
   }
   if (has_estimate && !result.scarce_emitters.empty()) {
     warnings.push_back(scarce_light(settings, result.scarce_emitters));

@@ -60,6 +60,12 @@ void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderS
   if (settings.keeps_variance) result.spreads = std::move(spreads);
 }
 
+/// Whether no path found light and some were cut off: then nothing is known of the error, which is
+/// relative to the light.
+bool is_cut_to_black(const RenderResult& result, std::uint64_t truncated_paths) {
+  return result.error && result.error->mean == 0 && truncated_paths > 0;
+}
+
 /// RenderSettings::seconds counts from `start`. `film` may be null.
 RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
                           const RenderSettings& settings, RenderMonitor& monitor,
@@ -103,12 +109,14 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
   result.render_seconds = seconds_since(render_start);
   result.is_complete = !monitor.cancel.load();
   if (!result.is_complete) result.error.reset();
-  if (has_unseen_error(result, emitters)) {
+  const TraceCounts counts = pictures.counts();
+  const std::uint64_t truncated_before = stored != nullptr ? stored->statistics.truncated_paths : 0;
+  if (is_cut_to_black(result, counts.truncated_paths + truncated_before) ||
+      has_unseen_error(result, emitters)) {
     result.rare_paths = emitters.rare();
     result.error.reset();
     result.has_reached_error = false;
   }
-  const TraceCounts counts = pictures.counts();
   result.camera_samples = pictures.samples();
   result.rays = counts.rays;
   result.truncated_paths = counts.truncated_paths;

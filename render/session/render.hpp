@@ -46,7 +46,8 @@ struct RenderResult {
   std::uint64_t max_samples = 0;
   bool has_reached_error = false;  ///< RenderSettings::error
   /// For a complete picture with at least 8 samples per pixel; nullopt if rare kinds of path may
-  /// add more than half of the interval's upper end (unseen_error()).
+  /// add more than half of the interval's upper end (unseen_error()), and for a black picture of
+  /// which paths were cut off.
   std::optional<ErrorEstimate> error{};
   Picture variance;                  ///< variance of each pixel's mean, if requested and known
   std::vector<PixelSpread> spreads;  ///< the same per pixel, channels combined

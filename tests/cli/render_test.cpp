@@ -469,6 +469,13 @@ TEST_F(RenderCommand, GivesTheReasonWhyTheErrorIsUnknown) {
   EXPECT_THAT(lit_by("1e-200"), HasSubstr("warning: the error is unknown: the radiance is so small "
                                           "that its square underflows; use brighter lights\n"));
   EXPECT_THAT(lit_by("1e100"), Not(HasSubstr("unknown")));
+
+  write_text(folder_ / "room.scene", std::string(kScene) +
+                                         "sphere { center: (0, 0, 0), radius: "
+                                         "9, material: diffuse(color: tan) }\n");
+  EXPECT_THAT(run("\"$SDLC\" render room.scene -o a.png").err,
+              HasSubstr("warning: the error is unknown: the picture is black and `depth` cut off "
+                        "paths, which may find light with a larger one\n"));
 }
 
 TEST_F(RenderCommand, RefusesNumbersOutOfRange) {

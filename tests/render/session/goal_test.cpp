@@ -1,5 +1,6 @@
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -77,6 +78,20 @@ TEST(GoalForTheError, IsReachedAtOnceWhereThereIsNoNoise) {
   settings.width = settings.height = 1;
   EXPECT_TRUE(
       rendered(test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{1}), settings).has_reached_error);
+}
+
+TEST(GoalForTheError, IsNotReachedByABlackPictureOfPathsThatWereCutOff) {
+  Scene room = test::beam_scene({0, 0, 0}, {0, 0, -1}, LinearRgb{1});
+  test::add_sphere(room, {0, 0, 0}, 1, test::diffuse({0.7, 0.5, 0.2}));
+  RenderSettings settings = kSmall;
+  settings.samples = 32;
+  for (const std::optional<double> goal : {std::optional<double>(), std::optional<double>(0.5)}) {
+    settings.error = goal;
+    const RenderResult result = rendered(room, settings);
+    EXPECT_TRUE(is_black(result.picture.pixels[0]));
+    EXPECT_FALSE(result.error);
+    EXPECT_FALSE(result.has_reached_error);
+  }
 }
 
 // False convergence: nothing differs, because nothing was found.
