@@ -83,6 +83,14 @@ ImageCodec* load_codec(const fs::path& module) {
 /// Loads the codec once, in the first thread that needs it or in the background.
 class Loader {
  public:
+  ~Loader() {
+    {
+      const std::lock_guard lock(mutex_);
+      is_abandoned_ = true;
+    }
+    wanted_.notify_all();  // else the process would wait for a codec that it does not need
+  }
+
   ImageCodec& codec() {
     std::shared_future<ImageCodec*> loading;
     {
@@ -109,7 +117,8 @@ class Loader {
     const auto wait_and_load = [this, module] {
       constexpr std::chrono::seconds kPatience(2);
       std::unique_lock waiting(mutex_);
-      wanted_.wait_for(waiting, kPatience, [this] { return is_wanted_; });
+      wanted_.wait_for(waiting, kPatience, [this] { return is_wanted_ || is_abandoned_; });
+      if (is_abandoned_) return static_cast<ImageCodec*>(nullptr);
       waiting.unlock();
       return load_codec(module);
     };
@@ -124,6 +133,7 @@ class Loader {
   std::mutex mutex_;
   std::condition_variable wanted_;
   bool is_wanted_ = false;
+  bool is_abandoned_ = false;
   std::shared_future<ImageCodec*> loading_;
 };
 

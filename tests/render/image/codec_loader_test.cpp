@@ -1,6 +1,8 @@
 #include "render/image/codec_loader.hpp"
 
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -55,6 +57,28 @@ TEST_F(CodecLoader, ReportsAFileThatIsNotAModule) {
 
 TEST_F(CodecLoader, FindsTheModuleBesideTheProgramWhenNoVariableIsSet) {
   EXPECT_EXIT(load_from("", [] { image_codec(); }), testing::ExitedWithCode(0), "loaded");
+}
+
+bool is_loaded() {
+  std::ifstream maps("/proc/self/maps");
+  const std::string all{std::istreambuf_iterator<char>(maps), {}};
+  return all.find("sdlc_image_codec.so") != std::string::npos;
+}
+
+/// Ends the process with 1 if the module was loaded at its end.
+void tell_at_exit_whether_loaded() {
+  // Runs after the loader is destroyed, which is created later.
+  std::atexit([] { std::_Exit(is_loaded() ? 1 : 0); });
+}
+
+TEST_F(CodecLoader, DoesNotLoadAtTheEndWhatWasNeverNeeded) {
+  EXPECT_EXIT(
+      {
+        tell_at_exit_whether_loaded();
+        preload_image_codec();
+        std::exit(2);
+      },
+      testing::ExitedWithCode(0), "");
 }
 
 TEST_F(CodecLoader, MayStillBeLoadingWhenTheProcessEnds) {
