@@ -181,7 +181,8 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
     // resident during tracing.
     release_freed_memory();
     statistics.render_rss_bytes = resident_bytes();  // before the codec allocates its own
-    render::preload_image_codec();
+    render::preload_image_codec(lowered.settings.seconds ? render::Preload::Now
+                                                         : render::Preload::Late);
   };
   const InterruptGuard interrupt(monitor.cancel);
   const ProgressReporter progress(progress_style(options, env), monitor, lowered.settings, env.err);

@@ -107,19 +107,18 @@ class Loader {
     return *loading.get();
   }
 
-  /// Loads after two seconds, or as soon as the codec is needed: loading takes a quarter of a
-  /// second of one core, which a quick render uses better for tracing.
-  void start() {
+  void start(Preload when) {
     const std::lock_guard lock(mutex_);
     if (loading_.valid()) return;
     const fs::path module = find_module();
     check_threads(module);
-    const auto wait_and_load = [this, module] {
-      constexpr std::chrono::seconds kPatience(2);
-      std::unique_lock waiting(mutex_);
-      wanted_.wait_for(waiting, kPatience, [this] { return is_wanted_ || is_abandoned_; });
-      if (is_abandoned_) return static_cast<ImageCodec*>(nullptr);
-      waiting.unlock();
+    const auto wait_and_load = [this, module, when] {
+      if (when == Preload::Late) {
+        constexpr std::chrono::seconds kPatience(2);
+        std::unique_lock waiting(mutex_);
+        wanted_.wait_for(waiting, kPatience, [this] { return is_wanted_ || is_abandoned_; });
+        if (is_abandoned_) return static_cast<ImageCodec*>(nullptr);
+      }
       return load_codec(module);
     };
     try {
@@ -146,6 +145,6 @@ Loader& loader() {
 
 ImageCodec& image_codec() { return loader().codec(); }
 
-void preload_codec() { loader().start(); }
+void preload_codec(Preload when) { loader().start(when); }
 
 }  // namespace sdlc::render

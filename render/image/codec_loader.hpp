@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/image/codec.hpp"
+#include "render/image/image.hpp"
 
 namespace sdlc::render {
 
@@ -8,8 +9,8 @@ namespace sdlc::render {
 /// missing, cannot be loaded or was built for another version of the program.
 ImageCodec& image_codec();
 
-/// Loads the codec on another thread, after two seconds or when it is needed. Throws IoError now if
-/// there is no module to load; image_codec() reports any other failure.
-void preload_codec();
+/// Loads the codec on another thread. Throws IoError now if there is no module to load;
+/// image_codec() reports any other failure.
+void preload_codec(Preload when);
 
 }  // namespace sdlc::render

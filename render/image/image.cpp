@@ -102,6 +102,6 @@ void write_picture(const fs::path& path, const Picture& picture, const WriteOpti
 
 Picture read_picture(const fs::path& path) { return rgb_of(decode_file(path).image); }
 
-void preload_image_codec() { preload_codec(); }
+void preload_image_codec(Preload when) { preload_codec(when); }
 
 }  // namespace sdlc::render

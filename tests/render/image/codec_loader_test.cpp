@@ -44,7 +44,7 @@ TEST_F(CodecLoader, SaysWhereItLookedForAMissingModule) {
 }
 
 TEST_F(CodecLoader, ReportsAMissingModuleBeforeTheFirstPicture) {
-  EXPECT_EXIT(load_from("/nowhere", preload_image_codec), testing::ExitedWithCode(0),
+  EXPECT_EXIT(load_from("/nowhere", [] { preload_image_codec(); }), testing::ExitedWithCode(0),
               "cannot load `/nowhere/sdlc_image_codec.so`");
 }
 
@@ -81,8 +81,19 @@ TEST_F(CodecLoader, DoesNotLoadAtTheEndWhatWasNeverNeeded) {
       testing::ExitedWithCode(0), "");
 }
 
+TEST_F(CodecLoader, LoadsNowWhatIsNeededSoon) {
+  EXPECT_EXIT(
+      {
+        tell_at_exit_whether_loaded();
+        preload_image_codec(Preload::Now);
+        std::exit(2);
+      },
+      testing::ExitedWithCode(1), "");
+}
+
 TEST_F(CodecLoader, MayStillBeLoadingWhenTheProcessEnds) {
-  EXPECT_EXIT(load_from("", preload_image_codec), testing::ExitedWithCode(0), "loaded");
+  EXPECT_EXIT(load_from("", [] { preload_image_codec(Preload::Now); }), testing::ExitedWithCode(0),
+              "loaded");
 }
 
 TEST_F(CodecLoader, HandsOutOneCodecWhetherPreloadedOrNot) {
