@@ -192,9 +192,12 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
 /// Prints the final line and returns the status of the command.
 ExitCode conclude(const RenderOptions& options, const render::RenderSettings& settings,
                   const render::RenderResult& result, const Written& written, Environment& env) {
+  // The scene is at fault, with a warning about it (W501).
+  const bool is_too_bright = result.kernel.bounds[render::PrecisionClause::Radiance].share > 1;
   if (result.nonfinite_samples > 0) {
-    env.err << fmt::format("error: {} samples are not finite and were left out\n",
-                           result.nonfinite_samples);
+    env.err << fmt::format("error: {} samples are not finite and were left out{}\n",
+                           result.nonfinite_samples,
+                           is_too_bright ? ": colors or intensities are beyond the precision" : "");
   }
   if (!result.is_complete) {
     const std::string of =
@@ -224,7 +227,10 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
         format_count(static_cast<double>(result.camera_samples) / result.render_seconds),
         describe_error(result));
   }
-  return graver(result.nonfinite_samples > 0 ? ExitCode::Defect : ExitCode::Success, written.code);
+  const ExitCode of_samples = result.nonfinite_samples == 0 ? ExitCode::Success
+                              : is_too_bright               ? ExitCode::Findings
+                                                            : ExitCode::Defect;
+  return graver(of_samples, written.code);
 }
 
 /// The pictures of one scene: one, or one for each frame.

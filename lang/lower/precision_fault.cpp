@@ -32,9 +32,25 @@ std::vector<PrecisionFault::Role> roles_of(PrecisionClause clause, const Precisi
       if (bound.sphere) roles.push_back({*bound.sphere, "one of the two surfaces"});
       if (bound.other) roles.push_back({*bound.other, "the other one"});
       break;
+    case PrecisionClause::Radiance:
+      if (bound.sphere) {
+        roles.push_back({*bound.sphere, bound.other ? "the brightest light" : "its material"});
+      }
+      if (bound.other) roles.push_back({*bound.other, "what multiplies light most"});
+      break;
     default: break;
   }
   return roles;
+}
+
+std::string help_for(PrecisionClause clause, const PrecisionBound& bound, Precision precision) {
+  if (precision != Precision::Double) return "`auto` chooses a sufficient precision";
+  if (clause != PrecisionClause::Radiance) {
+    return "there is no higher precision: objects this small, near or far away are rendered wrong";
+  }
+  return bound.value >= 1
+             ? "there is no higher precision: use darker lights, and colors up to white"
+             : "there is no higher precision: use brighter lights and colors";
 }
 
 PrecisionFault beyond_double_fault(const render::ScaleRatio& scale) {
@@ -74,10 +90,7 @@ std::optional<PrecisionFault> find_bounds_fault(const PrecisionBounds& bounds,
       .message = fmt::format(fmt::runtime(diag::beyond_precision.message), name_of(precision),
                              describe(clause, bounds[clause])),
       .roles = roles_of(clause, bounds[clause]),
-      .help = precision == Precision::Double
-                  ? "there is no higher precision: objects this small, near or far away are "
-                    "rendered wrong"
-                  : "`auto` chooses a sufficient precision"};
+      .help = help_for(clause, bounds[clause], precision)};
 }
 
 std::optional<PrecisionFault> find_precision_fault(const render::Scene& scene,

@@ -393,6 +393,8 @@ std::string describe(PrecisionClause clause, const PrecisionBound& bound) {
     case PrecisionClause::View:
       return "the view plane at distance 1 is " + value + " long, where " + limit + " is allowed";
     default:
+      if (bound.other)
+        return "reflected light reaches " + value + ", where " + limit + " is allowed";
       return "a color, an intensity or an index is " + value + ", where " +
              (bound.value >= 1 ? "at most " : "at least ") + limit + " is allowed";
   }

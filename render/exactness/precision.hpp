@@ -43,7 +43,8 @@ struct PrecisionBound {
   double value = 0;  ///< the quantity of PrecisionClause
   double share = 0;  ///< value relative to the limit: accepted up to 1
   double limit = 0;  ///< the value with share 1
-  /// The spheres that decide, by index. For Hit: the smallest one, then the farthest one. nullopt:
+  /// The spheres that decide, by index. For Hit: the smallest one, then the farthest one. For
+  /// Radiance, if it is exceeded: the light or material, then what multiplies the light. nullopt:
   /// no sphere, or one of an instance.
   std::optional<std::uint32_t> sphere, other;
 };

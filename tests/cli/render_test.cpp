@@ -280,6 +280,23 @@ TEST_F(RenderCommand, WarnsOfThePrecisionThatIsTaken) {
   }
 }
 
+TEST_F(RenderCommand, PointsAtLightThatOverflows) {
+  write_text(folder_ / "bright.scene",
+             "scene 1\ncamera main { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }\n"
+             "sphere ground { center: (0, -9, 0), radius: 9, material: diffuse(white * 1e30) }\n"
+             "sphere lamp { center: (0, 2, 0), radius: 1, material: emissive(color: white, "
+             "intensity: 1e300) }\n");
+  const ProgramResult result =
+      run("\"$SDLC\" render bright.scene --width 32 --samples 16 -o a.png");
+  EXPECT_EQ(result.exit_code, 1) << "it is no defect of the program";
+  EXPECT_THAT(result.err, HasSubstr("`double` does not resolve the scene: reflected light reaches "
+                                    "inf, where 1e+300 is allowed\n --> bright.scene:4:1\n"));
+  EXPECT_THAT(result.err, HasSubstr("------ what multiplies light most"));
+  EXPECT_THAT(result.err, HasSubstr("use darker lights, and colors up to white"));
+  EXPECT_THAT(result.err, HasSubstr("samples are not finite and were left out: colors or "
+                                    "intensities are beyond the precision\n"));
+}
+
 TEST_F(RenderCommand, RefusesAScenePastDoubleUnlessItIsForced) {
   write_text(folder_ / "speck.scene", std::string(kScene) +
                                           "sphere { center: (0, 0, -1e13), radius: 1, material: "
