@@ -40,7 +40,10 @@ std::string describe(const KernelRefusal& refusal) {
   switch (refusal.obstacle) {
     case KernelObstacle::OtherMachine:
       return fmt::format("{}: this machine has no {}", flag, refusal.backend->name);
-    case KernelObstacle::PortableInDouble: return fmt::format("{}: {}", flag, obstacle);
+    case KernelObstacle::PortableInDouble:
+      return fmt::format("{}: {}; omit --precision", flag, obstacle);
+    case KernelObstacle::TooManySpheres:
+      return fmt::format("{}: not with {}; use --kernel bvh", flag, obstacle);
     case KernelObstacle::InstancesByBvh:
     case KernelObstacle::InstancesInDouble:
       return fmt::format("{}: {}; --instances never expands them", flag, obstacle);
@@ -79,7 +82,8 @@ void add_kernel_options(Command& command, render::KernelRequest& request) {
           [&request](const std::string& word) {  // after that of --kernel
             if (word == kAuto) return;
             if (request.backend != nullptr) {
-              throw UsageError("--isa: the scalar kernel has no other instruction sets");
+              throw UsageError(
+                  "--isa: the scalar kernel has no other instruction sets; omit --isa");
             }
             const auto all = render::vector_backends();
             request.backend = &*std::ranges::find(all, word, &render::Backend::name);

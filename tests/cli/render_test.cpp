@@ -190,7 +190,8 @@ TEST_F(RenderCommand, RefusesAKernelThatCannotBeBeforeRendering) {
   const ProgramResult refused =
       run("\"$SDLC\" render ball.scene --kernel scalar --precision float");
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("--precision: the scalar kernel computes in double"));
+  EXPECT_THAT(refused.err,
+              HasSubstr("--precision: the scalar kernel computes in double; omit --precision\n"));
   const auto error = [&](const std::string& flags) {
     const ProgramResult result = run("\"$SDLC\" render ball.scene " + flags);
     EXPECT_EQ(result.exit_code, 2);
@@ -200,10 +201,16 @@ TEST_F(RenderCommand, RefusesAKernelThatCannotBeBeforeRendering) {
              "scene 1\ncamera main { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }\n");
   EXPECT_THAT(run("\"$SDLC\" render sky.scene --kernel wide").err,
               HasSubstr("--kernel: not with the wide kernels: no spheres"));
+  write_text(folder_ / "sky.scene", std::string(kScene) +
+                                        "for i in range(300) { sphere { center: (i, 9, 0), "
+                                        "radius: 0.1, material: unlit(red) } }\n");
+  EXPECT_THAT(
+      run("\"$SDLC\" render sky.scene --kernel wide").err,
+      testing::ContainsRegex("--kernel: not with more than [0-9]+ spheres; use --kernel bvh"));
   std::filesystem::remove(folder_ / "sky.scene");
   for (const render::Backend* backend : render::available_vectors()) {
     EXPECT_THAT(error("--kernel scalar --isa " + std::string(backend->name)),
-                HasSubstr("--isa: the scalar kernel has no other instruction sets"));
+                HasSubstr("--isa: the scalar kernel has no other instruction sets; omit --isa\n"));
   }
   for (const char* flag : {"--kernel", "--precision", "--isa"}) {
     const ProgramResult unknown =
