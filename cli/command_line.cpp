@@ -59,6 +59,12 @@ std::string parse_error(const CLI::App& app, const char* error,
     }
     return fmt::format("unknown flag `{}`{}", flag, suggestion(flag, known));
   }
+  for (const CLI::Option* option : command.get_options()) {
+    const bool takes_one = option->get_items_expected_max() == 1 &&
+                           option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw;
+    if (!takes_one || option->count() < 2) continue;
+    return fmt::format("{}: given {} times; give it once", option->get_name(), option->count());
+  }
   return error;
 }
 

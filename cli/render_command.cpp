@@ -101,6 +101,8 @@ void write_to_stdout(const render::Picture& picture, const render::WriteOptions&
   if (!env.out.flush()) throw render::IoError("write", "standard output", "the write failed");
 }
 
+constexpr std::string_view kStandardOutput = "standard output";
+
 /// The written files, and the status.
 struct Written {
   std::vector<std::string> names;  ///< as printed
@@ -207,7 +209,9 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
     const std::string saved =
         written.names.empty()
             ? "nothing was saved"
-            : fmt::format("the partial picture was saved as {}", fmt::join(written.names, ", "));
+            : fmt::format("the partial picture was {} {}",
+                          written.names.front() == kStandardOutput ? "written to" : "saved as",
+                          fmt::join(written.names, ", "));
     env.err << fmt::format("interrupted after {}{} samples; {}\n",
                            format_count(static_cast<double>(result.camera_samples)), of, saved);
     return graver(ExitCode::Interrupted, written.code);
@@ -444,7 +448,8 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
             options->frames = parse_frames(text);
             if (options->frames) return;
             throw ArgumentError("--frames",
-                                fmt::format("takes A, A-B or A-BxS with whole numbers, not `{}`",
+                                fmt::format("takes A, A-B or A-BxS with whole numbers, A at most "
+                                            "B, not `{}`",
                                             lang::printable(text)));
           },
           "The frames to render, every S-th from A to B; default: those of the scene's animation")

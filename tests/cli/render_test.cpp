@@ -407,6 +407,10 @@ TEST_F(RenderCommand, SuggestsTheIntendedFlag) {
   const ProgramResult word = run("\"$SDLC\" render ball.scene --tone sgrb");
   EXPECT_EQ(word.exit_code, 2);
   EXPECT_THAT(word.err, HasSubstr("did you mean `srgb`?"));
+  EXPECT_THAT(run("\"$SDLC\" render ball.scene --width 60 --width 0").err,
+              HasSubstr("--width: given 2 times; give it once\n"));
+  EXPECT_THAT(run("\"$SDLC\" render ball.scene --frames 3-1").err,
+              HasSubstr("with whole numbers, A at most B, not `3-1`\n"));
   const ProgramResult command = run("\"$SDLC\" rendr ball.scene");
   EXPECT_EQ(command.exit_code, 2);
   EXPECT_THAT(command.err, HasSubstr("did you mean `render`?"));
