@@ -51,8 +51,12 @@ Study::Study(const Scene& scene, const RenderSettings& settings, KernelRequest r
     if (row.setting != nullptr) own_.*row.member = settings.*row.setting;
   });
   own_.precision = kernel.precision;
+  // Where float fails, its bound is the reason, not that of double.
+  const bool is_forced = kernel.precision == Precision::Double && !request.precision &&
+                         !kernel.precision_reason.empty();
   const PrecisionClause clause = kernel.bounds.deciding();
-  ledger_.precision_bound = describe(clause, kernel.bounds[clause]);
+  ledger_.precision_bound =
+      is_forced ? "in float " + kernel.precision_reason : describe(clause, kernel.bounds[clause]);
 }
 
 KernelRequest Study::request_of(const Configuration& configuration) const {

@@ -232,6 +232,18 @@ TEST_F(StudyTest, RecommendsForTheFullSizeWhereASmallerPictureWasMeasured) {
   }
 }
 
+TEST_F(StudyTest, GivesTheReasonWhyASceneIsTracedInDouble) {
+  render::Scene narrow = beam_scene({0, 0, 5}, {0, 0, 0}, render::LinearRgb{1});
+  add_sphere(narrow, {0, 0, 0}, 1, diffuse({0.5, 0.5, 0.5}));
+  add_sphere(narrow, {0, 0, 0}, 1 - 1e-6, diffuse({0.5, 0.5, 0.5}));
+  StudyLedger ledger = short_ledger();
+  render::RenderMonitor monitor;
+  const StudyObserver observer;
+  const render::Study study(narrow, kSettings, {}, kOptions, ledger, observer, monitor);
+  EXPECT_EQ(ledger.precision_bound,
+            "in float two surfaces are 1e-06 of the larger radius apart, where 1.53e-05 is needed");
+}
+
 TEST_F(StudyTest, RecommendsTheFewestSamplesForABlackScene) {
   render::Scene black = beam_scene({0, 0, 5}, {0, 0, 0}, render::LinearRgb{0});
   add_sphere(black, {0, 0, 0}, 1, diffuse({0.5, 0.5, 0.5}));
