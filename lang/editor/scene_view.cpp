@@ -1,0 +1,24 @@
+#include "lang/editor/scene_view.hpp"
+
+#include <utility>
+
+namespace sdlc::lang {
+
+SceneView::SceneView(std::shared_ptr<const Document> root, const ProgramOptions& options,
+                     const StopRequest* stop)
+    : root_(std::move(root)),
+      options_(options),
+      ignored_(stop),
+      program_(*root_, options_, ignored_),
+      index_(program_, ignored_) {}
+
+std::optional<std::uint32_t> SceneView::find(const std::filesystem::path& path) const {
+  const Workspace& workspace = *options_.workspace;
+  const std::filesystem::path wanted = workspace.identity(path);
+  for (std::uint32_t file = 0; file < file_count(); ++file) {
+    if (workspace.identity(module(file).path) == wanted) return file;
+  }
+  return std::nullopt;
+}
+
+}  // namespace sdlc::lang
