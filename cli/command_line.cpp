@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/words.hpp"
+#include "lang/text/nearest_name.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -32,7 +32,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
 
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates) {
   const std::vector<std::string_view> views(candidates.begin(), candidates.end());
-  return did_you_mean(name, views);
+  return lang::did_you_mean(name, views);
 }
 
 const CLI::App& chosen_command(const CLI::App& app) {
@@ -84,7 +84,7 @@ Option& Option::one_of(std::span<const std::string_view> words) {
   const auto check = [words](std::string& text) -> std::string {
     if (std::find(words.begin(), words.end(), text) != words.end()) return {};
     return fmt::format("`{}` is not one of {}{}", text, fmt::join(words, ", "),
-                       did_you_mean(text, words));
+                       lang::did_you_mean(text, words));
   };
   option_->check(CLI::Validator(check, fmt::format("{}", fmt::join(words, "|"))));
   return *this;

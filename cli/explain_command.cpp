@@ -12,11 +12,11 @@
 #include "cli/dispatcher.hpp"
 #include "cli/page_text.hpp"
 #include "cli/usage_error.hpp"
-#include "cli/words.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/explain/explain.hpp"
 #include "lang/text/ascii.hpp"
 #include "lang/text/display_width.hpp"
+#include "lang/text/nearest_name.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -54,7 +54,7 @@ Topic find_topic(const std::string& text) {
   }
   if (!beginning.empty()) return {.diagnostics = std::move(beginning), .is_list = true};
   throw UsageError(fmt::format("unknown diagnostic `{}`{}; `sdlc explain` lists all",
-                               lang::printable(text), did_you_mean(name, known)));
+                               lang::printable(text), lang::did_you_mean(name, known)));
 }
 
 std::string to_json(const std::vector<Topic>& topics) {

@@ -15,11 +15,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/code_filter.hpp"
+#include "cli/code_filter_options.hpp"
 #include "cli/command_line.hpp"
 #include "cli/diagnostics_output.hpp"
 #include "cli/dispatcher.hpp"
-#include "cli/lint_config.hpp"
 #include "cli/outputs.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/scene_options.hpp"
@@ -30,6 +29,8 @@
 #include "lang/compile/compile.hpp"
 #include "lang/lint/fix_text.hpp"
 #include "lang/lint/lint.hpp"
+#include "lang/lint_config/code_filter.hpp"
+#include "lang/lint_config/lint_config.hpp"
 #include "lang/report/findings.hpp"
 #include "lang/report/report.hpp"
 #include "lang/text/display_width.hpp"
@@ -43,11 +44,11 @@ struct LintOptions {
   std::vector<std::string> arguments;
   ReadingOptions reading;
   DiagnosticsOptions diagnostics;
-  CodeFilter filter;
+  lang::CodeFilter filter;
   bool fixes = false;         // --fix
   bool fixes_unsafe = false;  // --unsafe-fixes
   bool shows_diff = false;    // --diff
-  LintConfigOptions config;
+  lang::LintConfigOptions config;
   std::optional<std::uint64_t> max_warnings;  // over all files; otherwise each config has its own
                                               // limit
   bool quiet = false;
@@ -98,7 +99,7 @@ class LintJob {
         env_(env),
         names_(find_scene_files(options.arguments, env, SceneFiles::ScenesAndConfigs,
                                 options.reading.is_sandboxed)),
-        configs_(options.config, env),
+        configs_(options.config, env.workspace),
         // Fixed text of standard input goes where the findings would go.
         out_(writes_text_to_stdout() ? env.err : env.out),
         writer_(make_writer(options.diagnostics, out_,
@@ -235,7 +236,7 @@ class LintJob {
   }
 
   void count_warnings(const std::string& place, const std::string& scene, std::size_t count) {
-    const LintConfig& config = configs_.of(place, scene);
+    const lang::LintConfig& config = configs_.of(place, scene);
     WarningCount& warnings = warnings_[&config];
     warnings.found += count;
     warnings.allowed = config.max_warnings.value_or(0);
@@ -294,13 +295,13 @@ class LintJob {
   const LintOptions& options_;
   Environment& env_;
   std::vector<std::string> names_;
-  LintConfigs configs_;
+  lang::LintConfigs configs_;
   std::ostream& out_;
   std::unique_ptr<lang::DiagnosticWriter> writer_;
   std::map<std::string, std::string> paths_;  // by name
   std::unordered_set<std::string> reported_;
   lang::DiagnosticCounts counts_;
-  std::map<const LintConfig*, WarningCount> warnings_;
+  std::map<const lang::LintConfig*, WarningCount> warnings_;
   std::size_t unreadable_ = 0;
   std::size_t fixed_ = 0, fixed_files_ = 0;
   std::size_t refused_ = 0;                        // fixes

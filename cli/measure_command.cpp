@@ -32,11 +32,11 @@
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "cli/whole_number.hpp"
-#include "cli/words.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/object/check.hpp"
 #include "lang/text/display_width.hpp"
+#include "lang/text/nearest_name.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
@@ -127,7 +127,7 @@ void check_reports(const MeasureOptions& options) {
     const std::string format = format_of(name);
     if (!std::ranges::count(kExtensions, format)) {
       throw UsageError(fmt::format("-o: `{}` is not a report; reports are .html, .json and .csv{}",
-                                   lang::printable(name), did_you_mean(format, kExtensions)));
+                                   lang::printable(name), lang::did_you_mean(format, kExtensions)));
     }
     render::check_writable(name);
     distinct.add(name);

@@ -10,8 +10,8 @@
 
 #include "cli/frames.hpp"
 #include "cli/usage_error.hpp"
-#include "cli/words.hpp"
 #include "lang/text/display_width.hpp"
+#include "lang/text/nearest_name.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/io_error.hpp"
 
@@ -85,7 +85,7 @@ render::ImageFormat picture_format(const fs::path& path, const std::string& acti
   const std::string_view written = std::string_view(extension).substr(extension.empty() ? 0 : 1);
   throw render::IoError(
       action, path,
-      render::refusal_of_name(path) + did_you_mean(written, render::image_extensions()));
+      render::refusal_of_name(path) + lang::did_you_mean(written, render::image_extensions()));
 }
 
 std::optional<std::string> default_picture(const std::string& of_scene, const std::string& input,

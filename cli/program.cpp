@@ -43,6 +43,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
       "  sdlc inspect ball.scene                 size, memory and precision of a scene\n"
       "  sdlc measure ball.scene                 error against render time\n"
       "  sdlc compare new.exr reference.exr      difference between two pictures\n"
+      "  sdlc lsp                                language server for editors\n"
       "  sdlc explain E104                       explains a message\n"
       "  sdlc render --help                      help for one command\n"
       "\n"
@@ -57,6 +58,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
   add_lint_command(program, dispatcher);
   add_fmt_command(program, dispatcher);
   add_convert_command(program, dispatcher);
+  add_lsp_command(program, dispatcher);
   add_measure_command(program, dispatcher);
   add_compare_command(program, dispatcher);
   add_explain_command(program, dispatcher);

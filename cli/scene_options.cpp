@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "cli/outputs.hpp"
-#include "cli/words.hpp"
 #include "lang/text/display_width.hpp"
+#include "lang/text/nearest_name.hpp"
 #include "render/image/io_error.hpp"
 
 namespace sdlc::cli {
@@ -51,7 +51,7 @@ void set_limit(const std::string& text, lang::Limits& limits) {
     std::vector<std::string_view> names;
     for (const lang::LimitInfo& limit : lang::kLimits) names.push_back(limit.name);
     throw ArgumentError("--limit", fmt::format("unknown limit `{}`{}", lang::printable(name),
-                                               did_you_mean(name, names)));
+                                               lang::did_you_mean(name, names)));
   }
   const std::optional<std::uint64_t> number = read_limit(value);
   if (!number) {

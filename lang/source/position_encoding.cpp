@@ -35,17 +35,21 @@ Position position_of(const SourceFile& file, std::uint32_t offset, PositionEncod
 std::uint32_t offset_of(const SourceFile& file, Position position, PositionEncoding encoding) {
   if (position.line < 1) return 0;
   if (position.line > file.line_count()) return static_cast<std::uint32_t>(file.text().size());
-  const std::string_view line = file.line(position.line);
+  const std::size_t at = offset_in_line(file.line(position.line), position.column, encoding);
+  return file.line_begin(position.line) + static_cast<std::uint32_t>(at);
+}
+
+std::size_t offset_in_line(std::string_view line, std::uint32_t column, PositionEncoding encoding) {
   std::size_t at = 0;
-  for (std::uint32_t column = 1; at < line.size(); ++at) {
-    column += units_of(line[at], encoding);
-    if (column > position.column) break;
+  for (std::uint32_t reached = 1; at < line.size(); ++at) {
+    reached += units_of(line[at], encoding);
+    if (reached > column) break;
   }
   // Past the continuation bytes of the code point before.
   if (encoding != PositionEncoding::Utf8) {
     while (at < line.size() && is_continuation(line[at])) ++at;
   }
-  return file.line_begin(position.line) + static_cast<std::uint32_t>(at);
+  return at;
 }
 
 }  // namespace sdlc::lang

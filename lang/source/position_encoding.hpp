@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "lang/source/source.hpp"
 
@@ -21,5 +23,8 @@ Position position_of(const SourceFile& file, std::uint32_t offset, PositionEncod
 /// the end of its line before the line end, and the second unit of a UTF-16 pair at the beginning
 /// of its code point. Columns of Utf8 are exact, also inside a code point.
 std::uint32_t offset_of(const SourceFile& file, Position position, PositionEncoding encoding);
+
+/// The byte offset of a column, from 1, in one line, with the same rules.
+std::size_t offset_in_line(std::string_view line, std::uint32_t column, PositionEncoding encoding);
 
 }  // namespace sdlc::lang

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <fmt/format.h>
+
 #include "lang/text/ascii.hpp"
 
 namespace sdlc::lang {
@@ -94,6 +96,11 @@ std::optional<std::string_view> nearest_name(std::string_view name,
     }
   }
   return best;
+}
+
+std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates) {
+  const auto nearest = nearest_name(name, candidates);
+  return nearest ? fmt::format(" (did you mean `{}`?)", *nearest) : std::string();
 }
 
 }  // namespace sdlc::lang

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace sdlc::lang {
@@ -12,5 +13,8 @@ namespace sdlc::lang {
 /// candidate; `name` itself is excluded.
 std::optional<std::string_view> nearest_name(std::string_view name,
                                              std::span<const std::string_view> candidates);
+
+/// " (did you mean `x`?)", or empty.
+std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates);
 
 }  // namespace sdlc::lang

@@ -1,4 +1,4 @@
-#include "cli/lint_config.hpp"
+#include "lang/lint_config/lint_config.hpp"
 
 #include <filesystem>
 #include <string>
@@ -19,13 +19,13 @@ using testing::IsEmpty;
 using testing::Not;
 
 struct Parsed {
-  LintConfig config;
+  lang::LintConfig config;
   std::vector<std::string> errors;
 };
 
 Parsed parse(const std::string& text) {
   Parsed parsed;
-  parsed.config = parse_lint_config(text, ".sdlc.toml", "/tree", parsed.errors);
+  parsed.config = lang::parse_lint_config(text, ".sdlc.toml", "/tree", parsed.errors);
   return parsed;
 }
 

@@ -1,10 +1,10 @@
-#include "cli/glob.hpp"
+#include "lang/lint_config/glob.hpp"
 
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
 
-namespace sdlc::cli {
+namespace sdlc::lang {
 namespace {
 
 constexpr std::string_view kAnyFolders = "**";
@@ -136,4 +136,4 @@ bool Glob::matches(std::string_view path) const {
   return fits.back();
 }
 
-}  // namespace sdlc::cli
+}  // namespace sdlc::lang

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sdlc::cli {
+namespace sdlc::lang {
 
 /// A pattern for paths, relative to some folder, with slashes: `*` matches any text and `?` any
 /// character except a slash, `[a-z]` and `[!a-z]` a character in or not in a set, `**` as a
@@ -21,4 +21,4 @@ class Glob {
   std::vector<std::string> parts_;
 };
 
-}  // namespace sdlc::cli
+}  // namespace sdlc::lang

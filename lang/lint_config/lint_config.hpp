@@ -9,12 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "cli/code_filter.hpp"
-#include "cli/environment.hpp"
-#include "cli/glob.hpp"
-#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/lint_config/code_filter.hpp"
+#include "lang/lint_config/glob.hpp"
+#include "lang/workspace/workspace.hpp"
 
-namespace sdlc::cli {
+namespace sdlc::lang {
 
 inline constexpr const char* kLintConfigName = ".sdlc.toml";
 
@@ -54,7 +53,7 @@ struct LintConfigOptions {
 class LintConfigs {
  public:
   /// Throws render::IoError if the file of --config cannot be read.
-  LintConfigs(const LintConfigOptions& options, const Environment& env);
+  LintConfigs(const LintConfigOptions& options, const Workspace& workspace);
 
   /// The config of a file, given as the user named it; an empty one if there is none. `scene`: the
   /// file itself, or the scene that reads it. The reference stays valid. Throws render::IoError for
@@ -70,7 +69,7 @@ class LintConfigs {
                               const std::filesystem::path& last);
   std::optional<LintConfig> read(const std::filesystem::path& path);
 
-  const Environment& env_;
+  const Workspace& workspace_;
   bool searches_ = true;
   bool is_sandboxed_ = false;
   LintConfig common_;                                // from --config, or empty
@@ -80,4 +79,4 @@ class LintConfigs {
   std::vector<std::string> errors_;
 };
 
-}  // namespace sdlc::cli
+}  // namespace sdlc::lang

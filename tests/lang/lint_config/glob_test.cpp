@@ -1,10 +1,10 @@
-#include "cli/glob.hpp"
+#include "lang/lint_config/glob.hpp"
 
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-namespace sdlc::cli {
+namespace sdlc::lang {
 namespace {
 
 bool matches(const char* pattern, const char* path) { return Glob(pattern).matches(path); }
@@ -64,4 +64,4 @@ TEST(Glob, RejectsInvalidPatterns) {
 }
 
 }  // namespace
-}  // namespace sdlc::cli
+}  // namespace sdlc::lang

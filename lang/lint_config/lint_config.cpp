@@ -1,4 +1,4 @@
-#include "cli/lint_config.hpp"
+#include "lang/lint_config/lint_config.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,12 +12,12 @@
 #define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
 
-#include "cli/words.hpp"
 #include "lang/source/sandbox.hpp"
 #include "lang/text/display_width.hpp"
+#include "lang/text/nearest_name.hpp"
 #include "render/image/io_error.hpp"
 
-namespace sdlc::cli {
+namespace sdlc::lang {
 namespace {
 
 namespace fs = std::filesystem;
@@ -68,9 +68,8 @@ class ConfigReader {
   };
 
   void report(const toml::source_region& where, std::string_view message) {
-    found_.push_back(
-        {where.begin, fmt::format("{}:{}:{}: {}", lang::printable(name_), where.begin.line,
-                                  where.begin.column, lang::printable(message))});
+    found_.push_back({where.begin, fmt::format("{}:{}:{}: {}", printable(name_), where.begin.line,
+                                               where.begin.column, printable(message))});
   }
 
   void refuse_key(const toml::key& key, std::string_view table,
@@ -219,8 +218,8 @@ LintConfig parse_lint_config(std::string_view text, const std::string& name, con
   return ConfigReader(name, errors).read(text, folder);
 }
 
-LintConfigs::LintConfigs(const LintConfigOptions& options, const Environment& env)
-    : env_(env),
+LintConfigs::LintConfigs(const LintConfigOptions& options, const Workspace& workspace)
+    : workspace_(workspace),
       searches_(options.file.empty() && !options.is_unused),
       is_sandboxed_(options.is_sandboxed) {
   if (options.file.empty()) return;
@@ -257,16 +256,16 @@ const LintConfig& LintConfigs::in_folder(const fs::path& folder, const fs::path&
 
 std::optional<LintConfig> LintConfigs::read(const fs::path& path) {
   constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 20;
-  if (searches_ && is_sandboxed_ && !lang::Sandbox(env_.workspace, path).resolve(path)) {
+  if (searches_ && is_sandboxed_ && !Sandbox(workspace_, path).resolve(path)) {
     throw render::IoError("read", shown_name(path),
                           "it is outside its folder, which --sandbox refuses");
   }
   const bool is_searched = path.filename() == kLintConfigName;
-  if (is_searched && env_.workspace.is_special(path)) {
+  if (is_searched && workspace_.is_special(path)) {
     throw render::IoError("read", shown_name(path), "it is not a regular file");
   }
   std::error_code error;
-  const std::optional<std::string> text = env_.workspace.read(path, kMaxBytes, error);
+  const std::optional<std::string> text = workspace_.read(path, kMaxBytes, error);
   if (text && text->size() > kMaxBytes) {
     throw render::IoError("read", shown_name(path),
                           fmt::format("it has more than {} bytes", kMaxBytes));
@@ -280,4 +279,4 @@ std::optional<LintConfig> LintConfigs::read(const fs::path& path) {
   return parse_lint_config(*text, shown_name(path), path.parent_path(), errors_);
 }
 
-}  // namespace sdlc::cli
+}  // namespace sdlc::lang

@@ -1,0 +1,51 @@
+#include "lsp/connection.hpp"
+
+#include <utility>
+
+namespace sdlc::lsp {
+
+void Connection::send(const Json& message) {
+  const std::string text = with_header(message);
+  const std::scoped_lock lock(out_mutex_);
+  log_.sent(text);
+  out_ << text << std::flush;
+}
+
+void Connection::notify(std::string_view method, Json params) {
+  send({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}});
+}
+
+void Connection::respond(const Json& id, Json result) {
+  send({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}});
+}
+
+void Connection::fail(const Json& id, ErrorCode code, const std::string& message) {
+  send({{"jsonrpc", "2.0"},
+        {"id", id},
+        {"error", {{"code", static_cast<int>(code)}, {"message", message}}}});
+}
+
+void Connection::request(std::string_view method, Json params, OnResult on_result) {
+  std::int64_t id = 0;
+  {
+    const std::scoped_lock lock(requests_mutex_);
+    id = next_id_++;
+    pending_.emplace(id, std::move(on_result));
+  }
+  send({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", std::move(params)}});
+}
+
+void Connection::accept(const Message& response) {
+  if (!response.id.is_number_integer()) return;
+  OnResult on_result;
+  {
+    const std::scoped_lock lock(requests_mutex_);
+    const auto found = pending_.find(response.id.get<std::int64_t>());
+    if (found == pending_.end()) return;
+    on_result = std::move(found->second);
+    pending_.erase(found);
+  }
+  if (on_result) on_result(response.error.is_null() ? response.result : Json());
+}
+
+}  // namespace sdlc::lsp

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/source/position_encoding.hpp"
+#include "lsp/json_rpc.hpp"
+
+namespace sdlc::lsp {
+
+/// How diagnostics are written for this client.
+struct DiagnosticsJson {
+  lang::PositionEncoding encoding = lang::PositionEncoding::Utf16;
+  bool has_related = false;  ///< the client shows related places
+  std::function<std::string(const lang::SourceFile&)> uri_of;
+
+  /// A `Diagnostic` of the protocol. One without a place is at the beginning of the file.
+  Json of(const lang::Diagnostic& diagnostic) const;
+
+ private:
+  Json related(const lang::Diagnostic& diagnostic) const;
+};
+
+}  // namespace sdlc::lsp

@@ -1,0 +1,49 @@
+#include "lsp/methods.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "lsp/lifecycle.hpp"
+#include "lsp/text_sync.hpp"
+
+namespace sdlc::lsp {
+namespace {
+
+template <typename Handler>
+struct Method {
+  std::string_view name;
+  Handler handler;
+};
+
+constexpr auto kRequests = std::to_array<Method<RequestHandler>>({
+    {"initialize", initialize},
+    {"shutdown", shut_down},
+});
+
+constexpr auto kNotifications = std::to_array<Method<NotificationHandler>>({
+    {"initialized", initialized},
+    {"textDocument/didOpen", did_open},
+    {"textDocument/didChange", did_change},
+    {"textDocument/didClose", did_close},
+    {"textDocument/didSave", did_save},
+    {"workspace/didChangeConfiguration", did_change_configuration},
+    {"workspace/didChangeWatchedFiles", did_change_watched_files},
+    {"workspace/didChangeWorkspaceFolders", did_change_workspace_folders},
+    {"$/setTrace", set_trace},
+});
+
+template <typename Handler, std::size_t n>
+Handler find(const std::array<Method<Handler>, n>& methods, std::string_view name) noexcept {
+  const auto found = std::ranges::find(methods, name, &Method<Handler>::name);
+  return found == methods.end() ? nullptr : found->handler;
+}
+
+}  // namespace
+
+RequestHandler find_request(std::string_view method) noexcept { return find(kRequests, method); }
+
+NotificationHandler find_notification(std::string_view method) noexcept {
+  return find(kNotifications, method);
+}
+
+}  // namespace sdlc::lsp

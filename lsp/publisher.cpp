@@ -1,0 +1,111 @@
+#include "lsp/publisher.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "lsp/positions.hpp"
+#include "lsp/uri.hpp"
+
+namespace sdlc::lsp {
+
+namespace fs = std::filesystem;
+
+void Publisher::configure(lang::PositionEncoding encoding, bool has_related) {
+  const std::scoped_lock lock(mutex_);
+  encoding_ = encoding;
+  has_related_ = has_related;
+}
+
+std::string Publisher::uri_of(const fs::path& path) const {
+  const std::scoped_lock lock(mutex_);
+  return uri_of_identity(files_.identity(path));
+}
+
+std::string Publisher::uri_of_identity(const fs::path& identity) const {
+  const auto open = open_.find(identity);
+  return open == open_.end() ? uri_of_path(identity) : open->second.uri;
+}
+
+Publisher::Findings Publisher::findings_of(const Checks::Result& result) const {
+  Findings findings;
+  if (result.checked == nullptr) {
+    findings[result.scene].push_back(
+        {{"range", first_range()}, {"severity", 1}, {"source", "sdlc"}, {"message", result.error}});
+    return findings;
+  }
+  std::map<const lang::SourceFile*, fs::path> identities;
+  const auto identity_of = [&](const lang::SourceFile& file) -> const fs::path& {
+    const auto [entry, is_new] = identities.try_emplace(&file);
+    if (is_new) entry->second = files_.identity(file.name());
+    return entry->second;
+  };
+  const DiagnosticsJson json{
+      .encoding = encoding_,
+      .has_related = has_related_,
+      .uri_of = [&](const lang::SourceFile& file) { return uri_of_identity(identity_of(file)); }};
+  for (const lang::Diagnostic* diagnostic : result.checked->findings().shown) {
+    const lang::SourceFile* file = diagnostic->where.file;
+    findings[file == nullptr ? result.scene : identity_of(*file)].push_back(json.of(*diagnostic));
+  }
+  return findings;
+}
+
+void Publisher::publish(const Checks::Result& result) {
+  const std::scoped_lock lock(mutex_);
+  std::set<fs::path> affected;
+  Findings& known = scenes_[result.scene];
+  for (const auto& [file, findings] : known) affected.insert(file);
+  known = findings_of(result);
+  for (const auto& [file, findings] : known) affected.insert(file);
+  send(affected);
+}
+
+void Publisher::set_open(std::map<fs::path, OpenText> open) {
+  const std::scoped_lock lock(mutex_);
+  std::set<fs::path> affected, scenes;
+  for (const auto& [file, text] : open_) affected.insert(file);
+  open_ = std::move(open);
+  for (const auto& [file, text] : open_) {
+    affected.insert(file);
+    scenes.insert(text.scene);
+  }
+  for (auto scene = scenes_.begin(); scene != scenes_.end();) {
+    for (const auto& [file, findings] : scene->second) affected.insert(file);
+    scene = scenes.contains(scene->first) ? std::next(scene) : scenes_.erase(scene);
+  }
+  send(affected);
+}
+
+Json Publisher::united(const fs::path& file) const {
+  Json all = Json::array();
+  const auto add = [&](const Findings& findings) {
+    const auto found = findings.find(file);
+    if (found == findings.end()) return;
+    for (const Json& finding : found->second) {
+      if (std::ranges::find(all, finding) == all.end()) all.push_back(finding);
+    }
+  };
+  const auto open = open_.find(file);
+  for (const auto& [scene, findings] : scenes_) {
+    if (open == open_.end() || open->second.scene == scene) add(findings);
+  }
+  return all;
+}
+
+void Publisher::send(const std::set<fs::path>& files) {
+  for (const fs::path& file : files) {
+    const std::string uri = uri_of_identity(file);
+    Json findings = united(file);
+    const auto sent = sent_.find(uri);
+    if (sent == sent_.end() ? findings.empty() : sent->second == findings) continue;
+    connection_.notify("textDocument/publishDiagnostics",
+                       {{"uri", uri}, {"diagnostics", findings}});
+    if (findings.empty()) {
+      sent_.erase(uri);
+    } else {
+      sent_[uri] = std::move(findings);
+    }
+  }
+}
+
+}  // namespace sdlc::lsp

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lang/source/source.hpp"
+#include "lsp/checks.hpp"
+#include "lsp/connection.hpp"
+#include "lsp/diagnostics_json.hpp"
+
+namespace sdlc::lsp {
+
+/// Sends the findings of checks to the client, by file. An open file has the findings of the scene
+/// that it is checked in, any other file those of all scenes. A file whose findings did not change
+/// is not sent again. All functions may be called by every thread.
+class Publisher {
+ public:
+  /// An open file: how the client calls it, and the scene that it is checked in.
+  struct OpenText {
+    std::string uri;
+    std::filesystem::path scene;
+  };
+
+  Publisher(const lang::FileSystem& files, Connection& connection)
+      : files_(files), connection_(connection) {}
+
+  /// By what the client can do.
+  void configure(lang::PositionEncoding encoding, bool has_related);
+  /// Replaces the open files, by identity. Findings of scenes that nobody looks at are removed.
+  void set_open(std::map<std::filesystem::path, OpenText> open);
+  void publish(const Checks::Result& result);
+
+  /// The client's URI of a file, if it is open.
+  std::string uri_of(const std::filesystem::path& path) const;
+
+ private:
+  /// The findings of one scene, by the identity of the file.
+  using Findings = std::map<std::filesystem::path, Json>;
+
+  Findings findings_of(const Checks::Result& result) const;
+  std::string uri_of_identity(const std::filesystem::path& identity) const;
+  Json united(const std::filesystem::path& file) const;
+  void send(const std::set<std::filesystem::path>& files);
+
+  const lang::FileSystem& files_;
+  Connection& connection_;
+  mutable std::mutex mutex_;
+  lang::PositionEncoding encoding_ = lang::PositionEncoding::Utf16;
+  bool has_related_ = false;
+  std::map<std::filesystem::path, OpenText> open_;
+  std::map<std::filesystem::path, Findings> scenes_;
+  std::map<std::string, Json> sent_;  // by URI; without those that are empty
+};
+
+}  // namespace sdlc::lsp

@@ -1,0 +1,181 @@
+#include "lsp/session.hpp"
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lsp/positions.hpp"
+#include "lsp/uri.hpp"
+
+namespace sdlc::lsp {
+
+namespace fs = std::filesystem;
+
+Session::Session(Connection& connection, Log& log, const ServerOptions& options)
+    : connection_(connection),
+      log_(log),
+      server_options_(options),
+      publisher_(disk_, connection),
+      checks_(disk_, {.limits = options.limits, .is_sandboxed = options.is_sandboxed}, log,
+              [this](const Checks::Result& result) { publisher_.publish(result); }) {}
+
+void Session::set_client(Client client) {
+  client_ = std::move(client);
+  publisher_.configure(client_.encoding(),
+                       client_.can("/textDocument/publishDiagnostics/relatedInformation"));
+}
+
+void Session::set_settings(const Settings& settings) {
+  settings_ = settings;
+  log_.set_trace(settings.trace);
+  checks_.set_sandboxed(program_options().is_sandboxed);
+  views_.clear();
+}
+
+void Session::set_folders(std::vector<fs::path> folders) { folders_ = std::move(folders); }
+
+lang::ProgramOptions Session::program_options() {
+  return {.workspace = &workspace_,
+          .limits = server_options_.limits,
+          .is_sandboxed = server_options_.is_sandboxed || settings_.is_sandboxed};
+}
+
+void Session::open(OpenFile file) {
+  const std::string uri = file.uri;
+  files_[uri] = std::move(file);
+  change(files_[uri]);
+}
+
+void Session::change(const OpenFile& file) {
+  workspace_.open(file.path, *file.text, file.version);
+  checks_.change(file);
+  if (&files_[file.uri] != &file) files_[file.uri] = file;
+  texts_changed();
+}
+
+void Session::close(const std::string& uri) {
+  const auto found = files_.find(uri);
+  if (found == files_.end()) return;
+  const OpenFile file = std::move(found->second);
+  files_.erase(found);
+  workspace_.close(file.path);
+  checks_.close(file.path);
+  texts_changed();
+}
+
+const OpenFile* Session::find_open(const std::string& uri) const {
+  const auto found = files_.find(uri);
+  return found == files_.end() ? nullptr : &found->second;
+}
+
+void Session::files_changed() {
+  checks_.check_all();
+  texts_changed();
+}
+
+void Session::texts_changed() {
+  views_.clear();
+  update_scenes();
+}
+
+void Session::update_scenes() {
+  std::map<fs::path, Publisher::OpenText> open;
+  std::set<fs::path> scenes;
+  for (const auto& [uri, file] : files_) {
+    const fs::path scene = scene_of(file.identity);
+    scenes.insert(scene);
+    open[file.identity] = {.uri = uri, .scene = scene};
+  }
+  publisher_.set_open(std::move(open));
+  checks_.set_scenes(std::move(scenes));
+}
+
+fs::path Session::scene_of(const fs::path& identity) const {
+  const auto chosen = chosen_.find(identity);
+  if (chosen != chosen_.end()) return chosen->second;
+  return identity;
+}
+
+std::vector<fs::path> Session::scenes_with(const fs::path& identity) const {
+  return {scene_of(identity)};
+}
+
+void Session::choose_scene(const fs::path& file, std::optional<fs::path> scene) {
+  chosen_.erase(file);
+  if (scene) chosen_.emplace(file, std::move(*scene));
+  update_scenes();
+}
+
+std::shared_ptr<const lang::Document> Session::load(const fs::path& path) {
+  std::error_code error;
+  if (workspace_.is_special(path)) return nullptr;
+  return workspace_.load(path, server_options_.limits.any_file(), error);
+}
+
+lang::SceneView* Session::view_of(const fs::path& scene) {
+  const auto known = std::ranges::find(views_, scene, &View::scene);
+  if (known != views_.end()) {
+    std::rotate(known, known + 1, views_.end());
+    return views_.back().view.get();
+  }
+  auto root = load(scene);
+  if (!root || root->format() != lang::SourceFormat::Scene) return nullptr;
+  constexpr std::size_t kMaxViews = 4;
+  if (views_.size() == kMaxViews) views_.erase(views_.begin());
+  auto view = std::make_unique<lang::SceneView>(std::move(root), program_options(), stop_);
+  return views_.emplace_back(View{scene, std::move(view)}).view.get();
+}
+
+Text Session::text_of(const Json& params) {
+  const Json::json_pointer pointer("/textDocument/uri");
+  if (!params.is_object() || !params.contains(pointer) || !params.at(pointer).is_string()) {
+    throw RequestError(ErrorCode::InvalidParams, "the request has no `textDocument.uri`");
+  }
+  const std::string uri = params.at(pointer);
+  if (const OpenFile* file = find_open(uri)) return text_at(file->path);
+  return text_at(path_of_uri(uri));
+}
+
+Text Session::text_at(const fs::path& path) {
+  Text text{.identity = workspace_.identity(path)};
+  auto document = load(text.identity);
+  if (!document) {
+    throw RequestError(ErrorCode::InvalidParams, fmt::format("cannot read `{}`", path.string()));
+  }
+  if (document->format() == lang::SourceFormat::Json) {
+    text.source = document.get();
+    text.config = std::move(document);
+    return text;
+  }
+  for (const fs::path& scene : {scene_of(text.identity), text.identity}) {
+    lang::SceneView* view = view_of(scene);
+    const auto file = view == nullptr ? std::nullopt : view->find(text.identity);
+    if (!file) continue;  // the scene no longer reads it
+    text.view = view;
+    text.file = *file;
+    text.source = &view->file(*file);
+    return text;
+  }
+  throw RequestError(ErrorCode::InvalidParams, fmt::format("cannot read `{}`", path.string()));
+}
+
+std::uint32_t Session::offset(const Text& text, const Json& position) const {
+  return offset_of_json(*text.source, position, client_.encoding());
+}
+
+lang::Span Session::span(const Text& text, const Json& range) const {
+  return span_of_json(*text.source, range, client_.encoding());
+}
+
+Json Session::range(const lang::SourceFile& file, lang::Span span) const {
+  return range_json(file, span, client_.encoding());
+}
+
+Json Session::location(const lang::SourceFile& file, lang::Span span) const {
+  return {{"uri", uri_of(file)}, {"range", range(file, span)}};
+}
+
+}  // namespace sdlc::lsp

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/editor/scene_view.hpp"
+#include "lang/workspace/workspace.hpp"
+#include "lsp/checks.hpp"
+#include "lsp/client.hpp"
+#include "lsp/connection.hpp"
+#include "lsp/json_rpc.hpp"
+#include "lsp/log.hpp"
+#include "lsp/open_files.hpp"
+#include "lsp/publisher.hpp"
+#include "lsp/settings.hpp"
+
+namespace sdlc::lsp {
+
+/// The text that a request is about, in its present state. Valid until the request ends.
+struct Text {
+  std::filesystem::path identity;
+  const lang::SourceFile* source = nullptr;
+  std::shared_ptr<const lang::Document> config = nullptr;  ///< of a JSON config
+  lang::SceneView* view = nullptr;  ///< the scene that it is checked in; null for a config
+  std::uint32_t file = 0;           ///< its index in the view
+
+  bool is_scene() const noexcept { return view != nullptr; }
+};
+
+/// The state of a server: the texts that are open, the settings, and what is known about the files
+/// around them. Handlers of messages use it, one at a time, on one thread.
+class Session {
+ public:
+  Session(Connection& connection, Log& log, const ServerOptions& options);
+
+  Connection& connection() noexcept { return connection_; }
+  Log& log() noexcept { return log_; }
+  const ServerOptions& server_options() const noexcept { return server_options_; }
+  const Client& client() const noexcept { return client_; }
+  const Settings& settings() const noexcept { return settings_; }
+  Checks& checks() noexcept { return checks_; }
+  const std::vector<std::filesystem::path>& folders() const noexcept { return folders_; }
+
+  void set_client(Client client);
+  void set_settings(const Settings& settings);
+  void set_folders(std::vector<std::filesystem::path> folders);
+
+  // Open texts
+
+  void open(OpenFile file);
+  /// Replaces an open text.
+  void change(const OpenFile& file);
+  void close(const std::string& uri);
+  /// Null if the client has not opened it.
+  const OpenFile* find_open(const std::string& uri) const;
+  /// By URI.
+  const std::map<std::string, OpenFile>& open_files() const noexcept { return files_; }
+  /// Files on disk may have changed.
+  void files_changed();
+
+  // What a request is about
+
+  /// The text that `params.textDocument` names. Throws RequestError (InvalidParams) if there is
+  /// none: it is not open and cannot be read.
+  Text text_of(const Json& params);
+  Text text_at(const std::filesystem::path& path);
+  std::uint32_t offset(const Text& text, const Json& position) const;
+  lang::Span span(const Text& text, const Json& range) const;
+  Json range(const lang::SourceFile& file, lang::Span span) const;
+  Json location(const lang::SourceFile& file, lang::Span span) const;
+  /// The URI that the client uses for the file.
+  std::string uri_of(const std::filesystem::path& path) const { return publisher_.uri_of(path); }
+  std::string uri_of(const lang::SourceFile& file) const {
+    return uri_of(std::filesystem::path(file.name()));
+  }
+
+  /// The scene as it is now, with what it reads; null if it cannot be read. Valid until the request
+  /// ends, or until a few others have been used.
+  lang::SceneView* view_of(const std::filesystem::path& scene);
+  /// A text of a file that need not be open; null if it cannot be read.
+  std::shared_ptr<const lang::Document> load(const std::filesystem::path& path);
+  lang::Workspace& workspace() noexcept { return workspace_; }
+
+  // Scenes
+
+  /// The scene that a file is checked in: the one chosen by the user, else the first scene that
+  /// imports or includes it, open ones first, else the file itself.
+  std::filesystem::path scene_of(const std::filesystem::path& identity) const;
+  /// All scenes that read the file, the one that it is checked in first.
+  std::vector<std::filesystem::path> scenes_with(const std::filesystem::path& identity) const;
+  /// Chooses the scene that a file is checked in; nullopt: automatically.
+  void choose_scene(const std::filesystem::path& file, std::optional<std::filesystem::path> scene);
+
+  /// Of the request that is being handled.
+  const lang::StopRequest& stop() const noexcept { return *stop_; }
+  void set_stop(const lang::StopRequest* stop) noexcept { stop_ = stop; }
+
+  /// Programs and limits as the settings have them, for this thread.
+  lang::ProgramOptions program_options();
+
+ private:
+  struct View {
+    std::filesystem::path scene;
+    std::unique_ptr<lang::SceneView> view;
+  };
+
+  /// The texts have changed: forgets what was made of them, and checks what must be checked.
+  void texts_changed();
+  void update_scenes();
+
+  Connection& connection_;
+  Log& log_;
+  const ServerOptions server_options_;
+  Client client_;
+  Settings settings_;
+  std::vector<std::filesystem::path> folders_;
+  lang::DiskFileSystem disk_;
+  lang::Workspace workspace_{disk_};
+  std::map<std::string, OpenFile> files_;  // by URI
+  std::map<std::filesystem::path, std::filesystem::path> chosen_;
+  std::vector<View> views_;  // the last used one is the last
+  const lang::StopRequest* stop_ = nullptr;
+  Publisher publisher_;
+  Checks checks_;
+};
+
+}  // namespace sdlc::lsp

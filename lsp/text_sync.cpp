@@ -1,0 +1,55 @@
+#include "lsp/text_sync.hpp"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "lsp/open_files.hpp"
+#include "lsp/uri.hpp"
+
+namespace sdlc::lsp {
+namespace {
+
+const std::string& uri_in(const Json& params) {
+  return params.at("textDocument").at("uri").get_ref<const std::string&>();
+}
+
+/// Version numbers are for messages only.
+int version_in(const Json& document) {
+  const auto version = document.find("version");
+  return version != document.end() && version->is_number_integer() ? version->get<int>() : 0;
+}
+
+}  // namespace
+
+void did_open(Session& session, const Json& params) {
+  const Json& document = params.at("textDocument");
+  const std::string& uri = uri_in(params);
+  OpenFile file{.uri = uri, .path = path_of_uri(uri), .version = version_in(document)};
+  file.identity = session.workspace().identity(file.path);
+  file.text = std::make_shared<const std::string>(document.at("text").get<std::string>());
+  session.open(std::move(file));
+}
+
+void did_change(Session& session, const Json& params) {
+  const OpenFile* known = session.find_open(uri_in(params));
+  if (known == nullptr) {
+    session.log().write(fmt::format("a change of `{}`, which is not open", uri_in(params)));
+    return;
+  }
+  OpenFile file = *known;
+  file.version = version_in(params.at("textDocument"));
+  file.text = std::make_shared<const std::string>(
+      changed_text(*known->text, params.at("contentChanges"), session.client().encoding()));
+  session.change(file);
+}
+
+void did_close(Session& session, const Json& params) { session.close(uri_in(params)); }
+
+void did_save(Session& session, const Json& /*params*/) { session.files_changed(); }
+
+void did_change_watched_files(Session& session, const Json& /*params*/) { session.files_changed(); }
+
+}  // namespace sdlc::lsp
