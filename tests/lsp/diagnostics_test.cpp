@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/lsp/test_client.hpp"
+
+namespace sdlc::test {
+namespace {
+
+bool is_empty(const Json& diagnostics) { return diagnostics.empty(); }
+bool is_any(const Json& diagnostics) { return !diagnostics.empty(); }
+bool is_without_errors(const Json& diagnostics) {
+  return std::ranges::all_of(diagnostics,
+                             [](const Json& found) { return found.at("severity") != 1; });
+}
+
+TEST(Diagnostics, FollowTheText) {
+  TestClient client;
+  client.open("a.scene", "scene 1\nlet a = b\nsphere { radius: a }\n");
+  const Json found = client.diagnostics("a.scene", is_any);
+  EXPECT_EQ(found[0].at("code"), "E101");
+  EXPECT_EQ(found[0].at("range").at("start"), Json({{"line", 1}, {"character", 8}}));
+  client.change("a.scene", "scene 1\nlet a = 1\nsphere { radius: a }\n");
+  client.diagnostics("a.scene", is_without_errors);
+}
+
+TEST(Diagnostics, OfAnImportedFileAppearThere) {
+  TestClient client;
+  client.write("lib.scene", "scene 1\nlet unit = wrong\n");
+  client.open("a.scene", "scene 1\nimport \"lib.scene\" as lib\nsphere { radius: lib.unit }\n");
+  EXPECT_EQ(client.diagnostics("lib.scene", is_any)[0].at("code"), "E101");
+  // The unsaved text wins over the file.
+  client.open("lib.scene", "scene 1\nlet unit = 1\n");
+  client.diagnostics("lib.scene", is_empty);
+  client.close("lib.scene");
+  client.diagnostics("lib.scene", is_any);
+}
+
+TEST(Diagnostics, CountUtf16UnitsUnlessTheClientOffersUtf8) {
+  const std::string text = "scene 1\nlet a = \"𝄞é\" + b\nsphere { radius: 1 }\n";
+  TestClient client;
+  client.open("a.scene", text);
+  EXPECT_EQ(client.diagnostics("a.scene", is_any)[0].at("range").at("start").at("character"), 16);
+  TestClient other(Json{{"general", {{"positionEncodings", {"utf-8", "utf-16"}}}}});
+  other.open("a.scene", text);
+  EXPECT_EQ(other.diagnostics("a.scene", is_any)[0].at("range").at("start").at("character"), 19);
+}
+
+TEST(Server, EndsWellOnlyAfterShutdown) {
+  TestClient client;
+  EXPECT_TRUE(client.exit());
+  TestClient other;
+  other.notify("exit", nullptr);
+  EXPECT_FALSE(other.wait_for_end());
+  TestClient third;
+  third.end_input();
+  EXPECT_FALSE(third.wait_for_end());
+}
+
+}  // namespace
+}  // namespace sdlc::test
