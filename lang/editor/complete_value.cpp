@@ -86,7 +86,6 @@ void add_globals(CompletionBuilder& builder, const ExpectedType& expected) {
 
 /// The fit of a function with this result: one step after that of a value.
 int fit_of_result(const ExpectedType& expected, std::string_view result) {
-  if (result == "=") return kUnknown;
   const int fit = fit_of(expected, result);
   return fit == kFits ? kMakes : fit;
 }
@@ -157,9 +156,19 @@ CompletionItem call_item(const CompletionBuilder& builder, const Function& funct
   return item;
 }
 
+int fit_of_builtin(const ExpectedType& expected, const Builtin& function) {
+  if (function.result != "=" || expected.is_unknown()) {
+    return fit_of_result(expected, function.result);
+  }
+  const bool is_of_numbers = function.takes == "number";
+  const bool can_be = expected.type == "number" || expected.type == "angle" ||
+                      (!is_of_numbers && (expected.type == "vec3" || expected.type == "color"));
+  return can_be ? kMakes : fit_of_result(expected, "number");
+}
+
 void add_builtins(CompletionBuilder& builder, const ExpectedType& expected) {
   const bool is_motion = expected.property != nullptr && expected.property->type == Type::Motion;
-  int row = 0;
+  int row = kBuiltIn;
   for (const Constructor& constructor : all_constructors()) {
     const std::string_view result = result_of(constructor);
     const int fit =
@@ -167,13 +176,12 @@ void add_builtins(CompletionBuilder& builder, const ExpectedType& expected) {
     if (fit == kMismatch || fit == kConverts || !builder.accepts(constructor.name)) continue;
     builder.add(
         call_item(builder, constructor, CompletionKind::Constructor, signature_of(constructor)),
-        {fit, kBuiltIn + row++});
+        {fit, row++});
   }
   if (is_motion) return;
   for (const Builtin& function : all_builtins()) {
-    const int fit = fit_of_result(expected, function.result);
+    const int fit = fit_of_builtin(expected, function);
     if (fit == kMismatch || !builder.accepts(function.name)) continue;
-    if (expected.type == "material") continue;
     builder.add(
         call_item(builder, function, CompletionKind::Function, std::string(function.signature)),
         {fit, kBuiltIn + 20});
@@ -192,12 +200,13 @@ int distance_of_color(std::string_view name) {
 void add_builtin_values(CompletionBuilder& builder, const ExpectedType& expected) {
   for (const std::string_view name : {"pi", "time"}) {
     const SymbolId id = find_builtin_symbol(SymbolKind::BuiltinValue, name);
-    const int fit = expected.is_unknown() ? kUnknown : fit_of(expected, "number");
+    const int fit = fit_of(expected, "number");
+    if (fit == kMismatch) continue;
     builder.add({.label = std::string(name),
                  .kind = CompletionKind::Variable,
                  .detail = "number",
                  .documentation = std::string(builtin_symbols()[id.index].doc)},
-                {fit == kFits ? kMakes : fit, kBuiltIn + 10});
+                {fit == kFits ? kMakes : fit, kBuiltIn + 40});
   }
   if (expected.type != "color" && !expected.is_unknown()) return;
   for (const NamedColor& color : named_colors()) {
@@ -208,9 +217,11 @@ void add_builtin_values(CompletionBuilder& builder, const ExpectedType& expected
   }
 }
 
-void add_literal(CompletionBuilder& builder, std::string label, std::string snippet) {
+void add_literal(CompletionBuilder& builder, std::string label, std::string snippet,
+                 std::string detail = {}) {
   builder.add({.label = label,
                .kind = CompletionKind::Literal,
+               .detail = std::move(detail),
                .text = label,
                .snippet = std::move(snippet)},
               {kFits, kLiteral});
@@ -242,10 +253,18 @@ void add_literals(CompletionBuilder& builder, const ExpectedType& expected) {
     add_literal(builder, "(0deg, 0deg, 0deg)", "(${1:0}deg, ${2:0}deg, ${3:0}deg)");
   }
   if (expected.type == "angle") {
-    add_literal(builder, "0deg", "${1:0}deg");
-    add_literal(builder, "0turn", "${1:0}turn");
+    add_literal(builder, "45deg", "${1:45}deg");
+    add_literal(builder, "0.25turn", "${1:0.25}turn");
+  }
+  if (expected.type == "number" && expected.units == ExpectedType::Units::Time) {
+    add_literal(builder, "20ms", "${1:20}ms");
+    add_literal(builder, "1s", "${1:1}s");
   }
   if (property == nullptr) return;
+  if (expected.type == "number" && !property->default_text.empty()) {
+    add_literal(builder, std::string(property->default_text),
+                fmt::format("${{1:{}}}", property->default_text), "default");
+  }
   if (property->type == Type::Interval) add_literal(builder, "0s .. 20ms", "${1:0s} .. ${2:20ms}");
   if (property->type == Type::Frames) add_literal(builder, "1 .. 24", "${1:1} .. ${2:24}");
 }
@@ -308,7 +327,9 @@ void add_named_arguments(CompletionBuilder& builder, const OpenBracket& call,
     const auto parameters = callee.constructor->parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       if (is_given(i, parameters[i].name)) continue;
-      builder.add(property_item(parameters[i], true, has_colon), {kArgument, static_cast<int>(i)});
+      const int later = parameters[i].presence == Presence::Required ? 0 : kGlobal;
+      builder.add(property_item(parameters[i], true, has_colon),
+                  {kArgument, later + static_cast<int>(i)});
     }
   }
   const std::vector<SymbolId> parameters = parameters_of(builder.view(), callee.function);
@@ -323,9 +344,11 @@ void add_named_arguments(CompletionBuilder& builder, const OpenBracket& call,
 
 int fit_of(const ExpectedType& expected, std::string_view type) {
   if (expected.is_unknown() || type.empty()) return kUnknown;
+  if (expected.type.empty()) return kMismatch;
   if (type == expected.type) return kFits;
   const bool is_factor = type == "number" && (expected.type == "vec3" || expected.type == "angle" ||
-                                              expected.type == "color" || expected.type == "bool");
+                                              expected.type == "color" || expected.type == "bool" ||
+                                              expected.type == "interval");
   const bool has_components = (type == "vec3" && expected.type == "number") ||
                               (type == "angles" && expected.type == "angle");
   // Trigonometry takes angles.

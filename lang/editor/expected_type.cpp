@@ -56,10 +56,10 @@ ExpectedType of_argument(const SceneView& view, std::uint32_t file, const Cursor
                                 : ExpectedType();
   }
   if (callee.builtin != nullptr) {
-    if (callee.builtin->takes.empty() && callee.builtin->result == "=") {
+    if (callee.builtin->result == "=") {
       ExpectedType around = expected_in(view, file, place, bracket - 1);
       around.property = nullptr;
-      return around;
+      if (callee.builtin->takes.empty() || around.type == "angle") return around;
     }
     return {.type = callee.builtin->takes};
   }

@@ -33,7 +33,8 @@ struct Builtin {
   std::string_view signature;  ///< as the reference shows it: "clamp(x, low, high)"
   std::size_t min_arguments, max_arguments;
   Value (*evaluate)(const BuiltinCall& call);
-  /// The type of all arguments, one of types.hpp; empty: it varies.
+  /// The type of all arguments, one of types.hpp; empty: it varies. Those that return the type of
+  /// their argument take angles too.
   std::string_view takes;
   /// A type of types.hpp; "=": that of the first argument; empty: it varies.
   std::string_view result;
