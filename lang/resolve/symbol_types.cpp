@@ -16,17 +16,6 @@ namespace {
 
 using Name = std::string_view;  // of a type; empty: unknown
 
-/// The type of the result of a built-in function; "=": that of its first argument.
-Name result_of(Name function) {
-  if (const Builtin* builtin = find_builtin(function)) return builtin->result;
-  const Constructor* constructor = find_constructor(function);
-  if (constructor == nullptr || function == "line") return {};
-  const auto materials = all_materials();
-  const bool is_material =
-      std::ranges::find(materials, function, &MaterialInfo::name) != materials.end();
-  return is_material ? "material" : "color";
-}
-
 class TypeInference {
  public:
   explicit TypeInference(const SymbolIndex& index) : index_(index) {}
@@ -128,7 +117,7 @@ class TypeInference {
     const Occurrence* callee = last_name(file, node.head_span());
     if (callee == nullptr) return {};
     if (!callee->symbol.is_builtin()) return of_symbol(callee->symbol);
-    const Name result = result_of(builtin_symbols()[callee->symbol.index].name);
+    const Name result = result_of_builtin(builtin_symbols()[callee->symbol.index].name);
     return result == "=" ? of_child(file, node, 0) : result;
   }
 
@@ -161,6 +150,12 @@ class TypeInference {
 };
 
 }  // namespace
+
+std::string_view result_of_builtin(std::string_view function) {
+  if (const Builtin* builtin = find_builtin(function)) return builtin->result;
+  const Constructor* constructor = find_constructor(function);
+  return constructor == nullptr ? std::string_view() : result_of(*constructor);
+}
 
 const TypeInfo* type_of(const SymbolIndex& index, SymbolId symbol) {
   const Name name = TypeInference(index).of_symbol(symbol);

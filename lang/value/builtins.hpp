@@ -33,8 +33,11 @@ struct Builtin {
   std::string_view signature;  ///< as the reference shows it: "clamp(x, low, high)"
   std::size_t min_arguments, max_arguments;
   Value (*evaluate)(const BuiltinCall& call);
-  std::string_view
-      result;  ///< a type of types.hpp; "=": that of the first argument; empty: it varies
+  /// The type of all arguments, one of types.hpp; empty: it varies. Those that return the type of
+  /// their argument take angles too.
+  std::string_view takes;
+  /// A type of types.hpp; "=": that of the first argument; empty: it varies.
+  std::string_view result;
   std::string_view topic;  ///< under which the reference lists it: "numbers"
   std::string_view doc;
   /// Steps (see limits.hpp) in addition to those of reading its arguments; 0: it does not read

@@ -5,6 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "lang/value/colors.hpp"
 
 namespace sdlc::lang {
@@ -145,6 +147,20 @@ std::span<const Constructor> all_constructors() noexcept {
 
 std::size_t Constructor::index() const noexcept {
   return static_cast<std::size_t>(this - all_constructors().data());
+}
+
+std::string signature_of(const Constructor& constructor) {
+  std::string parameters;
+  for (const Property& parameter : constructor.parameters) {
+    parameters += fmt::format("{}{}", parameters.empty() ? "" : ", ", parameter.name);
+    if (!parameter.default_text.empty()) parameters += fmt::format(": {}", parameter.default_text);
+  }
+  return fmt::format("{}({})", constructor.name, parameters);
+}
+
+std::string_view result_of(const Constructor& constructor) noexcept {
+  if (constructor.construct == make_line) return {};
+  return constructor.construct == make_material ? "material" : "color";
 }
 
 const Constructor* find_constructor(std::string_view name) noexcept {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "lang/object/value.hpp"
@@ -33,6 +34,11 @@ struct Constructor {
 
 std::span<const Constructor> all_constructors() noexcept;
 const Constructor* find_constructor(std::string_view name) noexcept;
+
+/// As the reference shows it: "specular(color, fuzz: 0)".
+std::string signature_of(const Constructor& constructor);
+/// The type of the result, as in types.hpp; empty: a motion, which no parameter can have.
+std::string_view result_of(const Constructor& constructor) noexcept;
 
 /// The default of a parameter; Nothing if it has none.
 Value default_of(const Property& parameter);

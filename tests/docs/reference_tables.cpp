@@ -8,10 +8,10 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "lang/object/check.hpp"
 #include "lang/report/findings.hpp"
+#include "lang/schema/property_text.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/value/builtins.hpp"
@@ -25,71 +25,33 @@ namespace {
 
 std::string code(std::string_view text) { return fmt::format("`{}`", text); }
 
-/// "`a`, `b` or `c`"
-std::string one_of(std::span<const std::string_view> words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    text += i == 0 ? "" : i + 1 == words.size() ? " or " : ", ";
-    text += code(words[i]);
-  }
-  return text;
-}
-
-/// "a number, at least 0"
-std::string what_it_takes(const lang::Property& property) {
-  std::string text(describe(property.type));
-  if (property.type == lang::Type::Word) {
-    text = property.words.empty() ? "a name" : one_of(property.words);
-  }
-  if (property.range != lang::Range::Any) {
-    const bool is_color = property.type == lang::Type::Color;
-    text += fmt::format(", {}{}", is_color ? "each component " : "", describe(property.range));
-  }
-  return property.reads_none ? text + ", or `none`" : text;
-}
-
-std::string default_text(const lang::Property& property) {
-  if (property.presence == lang::Presence::Required) return "required";
-  return property.default_text.empty() ? "" : code(property.default_text);
-}
-
 std::string kind_table(const lang::Kind& kind) {
   std::string text = "| property | takes | default | |\n| --- | --- | --- | --- |\n";
   for (const lang::Property& property : kind.properties) {
-    text += fmt::format("| `{}` | {} | {} | {} |\n", property.name, what_it_takes(property),
-                        default_text(property), property.doc);
+    text += fmt::format("| `{}` | {} | {} | {} |\n", property.name, describe_values(property),
+                        describe_default(property), property.doc);
   }
   return text;
-}
-
-/// "specular(color, fuzz: 0)"
-std::string signature(const lang::Constructor& constructor) {
-  std::vector<std::string> parameters;
-  for (const lang::Property& parameter : constructor.parameters) {
-    parameters.emplace_back(parameter.name);
-    if (parameter.default_text.empty()) continue;
-    parameters.back() += fmt::format(": {}", parameter.default_text);
-  }
-  return fmt::format("{}({})", constructor.name, fmt::join(parameters, ", "));
 }
 
 /// Whether a single row describes all of them.
 bool are_alike(std::span<const lang::Property> parameters) {
   return std::all_of(parameters.begin(), parameters.end(), [&](const lang::Property& parameter) {
-    return what_it_takes(parameter) == what_it_takes(parameters.front());
+    return describe_values(parameter) == describe_values(parameters.front());
   });
 }
 
 /// The rows of a constructor: itself, then its arguments.
 std::string constructor_rows(const lang::Constructor& constructor) {
-  std::string text = fmt::format("| **`{}`** | | {} |\n", signature(constructor), constructor.doc);
+  std::string text =
+      fmt::format("| **`{}`** | | {} |\n", signature_of(constructor), constructor.doc);
   std::string names, docs;
   for (const lang::Property& parameter : constructor.parameters) {
     names += (names.empty() ? "" : " ") + code(parameter.name);
     docs += fmt::format("{}{}", docs.empty() ? "" : " ", parameter.doc);
     const bool is_last = &parameter == &constructor.parameters.back();
     if (!is_last && are_alike(constructor.parameters)) continue;
-    text += fmt::format("| {} | {} | {} |\n", std::exchange(names, ""), what_it_takes(parameter),
+    text += fmt::format("| {} | {} | {} |\n", std::exchange(names, ""), describe_values(parameter),
                         std::exchange(docs, ""));
   }
   return text;

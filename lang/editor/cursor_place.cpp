@@ -1,0 +1,259 @@
+#include "lang/editor/cursor_place.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "lang/ast/ast.hpp"
+#include "lang/editor/place_reader.hpp"
+#include "lang/text/brackets.hpp"
+#include "lang/token/lines.hpp"
+#include "lang/token/token_reader.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+using Kind = CursorPlace::Kind;
+using Role = OpenBracket::Role;
+using Step = PlaceStep;
+
+/// The top-level statements around the cursor: from the last one that surely begins before it, to
+/// the next one.
+Span find_surroundings(const SyntaxTree& tree, std::uint32_t offset) {
+  const std::string_view text = tree.file().text();
+  Span found{0, static_cast<std::uint32_t>(text.size())};
+  for (const ast::Node child : ast::Node(tree, 0).children()) {
+    const bool is_statement =
+        child.kind() >= SyntaxKind::Import && child.kind() <= SyntaxKind::Object;
+    const std::uint32_t begin = child.span().begin;
+    // A repair can end a statement too early; the rest of it is then indented.
+    if (!is_statement || line_begin(text, begin) != begin) continue;
+    if (begin >= offset) return {found.begin, begin};
+    found.begin = begin;
+  }
+  return found;
+}
+
+bool are_brackets_paired(std::string_view text, Span span) {
+  std::string open;
+  TokenReader tokens(text.substr(0, span.end), span.begin);
+  for (Token token = tokens.next_solid(); token.kind != TokenKind::End;
+       token = tokens.next_solid()) {
+    const char c = text[token.span.begin];
+    if (token.kind == TokenKind::Open) open += c;
+    if (token.kind != TokenKind::Close) continue;
+    if (open.empty() || !is_bracket_pair(open.back(), c)) return false;
+    open.pop_back();
+  }
+  return open.empty();
+}
+
+/// Whether the cursor is inside the token, or at its end where it could continue.
+bool contains(const Token& token, std::uint32_t offset) {
+  if (token.span.begin >= offset || offset > token.span.end) return false;
+  if (offset < token.span.end) return true;
+  switch (token.kind) {
+    case TokenKind::Name:
+    case TokenKind::ForeignName:
+    case TokenKind::Number:
+    case TokenKind::Color:
+    case TokenKind::LineComment:
+    case TokenKind::DocComment:
+    case TokenKind::UnclosedComment:
+    case TokenKind::UnclosedString: return true;
+    default: return false;
+  }
+}
+
+/// The kind of place by what comes next; `has_colon`: a colon follows the word.
+Kind kind_in_block(const CursorPlace& place, bool has_colon) {
+  const OpenBracket& f = place.inner();
+  const bool is_head = f.word == "for" || f.word == "if" || f.word == "else" || f.word == "assert";
+  switch (f.step) {
+    case Step::Start: return Kind::Statement;
+    case Step::Path:
+    case Step::ObjectName:
+    case Step::AfterType: return place.is_first_of_line ? Kind::Statement : Kind::Nothing;
+    case Step::PathDot:
+    case Step::Dot: return Kind::Member;
+    case Step::AfterName: return f.word == "for" ? Kind::In : Kind::Nothing;
+    case Step::Type: return Kind::Type;
+    case Step::AfterFile: return Kind::As;
+    case Step::ImportName: return Kind::ImportName;
+    case Step::Operand: return has_colon ? Kind::Statement : Kind::Expression;
+    case Step::AfterOperand: {
+      const bool is_open =
+          !f.conditionals.empty() && f.conditionals.back() != ConditionalPart::Else;
+      return is_head || is_open ? Kind::Operator : Kind::Statement;
+    }
+    case Step::Done: return place.is_first_of_line ? Kind::Statement : Kind::Nothing;
+    default: return Kind::Nothing;
+  }
+}
+
+Kind kind_in_brackets(const CursorPlace& place) {
+  const OpenBracket& f = place.inner();
+  switch (f.step) {
+    case Step::Start:
+      if (f.role == Role::Parameters) return Kind::Nothing;
+      return f.role == Role::Arguments ? Kind::Argument : Kind::Expression;
+    case Step::Operand: return Kind::Expression;
+    case Step::AfterOperand: return Kind::Operator;
+    case Step::Dot: return Kind::Member;
+    case Step::Type: return Kind::Type;
+    default: return Kind::Nothing;
+  }
+}
+
+/// Reads up to the cursor.
+class PlaceSearch {
+ public:
+  PlaceSearch(const SyntaxTree& tree, std::uint32_t offset, Span around)
+      : text_(tree.file().text()),
+        offset_(offset),
+        tokens_(text_, around.begin),
+        reader_(text_, !are_brackets_paired(text_, around)) {
+    place_.offset = offset;
+    place_.word = {offset, offset};
+  }
+
+  CursorPlace find() {
+    for (;;) {
+      const Token token = tokens_.next();
+      if (contains(token, offset_)) return finish_inside(token);
+      if (token.kind == TokenKind::End || token.span.begin >= offset_) return finish({});
+      read(token);
+    }
+  }
+
+ private:
+  void read(const Token& token) {
+    if (token.kind == TokenKind::LineEnd) {
+      line_begin_ = token.span.end;
+      is_first_ = true;
+    }
+    if (is_trivia(token.kind)) return;
+    reader_.read(token, is_first_ ? token.span.begin - line_begin_ : PlaceReader::kNotFirst);
+    is_first_ = false;
+    place_.before = text_.substr(token.span.begin, token.span.size());
+  }
+
+  CursorPlace finish_inside(const Token& token) {
+    place_.token = token.span;
+    if (is_comment(token.kind)) return finish(Kind::Comment, token);
+    if (is_name(token.kind)) {
+      place_.word = token.span;
+      return finish(token);
+    }
+    if (token.kind == TokenKind::Number) return finish(Kind::Number, token);
+    if (token.kind == TokenKind::Color) return finish(Kind::Color, token);
+    const bool is_file_name = is_string(token.kind) && step_at(token) == Step::File;
+    if (is_file_name) return finish(Kind::FileName, token);
+    const bool is_inside = is_string(token.kind) || !is_trivia(token.kind);
+    return is_inside ? finish(Kind::Nothing, token) : finish({});
+  }
+
+  Step step_at(const Token& token) {
+    enter_line(token.span.begin);
+    return reader_.brackets().back().step;
+  }
+
+  /// Closes the brackets that end before the line of the cursor.
+  void enter_line(std::uint32_t at) {
+    if (is_first_) reader_.leave_lines(at - line_begin_, at < text_.size() ? text_[at] : '\0');
+  }
+
+  CursorPlace finish(Kind kind, const Token& token) {
+    CursorPlace place = finish(token);
+    place.kind = kind;
+    return place;
+  }
+
+  CursorPlace finish(const Token& token) {
+    const bool has_word = token.span.size() > 0;
+    // An empty line after the one with the bracket: its indentation is not typed yet.
+    const bool is_fresh = !has_word && is_after_bracket();
+    if (!is_fresh) enter_line(has_word ? token.span.begin : offset_);
+    place_.is_first_of_line = is_first_;
+    place_.brackets = std::move(reader_.brackets());
+    if (offset_ > 0 && text_[offset_ - 1] == '#' && place_.before == "#") {
+      place_.kind = Kind::Color;
+      place_.token = {offset_ - 1, offset_};
+      return std::move(place_);
+    }
+    TokenReader after(text_, place_.word.end);
+    const bool has_colon = after.text(after.next_solid()) == ":";
+    const OpenBracket& inner = place_.inner();
+    place_.kind = inner.is_block() ? kind_in_block(place_, has_colon) : kind_in_brackets(place_);
+    place_.is_first_of_statement = inner.step == Step::PathDot;
+    return std::move(place_);
+  }
+
+  bool is_after_bracket() const {
+    return !place_.before.empty() && (place_.before == "{" || place_.before == "(");
+  }
+
+  std::string_view text_;
+  std::uint32_t offset_;
+  TokenReader tokens_;
+  PlaceReader reader_;
+  std::uint32_t line_begin_ = tokens_.at();
+  bool is_first_ = true;
+  CursorPlace place_;
+};
+
+}  // namespace
+
+CursorPlace find_cursor_place(const SyntaxTree& tree, std::uint32_t offset) {
+  const auto size = static_cast<std::uint32_t>(tree.file().text().size());
+  offset = std::min(offset, size);
+  return PlaceSearch(tree, offset, find_surroundings(tree, offset)).find();
+}
+
+std::vector<std::string_view> labels_after(const CursorPlace& place, std::string_view text) {
+  constexpr int kMaxTokens = 4096;
+  std::vector<std::string_view> labels;
+  TokenReader tokens(text, std::max(place.offset, place.word.end));
+  std::uint32_t depth = 0;
+  bool is_first = false;
+  Token last;
+  for (int i = 0; i < kMaxTokens; ++i) {
+    const Token token = tokens.next_in_line();
+    if (token.kind == TokenKind::End) break;
+    if (token.kind == TokenKind::LineEnd) is_first = true;
+    if (is_trivia(token.kind)) continue;
+    // The bracket is not closed.
+    const bool is_outside = is_first && token.kind != TokenKind::Close &&
+                            indent_of_line(text, token.span.begin) <= place.inner().indent;
+    if (is_outside) break;
+    is_first = false;
+    if (token.kind == TokenKind::Open) ++depth;
+    if (token.kind == TokenKind::Close && depth-- == 0) break;
+    const bool is_label = depth == 0 && is_name(last.kind) && tokens.text(token) == ":";
+    if (is_label) labels.push_back(tokens.text(last));
+    last = token;
+  }
+  return labels;
+}
+
+std::vector<VisibleLocal> visible_locals(const CursorPlace& place) {
+  std::vector<VisibleLocal> found;
+  std::uint32_t depth = 0;
+  const auto add = [&](const LocalName& local) {
+    const auto is_same = [&](const VisibleLocal& v) { return v.local.name == local.name; };
+    if (std::ranges::none_of(found, is_same)) found.push_back({local, depth});
+  };
+  const auto add_all = [&](const std::vector<LocalName>& locals, std::size_t without = 0) {
+    for (std::size_t i = locals.size() - without; i > 0; --i) add(locals[i - 1]);
+  };
+  for (std::size_t i = place.brackets.size(); i > 0; --i) {
+    const OpenBracket& f = place.brackets[i - 1];
+    if (f.word == "fn" || f.word == "def") add_all(f.declared);
+    // A default can use the parameters before it.
+    const bool is_typing = f.role == Role::Parameters && f.step != Step::Start;
+    add_all(f.locals, is_typing && !f.locals.empty() ? 1 : 0);
+    if (f.is_block()) ++depth;
+  }
+  return found;
+}
+
+}  // namespace sdlc::lang
