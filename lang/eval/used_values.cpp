@@ -1,0 +1,93 @@
+#include "lang/eval/used_values.hpp"
+
+#include <span>
+
+namespace sdlc::lang {
+namespace {
+
+constexpr std::size_t kMaxExpressions = 100'000;  // about a millisecond
+
+/// The operands that are expressions; the first ones may be indices of something else.
+std::span<const std::uint32_t> expressions_in(const Code& code, const Expression& e) {
+  switch (e.op) {
+    case Op::Number:
+    case Op::Constant:
+    case Op::Time:
+    case Op::Local:
+    case Op::Global: return {};
+    case Op::Function: return code.operands_of(e).subspan(2);
+    case Op::Builtin:
+    case Op::Constructor: return code.operands_of(e).subspan(1);
+    default: return code.operands_of(e);
+  }
+}
+
+}  // namespace
+
+UsedValues::UsedValues(const Program& program)
+    : program_(program), globals_(program.module_count()) {}
+
+bool UsedValues::add(const Code& code, std::uint32_t expression) {
+  open_.push_back({&code, expression, false});
+  return visit_all();
+}
+
+bool UsedValues::add_global(std::uint32_t module, std::uint32_t global) {
+  visit_global(module, global);
+  return visit_all();
+}
+
+bool UsedValues::visit_all() {
+  bool is_good = true;
+  while (is_good && !open_.empty()) {
+    const Item item = open_.back();
+    open_.pop_back();
+    is_good = ++visited_ <= kMaxExpressions && visit(item);
+  }
+  return is_good;
+}
+
+bool UsedValues::visit(const Item& item) {
+  const Expression& e = item.code->expressions[item.expression];
+  switch (e.op) {
+    case Op::Local: return item.may_read_locals;
+    case Op::Time: uses_time_ = true; break;
+    case Op::Global: {
+      const auto operands = item.code->operands_of(e);
+      visit_global(operands[0], operands[1]);
+      break;
+    }
+    case Op::Function: {
+      const auto operands = item.code->operands_of(e);
+      visit_function(operands[0], operands[1]);
+      break;
+    }
+    default: break;
+  }
+  for (const std::uint32_t operand : expressions_in(*item.code, e)) {
+    if (operand != kNothing) open_.push_back({item.code, operand, item.may_read_locals});
+  }
+  return true;
+}
+
+void UsedValues::visit_global(std::uint32_t module, std::uint32_t global) {
+  const Module& file = program_.module(module);
+  if (globals_[module].empty()) globals_[module].resize(file.globals.size());
+  if (globals_[module][global]) return;
+  globals_[module][global] = true;
+  const std::uint32_t value = file.globals[global].value;
+  if (value != kNothing) open_.push_back({&file.code, value, false});
+}
+
+void UsedValues::visit_function(std::uint32_t module, std::uint32_t function) {
+  if (!functions_.emplace(module, function).second) return;
+  const Module& file = program_.module(module);
+  const Definition& definition = file.functions[function];
+  if (definition.body != kNothing) open_.push_back({&file.code, definition.body, true});
+  for (const Parameter& parameter : definition.parameters) {
+    const std::uint32_t value = parameter.default_value;
+    if (value != kNothing) open_.push_back({&file.code, value, true});
+  }
+}
+
+}  // namespace sdlc::lang
