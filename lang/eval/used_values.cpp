@@ -24,9 +24,6 @@ std::span<const std::uint32_t> expressions_in(const Code& code, const Expression
 
 }  // namespace
 
-UsedValues::UsedValues(const Program& program)
-    : program_(program), globals_(program.module_count()) {}
-
 bool UsedValues::add(const Code& code, std::uint32_t expression) {
   open_.push_back({&code, expression, false});
   return visit_all();
@@ -40,41 +37,41 @@ bool UsedValues::add_global(std::uint32_t module, std::uint32_t global) {
 bool UsedValues::visit_all() {
   bool is_good = true;
   while (is_good && !open_.empty()) {
-    const Item item = open_.back();
+    const Part part = open_.back();
     open_.pop_back();
-    is_good = ++visited_ <= kMaxExpressions && visit(item);
+    is_good = ++visited_ <= kMaxExpressions && visit(part);
   }
   return is_good;
 }
 
-bool UsedValues::visit(const Item& item) {
-  const Expression& e = item.code->expressions[item.expression];
+bool UsedValues::visit(const Part& part) {
+  const Expression& e = part.code->expressions[part.expression];
   switch (e.op) {
-    case Op::Local: return item.may_read_locals;
+    case Op::Local: return part.may_read_locals;
     case Op::Time: uses_time_ = true; break;
     case Op::Global: {
-      const auto operands = item.code->operands_of(e);
+      const auto operands = part.code->operands_of(e);
       visit_global(operands[0], operands[1]);
       break;
     }
     case Op::Function: {
-      const auto operands = item.code->operands_of(e);
+      const auto operands = part.code->operands_of(e);
       visit_function(operands[0], operands[1]);
       break;
     }
     default: break;
   }
-  for (const std::uint32_t operand : expressions_in(*item.code, e)) {
-    if (operand != kNothing) open_.push_back({item.code, operand, item.may_read_locals});
+  for (const std::uint32_t operand : expressions_in(*part.code, e)) {
+    if (operand != kNothing) open_.push_back({part.code, operand, part.may_read_locals});
   }
   return true;
 }
 
 void UsedValues::visit_global(std::uint32_t module, std::uint32_t global) {
+  if (known_.contains(module, global) || found_.contains(module, global)) return;
+  found_.add(module, global);
+  globals_.push_back({module, global});
   const Module& file = program_.module(module);
-  if (globals_[module].empty()) globals_[module].resize(file.globals.size());
-  if (globals_[module][global]) return;
-  globals_[module][global] = true;
   const std::uint32_t value = file.globals[global].value;
   if (value != kNothing) open_.push_back({&file.code, value, false});
 }

@@ -1,5 +1,6 @@
 #include "lang/eval/value_probe.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,45 @@
 
 namespace sdlc::lang {
 
+namespace {
+
+/// Ranks of globals in the order of evaluation: a file comes after those that it imports.
+class EvaluationOrder {
+ public:
+  explicit EvaluationOrder(const Program& program)
+      : program_(program), files_(program.module_count(), kNothing), ranks_(files_.size()) {
+    for (std::uint32_t module = 0; module < files_.size(); ++module) add_file(module);
+  }
+
+  /// The second is kNothing for a global that depends on itself, and is never evaluated.
+  std::pair<std::uint32_t, std::uint32_t> rank(UsedValues::Item item) {
+    std::vector<std::uint32_t>& ranks = ranks_[item.module];
+    if (ranks.empty()) {
+      const Module& file = program_.module(item.module);
+      ranks.assign(file.globals.size(), kNothing);
+      for (std::uint32_t i = 0; i < file.order.size(); ++i) ranks[file.order[i]] = i;
+    }
+    return {files_[item.module], ranks[item.global]};
+  }
+
+ private:
+  void add_file(std::uint32_t module) {
+    if (files_[module] != kNothing) return;
+    files_[module] = 0;  // imports may be cyclic, which is reported
+    for (const auto& [name, import] : program_.module(module).imports) {
+      if (import.module != kNothing) add_file(import.module);
+    }
+    files_[module] = next_++;
+  }
+
+  const Program& program_;
+  std::vector<std::uint32_t> files_;               // ranks, by module
+  std::vector<std::vector<std::uint32_t>> ranks_;  // by module and global; empty until needed
+  std::uint32_t next_ = 0;
+};
+
+}  // namespace
+
 /// An Evaluator with a closed shutter whose globals are evaluated on demand.
 class SingleValues {
  public:
@@ -17,7 +57,8 @@ class SingleValues {
         max_steps_(max_steps),
         ignored_(stop),
         evaluator_(program, {.steps = max_steps}, ignored_, Evaluator::OnDemand{}),
-        is_done_(program.module_count()) {
+        order_(program),
+        known_(program) {
     ignored_.set_muted(true);
     evaluator_.globals_.resize(program.module_count());
   }
@@ -29,8 +70,7 @@ class SingleValues {
  private:
   void restart();
   /// False if a limit is exceeded.
-  bool evaluate(const UsedValues& used);
-  void evaluate_module(std::uint32_t module, const UsedValues& used, std::vector<bool>& visited);
+  bool evaluate(UsedValues& used);
   void find_time();
   ProbedValue result_of(Evaluator::Varying value) const;
 
@@ -38,7 +78,8 @@ class SingleValues {
   std::uint64_t max_steps_;
   DiagnosticSink ignored_;
   Evaluator evaluator_;
-  std::vector<std::vector<bool>> is_done_;  // by module and global
+  EvaluationOrder order_;
+  GlobalSet known_;  // already evaluated
   bool has_time_ = false;
 };
 
@@ -55,23 +96,23 @@ ProbedValue SingleValues::result_of(Evaluator::Varying value) const {
 }
 
 ProbedValue SingleValues::global(std::uint32_t module, std::uint32_t index) {
-  UsedValues used(program_);
-  if (!used.add_global(module, index)) return {.is_too_expensive = true};
   restart();
-  if (!evaluate(used)) return {.is_too_expensive = true};
-  return result_of(evaluator_.globals_[module][index]);
+  UsedValues used(program_, known_);
+  const bool is_good = used.add_global(module, index) && evaluate(used);
+  return is_good ? result_of(evaluator_.globals_[module][index])
+                 : ProbedValue{.is_too_expensive = true};
 }
 
 ProbedValue SingleValues::expression(std::uint32_t module, ast::Node node,
                                      const Property* property) {
+  restart();
   Code code(node.tree());
   const std::uint32_t index =
       Resolver(program_, module, ignored_).resolve_value(node, property, code);
-  UsedValues used(program_);
-  if (!used.add(code, index)) return {.is_too_expensive = true};
-  restart();
-  if (!evaluate(used)) return {.is_too_expensive = true};
-  return result_of(evaluator_.evaluate_over_shutter(code, index));
+  UsedValues used(program_, known_);
+  const bool is_good = used.add(code, index) && evaluate(used);
+  return is_good ? result_of(evaluator_.evaluate_over_shutter(code, index))
+                 : ProbedValue{.is_too_expensive = true};
 }
 
 double SingleValues::time() {
@@ -80,41 +121,28 @@ double SingleValues::time() {
   return evaluator_.times_[0];
 }
 
-bool SingleValues::evaluate(const UsedValues& used) {
+bool SingleValues::evaluate(UsedValues& used) {
   if (used.uses_time()) find_time();
-  std::vector<bool> visited(program_.module_count());
-  for (std::uint32_t module = 0; module < program_.module_count(); ++module) {
-    evaluate_module(module, used, visited);
+  auto& globals = used.globals();
+  std::ranges::sort(globals, {}, [&](UsedValues::Item item) { return order_.rank(item); });
+  for (const auto [module, index] : globals) {
+    const Module& file = program_.module(module);
+    auto& values = evaluator_.globals_[module];
+    if (values.empty()) values.resize(file.globals.size());
+    if (order_.rank({module, index}).second == kNothing) continue;
+    if (!evaluator_.take_steps(file.code, file.globals[index].node, work::kStatement)) break;
+    values[index] = evaluator_.evaluate_global(module, index);
+    if (evaluator_.has_given_up_) break;
+    known_.add(module, index);
   }
   return !evaluator_.has_given_up_;
-}
-
-/// After the modules that it imports.
-void SingleValues::evaluate_module(std::uint32_t module, const UsedValues& used,
-                                   std::vector<bool>& visited) {
-  if (visited[module]) return;
-  visited[module] = true;
-  const Module& file = program_.module(module);
-  for (const auto& [name, import] : file.imports) {
-    if (import.module != kNothing) evaluate_module(import.module, used, visited);
-  }
-  if (!used.uses_module(module)) return;
-  std::vector<bool>& is_done = is_done_[module];
-  is_done.resize(file.globals.size());
-  evaluator_.globals_[module].resize(file.globals.size());
-  for (const std::uint32_t index : file.order) {
-    if (is_done[index] || !used.contains(module, index)) continue;
-    if (!evaluator_.take_steps(file.code, file.globals[index].node, work::kStatement)) return;
-    evaluator_.globals_[module][index] = evaluator_.evaluate_global(module, index);
-    is_done[index] = !evaluator_.has_given_up_;
-  }
 }
 
 /// The animation gives the time of the first frame. Its own values do not depend on the time.
 void SingleValues::find_time() {
   if (std::exchange(has_time_, true)) return;
   evaluator_.find_settings();
-  UsedValues used(program_);
+  UsedValues used(program_, known_);
   for (const Evaluator::Setting& setting : evaluator_.settings_) {
     if (setting.kind->id != ObjectKind::Animation) continue;
     const Code code = evaluator_.resolve(setting);
