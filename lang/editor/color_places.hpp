@@ -51,10 +51,10 @@ std::vector<ColorPlace> colors_of_config(std::string_view text);
 
 /// Texts for a picked colour in place of the old one, the one with the old spelling first. It keeps
 /// labels, units and comments, the case of hex digits, and the numbers of components that do not
-/// change. `text`: the whole text.
-std::vector<std::string> color_presentations(std::string_view text, const ColorPlace& place,
-                                             const DisplayedRgb& picked);
-/// The same for a config, which has one spelling.
+/// change. Names that the scene hides are not used.
+std::vector<std::string> color_presentations(const SceneView& view, std::uint32_t file,
+                                             const ColorPlace& place, const DisplayedRgb& picked);
+/// The same for a config, which has one spelling. `text`: the whole text.
 std::vector<std::string> config_color_presentations(std::string_view text, const ColorPlace& place,
                                                     const DisplayedRgb& picked);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -177,15 +178,21 @@ std::string with_numbers(std::string_view text, const ColorPlace& place, const C
   return result += text.substr(at, place.where.end - at);
 }
 
-/// The old spelling.
-std::string in_old_spelling(std::string_view text, const ColorPlace& place, const Codes& codes) {
+/// The codes as the name of a colour, unless the scene has another value of that name.
+std::string visible_name(const SymbolTable& table, const Codes& codes) {
+  std::string name = name_of(codes);
+  const bool is_hidden = std::ranges::any_of(table.symbols(), [&](const Symbol& symbol) {
+    return symbol.name == name && name_space_of(symbol.kind) == NameSpace::Values;
+  });
+  return is_hidden ? std::string() : name;
+}
+
+std::string in_old_spelling(std::string_view text, const ColorPlace& place, const Codes& codes,
+                            const std::string& name) {
   const std::string_view old = text.substr(place.where.begin, place.where.size());
   switch (place.spelling) {
     case ColorSpelling::Hex: return hex_like(old, codes);
-    case ColorSpelling::Name: {
-      std::string name = name_of(codes);
-      return name.empty() ? hex(codes) : name;
-    }
+    case ColorSpelling::Name: return name.empty() ? hex(codes) : name;
     case ColorSpelling::Kelvin: return hex(codes);
     default: return with_numbers(text, place, codes);
   }
@@ -193,13 +200,13 @@ std::string in_old_spelling(std::string_view text, const ColorPlace& place, cons
 
 }  // namespace
 
-std::vector<std::string> color_presentations(std::string_view text, const ColorPlace& place,
-                                             const DisplayedRgb& picked) {
+std::vector<std::string> color_presentations(const SceneView& view, std::uint32_t file,
+                                             const ColorPlace& place, const DisplayedRgb& picked) {
+  const std::string_view text = view.file(file).text();
   const Codes codes = codes_of(picked);
-  if (codes == codes_of(place.displayed())) {
-    return {std::string(text.substr(place.where.begin, place.where.size()))};
-  }
-  std::vector<std::string> texts{in_old_spelling(text, place, codes)};
+  if (codes == codes_of(place.displayed())) return {std::string(view.file(file).text(place.where))};
+  const std::string name = visible_name(view.table(file), codes);
+  std::vector<std::string> texts{in_old_spelling(text, place, codes, name)};
   // Other spellings cannot express the intensity.
   if (place.intensity() > 1) return texts;
   const auto add = [&](std::string other) {
@@ -207,9 +214,10 @@ std::vector<std::string> color_presentations(std::string_view text, const ColorP
       texts.push_back(std::move(other));
     }
   };
-  add(name_of(codes));
+  add(name);
   add(hex(codes));
-  add(fmt::format("rgb({}, {}, {})", codes[0], codes[1], codes[2]));
+  const bool is_rgb_hidden = view.module(file).function_names.contains("rgb");
+  if (!is_rgb_hidden) add(fmt::format("rgb({}, {}, {})", codes[0], codes[1], codes[2]));
   return texts;
 }
 

@@ -41,7 +41,7 @@ std::vector<std::string> presentations(const std::string& color, std::array<int,
   const auto places = lang::colors_of(scene.view(), 0);
   if (places.size() != 1) return {"no colour"};
   EXPECT_TRUE(lang::color_at(scene.view(), 0, places[0].where).has_value());
-  return lang::color_presentations(scene.view().file(0).text(), places[0],
+  return lang::color_presentations(scene.view(), 0, places[0],
                                    {codes[0] / 255.0, codes[1] / 255.0, codes[2] / 255.0});
 }
 
@@ -94,6 +94,13 @@ TEST(ColorPresentations, OfNamesAreNamesOrHex) {
   EXPECT_THAT(presentations("tomato", {1, 2, 3}), ElementsAre("#010203", "rgb(1, 2, 3)"));
 }
 
+TEST(ColorPresentations, DoNotUseNamesThatTheSceneHides) {
+  EXPECT_THAT(presentations("tomato\nlet red = 1\nfn rgb(r, g, b) = r", {255, 0, 0}),
+              ElementsAre("#ff0000"));
+  EXPECT_THAT(presentations("#fc0\nfn red(r) = r", {255, 0, 0}),
+              ElementsAre("#f00", "red", "#ff0000", "rgb(255, 0, 0)"));
+}
+
 TEST(ColorPresentations, KeepLabelsCommentsAndUnchangedNumbers) {
   EXPECT_EQ(first("rgb(r: 120, b: 1.5e1, /* c */ g: 0.0)", {130, 0, 15}),
             "rgb(r: 130, b: 1.5e1, /* c */ g: 0.0)");
@@ -109,8 +116,8 @@ TEST(ColorPresentations, OfTheSameColourAreItsText) {
 }
 
 TEST(ColorPresentations, HaveThePickedColourInEverySpelling) {
-  for (const std::string& old : {"#000", "tan", "rgb(1, 2, 3)", "hsl(0.1rad, 10%, 0.5)",
-                                 "linear(0.1, 20%, 0)", "linear255(3, 3, 3)", "kelvin(2700)"}) {
+  for (const char* old : {"#000", "tan", "rgb(1, 2, 3)", "hsl(0.1rad, 10%, 0.5)",
+                          "linear(0.1, 20%, 0)", "linear255(3, 3, 3)", "kelvin(2700)"}) {
     for (int code = 0; code < 256; code += 5) {
       const std::array<int, 3> codes{code, 255 - code, code * code % 256};
       const std::string text = first(old, codes);
@@ -127,9 +134,7 @@ TEST(ColorPresentations, HaveThePickedColourInEverySpelling) {
 TEST(ColorPresentations, ClampWhatIsNoColour) {
   MarkedScene scene("scene 1\nlet a = #fc0\n");
   const auto place = lang::colors_of(scene.view(), 0).at(0);
-  EXPECT_EQ(
-      lang::color_presentations(scene.view().file(0).text(), place, {2, -1, std::nan("")}).at(0),
-      "#f00");
+  EXPECT_EQ(lang::color_presentations(scene.view(), 0, place, {2, -1, std::nan("")}).at(0), "#f00");
 }
 
 TEST(ConfigColors, AreTheValuesOfColourKeys) {
