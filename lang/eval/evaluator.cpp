@@ -33,12 +33,16 @@ class MuteScope {
 
 }  // namespace
 
-Evaluator::Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink)
+Evaluator::Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink,
+                     OnDemand /*on_demand*/)
     : program_(program),
       options_(options),
       sink_(sink),
       chain_(sink, *this),
-      max_steps_(std::min(options.steps.value_or(program.limits().steps), kMaxSteps)) {
+      max_steps_(std::min(options.steps.value_or(program.limits().steps), kMaxSteps)) {}
+
+Evaluator::Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink)
+    : Evaluator(program, options, sink, OnDemand{}) {
   find_settings();
   evaluate_all_globals(Globals::TimeFree);
   find_animation();

@@ -33,6 +33,10 @@ namespace sdlc::lang {
 class Evaluator final : public ChainSource {
  public:
   Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink);
+  /// Evaluates nothing: for SingleValues.
+  struct OnDemand {};
+  Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink,
+            OnDemand on_demand);
 
   const std::optional<Animation>& animation() const { return animation_; }
   void run(ObjectSink& objects);
@@ -42,6 +46,8 @@ class Evaluator final : public ChainSource {
   std::vector<ChainLink> chain() const override;
 
  private:
+  friend class SingleValues;
+
   /// A value at the opening of the shutter and, if it varies, at the closing.
   struct Varying {
     std::array<Value, 2> values = {};

@@ -25,6 +25,13 @@ std::uint32_t Resolver::resolve_expression() {
   return value ? expression(*value) : code_.add_broken(file);
 }
 
+std::uint32_t Resolver::resolve_value(ast::Node value, const Property* property, Code& code) {
+  code_.write_to(code);
+  const std::uint32_t index = expression(value, property);
+  code_.write_to(module_.code);
+  return index;
+}
+
 std::uint32_t Resolver::statement(ast::Node node, bool is_top) {
   sink_.stop_if_requested();
   switch (node.kind()) {

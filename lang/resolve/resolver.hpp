@@ -42,6 +42,9 @@ class Resolver {
   std::uint32_t resolve_statement(ast::Node statement, Code& code, std::uint32_t& frame_size);
   /// Resolves a file that is one expression. Returns its index in the Module's code.
   std::uint32_t resolve_expression();
+  /// Resolves an expression that uses no locals, as the value of `property`, which may be null,
+  /// into `code`. Returns its index there.
+  std::uint32_t resolve_value(ast::Node value, const Property* property, Code& code);
   /// Resolves every statement for the recorder. The Module does not change.
   void record_all();
 
