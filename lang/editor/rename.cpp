@@ -69,18 +69,30 @@ RenamePlan refused_for_conflict(const SceneView& view, const Symbol& symbol,
                                              new_name, where, kind));
 }
 
-/// An unknown member or label of this name in another file, which would then refer to the symbol.
+/// Whether the name is a member of the file with this index: it follows an import of that file.
+bool is_member_of(const SceneView& view, std::uint32_t file, Span name, std::uint32_t member_of) {
+  const auto names = view.table(file).occurrences();
+  const auto found = std::ranges::lower_bound(
+      names, name.begin, {}, [](const Occurrence& occurrence) { return occurrence.where.begin; });
+  if (found == names.begin()) return false;
+  const auto& imports = view.module(file).imports;
+  const auto import = imports.find(view.file(file).text(std::prev(found)->where));
+  return import != imports.end() && import->second.module == member_of;
+}
+
+/// An unknown label of this name, or an unknown member of this name in another file, which would
+/// then refer to the symbol.
 std::optional<FileSpan> captured_elsewhere(const SceneView& view, SymbolId id, const Symbol& symbol,
                                            std::string_view new_name) {
   const bool is_parameter = symbol.kind == SymbolKind::Parameter;
   for (std::uint32_t file = 0; file < view.file_count(); ++file) {
     const SymbolTable& table = view.table(file);
     for (const UnknownName& unknown : table.unknown()) {
-      const bool may_be_it = is_parameter ? unknown.owner == SymbolId{id.file, symbol.owner}
-                                          : file != id.file && unknown.space == NameSpace::Members;
-      if (may_be_it && table.tree().text(unknown.where) == new_name) {
-        return FileSpan{file, unknown.where};
-      }
+      if (table.tree().text(unknown.where) != new_name) continue;
+      const bool is_captured = is_parameter ? unknown.owner == SymbolId{id.file, symbol.owner}
+                                            : unknown.space == NameSpace::Members &&
+                                                  is_member_of(view, file, unknown.where, id.file);
+      if (is_captured) return FileSpan{file, unknown.where};
     }
   }
   return std::nullopt;

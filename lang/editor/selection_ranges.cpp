@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "lang/ast/ast.hpp"
 #include "lang/editor/bracket_pairs.hpp"
@@ -70,16 +70,31 @@ void add_token(std::vector<Span>& spans, std::string_view text, const Token& tok
   spans.push_back(token.span);
 }
 
-void add_nodes(std::vector<Span>& spans, const SyntaxTree& tree, Span anchor) {
-  for (std::optional<ast::Node> node = ast::Node(tree, 0); node;) {
-    spans.push_back(node->span());
-    spans.push_back(node->head_span());
-    const ast::Children children = node->children();
-    node.reset();
-    for (const ast::Node child : children) {
-      if (child.span().begin > anchor.begin) break;
-      if (encloses(child.span(), anchor)) node = child;
-    }
+/// A cursor, and the spans around it that have been found.
+struct Cursor {
+  std::uint32_t offset = 0;
+  Token token;  ///< of the kind End where there is only space
+  std::vector<Span> spans = {};
+
+  Span anchor() const noexcept {
+    return token.kind == TokenKind::End ? Span{offset, offset} : token.span;
+  }
+};
+
+/// Adds the nodes around each cursor. All cursors go down the tree together, so that the children
+/// of a node are visited once. `cursors`: those in the node, by their anchors.
+void add_nodes(std::span<Cursor> cursors, ast::Node node) {
+  for (Cursor& cursor : cursors) {
+    cursor.spans.push_back(node.span());
+    cursor.spans.push_back(node.head_span());
+  }
+  const auto begin_of = [](const Cursor& cursor) { return cursor.anchor().begin; };
+  for (const ast::Node child : node.children()) {
+    if (cursors.empty()) return;
+    const auto first = std::ranges::lower_bound(cursors, child.span().begin, {}, begin_of);
+    const auto last = std::ranges::lower_bound(cursors, child.span().end, {}, begin_of);
+    if (first < last) add_nodes({first, last}, child);
+    cursors = {std::max(first, last), cursors.end()};
   }
 }
 
@@ -118,17 +133,19 @@ std::vector<std::vector<Span>> selection_ranges(const SourceFile& file, const Sy
   for (const std::size_t i : order) ascending.push_back(std::min(offsets[i], size));
 
   const std::vector<Token> tokens = tokens_at(file, ascending);
+  std::vector<Cursor> cursors;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    cursors.push_back({.offset = ascending[i], .token = tokens[i]});
+  }
+  if (tree != nullptr) add_nodes(cursors, ast::Node(*tree, 0));
   const std::vector<BracketPair> pairs = bracket_pairs(text, file.format());
   std::vector<std::vector<Span>> ranges(offsets.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::uint32_t offset = ascending[i];
-    const bool has_token = tokens[i].kind != TokenKind::End;
-    const Span whole = has_token ? tokens[i].span : Span{offset, offset};
-    std::vector<Span> spans{{0, size}};
-    add_token(spans, text, tokens[i], offset);
-    if (tree != nullptr) add_nodes(spans, *tree, whole);
-    add_brackets(spans, text, pairs, whole);
-    ranges[order[i]] = nested(std::move(spans), {offset, offset});
+    Cursor& cursor = cursors[i];
+    cursor.spans.push_back({0, size});
+    add_token(cursor.spans, text, cursor.token, cursor.offset);
+    add_brackets(cursor.spans, text, pairs, cursor.anchor());
+    ranges[order[i]] = nested(std::move(cursor.spans), {cursor.offset, cursor.offset});
   }
   return ranges;
 }

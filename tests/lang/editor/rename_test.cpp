@@ -140,6 +140,27 @@ TEST(RenamePlan, ClashesWithANameOfAnotherScene) {
                     "The unknown name `width` at two.scene:4:10 would then be this parameter."}}));
 }
 
+TEST(RenamePlan, IgnoresUnknownMembersOfOtherFiles) {
+  const SharedScenes scenes({{"lib.scene", "scene 1\nlet tint = red\n"},
+                             {"other.scene", "scene 1\n"},
+                             {"one.scene",
+                              "scene 1\nimport \"lib.scene\" as lib\nimport \"other.scene\" as o\n"
+                              "let a = lib.tint\nlet b = o.shade\n"}},
+                            {"one.scene"});
+  EXPECT_EQ(renamed(scenes, "one.scene", "tint", "shade").size(), 2u);
+}
+
+TEST(RenamePlan, FollowsCyclesOfImports) {
+  const SharedScenes scenes(
+      {{"a.scene", "scene 1\nimport \"b.scene\" as b\nlet x = 1\nlet z = b.y\n"},
+       {"b.scene", "scene 1\nimport \"a.scene\" as a\nlet y = a.x\n"}},
+      {"a.scene", "b.scene"});
+  const Texts x = renamed(scenes, "a.scene", "x =", "w");
+  ASSERT_EQ(x.size(), 2u);
+  EXPECT_THAT(x.at("b.scene"), HasSubstr("a.w"));
+  EXPECT_EQ(renamed(scenes, "b.scene", "y =", "w").size(), 2u);
+}
+
 TEST(RenamePlan, DoesNotMakeAWordOfAName) {
   EXPECT_EQ(renamed("scene 1\nlet open = 0s .. 1s\ncamera a { shutter: open }\n", "open", "none"),
             "The meaning of the scene would change at a.scene:3:21.");
