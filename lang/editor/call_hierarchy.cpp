@@ -78,25 +78,24 @@ std::optional<CallItem> call_item_at(const SceneView& view, std::uint32_t file,
   return item_of(view, id.file, *symbol);
 }
 
-std::vector<CallGroup> incoming_calls(SceneViews views, const SharedSymbol& callee) {
+std::vector<CallGroup> incoming_calls(SceneSet& scenes, const SharedSymbol& callee) {
   Groups groups;
-  std::map<fs::path, std::pair<const SceneView*, std::uint32_t>> files;  // the scene to ask
-  std::map<fs::path, std::vector<const Symbol*>> callables;
-  for (const Place& place : references(views, callee, false)) {
-    auto [known, is_new] = files.try_emplace(place.path);
-    auto& [view, file] = known->second;
-    if (is_new) {
-      for (const SceneView* candidate : views) {
-        const auto found = candidate->find(place.path);
-        if (!found) continue;
-        known->second = {candidate, *found};
-        break;
-      }
-      callables[place.path] = callables_of(view->table(file));
+  PlaceSet seen;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const SceneView* view = scenes.scene(i);
+    if (view == nullptr) continue;
+    const SymbolId id = symbol_in(*view, callee);
+    std::map<std::uint32_t, std::vector<const Symbol*>> callables;  // by file
+    for (const FileSpan& call : view->index().references(id)) {
+      const bool is_declaration = call.file == id.file && call.span == callee.where;
+      if (is_declaration || !seen.add(*view, call)) continue;
+      const auto [known, is_new] = callables.try_emplace(call.file);
+      if (is_new) known->second = callables_of(view->table(call.file));
+      const Symbol* caller = callable_around(view->tree(call.file), known->second, call.span);
+      groups.add(
+          caller == nullptr ? item_of_file(*view, call.file) : item_of(*view, call.file, *caller),
+          call.span);
     }
-    const Symbol* caller = callable_around(view->tree(file), callables[place.path], place.where);
-    groups.add(caller == nullptr ? item_of_file(*view, file) : item_of(*view, file, *caller),
-               place.where);
   }
   return groups.take();
 }

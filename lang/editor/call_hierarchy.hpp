@@ -35,8 +35,8 @@ struct CallGroup {
 /// The fn or def that the name at the offset means.
 std::optional<CallItem> call_item_at(const SceneView& view, std::uint32_t file,
                                      std::uint32_t offset);
-/// The callers of a fn or def, by path and place. `views`: all scenes that read its file.
-std::vector<CallGroup> incoming_calls(SceneViews views, const SharedSymbol& callee);
+/// The callers of a fn or def, by path and place.
+std::vector<CallGroup> incoming_calls(SceneSet& scenes, const SharedSymbol& callee);
 /// What an item calls, by path and place. Only calls of functions and kinds that a file declares.
 std::vector<CallGroup> outgoing_calls(const SceneView& view, const CallItem& caller);
 

@@ -1,9 +1,7 @@
 #include "lang/editor/navigation.hpp"
 
 #include <algorithm>
-#include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "lang/ast/ast.hpp"
@@ -118,27 +116,35 @@ SymbolId symbol_in(const SceneView& view, const SharedSymbol& symbol) {
   return is_same ? SymbolId{*file, symbol.index} : SymbolId();
 }
 
-std::vector<Place> references(SceneViews views, const SharedSymbol& symbol,
-                              bool includes_declaration) {
-  // By identity: two scenes may name a file differently.
-  std::set<std::tuple<fs::path, std::uint32_t, std::uint32_t>> seen;
-  std::vector<Place> places;
-  for (const SceneView* view : views) {
-    const SymbolId id = symbol_in(*view, symbol);
-    std::vector<fs::path> identities(view->file_count());
-    for (const FileSpan& found : view->index().references(id)) {
-      if (!includes_declaration && found.file == id.file && found.span == symbol.where) continue;
-      fs::path& identity = identities[found.file];
-      const fs::path& path = view->module(found.file).path;
-      if (identity.empty()) identity = view->options().workspace->identity(path);
-      if (!seen.emplace(identity, found.span.begin, found.span.end).second) continue;
-      places.push_back({.path = path, .where = found.span});
-    }
-  }
-  std::ranges::sort(places, {}, [](const Place& place) {
+bool PlaceSet::add(const SceneView& view, const FileSpan& place) {
+  const fs::path& path = view.module(place.file).path;
+  auto [identity, is_new] = identities_.try_emplace(path);
+  if (is_new) identity->second = view.options().workspace->identity(path);
+  if (!seen_.emplace(identity->second, place.span.begin).second) return false;
+  places_.push_back({.path = path, .where = place.span});
+  return true;
+}
+
+std::vector<Place> PlaceSet::take() {
+  std::ranges::sort(places_, {}, [](const Place& place) {
     return std::tuple<const fs::path&, std::uint32_t>(place.path, place.where.begin);
   });
-  return places;
+  return std::move(places_);
+}
+
+std::vector<Place> references(SceneSet& scenes, const SharedSymbol& symbol,
+                              bool includes_declaration) {
+  PlaceSet places;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const SceneView* view = scenes.scene(i);
+    if (view == nullptr) continue;
+    const SymbolId id = symbol_in(*view, symbol);
+    for (const FileSpan& found : view->index().references(id)) {
+      const bool is_declaration = found.file == id.file && found.span == symbol.where;
+      if (includes_declaration || !is_declaration) places.add(*view, found);
+    }
+  }
+  return places.take();
 }
 
 std::vector<Highlight> highlights(const SceneView& view, std::uint32_t file, std::uint32_t offset) {

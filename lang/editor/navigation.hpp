@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
-#include <span>
-#include <string_view>
+#include <set>
+#include <tuple>
 #include <vector>
 
 #include "lang/editor/scene_view.hpp"
@@ -39,8 +41,16 @@ std::optional<JumpTarget> definition(const SceneView& view, std::uint32_t file,
 std::optional<JumpTarget> declaration(const SceneView& view, std::uint32_t file,
                                       std::uint32_t offset);
 
-/// The scenes of a workspace that read a file. Each has the same text of every file.
-using SceneViews = std::span<const SceneView* const>;
+/// The scenes of a workspace that read a file: all that can use its names. Each has the same text
+/// of every file. They need not be in memory at the same time.
+class SceneSet {
+ public:
+  virtual ~SceneSet() = default;
+
+  virtual std::size_t size() const = 0;
+  /// Null if the scene can no longer be read. Valid until the next call.
+  virtual const SceneView* scene(std::size_t index) = 0;
+};
 
 /// A symbol, apart from any scene.
 struct SharedSymbol {
@@ -57,8 +67,23 @@ std::optional<SharedSymbol> shared_symbol(const SceneView& view, std::uint32_t f
 /// The symbol in a scene; not is_known() if the scene does not read its file.
 SymbolId symbol_in(const SceneView& view, const SharedSymbol& symbol);
 
+/// Places in the files of several scenes, each once.
+class PlaceSet {
+ public:
+  /// Adds the place and returns true, unless another scene has added it.
+  bool add(const SceneView& view, const FileSpan& place);
+  const std::vector<Place>& places() const noexcept { return places_; }
+  /// By path and place.
+  std::vector<Place> take();
+
+ private:
+  std::map<std::filesystem::path, std::filesystem::path> identities_;  // two paths may be one file
+  std::set<std::tuple<std::filesystem::path, std::uint32_t>> seen_;
+  std::vector<Place> places_;
+};
+
 /// The names of the symbol in all files of the scenes, each once, by path and place.
-std::vector<Place> references(SceneViews views, const SharedSymbol& symbol,
+std::vector<Place> references(SceneSet& scenes, const SharedSymbol& symbol,
                               bool includes_declaration);
 
 /// A name in a file that means the same as the name at the cursor.

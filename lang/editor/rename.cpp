@@ -196,30 +196,41 @@ bool is_current(const SceneView& view, std::uint32_t file) {
   return now && *now == text;
 }
 
-/// Whether the files may be changed, and still have the texts in which the places were found.
-RenamePlan check_files(SceneViews views, const std::vector<Place>& places,
+bool may_change(const SceneView& view, const fs::path& path, const RenameOptions& options) {
+  const Workspace& workspace = *view.options().workspace;
+  if (options.folders.empty() || workspace.is_open(path)) return true;
+  const fs::path file = workspace.identity(path);
+  return std::ranges::any_of(options.folders, [&](const fs::path& folder) {
+    return is_within(file, workspace.identity(folder));
+  });
+}
+
+/// Whether the files of the places may be changed, and still have the texts of the scene.
+RenamePlan check_files(const SceneView& view, const std::vector<FileSpan>& places,
                        const RenameOptions& options) {
-  const Workspace& workspace = *views.front()->options().workspace;
-  std::set<fs::path> paths;
-  for (const Place& place : places) paths.insert(place.path);
-  for (const fs::path& path : paths) {
-    const fs::path identity = workspace.identity(path);
-    const bool is_inside =
-        options.folders.empty() || std::ranges::any_of(options.folders, [&](const fs::path& f) {
-          return is_within(identity, workspace.identity(f));
-        });
-    if (!is_inside && !workspace.is_open(path)) {
+  std::set<std::uint32_t> files;
+  for (const FileSpan& place : places) files.insert(place.file);
+  for (const std::uint32_t file : files) {
+    const fs::path& path = view.module(file).path;
+    if (!may_change(view, path, options)) {
       return refused(
           fmt::format("The name is used in `{}`, which is outside the folder.", path.string()));
     }
-    for (const SceneView* view : views) {
-      const auto file = view->find(path);
-      if (!file) continue;
-      if (is_current(*view, *file)) break;
+    if (!is_current(view, file)) {
       return refused(fmt::format("`{}` has just been changed: try again.", path.string()));
     }
   }
   return {};
+}
+
+RenamePlan try_rename(const SceneView& view, const std::vector<Place>& places,
+                      std::string_view new_name) {
+  const auto change = first_change(view, places, new_name);
+  if (!change) return {};
+  const FileSpan where{view.find(change->path).value_or(0), change->where};
+  return refused_at(
+      view, where,
+      fmt::format("The meaning of the scene would change at {}.", describe_place(view, where)));
 }
 
 }  // namespace
@@ -237,25 +248,27 @@ RenameTarget prepare_rename(const SceneView& view, std::uint32_t file, std::uint
   return {.where = name->where, .refusal = std::move(refusal)};
 }
 
-RenamePlan plan_rename(SceneViews views, const SharedSymbol& symbol, std::string_view new_name,
+RenamePlan plan_rename(SceneSet& scenes, const SharedSymbol& symbol, std::string_view new_name,
                        const RenameOptions& options) {
   if (symbol.path.empty()) return refused("A name of the language cannot be renamed.");
-  for (const SceneView* view : views) {
+  PlaceSet places;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const SceneView* view = scenes.scene(i);
+    if (view == nullptr) continue;
     RenamePlan plan = check_scene(*view, symbol, new_name);
     if (!plan.refusal.empty()) return plan;
+    const auto found = view->index().references(symbol_in(*view, symbol));
+    plan = check_files(*view, found, options);
+    if (!plan.refusal.empty()) return plan;
+    for (const FileSpan& place : found) places.add(*view, place);
   }
-  RenamePlan plan{.refusal = {}, .conflict = {}, .places = references(views, symbol, true)};
+  RenamePlan plan{.refusal = {}, .conflict = {}, .places = places.take()};
   if (plan.places.empty()) return refused("No scene declares this name any more.");
-  if (RenamePlan files = check_files(views, plan.places, options); !files.refusal.empty()) {
-    return files;
-  }
-  for (const SceneView* view : views) {
-    const auto change = first_change(*view, plan.places, new_name);
-    if (!change) continue;
-    const std::uint32_t file = view->find(change->path).value_or(0);
-    return refused_at(*view, {file, change->where},
-                      fmt::format("The meaning of the scene would change at {}.",
-                                  describe_place(*view, {file, change->where})));
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const SceneView* view = scenes.scene(i);
+    if (view == nullptr) continue;
+    RenamePlan trial = try_rename(*view, plan.places, new_name);
+    if (!trial.refusal.empty()) return trial;
   }
   return plan;
 }

@@ -34,10 +34,9 @@ struct RenamePlan {
   std::vector<Place> places;      ///< by path and place
 };
 
-/// `views`: of a symbol that is not local to its file, all scenes that read the file; otherwise one
-/// of them. The symbol must be declared by a file. Every scene is resolved again with the new
-/// texts, and the rename is refused if a name would mean something else.
-RenamePlan plan_rename(SceneViews views, const SharedSymbol& symbol, std::string_view new_name,
+/// `scenes`: of a symbol that is local to its file, one is enough. Every scene is resolved again
+/// with the new texts, and the rename is refused if a name would mean something else.
+RenamePlan plan_rename(SceneSet& scenes, const SharedSymbol& symbol, std::string_view new_name,
                        const RenameOptions& options = {});
 
 }  // namespace sdlc::lang

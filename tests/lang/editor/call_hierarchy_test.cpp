@@ -46,12 +46,13 @@ std::vector<std::string> described(const std::vector<CallGroup>& groups) {
 
 std::vector<std::string> incoming(const std::string& file, const std::string& cursor) {
   const SharedScenes scenes(kTexts, {"one.scene", "two.scene"});
-  return described(incoming_calls(scenes.views(), scenes.symbol(file, cursor)));
+  KnownScenes all = scenes.scenes();
+  return described(incoming_calls(all, scenes.symbol(file, cursor)));
 }
 
 std::vector<std::string> outgoing(const std::string& file, const std::string& cursor) {
   const SharedScenes scenes(kTexts, {"one.scene"});
-  const SceneView& view = *scenes.views().front();
+  const SceneView& view = scenes.view(0);
   const auto item =
       call_item_at(view, *view.find(file), offset_in(scenes.texts().at(file), cursor));
   return item ? described(outgoing_calls(view, *item)) : std::vector<std::string>{"no item"};
@@ -81,7 +82,7 @@ TEST(CallHierarchy, ListsWhatTheTopLevelCalls) {
   const SharedScenes scenes(kTexts, {"one.scene"});
   const CallItem file{
       .is_file = true, .name = "one.scene", .path = "one.scene", .whole = {}, .where = {}};
-  EXPECT_THAT(described(outgoing_calls(*scenes.views().front(), file)),
+  EXPECT_THAT(described(outgoing_calls(scenes.view(0), file)),
               ElementsAre("half lib.scene x1", "pair lib.scene x1", "flake one.scene x1"));
 }
 

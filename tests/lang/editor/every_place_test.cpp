@@ -19,6 +19,7 @@
 #include "lang/editor/symbols.hpp"
 #include "lang/source/source.hpp"
 #include "tests/lang/editor/marked_scene.hpp"
+#include "tests/lang/editor/shared_scenes.hpp"
 
 // Every question about a place has an answer within the text, however damaged the text is.
 namespace sdlc::test {
@@ -106,7 +107,7 @@ void check_ranges(const SourceFile& file, const SyntaxTree& tree) {
 
 void check_place(const SceneView& view, std::uint32_t file, std::uint32_t offset) {
   const std::string_view text = view.file(file).text();
-  const SceneView* const views[] = {&view};
+  KnownScenes scenes({&view});
   if (const auto target = definition(view, file, offset)) {
     expect_inside(text, target->origin);
     if (const auto target_file = view.find(target->path)) {
@@ -119,9 +120,9 @@ void check_place(const SceneView& view, std::uint32_t file, std::uint32_t offset
   EXPECT_EQ(may_rename, symbol && !symbol->path.empty());
   if (!symbol) return;
   EXPECT_FALSE(highlights(view, file, offset).empty());
-  EXPECT_FALSE(references(views, *symbol, true).empty());
+  EXPECT_FALSE(references(scenes, *symbol, true).empty());
   if (const auto item = call_item_at(view, file, offset)) {
-    incoming_calls(views, *symbol);
+    incoming_calls(scenes, *symbol);
     outgoing_calls(view, *item);
   }
 }

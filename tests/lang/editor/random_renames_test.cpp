@@ -21,6 +21,7 @@
 #include "lang/resolve/symbol.hpp"
 #include "lang/workspace/workspace.hpp"
 #include "render/scene/digest.hpp"
+#include "tests/lang/editor/shared_scenes.hpp"
 
 // A rename that is not refused keeps every example, bit for bit.
 namespace sdlc::test {
@@ -116,7 +117,8 @@ TEST(RandomRenames, KeepTheExamplesOrAreRefused) {
       const std::string new_name = random_name(view, file, random);
       const std::vector<const SceneView*> views =
           symbol->is_local_to_file ? std::vector{&view} : examples.readers_of(symbol->path);
-      const RenamePlan plan = plan_rename(views, *symbol, new_name);
+      KnownScenes scenes(views);
+      const RenamePlan plan = plan_rename(scenes, *symbol, new_name);
       if (!plan.refusal.empty()) {
         ++refused;
         continue;

@@ -28,8 +28,8 @@ std::string refusal_of_preparing(std::string_view text) {
 /// The changed texts; `refusal` at its conflict if the rename is refused.
 Texts renamed(const SharedScenes& scenes, const std::string& file, const std::string& cursor,
               std::string_view new_name, const RenameOptions& options = {}) {
-  const RenamePlan plan =
-      plan_rename(scenes.views(), scenes.symbol(file, cursor), new_name, options);
+  KnownScenes all = scenes.scenes();
+  const RenamePlan plan = plan_rename(all, scenes.symbol(file, cursor), new_name, options);
   if (!plan.refusal.empty()) {
     return {{plan.conflict ? scenes.describe(*plan.conflict) : "refused", plan.refusal}};
   }

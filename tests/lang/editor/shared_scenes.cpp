@@ -43,7 +43,8 @@ std::vector<std::string> SharedScenes::references(const std::string& file,
                                                   const std::string& cursor,
                                                   bool includes_declaration) const {
   std::vector<std::string> found;
-  for (const Place& place : lang::references(views(), symbol(file, cursor), includes_declaration)) {
+  KnownScenes all = scenes();
+  for (const Place& place : lang::references(all, symbol(file, cursor), includes_declaration)) {
     found.push_back(describe(place));
   }
   return found;

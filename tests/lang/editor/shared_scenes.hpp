@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <map>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lang/editor/navigation.hpp"
@@ -13,6 +16,18 @@
 
 namespace sdlc::test {
 
+/// Scenes that are all in memory.
+class KnownScenes final : public lang::SceneSet {
+ public:
+  explicit KnownScenes(std::vector<const lang::SceneView*> views) : views_(std::move(views)) {}
+
+  std::size_t size() const override { return views_.size(); }
+  const lang::SceneView* scene(std::size_t index) override { return views_[index]; }
+
+ private:
+  std::vector<const lang::SceneView*> views_;
+};
+
 /// Several scenes of one workspace. The cursor is given as text: "size" is the first `size` of the
 /// file, "size#3" the third.
 class SharedScenes {
@@ -21,7 +36,8 @@ class SharedScenes {
   SharedScenes(const std::map<std::string, std::string>& texts,
                const std::vector<std::string>& roots);
 
-  lang::SceneViews views() const { return pointers_; }
+  KnownScenes scenes() const { return KnownScenes(pointers_); }
+  const lang::SceneView& view(std::size_t index) const { return *pointers_[index]; }
   /// The symbol at the cursor, in the first scene that reads the file; fails without one.
   lang::SharedSymbol symbol(const std::string& file, const std::string& cursor) const;
   /// "lib.scene 2:5"
