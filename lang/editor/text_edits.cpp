@@ -80,13 +80,23 @@ class Editing {
       for (; line < change.a_begin; ++line, ++to_line) {
         add({line, line + 1, to_line, to_line + 1});
       }
-      add(change);
+      add_change(change);
       line = change.a_end, to_line = change.b_end;
     }
     return std::move(edits_);
   }
 
  private:
+  /// A run of as many lines as before is probably the same lines.
+  void add_change(const LineChange& change) {
+    const std::size_t count = change.a_end - change.a_begin;
+    if (count != change.b_end - change.b_begin) return add(change);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t a = change.a_begin + i, b = change.b_begin + i;
+      add({a, a + 1, b, b + 1});
+    }
+  }
+
   void add(const LineChange& change) {
     const Span from{from_.begins[change.a_begin], from_.begins[change.a_end]};
     const Span to{to_.begins[change.b_begin], to_.begins[change.b_end]};
