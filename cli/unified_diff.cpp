@@ -2,170 +2,20 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <unordered_map>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "lang/text/line_diff.hpp"
+
 namespace sdlc::cli {
 namespace {
 
+using Lines = std::span<const std::string_view>;
+using lang::LineChange;
+
 constexpr std::size_t kContext = 3;
-
-/// Lines with their line ends; the last may have none.
-using Lines = std::vector<std::string_view>;
-
-Lines lines_of(std::string_view text) {
-  Lines lines;
-  while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    const std::size_t size = end == std::string_view::npos ? text.size() : end + 1;
-    lines.push_back(text.substr(0, size));
-    text.remove_prefix(size);
-  }
-  return lines;
-}
-
-/// A run of lines of each text.
-struct Stretch {
-  std::size_t a_begin = 0, a_end = 0, b_begin = 0, b_end = 0;
-};
-
-/// Pairs of equal lines, both ascending.
-using Matches = std::vector<std::pair<std::size_t, std::size_t>>;
-
-/// Finds unchanged lines by Cohen's patience diff: lines that occur once in each text are anchors,
-/// as long as they keep their order, and the text between two anchors is compared in the same way.
-class Matcher {
- public:
-  Matcher(const Lines& a, const Lines& b) : a_(a), b_(b) {}
-
-  Matches run() {
-    std::vector<Stretch> todo{{0, a_.size(), 0, b_.size()}};
-    while (!todo.empty()) {
-      Stretch stretch = todo.back();
-      todo.pop_back();
-      trim(stretch);
-      if (stretch.a_begin == stretch.a_end || stretch.b_begin == stretch.b_end) continue;
-      const Matches anchors = anchors_of(stretch);
-      if (anchors.empty()) {
-        match_few(stretch);
-      } else {
-        divide(stretch, anchors, todo);
-      }
-    }
-    std::ranges::sort(matches_);
-    return std::move(matches_);
-  }
-
- private:
-  /// Matches the lines at both ends.
-  void trim(Stretch& s) {
-    while (s.a_begin < s.a_end && s.b_begin < s.b_end && a_[s.a_begin] == b_[s.b_begin]) {
-      matches_.emplace_back(s.a_begin++, s.b_begin++);
-    }
-    while (s.a_begin < s.a_end && s.b_begin < s.b_end && a_[s.a_end - 1] == b_[s.b_end - 1]) {
-      matches_.emplace_back(--s.a_end, --s.b_end);
-    }
-  }
-
-  Matches anchors_of(const Stretch& s) const {
-    struct Places {
-      std::size_t a = 0, b = 0, count_a = 0, count_b = 0;
-    };
-    std::unordered_map<std::string_view, Places> places;
-    for (std::size_t i = s.a_begin; i < s.a_end; ++i) {
-      Places& place = places[a_[i]];
-      place.a = i, ++place.count_a;
-    }
-    for (std::size_t i = s.b_begin; i < s.b_end; ++i) {
-      Places& place = places[b_[i]];
-      place.b = i, ++place.count_b;
-    }
-    Matches unique;
-    for (const auto& [line, place] : places) {
-      if (place.count_a == 1 && place.count_b == 1) unique.emplace_back(place.a, place.b);
-    }
-    std::ranges::sort(unique);
-    return longest_rising(unique);
-  }
-
-  /// The longest subsequence with ascending second numbers.
-  static Matches longest_rising(const Matches& pairs) {
-    std::vector<std::size_t> ends;  // last pair of the best sequence of each length
-    std::vector<std::size_t> before(pairs.size());
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const auto at = std::ranges::lower_bound(ends, pairs[i].second, {},
-                                               [&](std::size_t end) { return pairs[end].second; });
-      before[i] = at == ends.begin() ? i : *(at - 1);
-      if (at == ends.end()) {
-        ends.push_back(i);
-      } else {
-        *at = i;
-      }
-    }
-    Matches longest(ends.size());
-    for (std::size_t n = ends.size(), i = ends.empty() ? 0 : ends.back(); n > 0; i = before[i]) {
-      longest[--n] = pairs[i];
-    }
-    return longest;
-  }
-
-  void divide(const Stretch& s, const Matches& anchors, std::vector<Stretch>& todo) {
-    std::size_t a = s.a_begin, b = s.b_begin;
-    for (const auto& [at_a, at_b] : anchors) {
-      todo.push_back({a, at_a, b, at_b});
-      matches_.emplace_back(at_a, at_b);
-      a = at_a + 1, b = at_b + 1;
-    }
-    todo.push_back({a, s.a_end, b, s.b_end});
-  }
-
-  /// Longest common subsequence by dynamic programming, if the table is small.
-  void match_few(const Stretch& s) {
-    constexpr std::size_t kLargestTable = 1'000'000;
-    const std::size_t rows = s.a_end - s.a_begin, columns = s.b_end - s.b_begin;
-    if (rows >= kLargestTable / columns) return;
-    std::vector<std::uint32_t> table((rows + 1) * (columns + 1));
-    const auto longest = [&](std::size_t i, std::size_t j) -> std::uint32_t& {
-      return table[i * (columns + 1) + j];
-    };
-    const auto is_same = [&](std::size_t i, std::size_t j) {
-      return a_[s.a_begin + i] == b_[s.b_begin + j];
-    };
-    for (std::size_t i = rows; i-- > 0;) {
-      for (std::size_t j = columns; j-- > 0;) {
-        longest(i, j) = is_same(i, j) ? longest(i + 1, j + 1) + 1
-                                      : std::max(longest(i + 1, j), longest(i, j + 1));
-      }
-    }
-    for (std::size_t i = 0, j = 0; i < rows && j < columns;) {
-      if (is_same(i, j)) {
-        matches_.emplace_back(s.a_begin + i++, s.b_begin + j++);
-      } else {
-        ++(longest(i + 1, j) >= longest(i, j + 1) ? i : j);
-      }
-    }
-  }
-
-  const Lines& a_;
-  const Lines& b_;
-  Matches matches_;
-};
-
-/// The differing runs, in order.
-std::vector<Stretch> changes_between(const Lines& a, const Lines& b) {
-  Matches matches = Matcher(a, b).run();
-  matches.emplace_back(a.size(), b.size());
-  std::vector<Stretch> changes;
-  std::size_t at_a = 0, at_b = 0;
-  for (const auto& [a_match, b_match] : matches) {
-    if (a_match > at_a || b_match > at_b) changes.push_back({at_a, a_match, at_b, b_match});
-    at_a = a_match + 1, at_b = b_match + 1;
-  }
-  return changes;
-}
 
 void append_line(std::string& out, char mark, std::string_view line) {
   out += mark;
@@ -182,15 +32,15 @@ std::string range_text(std::size_t begin, std::size_t end) {
 
 /// Appends the changes from `first` to `last`, which are near each other, with the lines around
 /// them.
-void append_hunk(std::string& out, const Lines& a, const Lines& b, const Stretch* first,
-                 const Stretch* last) {
+void append_hunk(std::string& out, Lines a, Lines b, const LineChange* first,
+                 const LineChange* last) {
   const std::size_t lead = std::min(kContext, first->a_begin);
   const std::size_t a_end = std::min(last->a_end + kContext, a.size());
   const std::size_t b_end = last->b_end + (a_end - last->a_end);
   out += fmt::format("@@ -{} +{} @@\n", range_text(first->a_begin - lead, a_end),
                      range_text(first->b_begin - lead, b_end));
   std::size_t at = first->a_begin - lead;
-  for (const Stretch* change = first; change <= last; ++change) {
+  for (const LineChange* change = first; change <= last; ++change) {
     for (; at < change->a_begin; ++at) append_line(out, ' ', a[at]);
     for (; at < change->a_end; ++at) append_line(out, '-', a[at]);
     for (std::size_t i = change->b_begin; i < change->b_end; ++i) append_line(out, '+', b[i]);
@@ -222,8 +72,8 @@ std::string shown_name(std::string_view name) {
 }  // namespace
 
 std::string unified_diff(std::string_view name, std::string_view before, std::string_view after) {
-  const Lines a = lines_of(before), b = lines_of(after);
-  const std::vector<Stretch> changes = changes_between(a, b);
+  const std::vector<std::string_view> a = lang::lines_of(before), b = lang::lines_of(after);
+  const std::vector<LineChange> changes = lang::changed_lines(a, b);
   if (changes.empty()) return {};
   std::string diff = fmt::format("--- {0}\n+++ {0}\n", shown_name(name));
   for (std::size_t first = 0; first < changes.size();) {

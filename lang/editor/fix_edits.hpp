@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/editor/text_edits.hpp"
+#include "lang/lint/fix_guard.hpp"
+#include "lang/program/program.hpp"
+#include "lang/report/findings.hpp"
+#include "lang/source/source.hpp"
+#include "lang/workspace/document.hpp"
+
+namespace sdlc::lang {
+
+/// Edits of one file, ascending.
+struct FileEdits {
+  const SourceFile* file = nullptr;
+  std::vector<TextEdit> edits;
+};
+
+/// All fixes of a diagnostic as one action.
+struct QuickFix {
+  std::string title;  ///< "Replace `radus` with `radius`"; one line, ends within 200 characters
+  std::vector<FileEdits> files;
+  bool is_preferred = false;  ///< `lint --fix` would try it
+};
+
+/// Makes actions from diagnostics. Reads each text at most once, so several diagnostics of a text
+/// share an object. The texts must outlive it.
+class QuickFixes {
+ public:
+  /// nullopt if the diagnostic has no fixes.
+  std::optional<QuickFix> of(const Diagnostic& diagnostic);
+
+ private:
+  bool is_preferred(const Diagnostic& diagnostic);
+
+  std::map<const SourceFile*, FixGuard> guards_;
+};
+
+/// The result of fix_all().
+struct FixAll {
+  std::vector<TextEdit> edits;  ///< of the text
+  std::size_t applied = 0;      ///< findings that the edits fix
+  std::size_t refused = 0;      ///< fixes that were tried and rejected because of their effect
+};
+
+/// Applies the safe fixes of a text until none is left, as `lint --fix` does. `is_wanted` selects
+/// the findings to fix, by code and file; an empty function selects all. Throws StopRequested if
+/// `stop`, which may be null, is made.
+FixAll fix_all(const std::shared_ptr<const Document>& file, const ProgramOptions& options,
+               const std::function<bool(const DiagnosticInfo&, const SourceFile*)>& is_wanted = {},
+               const StopRequest* stop = nullptr);
+
+}  // namespace sdlc::lang
