@@ -9,9 +9,9 @@ const words = require('./words.json');
 
 const comma_separated = (rule) => seq(rule, repeat(seq(',', rule)), optional(','));
 
-// `else`, `and` and `or` after a value continue it, although each could also be the label of the
-// next property.
-const CONTINUES = 1;
+// `else`, `and` and `or` continue what is before them, although each could be the label of the next
+// property: what could end there has less precedence.
+const last = (rule) => prec.right(-1, rule);
 
 module.exports = grammar({
   name: 'sdlc',
@@ -91,8 +91,7 @@ module.exports = grammar({
         field('body', $.block),
       ),
     if_statement: ($) =>
-      prec.right(
-        CONTINUES,
+      last(
         seq(
           'if',
           field('condition', $._expression),
@@ -137,11 +136,11 @@ module.exports = grammar({
         'else',
         field('value', $._disjunction),
       ),
-    _disjunction: ($) => choice($.disjunction, $._conjunction),
+    _disjunction: ($) => choice($.disjunction, last($._conjunction)),
     disjunction: ($) =>
-      prec(CONTINUES, seq($._conjunction, repeat1(seq('or', $._conjunction)))),
-    _conjunction: ($) => choice($.conjunction, $._negation),
-    conjunction: ($) => prec(CONTINUES, seq($._negation, repeat1(seq('and', $._negation)))),
+      last(seq($._conjunction, repeat1(seq('or', $._conjunction)))),
+    _conjunction: ($) => choice($.conjunction, last($._negation)),
+    conjunction: ($) => last(seq($._negation, repeat1(seq('and', $._negation)))),
     _negation: ($) => choice($.negation, $._comparison),
     negation: ($) => seq('not', $._negation),
     _comparison: ($) => choice($.comparison, $._interval),

@@ -1,4 +1,4 @@
-; @indent.begin, @indent.branch and @indent.end are for Neovim, @indent and @outdent for Helix, @end for Zed.
+; @indent.begin, @indent.branch and @indent.end are for Neovim, @indent and @outdent for Helix.
 
 [
   (block)
@@ -14,4 +14,4 @@
   ")"
   "]"
   "}"
-] @indent.branch @indent.end @outdent @end
+] @indent.branch @indent.end @outdent

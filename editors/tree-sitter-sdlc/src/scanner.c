@@ -18,8 +18,8 @@ enum TokenType {
   MALFORMED,
 };
 
-static inline void advance(TSLexer *lexer) { lexer->advance(lexer, false); }
-static inline void skip(TSLexer *lexer) { lexer->advance(lexer, true); }
+static inline void advance(TSLexer* lexer) { lexer->advance(lexer, false); }
+static inline void skip(TSLexer* lexer) { lexer->advance(lexer, true); }
 
 static bool is_digit(int32_t c) { return c >= '0' && c <= '9'; }
 static bool is_letter(int32_t c) {
@@ -34,14 +34,14 @@ static bool is_foreign_letter(int32_t c) {
   return c == 0xB5 || (c >= 0xC0 && c <= 0x53F && c != 0xD7 && c != 0xF7);
 }
 
-static bool finish(TSLexer *lexer, unsigned symbol) {
+static bool finish(TSLexer* lexer, unsigned symbol) {
   lexer->mark_end(lexer);
   lexer->result_symbol = (TSSymbol)symbol;
   return true;
 }
 
 // The index of the text in a table of words; `count` if it is none of them.
-static unsigned find_word(const char *const *words, unsigned count, const char *text) {
+static unsigned find_word(const char* const* words, unsigned count, const char* text) {
   for (unsigned i = 0; i < count; ++i) {
     unsigned at = 0;
     while (words[i][at] != '\0' && words[i][at] == text[at]) ++at;
@@ -52,13 +52,13 @@ static unsigned find_word(const char *const *words, unsigned count, const char *
 
 // A word of the language in certain places is a name in all others. While the parser recovers from
 // a mistake everything is allowed: `scene` is then a name, the others are words.
-static bool is_keyword(unsigned word, const bool *valid) {
+static bool is_keyword(unsigned word, const bool* valid) {
   if (word < SDLC_RESERVED_COUNT) return true;
   if (word == SDLC_WORD_COUNT || !valid[word]) return false;
   return valid[MALFORMED] ? word > SDLC_RESERVED_COUNT : true;
 }
 
-static bool scan_word(TSLexer *lexer, const bool *valid) {
+static bool scan_word(TSLexer* lexer, const bool* valid) {
   char text[SDLC_MAX_WORD + 1];
   unsigned size = 0;
   bool is_malformed = false;
@@ -96,7 +96,7 @@ struct Number {
   unsigned unit_size;
 };
 
-static enum NumberState after_digit(const struct Number *number) {
+static enum NumberState after_digit(const struct Number* number) {
   switch (number->state) {
     case POINT: return FRACTION;
     case EXPONENT_MARK:
@@ -107,7 +107,7 @@ static enum NumberState after_digit(const struct Number *number) {
   }
 }
 
-static enum NumberState after_letter(struct Number *number, int32_t c) {
+static enum NumberState after_letter(struct Number* number, int32_t c) {
   const bool is_after_digit = number->state <= EXPONENT;
   if (c == '_' && is_after_digit) {
     number->before_underscore = number->state;
@@ -119,7 +119,7 @@ static enum NumberState after_letter(struct Number *number, int32_t c) {
   return UNIT;
 }
 
-static enum NumberState after(struct Number *number, int32_t c) {
+static enum NumberState after(struct Number* number, int32_t c) {
   if (is_digit(c)) return after_digit(number);
   number->has_digits_only = false;
   if (c == '.') return number->state == WHOLE ? POINT : WRONG;
@@ -127,13 +127,13 @@ static enum NumberState after(struct Number *number, int32_t c) {
   return after_letter(number, c);
 }
 
-static bool is_number(struct Number *number) {
+static bool is_number(struct Number* number) {
   if (number->state != UNIT) return number->state < UNIT;
   number->unit[number->unit_size] = '\0';
   return find_word(sdlc_units, SDLC_UNIT_COUNT, number->unit) < SDLC_UNIT_COUNT;
 }
 
-static unsigned number_token(struct Number *number, const bool *valid) {
+static unsigned number_token(struct Number* number, const bool* valid) {
   const bool is_version = valid[VERSION] && !valid[MALFORMED];
   if (is_version) return number->has_digits_only ? VERSION : MALFORMED;
   return is_number(number) ? NUMBER : MALFORMED;
@@ -149,7 +149,7 @@ static bool continues_number(int32_t c, int32_t last, int32_t before) {
 }
 
 // Reads from the first digit on; the state is POINT if one was before it.
-static bool scan_number(TSLexer *lexer, enum NumberState state, const bool *valid) {
+static bool scan_number(TSLexer* lexer, enum NumberState state, const bool* valid) {
   struct Number number = {.state = state, .has_digits_only = state == WHOLE};
   int32_t before = 0, last = 0;
   while (continues_number(lexer->lookahead, last, before)) {
@@ -167,12 +167,12 @@ static bool scan_number(TSLexer *lexer, enum NumberState state, const bool *vali
   return finish(lexer, number_token(&number, valid));
 }
 
-static bool scan_point(TSLexer *lexer, const bool *valid) {
+static bool scan_point(TSLexer* lexer, const bool* valid) {
   advance(lexer);
   return is_digit(lexer->lookahead) && scan_number(lexer, POINT, valid);
 }
 
-static bool scan_color(TSLexer *lexer) {
+static bool scan_color(TSLexer* lexer) {
   advance(lexer);
   unsigned size = 0;
   bool is_hex = true;
@@ -184,7 +184,7 @@ static bool scan_color(TSLexer *lexer) {
   return finish(lexer, is_hex && (size == 3 || size == 6) ? COLOR : MALFORMED);
 }
 
-static bool scan_string_content(TSLexer *lexer) {
+static bool scan_string_content(TSLexer* lexer) {
   bool has_content = false;
   while (lexer->lookahead >= 0x20 && lexer->lookahead != '"' && lexer->lookahead != '\\') {
     advance(lexer);
@@ -193,7 +193,7 @@ static bool scan_string_content(TSLexer *lexer) {
   return has_content && finish(lexer, STRING_CONTENT);
 }
 
-static bool scan_block_comment(TSLexer *lexer) {
+static bool scan_block_comment(TSLexer* lexer) {
   advance(lexer);
   if (lexer->lookahead != '*') return false;
   advance(lexer);
@@ -212,7 +212,7 @@ static bool scan_block_comment(TSLexer *lexer) {
 }
 
 // False at a carriage return that no line feed follows: it is no space.
-static bool skip_spaces(TSLexer *lexer) {
+static bool skip_spaces(TSLexer* lexer) {
   for (;;) {
     const int32_t c = lexer->lookahead;
     if (c != ' ' && c != '\t' && c != '\n' && c != '\r') return true;
@@ -221,18 +221,18 @@ static bool skip_spaces(TSLexer *lexer) {
   }
 }
 
-void *tree_sitter_sdlc_external_scanner_create(void) { return 0; }
-void tree_sitter_sdlc_external_scanner_destroy(void *payload) { (void)payload; }
-unsigned tree_sitter_sdlc_external_scanner_serialize(void *payload, char *buffer) {
+void* tree_sitter_sdlc_external_scanner_create(void) { return 0; }
+void tree_sitter_sdlc_external_scanner_destroy(void* payload) { (void)payload; }
+unsigned tree_sitter_sdlc_external_scanner_serialize(void* payload, char* buffer) {
   (void)payload, (void)buffer;
   return 0;
 }
-void tree_sitter_sdlc_external_scanner_deserialize(void *payload, const char *buffer,
+void tree_sitter_sdlc_external_scanner_deserialize(void* payload, const char* buffer,
                                                    unsigned length) {
   (void)payload, (void)buffer, (void)length;
 }
 
-bool tree_sitter_sdlc_external_scanner_scan(void *payload, TSLexer *lexer, const bool *valid) {
+bool tree_sitter_sdlc_external_scanner_scan(void* payload, TSLexer* lexer, const bool* valid) {
   (void)payload;
   if (valid[STRING_CONTENT] && !valid[MALFORMED]) return scan_string_content(lexer);
   if (!skip_spaces(lexer)) return false;
