@@ -40,5 +40,7 @@ inline constexpr auto kJoints =
 /// Words that cannot be names.
 inline constexpr auto kReservedWords = joined(
     joined(kStatementWords, kLinkWords), std::to_array<std::string_view>({"not", "true", "false"}));
+/// Words of the language in certain places, and names in all others.
+inline constexpr auto kContextualWords = std::to_array<std::string_view>({"scene", "as", "in"});
 
 }  // namespace sdlc::lang

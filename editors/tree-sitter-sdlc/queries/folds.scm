@@ -1,0 +1,7 @@
+[
+  (block)
+  (parameters)
+  (arguments)
+  (list)
+  (block_comment)
+] @fold
