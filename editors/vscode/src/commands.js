@@ -1,0 +1,100 @@
+// The commands of the palette. Those of the server, such as `sdlc.render`, are registered by the
+// language client under their own names; these find out what they are applied to.
+'use strict';
+
+const path = require('node:path');
+const vscode = require('vscode');
+
+/** Why a command cannot do anything. */
+class Refusal extends Error {}
+
+function activeDocument(uri) {
+  const documents = vscode.workspace.textDocuments;
+  const named = uri && documents.find((document) => document.uri.toString() === uri.toString());
+  const document = named ?? vscode.window.activeTextEditor?.document;
+  if (document) return document;
+  throw new Refusal('Open a scene first.');
+}
+
+/** Calls a command of the server about a document. */
+async function ask(server, command, document, more = {}) {
+  if (!server.client?.isRunning()) throw new Refusal('The server is not running, see its log.');
+  const params = { command, arguments: [{ uri: document.uri.toString(), ...more }] };
+  return server.client.sendRequest('workspace/executeCommand', params);
+}
+
+async function render(server, uri) {
+  const document = activeDocument(uri);
+  if (document.isUntitled) throw new Refusal('Save the scene first: its picture is named after it.');
+  await ask(server, 'sdlc.render', document);
+}
+
+/** Measures in a terminal of its own, whose output remains when the program ends. */
+async function measure(server, uri) {
+  const document = activeDocument(uri);
+  if (document.isUntitled || !(await document.save())) throw new Refusal('Save the scene first.');
+  if (!server.program) throw new Refusal('sdlc is missing, see its log.');
+  const file = document.uri.fsPath;
+  const folder = vscode.workspace.getWorkspaceFolder(document.uri);
+  const cwd = folder?.uri.fsPath ?? path.dirname(file);
+  const flags = vscode.workspace.isTrusted ? [] : ['--sandbox'];
+  const execution = new vscode.ProcessExecution(server.program, ['measure', file, ...flags], { cwd });
+  const name = `measure ${path.basename(file)}`;
+  const task = new vscode.Task({ type: 'process' }, folder ?? vscode.TaskScope.Workspace, name, 'sdlc', execution);
+  task.presentationOptions = { reveal: vscode.TaskRevealKind.Always, clear: true };
+  await vscode.tasks.executeTask(task);
+}
+
+/** The codes of the findings of the active file, those of the cursor's line first. */
+function codesInFile() {
+  const editor = vscode.window.activeTextEditor;
+  if (!editor) return [];
+  const line = editor.selection.active.line;
+  const distance = ({ range }) => Math.abs(range.start.line - line);
+  const found = [...vscode.languages.getDiagnostics(editor.document.uri)]
+    .filter(({ source }) => source === 'sdlc')
+    .sort((a, b) => distance(a) - distance(b));
+  return [...new Set(found.map(({ code }) => code?.value ?? code))];
+}
+
+async function chooseCode(pages) {
+  const all = await pages.all();
+  const here = codesInFile().filter((code) => all.has(code));
+  const item = (code) => ({ label: code, description: all.get(code).name.replaceAll('_', ' ') });
+  const separator = (label) => ({ label, kind: vscode.QuickPickItemKind.Separator });
+  const others = [...all.keys()].filter((code) => !here.includes(code));
+  const items = [...here.map(item), separator('all'), ...others.map(item)];
+  if (here.length > 0) items.unshift(separator('in this file'));
+  const options = { placeHolder: 'Which diagnostic?', matchOnDescription: true };
+  return (await vscode.window.showQuickPick(items, options))?.label;
+}
+
+async function explain(pages, code) {
+  const chosen = typeof code === 'string' ? code : await chooseCode(pages);
+  if (chosen) await pages.show(chosen);
+}
+
+/** Registers the commands; each shows the reason when it fails. */
+function registerCommands(server, pages) {
+  const commands = {
+    'sdlc.renderScene': (uri) => render(server, uri),
+    'sdlc.measureScene': (uri) => measure(server, uri),
+    'sdlc.explainCode': (code) => explain(pages, code),
+    'sdlc.checkFileIn': (uri) => ask(server, 'sdlc.chooseScene', activeDocument(uri)),
+    'sdlc.fixAllInFile': (uri) => ask(server, 'sdlc.fixAll', activeDocument(uri)),
+    'sdlc.restartServer': () => server.restart(),
+    'sdlc.showLog': () => server.log.show(),
+  };
+  return Object.entries(commands).map(([name, command]) =>
+    vscode.commands.registerCommand(name, async (...args) => {
+      try {
+        return await command(...args);
+      } catch (error) {
+        if (!(error instanceof Refusal)) server.log.error(`${name}: ${error.message}`);
+        vscode.window.showErrorMessage(error.message);
+      }
+    }),
+  );
+}
+
+module.exports = { registerCommands };

@@ -1,0 +1,115 @@
+// The life of the extension: one language server, restarted when its program or its flags change.
+'use strict';
+
+const vscode = require('vscode');
+const { makeClient } = require('./client');
+const { registerCommands } = require('./commands');
+const { ExplainPages, SCHEME } = require('./explain');
+const { checkedVersion, findProgram } = require('./program');
+const { SELECTOR } = require('./selector');
+
+/** The running server and what reports on it. Starts and stops follow each other, never overlap. */
+class Server {
+  constructor(context) {
+    this.context = context;
+    this.log = vscode.window.createOutputChannel('sdlc', { log: true });
+    this.status = vscode.languages.createLanguageStatusItem('sdlc', SELECTOR);
+    this.status.name = 'sdlc';
+    this.status.command = { command: 'sdlc.showLog', title: 'Log' };
+    this.client = undefined;
+    this.program = undefined;
+    this.queue = Promise.resolve();
+    context.subscriptions.push(this.log, this.status);
+  }
+
+  /** The folder in which sdlc runs: the first of the workspace. */
+  folder() {
+    return vscode.workspace.workspaceFolders?.find(({ uri }) => uri.scheme === 'file')?.uri.fsPath;
+  }
+
+  restart() {
+    this.queue = this.queue.then(async () => {
+      await this.#stop();
+      await this.#start();
+    });
+    return this.queue;
+  }
+
+  stop() {
+    this.queue = this.queue.then(() => this.#stop());
+    return this.queue;
+  }
+
+  async #stop() {
+    const client = this.client;
+    this.client = undefined;
+    try {
+      await client?.dispose();
+    } catch (error) {
+      this.log.warn(`stopping the server: ${error.message}`);
+    }
+  }
+
+  async #start() {
+    this.#show('sdlc', 'starting', vscode.LanguageStatusSeverity.Information, true);
+    try {
+      const isTrusted = vscode.workspace.isTrusted;
+      const setting = vscode.workspace.getConfiguration('sdlc').get('path');
+      this.program = undefined;
+      const program = findProgram(setting, { env: process.env, folder: this.folder(), isTrusted });
+      const version = await checkedVersion(program);
+      this.program = program;
+      this.log.info(`sdlc ${version}: ${program}`);
+      this.client = makeClient(program, this.folder(), this.log);
+      await this.client.start();
+      this.#show(`sdlc ${version}`, program, vscode.LanguageStatusSeverity.Information, false);
+    } catch (error) {
+      this.client = undefined;
+      await this.#report(error);
+    }
+  }
+
+  #show(text, detail, severity, busy) {
+    Object.assign(this.status, { text, detail, severity, busy });
+  }
+
+  /** Shows why there is no server. Does not wait for an answer: a restart must remain possible. */
+  async #report(error) {
+    this.log.error(error.message);
+    this.#show('sdlc is missing', error.message, vscode.LanguageStatusSeverity.Error, false);
+    const [help, settings, log] = ['How to Install', 'Open Settings', 'Show Log'];
+    vscode.window.showErrorMessage(error.message, help, settings, log).then((choice) => {
+      if (choice === help) {
+        const page = vscode.Uri.joinPath(this.context.extensionUri, 'README.md').with({ fragment: 'install-sdlc' });
+        vscode.commands.executeCommand('markdown.showPreview', page);
+      } else if (choice === settings) {
+        vscode.commands.executeCommand('workbench.action.openSettings', 'sdlc.path');
+      } else if (choice === log) {
+        this.log.show();
+      }
+    });
+  }
+}
+
+let server;
+
+async function activate(context) {
+  server = new Server(context);
+  const pages = new ExplainPages(server);
+  context.subscriptions.push(
+    vscode.workspace.registerTextDocumentContentProvider(SCHEME, pages),
+    ...registerCommands(server, pages),
+    vscode.workspace.onDidGrantWorkspaceTrust(() => server.restart()),
+    vscode.workspace.onDidChangeConfiguration((change) => {
+      const needsRestart = ['sdlc.path', 'sdlc.sandbox'];
+      if (needsRestart.some((setting) => change.affectsConfiguration(setting))) server.restart();
+    }),
+  );
+  await server.restart();
+}
+
+function deactivate() {
+  return server?.stop();
+}
+
+module.exports = { activate, deactivate };

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# usage: tests/editors/vscode/setup.sh [FOLDER]
+#
+# Installs what drive.sh needs below FOLDER (default: /tmp/vscode-tools), about 450 MB: VS Code as code-server, and
+# puppeteer. Writes FOLDER/env.sh, which drive.sh and the protocol tests need in their environment. Chromium, a C++
+# compiler, make, python3 and Node.js 20 with its headers come from the system.
+set -euo pipefail
+folder=$(realpath -m -- "${1:-/tmp/vscode-tools}")
+node_prefix=$(dirname -- "$(dirname -- "$(readlink -f -- "$(command -v node)")")")
+
+# The version of VS Code in it is 1.99; newer ones of code-server need a newer Node.js.
+code_server=4.99.4
+packages=(
+  puppeteer-core@24.43.1
+  vscode-languageserver-protocol@3.18.5
+  vscode-jsonrpc@10.0.0
+)
+
+install() {
+  mkdir -p -- "$1"
+  cd -- "$1"
+  [[ -e package.json ]] || echo '{ "private": true }' >package.json
+  npm install --ignore-scripts --no-audit --no-fund --save-exact "${@:2}"
+}
+
+install "$folder/node" "${packages[@]}"
+install "$folder/code-server" "code-server@$code_server"
+cd -- "$folder/code-server/node_modules/code-server/lib/vscode"
+npm install --ignore-scripts --omit=dev --no-audit --no-fund
+# Their scripts build native modules. The others that have some, kerberos and ripgrep, are not necessary.
+npm rebuild @vscode/spdlog native-watchdog
+(cd node_modules/node-pty && npx --yes node-gyp@10 rebuild --nodedir="$node_prefix")
+(cd "$folder/code-server/node_modules/argon2" &&
+  ../.bin/node-pre-gyp rebuild --build-from-source --nodedir="$node_prefix")
+
+cat >"$folder/env.sh" <<END
+export SDLC_NODE_MODULES='$folder/node/node_modules'
+export SDLC_CODE_SERVER='$folder/code-server/node_modules/code-server/out/node/entry.js'
+END
+echo "source $folder/env.sh"
