@@ -90,17 +90,6 @@ std::string join_names(std::span<const Property> properties) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// "rgb(r, g, b)"; optional parameters with their defaults.
-std::string signature_of(const Constructor& constructor) {
-  std::vector<std::string> parameters;
-  for (const Property& parameter : constructor.parameters) {
-    const bool has_default = !parameter.default_text.empty();
-    parameters.push_back(has_default ? fmt::format("{}: {}", parameter.name, parameter.default_text)
-                                     : std::string(parameter.name));
-  }
-  return fmt::format("{}({})", constructor.name, fmt::join(parameters, ", "));
-}
-
 class Description {
  public:
   Description(SceneView& view, std::uint32_t file, const Cursor& cursor, Values& values,
