@@ -12,7 +12,12 @@
 namespace sdlc::lsp {
 
 Server::Server(std::istream& in, std::ostream& out, Log& log, const ServerOptions& options)
-    : reader_(in), log_(log), connection_(out, log), session_(connection_, log, options) {}
+    : reader_(in),
+      log_(log),
+      connection_(out, log),
+      session_(connection_, log, options, [this](std::function<void()> task) {
+        add({.stop = std::make_shared<lang::StopRequest>(), .task = std::move(task)});
+      }) {}
 
 bool Server::run() {
   std::thread handling([this] { handle_messages(); });
@@ -36,7 +41,7 @@ void Server::read_messages() {
           cancel(message->params.at("id"));
         }
       } else {
-        add(std::move(*message));
+        add({.message = std::move(*message), .stop = std::make_shared<lang::StopRequest>()});
       }
     } catch (const MalformedMessage& malformed) {
       log_.write(fmt::format("malformed message: {}", malformed.reason));
@@ -45,11 +50,10 @@ void Server::read_messages() {
   }
 }
 
-void Server::add(Message message) {
-  auto stop = std::make_shared<lang::StopRequest>();
+void Server::add(Received received) {
   const std::scoped_lock lock(mutex_);
-  if (message.is_request()) active_[message.id.dump()] = stop;
-  queue_.push_back({std::move(message), std::move(stop)});
+  if (received.message.is_request()) active_[received.message.id.dump()] = received.stop;
+  queue_.push_back(std::move(received));
   arrived_.notify_one();
 }
 
@@ -85,7 +89,9 @@ void Server::handle(const Received& received) {
   const Message& message = received.message;
   session_.set_stop(received.stop.get());
   try {
-    if (message.is_response()) {
+    if (received.task) {
+      received.task();
+    } else if (message.is_response()) {
       connection_.accept(message);
     } else if (message.is_request()) {
       answer(received);

@@ -2,6 +2,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <istream>
 #include <map>
 #include <memory>
@@ -34,12 +35,13 @@ class Server {
   struct Received {
     Message message;
     std::shared_ptr<lang::StopRequest> stop;
+    std::function<void()> task = {};  ///< instead of a message
   };
   enum class State { New, Running, ShutDown };
 
   // On the thread that reads
   void read_messages();
-  void add(Message message);
+  void add(Received received);
   void cancel(const Json& id);
   void stop_all();
 
@@ -54,15 +56,16 @@ class Server {
   MessageReader reader_;
   Log& log_;
   Connection connection_;
-  Session session_;
   State state_ = State::New;  // of the thread that handles messages
 
-  std::mutex mutex_;
+  std::mutex mutex_;  // for everything down to `is_ended_`
   std::condition_variable arrived_;
   std::deque<Received> queue_;
   std::map<std::string, std::shared_ptr<lang::StopRequest>> active_;  // by id
   bool is_ended_ = false;                                             // no message follows
   bool was_asked_to_exit_ = false;
+
+  Session session_;  // last: its threads add tasks to the queue
 };
 
 }  // namespace sdlc::lsp

@@ -14,16 +14,18 @@ namespace sdlc::lsp {
 
 namespace fs = std::filesystem;
 
-Session::Session(Connection& connection, Log& log, const ServerOptions& options)
+Session::Session(Connection& connection, Log& log, const ServerOptions& options, Post post)
     : connection_(connection),
       log_(log),
       server_options_(options),
       publisher_(disk_, connection),
+      index_(disk_, {.changed = [this, post] { post([this] { update_scenes(); }); }}),
       checks_(disk_, {.limits = options.limits, .is_sandboxed = options.is_sandboxed}, log,
               [this](const Checks::Result& result) { publisher_.publish(result); }) {}
 
 void Session::set_client(Client client) {
   client_ = std::move(client);
+  index_.set_encoding(client_.encoding());
   publisher_.configure(client_.encoding(),
                        client_.can("/textDocument/publishDiagnostics/relatedInformation"));
 }
@@ -35,7 +37,10 @@ void Session::set_settings(const Settings& settings) {
   views_.clear();
 }
 
-void Session::set_folders(std::vector<fs::path> folders) { folders_ = std::move(folders); }
+void Session::set_folders(std::vector<fs::path> folders) {
+  folders_ = std::move(folders);
+  index_.set_folders(folders_);
+}
 
 lang::ProgramOptions Session::program_options() {
   return {.workspace = &workspace_,
@@ -52,6 +57,7 @@ void Session::open(OpenFile file) {
 void Session::change(const OpenFile& file) {
   workspace_.open(file.path, *file.text, file.version);
   checks_.change(file);
+  index_.open(file.path, file.text);
   if (&files_[file.uri] != &file) files_[file.uri] = file;
   texts_changed();
 }
@@ -63,6 +69,7 @@ void Session::close(const std::string& uri) {
   files_.erase(found);
   workspace_.close(file.path);
   checks_.close(file.path);
+  index_.close(file.path);
   texts_changed();
 }
 
@@ -71,7 +78,8 @@ const OpenFile* Session::find_open(const std::string& uri) const {
   return found == files_.end() ? nullptr : &found->second;
 }
 
-void Session::files_changed() {
+void Session::files_changed(const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) index_.update(file);
   checks_.check_all();
   texts_changed();
 }
@@ -96,11 +104,19 @@ void Session::update_scenes() {
 fs::path Session::scene_of(const fs::path& identity) const {
   const auto chosen = chosen_.find(identity);
   if (chosen != chosen_.end()) return chosen->second;
-  return identity;
+  const std::vector<fs::path> roots = index_.roots_of(identity);
+  if (roots.empty()) return identity;
+  const auto is_open = [&](const fs::path& scene) { return workspace_.is_open(scene); };
+  const auto open = std::ranges::find_if(roots, is_open);
+  return open == roots.end() ? roots.front() : *open;
 }
 
 std::vector<fs::path> Session::scenes_with(const fs::path& identity) const {
-  return {scene_of(identity)};
+  std::vector<fs::path> scenes{scene_of(identity)};
+  for (fs::path& root : index_.roots_of(identity)) {
+    if (root != scenes.front()) scenes.push_back(std::move(root));
+  }
+  return scenes;
 }
 
 void Session::choose_scene(const fs::path& file, std::optional<fs::path> scene) {

@@ -16,6 +16,7 @@
 #include "lsp/checks.hpp"
 #include "lsp/client.hpp"
 #include "lsp/connection.hpp"
+#include "lsp/folder_index.hpp"
 #include "lsp/json_rpc.hpp"
 #include "lsp/log.hpp"
 #include "lsp/open_files.hpp"
@@ -39,7 +40,10 @@ struct Text {
 /// around them. Handlers of messages use it, one at a time, on one thread.
 class Session {
  public:
-  Session(Connection& connection, Log& log, const ServerOptions& options);
+  /// Makes a function run on the thread of the session, after the messages that have arrived.
+  using Post = std::function<void(std::function<void()>)>;
+
+  Session(Connection& connection, Log& log, const ServerOptions& options, Post post);
 
   Connection& connection() noexcept { return connection_; }
   Log& log() noexcept { return log_; }
@@ -47,6 +51,7 @@ class Session {
   const Client& client() const noexcept { return client_; }
   const Settings& settings() const noexcept { return settings_; }
   Checks& checks() noexcept { return checks_; }
+  const FolderIndex& index() const noexcept { return index_; }
   const std::vector<std::filesystem::path>& folders() const noexcept { return folders_; }
 
   void set_client(Client client);
@@ -63,8 +68,8 @@ class Session {
   const OpenFile* find_open(const std::string& uri) const;
   /// By URI.
   const std::map<std::string, OpenFile>& open_files() const noexcept { return files_; }
-  /// Files on disk may have changed.
-  void files_changed();
+  /// These files may have changed on disk.
+  void files_changed(const std::vector<std::filesystem::path>& files);
 
   // What a request is about
 
@@ -91,8 +96,8 @@ class Session {
 
   // Scenes
 
-  /// The scene that a file is checked in: the one chosen by the user, else the first scene that
-  /// imports or includes it, open ones first, else the file itself.
+  /// The scene that a file is checked in: the one that the user has chosen, else the first scene
+  /// that imports or includes it, open ones first, else the file itself.
   std::filesystem::path scene_of(const std::filesystem::path& identity) const;
   /// All scenes that read the file, the one that it is checked in first.
   std::vector<std::filesystem::path> scenes_with(const std::filesystem::path& identity) const;
@@ -129,6 +134,7 @@ class Session {
   std::vector<View> views_;  // the last used one is the last
   const lang::StopRequest* stop_ = nullptr;
   Publisher publisher_;
+  FolderIndex index_;
   Checks checks_;
 };
 

@@ -1,8 +1,10 @@
 #include "lsp/text_sync.hpp"
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -48,8 +50,16 @@ void did_change(Session& session, const Json& params) {
 
 void did_close(Session& session, const Json& params) { session.close(uri_in(params)); }
 
-void did_save(Session& session, const Json& /*params*/) { session.files_changed(); }
+void did_save(Session& session, const Json& params) {
+  session.files_changed({path_of_uri(uri_in(params))});
+}
 
-void did_change_watched_files(Session& session, const Json& /*params*/) { session.files_changed(); }
+void did_change_watched_files(Session& session, const Json& params) {
+  std::vector<std::filesystem::path> files;
+  for (const Json& change : params.at("changes")) {
+    files.push_back(path_of_uri(change.at("uri").get_ref<const std::string&>()));
+  }
+  session.files_changed(files);
+}
 
 }  // namespace sdlc::lsp

@@ -18,18 +18,18 @@ bool is_without_errors(const Json& diagnostics) {
 
 TEST(Diagnostics, FollowTheText) {
   TestClient client;
-  client.open("a.scene", "scene 1\nlet a = b\nsphere { radius: a }\n");
+  client.open("a.scene", "scene 1\nlet a = b\nsphere { center: (0, 0, 0), radius: a }\n");
   const Json found = client.diagnostics("a.scene", is_any);
   EXPECT_EQ(found[0].at("code"), "E101");
   EXPECT_EQ(found[0].at("range").at("start"), Json({{"line", 1}, {"character", 8}}));
-  client.change("a.scene", "scene 1\nlet a = 1\nsphere { radius: a }\n");
+  client.change("a.scene", "scene 1\nlet a = 1\nsphere { center: (0, 0, 0), radius: a }\n");
   client.diagnostics("a.scene", is_without_errors);
 }
 
 TEST(Diagnostics, OfAnImportedFileAppearThere) {
   TestClient client;
   client.write("lib.scene", "scene 1\nlet unit = wrong\n");
-  client.open("a.scene", "scene 1\nimport \"lib.scene\" as lib\nsphere { radius: lib.unit }\n");
+  client.open("a.scene", "scene 1\nimport \"lib.scene\" as lib\nsphere { center: (0, 0, 0), radius: lib.unit }\n");
   EXPECT_EQ(client.diagnostics("lib.scene", is_any)[0].at("code"), "E101");
   // The unsaved text wins over the file.
   client.open("lib.scene", "scene 1\nlet unit = 1\n");
@@ -39,7 +39,7 @@ TEST(Diagnostics, OfAnImportedFileAppearThere) {
 }
 
 TEST(Diagnostics, CountUtf16UnitsUnlessTheClientOffersUtf8) {
-  const std::string text = "scene 1\nlet a = \"𝄞é\" + b\nsphere { radius: 1 }\n";
+  const std::string text = "scene 1\nlet a = \"𝄞é\" + b\nsphere { center: (0, 0, 0), radius: 1 }\n";
   TestClient client;
   client.open("a.scene", text);
   EXPECT_EQ(client.diagnostics("a.scene", is_any)[0].at("range").at("start").at("character"), 16);

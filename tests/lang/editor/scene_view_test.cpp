@@ -19,7 +19,7 @@ TEST(SceneView, FindsTheFilesOfTheScene) {
 }
 
 TEST(SceneView, AcceptsBrokenTexts) {
-  MarkedScene scene("scene 1\nlet a = \nsphere { radius: |");
+  MarkedScene scene("scene 1\nlet a = 1\nlet b = \nsphere { radius: |");
   EXPECT_EQ(scene.view().table(scene.file()).symbols().size(), 1u);
 }
 
