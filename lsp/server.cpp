@@ -36,7 +36,7 @@ void Server::read_messages() {
         was_asked_to_exit_ = true;
         return;
       }
-      if (message->method == "$/cancelRequest") {
+      if (message->method == "$/cancelRequest" && !message->is_request()) {
         if (message->params.is_object() && message->params.contains("id")) {
           cancel(message->params.at("id"));
         }

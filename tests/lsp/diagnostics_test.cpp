@@ -29,7 +29,9 @@ TEST(Diagnostics, FollowTheText) {
 TEST(Diagnostics, OfAnImportedFileAppearThere) {
   TestClient client;
   client.write("lib.scene", "scene 1\nlet unit = wrong\n");
-  client.open("a.scene", "scene 1\nimport \"lib.scene\" as lib\nsphere { center: (0, 0, 0), radius: lib.unit }\n");
+  client.open(
+      "a.scene",
+      "scene 1\nimport \"lib.scene\" as lib\nsphere { center: (0, 0, 0), radius: lib.unit }\n");
   EXPECT_EQ(client.diagnostics("lib.scene", is_any)[0].at("code"), "E101");
   // The unsaved text wins over the file.
   client.open("lib.scene", "scene 1\nlet unit = 1\n");
