@@ -50,7 +50,7 @@ std::optional<Asked> asked_in(Session& session, const Json& params) {
   if (item.value("data", Json::object()).value("isFile", false)) {
     const std::filesystem::path& path = text.view->module(text.file).path;
     return Asked{.text = text,
-                 .item = {.is_file = true, .path = path, .whole = {}, .where = {}},
+                 .item = {.is_file = true, .name = {}, .path = path, .whole = {}, .where = {}},
                  .symbol = {}};
   }
   const std::uint32_t offset = session.offset(text, item.at("selectionRange").at("start"));
