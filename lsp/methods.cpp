@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "lsp/call_requests.hpp"
 #include "lsp/lifecycle.hpp"
+#include "lsp/navigation_requests.hpp"
+#include "lsp/range_requests.hpp"
+#include "lsp/rename_requests.hpp"
+#include "lsp/symbol_requests.hpp"
 #include "lsp/text_sync.hpp"
 
 namespace sdlc::lsp {
@@ -18,6 +23,19 @@ struct Method {
 constexpr auto kRequests = std::to_array<Method<RequestHandler>>({
     {"initialize", initialize},
     {"shutdown", shut_down},
+    {"textDocument/definition", go_to_definition},
+    {"textDocument/declaration", go_to_declaration},
+    {"textDocument/references", find_references},
+    {"textDocument/documentHighlight", highlight},
+    {"textDocument/documentLink", list_links},
+    {"textDocument/prepareRename", prepare_rename},
+    {"textDocument/rename", rename},
+    {"textDocument/documentSymbol", list_document_symbols},
+    {"textDocument/foldingRange", list_folding_ranges},
+    {"textDocument/selectionRange", list_selection_ranges},
+    {"textDocument/prepareCallHierarchy", prepare_call_hierarchy},
+    {"callHierarchy/incomingCalls", list_incoming_calls},
+    {"callHierarchy/outgoingCalls", list_outgoing_calls},
 });
 
 constexpr auto kNotifications = std::to_array<Method<NotificationHandler>>({

@@ -13,17 +13,6 @@ namespace {
 
 constexpr std::size_t kMaxExcerpt = 60;  // bytes
 
-SymbolIcon icon_of(SymbolKind kind) {
-  switch (kind) {
-    case SymbolKind::Param: return SymbolIcon::Param;
-    case SymbolKind::Import: return SymbolIcon::Import;
-    case SymbolKind::Fn: return SymbolIcon::Function;
-    case SymbolKind::Def: return SymbolIcon::Kind;
-    case SymbolKind::Object: return SymbolIcon::Object;
-    default: return SymbolIcon::Let;
-  }
-}
-
 /// The path of an import.
 std::string_view path_of_import(std::string_view statement) {
   TokenReader tokens(statement);
@@ -80,6 +69,17 @@ std::vector<bool> named_items(const std::vector<OutlineItem>& items) {
 }
 
 }  // namespace
+
+SymbolIcon icon_of(SymbolKind kind) noexcept {
+  switch (kind) {
+    case SymbolKind::Param: return SymbolIcon::Param;
+    case SymbolKind::Import: return SymbolIcon::Import;
+    case SymbolKind::Fn: return SymbolIcon::Function;
+    case SymbolKind::Def: return SymbolIcon::Kind;
+    case SymbolKind::Object: return SymbolIcon::Object;
+    default: return SymbolIcon::Let;
+  }
+}
 
 std::string excerpt_of(std::string_view text) {
   std::string excerpt;

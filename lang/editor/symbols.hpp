@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lang/resolve/symbol.hpp"
 #include "lang/source/source.hpp"
 #include "lang/syntax/syntax.hpp"
 
@@ -27,6 +28,9 @@ enum class SymbolIcon : std::uint8_t {
   Bool,
   Null,
 };
+
+/// Of a symbol that a file declares.
+SymbolIcon icon_of(SymbolKind kind) noexcept;
 
 /// An entry of an outline.
 struct DocumentSymbol {

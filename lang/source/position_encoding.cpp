@@ -17,19 +17,40 @@ std::uint32_t units_of(char c, PositionEncoding encoding) noexcept {
   return encoding == PositionEncoding::Utf16 && is_pair ? 2 : 1;
 }
 
+/// Units of the bytes [begin, end).
+std::uint32_t count_units(std::string_view text, std::uint32_t begin, std::uint32_t end,
+                          PositionEncoding encoding) noexcept {
+  if (encoding == PositionEncoding::Utf8) return end - begin;
+  std::uint32_t units = 0;
+  for (const char c : text.substr(begin, end - begin)) units += units_of(c, encoding);
+  return units;
+}
+
+/// The offset within the text, and not inside a code point unless columns are bytes.
+std::uint32_t whole_offset(std::string_view text, std::uint32_t offset, PositionEncoding encoding) {
+  offset = std::min(offset, static_cast<std::uint32_t>(text.size()));
+  if (encoding == PositionEncoding::Utf8 || offset == text.size()) return offset;
+  while (offset > 0 && is_continuation(text[offset]) && text[offset - 1] != '\n') --offset;
+  return offset;
+}
+
+std::uint32_t line_of(const SourceFile& file, std::uint32_t offset) {
+  std::uint32_t first = 1, after = file.line_count() + 1;
+  while (after - first > 1) {
+    const std::uint32_t middle = first + (after - first) / 2;
+    (file.line_begin(middle) <= offset ? first : after) = middle;
+  }
+  return first;
+}
+
 }  // namespace
 
 Position position_of(const SourceFile& file, std::uint32_t offset, PositionEncoding encoding) {
   const std::string_view text = file.text();
-  offset = std::min(offset, static_cast<std::uint32_t>(text.size()));
-  const std::uint32_t line = file.position(offset).line;
+  offset = whole_offset(text, offset, encoding);
+  const std::uint32_t line = line_of(file, offset);
   const std::uint32_t begin = file.line_begin(line);
-  if (encoding != PositionEncoding::Utf8) {
-    while (offset > begin && offset < text.size() && is_continuation(text[offset])) --offset;
-  }
-  std::uint32_t column = 1;
-  for (const char c : text.substr(begin, offset - begin)) column += units_of(c, encoding);
-  return {.line = line, .column = column};
+  return {.line = line, .column = 1 + count_units(text, begin, offset, encoding)};
 }
 
 std::uint32_t offset_of(const SourceFile& file, Position position, PositionEncoding encoding) {
@@ -50,6 +71,36 @@ std::size_t offset_in_line(std::string_view line, std::uint32_t column, Position
     while (at < line.size() && is_continuation(line[at])) ++at;
   }
   return at;
+}
+
+namespace {
+
+/// Bytes of a line between columns that a PositionMap keeps.
+constexpr std::uint32_t kStep = 4096;
+
+}  // namespace
+
+Position PositionMap::at(std::uint32_t offset) {
+  offset = whole_offset(file_.text(), offset, encoding_);
+  const std::uint32_t line = line_of(file_, offset);
+  return {.line = line, .column = 1 + units_before(file_.line_begin(line), offset)};
+}
+
+/// Units between the beginning of a line and an offset in it.
+std::uint32_t PositionMap::units_before(std::uint32_t begin, std::uint32_t offset) {
+  const std::string_view text = file_.text();
+  const std::uint32_t step = (offset - begin) / kStep;
+  if (step == 0) return count_units(text, begin, offset, encoding_);
+  if (begin != line_begin_ || units_.empty()) {
+    line_begin_ = begin;
+    units_.assign(1, 0);
+  }
+  while (units_.size() <= step) {
+    const auto known = static_cast<std::uint32_t>(units_.size() - 1);
+    const std::uint32_t from = begin + known * kStep;
+    units_.push_back(units_.back() + count_units(text, from, from + kStep, encoding_));
+  }
+  return units_[step] + count_units(text, begin + step * kStep, offset, encoding_);
 }
 
 }  // namespace sdlc::lang

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "lang/source/source.hpp"
 
@@ -26,5 +27,25 @@ std::uint32_t offset_of(const SourceFile& file, Position position, PositionEncod
 
 /// The byte offset of a column, from 1, in one line, with the same rules.
 std::size_t offset_in_line(std::string_view line, std::uint32_t column, PositionEncoding encoding);
+
+/// Positions of many offsets of one text. In contrast to position_of(), it remains fast in very
+/// long lines, such as that of a config without line ends: it keeps columns at regular distances.
+class PositionMap {
+ public:
+  /// `file` must outlive the map.
+  PositionMap(const SourceFile& file, PositionEncoding encoding)
+      : file_(file), encoding_(encoding) {}
+
+  /// The same as position_of().
+  Position at(std::uint32_t offset);
+
+ private:
+  std::uint32_t units_before(std::uint32_t begin, std::uint32_t offset);
+
+  const SourceFile& file_;
+  PositionEncoding encoding_;
+  std::uint32_t line_begin_ = 0;      // of the line that `units_` is about
+  std::vector<std::uint32_t> units_;  // before every kStep-th byte of it
+};
 
 }  // namespace sdlc::lang

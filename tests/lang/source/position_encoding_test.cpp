@@ -53,5 +53,22 @@ TEST(PositionEncoding, SurvivesBrokenUtf8) {
   EXPECT_EQ(position_of(file, 2, Utf8), (Position{1, 3}));
 }
 
+TEST(PositionMap, AgreesWithPositionOf) {
+  // Lines of several kept columns, characters of every size across them, and broken UTF-8.
+  std::string text = "a\n";
+  while (text.size() < 9000) text += "aé😀\x80";
+  text += "\nb\n";
+  while (text.size() < 15'000) text += "😀";
+  const SourceFile file("a.scene", text);
+  for (const PositionEncoding encoding : {Utf8, Utf16, Utf32}) {
+    PositionMap map(file, encoding);
+    for (std::uint32_t i = 0; i < text.size() + 3; ++i) {
+      // Forwards and backwards, through both long lines.
+      const std::uint32_t offset = i * 7919 % static_cast<std::uint32_t>(text.size() + 3);
+      ASSERT_EQ(map.at(offset), position_of(file, offset, encoding)) << offset;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sdlc::lang
