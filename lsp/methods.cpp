@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "lsp/code_lenses.hpp"
+#include "lsp/colors.hpp"
+#include "lsp/hover.hpp"
+#include "lsp/inlay_hints.hpp"
 #include "lsp/lifecycle.hpp"
+#include "lsp/semantic_tokens.hpp"
 #include "lsp/text_sync.hpp"
 
 namespace sdlc::lsp {
@@ -18,6 +23,14 @@ struct Method {
 constexpr auto kRequests = std::to_array<Method<RequestHandler>>({
     {"initialize", initialize},
     {"shutdown", shut_down},
+    {"textDocument/hover", hover},
+    {"textDocument/documentColor", document_color},
+    {"textDocument/colorPresentation", color_presentation},
+    {"textDocument/semanticTokens/full", semantic_tokens_full},
+    {"textDocument/semanticTokens/full/delta", semantic_tokens_delta},
+    {"textDocument/semanticTokens/range", semantic_tokens_range},
+    {"textDocument/inlayHint", inlay_hint},
+    {"textDocument/codeLens", code_lens},
 });
 
 constexpr auto kNotifications = std::to_array<Method<NotificationHandler>>({

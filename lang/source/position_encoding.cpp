@@ -19,6 +19,12 @@ std::uint32_t units_of(char c, PositionEncoding encoding) noexcept {
 
 }  // namespace
 
+std::uint32_t count_columns(std::string_view part, PositionEncoding encoding) noexcept {
+  std::uint32_t columns = 0;
+  for (const char c : part) columns += units_of(c, encoding);
+  return columns;
+}
+
 Position position_of(const SourceFile& file, std::uint32_t offset, PositionEncoding encoding) {
   const std::string_view text = file.text();
   offset = std::min(offset, static_cast<std::uint32_t>(text.size()));
@@ -27,9 +33,8 @@ Position position_of(const SourceFile& file, std::uint32_t offset, PositionEncod
   if (encoding != PositionEncoding::Utf8) {
     while (offset > begin && offset < text.size() && is_continuation(text[offset])) --offset;
   }
-  std::uint32_t column = 1;
-  for (const char c : text.substr(begin, offset - begin)) column += units_of(c, encoding);
-  return {.line = line, .column = column};
+  const std::uint32_t columns = count_columns(text.substr(begin, offset - begin), encoding);
+  return {.line = line, .column = 1 + columns};
 }
 
 std::uint32_t offset_of(const SourceFile& file, Position position, PositionEncoding encoding) {
