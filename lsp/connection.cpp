@@ -32,7 +32,9 @@ void Connection::request(std::string_view method, Json params, OnResult on_resul
     id = next_id_++;
     pending_.emplace(id, std::move(on_result));
   }
-  send({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", std::move(params)}});
+  Json message{{"jsonrpc", "2.0"}, {"id", id}, {"method", method}};
+  if (!params.is_null()) message["params"] = std::move(params);
+  send(message);
 }
 
 void Connection::accept(const Message& response) {

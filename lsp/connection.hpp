@@ -27,6 +27,7 @@ class Connection {
   void notify(std::string_view method, Json params);
   void respond(const Json& id, Json result);
   void fail(const Json& id, ErrorCode code, const std::string& message);
+  /// `params` may be null: there are none.
   void request(std::string_view method, Json params, OnResult on_result = {});
 
   /// Passes a response of the client to the request that it answers. Responses to unknown requests

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "lsp/inlay_hints.hpp"
+#include "lsp/semantic_tokens.hpp"
 #include "lsp/uri.hpp"
 
 namespace sdlc::lsp {
@@ -27,6 +29,11 @@ Json capabilities_for(const Client& client) {
       {"foldingRangeProvider", true},
       {"selectionRangeProvider", true},
       {"callHierarchyProvider", true},
+      {"hoverProvider", true},
+      {"colorProvider", true},
+      {"semanticTokensProvider", semantic_tokens_options()},
+      {"inlayHintProvider", true},
+      {"codeLensProvider", Json::object()},
       {"workspace", {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}}},
   };
 }
@@ -56,6 +63,12 @@ void watch_files(Session& session) {
                       {"registerOptions", {{"watchers", std::move(watchers)}}}}})}});
 }
 
+void change_settings(Session& session, const Settings& settings) {
+  const bool has_changed = settings.inlay_hints != session.settings().inlay_hints;
+  session.set_settings(settings);
+  if (has_changed) refresh_inlay_hints(session);
+}
+
 /// Asks the client for the section `sdlc`. A client that knows nothing about it keeps the settings.
 void ask_for_settings(Session& session) {
   if (!session.client().can("/workspace/configuration")) return;
@@ -64,7 +77,7 @@ void ask_for_settings(Session& session) {
                                [&session](const Json& result) {
                                  if (!result.is_array() || result.empty()) return;
                                  if (!result.front().is_object()) return;
-                                 session.set_settings(Settings::of(result.front()));
+                                 change_settings(session, Settings::of(result.front()));
                                });
 }
 
@@ -99,7 +112,7 @@ void set_trace(Session& session, const Json& params) {
 void did_change_configuration(Session& session, const Json& params) {
   const Json settings = params.value("settings", Json());
   if (settings.is_object() && settings.contains("sdlc")) {
-    session.set_settings(Settings::of(settings.at("sdlc")));
+    change_settings(session, Settings::of(settings.at("sdlc")));
   } else {
     ask_for_settings(session);
   }

@@ -4,10 +4,15 @@
 #include <array>
 
 #include "lsp/call_requests.hpp"
+#include "lsp/code_lenses.hpp"
+#include "lsp/colors.hpp"
+#include "lsp/hover.hpp"
+#include "lsp/inlay_hints.hpp"
 #include "lsp/lifecycle.hpp"
 #include "lsp/navigation_requests.hpp"
 #include "lsp/range_requests.hpp"
 #include "lsp/rename_requests.hpp"
+#include "lsp/semantic_tokens.hpp"
 #include "lsp/symbol_requests.hpp"
 #include "lsp/text_sync.hpp"
 
@@ -36,6 +41,14 @@ constexpr auto kRequests = std::to_array<Method<RequestHandler>>({
     {"textDocument/prepareCallHierarchy", prepare_call_hierarchy},
     {"callHierarchy/incomingCalls", list_incoming_calls},
     {"callHierarchy/outgoingCalls", list_outgoing_calls},
+    {"textDocument/hover", hover},
+    {"textDocument/documentColor", document_color},
+    {"textDocument/colorPresentation", color_presentation},
+    {"textDocument/semanticTokens/full", semantic_tokens_full},
+    {"textDocument/semanticTokens/full/delta", semantic_tokens_delta},
+    {"textDocument/semanticTokens/range", semantic_tokens_range},
+    {"textDocument/inlayHint", inlay_hint},
+    {"textDocument/codeLens", code_lens},
 });
 
 constexpr auto kNotifications = std::to_array<Method<NotificationHandler>>({

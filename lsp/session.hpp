@@ -21,6 +21,7 @@
 #include "lsp/log.hpp"
 #include "lsp/open_files.hpp"
 #include "lsp/publisher.hpp"
+#include "lsp/semantic_tokens.hpp"
 #include "lsp/settings.hpp"
 
 namespace sdlc::lsp {
@@ -104,6 +105,8 @@ class Session {
   /// Chooses the scene that a file is checked in; nullopt: automatically.
   void choose_scene(const std::filesystem::path& file, std::optional<std::filesystem::path> scene);
 
+  SemanticResults& semantic_results() noexcept { return semantic_results_; }
+
   /// Of the request that is being handled.
   const lang::StopRequest& stop() const noexcept { return *stop_; }
   void set_stop(const lang::StopRequest* stop) noexcept { stop_ = stop; }
@@ -132,6 +135,7 @@ class Session {
   std::map<std::string, OpenFile> files_;  // by URI
   std::map<std::filesystem::path, std::filesystem::path> chosen_;
   std::vector<View> views_;  // the last used one is the last
+  SemanticResults semantic_results_;
   const lang::StopRequest* stop_ = nullptr;
   Publisher publisher_;
   FolderIndex index_;

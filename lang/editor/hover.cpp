@@ -32,9 +32,27 @@ std::optional<Span> allowed_code_at(std::string_view text, Span comment, std::ui
   return {};
 }
 
+/// The page with only the languages after its fences: editors know scenes as `scene`.
+std::string with_plain_fences(std::string_view page) {
+  std::string text;
+  while (!page.empty()) {
+    const std::size_t end = std::min(page.find('\n'), page.size() - 1) + 1;
+    std::string_view line = page.substr(0, end);
+    page.remove_prefix(end);
+    if (line.starts_with("```rust scene")) {
+      text += "```scene\n";
+    } else if (line.starts_with("```") && line.find(' ') != std::string_view::npos) {
+      text.append(line.substr(0, line.find(' '))).push_back('\n');
+    } else {
+      text += line;
+    }
+  }
+  return text;
+}
+
 /// The page of a code, or the titles of the codes that begin with it.
 std::string explanation_of(std::string_view code) {
-  if (const auto page = explanation(code)) return std::string(*page);
+  if (const auto page = explanation(code)) return with_plain_fences(*page);
   std::string codes;
   for (const DiagnosticInfo* info : all_diagnostics()) {
     if (code.size() < 2 || !info->code.starts_with(code)) continue;

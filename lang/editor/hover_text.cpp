@@ -46,7 +46,7 @@ void HoverText::add_code(std::string_view code) {
   std::string text = shortened(code);
   std::erase(text, '\r');
   const std::string_view fence = text.find("```") == std::string::npos ? "```" : "````";
-  add(fmt::format("{0}sdlc\n{1}\n{0}", fence, text));
+  add(fmt::format("{0}scene\n{1}\n{0}", fence, text));
 }
 
 void HoverText::add(std::string_view paragraph) {

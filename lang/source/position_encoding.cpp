@@ -17,15 +17,6 @@ std::uint32_t units_of(char c, PositionEncoding encoding) noexcept {
   return encoding == PositionEncoding::Utf16 && is_pair ? 2 : 1;
 }
 
-/// Units of the bytes [begin, end).
-std::uint32_t count_units(std::string_view text, std::uint32_t begin, std::uint32_t end,
-                          PositionEncoding encoding) noexcept {
-  if (encoding == PositionEncoding::Utf8) return end - begin;
-  std::uint32_t units = 0;
-  for (const char c : text.substr(begin, end - begin)) units += units_of(c, encoding);
-  return units;
-}
-
 /// The offset within the text, and not inside a code point unless columns are bytes.
 std::uint32_t whole_offset(std::string_view text, std::uint32_t offset, PositionEncoding encoding) {
   offset = std::min(offset, static_cast<std::uint32_t>(text.size()));
@@ -45,12 +36,19 @@ std::uint32_t line_of(const SourceFile& file, std::uint32_t offset) {
 
 }  // namespace
 
+std::uint32_t count_columns(std::string_view part, PositionEncoding encoding) noexcept {
+  if (encoding == PositionEncoding::Utf8) return static_cast<std::uint32_t>(part.size());
+  std::uint32_t columns = 0;
+  for (const char c : part) columns += units_of(c, encoding);
+  return columns;
+}
+
 Position position_of(const SourceFile& file, std::uint32_t offset, PositionEncoding encoding) {
   const std::string_view text = file.text();
   offset = whole_offset(text, offset, encoding);
   const std::uint32_t line = line_of(file, offset);
   const std::uint32_t begin = file.line_begin(line);
-  return {.line = line, .column = 1 + count_units(text, begin, offset, encoding)};
+  return {.line = line, .column = 1 + count_columns(text.substr(begin, offset - begin), encoding)};
 }
 
 std::uint32_t offset_of(const SourceFile& file, Position position, PositionEncoding encoding) {

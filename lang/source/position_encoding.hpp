@@ -25,6 +25,9 @@ Position position_of(const SourceFile& file, std::uint32_t offset, PositionEncod
 /// of its code point. Columns of Utf8 are exact, also inside a code point.
 std::uint32_t offset_of(const SourceFile& file, Position position, PositionEncoding encoding);
 
+/// The number of columns that a part of a line takes.
+std::uint32_t count_columns(std::string_view part, PositionEncoding encoding) noexcept;
+
 /// The byte offset of a column, from 1, in one line, with the same rules.
 std::size_t offset_in_line(std::string_view line, std::uint32_t column, PositionEncoding encoding);
 

@@ -7,12 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lang/diagnostics/diagnostics.hpp"
 #include "lang/editor/keywords.hpp"
-#include "lang/explain/explain.hpp"
 #include "lang/resolve/builtin_symbols.hpp"
 #include "lang/value/builtins.hpp"
-#include "lang/value/constructors.hpp"
 #include "tests/lang/editor/marked_scene.hpp"
 
 namespace sdlc::test {
@@ -41,7 +38,7 @@ std::string place_at(const std::string& text) {
 
 TEST(Hover, ShowsDeclarationValueAndDocumentationOfALet) {
   EXPECT_EQ(hover_at("/// Once around.\nlet circle = 2 * pi\nlet b = cir|cle\n"),
-            "```sdlc\nlet circle = 2 * pi\n```\n\nValue: `6.283185307179586`\n\n"
+            "```scene\nlet circle = 2 * pi\n```\n\nValue: `6.283185307179586`\n\n"
             "Type: `number`\n\nOnce around.");
   EXPECT_THAT(hover_at("let |a = 5\n"), Not(HasSubstr("Value")));
   EXPECT_THAT(
@@ -67,11 +64,11 @@ TEST(Hover, ShowsPathAndDescriptionOfAnImport) {
 
 TEST(Hover, ShowsSignaturesOfFunctionsAndDefs) {
   EXPECT_THAT(hover_at("/// Twice.\nfn twice(x: number) = 2 * x\nlet a = twi|ce(4)\n"),
-              AllOf(HasSubstr("```sdlc\nfn twice(x: number) = 2 * x\n```"), HasSubstr("Twice."),
+              AllOf(HasSubstr("```scene\nfn twice(x: number) = 2 * x\n```"), HasSubstr("Twice."),
                     HasSubstr("Value: `8`")));
   EXPECT_THAT(
       hover_at("/// A ring.\ndef ring(n: number = (1)) { sphere { radius: n } }\nri|ng {}\n"),
-      AllOf(HasSubstr("```sdlc\ndef ring(n: number = (1))\n```"), HasSubstr("A ring.")));
+      AllOf(HasSubstr("```scene\ndef ring(n: number = (1))\n```"), HasSubstr("A ring.")));
   EXPECT_THAT(
       hover_at("def ring(n: number = 1) {}\nring { |n: 2 + 2 }\n"),
       AllOf(HasSubstr("n: number = 1"), HasSubstr("Parameter of `ring`"), HasSubstr("Value: `4`")));
@@ -135,7 +132,7 @@ TEST(Hover, DescribesLoopVariablesAndLabels) {
   EXPECT_THAT(hover_at("for i in range(3) { sphere { radius: |i } }\n"),
               AllOf(HasSubstr("for i in range(3)"), HasSubstr("Value: `[0, 1, 2]`")));
   EXPECT_THAT(hover_at("/// Big.\nsphere ba|ll { radius: 1 }\n"),
-              AllOf(HasSubstr("```sdlc\nsphere ball\n```"), HasSubstr("Big.")));
+              AllOf(HasSubstr("```scene\nsphere ball\n```"), HasSubstr("Big.")));
   EXPECT_THAT(hover_at("camera main {}\nrender { camera: ma|in }\n"), HasSubstr("camera main"));
 }
 
@@ -148,8 +145,9 @@ TEST(Hover, DescribesEveryKeyword) {
 }
 
 TEST(Hover, ExplainsAllowedCodes) {
-  const std::string page(*lang::explanation("W402"));
-  EXPECT_EQ(hover_at("// sdlc: allow(W4|02) on purpose\nsphere {}\n"), page);
+  const std::string page = hover_at("// sdlc: allow(W4|02) on purpose\nsphere {}\n");
+  EXPECT_THAT(page, AllOf(HasSubstr("# W402: zero radius\n"), HasSubstr("\n```scene\nscene 1\n"),
+                          HasSubstr("\n```text\nwarning[W402]"), HasSubstr("\n```\n")));
   EXPECT_EQ(hover_at("// sdlc: allow(W401, w402|)\nsphere {}\n"), page);
   EXPECT_THAT(hover_at("// sdlc: allow(W|4)\n"), HasSubstr("* W402: "));
   EXPECT_EQ(hover_at("// W40|2\n"), "none");
@@ -186,13 +184,15 @@ TEST(Hover, AnswersAtEveryOffsetOfATextAndBeyond) {
     MarkedScene scene(text.substr(0, size));
     for (std::uint32_t offset = 0; offset <= size + 2; ++offset) {
       const auto hover = lang::hover(scene.view(), 0, offset);
-      if (hover) EXPECT_LE(hover->where.end, size);
+      if (hover) {
+        EXPECT_LE(hover->where.end, size);
+      }
     }
   }
 }
 
 TEST(Hover, AsPlainTextHasNoMarks) {
-  EXPECT_EQ(lang::to_plain_text("```sdlc\nlet a = 1\n```\n\nValue: `2`"), "let a = 1\n\nValue: 2");
+  EXPECT_EQ(lang::to_plain_text("```scene\nlet a = 1\n```\n\nValue: `2`"), "let a = 1\n\nValue: 2");
 }
 
 }  // namespace

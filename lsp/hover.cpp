@@ -1,0 +1,22 @@
+#include "lsp/hover.hpp"
+
+#include <utility>
+
+#include "lang/editor/hover.hpp"
+
+namespace sdlc::lsp {
+
+Json hover(Session& session, const Json& params) {
+  const Text text = session.text_of(params);
+  if (!text.is_scene()) return nullptr;
+  auto found = lang::hover(*text.view, text.file, session.offset(text, params.at("position")));
+  if (!found) return nullptr;
+  const bool is_markdown = session.client().lists("/textDocument/hover/contentFormat", "markdown");
+  std::string value =
+      is_markdown ? std::move(found->markdown) : lang::to_plain_text(found->markdown);
+  return {
+      {"contents", {{"kind", is_markdown ? "markdown" : "plaintext"}, {"value", std::move(value)}}},
+      {"range", session.range(*text.source, found->where)}};
+}
+
+}  // namespace sdlc::lsp
