@@ -159,8 +159,12 @@ CompletionItem call_item(const CompletionBuilder& builder, const Function& funct
 }
 
 int fit_of_builtin(const ExpectedType& expected, const Builtin& function) {
-  if (function.result.empty() || (expected.is_condition && function.result != "="))
-    return kConverts;
+  if (expected.is_condition) return kConverts;
+  if (function.result.empty()) {
+    const bool can_be = expected.is_unknown() || expected.type == "number" ||
+                        expected.type == "vec3" || expected.type == "color";
+    return can_be ? kConverts : kMismatch;
+  }
   if (function.result != "=" || expected.is_unknown()) {
     return fit_of_result(expected, function.result);
   }
