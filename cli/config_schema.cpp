@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "lang/object/check.hpp"
+#include "lang/schema/property_text.hpp"
 #include "lang/schema/schema.hpp"
 
 namespace sdlc::cli {
@@ -100,13 +101,6 @@ Json value_schema(const lang::JsonKey& key, lang::Range range) {
   return {};
 }
 
-/// The description that editors show for the key.
-std::string description(const lang::JsonKey& key) {
-  const bool has_target = key.target != nullptr;
-  return std::string(!key.doc.empty() || !has_target ? key.doc
-                                                     : key.target->properties[key.property].doc);
-}
-
 Json key_schema(const lang::JsonKey& key) {
   const lang::Range range =
       key.target != nullptr ? key.target->properties[key.property].range : key.range;
@@ -114,7 +108,7 @@ Json key_schema(const lang::JsonKey& key) {
   if (key.presence == lang::Presence::Optional) {
     schema = {{"anyOf", {std::move(schema), {{"type", "null"}}}}};
   }
-  const std::string text = description(key);
+  const std::string text(lang::doc_of(key));
   if (!text.empty()) schema["description"] = text;
   return schema;
 }

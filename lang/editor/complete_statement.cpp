@@ -160,7 +160,8 @@ void add_continuations(CompletionBuilder& builder) {
   }
   const bool is_after_value =
       f.step == PlaceStep::AfterOperand && !builder.place().is_first_of_line;
-  if (is_after_value && !builder.prefix().empty()) complete_operator(builder);
+  const bool is_block = f.role == Role::File || f.has_statements;
+  if (is_after_value && (is_block || !builder.prefix().empty())) complete_operator(builder);
 }
 
 bool has_version(const SyntaxTree& tree) {

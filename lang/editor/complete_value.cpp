@@ -49,18 +49,20 @@ void add_value(CompletionBuilder& builder, SymbolId id, std::string label,
                .kind = CompletionKind::Variable,
                .detail = detail_of(builder.view(), id, type),
                .documentation = builder.view().index().documentation(id)},
-              {fit_of(expected, type), distance});
+              {type.empty() && distance < kGlobal ? kFits : fit_of(expected, type), distance});
 }
 
 void add_locals(CompletionBuilder& builder, const ExpectedType& expected) {
   const SymbolTable& table = builder.view().table(builder.file());
+  // The latest declaration first; those around the block later.
+  int distance = 0;
   for (const auto& [local, depth] : visible_locals(builder.place())) {
     const Occurrence* found = table.at(local.where.begin);
     const bool is_recorded = found != nullptr && found->where == local.where;
     const SymbolId id = is_recorded ? found->symbol : SymbolId();
     std::string_view type = local.type;
     if (type.empty() && is_recorded) type = type_name_of(builder.view(), id);
-    add_value(builder, id, std::string(local.name), expected, type, static_cast<int>(depth));
+    add_value(builder, id, std::string(local.name), expected, type, distance++);
   }
 }
 
@@ -157,6 +159,12 @@ CompletionItem call_item(const CompletionBuilder& builder, const Function& funct
 }
 
 int fit_of_builtin(const ExpectedType& expected, const Builtin& function) {
+  if (expected.is_condition) return kConverts;
+  if (function.result.empty()) {
+    const bool can_be = expected.is_unknown() || expected.type == "number" ||
+                        expected.type == "vec3" || expected.type == "color";
+    return can_be ? kConverts : kMismatch;
+  }
   if (function.result != "=" || expected.is_unknown()) {
     return fit_of_result(expected, function.result);
   }
@@ -180,11 +188,13 @@ void add_builtins(CompletionBuilder& builder, const ExpectedType& expected) {
   }
   if (is_motion) return;
   for (const Builtin& function : all_builtins()) {
-    const int fit = fit_of_builtin(expected, function);
+    // Most loops run over a range.
+    const bool is_usual = builder.place().inner().word == "for" && function.name == "range";
+    const int fit = is_usual ? kArgument : fit_of_builtin(expected, function);
     if (fit == kMismatch || !builder.accepts(function.name)) continue;
     builder.add(
         call_item(builder, function, CompletionKind::Function, std::string(function.signature)),
-        {fit, kBuiltIn + 20});
+        {fit, row++});
   }
 }
 
@@ -224,7 +234,7 @@ void add_literal(CompletionBuilder& builder, std::string label, std::string snip
                .detail = std::move(detail),
                .text = label,
                .snippet = std::move(snippet)},
-              {kFits, kLiteral});
+              {kFits, kLiteral + static_cast<int>(builder.size())});
 }
 
 /// "demo.png" for demo.scene; numbered pictures for a film.
@@ -242,7 +252,7 @@ void add_literals(CompletionBuilder& builder, const ExpectedType& expected) {
   const Property* property = expected.property;
   const Property* output = &kind_info(ObjectKind::Render).properties[render_property::kOutput];
   if (property == output) return add_literal(builder, picture_name(builder), {});
-  if (expected.type == "bool") {
+  if (expected.type == "bool" && !expected.is_condition) {
     for (const std::string_view word : {"true", "false"}) {
       builder.add({.label = std::string(word), .kind = CompletionKind::Word}, {kFits, kLiteral});
     }
@@ -255,6 +265,7 @@ void add_literals(CompletionBuilder& builder, const ExpectedType& expected) {
   if (expected.type == "angle") {
     add_literal(builder, "45deg", "${1:45}deg");
     add_literal(builder, "0.25turn", "${1:0.25}turn");
+    add_literal(builder, "0deg", "${1:0}deg");
   }
   if (expected.type == "number" && expected.units == ExpectedType::Units::Time) {
     add_literal(builder, "20ms", "${1:20}ms");
@@ -306,9 +317,11 @@ void add_value_words(CompletionBuilder& builder, const ExpectedType& expected) {
               {kWords, 0});
   if (expected.type != "bool" && !expected.is_unknown()) return;
   builder.add({.label = "not", .kind = CompletionKind::Keyword, .text = "not "}, {kWords, 1});
-  if (expected.type == "bool") return;
+  if (expected.type == "bool" && !expected.is_condition) return;
+  const CompletionRank rank =
+      builder.prefix().empty() ? CompletionRank{kWords, 2} : CompletionRank{kUnknown, kLiteral};
   for (const std::string_view word : {"true", "false"}) {
-    builder.add({.label = std::string(word), .kind = CompletionKind::Word}, {kWords, 2});
+    builder.add({.label = std::string(word), .kind = CompletionKind::Word}, rank);
   }
 }
 
@@ -345,6 +358,7 @@ void add_named_arguments(CompletionBuilder& builder, const OpenBracket& call,
 int fit_of(const ExpectedType& expected, std::string_view type) {
   if (expected.is_unknown() || type.empty()) return kUnknown;
   if (expected.type.empty()) return kMismatch;
+  if (expected.is_condition && type == "number") return kMakes;
   if (type == expected.type) return kFits;
   const bool is_factor = type == "number" && (expected.type == "vec3" || expected.type == "angle" ||
                                               expected.type == "color" || expected.type == "bool" ||

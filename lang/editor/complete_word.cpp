@@ -101,7 +101,8 @@ void complete_number(CompletionBuilder& builder) {
   if (builder.place().offset < unit) return;
   const ExpectedType expected = expected_at(builder.view(), builder.file(), builder.place());
   // `let x = 2` is complete.
-  if (expected.is_unknown() && builder.place().offset == unit) return;
+  const bool is_any = expected.units == ExpectedType::Units::Any && expected.type != "angle";
+  if (is_any && builder.place().offset == unit) return;
   builder.set_replaced(number);
   int row = 0;
   for (const std::string_view name : units_of(expected)) {
@@ -153,11 +154,12 @@ void complete_comment(CompletionBuilder& builder) {
     begin = is_name(last.kind) && last.span.end == offset ? last.span.begin : offset;
   }
   builder.set_replaced({begin, std::max(offset, end_of_identifier(builder.text(), begin))});
+  int row = 0;
   for (const DiagnosticInfo* info : all_diagnostics()) {
     if (info->severity != Severity::Warning) continue;
     builder.add(
         {.label = std::string(info->code), .kind = CompletionKind::Code, .detail = title_of(*info)},
-        {});
+        {0, row++});
   }
 }
 

@@ -37,7 +37,8 @@ struct CompletionItem {
   std::string detail = {};         ///< one line: the type, the default
   std::string documentation = {};  ///< Markdown
   Span replaced = {};
-  std::string text = {};  ///< to insert
+  std::string filter = {};  ///< what the replaced text is compared with; empty: the label
+  std::string text = {};    ///< to insert
   std::string snippet =
       {};  ///< the same with placeholders, for editors that have them; may be empty
 };

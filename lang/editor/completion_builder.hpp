@@ -40,6 +40,7 @@ class CompletionBuilder {
 
   /// Whether a name that is inserted is followed by this character already.
   bool is_followed_by(char c) const;
+  std::size_t size() const noexcept { return ranked_.size(); }
   CompletionList take();
 
  private:

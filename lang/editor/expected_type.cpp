@@ -11,6 +11,8 @@ namespace {
 using Role = OpenBracket::Role;
 using Units = ExpectedType::Units;
 
+constexpr ExpectedType kCondition{.type = "bool", .is_condition = true};
+
 ExpectedType of_property(const Property& property) {
   Units units = Units::None;
   if (property.type == Type::Length || property.type == Type::Vec3) units = Units::Length;
@@ -31,9 +33,9 @@ ExpectedType of_property_of_block(const SceneView& view, std::uint32_t file, std
 
 ExpectedType of_statement(const OpenBracket& f) {
   if (f.word == "param") return {.type = f.type};
-  if (f.word == "if") return {.type = "bool"};
+  if (f.word == "if") return kCondition;
   if (f.word == "for") return {.type = "list"};
-  if (f.word == "assert") return {.type = f.commas == 0 ? "bool" : "string"};
+  if (f.word == "assert") return f.commas == 0 ? kCondition : ExpectedType{.type = "string"};
   return {};
 }
 
@@ -75,7 +77,7 @@ ExpectedType of_component(ExpectedType around, const OpenBracket& parenthesis) {
   around.property = nullptr;
   if (around.type == "vec3") return {.type = "number", .units = around.units};
   if (around.type == "angles") return {.type = "angle", .units = Units::None};
-  if (parenthesis.commas > 0) return {.type = "number"};
+  if (parenthesis.commas > 0 || around.is_unknown()) return {.type = "number"};
   return around;
 }
 
@@ -85,7 +87,7 @@ ExpectedType expected_in(const SceneView& view, std::uint32_t file, const Cursor
                          std::size_t bracket) {
   const OpenBracket& f = place.brackets[bracket];
   if (!f.conditionals.empty() && f.conditionals.back() == ConditionalPart::Condition) {
-    return {.type = "bool"};
+    return kCondition;
   }
   switch (f.role) {
     case Role::File: return f.label.empty() ? of_statement(f) : ExpectedType();
@@ -105,16 +107,18 @@ ExpectedType expected_in(const SceneView& view, std::uint32_t file, const Cursor
 
 ExpectedType expected_at(const SceneView& view, std::uint32_t file, const CursorPlace& place) {
   const std::string_view before = place.before;
-  if (before == "and" || before == "or" || before == "not") return {.type = "bool"};
+  if (before == "and" || before == "or" || before == "not") return kCondition;
   const bool is_compared = before == "==" || before == "!=" || before == "<" || before == "<=" ||
                            before == ">" || before == ">=";
-  if (is_compared) return {};
+  if (is_compared) return {.type = "number"};
   ExpectedType expected = expected_in(view, file, place, place.brackets.size() - 1);
   if (before == "..") return {.type = "number", .units = expected.units};
   if (before == "^") return {.type = "number", .units = Units::None};
   const bool is_operand =
       before == "+" || before == "-" || before == "*" || before == "/" || before == "^";
   if (is_operand) expected.property = nullptr;
+  // A sum may also be of strings.
+  if (is_operand && before != "+" && expected.is_unknown()) return {.type = "number"};
   return expected;
 }
 

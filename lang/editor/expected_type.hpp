@@ -16,6 +16,7 @@ struct ExpectedType {
   const Property* property = nullptr;  ///< whose value it is, if it is the whole value
   /// Of numbers: which units fit.
   enum class Units : std::uint8_t { None, Any, Length, Time } units = Units::Any;
+  bool is_condition = false;  ///< a bool, probably a comparison
 
   /// Whether nothing is known.
   bool is_unknown() const noexcept { return type.empty() && property == nullptr; }

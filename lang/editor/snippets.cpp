@@ -66,6 +66,11 @@ std::string choice(std::span<const std::string_view> words, int& next) {
   return fmt::format("${{{}|{}|}}", next++, fmt::join(words, ","));
 }
 
+/// A camera at the origin that looks at the origin is an error.
+bool is_camera_position(const Property& property) {
+  return &property == &kind_info(ObjectKind::Camera).properties[camera_property::kFrom];
+}
+
 std::string_view plain_placeholder(Type type) {
   switch (type) {
     case Type::Color: return "white";
@@ -92,7 +97,9 @@ std::string placeholder_of(const Property& property, int& next) {
   };
   static constexpr std::array<std::string_view, 2> kBooleans{"true", "false"};
   switch (property.type) {
-    case Type::Vec3: return take("(${@:0}, ${@:0}, ${@:0})");
+    case Type::Vec3:
+      return take(is_camera_position(property) ? "(${@:0}, ${@:1}, ${@:5})"
+                                               : "(${@:0}, ${@:0}, ${@:0})");
     case Type::Angles: return take("(${@:0}deg, ${@:0}deg, ${@:0}deg)");
     case Type::Angle: return take("${@:40}deg");
     case Type::Interval: return take("${@:0s} .. ${@:20ms}");

@@ -88,8 +88,9 @@ class TypeInference {
       case SyntaxKind::Triple: return of_child(file, node, 0) == "angle" ? "angles" : "vec3";
       case SyntaxKind::Power: return "number";
       case SyntaxKind::Group:
-      case SyntaxKind::Negative:
-      case SyntaxKind::Sum: return of_child(file, node, 0);
+      case SyntaxKind::Negative: return of_child(file, node, 0);
+      case SyntaxKind::Sum: return of_sum(file, node);
+      case SyntaxKind::Postfix: return of_postfix(file, node);
       case SyntaxKind::Conditional: return of_child(file, node, 1);
       case SyntaxKind::Product: return of_product(file, node);
       case SyntaxKind::Call: return of_call(file, node);
@@ -98,19 +99,41 @@ class TypeInference {
     }
   }
 
+  /// All summands have one type.
+  Name of_sum(std::uint32_t file, ast::Node node) {
+    for (const ast::Node summand : node.children()) {
+      const Name type = of_expression(file, summand);
+      if (!type.empty()) return type;
+    }
+    return {};
+  }
+
   /// A product has the type of the factor that is no number; a quotient of two angles is a number.
   Name of_product(std::uint32_t file, ast::Node node) {
     Name type = "number";
+    bool is_known = true;
     for (const ast::Node factor : node.children()) {
       const Name next = of_expression(file, factor);
-      if (next.empty()) return {};
       if (type == "angle" && next == "angle" && factor.op() == Operator::Divide) {
         type = "number";
-      } else if (type == "number") {
+      } else if (type == "number" && !next.empty()) {
         type = next;
       }
+      is_known = is_known && (!next.empty() || (type != "number" && type != "angle"));
     }
-    return type;
+    return is_known ? type : Name();
+  }
+
+  /// An element of a list that is declared with its elements, or a component.
+  Name of_postfix(std::uint32_t file, ast::Node node) {
+    const auto operand = node.child(0), postfix = node.child(1);
+    if (!operand || !postfix || node.child(2)) return {};
+    if (postfix->is(SyntaxKind::Index)) return of_element(file, *operand);
+    return of_component(of_expression(file, *operand));
+  }
+
+  static Name of_component(Name type) {
+    return type == "vec3" ? "number" : type == "angles" ? "angle" : Name();
   }
 
   Name of_call(std::uint32_t file, ast::Node node) {
@@ -127,13 +150,21 @@ class TypeInference {
     if (name == nullptr) return {};
     const Name type = of_symbol(name->symbol);
     if (name->where.end == node.span().end) return type;
-    return type == "vec3" ? "number" : type == "angles" ? "angle" : Name();
+    return of_component(type);
   }
 
   Name of_element(std::uint32_t file, ast::Node list) {
+    if (is_exhausted()) return {};
     if (list.is(SyntaxKind::List)) return of_child(file, list, 0);
-    const bool is_range = list.is(SyntaxKind::Call) && list.head() == "range";
-    return is_range ? "number" : Name();
+    if (list.is(SyntaxKind::Call)) return list.head() == "range" ? "number" : Name();
+    if (!list.is(SyntaxKind::Reference)) return {};
+    const Occurrence* name = last_name(file, list.span());
+    const Symbol* symbol = name == nullptr ? nullptr : index_.find(name->symbol);
+    if (symbol == nullptr || symbol->kind != SymbolKind::Let) return {};
+    const ast::Node declaration(index_.table(name->symbol.file).tree(), symbol->node);
+    const auto value = ast::expression_of(declaration);
+    return value && !value->is(SyntaxKind::Reference) ? of_element(name->symbol.file, *value)
+                                                      : Name();
   }
 
   /// The last name in a path that has a symbol; components may follow it.

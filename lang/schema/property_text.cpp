@@ -41,4 +41,9 @@ std::string describe_default(const Property& property) {
   return property.default_text.empty() ? "" : code(property.default_text);
 }
 
+std::string_view doc_of(const JsonKey& key) noexcept {
+  const bool is_own = !key.doc.empty() || key.target == nullptr;
+  return is_own ? key.doc : key.target->properties[key.property].doc;
+}
+
 }  // namespace sdlc::lang
