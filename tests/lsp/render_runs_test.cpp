@@ -7,6 +7,7 @@
 #include <fstream>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -183,7 +184,7 @@ TEST_F(RenderRunsTest, ReadTheFileOfASavedText) {
 }
 
 /// Whether the process with the number in the file exists; waits for the file.
-bool exists(const fs::path& file) {
+bool runs_process(const fs::path& file) {
   pid_t process = 0;
   while (!(std::ifstream(file) >> process)) std::this_thread::yield();
   return ::kill(process, 0) == 0;
@@ -192,7 +193,7 @@ bool exists(const fs::path& file) {
 TEST_F(RenderRunsTest, AreKilledWhenTheyAreCancelled) {
   start_with("echo $$ >\"$(dirname \"$0\")/process\"\nexec sleep 1000\n");
   const std::string token = begin({.scene = folder_ / "ball.scene"});
-  EXPECT_TRUE(exists(folder_ / "process"));
+  EXPECT_TRUE(runs_process(folder_ / "process"));
   runs_->cancel("another");
   runs_->cancel(17);
   EXPECT_TRUE(is_silent_for(std::chrono::milliseconds(50)));
@@ -201,16 +202,16 @@ TEST_F(RenderRunsTest, AreKilledWhenTheyAreCancelled) {
   EXPECT_EQ(end["value"]["kind"], "end");
   EXPECT_EQ(end["value"]["message"], "cancelled");
   runs_.reset();  // it has been waited for
-  EXPECT_FALSE(exists(folder_ / "process"));
+  EXPECT_FALSE(runs_process(folder_ / "process"));
   EXPECT_TRUE(is_silent_for(std::chrono::milliseconds(0)));
 }
 
 TEST_F(RenderRunsTest, AreKilledAtTheEnd) {
   start_with("echo $$ >\"$(dirname \"$0\")/process\"\nexec sleep 1000\n");
   runs_->start({.scene = folder_ / "ball.scene"}, kNone);
-  EXPECT_TRUE(exists(folder_ / "process"));
+  EXPECT_TRUE(runs_process(folder_ / "process"));
   runs_.reset();
-  EXPECT_FALSE(exists(folder_ / "process"));
+  EXPECT_FALSE(runs_process(folder_ / "process"));
 }
 
 TEST_F(RenderRunsTest, ReplaceTheRenderOfTheSameScene) {
