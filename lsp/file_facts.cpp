@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "lang/ast/ast.hpp"
@@ -46,7 +47,7 @@ std::vector<std::string> read_dependencies(std::string_view text, const lang::St
   return paths;
 }
 
-/// The symbols of an outline, without those inside defs and objects without a name.
+/// The symbols of an outline, without objects that have no name. Their texts are those of `file`.
 std::vector<IndexedSymbol> symbols_of(const lang::SourceFile& file, const lang::SyntaxTree& tree,
                                       lang::PositionEncoding encoding) {
   std::vector<IndexedSymbol> symbols;
@@ -56,17 +57,42 @@ std::vector<IndexedSymbol> symbols_of(const lang::SourceFile& file, const lang::
     around.resize(std::min<std::size_t>(around.size(), item.depth));
     const bool has_name =
         item.kind != lang::SymbolKind::Object || item.where.begin != item.whole.begin;
-    std::string container(around.empty() ? std::string_view() : around.back());
+    const std::string_view container = around.empty() ? std::string_view() : around.back();
     around.push_back(has_name ? item.name : std::string_view());
     if (!has_name || item.name.empty()) continue;
     symbols.push_back({.kind = item.kind,
-                       .name = std::string(item.name),
-                       .object_kind = std::string(item.object_kind),
-                       .container = std::move(container),
+                       .name = item.name,
+                       .object_kind = item.object_kind,
+                       .container = container,
                        .begin = lang::position_of(file, item.where.begin, encoding),
                        .end = lang::position_of(file, item.where.end, encoding)});
   }
   return symbols;
+}
+
+/// Copies the texts of the symbols, each once: most are repeated.
+std::unique_ptr<char[]> own_names(std::vector<IndexedSymbol>& symbols) {
+  std::unordered_map<std::string_view, std::string_view> copies;
+  std::size_t bytes = 0;
+  const auto for_each_text = [&](auto function) {
+    for (IndexedSymbol& symbol : symbols) {
+      for (auto text :
+           {&IndexedSymbol::name, &IndexedSymbol::object_kind, &IndexedSymbol::container}) {
+        function(symbol.*text);
+      }
+    }
+  };
+  for_each_text([&](std::string_view text) {
+    if (copies.emplace(text, text).second) bytes += text.size();
+  });
+  auto names = std::make_unique<char[]>(bytes);
+  char* end = names.get();
+  for (auto& [text, copy] : copies) {
+    copy = {end, text.size()};
+    end = std::ranges::copy(text, end).out;
+  }
+  for_each_text([&](std::string_view& text) { text = copies.at(text); });
+  return names;
 }
 
 }  // namespace
@@ -85,6 +111,7 @@ FileFacts read_facts(const fs::path& path, std::string text, const lang::FileSys
   lang::DiagnosticSink ignored(stop);
   facts.symbols = symbols_of(file, lang::parse(file, ignored), encoding);
   facts.symbols.shrink_to_fit();
+  facts.names = own_names(facts.symbols);
   return facts;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,13 +15,13 @@
 
 namespace sdlc::lsp {
 
-/// A declaration or a named object of a file.
+/// A declaration or a named object of a file. The texts belong to its FileFacts.
 struct IndexedSymbol {
   lang::SymbolKind kind = lang::SymbolKind::Let;
-  std::string name;
-  std::string object_kind = {};    ///< of an object
-  std::string container = {};      ///< the name of the def or group around it; may be empty
-  lang::Position begin, end = {};  ///< of the name; columns in the encoding of the index
+  std::string_view name;
+  std::string_view object_kind = {};  ///< of an object
+  std::string_view container = {};    ///< the name of the def or group around it; may be empty
+  lang::Position begin, end = {};     ///< of the name; columns in the encoding of the index
 };
 
 /// What is kept of a scene file, instead of its text.
@@ -29,6 +30,7 @@ struct FileFacts {
   /// The files that it imports and includes, by identity, whether they exist or not.
   std::vector<std::filesystem::path> dependencies = {};
   std::vector<IndexedSymbol> symbols = {};
+  std::unique_ptr<char[]> names = {};  ///< the texts of the symbols, each once
 };
 
 /// Max size of a text whose symbols are kept. A larger scene is usually data written by a program;

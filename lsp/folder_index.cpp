@@ -205,8 +205,9 @@ void FolderIndex::walk(std::unique_lock<std::mutex>& lock) {
     FolderWalk walk = *std::exchange(walk_, std::nullopt);
     lock.unlock();
     std::optional<std::vector<fs::path>> scenes = walk.next();
-    for (fs::path& scene : scenes ? *scenes : std::vector<fs::path>()) {
-      scene = files_.identity(scene);  // of a link
+    if (scenes) {  // of which some may be links
+      std::ranges::transform(*scenes, scenes->begin(),
+                             [&](const fs::path& scene) { return files_.identity(scene); });
     }
     lock.lock();
     if (has_new_folders_) return;  // the new walk includes these

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "lang/lint/fix_text.hpp"
-#include "lang/lint/linted_text.hpp"
 #include "lang/text/display_width.hpp"
 
 namespace sdlc::lang {
@@ -96,20 +93,10 @@ bool QuickFixes::is_preferred(const Diagnostic& diagnostic) {
   });
 }
 
-FixAll fix_all(const std::shared_ptr<const Document>& file, const ProgramOptions& options,
-               const std::function<bool(const DiagnosticInfo&, const SourceFile*)>& is_wanted,
-               const StopRequest* stop) {
-  const auto linted = [&](std::shared_ptr<const Document> document) {
-    auto result = std::make_unique<LintedText>(std::move(document), options, stop);
-    result->select(
-        {.is_wanted = is_wanted, .max_per_severity = std::numeric_limits<std::size_t>::max()});
-    return result;
-  };
-  const auto check = [&](std::string text) {
-    return linted(std::make_shared<const Document>(file->name(), std::move(text)));
-  };
-  const FixResult result = fix_text(linted(file), false, check);
-  return {.edits = text_edits(file->text(), result.checked->file().text()),
+FixAll fix_all(std::unique_ptr<CheckedText> checked, const CheckText& check) {
+  const std::string original(checked->file().text());
+  const FixResult result = fix_text(std::move(checked), false, check);
+  return {.edits = text_edits(original, result.checked->file().text()),
           .applied = result.applied,
           .refused = result.refused};
 }

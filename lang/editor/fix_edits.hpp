@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,10 +10,8 @@
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/editor/text_edits.hpp"
 #include "lang/lint/fix_guard.hpp"
-#include "lang/program/program.hpp"
-#include "lang/report/findings.hpp"
+#include "lang/lint/fix_text.hpp"
 #include "lang/source/source.hpp"
-#include "lang/workspace/document.hpp"
 
 namespace sdlc::lang {
 
@@ -51,11 +48,8 @@ struct FixAll {
   std::size_t refused = 0;      ///< fixes that were tried and rejected because of their effect
 };
 
-/// Applies the safe fixes of a text until none is left, as `lint --fix` does. `is_wanted` selects
-/// the findings to fix, by code and file; an empty function selects all. Throws StopRequested if
-/// `stop`, which may be null, is made.
-FixAll fix_all(const std::shared_ptr<const Document>& file, const ProgramOptions& options,
-               const std::function<bool(const DiagnosticInfo&, const SourceFile*)>& is_wanted = {},
-               const StopRequest* stop = nullptr);
+/// Applies the safe fixes of a text until none is left, as `lint --fix` does. `check` checks the
+/// texts in between, in the same way as `checked` was checked.
+FixAll fix_all(std::unique_ptr<CheckedText> checked, const CheckText& check);
 
 }  // namespace sdlc::lang

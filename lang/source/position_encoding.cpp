@@ -88,7 +88,7 @@ Position PositionMap::at(std::uint32_t offset) {
 std::uint32_t PositionMap::units_before(std::uint32_t begin, std::uint32_t offset) {
   const std::string_view text = file_.text();
   const std::uint32_t step = (offset - begin) / kStep;
-  if (step == 0) return count_units(text, begin, offset, encoding_);
+  if (step == 0) return count_columns(text.substr(begin, offset - begin), encoding_);
   if (begin != line_begin_ || units_.empty()) {
     line_begin_ = begin;
     units_.assign(1, 0);
@@ -96,9 +96,9 @@ std::uint32_t PositionMap::units_before(std::uint32_t begin, std::uint32_t offse
   while (units_.size() <= step) {
     const auto known = static_cast<std::uint32_t>(units_.size() - 1);
     const std::uint32_t from = begin + known * kStep;
-    units_.push_back(units_.back() + count_units(text, from, from + kStep, encoding_));
+    units_.push_back(units_.back() + count_columns(text.substr(from, kStep), encoding_));
   }
-  return units_[step] + count_units(text, begin + step * kStep, offset, encoding_);
+  return units_[step] + count_columns(text.substr(begin + step * kStep, offset - begin - step * kStep), encoding_);
 }
 
 }  // namespace sdlc::lang

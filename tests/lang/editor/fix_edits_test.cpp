@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "lang/diagnostics/fixes.hpp"
-#include "lang/lint/linted_text.hpp"
+#include "tests/lang/editor/linted_text.hpp"
 #include "tests/support/file_test.hpp"
 
 namespace sdlc::test {
@@ -23,8 +23,7 @@ struct Fixed {
 
 std::vector<Fixed> quick_fixes(const std::string& text) {
   const auto document = std::make_shared<const lang::Document>("ball.scene", text);
-  lang::LintedText linted(document, {});
-  linted.select({});
+  const LintedText linted(document);
   lang::QuickFixes fixes;
   std::vector<Fixed> all;
   for (const lang::Diagnostic* found : linted.findings().shown) {
@@ -105,11 +104,19 @@ TEST(QuickFixes, CountEqualChanges) {
   EXPECT_FALSE(lang::QuickFixes().of({}));
 }
 
+lang::FixAll fix_all(const std::string& text, const lang::FindingsFilter& filter = {}) {
+  const auto check = [&](std::string each) {
+    return std::make_unique<LintedText>(
+        std::make_shared<const lang::Document>("ball.scene", std::move(each)),
+        lang::ProgramOptions{}, filter);
+  };
+  return lang::fix_all(check(text), check);
+}
+
 TEST(FixAll, AppliesTheSafeFixesUntilNoneIsLeft) {
   const std::string text =
       "scene 1\n" + kCamera + "let spare = 1;\nsphere { center = (0, 0, 0), radus: 1 }\n";
-  const auto document = std::make_shared<const lang::Document>("ball.scene", text);
-  const lang::FixAll fixed = lang::fix_all(document, {});
+  const lang::FixAll fixed = fix_all(text);
   EXPECT_EQ(lang::with_edits(text, fixed.edits),
             "scene 1\n" + kCamera + "let spare = 1\nsphere { center: (0, 0, 0), radus: 1 }\n");
   EXPECT_EQ(fixed.applied, 2u);
@@ -117,18 +124,8 @@ TEST(FixAll, AppliesTheSafeFixesUntilNoneIsLeft) {
 }
 
 TEST(FixAll, KeepsFindingsThatAreNotWanted) {
-  const std::string text = "scene 1\nlet spare = 1;\n";
-  const auto document = std::make_shared<const lang::Document>("ball.scene", text);
   const auto none = [](const lang::DiagnosticInfo&, const lang::SourceFile*) { return false; };
-  EXPECT_TRUE(lang::fix_all(document, {}, none).edits.empty());
-}
-
-TEST(FixAll, StopsOnRequest) {
-  const auto document =
-      std::make_shared<const lang::Document>("ball.scene", "scene 1\nlet a = 1;\n");
-  lang::StopRequest stop;
-  stop.make();
-  EXPECT_THROW(lang::fix_all(document, {}, {}, &stop), lang::StopRequested);
+  EXPECT_TRUE(fix_all("scene 1\nlet spare = 1;\n", {.is_wanted = none}).edits.empty());
 }
 
 }  // namespace
