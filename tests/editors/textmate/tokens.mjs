@@ -1,5 +1,5 @@
 // Prints the tokens of files by the TextMate grammar: for each file its name, then a line `BEGIN END SCOPE...`
-// (in bytes) per token that is not space.
+// (in bytes) per token; space between tokens is left out.
 //
 //   tokens.mjs FILE...
 import { readFileSync } from 'node:fs';
@@ -32,7 +32,7 @@ for (const file of process.argv.slice(2)) {
     const bytes = (index) => begin + Buffer.byteLength(text.slice(0, index));
     const { tokens, ruleStack } = grammar.tokenizeLine(text, stack);
     for (const { startIndex, endIndex, scopes } of tokens) {
-      if (text.slice(startIndex, endIndex).trim() === '') continue;
+      if (scopes.length === 1 && text.slice(startIndex, endIndex).trim() === '') continue;
       lines.push([bytes(startIndex), bytes(endIndex), ...scopes].join(' '));
     }
     stack = ruleStack;
