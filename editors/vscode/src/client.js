@@ -3,7 +3,7 @@
 
 const vscode = require('vscode');
 const { LanguageClient, RevealOutputChannelOn } = require('vscode-languageclient/node');
-const { SELECTOR } = require('./selector');
+const { selector } = require('./selector');
 
 /** The settings as the server takes them: an untrusted workspace is always a sandbox. */
 function settings() {
@@ -39,7 +39,7 @@ const middleware = {
 function makeClient(program, folder, log) {
   const args = settings().sandbox ? ['lsp', '--sandbox'] : ['lsp'];
   const client = new LanguageClient('sdlc', 'sdlc', { command: program, args, options: { cwd: folder } }, {
-    documentSelector: SELECTOR,
+    documentSelector: selector(),
     initializationOptions: settings(),
     middleware,
     outputChannel: log,

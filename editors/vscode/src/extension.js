@@ -6,14 +6,14 @@ const { makeClient } = require('./client');
 const { registerCommands } = require('./commands');
 const { ExplainPages, SCHEME } = require('./explain');
 const { checkedVersion, findProgram } = require('./program');
-const { SELECTOR } = require('./selector');
+const { selector } = require('./selector');
 
 /** The running server and what reports on it. Starts and stops follow each other, never overlap. */
 class Server {
   constructor(context) {
     this.context = context;
     this.log = vscode.window.createOutputChannel('sdlc', { log: true });
-    this.status = vscode.languages.createLanguageStatusItem('sdlc', SELECTOR);
+    this.status = vscode.languages.createLanguageStatusItem('sdlc', selector());
     this.status.name = 'sdlc';
     this.status.command = { command: 'sdlc.showLog', title: 'Log' };
     this.client = undefined;
@@ -51,6 +51,7 @@ class Server {
   }
 
   async #start() {
+    this.status.selector = selector();
     this.#show('sdlc', 'starting', vscode.LanguageStatusSeverity.Information, true);
     try {
       const isTrusted = vscode.workspace.isTrusted;
@@ -101,7 +102,7 @@ async function activate(context) {
     ...registerCommands(server, pages),
     vscode.workspace.onDidGrantWorkspaceTrust(() => server.restart()),
     vscode.workspace.onDidChangeConfiguration((change) => {
-      const needsRestart = ['sdlc.path', 'sdlc.sandbox'];
+      const needsRestart = ['sdlc.path', 'sdlc.sandbox', 'sdlc.configs'];
       if (needsRestart.some((setting) => change.affectsConfiguration(setting))) server.restart();
     }),
   );

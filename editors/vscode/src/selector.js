@@ -1,10 +1,12 @@
 'use strict';
 
-/** The documents that sdlc is asked about. The server itself leaves JSON files alone that are no configs. */
-const SELECTOR = [
-  { scheme: 'file', language: 'scene' },
-  { scheme: 'untitled', language: 'scene' },
-  { scheme: 'file', language: 'json' },
-];
+const vscode = require('vscode');
 
-module.exports = { SELECTOR };
+/** The documents that sdlc is asked about: scenes, and the JSON files that the setting `sdlc.configs` names. */
+function selector() {
+  const scenes = ['file', 'untitled'].map((scheme) => ({ scheme, language: 'scene' }));
+  const patterns = vscode.workspace.getConfiguration('sdlc').get('configs');
+  return [...scenes, ...patterns.map((pattern) => ({ scheme: 'file', language: 'json', pattern }))];
+}
+
+module.exports = { selector };

@@ -50,7 +50,9 @@ export class Workbench {
     mkdirSync(bench.folder, { recursive: true });
     bench.initialSettings({ 'workbench.startupEditor': 'none', 'security.workspace.trust.startupPrompt': 'never',
       'telemetry.telemetryLevel': 'off', 'editor.minimap.enabled': false, 'workbench.tips.enabled': false,
-      'workbench.enableExperiments': false, 'files.simpleDialog.enable': true, 'terminal.integrated.gpuAcceleration': 'off', ...settings });
+      'workbench.enableExperiments': false, 'files.simpleDialog.enable': true, 'terminal.integrated.gpuAcceleration': 'off',
+      // Settings are typed as one piece.
+      '[jsonc]': { 'editor.autoClosingBrackets': 'never', 'editor.autoClosingQuotes': 'never' }, ...settings });
     execFileSync('node', [entry, ...data, '--install-extension', vsix], { env, stdio: 'pipe' });
 
     const port = await freePort();
