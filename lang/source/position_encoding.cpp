@@ -98,7 +98,8 @@ std::uint32_t PositionMap::units_before(std::uint32_t begin, std::uint32_t offse
     const std::uint32_t from = begin + known * kStep;
     units_.push_back(units_.back() + count_columns(text.substr(from, kStep), encoding_));
   }
-  return units_[step] + count_columns(text.substr(begin + step * kStep, offset - begin - step * kStep), encoding_);
+  return units_[step] +
+         count_columns(text.substr(begin + step * kStep, offset - begin - step * kStep), encoding_);
 }
 
 }  // namespace sdlc::lang
