@@ -98,7 +98,7 @@ void complete_number(CompletionBuilder& builder) {
   const std::string_view text = builder.text().substr(number.begin, number.size());
   const std::size_t digits = std::min(text.find_first_not_of("0123456789._"), text.size());
   const std::uint32_t unit = number.begin + static_cast<std::uint32_t>(digits);
-  if (builder.place().offset < unit) return;
+  if (builder.place().offset < unit || text.substr(0, digits).ends_with('.')) return;
   const ExpectedType expected = expected_at(builder.view(), builder.file(), builder.place());
   // `let x = 2` is complete.
   const bool is_any = expected.units == ExpectedType::Units::Any && expected.type != "angle";
