@@ -210,7 +210,7 @@ int distance_of_color(std::string_view name) {
 void add_builtin_values(CompletionBuilder& builder, const ExpectedType& expected) {
   for (const std::string_view name : {"pi", "time"}) {
     const SymbolId id = find_builtin_symbol(SymbolKind::BuiltinValue, name);
-    const int fit = fit_of(expected, "number");
+    const int fit = expected.is_condition ? kConverts : fit_of(expected, "number");
     if (fit == kMismatch) continue;
     builder.add({.label = std::string(name),
                  .kind = CompletionKind::Variable,

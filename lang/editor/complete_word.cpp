@@ -143,6 +143,7 @@ void complete_type(CompletionBuilder& builder) {
 /// The codes of warnings in `// sdlc: allow(`.
 void complete_comment(CompletionBuilder& builder) {
   const std::uint32_t offset = builder.place().offset;
+  if (offset < builder.place().token.begin + 2) return;
   TokenReader tokens(builder.text().substr(0, offset), builder.place().token.begin + 2);
   for (const std::string_view part : {"sdlc", ":", "allow", "("}) {
     if (tokens.text(tokens.next_in_line()) != part) return;
