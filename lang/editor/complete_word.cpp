@@ -85,7 +85,8 @@ void complete_member(CompletionBuilder& builder) {
   }
   if (import.is_known()) {
     const ExpectedType expected = expected_at(builder.view(), builder.file(), builder.place());
-    return add_members(builder, import, "", expected, false);
+    add_members(builder, import, "", expected, false);
+    return;
   }
   const SymbolId value = path.size() == 0 ? SymbolId() : find_value(builder, path);
   const std::string_view type =
