@@ -14,6 +14,7 @@
 #include "lang/editor/completion_builder.hpp"
 #include "lang/editor/snippets.hpp"
 #include "lang/resolve/builtin_symbols.hpp"
+#include "lang/resolve/symbol_types.hpp"
 #include "lang/value/colors.hpp"
 
 namespace sdlc::lang {
@@ -45,13 +46,25 @@ std::string detail_of(const SceneView& view, SymbolId id, std::string_view type)
   return fmt::format("{}{}= {}", type, type.empty() ? "" : " ", value->text());
 }
 
+/// The fit of a value; a list also fits where one of its elements does.
+int fit_of_symbol(const SceneView& view, SymbolId id, const ExpectedType& expected,
+                  std::string_view type) {
+  const int fit = fit_of(expected, type);
+  if (type != "list" || fit != kConverts) return fit;
+  const TypeInfo* element = element_type_of(view.index(), id);
+  return element != nullptr && element->name == expected.type ? kMakes : fit;
+}
+
 void add_value(CompletionBuilder& builder, SymbolId id, std::string label,
                const ExpectedType& expected, std::string_view type, int distance) {
-  builder.add({.label = std::move(label),
-               .kind = CompletionKind::Variable,
-               .detail = detail_of(builder.view(), id, type),
-               .documentation = builder.view().index().documentation(id)},
-              {type.empty() && distance < kGlobal ? kFits : fit_of(expected, type), distance});
+  builder.add(
+      {.label = std::move(label),
+       .kind = CompletionKind::Variable,
+       .detail = detail_of(builder.view(), id, type),
+       .documentation = builder.view().index().documentation(id)},
+      {type.empty() && distance < kGlobal ? kFits
+                                          : fit_of_symbol(builder.view(), id, expected, type),
+       distance});
 }
 
 void add_locals(CompletionBuilder& builder, const ExpectedType& expected) {
