@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "lsp/completion.hpp"
 #include "lsp/inlay_hints.hpp"
 #include "lsp/semantic_tokens.hpp"
 #include "lsp/uri.hpp"
@@ -19,6 +20,8 @@ Json capabilities_for(const Client& client) {
   return {
       {"positionEncoding", is_utf8 ? "utf-8" : "utf-16"},
       {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", true}}},
+      {"completionProvider", completion_options()},
+      {"signatureHelpProvider", signature_help_options()},
       {"definitionProvider", true},
       {"declarationProvider", true},
       {"referencesProvider", true},

@@ -6,6 +6,7 @@
 #include "lsp/call_requests.hpp"
 #include "lsp/code_lenses.hpp"
 #include "lsp/colors.hpp"
+#include "lsp/completion.hpp"
 #include "lsp/hover.hpp"
 #include "lsp/inlay_hints.hpp"
 #include "lsp/lifecycle.hpp"
@@ -28,6 +29,9 @@ struct Method {
 constexpr auto kRequests = std::to_array<Method<RequestHandler>>({
     {"initialize", initialize},
     {"shutdown", shut_down},
+    {"textDocument/completion", completion},
+    {"completionItem/resolve", resolve_completion},
+    {"textDocument/signatureHelp", signature_help},
     {"textDocument/definition", go_to_definition},
     {"textDocument/declaration", go_to_declaration},
     {"textDocument/references", find_references},

@@ -155,7 +155,7 @@ void add_continuations(CompletionBuilder& builder) {
     builder.add({.label = "else",
                  .kind = CompletionKind::Keyword,
                  .text = "else ",
-                 .snippet = "else {\n\t$0\n}"},
+                 .snippet = "else {\n  $0\n}"},
                 {kContinuation, 0});
   }
   const bool is_after_value =

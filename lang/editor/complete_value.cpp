@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,6 +14,7 @@
 #include "lang/editor/completion_builder.hpp"
 #include "lang/editor/snippets.hpp"
 #include "lang/resolve/builtin_symbols.hpp"
+#include "lang/resolve/symbol_types.hpp"
 #include "lang/value/colors.hpp"
 
 namespace sdlc::lang {
@@ -43,13 +46,25 @@ std::string detail_of(const SceneView& view, SymbolId id, std::string_view type)
   return fmt::format("{}{}= {}", type, type.empty() ? "" : " ", value->text());
 }
 
+/// The fit of a value; a list also fits where one of its elements does.
+int fit_of_symbol(const SceneView& view, SymbolId id, const ExpectedType& expected,
+                  std::string_view type) {
+  const int fit = fit_of(expected, type);
+  if (type != "list" || fit != kConverts) return fit;
+  const TypeInfo* element = element_type_of(view.index(), id);
+  return element != nullptr && element->name == expected.type ? kMakes : fit;
+}
+
 void add_value(CompletionBuilder& builder, SymbolId id, std::string label,
                const ExpectedType& expected, std::string_view type, int distance) {
-  builder.add({.label = std::move(label),
-               .kind = CompletionKind::Variable,
-               .detail = detail_of(builder.view(), id, type),
-               .documentation = builder.view().index().documentation(id)},
-              {type.empty() && distance < kGlobal ? kFits : fit_of(expected, type), distance});
+  builder.add(
+      {.label = std::move(label),
+       .kind = CompletionKind::Variable,
+       .detail = detail_of(builder.view(), id, type),
+       .documentation = builder.view().index().documentation(id)},
+      {type.empty() && distance < kGlobal ? kFits
+                                          : fit_of_symbol(builder.view(), id, expected, type),
+       distance});
 }
 
 void add_locals(CompletionBuilder& builder, const ExpectedType& expected) {
@@ -66,18 +81,17 @@ void add_locals(CompletionBuilder& builder, const ExpectedType& expected) {
   }
 }
 
-bool is_hidden(const std::vector<VisibleLocal>& locals, std::string_view name) {
-  return std::ranges::any_of(locals, [&](const VisibleLocal& v) { return v.local.name == name; });
-}
-
 void add_globals(CompletionBuilder& builder, const ExpectedType& expected) {
   const SymbolTable& table = builder.view().table(builder.file());
-  const std::vector<VisibleLocal> locals = visible_locals(builder.place());
+  std::unordered_set<std::string_view> hidden;
+  for (const VisibleLocal& visible : visible_locals(builder.place())) {
+    hidden.insert(visible.local.name);
+  }
   for (const Symbol& symbol : table.symbols()) {
     const bool is_global = !symbol.is_local && !symbol.is_duplicate && !symbol.name.empty() &&
                            (symbol.kind == SymbolKind::Let || symbol.kind == SymbolKind::Param);
     if (!is_global || !builder.accepts(symbol.name) || is_own_name(builder, symbol) ||
-        is_hidden(locals, symbol.name)) {
+        hidden.contains(symbol.name)) {
       continue;
     }
     const SymbolId id = table.id_of(symbol);
@@ -106,12 +120,12 @@ void add_imports(CompletionBuilder& builder, const ExpectedType& expected) {
   SceneView& view = builder.view();
   for (const auto& [name, import] : view.module(builder.file()).imports) {
     if (import.module >= view.file_count()) continue;
-    add_members(builder, {builder.file(), import.node}, std::string(name) + ".", expected,
-                !expected.is_unknown());
+    const bool fits = add_members(builder, {builder.file(), import.node}, std::string(name) + ".",
+                                  expected, !expected.is_unknown());
     builder.add({.label = std::string(name),
                  .kind = CompletionKind::Module,
                  .detail = view.file(import.module).name()},
-                {kConverts, kImport});
+                {fits ? kConverts : kMismatch, kImport});
   }
 }
 
@@ -210,7 +224,7 @@ int distance_of_color(std::string_view name) {
 void add_builtin_values(CompletionBuilder& builder, const ExpectedType& expected) {
   for (const std::string_view name : {"pi", "time"}) {
     const SymbolId id = find_builtin_symbol(SymbolKind::BuiltinValue, name);
-    const int fit = fit_of(expected, "number");
+    const int fit = expected.is_condition ? kConverts : fit_of(expected, "number");
     if (fit == kMismatch) continue;
     builder.add({.label = std::string(name),
                  .kind = CompletionKind::Variable,
@@ -358,7 +372,8 @@ void add_named_arguments(CompletionBuilder& builder, const OpenBracket& call,
 int fit_of(const ExpectedType& expected, std::string_view type) {
   if (expected.is_unknown() || type.empty()) return kUnknown;
   if (expected.type.empty()) return kMismatch;
-  if (expected.is_condition && type == "number") return kMakes;
+  const bool is_compared = type == "number" || type == "angle" || type == "string";
+  if (expected.is_condition && is_compared) return kMakes;
   if (type == expected.type) return kFits;
   const bool is_factor = type == "number" && (expected.type == "vec3" || expected.type == "angle" ||
                                               expected.type == "color" || expected.type == "bool" ||
@@ -370,18 +385,19 @@ int fit_of(const ExpectedType& expected, std::string_view type) {
   return is_factor || has_components || is_argument || type == "list" ? kConverts : kMismatch;
 }
 
-void add_members(CompletionBuilder& builder, SymbolId import, std::string_view qualifier,
+bool add_members(CompletionBuilder& builder, SymbolId import, std::string_view qualifier,
                  const ExpectedType& expected, bool only_fitting) {
   SceneView& view = builder.view();
+  bool has_fitting = false;
   for (const SymbolId member : view.index().members(import)) {
     const Symbol& symbol = *view.index().find(member);
-    std::string label = std::string(qualifier) + std::string(symbol.name);
-    if (symbol.name.empty() || !builder.accepts(label)) continue;
+    if (symbol.name.empty() || symbol.kind == SymbolKind::Def) continue;
     const bool is_function = symbol.kind == SymbolKind::Fn;
-    if (!is_function && symbol.kind == SymbolKind::Def) continue;
     const std::string_view type = type_name_of(view, member);
     const int fit = is_function ? fit_of_result(expected, type) : fit_of(expected, type);
+    has_fitting = has_fitting || fit != kMismatch;
     if (only_fitting && fit != kFits && fit != kMakes) continue;
+    std::string label = std::string(qualifier) + std::string(symbol.name);
     if (is_function) {
       builder.add(function_item(view, member, std::move(label), builder.is_followed_by('(')),
                   {fit, kImport});
@@ -389,6 +405,7 @@ void add_members(CompletionBuilder& builder, SymbolId import, std::string_view q
       add_value(builder, member, std::move(label), expected, type, kImport);
     }
   }
+  return has_fitting;
 }
 
 void complete_value(CompletionBuilder& builder) {

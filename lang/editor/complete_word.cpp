@@ -85,7 +85,8 @@ void complete_member(CompletionBuilder& builder) {
   }
   if (import.is_known()) {
     const ExpectedType expected = expected_at(builder.view(), builder.file(), builder.place());
-    return add_members(builder, import, "", expected, false);
+    add_members(builder, import, "", expected, false);
+    return;
   }
   const SymbolId value = path.size() == 0 ? SymbolId() : find_value(builder, path);
   const std::string_view type =
@@ -98,7 +99,7 @@ void complete_number(CompletionBuilder& builder) {
   const std::string_view text = builder.text().substr(number.begin, number.size());
   const std::size_t digits = std::min(text.find_first_not_of("0123456789._"), text.size());
   const std::uint32_t unit = number.begin + static_cast<std::uint32_t>(digits);
-  if (builder.place().offset < unit) return;
+  if (builder.place().offset < unit || text.substr(0, digits).ends_with('.')) return;
   const ExpectedType expected = expected_at(builder.view(), builder.file(), builder.place());
   // `let x = 2` is complete.
   const bool is_any = expected.units == ExpectedType::Units::Any && expected.type != "angle";
@@ -143,6 +144,7 @@ void complete_type(CompletionBuilder& builder) {
 /// The codes of warnings in `// sdlc: allow(`.
 void complete_comment(CompletionBuilder& builder) {
   const std::uint32_t offset = builder.place().offset;
+  if (offset < builder.place().token.begin + 2) return;
   TokenReader tokens(builder.text().substr(0, offset), builder.place().token.begin + 2);
   for (const std::string_view part : {"sdlc", ":", "allow", "("}) {
     if (tokens.text(tokens.next_in_line()) != part) return;

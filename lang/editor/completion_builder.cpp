@@ -1,6 +1,7 @@
 #include "lang/editor/completion_builder.hpp"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -83,18 +84,21 @@ bool CompletionBuilder::is_followed_by(char c) const {
 
 CompletionList CompletionBuilder::take() {
   constexpr std::size_t kMaxItems = 1000;
-  const auto key = [](const Ranked& r) {
-    return std::tie(r.rank.fit, r.match, r.rank.distance, r.item.label);
+  const auto key = [](const Ranked* r) {
+    return std::tie(r->rank.fit, r->match, r->rank.distance, r->item.label);
   };
-  std::ranges::stable_sort(ranked_,
-                           [&](const Ranked& a, const Ranked& b) { return key(a) < key(b); });
-  CompletionList list{.items = {}, .is_incomplete = ranked_.size() > kMaxItems};
-  if (list.is_incomplete) ranked_.erase(ranked_.begin() + kMaxItems, ranked_.end());
-  for (Ranked& ranked : ranked_) {
-    const bool is_repeated = std::ranges::any_of(list.items, [&](const CompletionItem& item) {
-      return item.label == ranked.item.label && item.kind == ranked.item.kind;
-    });
-    if (!is_repeated) list.items.push_back(std::move(ranked.item));
+  // The items are large: sort pointers to them.
+  std::vector<Ranked*> order;
+  for (Ranked& ranked : ranked_) order.push_back(&ranked);
+  std::ranges::stable_sort(order,
+                           [&](const Ranked* a, const Ranked* b) { return key(a) < key(b); });
+  CompletionList list;
+  std::set<std::pair<CompletionKind, std::string_view>> known;
+  for (Ranked* ranked : order) {
+    list.is_incomplete = list.items.size() == kMaxItems;
+    if (list.is_incomplete) break;
+    if (!known.emplace(ranked->item.kind, ranked->item.label).second) continue;
+    list.items.push_back(ranked->item);
   }
   return list;
 }

@@ -87,7 +87,8 @@ CompletionItem def_item(const SceneView& view, SymbolId def, std::string name, b
 int fit_of(const ExpectedType& expected, std::string_view type);
 
 /// Adds the values and functions of an import that are accepted. `qualifier`: `mat.`, or empty.
-void add_members(CompletionBuilder& builder, SymbolId import, std::string_view qualifier,
+/// Returns whether any of them fits.
+bool add_members(CompletionBuilder& builder, SymbolId import, std::string_view qualifier,
                  const ExpectedType& expected, bool only_fitting);
 
 }  // namespace sdlc::lang

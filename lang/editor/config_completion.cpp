@@ -33,8 +33,8 @@ std::string placeholder_of(JsonType type, int& next) {
     case JsonType::Degrees: return take("${@:40}");
     case JsonType::Interval: return take("[${@:0}, ${@:1}]");
     case JsonType::Movement: return take("[[${@:0}, ${@:0}, ${@:0}], ${@:0}, ${@:1}]");
-    case JsonType::Object: return "{\n\t$0\n}";
-    case JsonType::Spheres: return "[\n\t$0\n]";
+    case JsonType::Object: return "{\n  $0\n}";
+    case JsonType::Spheres: return "[\n  $0\n]";
     case JsonType::Bool: return take("${@|true,false|}");
     case JsonType::String: return take("\"${@}\"");
     case JsonType::Material:
@@ -117,7 +117,7 @@ class ConfigCompletion {
   }
 
   void add_config() {
-    add_snippet("config", CompletionKind::Snippet, "{\n\t$0\n}", "a JSON config");
+    add_snippet("config", CompletionKind::Snippet, "{\n  $0\n}", "a JSON config");
   }
 
   bool is_given(std::string_view key) const {
@@ -234,7 +234,7 @@ class ConfigCompletion {
     std::string inside;
     for (const JsonKey& key : json_sphere().keys) {
       if (key.presence != Presence::Required) continue;
-      inside += fmt::format("{}\n\t\"{}\": {}", inside.empty() ? "" : ",", key.key,
+      inside += fmt::format("{}\n  \"{}\": {}", inside.empty() ? "" : ",", key.key,
                             placeholder_of(key.type, next));
     }
     add_snippet("sphere", CompletionKind::ObjectKind, "{" + inside + "\n}", "a sphere");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <unordered_set>
 
 #include "lang/ast/ast.hpp"
 #include "lang/editor/place_reader.hpp"
@@ -237,10 +238,10 @@ std::vector<std::string_view> labels_after(const CursorPlace& place, std::string
 
 std::vector<VisibleLocal> visible_locals(const CursorPlace& place) {
   std::vector<VisibleLocal> found;
+  std::unordered_set<std::string_view> names;
   std::uint32_t depth = 0;
   const auto add = [&](const LocalName& local) {
-    const auto is_same = [&](const VisibleLocal& v) { return v.local.name == local.name; };
-    if (std::ranges::none_of(found, is_same)) found.push_back({local, depth});
+    if (names.insert(local.name).second) found.push_back({local, depth});
   };
   const auto add_all = [&](const std::vector<LocalName>& locals, std::size_t without = 0) {
     for (std::size_t i = locals.size() - without; i > 0; --i) add(locals[i - 1]);

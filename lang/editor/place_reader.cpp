@@ -274,7 +274,7 @@ void PlaceReader::read_name_after_operand(const Token& token) {
   OpenBracket& f = top();
   const std::string_view word = text_.substr(token.span.begin, token.span.size());
   if (f.word == "else" && word == "if" && f.path.size() == 0) {
-    f.word = "if";
+    f.word = word;
     f.step = Step::Operand;
   } else if (!read_link_word(word)) {
     if (f.is_block()) return restart(token);

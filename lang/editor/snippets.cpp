@@ -21,10 +21,10 @@ constexpr auto kSnippets = std::to_array<Snippet>({
      EmptyFile},
     {"let", "Names a value.", "let ${1:name} = $0", Statement, true},
     {"for", "Repeats statements for each element of a list.",
-     "for ${1:i} in range(${2:10}) {\n\t$0\n}", Statement, true},
-    {"if", "Statements under a condition.", "if ${1:condition} {\n\t$0\n}", Statement, true},
+     "for ${1:i} in range(${2:10}) {\n  $0\n}", Statement, true},
+    {"if", "Statements under a condition.", "if ${1:condition} {\n  $0\n}", Statement, true},
     {"fn", "Declares a function.", "fn ${1:name}(${2:x}) = $0", TopLevel, true},
-    {"def", "Declares a kind of object.", "def ${1:name}(${2:size}: ${3:number}) {\n\t$0\n}",
+    {"def", "Declares a kind of object.", "def ${1:name}(${2:size}: ${3:number}) {\n  $0\n}",
      TopLevel, true},
     {"param", "A value that `--set NAME=VALUE` can change.", "param ${1:name} = $0", TopLevel,
      true},
@@ -34,30 +34,30 @@ constexpr auto kSnippets = std::to_array<Snippet>({
     {"assert", "Stops with a message if the condition is false.",
      "assert ${1:condition}, \"${2:message}\"", Statement, true},
     {"ifelse", "Statements under a condition, and others if it is false.",
-     "if ${1:condition} {\n\t$2\n} else {\n\t$0\n}", Statement},
+     "if ${1:condition} {\n  $2\n} else {\n  $0\n}", Statement},
     {"ground", "A sphere so large that it looks flat.",
      "sphere ground { center: (0, -1000, 0), radius: 1000, material: diffuse(color: ${1:olive}) "
      "}\n",
      Statement},
     {"lamp", "A sphere that emits light.",
      "sphere lamp {\n"
-     "\tcenter: (${1:-5}, ${2:8}, ${3:5})\n"
-     "\tradius: ${4:3}\n"
-     "\tmaterial: emissive(color: ${5:white}, intensity: ${6:4})\n"
+     "  center: (${1:-5}, ${2:8}, ${3:5})\n"
+     "  radius: ${4:3}\n"
+     "  material: emissive(color: ${5:white}, intensity: ${6:4})\n"
      "}\n",
      Statement},
     {"ring", "Spheres on a circle.",
      "for i in range(${1:12}) {\n"
-     "\tlet a = i / ${1:12} * 1turn\n"
-     "\tsphere { center: ${2:2} * (cos(a), 0, sin(a)), radius: ${3:0.2}, material: "
+     "  let a = i / ${1:12} * 1turn\n"
+     "  sphere { center: ${2:2} * (cos(a), 0, sin(a)), radius: ${3:0.2}, material: "
      "${4:diffuse(color: white)} }\n"
      "}\n",
      Statement},
     {"grid", "Spheres in rows.",
      "for i in range(${1:5}) {\n"
-     "\tfor j in range(${2:5}) {\n"
-     "\t\tsphere { center: (i, 0, j), radius: ${3:0.4}, material: ${4:diffuse(color: white)} }\n"
-     "\t}\n"
+     "  for j in range(${2:5}) {\n"
+     "    sphere { center: (i, 0, j), radius: ${3:0.4}, material: ${4:diffuse(color: white)} }\n"
+     "  }\n"
      "}\n",
      Statement},
 });
@@ -130,9 +130,9 @@ std::string snippet_of(const Kind& kind) {
     const bool is_wanted = property.presence == Presence::Required ||
                            (kind.id == ObjectKind::Sphere && property.type == Type::Material);
     if (is_wanted)
-      inside += fmt::format("\n\t{}: {}", property.name, placeholder_of(property, next));
+      inside += fmt::format("\n  {}: {}", property.name, placeholder_of(property, next));
   }
-  return inside.empty() ? text + " {\n\t$0\n}" : fmt::format("{} {{{}\n}}", text, inside);
+  return inside.empty() ? text + " {\n  $0\n}" : fmt::format("{} {{{}\n}}", text, inside);
 }
 
 }  // namespace sdlc::lang

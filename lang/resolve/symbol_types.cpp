@@ -42,6 +42,14 @@ class TypeInference {
     }
   }
 
+  /// The type of the elements of a list that a let declares.
+  Name of_elements(SymbolId id) {
+    const Symbol* symbol = index_.find(id);
+    if (symbol == nullptr || symbol->kind != SymbolKind::Let) return {};
+    const auto value = ast::expression_of(ast::Node(index_.table(id.file).tree(), symbol->node));
+    return value ? of_element(id.file, *value) : Name();
+  }
+
  private:
   /// References may be long chains, and cyclic in files with errors.
   bool is_exhausted() {
@@ -159,12 +167,8 @@ class TypeInference {
     if (list.is(SyntaxKind::Call)) return list.head() == "range" ? "number" : Name();
     if (!list.is(SyntaxKind::Reference)) return {};
     const Occurrence* name = last_name(file, list.span());
-    const Symbol* symbol = name == nullptr ? nullptr : index_.find(name->symbol);
-    if (symbol == nullptr || symbol->kind != SymbolKind::Let) return {};
-    const ast::Node declaration(index_.table(name->symbol.file).tree(), symbol->node);
-    const auto value = ast::expression_of(declaration);
-    return value && !value->is(SyntaxKind::Reference) ? of_element(name->symbol.file, *value)
-                                                      : Name();
+    if (name == nullptr || name->where.end != list.span().end) return {};
+    return of_elements(name->symbol);
   }
 
   /// The last name in a path that has a symbol; components may follow it.
@@ -190,6 +194,11 @@ std::string_view result_of_builtin(std::string_view function) {
 
 const TypeInfo* type_of(const SymbolIndex& index, SymbolId symbol) {
   const Name name = TypeInference(index).of_symbol(symbol);
+  return name.empty() ? nullptr : find_type(name);
+}
+
+const TypeInfo* element_type_of(const SymbolIndex& index, SymbolId list) {
+  const Name name = TypeInference(index).of_elements(list);
   return name.empty() ? nullptr : find_type(name);
 }
 
