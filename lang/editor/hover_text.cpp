@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "lang/editor/value_text.hpp"
+#include "lang/schema/property_text.hpp"
 #include "lang/text/utf8.hpp"
 
 namespace sdlc::lang {
@@ -23,21 +24,6 @@ std::string shortened(std::string_view code) {
   end = std::min(end, line);
   while (end < code.size() && end > 0 && is_continuation(code[end])) --end;
   return std::string(code.substr(0, end)) + (end < code.size() ? " …" : "");
-}
-
-std::string default_of(const Property& property) {
-  if (property.presence == Presence::Required) return "required";
-  if (property.default_text.empty()) return {};
-  return fmt::format("default {}", as_code(property.default_text));
-}
-
-std::string type_of(const Property& property) {
-  if (property.words.empty()) {
-    return std::string(describe(property.type)) + (property.reads_none ? " or `none`" : "");
-  }
-  std::vector<std::string> words;
-  for (const std::string_view word : property.words) words.push_back(as_code(word));
-  return fmt::format("one of {}", fmt::join(words, ", "));
 }
 
 }  // namespace
@@ -61,10 +47,10 @@ std::string as_code(std::string_view text) {
 }
 
 std::string describe(const Property& property) {
-  std::string text = type_of(property);
-  if (property.range != Range::Any) text += fmt::format(", {}", describe(property.range));
-  const std::string usual = default_of(property);
-  return usual.empty() ? text : fmt::format("{}; {}", text, usual);
+  const std::string values = describe_values(property), usual = describe_default(property);
+  if (usual.empty()) return values;
+  const bool is_required = property.presence == Presence::Required;
+  return fmt::format("{}; {}{}", values, is_required ? "" : "default ", usual);
 }
 
 std::string describe_value(const ComputedValue& computed, Values& values,

@@ -17,22 +17,36 @@
 namespace sdlc::lang {
 namespace {
 
-bool is_literal(ast::Node value) {
+/// Whether the last name of the path is built in.
+bool is_builtin(const SymbolTable& table, Span path) {
+  const Occurrence* name = table.at(path.end);
+  return name != nullptr && name->where.end == path.end && name->symbol.is_builtin();
+}
+
+/// Whether the value says as much as its result: literals, names of the language, and colours and
+/// materials made of them.
+bool is_plain(const SymbolTable& table, ast::Node value) {
   switch (value.kind()) {
     case SyntaxKind::Number:
     case SyntaxKind::String:
     case SyntaxKind::Color:
     case SyntaxKind::True:
     case SyntaxKind::False: return true;
-    case SyntaxKind::Negative: return value.child(0) && is_literal(*value.child(0));
+    case SyntaxKind::Reference: return is_builtin(table, value.span());
+    case SyntaxKind::Call:
+      if (!is_builtin(table, value.head_span()) || find_constructor(value.head()) == nullptr)
+        return false;
+      break;
+    case SyntaxKind::Negative:
     case SyntaxKind::Triple:
     case SyntaxKind::List:
-      for (const ast::Node child : value.children()) {
-        if (!is_literal(child)) return false;
-      }
-      return true;
+    case SyntaxKind::Argument: break;
     default: return false;
   }
+  for (const ast::Node child : value.children()) {
+    if (!is_plain(table, child)) return false;
+  }
+  return true;
 }
 
 class HintReader {
@@ -117,7 +131,8 @@ void HintReader::add_value(ast::Node statement) {
   constexpr std::size_t kMaxExpensive = 10;  // each takes about a millisecond
   const auto value = ast::expression_of(statement);
   const auto name = statement.first(SyntaxKind::Name);
-  const bool is_computed = value && name && !is_literal(*value) && is_in_range(value->span().end);
+  const bool is_computed =
+      value && name && is_in_range(value->span().end) && !is_plain(view_.table(file_), *value);
   if (!is_computed || expensive_ == kMaxExpensive) return;
   const ComputedValue computed = values_.of_symbol({file_, statement.index()});
   if (computed.status == ComputedValue::Status::TooExpensive) ++expensive_;

@@ -36,7 +36,7 @@ TEST(InlayHintRequest, ShowsValuesAndNamesOfArguments) {
 }
 
 TEST(InlayHintRequest, IsAskedForAgainWhenTheSettingChanges) {
-  TestClient client({{"workspace", {{"inlayHint", {{"refreshSupport", true}}}}}});
+  TestClient client(Json({{"workspace", {{"inlayHint", {{"refreshSupport", true}}}}}}));
   client.notify("workspace/didChangeConfiguration",
                 {{"settings", {{"sdlc", {{"inlayHints", true}}}}}});
   const Json request = client.wait_for_message([](const Json& message) {

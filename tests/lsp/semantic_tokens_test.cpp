@@ -54,13 +54,14 @@ TEST(SemanticTokenRequests, CountInTheUnitsOfTheClient) {
             (std::vector<std::string>{"0:0+5 keyword", "0:6+1 number", "1:0+6 comment",
                                       "2:0+5 comment", "2:6+3 keyword", "2:10+1 variable",
                                       "2:12+1 operator", "2:14+2 variable", "2:17+5 comment"}));
-  TestClient utf8({{"general", {{"positionEncodings", Json::array({"utf-8"})}}}});
+  TestClient utf8(Json({{"general", {{"positionEncodings", Json::array({"utf-8"})}}}}));
   utf8.open("a.scene", text);
   EXPECT_EQ(decoded(full(utf8).at("data")).back(), "2:19+7 comment");
 }
 
 TEST(SemanticTokenRequests, LeaveTheRestToTheGrammarOfTheClient) {
-  TestClient client({{"textDocument", {{"semanticTokens", {{"augmentsSyntaxTokens", true}}}}}});
+  TestClient client(
+      Json({{"textDocument", {{"semanticTokens", {{"augmentsSyntaxTokens", true}}}}}}));
   client.open("a.scene", "scene 1\nlet a = 1 // c\n");
   EXPECT_EQ(decoded(full(client).at("data")),
             (std::vector<std::string>{"0:0+5 keyword", "1:0+3 keyword", "1:4+1 variable"}));

@@ -80,8 +80,10 @@ TEST(Hover, ShowsTypeRangeDefaultAndValueOfAProperty) {
             "From the centre to the surface, in metres; a sphere of radius 0 is invisible.\n\n"
             "Value: `0.4m` = `40cm`");
   EXPECT_THAT(hover_at("camera { |up: (0, 1, 0) }\n"), HasSubstr("default `(0, 1, 0)`"));
-  EXPECT_THAT(hover_at("render { |tone: sqrt }\n"), HasSubstr("one of `srgb`, `sqrt`, `linear`"));
-  EXPECT_THAT(hover_at("render { tone: sq|rt }\n"), HasSubstr("one of `srgb`, `sqrt`, `linear`"));
+  EXPECT_THAT(hover_at("render { |tone: sqrt }\n"),
+              HasSubstr("`srgb`, `sqrt` or `linear`; default `srgb`"));
+  EXPECT_THAT(hover_at("render { tone: sq|rt }\n"),
+              HasSubstr("`srgb`, `sqrt` or `linear`; default `srgb`"));
   EXPECT_THAT(hover_at("let m = specular(red, fu|zz: 0.1)\n"), HasSubstr("`fuzz` of `specular`"));
 }
 

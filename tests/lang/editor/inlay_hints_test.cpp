@@ -35,6 +35,10 @@ TEST(InlayHints, ShowValuesOfComputedLets) {
   EXPECT_EQ(hinted("let a = 2 * pi\nlet b = 3\nlet c = (1, -2, 3)\nparam d = a > b\n"),
             "let a = 2 * pi<= 6.283185307179586>\nlet b = 3\nlet c = (1, -2, 3)\n"
             "param d = a > b<= true>\n");
+  EXPECT_EQ(hinted("let a = red\nlet b = diffuse(color: linear(r: 1, g: 0, b: -0))\n"),
+            "let a = red\nlet b = diffuse(color: linear(r: 1, g: 0, b: -0))\n");
+  EXPECT_EQ(hinted("let red = 1\nlet a = red\nlet b = sqrt(4)\n"),
+            "let red = 1\nlet a = red<= 1>\nlet b = sqrt(4)<= 2>\n");
   EXPECT_EQ(hinted("let a = time * 2\n"), "let a = time * 2<= 0s at the first frame>\n");
   EXPECT_EQ(hinted("for i in range(3) { let a = i * 2  let b = 1 + 1 }\n"),
             "for i in range(3) { let a = i * 2  let b = 1 + 1<= 2> }\n");
