@@ -6,7 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "lsp/action_requests.hpp"
+#include "lsp/command_requests.hpp"
 #include "lsp/completion.hpp"
+#include "lsp/format_requests.hpp"
 #include "lsp/inlay_hints.hpp"
 #include "lsp/semantic_tokens.hpp"
 #include "lsp/uri.hpp"
@@ -37,6 +40,11 @@ Json capabilities_for(const Client& client) {
       {"semanticTokensProvider", semantic_tokens_options()},
       {"inlayHintProvider", true},
       {"codeLensProvider", Json::object()},
+      {"codeActionProvider", code_action_options()},
+      {"documentFormattingProvider", true},
+      {"documentRangeFormattingProvider", true},
+      {"documentOnTypeFormattingProvider", typing_triggers()},
+      {"executeCommandProvider", {{"commands", command_names()}}},
       {"workspace", {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}}},
   };
 }

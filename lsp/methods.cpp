@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "lsp/action_requests.hpp"
 #include "lsp/call_requests.hpp"
 #include "lsp/code_lenses.hpp"
 #include "lsp/colors.hpp"
+#include "lsp/command_requests.hpp"
 #include "lsp/completion.hpp"
+#include "lsp/format_requests.hpp"
 #include "lsp/hover.hpp"
 #include "lsp/inlay_hints.hpp"
 #include "lsp/lifecycle.hpp"
@@ -53,6 +56,12 @@ constexpr auto kRequests = std::to_array<Method<RequestHandler>>({
     {"textDocument/semanticTokens/range", semantic_tokens_range},
     {"textDocument/inlayHint", inlay_hint},
     {"textDocument/codeLens", code_lens},
+    {"textDocument/codeAction", list_code_actions},
+    {"codeAction/resolve", resolve_code_action},
+    {"textDocument/formatting", format_document},
+    {"textDocument/rangeFormatting", format_lines},
+    {"textDocument/onTypeFormatting", format_while_typing},
+    {"workspace/executeCommand", execute_command},
 });
 
 constexpr auto kNotifications = std::to_array<Method<NotificationHandler>>({
@@ -64,6 +73,7 @@ constexpr auto kNotifications = std::to_array<Method<NotificationHandler>>({
     {"workspace/didChangeConfiguration", did_change_configuration},
     {"workspace/didChangeWatchedFiles", did_change_watched_files},
     {"workspace/didChangeWorkspaceFolders", did_change_workspace_folders},
+    {"window/workDoneProgress/cancel", cancel_progress},
     {"$/setTrace", set_trace},
 });
 

@@ -14,7 +14,7 @@ namespace sdlc::lsp {
 
 /// A render that the user asks for.
 struct RenderOrder {
-  std::filesystem::path scene;                        ///< absolute
+  std::filesystem::path scene = {};                   ///< absolute
   std::shared_ptr<const std::string> text = nullptr;  ///< unsaved; null: the file
   std::string camera = {};                            ///< empty: the scene's choice
   std::optional<int> frame = {};                      ///< of an animation

@@ -23,6 +23,20 @@ Session::Session(Connection& connection, Log& log, const ServerOptions& options,
       checks_(disk_, {.limits = options.limits, .is_sandboxed = options.is_sandboxed}, log,
               [this](const Checks::Result& result) { publisher_.publish(result); }) {}
 
+RenderRuns& Session::renders() {
+  if (!renders_) {
+    renders_ = std::make_unique<RenderRuns>(
+        server_options_.program,
+        [this](std::string_view method, Json params) {
+          connection_.notify(method, std::move(params));
+        },
+        [this](std::string_view method, Json params, Connection::OnResult on_result) {
+          connection_.request(method, std::move(params), std::move(on_result));
+        });
+  }
+  return *renders_;
+}
+
 void Session::set_client(Client client) {
   client_ = std::move(client);
   index_.set_encoding(client_.encoding());

@@ -21,6 +21,7 @@
 #include "lsp/log.hpp"
 #include "lsp/open_files.hpp"
 #include "lsp/publisher.hpp"
+#include "lsp/render_runs.hpp"
 #include "lsp/semantic_tokens.hpp"
 #include "lsp/settings.hpp"
 
@@ -53,6 +54,8 @@ class Session {
   const Settings& settings() const noexcept { return settings_; }
   Checks& checks() noexcept { return checks_; }
   const FolderIndex& index() const noexcept { return index_; }
+  /// Made on first use. Throws std::system_error.
+  RenderRuns& renders();
   const std::vector<std::filesystem::path>& folders() const noexcept { return folders_; }
 
   void set_client(Client client);
@@ -140,6 +143,7 @@ class Session {
   Publisher publisher_;
   FolderIndex index_;
   Checks checks_;
+  std::unique_ptr<RenderRuns> renders_;
 };
 
 }  // namespace sdlc::lsp

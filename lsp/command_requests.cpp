@@ -1,0 +1,200 @@
+#include "lsp/command_requests.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "lang/ast/ast.hpp"
+#include "lang/compile/compile.hpp"
+#include "lang/explain/explain.hpp"
+#include "lang/text/ascii.hpp"
+#include "lsp/action_requests.hpp"
+#include "lsp/methods.hpp"
+#include "lsp/uri.hpp"
+
+namespace sdlc::lsp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+enum class MessageType : int { Error = 1, Warning = 2, Info = 3 };
+
+void show_message(Session& session, MessageType type, const std::string& text) {
+  session.connection().notify("window/showMessage",
+                              {{"type", static_cast<int>(type)}, {"message", text}});
+}
+
+/// The parameters of a request about the text that the argument names.
+Json about_text(const Json& argument) { return {{"textDocument", {{"uri", argument.at("uri")}}}}; }
+
+// Rendering
+
+bool has_camera(const Text& text) {
+  if (!text.is_scene()) return true;  // of a config
+  const lang::ast::Node file(text.view->tree(text.file), 0);
+  for (const lang::ast::Node statement : file.children()) {
+    if (statement.is(lang::SyntaxKind::Object) && statement.head() == "camera") return true;
+  }
+  return false;
+}
+
+/// The first frame of an animation: in an editor, all of them would take too long.
+std::optional<int> first_frame(Session& session, const fs::path& scene) {
+  const auto document = session.load(scene);
+  if (!document) return std::nullopt;
+  lang::DiagnosticSink ignored(&session.stop());
+  lang::Compiler compiler(*document, session.program_options(), ignored);
+  const auto animation = compiler.animation();
+  return animation ? std::optional(animation->first) : std::nullopt;
+}
+
+const OpenFile* open_file(const Session& session, const fs::path& identity) {
+  const auto found = std::ranges::find_if(
+      session.open_files(), [&](const auto& file) { return file.second.identity == identity; });
+  return found == session.open_files().end() ? nullptr : &found->second;
+}
+
+Json render(Session& session, const Json& argument) {
+  const Text text = session.text_of(about_text(argument));
+  RenderOrder order{.camera = argument.value("camera", std::string()),
+                    .threads = session.settings().threads,
+                    .is_sandboxed = session.program_options().is_sandboxed};
+  const bool is_itself = !order.camera.empty() || has_camera(text);
+  const fs::path scene = is_itself ? text.identity : session.scene_of(text.identity);
+  order.scene = scene;
+  if (const OpenFile* open = open_file(session, scene)) {
+    order.scene = open->path;
+    order.text = open->text;
+  }
+  order.frame = argument.contains("frame") ? std::optional(argument.at("frame").get<int>())
+                                           : first_frame(session, scene);
+  session.renders().start(
+      std::move(order), {.has_progress = session.client().can("/window/workDoneProgress"),
+                         .shows_documents = session.client().can("/window/showDocument/support")});
+  return nullptr;
+}
+
+// Fixes and explanations
+
+Json fix_all(Session& session, const Json& argument) {
+  const Json edit = fix_all_edit(session, about_text(argument));
+  if (edit.is_null()) {
+    show_message(session, MessageType::Info, "There is nothing that can be fixed safely.");
+  } else {
+    session.connection().request("workspace/applyEdit",
+                                 {{"label", "Fix all safe findings"}, {"edit", edit}});
+  }
+  return nullptr;
+}
+
+Json explain(Session& /*session*/, const Json& argument) {
+  const std::string code = lang::upper_case(
+      (argument.is_string() ? argument : argument.at("code")).get_ref<const std::string&>());
+  const auto page = lang::explanation(code);
+  if (!page) {
+    throw RequestError(ErrorCode::RequestFailed,
+                       fmt::format("no diagnostic has the code `{}`", code));
+  }
+  return {{"code", code}, {"markdown", *page}};
+}
+
+// The scene of a file
+
+/// A scene in a list for the user: relative to the folder of the workspace that it is in.
+std::string shown_path(const Session& session, const fs::path& path) {
+  for (const fs::path& folder : session.folders()) {
+    const fs::path below = path.lexically_relative(folder);
+    if (!below.empty() && *below.begin() != "..") return below.generic_string();
+  }
+  return path.string();
+}
+
+/// Asks the user for the scene of a file.
+void ask_for_scene(Session& session, const fs::path& file) {
+  constexpr std::size_t kMaxActions = 20;
+  std::vector<fs::path> scenes = session.scenes_with(file);
+  if (std::ranges::find(scenes, file) == scenes.end()) scenes.push_back(file);
+  if (scenes.size() == 1) {
+    return show_message(
+        session, MessageType::Info,
+        fmt::format("No scene that is known imports or includes `{}`.", file.filename().string()));
+  }
+  if (scenes.size() > kMaxActions) scenes.resize(kMaxActions);
+  const fs::path present = session.scene_of(file);
+  std::map<std::string, std::optional<fs::path>> choices{{"Automatic", std::nullopt}};
+  Json actions = Json::array();
+  for (const fs::path& scene : scenes) {
+    std::string title = scene == file ? "On its own" : shown_path(session, scene);
+    if (scene == present) title += " (now)";
+    actions.push_back({{"title", title}});
+    choices[std::move(title)] = scene;
+  }
+  actions.push_back({{"title", "Automatic"}});
+  session.connection().request(
+      "window/showMessageRequest",
+      {{"type", static_cast<int>(MessageType::Info)},
+       {"message", fmt::format("With which scene is `{}` checked?", file.filename().string())},
+       {"actions", std::move(actions)}},
+      [&session, file, choices = std::move(choices)](const Json& result) {
+        if (!result.is_object()) return;
+        const auto choice = choices.find(result.value("title", std::string()));
+        if (choice != choices.end()) session.choose_scene(file, choice->second);
+      });
+}
+
+Json choose_scene(Session& session, const Json& argument) {
+  const Text text = session.text_of(about_text(argument));
+  if (!argument.contains("scene")) {
+    ask_for_scene(session, text.identity);
+  } else if (argument.at("scene").is_null()) {
+    session.choose_scene(text.identity, std::nullopt);
+  } else {
+    const fs::path scene = path_of_uri(argument.at("scene").get_ref<const std::string&>());
+    session.choose_scene(text.identity, session.workspace().identity(scene));
+  }
+  return nullptr;
+}
+
+struct Command {
+  std::string_view name;
+  RequestHandler run;
+};
+
+constexpr std::array<Command, 4> kCommands{{
+    {"sdlc.render", render},
+    {"sdlc.fixAll", fix_all},
+    {"sdlc.explain", explain},
+    {"sdlc.chooseScene", choose_scene},
+}};
+
+}  // namespace
+
+Json execute_command(Session& session, const Json& params) {
+  const auto& name = params.at("command").get_ref<const std::string&>();
+  const auto command = std::ranges::find(kCommands, name, &Command::name);
+  if (command == kCommands.end()) {
+    throw RequestError(ErrorCode::InvalidParams, fmt::format("unknown command `{}`", name));
+  }
+  return command->run(session, params.at("arguments").at(0));
+}
+
+void cancel_progress(Session& session, const Json& params) {
+  session.renders().cancel(params.at("token"));
+}
+
+Json command_names() {
+  Json names = Json::array();
+  for (const Command& command : kCommands) names.push_back(command.name);
+  return names;
+}
+
+}  // namespace sdlc::lsp
