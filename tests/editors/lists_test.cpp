@@ -193,7 +193,7 @@ TEST(EditorLists, TheQueriesKnowTheNamesOfTheLanguage) {
 const std::map<std::string, std::string>& helix_captures() {
   static const std::map<std::string, std::string> captures{
       {"boolean", "constant.builtin.boolean"},
-      {"comment.documentation", "comment.block.documentation"},
+      {"comment.documentation", "comment.line.documentation"},
       {"function.call", "function"},
       {"keyword.conditional", "keyword.control.conditional"},
       {"keyword.import", "keyword.control.import"},
