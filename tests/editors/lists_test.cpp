@@ -193,7 +193,7 @@ TEST(EditorLists, TheQueriesKnowTheNamesOfTheLanguage) {
 const std::map<std::string, std::string>& helix_captures() {
   static const std::map<std::string, std::string> captures{
       {"boolean", "constant.builtin.boolean"},
-      {"comment.documentation", "comment.block.documentation"},
+      {"comment.documentation", "comment.line.documentation"},
       {"function.call", "function"},
       {"keyword.conditional", "keyword.control.conditional"},
       {"keyword.import", "keyword.control.import"},
@@ -249,6 +249,46 @@ TEST(EditorLists, TheTextMateGrammarKnowsTheNamesOfTheLanguage) {
       (std::set<std::string>{"types", "kinds", "constructors", "functions", "values", "units"}));
   fill_lists(grammar);
   expect_content(kTextMate, grammar.dump(2) + "\n");
+}
+
+// Sublime Text reads the same grammar as a property list
+
+std::string xml_text(std::string text) {
+  constexpr std::pair<std::string_view, std::string_view> kEscapes[] = {
+      {"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}};
+  for (const auto& [character, escape] : kEscapes) {
+    for (std::size_t at = text.find(character); at != std::string::npos;
+         at = text.find(character, at + escape.size())) {
+      text.replace(at, character.size(), escape);
+    }
+  }
+  return text;
+}
+
+/// An object, array or string as XML.
+std::string property_list(const Json& json, const std::string& indent) {
+  if (json.is_string())
+    return indent + "<string>" + xml_text(json.get<std::string>()) + "</string>\n";
+  const bool is_array = json.is_array();
+  std::string xml = indent + (is_array ? "<array>\n" : "<dict>\n");
+  for (const auto& [key, value] : json.items()) {
+    // For people, and for this test.
+    if (!is_array && (key == "comment" || key == "$schema") && value.is_string()) continue;
+    if (!is_array) xml += indent + "  <key>" + xml_text(key) + "</key>\n";
+    xml += property_list(value, indent + "  ");
+  }
+  return xml + indent + (is_array ? "</array>\n" : "</dict>\n");
+}
+
+TEST(EditorLists, SublimeTextHasTheTextMateGrammar) {
+  Json grammar = Json::parse(content_of(kTextMate));
+  fill_lists(grammar);
+  expect_content(
+      kRoot / "editors/sublime/Scene.tmLanguage",
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<!-- Written by a test of sdlc from editors/vscode/syntaxes/scene.tmLanguage.json. -->\n"
+      "<plist version=\"1.0\">\n" +
+          property_list(grammar, "") + "</plist>\n");
 }
 
 TEST(EditorLists, TheTextMateGrammarColorsEveryWord) {

@@ -45,15 +45,41 @@ TSNode first_wrong(TSNode node) {
   return node;
 }
 
+TSPoint point_of(std::string_view text, std::uint32_t at) {
+  const std::string_view before = text.substr(0, at);
+  const std::size_t line = before.find_last_of('\n') + 1;
+  return {static_cast<std::uint32_t>(std::ranges::count(before, '\n')),
+          at - static_cast<std::uint32_t>(line)};
+}
+
 }  // namespace
 
-SceneTree::SceneTree(std::string_view text) : text_(text) {
+SceneTree::SceneTree(std::string_view text) : text_(text) { parse(nullptr); }
+
+SceneTree::SceneTree(const SceneTree& old, std::string_view text, lang::Span replaced,
+                     std::uint32_t size)
+    : text_(text) {
+  const std::unique_ptr<TSTree, Deleter> edited(ts_tree_copy(old.tree_.get()));
+  const std::uint32_t end = replaced.begin + size;
+  const TSInputEdit edit{
+      .start_byte = replaced.begin,
+      .old_end_byte = replaced.end,
+      .new_end_byte = end,
+      .start_point = point_of(text, replaced.begin),
+      .old_end_point = point_of(old.text_, replaced.end),
+      .new_end_point = point_of(text, end),
+  };
+  ts_tree_edit(edited.get(), &edit);
+  parse(edited.get());
+}
+
+void SceneTree::parse(const TSTree* old) {
   const std::unique_ptr<TSParser, Deleter> parser(ts_parser_new());
   if (!ts_parser_set_language(parser.get(), tree_sitter_sdlc())) {
     throw std::runtime_error("this libtree-sitter does not read the ABI of parser.c");
   }
-  tree_.reset(ts_parser_parse_string(parser.get(), nullptr, text.data(),
-                                     static_cast<std::uint32_t>(text.size())));
+  tree_.reset(ts_parser_parse_string(parser.get(), old, text_.data(),
+                                     static_cast<std::uint32_t>(text_.size())));
 }
 
 std::string SceneTree::shape() const {

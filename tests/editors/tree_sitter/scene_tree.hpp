@@ -24,6 +24,9 @@ struct Deleter {
 class SceneTree {
  public:
   explicit SceneTree(std::string_view text);
+  /// The tree of a changed text, made of the one before: `replaced` of the old text became
+  /// `size` bytes.
+  SceneTree(const SceneTree& old, std::string_view text, lang::Span replaced, std::uint32_t size);
 
   std::string_view text() const noexcept { return text_; }
   TSNode root() const { return ts_tree_root_node(tree_.get()); }
@@ -34,6 +37,8 @@ class SceneTree {
   std::string first_error() const;
 
  private:
+  void parse(const TSTree* old);
+
   std::string_view text_;
   std::unique_ptr<TSTree, Deleter> tree_;
 };

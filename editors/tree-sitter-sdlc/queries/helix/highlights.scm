@@ -2,7 +2,7 @@
 
 (line_comment) @comment
 (block_comment) @comment
-(doc_comment) @comment.block.documentation
+(doc_comment) @comment.line.documentation
 
 [
   "let"
