@@ -2,7 +2,7 @@
 'use strict';
 
 const vscode = require('vscode');
-const { LanguageClient, RevealOutputChannelOn } = require('vscode-languageclient/node');
+const { CloseAction, LanguageClient, RevealOutputChannelOn } = require('vscode-languageclient/node');
 const { selector } = require('./selector');
 
 /** The settings as the server takes them: an untrusted workspace is always a sandbox. */
@@ -31,35 +31,57 @@ const middleware = {
   },
 };
 
-/**
- * @param {string} program the absolute path of sdlc
- * @param {string | undefined} folder the working folder of the server
- * @param {vscode.LogOutputChannel} log
- */
-function makeClient(program, folder, log) {
-  const args = settings().sandbox ? ['lsp', '--sandbox'] : ['lsp'];
-  const client = new LanguageClient('sdlc', 'sdlc', { command: program, args, options: { cwd: folder } }, {
-    documentSelector: selector(),
-    initializationOptions: settings(),
-    middleware,
-    outputChannel: log,
-    revealOutputChannelOn: RevealOutputChannelOn.Never,
-    markdown: { isTrusted: false },
-  });
-  sendChangedSettings(client);
-  return client;
+/** A client that restarts a server that crashes, but not one that never worked. */
+class Client extends LanguageClient {
+  #hasStarted = false;
+  #subscription;
+  #fail;
+
+  /**
+   * @param {string} program the absolute path of sdlc
+   * @param {string | undefined} folder the working folder of the server
+   * @param {vscode.LogOutputChannel} log
+   */
+  constructor(program, folder, log) {
+    const args = settings().sandbox ? ['lsp', '--sandbox'] : ['lsp'];
+    super('sdlc', 'sdlc', { command: program, args, options: { cwd: folder } }, {
+      documentSelector: selector(),
+      initializationOptions: settings(),
+      middleware,
+      outputChannel: log,
+      revealOutputChannelOn: RevealOutputChannelOn.Never,
+      initializationFailedHandler: () => false,
+      errorHandler: {
+        error: (...args) => this.usualHandler.error(...args),
+        closed: () => this.#closed(),
+      },
+    });
+    this.usualHandler = this.createDefaultErrorHandler();
+    this.#subscription = vscode.workspace.onDidChangeConfiguration((change) => {
+      if (!change.affectsConfiguration('sdlc') || !this.isRunning()) return;
+      this.sendNotification('workspace/didChangeConfiguration', { settings: { sdlc: settings() } });
+    });
+  }
+
+  async #closed() {
+    if (this.#hasStarted) return this.usualHandler.closed();
+    this.#fail(new Error('`sdlc lsp` ends at once, see the log.'));
+    return { action: CloseAction.DoNotRestart, handled: true };
+  }
+
+  /** Resolves when the server has answered; rejects if it ends before that. */
+  async start() {
+    // A restart after a crash is the usual handler's.
+    if (this.#hasStarted) return super.start();
+    const failure = new Promise((_, reject) => (this.#fail = reject));
+    await Promise.race([super.start(), failure]);
+    this.#hasStarted = true;
+  }
+
+  async dispose(timeout) {
+    this.#subscription.dispose();
+    if (this.#hasStarted) await super.dispose(timeout);
+  }
 }
 
-function sendChangedSettings(client) {
-  const subscription = vscode.workspace.onDidChangeConfiguration((change) => {
-    if (!change.affectsConfiguration('sdlc') || !client.isRunning()) return;
-    client.sendNotification('workspace/didChangeConfiguration', { settings: { sdlc: settings() } });
-  });
-  const dispose = client.dispose.bind(client);
-  client.dispose = (...args) => {
-    subscription.dispose();
-    return dispose(...args);
-  };
-}
-
-module.exports = { makeClient };
+module.exports = { Client };

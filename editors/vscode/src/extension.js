@@ -2,7 +2,7 @@
 'use strict';
 
 const vscode = require('vscode');
-const { makeClient } = require('./client');
+const { Client } = require('./client');
 const { registerCommands } = require('./commands');
 const { ExplainPages, SCHEME } = require('./explain');
 const { checkedVersion, findProgram } = require('./program');
@@ -61,12 +61,12 @@ class Server {
       const version = await checkedVersion(program);
       this.program = program;
       this.log.info(`sdlc ${version}: ${program}`);
-      this.client = makeClient(program, this.folder(), this.log);
+      this.client = new Client(program, this.folder(), this.log);
       await this.client.start();
       this.#show(`sdlc ${version}`, program, vscode.LanguageStatusSeverity.Information, false);
     } catch (error) {
-      this.client = undefined;
-      await this.#report(error);
+      await this.#stop();
+      this.#report(error);
     }
   }
 
@@ -75,9 +75,9 @@ class Server {
   }
 
   /** Shows why there is no server. Does not wait for an answer: a restart must remain possible. */
-  async #report(error) {
+  #report(error) {
     this.log.error(error.message);
-    this.#show('sdlc is missing', error.message, vscode.LanguageStatusSeverity.Error, false);
+    this.#show('no sdlc', error.message, vscode.LanguageStatusSeverity.Error, false);
     const [help, settings, log] = ['How to Install', 'Open Settings', 'Show Log'];
     vscode.window.showErrorMessage(error.message, help, settings, log).then((choice) => {
       if (choice === help) {

@@ -61,6 +61,7 @@ async function session(name, checks, options) {
   try {
     await runChecks(bench, checks);
   } finally {
+    bench.saveLogs(name);
     await bench.stop();
   }
 }

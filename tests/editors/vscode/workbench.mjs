@@ -1,6 +1,6 @@
 // A VS Code in a throw-away home: code-server, and a headless Chromium that shows it. All waiting is for conditions.
 import { execFileSync, spawn } from 'node:child_process';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { createServer } from 'node:net';
 import { dirname, join } from 'node:path';
@@ -10,6 +10,18 @@ const puppeteer = require('puppeteer-core');
 
 /** Generous: it only ends a check that would fail anyway. */
 export const PATIENCE_MS = 30_000;
+
+const USER_SETTINGS = {
+  'editor.minimap.enabled': false,
+  'files.simpleDialog.enable': true,
+  'security.workspace.trust.startupPrompt': 'never',
+  'telemetry.telemetryLevel': 'off',
+  // Text of the page, not a picture.
+  'terminal.integrated.gpuAcceleration': 'off',
+  'workbench.enableExperiments': false,
+  'workbench.startupEditor': 'none',
+  'workbench.tips.enabled': false,
+};
 
 function freePort() {
   return new Promise((resolve, reject) => {
@@ -48,11 +60,7 @@ export class Workbench {
     const entry = process.env.SDLC_CODE_SERVER;
     mkdirSync(join(home, 'data/User'), { recursive: true });
     mkdirSync(bench.folder, { recursive: true });
-    bench.initialSettings({ 'workbench.startupEditor': 'none', 'security.workspace.trust.startupPrompt': 'never',
-      'telemetry.telemetryLevel': 'off', 'editor.minimap.enabled': false, 'workbench.tips.enabled': false,
-      'workbench.enableExperiments': false, 'files.simpleDialog.enable': true, 'terminal.integrated.gpuAcceleration': 'off',
-      // Settings are typed as one piece.
-      '[jsonc]': { 'editor.autoClosingBrackets': 'never', 'editor.autoClosingQuotes': 'never' }, ...settings });
+    writeFileSync(join(home, 'data/User/settings.json'), JSON.stringify({ ...USER_SETTINGS, ...settings }));
     execFileSync('node', [entry, ...data, '--install-extension', vsix], { env, stdio: 'pipe' });
 
     const port = await freePort();
@@ -87,26 +95,10 @@ export class Workbench {
     }
   }
 
-  /** Adds to the settings of the user, before VS Code starts. */
-  initialSettings(more) {
-    this.userSettings = { ...this.userSettings, ...more };
-    writeFileSync(join(this.home, 'data/User/settings.json'), JSON.stringify(this.userSettings, null, 2));
-  }
-
-  /** Adds to the settings of the user, in the editor as a user does. */
-  async settings(more) {
-    this.userSettings = { ...this.userSettings, ...more };
-    await this.command('Preferences: Open User Settings (JSON)');
-    await this.see('.tab.active[data-resource-name="settings.json"]');
-    await this.see('.editor-instance .view-line');
-    await this.press('Control+a');
-    // Pasted as one piece: nothing is completed or indented.
-    await this.page.keyboard.sendCharacter(JSON.stringify(this.userSettings));
-    await this.press('Control+s');
-    const isSaved = () => readFileSync(join(this.home, 'data/User/settings.json'), 'utf8') === JSON.stringify(this.userSettings);
-    await until('saved settings', isSaved);
-    await this.press('Control+F4');
-    await this.gone('.tab[data-resource-name="settings.json"]');
+  /** Adds to the settings of the workspace, in the file, which VS Code watches. */
+  settings(more) {
+    this.workspaceSettings = { ...this.workspaceSettings, ...more };
+    this.write('.vscode/settings.json', JSON.stringify(this.workspaceSettings, null, 2));
   }
 
   file(name) {
@@ -231,6 +223,11 @@ export class Workbench {
   async reset() {
     await this.press('Escape', 'Escape', 'Escape');
     await this.command('View: Revert and Close All Editors').catch(() => {});
+  }
+
+  /** Copies the logs of VS Code, with that of the extension, to the screenshots. */
+  saveLogs(name) {
+    cpSync(join(this.home, 'data/logs'), join(process.env.SDLC_SCREENS, `logs-${name}`), { recursive: true });
   }
 
   async screenshot(name) {

@@ -75,11 +75,11 @@ export const checks = [
   {
     name: 'the command Show Log shows it, and the trace the protocol',
     async run(bench) {
-      await bench.settings({ 'sdlc.trace.server': 'messages' });
+      bench.settings({ 'sdlc.trace.server': 'messages' });
       await bench.open('ball.scene', scene(BALL));
       await bench.command('sdlc: Show Log');
       await bench.seeText('.output-view-content .view-line, .panel .view-line', 'textDocument/');
-      await bench.settings({ 'sdlc.trace.server': 'off' });
+      bench.settings({ 'sdlc.trace.server': 'off' });
       await bench.command('View: Hide Panel');
     },
   },

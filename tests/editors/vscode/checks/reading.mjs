@@ -52,10 +52,10 @@ export const checks = [
       await bench.open('hints.scene', scene('let a = 2 * pi', BALL));
       const lineOfValue = async () => (await bench.text()).split('\n')[3];
       await until('the text', async () => (await lineOfValue()) === 'let a = 2 * pi');
-      await bench.settings({ 'sdlc.inlayHints': true });
+      bench.settings({ 'sdlc.inlayHints': true });
       await until('a hint', async () => (await lineOfValue()).includes('6.28'));
       await bench.screenshot('inlay-hints');
-      await bench.settings({ 'sdlc.inlayHints': false });
+      bench.settings({ 'sdlc.inlayHints': false });
       await until('no hint', async () => (await lineOfValue()) === 'let a = 2 * pi');
     },
   },

@@ -4,11 +4,11 @@ import { BALL, scene } from './scenes.mjs';
 async function withPath(bench, path, run) {
   await bench.command('Notifications: Clear All Notifications');
   await bench.open('ball.scene', scene(BALL));
-  await bench.settings({ 'sdlc.path': path });
+  bench.settings({ 'sdlc.path': path });
   try {
     await run();
   } finally {
-    await bench.settings({ 'sdlc.path': 'sdlc' });
+    bench.settings({ 'sdlc.path': 'sdlc' });
     await bench.command('Notifications: Clear All Notifications');
   }
 }
@@ -45,7 +45,7 @@ export const checks = [
     name: 'a server that ends at once is reported',
     run: (bench) =>
       withPath(bench, bench.program('broken', 'if [ "$1" = --version ]; then echo "sdlc 9.9.9"; else exit 3; fi'),
-        () => bench.see('.notification-toast')),
+        () => bench.seeText('.notification-toast', 'ends at once')),
   },
   {
     name: 'the server comes back when the path is correct again',
