@@ -35,7 +35,9 @@ struct Answer {
 class TestClient {
  public:
   /// Does not say `initialize`.
-  struct Silent {};
+  struct Silent {
+    explicit Silent() = default;
+  };
   explicit TestClient(Silent, const lsp::ServerOptions& options = {});
   /// Says `initialize` with these capabilities and options, and `initialized`.
   explicit TestClient(Json capabilities = Json::object(), Json settings = Json::object(),
