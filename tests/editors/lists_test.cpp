@@ -5,7 +5,7 @@
 #include <map>
 #include <regex>
 #include <set>
-#include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
