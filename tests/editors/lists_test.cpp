@@ -5,7 +5,7 @@
 #include <map>
 #include <regex>
 #include <set>
-#include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -61,7 +61,8 @@ std::map<std::string, Words> make_lists() {
   std::map<std::string, Words> lists{{"types", names_of(lang::SymbolKind::Type)},
                                      {"kinds", names_of(lang::SymbolKind::BuiltinKind)},
                                      {"values", names_of(lang::SymbolKind::BuiltinValue)},
-                                     {"units", words_of(lang::kUnits)}};
+                                     {"units", words_of(lang::kUnits)},
+                                     {"declarations", words_of(lang::kDeclarationWords)}};
   for (std::string& name : names_of(lang::SymbolKind::BuiltinFunction)) {
     lists["functions and constructors"].push_back(name);
     lists[is_constructor(name) ? "constructors" : "functions"].push_back(std::move(name));
@@ -229,7 +230,7 @@ void fill_lists(Json& json) {
                                   : std::string();
   if (comment.starts_with("list: ")) {
     const std::string name = comment.substr(6);
-    for (const char* key : {"match", "begin"}) {
+    for (const char* key : {"match", "begin", "end"}) {
       if (!json.contains(key)) continue;
       json[key] =
           std::regex_replace(json[key].get<std::string>(), std::regex(R"(\(\?<list>[^()]*\))"),
@@ -244,9 +245,9 @@ void fill_lists(Json& json) {
 TEST(EditorLists, TheTextMateGrammarKnowsTheNamesOfTheLanguage) {
   const std::string text = content_of(kTextMate);
   Json grammar = Json::parse(text);
-  EXPECT_EQ(
-      find_all(text, std::regex("\"list: ([a-z ]+)\"")),
-      (std::set<std::string>{"types", "kinds", "constructors", "functions", "values", "units"}));
+  EXPECT_EQ(find_all(text, std::regex("\"list: ([a-z ]+)\"")),
+            (std::set<std::string>{"types", "kinds", "constructors", "declarations", "functions",
+                                   "values", "units"}));
   fill_lists(grammar);
   expect_content(kTextMate, grammar.dump(2) + "\n");
 }

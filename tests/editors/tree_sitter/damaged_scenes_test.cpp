@@ -1,8 +1,10 @@
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <regex>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
