@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <fstream>
 #include <map>
 #include <random>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -171,23 +173,27 @@ class RandomEdits : public testing::TestWithParam<int> {
                    {"contentChanges", std::move(changes)}});
   }
 
-  /// Waits until both servers have published the same diagnostics.
-  void expect_same_diagnostics(TestClient& client, TestClient& fresh) {
+  /// What the client shows as the findings of the texts. The scene that a text is checked in is
+  /// found in the background, so that it may be another one a moment later.
+  std::string findings_of(TestClient& client) const {
+    std::string rows;
     for (const auto& [name, text] : texts_) {
-      fresh.codes(name);
-      const Json expected = fresh.diagnostics(name, [](const Json&) { return true; });
-      client.codes(name);
-      const auto shown = [](const Json& diagnostics) {
-        std::vector<std::string> rows;
-        for (const Json& found : diagnostics) {
-          rows.push_back(found.at("range").dump() + found.value("code", "") +
-                         found.value("message", ""));
-        }
-        return rows;
-      };
-      const Json found = client.diagnostics(name, [](const Json&) { return true; });
-      EXPECT_EQ(shown(found), shown(expected)) << name;
+      client.codes(name);  // waits for a check
+      rows += name + "\n";
+      for (const Json& found : client.diagnostics(name, [](const Json&) { return true; })) {
+        rows +=
+            found.at("range").dump() + found.value("code", "") + found.value("message", "") + "\n";
+      }
     }
+    return rows;
+  }
+
+  void expect_same_findings(TestClient& client, TestClient& fresh) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (findings_of(client) != findings_of(fresh) && std::chrono::steady_clock::now() < end) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    EXPECT_EQ(findings_of(client), findings_of(fresh));
   }
 
   Random random_{static_cast<std::uint32_t>(GetParam())};
@@ -206,9 +212,9 @@ TEST_P(RandomEdits, GiveTheStateOfAFreshOpen) {
     TestClient fresh;
     open_all(fresh, texts_);
     EXPECT_EQ(state_of(client, texts_), state_of(fresh, texts_));
-    expect_same_diagnostics(client, fresh);
+    expect_same_findings(client, fresh);
   }
-  EXPECT_LT(resident_kib(), 2 * early_kib);
+  if (!HasFailure()) EXPECT_LT(resident_kib(), 2 * early_kib);
 }
 
 INSTANTIATE_TEST_SUITE_P(Lsp, RandomEdits, testing::Range(0, kShards));
