@@ -43,12 +43,22 @@ class ConfigReader {
 
  private:
   void open(char c) {
+    // No config nests deeper than spheres, sphere, material, color.
+    constexpr std::size_t kMaxDepth = 64;
+    if (place_.brackets.size() == kMaxDepth) {
+      ++deeper_;
+      return;
+    }
     ConfigBracket bracket{.open = c};
     if (!place_.brackets.empty()) bracket.owner = place_.brackets.back().key;
     place_.brackets.push_back(bracket);
   }
 
   void close(char c) {
+    if (deeper_ > 0) {
+      --deeper_;
+      return;
+    }
     auto& open = place_.brackets;
     const auto found = std::find_if(open.rbegin(), open.rend(), [&](const ConfigBracket& b) {
       return is_bracket_pair(b.open, c);
@@ -69,6 +79,7 @@ class ConfigReader {
 
   std::string_view text_;
   ConfigPlace& place_;
+  std::size_t deeper_ = 0;  ///< brackets that are open inside the innermost
 };
 
 /// The object around the `level`th bracket, or that it is.

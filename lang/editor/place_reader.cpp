@@ -4,6 +4,7 @@
 #include <array>
 
 #include "lang/repair/recovery.hpp"
+#include "lang/source/limits.hpp"
 #include "lang/text/brackets.hpp"
 
 namespace sdlc::lang {
@@ -293,6 +294,11 @@ void PlaceReader::read_comma() {
 }
 
 void PlaceReader::open(Role role, const Token& bracket, Span head) {
+  // The parser refuses deeper nesting.
+  if (brackets_.size() > kMaxNesting) {
+    ++deeper_;
+    return;
+  }
   brackets_.push_back({.role = role, .head = head, .at = bracket.span.begin, .indent = indent_});
   if (!brackets_.back().is_block()) return;
   const OpenBracket& around = brackets_[brackets_.size() - 2];
@@ -308,6 +314,10 @@ void PlaceReader::open_block(const Token& bracket) {
 }
 
 void PlaceReader::close(char bracket) {
+  if (deeper_ > 0) {
+    --deeper_;
+    return;
+  }
   const auto found = std::find_if(brackets_.rbegin(), brackets_.rend() - 1, [&](const auto& open) {
     return is_bracket_pair(text_[open.at], bracket);
   });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,7 @@ class PlaceReader {
   bool is_first_ = true;      ///< the token is the first of its line
   std::uint32_t indent_ = 0;  ///< of the line
   std::vector<OpenBracket> brackets_;
+  std::size_t deeper_ = 0;  ///< brackets that are open inside the innermost of `brackets_`
 };
 
 }  // namespace sdlc::lang

@@ -45,6 +45,14 @@ TEST(HoverRequest, IsNullWhereThereIsNothingToSay) {
   EXPECT_EQ(client.result_at(kHover, "a.scene", at), nullptr);
 }
 
+TEST(HoverRequest, DescribesTheKeysOfAConfig) {
+  TestClient client;
+  const Json at = client.open_marked("a.json", R"({"rendering": {"wi|dth": 1}})");
+  const Json hover = client.result_at(kHover, "a.json", at);
+  EXPECT_THAT(hover.at("contents").dump(), testing::HasSubstr("Width of the picture"));
+  EXPECT_EQ(hover.at("range").at("start").at("character"), 15);
+}
+
 TEST(HoverRequest, RefusesWrongParameters) {
   TestClient client;
   client.open("a.scene", "scene 1\n");

@@ -228,6 +228,15 @@ TEST(Completion, IsTheSameEachTime) {
   EXPECT_THAT((std::vector{labels(text)[0], labels(text)[1]}), ElementsAre("a", "b"));
 }
 
+TEST(Completion, AcceptsAnyNesting) {
+  for (const char* bracket : {"(", "[", "{", "f(", "group {"}) {
+    std::string text = "scene 1\nlet a = ";
+    for (int i = 0; i < 20'000; ++i) text += bracket;
+    labels(text + "|");
+    EXPECT_THAT(labels(text + "\n\nlet b = 1\n|"), Contains("sphere"));
+  }
+}
+
 /// Every prefix of a text with all kinds of statements, with the cursor anywhere in it.
 TEST(Completion, AnswersAnywhereInAnyBeginningOfAText) {
   const std::string text =

@@ -106,6 +106,12 @@ TEST(ConfigCompletion, AnswersAnywhereInAnyBeginningOfAText) {
   }
 }
 
+TEST(ConfigCompletion, AcceptsAnyNesting) {
+  EXPECT_THAT(labels(std::string(100'000, '[') + "|"), IsEmpty());
+  EXPECT_THAT(labels("{\"camera\": " + std::string(100, '[') + std::string(100, ']') + ", |"),
+              Contains("saving"));
+}
+
 TEST(ConfigHover, DescribesKeysAndTypes) {
   EXPECT_EQ(hover("{\"camera\": {\"|look_from\": 1}}"),
             "`look_from`: three numbers [x, y, z], required\n\nThe position of the camera.");
