@@ -1,7 +1,7 @@
 #include "lsp/hover.hpp"
 
 #include <cstdint>
-#include <optional>
+#include <string>
 #include <utility>
 
 #include "lang/editor/config_hover.hpp"

@@ -39,6 +39,13 @@ TEST(HoverRequest, SeesImportedTextsThatAreOpen) {
   EXPECT_THAT(client.result_at(kHover, "a.scene", at).dump(), testing::HasSubstr("Value: 3"));
 }
 
+TEST(HoverRequest, DescribesTheKeysOfConfigs) {
+  TestClient client;
+  const Json at = client.open_marked("c.json", "{\n\"camera\": {\"vf|ov\": 40}}");
+  EXPECT_THAT(client.result_at(kHover, "c.json", at).dump(),
+              testing::HasSubstr("The vertical angle of view"));
+}
+
 TEST(HoverRequest, IsNullWhereThereIsNothingToSay) {
   TestClient client;
   const Json at = client.open_marked("a.scene", "scene 1\n|\n");
