@@ -99,7 +99,7 @@ std::vector<std::shared_ptr<const FileFacts>> FolderIndex::facts() const {
 
 bool FolderIndex::is_complete() const {
   const std::scoped_lock lock(mutex_);
-  return !has_new_folders_ && !walk_ && found_.empty();
+  return !is_busy_ && !has_work();
 }
 
 void FolderIndex::wait() const {

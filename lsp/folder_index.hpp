@@ -73,7 +73,7 @@ class FolderIndex {
   std::vector<std::filesystem::path> files() const;
   /// The facts of all known scenes, by name.
   std::vector<std::shared_ptr<const FileFacts>> facts() const;
-  /// Whether all folders have been walked.
+  /// Whether all folders have been walked, and all changes on disk have been read.
   bool is_complete() const;
   /// Waits until nothing is left to do, open texts included: for tests.
   void wait() const;

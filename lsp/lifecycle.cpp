@@ -32,6 +32,7 @@ Json capabilities_for(const Client& client) {
       {"documentLinkProvider", {{"resolveProvider", false}}},
       {"renameProvider", {{"prepareProvider", true}}},
       {"documentSymbolProvider", true},
+      {"workspaceSymbolProvider", true},
       {"foldingRangeProvider", true},
       {"selectionRangeProvider", true},
       {"callHierarchyProvider", true},

@@ -43,6 +43,7 @@ constexpr auto kRequests = std::to_array<Method<RequestHandler>>({
     {"textDocument/prepareRename", prepare_rename},
     {"textDocument/rename", rename},
     {"textDocument/documentSymbol", list_document_symbols},
+    {"workspace/symbol", find_workspace_symbols},
     {"textDocument/foldingRange", list_folding_ranges},
     {"textDocument/selectionRange", list_selection_ranges},
     {"textDocument/prepareCallHierarchy", prepare_call_hierarchy},

@@ -63,6 +63,7 @@ Json rename(Session& session, const Json& params) {
   if (!target.refusal.empty()) refuse(target.refusal);
   const auto symbol = lang::shared_symbol(*text.view, text.file, offset);
   SessionScenes scenes(session, text, *symbol);
+  if (!scenes.is_complete()) refuse("The folder has not been read yet: try again in a moment.");
   const lang::RenamePlan plan =
       lang::plan_rename(scenes, *symbol, new_name, {.folders = session.folders()});
   if (!plan.refusal.empty()) refuse(plan.refusal);

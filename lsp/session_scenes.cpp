@@ -1,18 +1,49 @@
 #include "lsp/session_scenes.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <chrono>
+#include <thread>
 
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/source/source.hpp"
 
 namespace sdlc::lsp {
 
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::chrono::seconds kPatience{5};
+
+/// Whether the folders have been read, after some patience.
+bool wait_for_index(const Session& session) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (!session.index().is_complete()) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
+    lang::stop_if_requested(&session.stop());
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return true;
+}
+
+}  // namespace
+
 SessionScenes::SessionScenes(Session& session, const Text& text, const lang::SharedSymbol& symbol)
-    : session_(session) {
-  const std::filesystem::path own = text.view->root().name();
-  const bool is_local = symbol.path.empty() || symbol.is_local_to_file;
-  if (!is_local) scenes_ = session.scenes_with(session.workspace().identity(symbol.path));
-  if (std::ranges::find(scenes_, own) == scenes_.end()) scenes_.insert(scenes_.begin(), own);
+    : session_(session), scenes_{text.view->root().name()} {
+  if (symbol.path.empty() || symbol.is_local_to_file) return;
+  const auto add = [&](const fs::path& scene) {
+    if (std::ranges::find(scenes_, scene) == scenes_.end()) scenes_.push_back(scene);
+  };
+  is_complete_ = wait_for_index(session);
+  for (const fs::path& scene : session.scenes_with(session.workspace().identity(symbol.path))) {
+    add(scene);
+  }
+  // What has just been typed is not in the index yet.
+  for (const auto& [uri, file] : session.open_files()) {
+    if (lang::source_format_of(file.path, *file.text) == lang::SourceFormat::Scene) {
+      add(file.identity);
+    }
+  }
 }
 
 const lang::SceneView* SessionScenes::scene(std::size_t index) {

@@ -13,7 +13,11 @@ namespace sdlc::lsp {
 class SessionScenes final : public lang::SceneSet {
  public:
   /// `text`: where the symbol was found. Its scene alone, for a symbol that no other file can use.
+  /// For any other, waits a moment until the folders have been read.
   SessionScenes(Session& session, const Text& text, const lang::SharedSymbol& symbol);
+
+  /// Whether the folders have been read: there may be other scenes otherwise.
+  bool is_complete() const noexcept { return is_complete_; }
 
   std::size_t size() const override { return scenes_.size(); }
   /// Throws lang::StopRequested if the request was cancelled.
@@ -21,6 +25,7 @@ class SessionScenes final : public lang::SceneSet {
 
  private:
   Session& session_;
+  bool is_complete_ = true;
   std::vector<std::filesystem::path> scenes_;
 };
 

@@ -1,10 +1,16 @@
 #include "lsp/symbol_requests.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/editor/symbol_search.hpp"
 #include "lang/editor/symbols.hpp"
+#include "lang/resolve/symbol.hpp"
+#include "lsp/file_facts.hpp"
 #include "lsp/place_ranges.hpp"
 #include "lsp/symbol_kinds.hpp"
 
@@ -67,6 +73,26 @@ class SymbolTree {
   std::size_t next_ = 0;
 };
 
+/// Symbols that are sent at most: an editor asks again when the query is longer.
+constexpr std::size_t kMaxFound = 200;
+
+Json position_json(lang::Position position) {
+  return {{"line", position.line - 1}, {"character", position.column - 1}};
+}
+
+/// SymbolInformation.
+Json found_json(const Session& session, const FileFacts& file, const IndexedSymbol& symbol,
+                bool knows_all) {
+  Json json{
+      {"name", symbol.name},
+      {"kind", symbol_number(symbol.kind, knows_all)},
+      {"location",
+       {{"uri", session.uri_of(file.path)},
+        {"range", {{"start", position_json(symbol.begin)}, {"end", position_json(symbol.end)}}}}}};
+  if (!symbol.container.empty()) json["containerName"] = symbol.container;
+  return json;
+}
+
 }  // namespace
 
 Json list_document_symbols(Session& session, const Json& params) {
@@ -76,6 +102,27 @@ Json list_document_symbols(Session& session, const Json& params) {
       session.client().can("/textDocument/documentSymbol/hierarchicalDocumentSymbolSupport");
   if (is_nested) return tree.nested();
   return tree.flat(params.at("textDocument").at("uri").get<std::string>());
+}
+
+Json find_workspace_symbols(Session& session, const Json& params) {
+  const auto files = session.index().facts();
+  lang::SymbolSearch search(params.value("query", ""), kMaxFound);
+  for (std::size_t file = 0; file < files.size(); ++file) {
+    lang::stop_if_requested(&session.stop());
+    const std::vector<IndexedSymbol>& symbols = files[file]->symbols;
+    for (std::size_t i = 0; i < symbols.size(); ++i) {
+      // An import only repeats the name of a file.
+      if (symbols[i].kind == lang::SymbolKind::Import) continue;
+      search.add(symbols[i].name, std::uint64_t{file} << 32 | i);
+    }
+  }
+  const bool knows_all = session.client().can("/workspace/symbol/symbolKind");
+  Json found = Json::array();
+  for (const std::uint64_t key : search.best()) {
+    const FileFacts& file = *files[key >> 32];
+    found.push_back(found_json(session, file, file.symbols[key & 0xFFFFFFFF], knows_all));
+  }
+  return found;
 }
 
 }  // namespace sdlc::lsp

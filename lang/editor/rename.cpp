@@ -223,8 +223,9 @@ RenamePlan check_files(const SceneView& view, const std::vector<FileSpan>& place
   return {};
 }
 
-RenamePlan try_rename(const SceneView& view, const std::vector<Place>& places,
-                      std::string_view new_name) {
+RenamePlan try_rename(const SceneView& view, const SharedSymbol& symbol,
+                      const std::vector<Place>& places, std::string_view new_name) {
+  if (!symbol_in(view, symbol).is_known()) return {};
   const auto change = first_change(view, places, new_name);
   if (!change) return {};
   const FileSpan where{view.find(change->path).value_or(0), change->where};
@@ -267,7 +268,7 @@ RenamePlan plan_rename(SceneSet& scenes, const SharedSymbol& symbol, std::string
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const SceneView* view = scenes.scene(i);
     if (view == nullptr) continue;
-    RenamePlan trial = try_rename(*view, plan.places, new_name);
+    RenamePlan trial = try_rename(*view, symbol, plan.places, new_name);
     if (!trial.refusal.empty()) return trial;
   }
   return plan;

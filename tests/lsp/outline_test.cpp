@@ -1,4 +1,6 @@
+#include <chrono>
 #include <string>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -65,6 +67,31 @@ TEST(DocumentSymbols, OfALongLineAreFound) {
   const std::size_t spheres = (text.size() - 13) / 29;
   EXPECT_EQ(symbols.back().at("location").at("range").at("start").at("character"),
             text.size() - spheres + 5);
+}
+
+TEST(WorkspaceSymbols, AreThoseOfAllFilesBestFirst) {
+  TestClient client;
+  client.write("deep/lib.scene",
+               "scene 1\nfn spring(x) = x\ngroup outer { sphere ring { radius: 1 } }\n");
+  client.notify("workspace/didChangeWatchedFiles",
+                {{"changes", Json::array({{{"uri", client.uri("deep/lib.scene")}, {"type", 1}}})}});
+  client.open("a.scene", "scene 1\nimport \"deep/lib.scene\" as ring\ndef rings() {}\nlet r = 1\n");
+  Json found;
+  // The folder is read in the background.
+  for (int i = 0; i < 1000 && found.size() < 3; ++i) {
+    found = client.result("workspace/symbol", {{"query", "RING"}});
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].at("name"), "ring");
+  EXPECT_EQ(found[0].at("containerName"), "outer");
+  EXPECT_EQ(found[0].at("location").at("uri"), client.uri("deep/lib.scene"));
+  EXPECT_EQ(found[0].at("location").at("range").at("start"),
+            (Json{{"line", 2}, {"character", 21}}));
+  EXPECT_EQ(found[1].at("name"), "rings");
+  EXPECT_EQ(found[1].at("kind"), 5);
+  EXPECT_EQ(found[2].at("name"), "spring");
+  EXPECT_EQ(client.result("workspace/symbol", {{"query", "nothing"}}), Json::array());
 }
 
 TEST(FoldingRanges, KeepTheLineOfTheClosingBracket) {

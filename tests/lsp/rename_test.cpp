@@ -12,6 +12,12 @@ namespace {
 
 const Json kDocumentChanges{{"workspace", {{"workspaceEdit", {{"documentChanges", true}}}}}};
 
+/// What an editor says that watches the folder.
+void say_that_files_changed(TestClient& client) {
+  client.notify("workspace/didChangeWatchedFiles",
+                {{"changes", Json::array({{{"uri", client.uri("")}, {"type", 1}}})}});
+}
+
 TEST(Rename, EditsAllFilesWithTheVersionsOfOpenTexts) {
   TestClient client(kDocumentChanges);
   client.write("lib.scene", "scene 1\nlet tint = red\n");
@@ -59,6 +65,42 @@ TEST(Rename, IsRefusedWithTheReason) {
   const Json params = client.at("a.json", client.open_marked("a.json", "{\"cam|era\": 1}"));
   EXPECT_EQ(client.ask("textDocument/prepareRename", params).error.at("message"),
             "A JSON config has no names that could be changed.");
+}
+
+TEST(Rename, OfALibraryChangesAllScenesOfTheFolder) {
+  TestClient client;
+  for (int i = 0; i < 7; ++i) {
+    client.write("part" + std::to_string(i) + "/a.scene",
+                 "scene 1\nimport \"../lib.scene\" as lib\nlet a = lib.tint\n");
+  }
+  client.write("other.scene", "scene 1\nlet tint = blue\n");
+  say_that_files_changed(client);
+  // What has just been typed counts, too.
+  client.open("typed.scene", "scene 1\n");
+  client.change("typed.scene", "scene 1\nimport \"lib.scene\" as l\nlet a = l.tint\n");
+  const Json cursor = client.open_marked("lib.scene", "scene 1\nlet |tint = red\n");
+  Json edit = client.result_at("textDocument/rename", "lib.scene", cursor, {{"newName", "x"}});
+  EXPECT_EQ(edit.at("changes").size(), 9u);
+  EXPECT_TRUE(edit.at("changes").contains(client.uri("part6/a.scene")));
+  EXPECT_TRUE(edit.at("changes").contains(client.uri("typed.scene")));
+  EXPECT_FALSE(edit.at("changes").contains(client.uri("other.scene")));
+  EXPECT_EQ(client
+                .result_at("textDocument/references", "lib.scene", cursor,
+                           {{"context", {{"includeDeclaration", false}}}})
+                .size(),
+            8u);
+}
+
+TEST(Rename, IsRefusedWhereItClashesInAnotherScene) {
+  TestClient client;
+  client.write("one.scene", "scene 1\nimport \"lib.scene\" as lib\nlet a = lib.tint\n");
+  client.write("two.scene", "scene 1\nimport \"lib.scene\" as lib\nlet a = lib.shade\n");
+  say_that_files_changed(client);
+  const Json cursor = client.open_marked("lib.scene", "scene 1\nlet |tint = red\n");
+  Json params = client.at("lib.scene", cursor);
+  params["newName"] = "shade";
+  EXPECT_EQ(client.ask("textDocument/rename", params).error.at("message"),
+            "The unknown name `shade` at two.scene:3:13 would then be this value.");
 }
 
 TEST(Rename, LeavesFilesOutsideOfTheFolderAlone) {
