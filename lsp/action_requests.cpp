@@ -23,6 +23,8 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr std::string_view kQuickFix = "quickfix", kFixAll = "source.fixAll.sdlc";
+/// Nobody chooses from more, and each takes about a millisecond in a large text.
+constexpr std::size_t kMaxActions = 50;
 constexpr int kAutomatic = 2;  ///< CodeActionTriggerKind: nobody asked, the caret was moved
 
 /// What the client wants.
@@ -88,17 +90,21 @@ class Actions {
       if (!is_in_text(*found)) continue;
       const std::optional<lang::QuickFix> fix = fixes_.of(*found);
       has_safe_fix |= fix && fix->is_preferred;
+      if (!wish_.includes(kQuickFix) || actions_.size() >= kMaxActions) continue;
       const Json known = known_form(*found);
       if (known.is_null() && !touches_range(found->where.span)) continue;
-      if (fix && wish_.includes(kQuickFix)) add_fix(*fix, known);
-      if (wish_.includes(kQuickFix)) add_allowance(*found, known);
+      if (fix) add_fix(*fix, known);
+      add_allowance(*found, known);
     }
     if (has_safe_fix && wish_.asks_for(kFixAll)) add_fix_all();
   }
 
-  bool is_in_text(const lang::Diagnostic& found) const {
-    return found.where.file != nullptr &&
-           session_.workspace().identity(found.where.file->name()) == text_.identity;
+  bool is_in_text(const lang::Diagnostic& found) {
+    const lang::SourceFile* const file = found.where.file;
+    if (file == nullptr) return false;
+    const auto [known, is_new] = is_text_.try_emplace(file);
+    if (is_new) known->second = session_.workspace().identity(file->name()) == text_.identity;
+    return known->second;
   }
   Json known_form(const lang::Diagnostic& found) const {
     return wish_.find(found.info->code, session_.range(*found.where.file, found.where.span));
@@ -155,6 +161,7 @@ class Actions {
   const lang::Span range_;
   const Wish wish_;
   lang::QuickFixes fixes_;
+  std::map<const lang::SourceFile*, bool> is_text_;
   Json actions_ = Json::array();
 };
 

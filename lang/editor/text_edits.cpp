@@ -100,11 +100,17 @@ class Editing {
   void add(const LineChange& change) {
     const Span from{from_.begins[change.a_begin], from_.begins[change.a_end]};
     const Span to{to_.begins[change.b_begin], to_.begins[change.b_end]};
-    if (differ_only_in_spaces(change)) {
+    if (is_fine() && differ_only_in_spaces(change)) {
       add_spaces(from, to);
     } else {
       add_difference(from, to);
     }
+  }
+
+  /// A client takes seconds for a hundred thousand edits.
+  bool is_fine() const {
+    constexpr std::size_t kMaxFineLines = 2000;
+    return from_.lines.size() <= kMaxFineLines;
   }
 
   /// Whether the lines differ only in their spaces.

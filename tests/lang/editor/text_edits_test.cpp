@@ -103,9 +103,9 @@ TEST(TextEdits, LeadFromAnyTextToAnyOther) {
 TEST(TextEdits, AreOnePerLineOfALargeText) {
   std::string from, to;
   for (int i = 0; i < 50'000; ++i) {
-    const std::string line = "sphere { center: (" + std::to_string(i % 100) + ", 0, 0) }\n";
-    from += line;
-    to += "  " + line;
+    const std::string number = std::to_string(i % 100);
+    from += "sphere {center:(" + number + ",0,0)}\n";
+    to += "  sphere { center: (" + number + ", 0, 0) }\n";
   }
   EXPECT_EQ(edits_between(from, to).size(), 50'000u);
 }
