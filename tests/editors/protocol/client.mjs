@@ -85,6 +85,7 @@ export class Client {
     client.ended = once(client.process, 'exit');
     client.connection = rpc.createMessageConnection(client.process.stdout, client.process.stdin);
     client.#listen();
+    client.process.stdin.on('error', () => {}); // the server may have ended
     client.connection.listen();
     const workspaceFolders = folders.map((path) => ({ uri: pathToFileURL(path).href, name: path }));
     const params = { processId: process.pid, rootUri: null, workspaceFolders, capabilities, initializationOptions: client.settings };
@@ -97,7 +98,8 @@ export class Client {
   #listen() {
     const onRequest = (method, answer) =>
       this.connection.onRequest(method, (params) => {
-        record('Params', method, params);
+        // Without parameters, vscode-jsonrpc passes its token.
+        record('Params', method, rpc.CancellationToken.is(params) ? undefined : params);
         this.requests.push({ method, params });
         this.events.emit('change');
         return answer(params);
@@ -189,6 +191,13 @@ export class Client {
   async findings(name, condition = () => true) {
     const current = () => this.diagnostics.get(this.uri(name))?.diagnostics;
     return this.until(`diagnostics of ${name}`, () => current() && condition(current()) && current());
+  }
+
+  /** Waits until a file is checked: until a later one has findings. Returns the findings, which may never have been sent. */
+  async checked(name) {
+    this.open('sentinel.scene', 'scene 2\n');
+    await this.findings('sentinel.scene', (all) => all.length > 0);
+    return this.diagnostics.get(this.uri(name))?.diagnostics ?? [];
   }
 
   /** Ends the server; returns its exit status. */

@@ -10,7 +10,8 @@ const require = createRequire(join(modules, 'any.js'));
 const ts = require('typescript');
 
 const HEADER = `import * as protocol from 'vscode-languageserver-protocol';
-type Result<T> = T extends protocol.RequestType0<infer R, any> ? R : T extends protocol.RequestType<any, infer R, any> ? R : 'no result';
+type Json<T> = T extends void ? null : T;
+type Result<T> = T extends protocol.RequestType0<infer R, any> ? Json<R> : T extends protocol.RequestType<any, infer R, any> ? Json<R> : 'no result';
 type Params<T> = T extends protocol.RequestType<infer P, any, any> ? P : T extends protocol.RequestType0<any, any> ? undefined : 'no request';
 type NotificationParams<T> = T extends protocol.NotificationType<infer P> ? P : 'no notification';
 `;

@@ -40,7 +40,7 @@ export const checks = [
     async test(client) {
       await assert.rejects(client.connection.sendRequest('sdlc/nothing', {}), { code: protocol.ErrorCodes?.MethodNotFound ?? -32601 });
       client.notify('sdlc/nothing', {});
-      client.open('a.scene', 'scene 1\n');
+      client.open('a.scene', 'scene 2\n');
       await client.findings('a.scene');
     },
   },
@@ -69,7 +69,7 @@ export const checks = [
     name: 'the log has the messages, if the trace is on',
     options: { flags: ['--log', 'server.log'], options: { trace: { server: 'messages' } } },
     async test(client) {
-      client.open('a.scene', 'scene 1\n');
+      client.open('a.scene', 'scene 2\n');
       await client.findings('a.scene');
       assert.match(readFileSync(join(client.folder, 'server.log'), 'utf8'), /textDocument\/didOpen/);
     },
@@ -84,6 +84,7 @@ export const checks = [
   {
     name: 'the end of the input ends the server',
     async test(client) {
+      await client.until('the requests of the server', () => client.requests.length === 2);
       client.process.stdin.end();
       assert.deepEqual(await client.ended, [1, null]);
     },
