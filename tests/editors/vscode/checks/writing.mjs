@@ -140,7 +140,7 @@ export const checks = [
     name: 'formatting gives the canonical layout',
     async run(bench) {
       await bench.open('layout.scene', scene(BALL.replace(/, /g, ' ,  ')));
-      await bench.press('Shift+Alt+f');
+      await bench.command('Format Document');
       await bench.saved('layout.scene', 'is formatted', (text) => text.includes('center: (0, 0, 0), radius: 1'));
     },
   },
