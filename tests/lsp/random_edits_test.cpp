@@ -107,6 +107,15 @@ std::uint32_t any_offset(const lang::SourceFile& file, Random& random) {
                              lang::PositionEncoding::Utf16);
 }
 
+/// The text without the folder's name, which is another one in each client.
+std::string without_folder(std::string text, const TestClient& client) {
+  const std::string folder = client.path("");
+  for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder)) {
+    text.erase(at, folder.size());
+  }
+  return text;
+}
+
 /// What a client sees of a server: everything that follows from the texts.
 std::string state_of(TestClient& client, const Texts& texts) {
   std::string state;
@@ -120,12 +129,7 @@ std::string state_of(TestClient& client, const Texts& texts) {
       state += result.dump() + "\n";
     }
   }
-  const std::size_t folder = client.uri("").size();
-  const std::string prefix = client.uri("").substr(0, folder);
-  for (std::size_t at = state.find(prefix); at != std::string::npos; at = state.find(prefix)) {
-    state.erase(at, folder);
-  }
-  return state;
+  return without_folder(state, client);
 }
 
 std::size_t resident_kib() {
@@ -185,7 +189,7 @@ class RandomEdits : public testing::TestWithParam<int> {
             found.at("range").dump() + found.value("code", "") + found.value("message", "") + "\n";
       }
     }
-    return rows;
+    return without_folder(rows, client);
   }
 
   void expect_same_findings(TestClient& client, TestClient& fresh) {
