@@ -8,6 +8,7 @@
 #include "lang/editor/completion_builder.hpp"
 #include "lang/editor/snippets.hpp"
 #include "lang/schema/find_kind.hpp"
+#include "lang/token/name_characters.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -160,6 +161,9 @@ void add_continuations(CompletionBuilder& builder) {
   }
   const bool is_after_value =
       f.step == PlaceStep::AfterOperand && !builder.place().is_first_of_line;
+  // `let a = 1 and` makes no sense.
+  const char last = builder.place().before.empty() ? ' ' : builder.place().before.front();
+  if (is_digit(last) || last == '"' || last == '#') return;
   const bool is_block = f.role == Role::File || f.has_statements;
   if (is_after_value && (is_block || !builder.prefix().empty())) complete_operator(builder);
 }

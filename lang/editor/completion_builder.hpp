@@ -83,9 +83,6 @@ CompletionItem function_item(const SceneView& view, SymbolId function, std::stri
                              bool has_arguments);
 CompletionItem def_item(const SceneView& view, SymbolId def, std::string name, bool has_block);
 
-/// How well a value of a type is accepted: the fit of a rank.
-int fit_of(const ExpectedType& expected, std::string_view type);
-
 /// Adds the values and functions of an import that are accepted. `qualifier`: `mat.`, or empty.
 /// Returns whether any of them fits.
 bool add_members(CompletionBuilder& builder, SymbolId import, std::string_view qualifier,

@@ -89,8 +89,8 @@ class HoverQuery {
   Span add_literal();
   Span add_path();
   Span add_expression();
-  /// A number or colour: its value, or that of the property whose value it is.
-  void add_property_of_literal();
+  /// The property or argument whose value is the number or colour; null if there is none.
+  const BuiltinSymbol* property_of_literal() const;
 
   SceneView& view_;
   std::uint32_t file_;
@@ -141,22 +141,25 @@ Span HoverQuery::add_name() {
 
 Span HoverQuery::add_literal() {
   if (!is_expression(inner().kind())) return {};
-  text_.add(describe_value(values_.of_expression(file_, inner()), values_, token_text()));
-  add_property_of_literal();
+  const BuiltinSymbol* owner = property_of_literal();
+  const Property* property = owner == nullptr ? nullptr : owner->property;
+  const ComputedValue value = as_value_of(property, values_.of_expression(file_, inner()));
+  text_.add(describe_value(value, values_, token_text()));
+  if (property == nullptr) return cursor_.token.span;
+  text_.add(fmt::format("{}: {}", as_code(owner->name), describe(*property)));
+  text_.add(owner->doc);
   return cursor_.token.span;
 }
 
-void HoverQuery::add_property_of_literal() {
+const BuiltinSymbol* HoverQuery::property_of_literal() const {
   const std::size_t depth = cursor_.nodes.size();
-  if (depth < 2) return;
+  if (depth < 2) return nullptr;
   const ast::Node parent = cursor_.nodes[depth - 2];
-  if (!parent.is(SyntaxKind::Property) && !parent.is(SyntaxKind::Argument)) return;
+  if (!parent.is(SyntaxKind::Property) && !parent.is(SyntaxKind::Argument)) return nullptr;
   const Occurrence* label = view_.table(file_).at(parent.span().begin);
-  if (label == nullptr || !label->symbol.is_builtin()) return;
+  if (label == nullptr || !label->symbol.is_builtin()) return nullptr;
   const BuiltinSymbol& builtin = builtin_symbols()[label->symbol.index];
-  if (builtin.property == nullptr) return;
-  text_.add(fmt::format("{}: {}", as_code(builtin.name), describe(*builtin.property)));
-  text_.add(builtin.doc);
+  return builtin.property == nullptr ? nullptr : &builtin;
 }
 
 /// The file of an import or include.

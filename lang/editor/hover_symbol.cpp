@@ -124,7 +124,8 @@ class Description {
 };
 
 void Description::add_value(ast::Node expression, const Property* property) {
-  const ComputedValue value = values_.of_expression(file_, expression, property);
+  const ComputedValue value =
+      as_value_of(property, values_.of_expression(file_, expression, property));
   text_.add(describe_value(value, values_, expression.text()));
 }
 

@@ -53,6 +53,15 @@ std::string describe(const Property& property) {
   return fmt::format("{}; {}{}", values, is_required ? "" : "default ", usual);
 }
 
+ComputedValue as_value_of(const Property* property, ComputedValue computed) {
+  const auto* number = get_if<Scalar>(&computed.value);
+  const bool is_length = property != nullptr && property->type == Type::Length;
+  if (is_length && number != nullptr && number->unit == Unit::None) {
+    computed.value = Scalar{number->value, Unit::Length};
+  }
+  return computed;
+}
+
 std::string describe_value(const ComputedValue& computed, Values& values,
                            std::string_view written) {
   switch (computed.status) {

@@ -28,6 +28,8 @@ class HoverText {
 std::string as_code(std::string_view text);
 /// Type, range and default of a property: "a length, at least 0; required".
 std::string describe(const Property& property);
+/// The value as that of the property, which may be null: a number without a unit is a length too.
+ComputedValue as_value_of(const Property* property, ComputedValue computed);
 /// "Value: `1.5708`" in several units, or why there is none. Empty if the value has an error, or if
 /// it says nothing new about `written`, the text of the expression.
 std::string describe_value(const ComputedValue& computed, Values& values, std::string_view written);

@@ -6,7 +6,7 @@
 set -eu
 unset CDPATH
 editor=$1
-SDLC=$2
+SDLC=$(realpath -- "$2")
 export SDLC
 here=$(cd -P -- "$(dirname -- "$0")" && pwd -P)
 root=$here/../..

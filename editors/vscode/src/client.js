@@ -20,7 +20,17 @@ function withPage(diagnostic) {
   return diagnostic;
 }
 
+/** Shows a picture beside the text; other documents are shown as usual. */
+async function showDocument(params, token, next) {
+  const uri = vscode.Uri.parse(params.uri);
+  if (!/\.(png|jpe?g|gif|webp|bmp)$/i.test(uri.path)) return next(params, token);
+  const options = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: !params.takeFocus };
+  await vscode.commands.executeCommand('vscode.open', uri, options);
+  return { success: true };
+}
+
 const middleware = {
+  window: { showDocument },
   handleDiagnostics: (uri, diagnostics, next) => next(uri, diagnostics.map(withPage)),
   workspace: {
     configuration: async (params, token, next) => {

@@ -5,26 +5,19 @@
 # puppeteer. Writes FOLDER/env.sh, which drive.sh and the protocol tests need in their environment. Chromium, a C++
 # compiler, make, python3 and Node.js 20 with its headers come from the system.
 set -euo pipefail
+unset CDPATH
+tests=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 folder=$(realpath -m -- "${1:-/tmp/vscode-tools}")
 node_prefix=$(dirname -- "$(dirname -- "$(readlink -f -- "$(command -v node)")")")
 
 # The version of VS Code in it is 1.99; newer ones of code-server need a newer Node.js.
 code_server=4.99.4
-packages=(
-  puppeteer-core@24.43.1
-  vscode-languageserver-protocol@3.18.5
-  vscode-jsonrpc@10.0.0
-)
-
-install() {
-  mkdir -p -- "$1"
-  cd -- "$1"
-  [[ -e package.json ]] || echo '{ "private": true }' >package.json
-  npm install --ignore-scripts --no-audit --no-fund --save-exact "${@:2}"
-}
-
-install "$folder/node" "${packages[@]}"
-install "$folder/code-server" "code-server@$code_server"
+mkdir -p -- "$folder/node"
+cp -- "$tests/package.json" "$folder/node"
+npm install --prefix "$folder/node" --ignore-scripts --no-audit --no-fund
+mkdir -p -- "$folder/code-server"
+echo '{ "private": true }' >"$folder/code-server/package.json"
+npm install --prefix "$folder/code-server" --ignore-scripts --no-audit --no-fund --save-exact "code-server@$code_server"
 cd -- "$folder/code-server/node_modules/code-server/lib/vscode"
 npm install --ignore-scripts --omit=dev --no-audit --no-fund
 # Their scripts build native modules. The others that have some, kerberos and ripgrep, are not necessary.

@@ -188,7 +188,7 @@ export class Workbench {
     await this.command('View: Close All Editors');
     await this.quickInput('Control+p');
     await this.type(this.file(name));
-    await this.seeText('.quick-input-list .monaco-list-row', name);
+    await this.seeText('.quick-input-list .monaco-list-row.focused', name);
     await this.press('Enter');
     await this.see(`.tab.active[data-resource-name="${name}"]`);
     await this.see('.monaco-editor .view-line');

@@ -101,7 +101,10 @@ TEST(Hover, ShowsUnitsOfNumbers) {
   EXPECT_EQ(hover_at("let a = 1|5%\n"), "Value: `0.15`");
   EXPECT_EQ(hover_at("let a = 1_0|00\n"), "Value: `1000`");
   EXPECT_EQ(hover_at("let a = 1|5\n"), "none");
-  EXPECT_THAT(hover_at("sphere { radius: 0.|5 }\n"), HasSubstr("`radius`: a length"));
+  EXPECT_THAT(hover_at("sphere { radius: 0.|5 }\n"),
+              AllOf(HasSubstr("Value: `0.5m` = `50cm`"), HasSubstr("`radius`: a length")));
+  EXPECT_THAT(hover_at("sphere { rad|ius: 2 * 4 }\n"), HasSubstr("Value: `8m`"));
+  EXPECT_THAT(hover_at("group { sc|ale: 2 * 4 }\n"), HasSubstr("Value: `8`"));
 }
 
 TEST(Hover, ShowsColoursAsLinearAndHex) {

@@ -1,29 +1,31 @@
 // The commands of the palette and of the code lens.
-import { existsSync, rmSync } from 'node:fs';
 import { until } from '../workbench.mjs';
 import { BALL, MATERIALS, USER, scene } from './scenes.mjs';
 
-async function openForRender(bench) {
-  rmSync(bench.file('picture.png'), { force: true });
-  await bench.open('ball.scene', scene(BALL));
-  return () => until('a picture', () => existsSync(bench.file('picture.png')));
+/** The picture, in an editor beside the scene. */
+async function seePicture(bench) {
+  await until('a picture', async () => {
+    const tabs = await bench.page.$$eval('.tab', (found) => found.map((tab) => tab.dataset.resourceName));
+    return tabs.some((name) => name?.endsWith('.png'));
+  });
+  await bench.screenshot('picture');
 }
 
 export const checks = [
   {
     name: 'the code lens of a camera renders',
     async run(bench) {
-      const rendered = await openForRender(bench);
+      await bench.open('lens.scene', scene(BALL));
       await bench.click('.codelens-decoration a', 'Render');
-      await rendered();
+      await seePicture(bench);
     },
   },
   {
     name: 'the command Render renders',
     async run(bench) {
-      const rendered = await openForRender(bench);
+      await bench.open('command.scene', scene(BALL));
       await bench.command('sdlc: Render');
-      await rendered();
+      await seePicture(bench);
     },
   },
   {

@@ -9,6 +9,14 @@ async function openBoth(bench) {
   await bench.goto(5, USER.split('\n')[4].indexOf('brass') + 2);
 }
 
+async function renameTo(bench, name) {
+  await bench.press('F2');
+  await until('the box for the name', () => bench.page.evaluate(() => Boolean(document.activeElement?.closest('.rename-box'))));
+  await bench.press('Control+a');
+  await bench.type(name);
+  await bench.press('Enter');
+}
+
 export const checks = [
   {
     name: 'go to definition opens the other file',
@@ -32,12 +40,7 @@ export const checks = [
     name: 'rename changes both files',
     async run(bench) {
       await openBoth(bench);
-      await bench.press('F2');
-      await bench.see('.rename-box input');
-      await bench.press('Control+a');
-      await bench.type('polished_brass');
-      await bench.press('Enter');
-      await bench.gone('.rename-box');
+      await renameTo(bench, 'polished_brass');
       await until('the new name', async () => (await bench.text()).includes('mat.polished_brass'));
       await bench.command('File: Save All');
       const renamed = (text) => text.replaceAll('brass =', 'polished_brass =').replaceAll('mat.brass', 'mat.polished_brass');
@@ -50,11 +53,7 @@ export const checks = [
       bench.write('materials.scene', MATERIALS);
       await bench.open('clash.scene', 'scene 1\nlet one = 1\nlet two = one + 1\n');
       await bench.goto(2, 5);
-      await bench.press('F2');
-      await bench.see('.rename-box input');
-      await bench.press('Control+a');
-      await bench.type('two');
-      await bench.press('Enter');
+      await renameTo(bench, 'two');
       await until('a reason', async () => {
         const shown = [...(await bench.texts('.monaco-editor-overlaymessage')), ...(await bench.texts('.notification-toast'))];
         return shown.some((text) => text.includes('two'));
