@@ -58,6 +58,17 @@ void Publisher::publish(const Checks::Result& result) {
   known = findings_of(result);
   for (const auto& [file, findings] : known) affected.insert(file);
   send(affected);
+  if (result.checked != nullptr) show_config_errors(*result.checked);
+}
+
+/// A message box, because a `.sdlc.toml` is no text of this server. Shown again only if it changes.
+void Publisher::show_config_errors(const CheckedScene& checked) {
+  constexpr int kWarning = 2;
+  if (checked.config_errors() == config_errors_) return;
+  config_errors_ = checked.config_errors();
+  for (const std::string& error : config_errors_) {
+    connection_.notify("window/showMessage", {{"type", kWarning}, {"message", error}});
+  }
 }
 
 void Publisher::set_open(std::map<fs::path, OpenText> open) {

@@ -45,6 +45,7 @@ class Publisher {
   std::string uri_of_identity(const std::filesystem::path& identity) const;
   Json united(const std::filesystem::path& file) const;
   void send(const std::set<std::filesystem::path>& files);
+  void show_config_errors(const CheckedScene& checked);
 
   const lang::FileSystem& files_;
   Connection& connection_;
@@ -53,7 +54,8 @@ class Publisher {
   bool has_related_ = false;
   std::map<std::filesystem::path, OpenText> open_;
   std::map<std::filesystem::path, Findings> scenes_;
-  std::map<std::string, Json> sent_;  // by URI; without those that are empty
+  std::map<std::string, Json> sent_;        // by URI; without those that are empty
+  std::vector<std::string> config_errors_;  // shown last
 };
 
 }  // namespace sdlc::lsp

@@ -19,7 +19,11 @@ Session::Session(Connection& connection, Log& log, const ServerOptions& options,
       log_(log),
       server_options_(options),
       publisher_(disk_, connection),
-      index_(disk_, {.changed = [this, post] { post([this] { update_scenes(); }); }}),
+      index_progress_(connection),
+      index_(disk_, {.begin = [this] { index_progress_.begin(); },
+                     .report = [this](const auto& progress) { index_progress_.report(progress); },
+                     .end = [this](const auto& progress) { index_progress_.end(progress); },
+                     .changed = [this, post] { post([this] { update_scenes(); }); }}),
       checks_(disk_, {.limits = options.limits, .is_sandboxed = options.is_sandboxed}, log,
               [this](const Checks::Result& result) { publisher_.publish(result); }) {}
 
@@ -40,6 +44,7 @@ RenderRuns& Session::renders() {
 void Session::set_client(Client client) {
   client_ = std::move(client);
   index_.set_encoding(client_.encoding());
+  index_progress_.set_shown(client_.can("/window/workDoneProgress"));
   publisher_.configure(client_.encoding(),
                        client_.can("/textDocument/publishDiagnostics/relatedInformation"));
 }

@@ -17,6 +17,7 @@
 #include "lsp/client.hpp"
 #include "lsp/connection.hpp"
 #include "lsp/folder_index.hpp"
+#include "lsp/index_progress.hpp"
 #include "lsp/json_rpc.hpp"
 #include "lsp/log.hpp"
 #include "lsp/open_files.hpp"
@@ -141,6 +142,7 @@ class Session {
   SemanticResults semantic_results_;
   const lang::StopRequest* stop_ = nullptr;
   Publisher publisher_;
+  IndexProgress index_progress_;
   FolderIndex index_;
   Checks checks_;
   std::unique_ptr<RenderRuns> renders_;

@@ -50,6 +50,23 @@ TEST(Diagnostics, CountUtf16UnitsUnlessTheClientOffersUtf8) {
   EXPECT_EQ(other.diagnostics("a.scene", is_any)[0].at("range").at("start").at("character"), 19);
 }
 
+TEST(Diagnostics, FollowTheSettingsOfTheFolder) {
+  const std::string text = "scene 1\nlet unused = 1\nsphere { center: (0, 0, 0), radius: 1 }\n";
+  TestClient client;
+  client.write(".sdlc.toml", "[lint]\nignore = ['W402']\n");
+  client.open("a.scene", text);
+  EXPECT_THAT(client.codes("a.scene"), testing::Not(testing::Contains("W402")));
+  client.write(".sdlc.toml", "[lint]\n");
+  client.notify("workspace/didChangeWatchedFiles",
+                {{"changes", Json::array({{{"uri", client.uri(".sdlc.toml")}, {"type", 2}}})}});
+  EXPECT_THAT(client.codes("a.scene"), testing::Contains("W402"));
+  client.write(".sdlc.toml", "[lint]\nignored = []\n");
+  client.notify("workspace/didChangeWatchedFiles",
+                {{"changes", Json::array({{{"uri", client.uri(".sdlc.toml")}, {"type", 2}}})}});
+  EXPECT_THAT(client.wait_for_notification("window/showMessage").at("message").get<std::string>(),
+              testing::HasSubstr("did you mean `ignore`?"));
+}
+
 TEST(Server, EndsWellOnlyAfterShutdown) {
   TestClient client;
   EXPECT_TRUE(client.exit());
