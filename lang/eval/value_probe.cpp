@@ -124,11 +124,15 @@ double SingleValues::time() {
 bool SingleValues::evaluate(UsedValues& used) {
   if (used.uses_time()) find_time();
   auto& globals = used.globals();
+  // All are there before one is read: a file in a cycle of imports may be read too early.
+  for (const auto [module, index] : globals) {
+    auto& values = evaluator_.globals_[module];
+    if (values.empty()) values.resize(program_.module(module).globals.size());
+  }
   std::ranges::sort(globals, {}, [&](UsedValues::Item item) { return order_.rank(item); });
   for (const auto [module, index] : globals) {
     const Module& file = program_.module(module);
     auto& values = evaluator_.globals_[module];
-    if (values.empty()) values.resize(file.globals.size());
     if (order_.rank({module, index}).second == kNothing) continue;
     if (!evaluator_.take_steps(file.code, file.globals[index].node, work::kStatement)) break;
     values[index] = evaluator_.evaluate_global(module, index);

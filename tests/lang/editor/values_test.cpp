@@ -61,6 +61,13 @@ TEST(Values, UseOtherValuesOfTheScene) {
             "20");
 }
 
+TEST(Values, EndInCyclesOfImports) {
+  EXPECT_EQ(value_of_name({{"root.scene", "scene 1\nimport \"a.scene\" as a\nlet |x = a.y + 1\n"},
+                           {"a.scene", "scene 1\nimport \"b.scene\" as b\nlet y = 2 + 2\n"},
+                           {"b.scene", "scene 1\nimport \"a.scene\" as a\nlet z = a.y\n"}}),
+            "5");
+}
+
 TEST(Values, HaveEveryType) {
   EXPECT_EQ(value_of_name("let |a = (1, 2, 3) * 2\n"), "(2, 4, 6)");
   EXPECT_EQ(value_of_name("let |a = 20cm + 1m\n"), "1.2m");
