@@ -1,14 +1,13 @@
 #include "lsp/rename_requests.hpp"
 
-#include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "lang/editor/navigation.hpp"
 #include "lang/editor/rename.hpp"
+#include "lsp/edits_json.hpp"
 #include "lsp/place_ranges.hpp"
 #include "lsp/session_scenes.hpp"
 
@@ -23,25 +22,6 @@ Text scene_text(Session& session, const Json& params) {
   Text text = session.text_of(params);
   if (!text.is_scene()) refuse("A JSON config has no names that could be changed.");
   return text;
-}
-
-/// The version that the client gave to an open text; null for a file.
-Json version_of(const Session& session, const std::string& uri) {
-  const OpenFile* open = session.find_open(uri);
-  return open == nullptr ? Json(nullptr) : Json(open->version);
-}
-
-/// Edits by URI.
-Json workspace_edit(const Session& session, std::map<std::string, Json> edits) {
-  if (!session.client().can("/workspace/workspaceEdit/documentChanges")) {
-    return {{"changes", std::move(edits)}};
-  }
-  Json changes = Json::array();
-  for (auto& [uri, list] : edits) {
-    Json document{{"uri", uri}, {"version", version_of(session, uri)}};
-    changes.push_back({{"textDocument", std::move(document)}, {"edits", std::move(list)}});
-  }
-  return {{"documentChanges", std::move(changes)}};
 }
 
 }  // namespace
@@ -76,7 +56,7 @@ Json rename(Session& session, const Json& params) {
     auto& list = edits.try_emplace(session.uri_of(place.path), Json::array()).first->second;
     list.push_back({{"range", std::move(range)}, {"newText", new_name}});
   }
-  return workspace_edit(session, std::move(edits));
+  return workspace_edit(session, edits);
 }
 
 }  // namespace sdlc::lsp

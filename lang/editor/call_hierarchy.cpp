@@ -51,11 +51,11 @@ const Symbol* callable_around(const SyntaxTree& tree, const std::vector<const Sy
 /// Collects places by the item at the other end.
 class Groups {
  public:
-  void add(const CallItem& item, Span place) {
+  void add(const CallItem& item, const std::vector<Span>& calls) {
     auto& [known, places] =
         groups_.try_emplace({item.path, item.where.begin, item.is_file ? 0 : 1}).first->second;
     known = item;
-    places.push_back(place);
+    places.insert(places.end(), calls.begin(), calls.end());
   }
 
   std::vector<CallGroup> take() {
@@ -85,16 +85,20 @@ std::vector<CallGroup> incoming_calls(SceneSet& scenes, const SharedSymbol& call
     const SceneView* view = scenes.scene(i);
     if (view == nullptr) continue;
     const SymbolId id = symbol_in(*view, callee);
+    std::vector<FileSpan> calls = view->index().references(id);
+    std::erase(calls, FileSpan{id.file, callee.where});
     std::map<std::uint32_t, std::vector<const Symbol*>> callables;  // by file
-    for (const FileSpan& call : view->index().references(id)) {
-      const bool is_declaration = call.file == id.file && call.span == callee.where;
-      if (is_declaration || !seen.add(*view, call)) continue;
+    std::map<std::pair<std::uint32_t, const Symbol*>, std::vector<Span>> by_caller;
+    for (const FileSpan& call : seen.add(*view, calls)) {
       const auto [known, is_new] = callables.try_emplace(call.file);
       if (is_new) known->second = callables_of(view->table(call.file));
       const Symbol* caller = callable_around(view->tree(call.file), known->second, call.span);
-      groups.add(
-          caller == nullptr ? item_of_file(*view, call.file) : item_of(*view, call.file, *caller),
-          call.span);
+      by_caller[{call.file, caller}].push_back(call.span);
+    }
+    for (const auto& [caller, places] : by_caller) {
+      const auto& [file, symbol] = caller;
+      groups.add(symbol == nullptr ? item_of_file(*view, file) : item_of(*view, file, *symbol),
+                 places);
     }
   }
   return groups.take();
@@ -105,7 +109,7 @@ std::vector<CallGroup> outgoing_calls(const SceneView& view, const CallItem& cal
   if (!file) return {};
   const SymbolTable& table = view.table(*file);
   const std::vector<const Symbol*> callables = callables_of(table);
-  Groups groups;
+  std::map<std::pair<std::uint32_t, const Symbol*>, std::vector<Span>> by_callee;
   for (const Occurrence& name : table.occurrences()) {
     const Symbol* callee = view.index().find(name.symbol);
     const bool is_call = callee != nullptr && is_callable(*callee) &&
@@ -114,7 +118,11 @@ std::vector<CallGroup> outgoing_calls(const SceneView& view, const CallItem& cal
     const Symbol* around = callable_around(table.tree(), callables, name.where);
     const bool is_inside =
         around == nullptr ? caller.is_file : !caller.is_file && around->where == caller.where;
-    if (is_inside) groups.add(item_of(view, name.symbol.file, *callee), name.where);
+    if (is_inside) by_callee[{name.symbol.file, callee}].push_back(name.where);
+  }
+  Groups groups;
+  for (const auto& [callee, places] : by_callee) {
+    groups.add(item_of(view, callee.first, *callee.second), places);
   }
   return groups.take();
 }

@@ -116,20 +116,43 @@ SymbolId symbol_in(const SceneView& view, const SharedSymbol& symbol) {
   return is_same ? SymbolId{*file, symbol.index} : SymbolId();
 }
 
-bool PlaceSet::add(const SceneView& view, const FileSpan& place) {
-  const fs::path& path = view.module(place.file).path;
-  auto [identity, is_new] = identities_.try_emplace(path);
-  if (is_new) identity->second = view.options().workspace->identity(path);
-  if (!seen_.emplace(identity->second, place.span.begin).second) return false;
-  places_.push_back({.path = path, .where = place.span});
-  return true;
+std::vector<FileSpan> PlaceSet::add(const SceneView& view, std::span<const FileSpan> places) {
+  std::vector<FileSpan> added;
+  for (auto first = places.begin(); first != places.end();) {
+    const std::uint32_t file = first->file;
+    const auto last = std::find_if(first, places.end(),
+                                   [&](const FileSpan& place) { return place.file != file; });
+    const fs::path& path = view.module(file).path;
+    File& known = files_[view.options().workspace->identity(path)];
+    if (known.path.empty()) known.path = path;
+    const std::size_t old_size = known.places.size();
+    for (; first != last; ++first) {
+      const auto old_end = known.places.begin() + static_cast<std::ptrdiff_t>(old_size);
+      const auto found = std::lower_bound(
+          known.places.begin(), old_end, first->span.begin,
+          [](const Span& place, std::uint32_t begin) { return place.begin < begin; });
+      if (found != old_end && *found == first->span) continue;
+      known.places.push_back(first->span);
+      added.push_back(*first);
+    }
+    std::inplace_merge(
+        known.places.begin(), known.places.begin() + static_cast<std::ptrdiff_t>(old_size),
+        known.places.end(), [](const Span& a, const Span& b) { return a.begin < b.begin; });
+  }
+  return added;
 }
 
-std::vector<Place> PlaceSet::take() {
-  std::ranges::sort(places_, {}, [](const Place& place) {
-    return std::tuple<const fs::path&, std::uint32_t>(place.path, place.where.begin);
-  });
-  return std::move(places_);
+std::span<const Span> PlaceSet::in(const fs::path& identity) const {
+  const auto found = files_.find(identity);
+  return found == files_.end() ? std::span<const Span>() : found->second.places;
+}
+
+std::vector<Place> PlaceSet::all() const {
+  std::vector<Place> places;
+  for (const auto& [identity, file] : files_) {
+    for (const Span place : file.places) places.push_back({.path = file.path, .where = place});
+  }
+  return places;
 }
 
 std::vector<Place> references(SceneSet& scenes, const SharedSymbol& symbol,
@@ -139,12 +162,11 @@ std::vector<Place> references(SceneSet& scenes, const SharedSymbol& symbol,
     const SceneView* view = scenes.scene(i);
     if (view == nullptr) continue;
     const SymbolId id = symbol_in(*view, symbol);
-    for (const FileSpan& found : view->index().references(id)) {
-      const bool is_declaration = found.file == id.file && found.span == symbol.where;
-      if (includes_declaration || !is_declaration) places.add(*view, found);
-    }
+    std::vector<FileSpan> found = view->index().references(id);
+    if (!includes_declaration) std::erase(found, FileSpan{id.file, symbol.where});
+    places.add(*view, found);
   }
-  return places.take();
+  return places.all();
 }
 
 std::vector<Highlight> highlights(const SceneView& view, std::uint32_t file, std::uint32_t offset) {

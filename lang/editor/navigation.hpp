@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
-#include <tuple>
+#include <span>
 #include <vector>
 
 #include "lang/editor/scene_view.hpp"
@@ -70,16 +69,21 @@ SymbolId symbol_in(const SceneView& view, const SharedSymbol& symbol);
 /// Places in the files of several scenes, each once.
 class PlaceSet {
  public:
-  /// Adds the place and returns true, unless another scene has added it.
-  bool add(const SceneView& view, const FileSpan& place);
-  const std::vector<Place>& places() const noexcept { return places_; }
-  /// By path and place.
-  std::vector<Place> take();
+  /// Adds places of a scene, which are sorted by file and place. Returns those that no scene before
+  /// has added.
+  std::vector<FileSpan> add(const SceneView& view, std::span<const FileSpan> places);
+  /// Those in the file with this identity, sorted.
+  std::span<const Span> in(const std::filesystem::path& identity) const;
+  /// All, by path and place.
+  std::vector<Place> all() const;
 
  private:
-  std::map<std::filesystem::path, std::filesystem::path> identities_;  // two paths may be one file
-  std::set<std::tuple<std::filesystem::path, std::uint32_t>> seen_;
-  std::vector<Place> places_;
+  struct File {
+    std::filesystem::path path;
+    std::vector<Span> places;  // sorted
+  };
+
+  std::map<std::filesystem::path, File> files_;  // by identity: two paths may be one file
 };
 
 /// The names of the symbol in all files of the scenes, each once, by path and place.

@@ -223,8 +223,8 @@ RenamePlan check_files(const SceneView& view, const std::vector<FileSpan>& place
   return {};
 }
 
-RenamePlan try_rename(const SceneView& view, const SharedSymbol& symbol,
-                      const std::vector<Place>& places, std::string_view new_name) {
+RenamePlan try_rename(const SceneView& view, const SharedSymbol& symbol, const PlaceSet& places,
+                      std::string_view new_name) {
   if (!symbol_in(view, symbol).is_known()) return {};
   const auto change = first_change(view, places, new_name);
   if (!change) return {};
@@ -261,14 +261,14 @@ RenamePlan plan_rename(SceneSet& scenes, const SharedSymbol& symbol, std::string
     const auto found = view->index().references(symbol_in(*view, symbol));
     plan = check_files(*view, found, options);
     if (!plan.refusal.empty()) return plan;
-    for (const FileSpan& place : found) places.add(*view, place);
+    places.add(*view, found);
   }
-  RenamePlan plan{.refusal = {}, .conflict = {}, .places = places.take()};
+  RenamePlan plan{.refusal = {}, .conflict = {}, .places = places.all()};
   if (plan.places.empty()) return refused("No scene declares this name any more.");
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const SceneView* view = scenes.scene(i);
     if (view == nullptr) continue;
-    RenamePlan trial = try_rename(*view, symbol, plan.places, new_name);
+    RenamePlan trial = try_rename(*view, symbol, places, new_name);
     if (!trial.refusal.empty()) return trial;
   }
   return plan;

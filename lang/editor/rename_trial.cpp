@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <map>
-#include <memory>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -19,9 +18,9 @@ namespace {
 /// The replaced places of one file, and where they are in the new text.
 class ReplacedPlaces {
  public:
-  ReplacedPlaces(std::string_view text, std::vector<Span> places, std::string_view new_name)
-      : places_(std::move(places)), new_size_(static_cast<std::uint32_t>(new_name.size())) {
-    std::ranges::sort(places_, {}, &Span::begin);
+  /// `places`: sorted; they must outlive this.
+  ReplacedPlaces(std::string_view text, std::span<const Span> places, std::string_view new_name)
+      : places_(places), new_size_(static_cast<std::uint32_t>(new_name.size())) {
     std::uint32_t end = 0;
     for (const Span place : places_) {
       new_text_ += text.substr(end, place.begin - end);
@@ -43,7 +42,7 @@ class ReplacedPlaces {
   }
 
  private:
-  std::vector<Span> places_;
+  std::span<const Span> places_;
   std::uint32_t new_size_;
   std::string new_text_;
   std::size_t next_ = 0;
@@ -75,26 +74,16 @@ std::optional<Span> first_change_of_file(const SymbolTable& before, const Symbol
 
 }  // namespace
 
-std::optional<Place> first_change(const SceneView& view, std::span<const Place> places,
+std::optional<Place> first_change(const SceneView& view, const PlaceSet& places,
                                   std::string_view new_name) {
   const Workspace& workspace = *view.options().workspace;
-  std::map<fs::path, std::vector<Span>> by_identity;
-  std::map<fs::path, fs::path> identities;
-  for (const Place& place : places) {
-    auto [known, is_new] = identities.try_emplace(place.path);
-    if (is_new) known->second = workspace.identity(place.path);
-    by_identity[known->second].push_back(place.where);
-  }
-
   Workspace trial_workspace(static_cast<const FileSystem&>(workspace));
   std::vector<ReplacedPlaces> replaced;
   for (std::uint32_t file = 0; file < view.file_count(); ++file) {
-    const auto found = by_identity.find(workspace.identity(view.module(file).path));
-    auto spans = found == by_identity.end() ? std::vector<Span>() : found->second;
+    const fs::path& path = view.module(file).path;
     // Also unchanged texts: the files of the disk may be newer.
-    const ReplacedPlaces& added =
-        replaced.emplace_back(view.file(file).text(), std::move(spans), new_name);
-    trial_workspace.open(view.module(file).path, added.new_text());
+    replaced.emplace_back(view.file(file).text(), places.in(workspace.identity(path)), new_name);
+    trial_workspace.open(path, replaced.back().new_text());
   }
   ProgramOptions options = view.options();
   options.workspace = &trial_workspace;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include "lang/editor/navigation.hpp"
@@ -11,9 +10,8 @@ namespace sdlc::lang {
 
 /// Resolves the scene again with the new name at all `places` that its files have, and returns the
 /// first name that means something else then, or whose statement is parsed differently; nullopt if
-/// all stays the same. `places`: by path and place; their paths are those of the scene, or others
-/// of the same files.
-std::optional<Place> first_change(const SceneView& view, std::span<const Place> places,
+/// all stays the same.
+std::optional<Place> first_change(const SceneView& view, const PlaceSet& places,
                                   std::string_view new_name);
 
 }  // namespace sdlc::lang

@@ -83,7 +83,7 @@ TEST(FindReferences, ListsTheUsesInAllFiles) {
   EXPECT_THAT(uses(false), ElementsAre("a.scene 2"));
 }
 
-TEST(Highlights, TellReadsFromWrites) {
+TEST(Highlights, DistinguishWritesFromReads) {
   TestClient client;
   const Json cursor = client.open_marked("a.scene", "scene 1\nlet a = 1\nlet b = |a\n");
   const Json found = client.result_at("textDocument/documentHighlight", "a.scene", cursor);

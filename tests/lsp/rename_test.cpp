@@ -12,8 +12,8 @@ namespace {
 
 const Json kDocumentChanges{{"workspace", {{"workspaceEdit", {{"documentChanges", true}}}}}};
 
-/// What an editor says that watches the folder.
-void say_that_files_changed(TestClient& client) {
+/// The notification of an editor that watches the folder.
+void announce_changed_files(TestClient& client) {
   client.notify("workspace/didChangeWatchedFiles",
                 {{"changes", Json::array({{{"uri", client.uri("")}, {"type", 1}}})}});
 }
@@ -74,7 +74,7 @@ TEST(Rename, OfALibraryChangesAllScenesOfTheFolder) {
                  "scene 1\nimport \"../lib.scene\" as lib\nlet a = lib.tint\n");
   }
   client.write("other.scene", "scene 1\nlet tint = blue\n");
-  say_that_files_changed(client);
+  announce_changed_files(client);
   // What has just been typed counts, too.
   client.open("typed.scene", "scene 1\n");
   client.change("typed.scene", "scene 1\nimport \"lib.scene\" as l\nlet a = l.tint\n");
@@ -95,7 +95,7 @@ TEST(Rename, IsRefusedWhereItClashesInAnotherScene) {
   TestClient client;
   client.write("one.scene", "scene 1\nimport \"lib.scene\" as lib\nlet a = lib.tint\n");
   client.write("two.scene", "scene 1\nimport \"lib.scene\" as lib\nlet a = lib.shade\n");
-  say_that_files_changed(client);
+  announce_changed_files(client);
   const Json cursor = client.open_marked("lib.scene", "scene 1\nlet |tint = red\n");
   Json params = client.at("lib.scene", cursor);
   params["newName"] = "shade";

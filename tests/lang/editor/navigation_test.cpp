@@ -142,7 +142,7 @@ std::vector<std::string> highlights_of(std::string_view text) {
   return found;
 }
 
-TEST(Highlights, TellWritesFromReads) {
+TEST(Highlights, DistinguishWritesFromReads) {
   EXPECT_THAT(highlights_of("scene 1\nlet |a = 1\nlet b = a + a\n"),
               ElementsAre("12w", "26r", "30r"));
   EXPECT_THAT(highlights_of("scene 1\nfn f(n: number) = n\nlet b = f(|n : f(2))\n"),

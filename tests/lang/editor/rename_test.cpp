@@ -108,7 +108,7 @@ TEST(RenamePlan, KeepsTheNameOfTheRest) {
             "scene 1\r\nlet Ä = 1\r\nlet b = 1\r\n");
 }
 
-TEST(RenamePlan, SaysWhatItClashesWith) {
+TEST(RenamePlan, NamesWhatItClashesWith) {
   const std::string text =
       "scene 1\nlet a = 1\nlet b = a\nfn f(x) = x + pi\ndef d(p) {}\nlet c = tau\n";
   EXPECT_EQ(renamed(text, "a = 1", "b"), "`b` is already the name of a value at a.scene:3:5.");
