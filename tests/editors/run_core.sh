@@ -1,7 +1,8 @@
 #!/bin/sh
 # usage: run_core.sh EDITOR PROGRAM
 #
-# Runs the tests of the language server through an editor or a client: neovim, emacs or node, with PROGRAM as sdlc.
+# Runs the tests of the language server through an editor or a client: neovim, emacs or node, with PROGRAM as sdlc;
+# and vscode, of what the extension does before it starts the server.
 # Exit status 77, with a message, where that is not installed.
 set -eu
 unset CDPATH
@@ -30,6 +31,10 @@ case $editor in
     command -v emacs >/dev/null || skip "emacs is not installed"
     emacs --batch --eval "(require 'eglot)" 2>/dev/null || skip "emacs has no eglot (Debian: elpa-eglot)"
     emacs --batch -L "$root/editors/emacs" -l "$here/emacs/core-test.el"
+    ;;
+  vscode)
+    command -v node >/dev/null || skip "node is not installed"
+    node --test "$here/vscode/program_test.mjs"
     ;;
   node)
     command -v node >/dev/null || skip "node is not installed"

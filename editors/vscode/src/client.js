@@ -75,7 +75,7 @@ class Client extends LanguageClient {
 
   async #closed() {
     if (this.#hasStarted) return this.usualHandler.closed();
-    this.#fail(new Error('`sdlc lsp` ends at once, see the log.'));
+    this.#fail(new Error('it ends at once'));
     return { action: CloseAction.DoNotRestart, handled: true };
   }
 
@@ -84,7 +84,11 @@ class Client extends LanguageClient {
     // A restart after a crash is the usual handler's.
     if (this.#hasStarted) return super.start();
     const failure = new Promise((_, reject) => (this.#fail = reject));
-    await Promise.race([super.start(), failure]);
+    try {
+      await Promise.race([super.start(), failure]);
+    } catch (error) {
+      throw new Error(`\`sdlc lsp\` does not start, see the log (${error.message}).`);
+    }
     this.#hasStarted = true;
   }
 

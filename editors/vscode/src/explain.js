@@ -9,6 +9,11 @@ const SCHEME = 'sdlc-explain';
 
 const NO_SERVER = 'sdlc is missing, see its log';
 
+/** The page without links to files of the repository; those to other pages remain. */
+function withoutFileLinks(page) {
+  return page.replace(/\[([^\]]+)\]\((?!https?:|[EWS]\d{3}\.md)[^)]*\)/g, '$1');
+}
+
 /** A content provider. The pages come from the program, one call for all of them, once per program. */
 class ExplainPages {
   constructor(server) {
@@ -31,7 +36,8 @@ class ExplainPages {
 
   async provideTextDocumentContent(uri) {
     const code = /([EWS]\d{3})\.md$/.exec(uri.path)?.[1];
-    return (await this.all()).get(code)?.page ?? `\`${uri.path}\` is not a page of \`sdlc explain\`.`;
+    const found = (await this.all()).get(code);
+    return found ? withoutFileLinks(found.page) : `\`${uri.path}\` is not a page of \`sdlc explain\`.`;
   }
 
   async show(code) {

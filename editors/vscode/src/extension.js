@@ -4,8 +4,9 @@
 const vscode = require('vscode');
 const { Client } = require('./client');
 const { registerCommands } = require('./commands');
-const { ExplainPages, SCHEME } = require('./explain');
+const { ExplainPages, SCHEME: EXPLAIN } = require('./explain');
 const { checkedVersion, findProgram } = require('./program');
+const { ConfigSchema, SCHEME: SCHEMA } = require('./schema');
 const { selector } = require('./selector');
 
 /** The running server and what reports on it. Starts and stops follow each other, never overlap. */
@@ -18,6 +19,10 @@ class Server {
     this.status.command = { command: 'sdlc.showLog', title: 'Log' };
     this.client = undefined;
     this.program = undefined;
+    this.isNeeded = false; // since the first document that is ours
+    this.hasFailed = false;
+    this.stateChanged = new vscode.EventEmitter();
+    this.onDidChangeState = this.stateChanged.event;
     this.queue = Promise.resolve();
     context.subscriptions.push(this.log, this.status);
   }
@@ -25,6 +30,13 @@ class Server {
   /** The folder in which sdlc runs: the first of the workspace. */
   folder() {
     return vscode.workspace.workspaceFolders?.find(({ uri }) => uri.scheme === 'file')?.uri.fsPath;
+  }
+
+  /** Starts the server if a document is the first that is ours. */
+  async need(document) {
+    if (this.isNeeded || vscode.languages.match(selector(), document) === 0) return;
+    this.isNeeded = true;
+    await this.restart();
   }
 
   restart() {
@@ -51,6 +63,8 @@ class Server {
   }
 
   async #start() {
+    this.isNeeded = true;
+    this.#setFailed(false);
     this.status.selector = selector();
     this.#show('sdlc', 'starting', vscode.LanguageStatusSeverity.Information, true);
     try {
@@ -66,8 +80,14 @@ class Server {
       this.#show(`sdlc ${version}`, program, vscode.LanguageStatusSeverity.Information, false);
     } catch (error) {
       await this.#stop();
+      this.#setFailed(true);
       this.#report(error);
     }
+  }
+
+  #setFailed(hasFailed) {
+    this.hasFailed = hasFailed;
+    this.stateChanged.fire();
   }
 
   #show(text, detail, severity, busy) {
@@ -97,16 +117,20 @@ let server;
 async function activate(context) {
   server = new Server(context);
   const pages = new ExplainPages(server);
+  const schema = new ConfigSchema(server, context.extensionUri);
+  const restartIfNeeded = () => server.isNeeded && server.restart();
   context.subscriptions.push(
-    vscode.workspace.registerTextDocumentContentProvider(SCHEME, pages),
+    vscode.workspace.registerTextDocumentContentProvider(EXPLAIN, pages),
+    vscode.workspace.registerTextDocumentContentProvider(SCHEMA, schema),
     ...registerCommands(server, pages),
-    vscode.workspace.onDidGrantWorkspaceTrust(() => server.restart()),
+    vscode.workspace.onDidOpenTextDocument((document) => server.need(document)),
+    vscode.workspace.onDidGrantWorkspaceTrust(restartIfNeeded),
     vscode.workspace.onDidChangeConfiguration((change) => {
       const needsRestart = ['sdlc.path', 'sdlc.sandbox', 'sdlc.configs'];
-      if (needsRestart.some((setting) => change.affectsConfiguration(setting))) server.restart();
+      if (needsRestart.some((setting) => change.affectsConfiguration(setting))) restartIfNeeded();
     }),
   );
-  await server.restart();
+  for (const document of vscode.workspace.textDocuments) await server.need(document);
 }
 
 function deactivate() {

@@ -153,6 +153,20 @@ export class Workbench {
     return until(`${selector} with ${text}`, async () => (await this.texts(selector)).find((found) => found.includes(text)));
   }
 
+  /** Waits until `holds(document)` is true in a frame of a web view, such as a preview. */
+  seeInWebview(what, holds) {
+    return until(`a web view with ${what}`, async () => {
+      for (const frame of this.page.frames()) {
+        try {
+          if (await frame.evaluate(`(${holds})(document)`)) return true;
+        } catch {
+          // The frame is gone.
+        }
+      }
+      return false;
+    });
+  }
+
   /** Clicks the first element of `selector` whose text contains `text`. */
   async click(selector, text = '', options = {}) {
     const box = await until(`${selector} with ${text}`, async () => {

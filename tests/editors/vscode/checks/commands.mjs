@@ -8,6 +8,7 @@ async function seePicture(bench) {
     const tabs = await bench.page.$$eval('.tab', (found) => found.map((tab) => tab.dataset.resourceName));
     return tabs.some((name) => name?.endsWith('.png'));
   });
+  await bench.seeInWebview('a picture', (document) => [...document.images].some((image) => image.naturalWidth === 32));
   await bench.screenshot('picture');
 }
 
@@ -47,6 +48,7 @@ export const checks = [
       await bench.seeText('.quick-input-list .monaco-list-row.focused', 'E104');
       await bench.press('Enter');
       await bench.seeText('.tab.active', 'E104');
+      await bench.seeInWebview('the page', (document) => document.body?.innerText.toLowerCase().includes('unknown property'));
     },
   },
   {

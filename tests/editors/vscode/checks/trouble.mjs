@@ -45,7 +45,19 @@ export const checks = [
     name: 'a server that ends at once is reported',
     run: (bench) =>
       withPath(bench, bench.program('broken', 'if [ "$1" = --version ]; then echo "sdlc 9.9.9"; else exit 3; fi'),
-        () => bench.seeText('.notification-toast', 'ends at once')),
+        () => bench.seeText('.notification-toast', '`sdlc lsp` does not start')),
+  },
+  {
+    name: 'without a server, the schema completes configs',
+    run: (bench) =>
+      withPath(bench, 'sdlc-is-not-here', async () => {
+        await bench.seeText('.notification-toast', 'is not on the PATH');
+        await bench.open('plain.sdlc.json', '{ "saving": {}, "image": {} }\n');
+        await bench.seeText('.statusbar-item', 'JSON');
+        await bench.goto(1, 3);
+        await bench.press('Control+ ');
+        await bench.seeText('.suggest-widget .monaco-list-row .label-name', 'rendering');
+      }),
   },
   {
     name: 'the server comes back when the path is correct again',
