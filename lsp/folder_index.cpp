@@ -107,15 +107,17 @@ void FolderIndex::wait() const {
   idle_.wait(lock, [this] { return !has_work() && updates_.empty() && !is_busy_; });
 }
 
-std::set<fs::path> FolderIndex::dependents_of(const fs::path& path) const {
-  std::set<fs::path> all;
+FolderIndex::Paths FolderIndex::dependents_of(const fs::path& path) const {
+  Paths all;
   std::vector<fs::path> pending{path};
   while (!pending.empty()) {
     const auto found = dependents_.find(pending.back());
     pending.pop_back();
     if (found == dependents_.end()) continue;
     for (const fs::path& dependent : found->second) {
-      if (dependent != path && all.insert(dependent).second) pending.push_back(dependent);
+      if (dependent.native() != path.native() && all.insert(dependent).second) {
+        pending.push_back(dependent);
+      }
     }
   }
   return all;
@@ -124,13 +126,14 @@ std::set<fs::path> FolderIndex::dependents_of(const fs::path& path) const {
 std::vector<fs::path> FolderIndex::roots_of(const fs::path& path) const {
   const fs::path identity = files_.identity(path);
   const std::scoped_lock lock(mutex_);
-  std::vector<fs::path> all;
-  for (const fs::path& dependent : dependents_of(identity)) all.push_back(dependent);
+  const Paths readers = dependents_of(identity);
+  std::vector<fs::path> all(readers.begin(), readers.end());
   // A file of a cycle is a root if only files of the cycle read it.
   const auto is_root = [&](const fs::path& file) {
-    const std::set<fs::path> readers = dependents_of(file);
-    return std::ranges::all_of(
-        readers, [&](const fs::path& reader) { return dependents_of(reader).contains(file); });
+    if (!dependents_.contains(file)) return true;
+    return std::ranges::all_of(dependents_of(file), [&](const fs::path& reader) {
+      return dependents_of(reader).contains(file);
+    });
   };
   std::ranges::stable_partition(all, is_root);
   return all;

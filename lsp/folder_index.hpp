@@ -80,6 +80,11 @@ class FolderIndex {
 
  private:
   using Path = std::filesystem::path;
+  /// By the text: std::filesystem::path compares part by part, ten times slower.
+  struct ByText {
+    bool operator()(const Path& a, const Path& b) const noexcept { return a.native() < b.native(); }
+  };
+  using Paths = std::set<Path, ByText>;
   using Clock = std::chrono::steady_clock;
 
   void run();
@@ -97,7 +102,7 @@ class FolderIndex {
   bool replace(const Path& path, std::shared_ptr<const FileFacts> facts);
   bool remove_below(const Path& folder);
   bool is_wanted(const Path& path) const;
-  std::set<Path> dependents_of(const Path& path) const;
+  Paths dependents_of(const Path& path) const;
   void call(std::unique_lock<std::mutex>& lock, const std::function<void()>& event);
 
   const lang::FileSystem& files_;
@@ -110,16 +115,16 @@ class FolderIndex {
   lang::PositionEncoding encoding_ = lang::PositionEncoding::Utf16;
   std::vector<Path> folders_;
   bool has_new_folders_ = false;
-  std::map<Path, std::shared_ptr<const std::string>> open_;
-  std::map<Path, Clock::time_point> updates_;  // when they are due
-  std::map<Path, std::shared_ptr<const FileFacts>> facts_;
-  std::map<Path, std::set<Path>> dependents_;
+  std::map<Path, std::shared_ptr<const std::string>, ByText> open_;
+  std::map<Path, Clock::time_point, ByText> updates_;  // when they are due
+  std::map<Path, std::shared_ptr<const FileFacts>, ByText> facts_;
+  std::map<Path, Paths, ByText> dependents_;
   bool is_busy_ = false;
 
   // The walk that goes on
   std::optional<FolderWalk> walk_;
   std::vector<Path> found_;  // to be read, the next one last
-  std::set<Path> walked_;
+  Paths walked_;
   Progress progress_;
   Clock::time_point walk_begin_, last_report_;
   bool has_begun_ = false;  // and that was reported
