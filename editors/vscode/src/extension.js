@@ -8,6 +8,7 @@ const { ExplainPages, SCHEME: EXPLAIN } = require('./explain');
 const { checkedVersion, findProgram } = require('./program');
 const { ConfigSchema, SCHEME: SCHEMA } = require('./schema');
 const { selector } = require('./selector');
+const { registerSnippets } = require('./snippets');
 
 /** The running server and what reports on it. Starts and stops follow each other, never overlap. */
 class Server {
@@ -123,6 +124,7 @@ async function activate(context) {
     vscode.workspace.registerTextDocumentContentProvider(EXPLAIN, pages),
     vscode.workspace.registerTextDocumentContentProvider(SCHEMA, schema),
     ...registerCommands(server, pages),
+    registerSnippets(),
     vscode.workspace.onDidOpenTextDocument((document) => server.need(document)),
     vscode.workspace.onDidGrantWorkspaceTrust(restartIfNeeded),
     vscode.workspace.onDidChangeConfiguration((change) => {

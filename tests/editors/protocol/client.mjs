@@ -61,6 +61,9 @@ export const CAPABILITIES = {
   },
 };
 
+/** It only ends a check that fails anyway. */
+const PATIENCE_MS = 20_000;
+
 export const CAMERA = 'camera main { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }\n';
 
 export class Client {
@@ -134,10 +137,20 @@ export class Client {
     for (;;) {
       const result = condition();
       if (result) return result;
-      const silence = AbortSignal.timeout(20_000);
+      const silence = AbortSignal.timeout(PATIENCE_MS);
       await once(this.events, 'change', { signal: silence }).catch(() => {
         throw new Error(`never happened: ${what}`);
       });
+    }
+  }
+
+  /** Repeats `attempt`, which asks the server, until its result is truthy: for what the server does in the background. */
+  async retry(what, attempt) {
+    const end = Date.now() + PATIENCE_MS;
+    for (;;) {
+      const result = await attempt();
+      if (result) return result;
+      if (Date.now() > end) throw new Error(`never happened: ${what}`);
     }
   }
 

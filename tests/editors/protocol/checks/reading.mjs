@@ -81,11 +81,10 @@ export const checks = [
       client.write('library.scene', 'scene 1\nlet polished_brass = specular(color: tan)\n');
       client.notify('workspace/didChangeWatchedFiles', { changes: [{ uri: client.uri('library.scene'), type: 1 }] });
       client.open('a.scene', SCENE);
-      for (;;) {
+      await client.retry('the folder is read', async () => {
         const symbols = await client.request('workspace/symbol', { query: 'polbrass' });
-        if (symbols?.some(({ name }) => name.includes('polished_brass'))) break;
-        await client.until('the folder is read', () => true);
-      }
+        return symbols?.some(({ name }) => name.includes('polished_brass'));
+      });
     },
   },
   {

@@ -1,6 +1,9 @@
 // Completion and signature help.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { CAMERA, protocol } from '../client.mjs';
+
+const SNIPPETS = new URL('../../../../editors/vscode/snippets/scene.json', import.meta.url);
 
 const { CompletionItemKind, InsertTextFormat } = protocol;
 
@@ -74,6 +77,14 @@ export const checks = [
       const items = await complete(client, `scene 1\n${CAMERA}fo|`);
       const loop = items.find(({ label }) => label === 'for');
       assert.equal(loop.insertTextFormat, InsertTextFormat.Snippet);
+    },
+  },
+  {
+    name: 'the extension for VS Code has no snippet that the server offers',
+    async test(client) {
+      const prefixes = Object.values(JSON.parse(readFileSync(SNIPPETS, 'utf8'))).map(({ prefix }) => prefix);
+      const offered = [...(await complete(client, '|')), ...(await complete(client, `scene 1\n${CAMERA}|`))];
+      assert.deepEqual(prefixes.filter((prefix) => labels(offered).includes(prefix)), []);
     },
   },
   {

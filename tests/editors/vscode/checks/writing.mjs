@@ -114,6 +114,7 @@ export const checks = [
       for (const word of ['srgb', 'linear']) {
         if (!labels.includes(word)) throw new Error(`no ${word} in ${labels}`);
       }
+      if (labels.length > 3) throw new Error(`more than words: ${labels}`);
     },
   },
   {
@@ -125,6 +126,18 @@ export const checks = [
       await bench.press('Tab');
       await bench.press('Escape');
       await bench.saved('new.scene', 'is a scene', (text) => text.startsWith('scene 1\n'));
+      await bench.gone('.squiggly-error');
+    },
+  },
+  {
+    name: 'a snippet of the extension is offered where a statement begins',
+    async run(bench) {
+      await bench.open('orbit.scene', scene());
+      await bench.goto(5, 1);
+      await bench.type('orb');
+      await completions(bench, 'orbit');
+      await bench.press('Tab', 'Escape');
+      await bench.saved('orbit.scene', 'has an orbit', (text) => text.includes('\n  center: 2 * (cos(around), 0, sin(around))\n'));
       await bench.gone('.squiggly-error');
     },
   },
