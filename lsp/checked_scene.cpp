@@ -36,6 +36,7 @@ void CheckedScene::select(const lang::ProgramOptions& options) {
     return config == nullptr ||
            config->wants(info.code, std::filesystem::absolute(file.name()).lexically_normal());
   };
+  config_of(*root_);  // its mistakes are reported even if there is nothing to select
   findings_ = select_unallowed(sink_, {.is_wanted = is_wanted, .max_per_severity = kMaxShown});
   config_errors_.insert(config_errors_.end(), configs.errors().begin(), configs.errors().end());
 }

@@ -51,7 +51,9 @@ TEST(Diagnostics, CountUtf16UnitsUnlessTheClientOffersUtf8) {
 }
 
 TEST(Diagnostics, FollowTheSettingsOfTheFolder) {
-  const std::string text = "scene 1\nlet unused = 1\nsphere { center: (0, 0, 0), radius: 1 }\n";
+  const std::string text =
+      "scene 1\ncamera main { from: (0, 0, 9), at: (0, 0, 0), fov: 40deg }\n"
+      "sphere { center: (0, 0, 0), radius: 0, material: diffuse(color: tan) }\n";
   TestClient client;
   client.write(".sdlc.toml", "[lint]\nignore = ['W402']\n");
   client.open("a.scene", text);
