@@ -175,6 +175,12 @@ export class Client {
     writeFileSync(join(this.folder, name), text);
   }
 
+  /** Writes a file, and reports it as an editor does that watches the folder. */
+  writeWatched(name, text) {
+    this.write(name, text);
+    this.notify('workspace/didChangeWatchedFiles', { changes: [{ uri: this.uri(name), type: 1 }] });
+  }
+
   /**
    * Opens a text. Where it has a `|`, that is the cursor, and not part of the text.
    *

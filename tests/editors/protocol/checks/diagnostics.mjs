@@ -146,7 +146,7 @@ export const checks = [
     name: 'an imported file is checked in the scene that imports it',
     async test(client) {
       // The sphere is inside another one only in that scene.
-      client.write('a.scene', `scene 1\n${CAMERA}${BALL}include "part.scene"\n`);
+      client.writeWatched('a.scene', `scene 1\n${CAMERA}${BALL}include "part.scene"\n`);
       client.open('part.scene', 'scene 1\nsphere { center: (0, 0, 0), radius: 0.5, material: diffuse(color: tan) }\n');
       await client.findings('part.scene', (all) => all.some(({ code }) => code === 'W408'));
     },
@@ -155,8 +155,8 @@ export const checks = [
     name: 'the command sdlc.chooseScene offers the scenes that read a file',
     async test(client) {
       const user = `scene 1\n${CAMERA}include "part.scene"\n`;
-      client.write('one.scene', user);
-      client.write('two.scene', user);
+      client.writeWatched('one.scene', user);
+      client.writeWatched('two.scene', user);
       const { textDocument } = client.open('part.scene', 'scene 1\nsphere { center: (0, 0, 0), radius: 1, material: unlit(color: tan) }\n');
       let offered = [];
       client.choose = (actions) => {
