@@ -5,10 +5,10 @@
 namespace sdlc::lsp {
 
 void Connection::send(const Json& message) {
-  const std::string text = with_header(message);
+  const std::string text = text_of_message(message);
   const std::scoped_lock lock(out_mutex_);
   log_.sent(text);
-  out_ << text << std::flush;
+  out_ << with_header(text) << std::flush;
 }
 
 void Connection::notify(std::string_view method, Json params) {

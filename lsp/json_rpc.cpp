@@ -82,6 +82,7 @@ std::optional<Message> MessageReader::next() {
       return std::nullopt;
     }
   }
+  log_.received(content);
   return parse_message(content);
 }
 
@@ -113,8 +114,11 @@ Message parse_message(std::string_view text) {
   return message;
 }
 
-std::string with_header(const Json& message) {
-  const std::string text = message.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string text_of_message(const Json& message) {
+  return message.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string with_header(std::string_view text) {
   return fmt::format("Content-Length: {}\r\n\r\n{}", text.size(), text);
 }
 

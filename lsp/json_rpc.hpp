@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lsp/log.hpp"
+
 /// The language server: the Language Server Protocol 3.17 over JSON-RPC 2.0.
 namespace sdlc::lsp {
 
@@ -65,7 +67,7 @@ class MessageReader {
  public:
   static constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 30;  ///< of one message
 
-  explicit MessageReader(std::istream& in) : in_(in) {}
+  MessageReader(std::istream& in, Log& log) : in_(in), log_(log) {}
 
   /// The next message; nullopt at the end of the stream, also in the middle of a message. Throws
   /// MalformedMessage.
@@ -76,12 +78,15 @@ class MessageReader {
   std::optional<std::string> read_line();
 
   std::istream& in_;
+  Log& log_;
 };
 
 /// The message of a JSON text. Throws MalformedMessage.
 Message parse_message(std::string_view text);
 
-/// The text of a message with its header. Bytes that are not UTF-8 are replaced.
-std::string with_header(const Json& message);
+/// The text of a message. Bytes that are not UTF-8 are replaced.
+std::string text_of_message(const Json& message);
+/// The text after its header.
+std::string with_header(std::string_view text);
 
 }  // namespace sdlc::lsp

@@ -30,9 +30,8 @@ void Log::trace(std::string_view direction, std::string_view message) {
   const Trace trace = trace_;
   if (trace == Trace::Off || !out_.is_open()) return;
   constexpr std::size_t kShown = 200;
-  const std::string_view content = message.substr(message.find('{'));
-  const bool is_cut = trace == Trace::Messages && content.size() > kShown;
-  write(fmt::format("{} {}{}", direction, is_cut ? content.substr(0, kShown) : content,
+  const bool is_cut = trace == Trace::Messages && message.size() > kShown;
+  write(fmt::format("{} {}{}", direction, is_cut ? message.substr(0, kShown) : message,
                     is_cut ? " …" : ""));
 }
 

@@ -7,8 +7,6 @@
 #include <mutex>
 #include <string_view>
 
-#include "lsp/json_rpc.hpp"
-
 namespace sdlc::lsp {
 
 /// How much of the protocol is written to the log.
@@ -25,7 +23,7 @@ class Log {
 
   void set_trace(Trace trace) noexcept { trace_ = trace; }
   void write(std::string_view line);
-  /// A message with its header.
+  /// The JSON of a message.
   void sent(std::string_view message) { trace("sent", message); }
   void received(std::string_view message) { trace("received", message); }
 

@@ -10,10 +10,11 @@ namespace sdlc::lsp {
 
 namespace fs = std::filesystem;
 
-void Publisher::configure(lang::PositionEncoding encoding, bool has_related) {
+void Publisher::configure(const Client& client) {
   const std::scoped_lock lock(mutex_);
-  encoding_ = encoding;
-  has_related_ = has_related;
+  encoding_ = client.encoding();
+  has_related_ = client.can("/textDocument/publishDiagnostics/relatedInformation");
+  has_versions_ = client.can("/textDocument/publishDiagnostics/versionSupport");
 }
 
 std::string Publisher::uri_of(const fs::path& path) const {
@@ -57,7 +58,9 @@ void Publisher::publish(const Checks::Result& result) {
   for (const auto& [file, findings] : known) affected.insert(file);
   known = findings_of(result);
   for (const auto& [file, findings] : known) affected.insert(file);
-  send(affected);
+  Checked checked{.root = &result.scene};
+  if (result.checked != nullptr) checked.version = result.checked->root().version();
+  send(affected, checked);
   if (result.checked != nullptr) show_config_errors(*result.checked);
 }
 
@@ -84,7 +87,7 @@ void Publisher::set_open(std::map<fs::path, OpenText> open) {
     for (const auto& [file, findings] : scene->second) affected.insert(file);
     scene = scenes.contains(scene->first) ? std::next(scene) : scenes_.erase(scene);
   }
-  send(affected);
+  send(affected, {});
 }
 
 Json Publisher::united(const fs::path& file) const {
@@ -103,14 +106,17 @@ Json Publisher::united(const fs::path& file) const {
   return all;
 }
 
-void Publisher::send(const std::set<fs::path>& files) {
+void Publisher::send(const std::set<fs::path>& files, const Checked& checked) {
   for (const fs::path& file : files) {
     const std::string uri = uri_of_identity(file);
     Json findings = united(file);
     const auto sent = sent_.find(uri);
     if (sent == sent_.end() ? findings.empty() : sent->second == findings) continue;
-    connection_.notify("textDocument/publishDiagnostics",
-                       {{"uri", uri}, {"diagnostics", findings}});
+    Json params{{"uri", uri}, {"diagnostics", findings}};
+    const bool is_open_root =
+        checked.root != nullptr && *checked.root == file && open_.contains(file);
+    if (has_versions_ && is_open_root) params["version"] = checked.version;
+    connection_.notify("textDocument/publishDiagnostics", std::move(params));
     if (findings.empty()) {
       sent_.erase(uri);
     } else {

@@ -9,6 +9,7 @@
 
 #include "lang/source/source.hpp"
 #include "lsp/checks.hpp"
+#include "lsp/client.hpp"
 #include "lsp/connection.hpp"
 #include "lsp/diagnostics_json.hpp"
 
@@ -29,7 +30,7 @@ class Publisher {
       : files_(files), connection_(connection) {}
 
   /// By what the client can do.
-  void configure(lang::PositionEncoding encoding, bool has_related);
+  void configure(const Client& client);
   /// Replaces the open files, by identity. Findings of scenes that nobody looks at are removed.
   void set_open(std::map<std::filesystem::path, OpenText> open);
   void publish(const Checks::Result& result);
@@ -44,14 +45,19 @@ class Publisher {
   Findings findings_of(const Checks::Result& result) const;
   std::string uri_of_identity(const std::filesystem::path& identity) const;
   Json united(const std::filesystem::path& file) const;
-  void send(const std::set<std::filesystem::path>& files);
+  /// `root`: the scene just checked, in this version.
+  struct Checked {
+    const std::filesystem::path* root = nullptr;
+    int version = 0;
+  };
+  void send(const std::set<std::filesystem::path>& files, const Checked& checked);
   void show_config_errors(const CheckedScene& checked);
 
   const lang::FileSystem& files_;
   Connection& connection_;
   mutable std::mutex mutex_;
   lang::PositionEncoding encoding_ = lang::PositionEncoding::Utf16;
-  bool has_related_ = false;
+  bool has_related_ = false, has_versions_ = false;
   std::map<std::filesystem::path, OpenText> open_;
   std::map<std::filesystem::path, Findings> scenes_;
   std::map<std::string, Json> sent_;        // by URI; without those that are empty

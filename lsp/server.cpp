@@ -12,7 +12,7 @@
 namespace sdlc::lsp {
 
 Server::Server(std::istream& in, std::ostream& out, Log& log, const ServerOptions& options)
-    : reader_(in),
+    : reader_(in, log),
       log_(log),
       connection_(out, log),
       session_(connection_, log, options, [this](std::function<void()> task) {

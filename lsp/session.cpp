@@ -45,8 +45,7 @@ void Session::set_client(Client client) {
   client_ = std::move(client);
   index_.set_encoding(client_.encoding());
   index_progress_.set_shown(client_.can("/window/workDoneProgress"));
-  publisher_.configure(client_.encoding(),
-                       client_.can("/textDocument/publishDiagnostics/relatedInformation"));
+  publisher_.configure(client_);
 }
 
 void Session::set_settings(const Settings& settings) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -67,6 +68,29 @@ TEST(Diagnostics, FollowTheSettingsOfTheFolder) {
                 {{"changes", Json::array({{{"uri", client.uri(".sdlc.toml")}, {"type", 2}}})}});
   EXPECT_THAT(client.wait_for_notification("window/showMessage").at("message").get<std::string>(),
               testing::HasSubstr("did you mean `ignore`?"));
+}
+
+TEST(Diagnostics, SayWhichVersionWasChecked) {
+  const Json capabilities{{"textDocument", {{"publishDiagnostics", {{"versionSupport", true}}}}}};
+  TestClient client(capabilities);
+  client.open("a.scene", "scene 1\nlet a = b\n");
+  EXPECT_EQ(client.wait_for_notification("textDocument/publishDiagnostics").at("version"), 1);
+  client.change("a.scene", "scene 1\nlet a = bc\n");
+  EXPECT_EQ(client.wait_for_notification("textDocument/publishDiagnostics").at("version"), 2);
+}
+
+TEST(Server, WritesBothDirectionsToItsLog) {
+  const TemporaryFolder folder;
+  {
+    lsp::Log log(folder / "log");
+    log.set_trace(lsp::Trace::Verbose);
+    std::stringstream in, out;
+    in << lsp::with_header(R"({"jsonrpc":"2.0","id":1,"method":"nothing"})");
+    lsp::Server(in, out, log, {}).run();
+  }
+  const std::string text = content_of(folder / "log");
+  EXPECT_THAT(text, testing::HasSubstr(R"(received {"jsonrpc":"2.0","id":1,"method":"nothing"})"));
+  EXPECT_THAT(text, testing::HasSubstr("sent {"));
 }
 
 TEST(Server, EndsWellOnlyAfterShutdown) {

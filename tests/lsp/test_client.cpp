@@ -152,14 +152,14 @@ void TestClient::close(const std::string& name) {
 
 void TestClient::notify(std::string_view method, Json params) {
   if (method == "exit") is_asked_to_exit_ = true;
-  send_raw(
-      lsp::with_header({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}));
+  send_raw(lsp::with_header(lsp::text_of_message(
+      {{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}})));
 }
 
 std::int64_t TestClient::send_request(std::string_view method, Json params) {
   const std::int64_t id = next_id_++;
-  send_raw(lsp::with_header(
-      {{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", std::move(params)}}));
+  send_raw(lsp::with_header(lsp::text_of_message(
+      {{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", std::move(params)}})));
   return id;
 }
 
@@ -212,7 +212,8 @@ Json TestClient::wait_for_notification(std::string_view method) {
 }
 
 void TestClient::respond(const Json& id, Json result) {
-  send_raw(lsp::with_header({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}}));
+  send_raw(lsp::with_header(
+      lsp::text_of_message({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}})));
 }
 
 Json TestClient::diagnostics(const std::string& name,
