@@ -57,7 +57,7 @@ Topic find_topic(const std::string& text) {
                                lang::printable(text), lang::did_you_mean(name, known)));
 }
 
-std::string to_json(const std::vector<Topic>& topics) {
+std::string topics_json(const std::vector<Topic>& topics) {
   using Json = nlohmann::ordered_json;
   Json json = Json::array();
   for (const Topic& topic : topics) {
@@ -97,7 +97,7 @@ ExitCode run_explain(const ExplainOptions& options, Environment& env) {
   for (const std::string& text : options.topics) topics.push_back(find_topic(text));
   if (topics.empty()) topics.push_back(find_topic(""));
   if (options.diagnostics.format == "json") {
-    env.out << to_json(topics);
+    env.out << topics_json(topics);
     return ExitCode::Success;
   }
   const bool has_color = wants_color(options.diagnostics, env.out_is_terminal, env);

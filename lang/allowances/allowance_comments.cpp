@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::string_view kMark = "sdlc:";
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-
 bool is_statement(SyntaxKind kind) {
   return kind >= SyntaxKind::Property && kind <= SyntaxKind::Object;
 }

@@ -10,6 +10,9 @@
 
 namespace sdlc::lang {
 
+/// A space or line end within these comments.
+inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
 /// A line comment that begins with `sdlc:`.
 struct AllowanceComment {
   Span comment;

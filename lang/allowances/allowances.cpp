@@ -14,8 +14,6 @@
 namespace sdlc::lang {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-
 /// The code in capitals, as in the table.
 std::string code_text(const SourceFile& file, Span code) { return upper_case(file.text(code)); }
 

@@ -15,7 +15,7 @@
 namespace sdlc::lang {
 namespace {
 
-struct Statement {
+struct StatementSpan {
   Span span;
   SyntaxKind kind;
 };
@@ -25,8 +25,8 @@ bool is_statement(SyntaxKind kind) {
 }
 
 /// The statements around an offset, the innermost first.
-std::vector<Statement> statements_at(const SyntaxTree& tree, std::uint32_t at) {
-  std::vector<Statement> statements;
+std::vector<StatementSpan> statements_at(const SyntaxTree& tree, std::uint32_t at) {
+  std::vector<StatementSpan> statements;
   for (const SyntaxNode& node : tree.nodes()) {
     if (node.begin > at) break;
     if (is_statement(node.kind) && at < node.end) statements.push_back({node.span(), node.kind});
@@ -44,7 +44,7 @@ class AllowanceEdit {
         comments_(read_allowance_comments(tree, nullptr)) {}
 
   std::optional<TextEdit> at(std::uint32_t place) const {
-    const std::vector<Statement> statements = statements_at(tree_, place);
+    const std::vector<StatementSpan> statements = statements_at(tree_, place);
     for (std::size_t i = 0; i < statements.size(); ++i) {
       const Span span = statements[i].span;
       if (auto edit = added_code(span)) return edit;

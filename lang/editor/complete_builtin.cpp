@@ -78,7 +78,7 @@ int fit_of_builtin(const ExpectedType& expected, const Builtin& function) {
   return can_be ? kMakes : fit_of_result(expected, "number");
 }
 
-void add_functions(CompletionBuilder& builder, const ExpectedType& expected) {
+void add_builtin_functions(CompletionBuilder& builder, const ExpectedType& expected) {
   const bool is_motion = expected.property != nullptr && expected.property->type == Type::Motion;
   int row = kBuiltIn;
   for (const Constructor& constructor : all_constructors()) {
@@ -255,7 +255,7 @@ void add_literals(CompletionBuilder& builder, const ExpectedType& expected) {
 }
 
 void add_builtins(CompletionBuilder& builder, const ExpectedType& expected) {
-  add_functions(builder, expected);
+  add_builtin_functions(builder, expected);
   add_builtin_values(builder, expected);
   add_value_words(builder, expected);
 }

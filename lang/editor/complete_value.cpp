@@ -92,7 +92,7 @@ void add_globals(CompletionBuilder& builder, const ExpectedType& expected) {
   }
 }
 
-void add_functions(CompletionBuilder& builder, const ExpectedType& expected) {
+void add_declared_functions(CompletionBuilder& builder, const ExpectedType& expected) {
   SceneView& view = builder.view();
   for (const Definition& function : view.module(builder.file()).functions) {
     if (function.name.empty() || !builder.accepts(function.name)) continue;
@@ -176,7 +176,7 @@ void complete_value(CompletionBuilder& builder) {
   add_literals(builder, expected);
   add_locals(builder, expected);
   add_globals(builder, expected);
-  add_functions(builder, expected);
+  add_declared_functions(builder, expected);
   add_imports(builder, expected);
   add_builtins(builder, expected);
 }

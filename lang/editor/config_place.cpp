@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view kMaterialKey = "material", kTypeKey = "type", kSpheresKey = "spheres";
 
 /// Whether the cursor is inside the token, or at its end where it could continue.
-bool contains(const Token& token, std::uint32_t offset) {
+bool is_cursor_in(const Token& token, std::uint32_t offset) {
   if (token.span.begin >= offset || offset > token.span.end) return false;
   if (offset < token.span.end) return true;
   return is_name(token.kind) || token.kind == TokenKind::Number ||
@@ -113,7 +113,7 @@ ConfigPlace find_config_place(std::string_view text, std::uint32_t offset) {
   for (;;) {
     const Token token = tokens.next();
     if (token.kind == TokenKind::End || token.span.begin >= place.offset) return place;
-    if (contains(token, place.offset)) {
+    if (is_cursor_in(token, place.offset)) {
       place.is_comment = is_comment(token.kind);
       if (!is_trivia(token.kind)) place.token = token.span;
       return place;

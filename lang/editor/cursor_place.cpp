@@ -13,7 +13,7 @@
 namespace sdlc::lang {
 namespace {
 
-using Kind = CursorPlace::Kind;
+using PlaceKind = CursorPlace::Kind;
 using Role = OpenBracket::Role;
 using Step = PlaceStep;
 
@@ -66,42 +66,42 @@ bool contains(const Token& token, std::uint32_t offset) {
 }
 
 /// The kind of place by what comes next; `has_colon`: a colon follows the word.
-Kind kind_in_block(const CursorPlace& place, bool has_colon) {
+PlaceKind kind_in_block(const CursorPlace& place, bool has_colon) {
   const OpenBracket& f = place.inner();
   const bool is_head = f.word == "for" || f.word == "if" || f.word == "else" || f.word == "assert";
   switch (f.step) {
-    case Step::Start: return Kind::Statement;
+    case Step::Start: return PlaceKind::Statement;
     case Step::Path:
     case Step::ObjectName:
-    case Step::AfterType: return place.is_first_of_line ? Kind::Statement : Kind::Nothing;
+    case Step::AfterType: return place.is_first_of_line ? PlaceKind::Statement : PlaceKind::Nothing;
     case Step::PathDot:
-    case Step::Dot: return Kind::Member;
-    case Step::AfterName: return f.word == "for" ? Kind::In : Kind::Nothing;
-    case Step::Type: return Kind::Type;
-    case Step::AfterFile: return Kind::As;
-    case Step::ImportName: return Kind::ImportName;
-    case Step::Operand: return has_colon ? Kind::Statement : Kind::Expression;
+    case Step::Dot: return PlaceKind::Member;
+    case Step::AfterName: return f.word == "for" ? PlaceKind::In : PlaceKind::Nothing;
+    case Step::Type: return PlaceKind::Type;
+    case Step::AfterFile: return PlaceKind::As;
+    case Step::ImportName: return PlaceKind::ImportName;
+    case Step::Operand: return has_colon ? PlaceKind::Statement : PlaceKind::Expression;
     case Step::AfterOperand: {
       const bool is_open =
           !f.conditionals.empty() && f.conditionals.back() != ConditionalPart::Else;
-      return is_head || is_open ? Kind::Operator : Kind::Statement;
+      return is_head || is_open ? PlaceKind::Operator : PlaceKind::Statement;
     }
-    case Step::Done: return place.is_first_of_line ? Kind::Statement : Kind::Nothing;
-    default: return Kind::Nothing;
+    case Step::Done: return place.is_first_of_line ? PlaceKind::Statement : PlaceKind::Nothing;
+    default: return PlaceKind::Nothing;
   }
 }
 
-Kind kind_in_brackets(const CursorPlace& place) {
+PlaceKind kind_in_brackets(const CursorPlace& place) {
   const OpenBracket& f = place.inner();
   switch (f.step) {
     case Step::Start:
-      if (f.role == Role::Parameters) return Kind::Nothing;
-      return f.role == Role::Arguments ? Kind::Argument : Kind::Expression;
-    case Step::Operand: return Kind::Expression;
-    case Step::AfterOperand: return Kind::Operator;
-    case Step::Dot: return Kind::Member;
-    case Step::Type: return Kind::Type;
-    default: return Kind::Nothing;
+      if (f.role == Role::Parameters) return PlaceKind::Nothing;
+      return f.role == Role::Arguments ? PlaceKind::Argument : PlaceKind::Expression;
+    case Step::Operand: return PlaceKind::Expression;
+    case Step::AfterOperand: return PlaceKind::Operator;
+    case Step::Dot: return PlaceKind::Member;
+    case Step::Type: return PlaceKind::Type;
+    default: return PlaceKind::Nothing;
   }
 }
 
@@ -140,17 +140,17 @@ class PlaceSearch {
 
   CursorPlace finish_inside(const Token& token) {
     place_.token = token.span;
-    if (is_comment(token.kind)) return finish(Kind::Comment, token);
+    if (is_comment(token.kind)) return finish(PlaceKind::Comment, token);
     if (is_name(token.kind)) {
       place_.word = token.span;
       return finish(token);
     }
-    if (token.kind == TokenKind::Number) return finish(Kind::Number, token);
-    if (token.kind == TokenKind::Color) return finish(Kind::Color, token);
+    if (token.kind == TokenKind::Number) return finish(PlaceKind::Number, token);
+    if (token.kind == TokenKind::Color) return finish(PlaceKind::Color, token);
     const bool is_file_name = is_string(token.kind) && step_at(token) == Step::File;
-    if (is_file_name) return finish(Kind::FileName, token);
+    if (is_file_name) return finish(PlaceKind::FileName, token);
     const bool is_inside = is_string(token.kind) || !is_trivia(token.kind);
-    return is_inside ? finish(Kind::Nothing, token) : finish({});
+    return is_inside ? finish(PlaceKind::Nothing, token) : finish({});
   }
 
   Step step_at(const Token& token) {
@@ -163,7 +163,7 @@ class PlaceSearch {
     if (is_first_) reader_.leave_lines(at - line_begin_, at < text_.size() ? text_[at] : '\0');
   }
 
-  CursorPlace finish(Kind kind, const Token& token) {
+  CursorPlace finish(PlaceKind kind, const Token& token) {
     CursorPlace place = finish(token);
     place.kind = kind;
     return place;
@@ -177,7 +177,7 @@ class PlaceSearch {
     place_.is_first_of_line = is_first_;
     place_.brackets = std::move(reader_.brackets());
     if (offset_ > 0 && text_[offset_ - 1] == '#' && place_.before == "#") {
-      place_.kind = Kind::Color;
+      place_.kind = PlaceKind::Color;
       place_.token = {offset_ - 1, offset_};
       return std::move(place_);
     }

@@ -71,7 +71,7 @@ void add_token(std::vector<Span>& spans, std::string_view text, const Token& tok
 }
 
 /// A cursor, and the spans around it that have been found.
-struct Cursor {
+struct SelectionCursor {
   std::uint32_t offset = 0;
   Token token;  ///< of the kind End where there is only space
   std::vector<Span> spans = {};
@@ -83,12 +83,12 @@ struct Cursor {
 
 /// Adds the nodes around each cursor. All cursors go down the tree together, so that the children
 /// of a node are visited once. `cursors`: those in the node, by their anchors.
-void add_nodes(std::span<Cursor> cursors, ast::Node node) {
-  for (Cursor& cursor : cursors) {
+void add_nodes(std::span<SelectionCursor> cursors, ast::Node node) {
+  for (SelectionCursor& cursor : cursors) {
     cursor.spans.push_back(node.span());
     cursor.spans.push_back(node.head_span());
   }
-  const auto begin_of = [](const Cursor& cursor) { return cursor.anchor().begin; };
+  const auto begin_of = [](const SelectionCursor& cursor) { return cursor.anchor().begin; };
   for (const ast::Node child : node.children()) {
     if (cursors.empty()) return;
     const auto first = std::ranges::lower_bound(cursors, child.span().begin, {}, begin_of);
@@ -133,7 +133,7 @@ std::vector<std::vector<Span>> selection_ranges(const SourceFile& file, const Sy
   for (const std::size_t i : order) ascending.push_back(std::min(offsets[i], size));
 
   const std::vector<Token> tokens = tokens_at(file, ascending);
-  std::vector<Cursor> cursors;
+  std::vector<SelectionCursor> cursors;
   for (std::size_t i = 0; i < order.size(); ++i) {
     cursors.push_back({.offset = ascending[i], .token = tokens[i]});
   }
@@ -141,7 +141,7 @@ std::vector<std::vector<Span>> selection_ranges(const SourceFile& file, const Sy
   const std::vector<BracketPair> pairs = bracket_pairs(text, file.format());
   std::vector<std::vector<Span>> ranges(offsets.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    Cursor& cursor = cursors[i];
+    SelectionCursor& cursor = cursors[i];
     cursor.spans.push_back({0, size});
     add_token(cursor.spans, text, cursor.token, cursor.offset);
     add_brackets(cursor.spans, text, pairs, cursor.anchor());
