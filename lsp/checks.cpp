@@ -31,19 +31,17 @@ Checks::~Checks() {
 void Checks::change(const OpenFile& file) {
   const auto apply = [path = file.path, text = file.text, version = file.version](
                          lang::Workspace& workspace) { workspace.open(path, *text, version); };
-  // Wait for the next key for half the time of a check: a check that is stopped was for nothing.
-  const auto quiet = std::clamp<Clock::duration>(last_duration_ / 2, 1ms, 150ms);
-  add({.apply = apply, .path = file.identity}, quiet);
+  add({.apply = apply, .path = file.identity}, true);
 }
 
 void Checks::close(const fs::path& path) {
   add({.apply = [path](lang::Workspace& workspace) { workspace.close(path); },
        .path = workspace_.identity(path)},
-      0ms);
+      false);
 }
 
 void Checks::check_all() {
-  add({.apply = [](lang::Workspace&) {}, .path = std::nullopt}, 0ms);
+  add({.apply = [](lang::Workspace&) {}, .path = std::nullopt}, false);
 }
 
 void Checks::set_sandboxed(bool is_sandboxed) {
@@ -63,7 +61,7 @@ void Checks::set_scenes(std::set<fs::path> scenes) {
   wake_.notify_all();
 }
 
-void Checks::add(Change change, Clock::duration quiet) {
+void Checks::add(Change change, bool waits_for_keys) {
   const std::scoped_lock lock(mutex_);
   const auto running = scenes_.find(running_);
   const bool is_affected = !change.path || running == scenes_.end() || *change.path == running_ ||
@@ -72,7 +70,9 @@ void Checks::add(Change change, Clock::duration quiet) {
   if (stop_ && is_affected) stop_->make();
   if (change.path) changed_last_ = *change.path;
   changes_.push_back(std::move(change));
-  quiet_until_ = Clock::now() + quiet;
+  // Wait for the next key for half the time of a check: a check that is stopped was for nothing.
+  const auto quiet = std::clamp<Clock::duration>(last_duration_ / 2, 1ms, 150ms);
+  quiet_until_ = Clock::now() + (waits_for_keys ? quiet : 0ms);
   wake_.notify_all();
 }
 
@@ -116,9 +116,10 @@ const fs::path* Checks::next_due() const {
   return first;
 }
 
-std::unique_ptr<CheckedScene> Checks::checked(const fs::path& scene,
-                                              const lang::ProgramOptions& options,
-                                              const lang::StopRequest& stop, std::string& error) {
+std::shared_ptr<const CheckedScene> Checks::checked(const fs::path& scene,
+                                                    const lang::ProgramOptions& options,
+                                                    const lang::StopRequest& stop,
+                                                    std::string& error) {
   std::error_code failure;
   auto document = workspace_.load(scene, options.limits.any_file(), failure);
   if (!document) {
@@ -126,7 +127,7 @@ std::unique_ptr<CheckedScene> Checks::checked(const fs::path& scene,
     return nullptr;
   }
   try {
-    return std::make_unique<CheckedScene>(std::move(document), options, &stop);
+    return std::make_shared<const CheckedScene>(std::move(document), options, &stop);
   } catch (const std::exception& defect) {
     error = fmt::format("cannot check `{}`: {}", scene.string(), defect.what());
     return nullptr;
@@ -143,7 +144,7 @@ void Checks::check(std::unique_lock<std::mutex>& lock, const fs::path& scene) {
   const std::unique_lock work(work_);
   const auto begin = Clock::now();
   Result result{.scene = scene};
-  std::unique_ptr<CheckedScene> checked_scene;
+  std::shared_ptr<const CheckedScene> checked_scene;
   bool is_stopped = false;
   try {
     checked_scene = checked(scene, options, stop, result.error);
@@ -159,7 +160,7 @@ void Checks::check(std::unique_lock<std::mutex>& lock, const fs::path& scene) {
     for (const fs::path& path : checked_scene->dependencies())
       reads.insert(workspace_.identity(path));
   }
-  result.checked = checked_scene.get();
+  result.checked = checked_scene;
 
   lock.lock();
   stop_.reset();
@@ -181,10 +182,10 @@ bool Checks::use_findings(const fs::path& scene, std::chrono::milliseconds patie
                           const std::function<void(const CheckedScene&)>& use) {
   const auto deadline = Clock::now() + patience;
   // The checked scene, or null as long as its findings are not there.
-  const auto present = [&]() -> const CheckedScene* {
+  const auto present = [&]() -> std::shared_ptr<const CheckedScene> {
     const auto found = scenes_.find(scene);
     const bool is_there = changes_.empty() && found != scenes_.end() && !found->second.is_due;
-    return is_there ? found->second.checked.get() : nullptr;
+    return is_there ? found->second.checked : nullptr;
   };
   const auto will_come = [&] {
     const auto found = scenes_.find(scene);
@@ -194,7 +195,7 @@ bool Checks::use_findings(const fs::path& scene, std::chrono::milliseconds patie
     {
       const std::unique_lock work(work_, 5ms);
       std::unique_lock lock(mutex_);
-      const CheckedScene* const found = work.owns_lock() ? present() : nullptr;
+      const auto found = work.owns_lock() ? present() : nullptr;
       if (found == nullptr && !will_come()) return false;
       lock.unlock();
       if (found != nullptr) {

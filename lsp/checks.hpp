@@ -34,7 +34,7 @@ class Checks {
   /// checks.
   struct Result {
     std::filesystem::path scene;
-    const CheckedScene* checked = nullptr;  ///< null: `error`
+    std::shared_ptr<const CheckedScene> checked = nullptr;  ///< null: `error`
     std::string error = {};
   };
   using OnChecked = std::function<void(const Result&)>;
@@ -71,19 +71,19 @@ class Checks {
   };
   struct Scene {
     bool is_due = true;
-    std::unique_ptr<CheckedScene> checked = nullptr;  ///< of the present state unless is_due
-    std::set<std::filesystem::path> reads = {};       ///< by identity, as of the last check
+    std::shared_ptr<const CheckedScene> checked = nullptr;  ///< of the present state unless is_due
+    std::set<std::filesystem::path> reads = {};             ///< by identity, as of the last check
   };
 
-  void add(Change change, Clock::duration quiet);
+  void add(Change change, bool waits_for_keys);
   void run();
   void apply_changes(std::unique_lock<std::mutex>& lock);
   /// The scene to check next; null if none is due. The file changed last comes first.
   const std::filesystem::path* next_due() const;
   void check(std::unique_lock<std::mutex>& lock, const std::filesystem::path& scene);
-  std::unique_ptr<CheckedScene> checked(const std::filesystem::path& scene,
-                                        const lang::ProgramOptions& options,
-                                        const lang::StopRequest& stop, std::string& error);
+  std::shared_ptr<const CheckedScene> checked(const std::filesystem::path& scene,
+                                              const lang::ProgramOptions& options,
+                                              const lang::StopRequest& stop, std::string& error);
 
   const OnChecked on_checked_;
   Log& log_;

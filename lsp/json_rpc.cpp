@@ -16,6 +16,25 @@ constexpr std::size_t kMaxHeaderLine = 4096;
 
 bool is_id(const Json& id) { return id.is_string() || id.is_number(); }
 
+/// The depth of arrays and objects; brackets in strings do not count.
+int depth_of(std::string_view json) {
+  int depth = 0, max_depth = 0;
+  bool is_string = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (is_string && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      is_string = !is_string;
+    } else if (!is_string && (c == '[' || c == '{')) {
+      max_depth = std::max(max_depth, ++depth);
+    } else if (!is_string && (c == ']' || c == '}')) {
+      --depth;
+    }
+  }
+  return max_depth;
+}
+
 [[noreturn]] void fail(ErrorCode code, std::string reason, Json id = nullptr) {
   throw MalformedMessage{.code = code, .reason = std::move(reason), .id = std::move(id)};
 }
@@ -87,6 +106,9 @@ std::optional<Message> MessageReader::next() {
 }
 
 Message parse_message(std::string_view text) {
+  if (depth_of(text) > kMaxMessageDepth) {
+    fail(ErrorCode::InvalidRequest, "a message is nested too deeply");
+  }
   Json json;
   try {
     json = Json::parse(text);

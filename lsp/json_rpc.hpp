@@ -81,6 +81,9 @@ class MessageReader {
   Log& log_;
 };
 
+/// Max nested arrays and objects of a message: copies and destruction of JSON are recursive.
+inline constexpr int kMaxMessageDepth = 256;
+
 /// The message of a JSON text. Throws MalformedMessage.
 Message parse_message(std::string_view text);
 

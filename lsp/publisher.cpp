@@ -53,6 +53,8 @@ Publisher::Findings Publisher::findings_of(const Checks::Result& result) const {
 
 void Publisher::publish(const Checks::Result& result) {
   const std::scoped_lock lock(mutex_);
+  const auto is_of_scene = [&](const auto& open) { return open.second.scene == result.scene; };
+  if (std::ranges::none_of(open_, is_of_scene)) return;  // closed since the check began
   std::set<fs::path> affected;
   Findings& known = scenes_[result.scene];
   for (const auto& [file, findings] : known) affected.insert(file);
@@ -76,6 +78,7 @@ void Publisher::show_config_errors(const CheckedScene& checked) {
 
 void Publisher::set_open(std::map<fs::path, OpenText> open) {
   const std::scoped_lock lock(mutex_);
+  if (open == open_) return;
   std::set<fs::path> affected, scenes;
   for (const auto& [file, text] : open_) affected.insert(file);
   open_ = std::move(open);
@@ -95,6 +98,10 @@ Json Publisher::united(const fs::path& file) const {
   const auto add = [&](const Findings& findings) {
     const auto found = findings.find(file);
     if (found == findings.end()) return;
+    if (all.empty()) {
+      all = found->second;  // the usual case: of one scene, without duplicates
+      return;
+    }
     for (const Json& finding : found->second) {
       if (std::ranges::find(all, finding) == all.end()) all.push_back(finding);
     }

@@ -24,6 +24,8 @@ class Publisher {
   struct OpenText {
     std::string uri;
     std::filesystem::path scene;
+
+    friend bool operator==(const OpenText&, const OpenText&) = default;
   };
 
   Publisher(const lang::FileSystem& files, Connection& connection)

@@ -67,6 +67,10 @@ void Server::cancel(const Json& id) {
 void Server::stop_all() {
   const std::scoped_lock lock(mutex_);
   is_ended_ = true;
+  for (const Received& received : queue_) {
+    // A client may send `exit` before it has the answer to `shutdown`.
+    if (received.message.method == "shutdown") active_.erase(received.message.id.dump());
+  }
   for (const auto& [id, stop] : active_) stop->make();
   arrived_.notify_one();
 }

@@ -205,6 +205,8 @@ TEST(MalformedMessages, WithBrokenHeadersAreSkipped) {
       framed(R"({"jsonrpc":"2.0","id":7,"method":5})"),
       framed("\xff\xfe{}"),
       framed(std::string(100'000, '[')),
+      framed(R"({"jsonrpc":"2.0","id":8,"method":"completionItem/resolve","params":)" +
+             std::string(100'000, '[') + std::string(100'000, ']') + "}"),
       std::string(20'000, 'x') + "\r\n",
   };
   for (int i = 0; i < 400; ++i) {
