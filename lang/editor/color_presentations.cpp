@@ -125,7 +125,8 @@ std::string written(double value, const NumberStyle& style, int decimals) {
 }
 
 double rounded(double value, const NumberStyle& style, int decimals) {
-  const double scale = std::pow(10, decimals);
+  double scale = 1;
+  for (int i = 0; i < decimals; ++i) scale *= 10;
   return std::round(value * style.factor * scale) / scale / style.factor;
 }
 
