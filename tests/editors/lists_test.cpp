@@ -87,13 +87,13 @@ std::string alternatives(Words words) {
 template <typename Replace>
 std::string replace_all(const std::string& text, const std::regex& pattern, Replace replace) {
   std::string result;
-  auto behind = text.begin();
+  auto copied = text.begin();
   for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i) {
-    result.append(behind, (*i)[0].first);
+    result.append(copied, (*i)[0].first);
     result += replace(*i);
-    behind = (*i)[0].second;
+    copied = (*i)[0].second;
   }
-  return result.append(behind, text.end());
+  return result.append(copied, text.end());
 }
 
 /// The first group of every match.
