@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lang/editor/cursor_place.hpp"
 #include "lang/text/brackets.hpp"
 #include "lang/token/token_reader.hpp"
 
@@ -9,15 +10,6 @@ namespace sdlc::lang {
 namespace {
 
 constexpr std::string_view kMaterialKey = "material", kTypeKey = "type", kSpheresKey = "spheres";
-
-/// Whether the cursor is inside the token, or at its end where it could continue.
-bool is_cursor_in(const Token& token, std::uint32_t offset) {
-  if (token.span.begin >= offset || offset > token.span.end) return false;
-  if (offset < token.span.end) return true;
-  return is_name(token.kind) || token.kind == TokenKind::Number ||
-         token.kind == TokenKind::UnclosedString || token.kind == TokenKind::LineComment ||
-         token.kind == TokenKind::UnclosedComment;
-}
 
 class ConfigReader {
  public:

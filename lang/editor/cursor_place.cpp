@@ -48,23 +48,6 @@ bool are_brackets_paired(std::string_view text, Span span) {
   return open.empty();
 }
 
-/// Whether the cursor is inside the token, or at its end where it could continue.
-bool contains(const Token& token, std::uint32_t offset) {
-  if (token.span.begin >= offset || offset > token.span.end) return false;
-  if (offset < token.span.end) return true;
-  switch (token.kind) {
-    case TokenKind::Name:
-    case TokenKind::ForeignName:
-    case TokenKind::Number:
-    case TokenKind::Color:
-    case TokenKind::LineComment:
-    case TokenKind::DocComment:
-    case TokenKind::UnclosedComment:
-    case TokenKind::UnclosedString: return true;
-    default: return false;
-  }
-}
-
 /// The kind of place by what comes next; `has_colon`: a colon follows the word.
 PlaceKind kind_in_block(const CursorPlace& place, bool has_colon) {
   const OpenBracket& f = place.inner();
@@ -120,7 +103,7 @@ class PlaceSearch {
   CursorPlace find() {
     for (;;) {
       const Token token = tokens_.next();
-      if (contains(token, offset_)) return finish_inside(token);
+      if (is_cursor_in(token, offset_)) return finish_inside(token);
       if (token.kind == TokenKind::End || token.span.begin >= offset_) return finish({});
       read(token);
     }
@@ -203,6 +186,22 @@ class PlaceSearch {
 };
 
 }  // namespace
+
+bool is_cursor_in(const Token& token, std::uint32_t offset) {
+  if (token.span.begin >= offset || offset > token.span.end) return false;
+  if (offset < token.span.end) return true;
+  switch (token.kind) {
+    case TokenKind::Name:
+    case TokenKind::ForeignName:
+    case TokenKind::Number:
+    case TokenKind::Color:
+    case TokenKind::LineComment:
+    case TokenKind::DocComment:
+    case TokenKind::UnclosedComment:
+    case TokenKind::UnclosedString: return true;
+    default: return false;
+  }
+}
 
 CursorPlace find_cursor_place(const SyntaxTree& tree, std::uint32_t offset) {
   const auto size = static_cast<std::uint32_t>(tree.file().text().size());

@@ -6,6 +6,7 @@
 
 #include "lang/source/source.hpp"
 #include "lang/syntax/syntax.hpp"
+#include "lang/token/token.hpp"
 
 namespace sdlc::lang {
 
@@ -113,6 +114,9 @@ struct CursorPlace {
     return text.substr(word.begin, offset - word.begin);
   }
 };
+
+/// Whether the cursor is inside the token, or at its end where it could continue.
+bool is_cursor_in(const Token& token, std::uint32_t offset);
 
 /// Reads the tokens from the beginning of the top-level statement around the cursor. An offset past
 /// the end is at the end.
