@@ -158,7 +158,7 @@ TEST(LspCommand, RendersWithItsOwnProgram) {
   server.initialize();
   const std::string text =
       "scene 1\nrender { width: 4, height: 2, samples: 1 }\n"
-      "sky: #ffffff\ncamera { position: (0, 0, 5) }\nsphere { radius: 1 }\n";
+      "sky { color: #ffffff }\ncamera { position: (0, 0, 5) }\nsphere { radius: 1 }\n";
   std::ofstream(server.folder() / "small.scene") << text;
   server.open("small.scene", text);
   server.ask(
