@@ -157,8 +157,11 @@ TEST(LspCommand, RendersWithItsOwnProgram) {
   RunningServer server;
   server.initialize();
   const std::string text =
-      "scene 1\nrender { width: 4, height: 2, samples: 1 }\n"
-      "sky { color: #ffffff }\ncamera { position: (0, 0, 5) }\nsphere { radius: 1 }\n";
+      "scene 1\n"
+      "render { width: 4, height: 2, samples: 1 }\n"
+      "background { color: white }\n"
+      "camera { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg }\n"
+      "sphere { center: (0, 0, 0), radius: 1, material: diffuse(color: tan) }\n";
   std::ofstream(server.folder() / "small.scene") << text;
   server.open("small.scene", text);
   server.ask(
