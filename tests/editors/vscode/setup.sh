@@ -13,8 +13,8 @@ node_prefix=$(dirname -- "$(dirname -- "$(readlink -f -- "$(command -v node)")")
 # The version of VS Code in it is 1.99; newer ones of code-server need a newer Node.js.
 code_server=4.99.4
 mkdir -p -- "$folder/node"
-cp -- "$tests/package.json" "$folder/node"
-npm install --prefix "$folder/node" --ignore-scripts --no-audit --no-fund
+cp -- "$tests"/package{,-lock}.json "$folder/node"
+npm install --prefix "$folder/node" --ignore-scripts --no-audit --no-fund --save-exact puppeteer-core@24.43.1
 mkdir -p -- "$folder/code-server"
 echo '{ "private": true }' >"$folder/code-server/package.json"
 npm install --prefix "$folder/code-server" --ignore-scripts --no-audit --no-fund --save-exact "code-server@$code_server"
