@@ -5,7 +5,6 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -123,7 +122,6 @@ bool is_inside(const fs::path& path, const fs::path& folder) {
 /// The contents of a folder in the workspace, or in the folder of the scene.
 std::vector<lang::FolderEntry> list_folder(Session& session, const fs::path& scene,
                                            const fs::path& folder) {
-  constexpr std::size_t kMaxEntries = 2000;
   const fs::path wanted = session.workspace().identity(folder);
   const auto contains = [&](const fs::path& outer) {
     return is_inside(wanted, session.workspace().identity(outer));
@@ -131,14 +129,7 @@ std::vector<lang::FolderEntry> list_folder(Session& session, const fs::path& sce
   if (!contains(scene.parent_path()) && std::ranges::none_of(session.folders(), contains)) {
     return {};
   }
-  std::vector<lang::FolderEntry> entries;
-  std::error_code error;
-  for (fs::directory_iterator at(wanted, error), end; !error && at != end; at.increment(error)) {
-    std::error_code ignored;
-    entries.push_back({at->path().filename().string(), at->is_directory(ignored)});
-    if (entries.size() == kMaxEntries) break;
-  }
-  return entries;
+  return session.workspace().list(wanted);
 }
 
 std::string trigger_of(const Json& params) {

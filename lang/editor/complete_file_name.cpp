@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "lang/editor/completion_builder.hpp"
+#include "lang/program/nearest_file.hpp"
 #include "lang/token/name_characters.hpp"
 #include "lang/token/token_reader.hpp"
 
@@ -15,10 +16,6 @@ Span content_of(std::string_view text, Span token) {
   const bool is_closed = token.size() > 1 && text[token.end - 1] == '"';
   const std::uint32_t end = is_closed ? token.end - 1 : end_of_unclosed_string(text, token);
   return {token.begin + 1, std::max(token.begin + 1, end)};
-}
-
-bool has_extension(std::string_view name, bool is_include) {
-  return name.ends_with(".scene") || (is_include && name.ends_with(".json"));
 }
 
 /// The file's stem as a name: "pool_table" for "library/pool-table.scene".
@@ -51,7 +48,7 @@ void complete_file_name(CompletionBuilder& builder, const PathLister& list_folde
   const bool has_slash = size < rest.size();
   for (const FolderEntry& entry : list_folder(own.parent_path() / typed.substr(0, slash))) {
     if (entry.name.starts_with('.')) continue;
-    if (!entry.is_folder && !has_extension(entry.name, is_include)) continue;
+    if (!entry.is_folder && !is_loadable(entry.name, is_include)) continue;
     if (is_here && entry.name == own.filename()) continue;
     builder.add({.label = entry.is_folder ? entry.name + "/" : entry.name,
                  .kind = entry.is_folder ? CompletionKind::Folder : CompletionKind::File,

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,13 +45,6 @@ struct CompletionList {
   std::vector<CompletionItem> items;  ///< the best first
   bool is_incomplete = false;         ///< there are more: ask again after the next character
 };
-
-struct FolderEntry {
-  std::string name;
-  bool is_folder = false;
-};
-/// The files and folders in a folder; nothing if it must not or cannot be read.
-using PathLister = std::function<std::vector<FolderEntry>(const std::filesystem::path& folder)>;
 
 /// What can be written at the offset, filtered by the word before it. Deterministic.
 CompletionList complete(SceneView& view, std::uint32_t file, std::uint32_t offset,

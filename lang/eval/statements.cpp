@@ -1,3 +1,4 @@
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -55,9 +56,11 @@ void Evaluator::report_not_a_list(const Code& code, std::uint32_t expression, co
     const ast::Node written = node(code, expression);
     if (written.is(SyntaxKind::Interval)) report.unsafe_fix(where, as_range(written, *bounds));
   }
-  if (holds_alternative<Scalar>(value)) {
-    report.help("`range(n)` is the list of the numbers from 0 to n - 1");
-  }
+  const auto* number = get_if<Scalar>(&value);
+  if (number == nullptr || number->unit != Unit::None) return;
+  report.help("`range(n)` is the list of the numbers from 0 to n - 1");
+  const bool is_count = number->value >= 0 && std::floor(number->value) == number->value;
+  if (is_count) report.unsafe_fix(where, fmt::format("range({})", node(code, expression).text()));
 }
 
 void Evaluator::run_for(const Code& code, const Statement& statement) {

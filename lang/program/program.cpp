@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "lang/program/nearest_file.hpp"
 #include "lang/resolve/record_symbols.hpp"
 #include "lang/resolve/resolver.hpp"
 #include "lang/syntax/syntax.hpp"
@@ -141,8 +142,9 @@ std::string Program::identity(const fs::path& path) const {
   return sandbox_->resolve(path).value_or(fs::absolute(path).lexically_normal()).string();
 }
 
-std::shared_ptr<const Document> Program::read(const fs::path& path, ast::Node name,
+std::shared_ptr<const Document> Program::read(const fs::path& path, const FileRequest& request,
                                               DiagnosticSink& sink) {
+  const ast::Node name = request.name;
   if (options_.workspace == nullptr) {
     sink.report(diag::unreadable_file, name.location(), path.string(),
                 "this program cannot read other files");
@@ -164,9 +166,22 @@ std::shared_ptr<const Document> Program::read(const fs::path& path, ast::Node na
       options_.workspace->load(read_path, path.string(), options_.limits.any_file(), error);
   if (!document) {
     sink.report(diag::unreadable_file, name.location(), path.string(), error.message())
-        .help("the path is relative to the folder of this file");
+        .help("the path is relative to the folder of this file")
+        .suggest(suggest_file(request));
   }
   return document;
+}
+
+std::optional<std::string> Program::suggest_file(const FileRequest& request) {
+  constexpr int kMaxSuggestions = 50;  // each reads folders
+  if (++suggested_files_ > kMaxSuggestions) return std::nullopt;
+  const auto list = [&](const fs::path& folder) {
+    const bool is_outside = sandbox_ && !sandbox_->resolve(folder);
+    return is_outside ? std::vector<FolderEntry>() : options_.workspace->list(folder);
+  };
+  const auto nearest =
+      nearest_file(modules_[request.from]->path, request.written, request.is_include, list);
+  return nearest ? std::optional(fmt::format("\"{}\"", *nearest)) : std::nullopt;
 }
 
 std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
@@ -202,7 +217,8 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
   }
 
   loaded_.emplace(key, kNothing);
-  const std::shared_ptr<const Document> document = read(path, name, sink);
+  const std::shared_ptr<const Document> document =
+      read(path, {from, name, *written, is_include}, sink);
   if (!document) return kNothing;
   dependencies_.push_back(path);
   documents_.push_back(document);

@@ -92,8 +92,17 @@ class Program final : public Modules {
   void add_setting(const SetOption& option, DiagnosticSink& sink);
   /// A key of the file, the same for all paths of one file.
   std::string identity(const std::filesystem::path& path) const;
-  std::shared_ptr<const Document> read(const std::filesystem::path& path, ast::Node name,
-                                       DiagnosticSink& sink);
+  /// An import or include.
+  struct FileRequest {
+    std::uint32_t from;        ///< the module
+    ast::Node name;            ///< the string
+    std::string_view written;  ///< its value
+    bool is_include;
+  };
+  std::shared_ptr<const Document> read(const std::filesystem::path& path,
+                                       const FileRequest& request, DiagnosticSink& sink);
+  /// The string with the existing file that a request for a missing one probably means.
+  std::optional<std::string> suggest_file(const FileRequest& request);
 
   ProgramOptions options_;
   std::optional<Sandbox> sandbox_;
@@ -106,6 +115,7 @@ class Program final : public Modules {
   std::unordered_map<const SourceFile*, SettingValue> setting_values_;  ///< resolved on first use
   std::unordered_map<std::string, std::uint32_t> loaded_;  ///< by identity; kNothing: unusable
   std::vector<std::filesystem::path> dependencies_, wanted_;
+  int suggested_files_ = 0;  ///< how often folders were searched
   std::vector<ParamSetting> settings_;
   std::unordered_map<std::uint32_t, SymbolTable> names_;  ///< by module
 };

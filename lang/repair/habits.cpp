@@ -54,7 +54,7 @@ constexpr auto kRows = std::to_array<Row>({
     {Sign, "≠", {"!="}},
     {Sign, "**", {"^"}},
     {Sign, "++ += -= *= /=", {"", kNoChange}},
-    {Sign, "%", {"", "write `mod(a, b)`"}},
+    {Sign, "%", {"", "the remainder of a division is `mod(a, b)`"}},
     {Sign, "?", {"", "write `if … then … else …`"}},
     {Sign, ";", {"", "statements have no end mark"}},
     {Sign, "...", {"..", "an interval is `a .. b`, and a list of numbers `range(a, b)`"}},

@@ -168,6 +168,7 @@ class Signs : private SceneRound {
     auto message = report(diag::foreign, span, written);
     message.help_if(habit->help);
     if (habit->meant == "\"") return typographic_quote(message);
+    if (written == "%") suggest_remainder(message);
     if (habit->meant.empty() || habit->meant == "deg") return leave(span);
     if (written == "!" && follows_value()) return edit(span, " ");  // 5!
     const bool is_certain = is_certain_sign();
@@ -194,6 +195,39 @@ class Signs : private SceneRound {
            tokens_.is_joined(i_ + 1) &&
            (tokens_.is_word(i_ + 1) || tokens_.is_number(i_ + 1) ||
             tokens_.is_bracket(i_ + 1, '('));
+  }
+
+  /// The first token of the operand that ends at the token `last`: a name, a number, a call or what
+  /// is in parentheses; size() for others.
+  std::size_t operand_begin(std::size_t last) const {
+    if (tokens_.is(last, TokenClass::Value) && !is_joint(last)) return last;
+    if (!tokens_.is_bracket(last, ')')) return tokens_.size();
+    const std::size_t open = tokens_.partner(last);
+    const bool is_call = open < last && tokens_.is_joined(open) && tokens_.is_name(open - 1);
+    return is_call ? open - 1 : open;
+  }
+  std::size_t operand_end(std::size_t first) const {
+    const bool is_value = tokens_.is(first, TokenClass::Value) && !is_joint(first);
+    const bool is_call = tokens_.is_bracket(first + 1, '(') && tokens_.is_joined(first + 1);
+    if (is_value) return is_call ? tokens_.partner(first + 1) : first;
+    return tokens_.is_bracket(first, '(') ? tokens_.partner(first) : tokens_.size();
+  }
+
+  /// Offers `mod(a, b)` for `a % b`. Nothing beside the operands may bind as tightly as `%`.
+  void suggest_remainder(DiagnosticBuilder& message) {
+    if (!follows_value() || !precedes_value()) return;
+    const std::size_t first = operand_begin(i_ - 1), last = operand_end(i_ + 1);
+    if (first >= tokens_.size() || last >= tokens_.size()) return;
+    constexpr auto kTight = std::to_array<std::string_view>({"*", "/", "%", "^", "**", ".", "!"});
+    const bool is_negative = tokens_.is(first - 1, "-") && tokens_.wants_operand(first - 2);
+    const bool is_after_operator = is_negative || is_one_of(tokens_.written(first - 1), kTight);
+    const bool is_before_operator =
+        is_one_of(tokens_.written(last + 1), kTight) ||
+        (tokens_.is(last + 1, TokenClass::Open) && !tokens_.is_bracket(last + 1, '{'));
+    if (is_after_operator || is_before_operator) return;
+    message.unsafe_fix(where(span_of(first, last)),
+                       fmt::format("mod({}, {})", text_of(span_of(first, i_ - 1)),
+                                   text_of(span_of(i_ + 1, last))));
   }
 
   void semicolon(std::string_view help) {

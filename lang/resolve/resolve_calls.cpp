@@ -260,7 +260,7 @@ void Resolver::bind_argument(Binding<T>& binding, ast::Node argument) {
 }
 
 /// The index of the parameter with this label; for an unknown label that of the intended parameter,
-/// unless it has an argument too; else none().
+/// unless it has another argument; otherwise none().
 template <typename T>
 std::size_t Resolver::labeled_argument(Binding<T>& binding, ast::Labeled argument) {
   binding.has_labels = true;
@@ -280,8 +280,10 @@ std::size_t Resolver::labeled_argument(Binding<T>& binding, ast::Labeled argumen
     sink_.report(diag::unknown_argument, argument.label_location(), label, binding.call.callee())
         .suggest(nearest);
   }
-  const bool is_free = nearest && !has_argument(binding.call, *nearest);
-  return is_free ? index_of_name(binding.parameters, *nearest) : binding.none();
+  if (!nearest || has_argument(binding.call, *nearest)) return binding.none();
+  const std::size_t intended = index_of_name(binding.parameters, *nearest);
+  const bool is_free = code_[binding.first + intended] == kNothing;
+  return is_free ? intended : binding.none();
 }
 
 template <typename T>

@@ -128,6 +128,18 @@ std::optional<std::string> DiskFileSystem::read(const std::filesystem::path& pat
   return text;
 }
 
+std::vector<FolderEntry> DiskFileSystem::list(const std::filesystem::path& folder) const {
+  std::vector<FolderEntry> entries;
+  std::error_code error;
+  std::filesystem::directory_iterator at(folder.empty() ? "." : folder, error), end;
+  for (; !error && at != end && entries.size() < kMaxEntries; at.increment(error)) {
+    std::error_code ignored;
+    entries.push_back({at->path().filename().string(), at->is_directory(ignored)});
+  }
+  std::ranges::sort(entries, {}, &FolderEntry::name);
+  return entries;
+}
+
 bool DiskFileSystem::is_special(const std::filesystem::path& path) const {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);

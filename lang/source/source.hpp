@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -73,6 +75,15 @@ struct Location {
   Span span;
 };
 
+struct FolderEntry {
+  std::string name;
+  bool is_folder = false;
+
+  friend bool operator==(const FolderEntry&, const FolderEntry&) = default;
+};
+/// The contents of a folder; none if it must not or cannot be read.
+using PathLister = std::function<std::vector<FolderEntry>(const std::filesystem::path& folder)>;
+
 /// The source of texts; tests have one without a disk.
 class FileSystem {
  public:
@@ -82,6 +93,12 @@ class FileSystem {
   /// caller can recognize a file that is too large.
   virtual std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t max,
                                           std::error_code& error) const = 0;
+  /// The files and folders in a folder, by name; none if it cannot be read. Of a folder with more
+  /// than kMaxEntries any of them are left out.
+  virtual std::vector<FolderEntry> list(const std::filesystem::path& /*folder*/) const {
+    return {};
+  }
+  static constexpr std::size_t kMaxEntries = 2000;
   /// Whether the path is a pipe or a device: reading it may not end.
   virtual bool is_special(const std::filesystem::path& /*path*/) const { return false; }
   /// The target of a symbolic link, as written in the link; nullopt for other files.
@@ -100,6 +117,7 @@ class DiskFileSystem final : public FileSystem {
  public:
   std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t max,
                                   std::error_code& error) const override;
+  std::vector<FolderEntry> list(const std::filesystem::path& folder) const override;
   bool is_special(const std::filesystem::path& path) const override;
   std::optional<std::filesystem::path> link_target(
       const std::filesystem::path& path) const override;

@@ -85,7 +85,9 @@ NumberFault number_fault(std::string_view text) {
   if (tidied(number) != number) {
     return {"a digit is missing after the point", tidied(number) + std::string(suffix), false};
   }
-  const auto unit = find_habit(HabitPlace::Unit, suffix);
+  const bool is_remainder = suffix.starts_with('%') && suffix.size() > 1;  // 5%3
+  const auto unit =
+      is_remainder ? find_habit(HabitPlace::Sign, "%") : find_habit(HabitPlace::Unit, suffix);
   const bool has_meaning = unit && !unit->meant.empty();
   return {.reason = fmt::format("there is no unit `{}`", suffix),
           .replacement = has_meaning ? fmt::format("{}{}", number, unit->meant) : "",

@@ -112,6 +112,21 @@ std::optional<std::string> Workspace::read(const fs::path& path, std::uint64_t m
   return open->text.size() > most ? open->text.substr(0, most + 1) : open->text;
 }
 
+std::vector<FolderEntry> Workspace::list(const fs::path& folder) const {
+  std::vector<FolderEntry> entries = disk_.list(folder);
+  if (open_.empty()) return entries;
+  const fs::path wanted = identity(folder / "any").parent_path();
+  const std::size_t size = entries.size();
+  for (const auto& [path, text] : open_) {
+    if (path.parent_path() != wanted) continue;
+    FolderEntry entry{.name = path.filename().string(), .is_folder = false};
+    const auto on_disk = entries.begin() + static_cast<std::ptrdiff_t>(size);
+    if (std::find(entries.begin(), on_disk, entry) == on_disk) entries.push_back(std::move(entry));
+  }
+  std::ranges::sort(entries, {}, &FolderEntry::name);
+  return entries;
+}
+
 bool Workspace::is_special(const fs::path& path) const {
   return !is_open(path) && disk_.is_special(path);
 }

@@ -60,6 +60,7 @@ class Workspace final : public FileSystem {
 
   std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t most,
                                   std::error_code& error) const override;
+  std::vector<FolderEntry> list(const std::filesystem::path& folder) const override;
   bool is_special(const std::filesystem::path& path) const override;
   std::optional<std::filesystem::path> link_target(
       const std::filesystem::path& path) const override {

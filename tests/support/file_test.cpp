@@ -7,6 +7,7 @@
 #include <optional>
 #include <ostream>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -240,6 +241,21 @@ std::optional<std::string> CaseFiles::read(const fs::path& path, std::uint64_t /
   }
   error = std::make_error_code(std::errc::no_such_file_or_directory);
   return std::nullopt;
+}
+
+std::vector<lang::FolderEntry> CaseFiles::list(const fs::path& folder) const {
+  std::set<std::string> files, folders;
+  for (const CaseText& text : file_case_.texts) {
+    if (text.name.empty() || text.is_flag()) continue;
+    const fs::path inside = fs::path("./" + text.name).lexically_relative("." / folder);
+    if (inside.empty() || *inside.begin() == "..") continue;
+    const bool is_file = inside.parent_path().empty();
+    (is_file ? files : folders).insert(inside.begin()->string());
+  }
+  std::vector<lang::FolderEntry> entries;
+  for (const std::string& name : files) entries.push_back({name, false});
+  for (const std::string& name : folders) entries.push_back({name, true});
+  return entries;
 }
 
 std::vector<FileCase> parse_cases(std::string_view text, const fs::path& file) {

@@ -76,6 +76,7 @@ class CaseFiles final : public lang::FileSystem {
 
   std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t /*most*/,
                                   std::error_code& error) const override;
+  std::vector<lang::FolderEntry> list(const std::filesystem::path& folder) const override;
 
  private:
   const FileCase& file_case_;

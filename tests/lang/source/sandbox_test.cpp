@@ -31,6 +31,10 @@ class RecordingFiles final : public FileSystem {
     error = std::make_error_code(std::errc::no_such_file_or_directory);
     return std::nullopt;
   }
+  std::vector<FolderEntry> list(const fs::path& folder) const override {
+    ask(folder);
+    return {};
+  }
   bool is_special(const fs::path& path) const override {
     ask(path);
     return false;

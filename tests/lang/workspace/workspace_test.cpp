@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 class Files final : public FileSystem {
  public:
+  std::vector<FolderEntry> list(const fs::path& /*folder*/) const override { return entries; }
   std::optional<std::string> read(const fs::path& path, std::uint64_t /*most*/,
                                   std::error_code& error) const override {
     ++reads;
@@ -27,6 +28,7 @@ class Files final : public FileSystem {
   }
 
   std::map<std::string, std::string> texts;
+  std::vector<FolderEntry> entries;
   mutable int reads = 0;
 };
 
@@ -50,6 +52,17 @@ class WorkspaceTest : public testing::Test {
   Files files_;
   Workspace workspace_{files_};
 };
+
+TEST_F(WorkspaceTest, ListsOpenTextsAmongTheFilesOfTheirFolder) {
+  files_.entries = {{"b.scene", false}, {"lib", true}};
+  workspace_.open("./a.scene", "only in the editor");
+  workspace_.open("b.scene", "also on disk");
+  workspace_.open("lib/c.scene", "in another folder");
+  const FolderEntry a{"a.scene", false}, b{"b.scene", false}, lib{"lib", true};
+  EXPECT_THAT(workspace_.list(""), ElementsAre(a, b, lib));
+  files_.entries = {};
+  EXPECT_THAT(workspace_.list("lib"), ElementsAre(FolderEntry{"c.scene", false}));
+}
 
 TEST_F(WorkspaceTest, PrefersOpenTextsToFiles) {
   files_.texts["a.scene"] = "disk";
