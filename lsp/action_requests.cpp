@@ -94,6 +94,8 @@ class Actions {
       const Json known = known_form(*found);
       if (known.is_null() && !touches_range(found->where.span)) continue;
       if (fix) add_fix(*fix, known);
+      const auto everywhere = lang::fix_everywhere(*found, scene.findings().shown);
+      if (everywhere && !has_action(everywhere->title)) add_fix(*everywhere, known);
       add_allowance(*found, known);
     }
     if (has_safe_fix && wish_.asks_for(kFixAll)) add_fix_all();
@@ -111,6 +113,11 @@ class Actions {
   }
   bool touches_range(lang::Span span) const {
     return span.begin <= range_.end && span.end >= range_.begin;
+  }
+
+  bool has_action(const std::string& title) const {
+    return std::ranges::any_of(actions_,
+                               [&](const Json& action) { return action.at("title") == title; });
   }
 
   void add_fix(const lang::QuickFix& fix, const Json& known) {

@@ -60,6 +60,24 @@ std::string title_of(const Diagnostic& diagnostic) {
   return title;
 }
 
+/// Whether the finding has the code of the other, and its only fix changes the same text in the
+/// same way.
+bool has_same_fix(const Diagnostic& finding, const Diagnostic& other) {
+  if (finding.info != other.info || finding.fixes.size() != 1) return false;
+  const Fix &fix = finding.fixes.front(), &wanted = other.fixes.front();
+  const SourceFile* file = wanted.where.file;
+  return fix.where.file == file && fix.replacement == wanted.replacement &&
+         file->text(fix.where.span) == file->text(wanted.where.span);
+}
+
+/// "Replace all `a` with `b` in this file (3 places)"
+std::string title_of_all(const Fix& fix, std::size_t count) {
+  std::string title = change_of(fix);
+  title.insert(title.find(' '), " all");
+  title.front() = static_cast<char>(title.front() - 'a' + 'A');
+  return fmt::format("{} in this file ({} places)", title, count);
+}
+
 std::vector<FileEdits> edits_of(const Diagnostic& diagnostic) {
   std::vector<FileEdits> files;
   for (const Fix& fix : diagnostic.fixes) {
@@ -91,6 +109,24 @@ bool QuickFixes::is_preferred(const Diagnostic& diagnostic) {
     const auto guard = guards_.try_emplace(fix.where.file, fix.where.file->text()).first;
     return guard->second.allows(fix);
   });
+}
+
+std::optional<QuickFix> fix_everywhere(const Diagnostic& diagnostic,
+                                       std::span<const Diagnostic* const> findings) {
+  const bool is_change = diagnostic.fixes.size() == 1 && diagnostic.fixes[0].where.span.size() > 0;
+  if (!is_change) return std::nullopt;
+  const Fix& fix = diagnostic.fixes.front();
+  FileEdits all{.file = fix.where.file, .edits = {}};
+  for (const Diagnostic* finding : findings) {
+    if (!has_same_fix(*finding, diagnostic)) continue;
+    all.edits.push_back({.where = finding->fixes.front().where.span, .text = fix.replacement});
+  }
+  const auto begin_of = [](const TextEdit& edit) { return edit.where.begin; };
+  std::ranges::sort(all.edits, {}, begin_of);
+  const auto repeated = std::ranges::unique(all.edits, {}, begin_of);
+  all.edits.erase(repeated.begin(), repeated.end());
+  if (all.edits.size() < 2) return std::nullopt;
+  return QuickFix{.title = title_of_all(fix, all.edits.size()), .files = {std::move(all)}};
 }
 
 FixAll fix_all(std::unique_ptr<CheckedText> checked, const CheckText& check) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,12 @@ class QuickFixes {
 
   std::map<const SourceFile*, FixGuard> guards_;
 };
+
+/// One action for all of the findings with the code and the fix of `diagnostic` in its file:
+/// "Replace all `radus` with `radius` in this file (3 places)". nullopt if there is only one, or if
+/// the fix is not to replace or remove one text.
+std::optional<QuickFix> fix_everywhere(const Diagnostic& diagnostic,
+                                       std::span<const Diagnostic* const> findings);
 
 /// The result of fix_all().
 struct FixAll {

@@ -1,6 +1,7 @@
 #include "lang/editor/fix_edits.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,58 @@ TEST(QuickFixes, CountEqualChanges) {
                       {.where = {&file, {2, 3}}, .replacement = "b"}};
   EXPECT_EQ(lang::QuickFixes().of(diagnostic)->title, "Replace `a` with `b` in 2 places");
   EXPECT_FALSE(lang::QuickFixes().of({}));
+}
+
+/// The action for all findings like the first that has a fix.
+std::optional<lang::QuickFix> everywhere(const LintedText& linted) {
+  for (const lang::Diagnostic* found : linted.findings().shown) {
+    if (!found->fixes.empty()) return lang::fix_everywhere(*found, linted.findings().shown);
+  }
+  return std::nullopt;
+}
+
+TEST(FixEverywhere, FixesTheSameMistakeInTheWholeFile) {
+  const std::string text =
+      "scene 1\n" + kCamera +
+      "sphere { center: (0, 0, 0), radus: 1 }\nsphere { center: (0, 3, 0), radus: 2 }\n"
+      "sphere { center: (0, 6, 0), raduis: 2 }\nsphere { center: (0, 9, 0), radus: 3 }\n";
+  const LintedText linted(std::make_shared<const lang::Document>("ball.scene", text));
+  const auto fix = everywhere(linted);
+  ASSERT_TRUE(fix);
+  EXPECT_EQ(fix->title, "Replace all `radus` with `radius` in this file (3 places)");
+  EXPECT_FALSE(fix->is_preferred);
+  ASSERT_EQ(fix->files.size(), 1u);
+  EXPECT_EQ(
+      lang::with_edits(text, fix->files[0].edits),
+      "scene 1\n" + kCamera +
+          "sphere { center: (0, 0, 0), radius: 1 }\nsphere { center: (0, 3, 0), radius: 2 }\n"
+          "sphere { center: (0, 6, 0), raduis: 2 }\nsphere { center: (0, 9, 0), radius: 3 }\n");
+}
+
+TEST(FixEverywhere, RemovesTheSameSign) {
+  const LintedText linted(
+      std::make_shared<const lang::Document>("a.scene", "scene 1\nlet a = 1;\nlet b = 2;\n"));
+  EXPECT_EQ(everywhere(linted)->title, "Remove all `;` in this file (2 places)");
+}
+
+TEST(FixEverywhere, IsNotForOneMistakeOrForOthersOfTheSameText) {
+  for (const char* rest :
+       {"sphere { radus: 1 }\n", "sphere { radus: 1 }\nlet a = radus\n",
+        "sphere { radus: 1 }\nsphere { Radus: 1 }\n", "let a = [1 2]\nlet b = [1 2]\n"}) {
+    const LintedText linted(
+        std::make_shared<const lang::Document>("a.scene", "scene 1\n" + std::string(rest)));
+    EXPECT_FALSE(everywhere(linted)) << rest;
+  }
+}
+
+TEST(FixEverywhere, KeepsToTheFileOfTheFinding) {
+  const lang::SourceFile a("a.scene", "x x"), b("b.scene", "x x");
+  lang::Diagnostic in_a, in_b;
+  in_a.fixes = {{.where = {&a, {0, 1}}, .replacement = "y"}};
+  in_b.fixes = {{.where = {&b, {0, 1}}, .replacement = "y"}};
+  const std::vector<const lang::Diagnostic*> both{&in_a, &in_b}, twice{&in_a, &in_a};
+  EXPECT_FALSE(lang::fix_everywhere(in_a, both));
+  EXPECT_FALSE(lang::fix_everywhere(in_a, twice));
 }
 
 lang::FixAll fix_all(const std::string& text, const lang::FindingsFilter& filter = {}) {
