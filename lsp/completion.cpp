@@ -15,6 +15,7 @@
 #include "lang/editor/hover.hpp"
 #include "lang/editor/signature_help.hpp"
 #include "lang/explain/explain.hpp"
+#include "lang/source/sandbox.hpp"
 #include "lsp/positions.hpp"
 
 namespace sdlc::lsp {
@@ -114,22 +115,14 @@ class CompletionJson {
   std::map<std::pair<std::uint32_t, std::uint32_t>, Json> ranges_;
 };
 
-bool is_inside(const fs::path& path, const fs::path& folder) {
-  const fs::path relative = path.lexically_relative(folder);
-  return !relative.empty() && *relative.begin() != "..";
-}
-
-/// The contents of a folder in the workspace, or in the folder of the scene.
-std::vector<lang::FolderEntry> list_folder(Session& session, const fs::path& scene,
+/// The contents of a folder that the scene may read.
+std::vector<lang::FolderEntry> list_folder(Session& session, const std::string& root,
                                            const fs::path& folder) {
-  const fs::path wanted = session.workspace().identity(folder);
-  const auto contains = [&](const fs::path& outer) {
-    return is_inside(wanted, session.workspace().identity(outer));
-  };
-  if (!contains(scene.parent_path()) && std::ranges::none_of(session.folders(), contains)) {
+  if (session.program_options().is_sandboxed &&
+      !lang::Sandbox(session.workspace(), root).resolve(folder)) {
     return {};
   }
-  return session.workspace().list(wanted);
+  return session.workspace().list(folder);
 }
 
 std::string trigger_of(const Json& params) {
@@ -150,10 +143,10 @@ bool is_file(const lang::CompletionItem& item) {
 lang::CompletionList complete(Session& session, const Text& text, std::uint32_t offset,
                               std::string_view trigger) {
   if (!text.is_scene()) return lang::complete_config(*text.source, offset);
-  const fs::path scene = text.view->module(text.file).path;
+  const std::string& root = text.view->root().name();
   lang::CompletionList list =
       lang::complete(*text.view, text.file, offset,
-                     [&](const fs::path& folder) { return list_folder(session, scene, folder); });
+                     [&](const fs::path& folder) { return list_folder(session, root, folder); });
   // Quotes and slashes are typed in other places too.
   if (trigger == "\"" || trigger == "/") {
     std::erase_if(list.items, [](const auto& item) { return !is_file(item); });

@@ -43,10 +43,15 @@ void complete_file_name(CompletionBuilder& builder, const PathLister& list_folde
   builder.set_replaced({begin, begin + size});
 
   const std::filesystem::path own = builder.view().module(builder.file()).path;
-  const bool is_here = slash == 0;
+  const std::filesystem::path folder = own.parent_path() / typed.substr(0, slash);
+  const bool is_here = (folder / own.filename()).lexically_normal() == own.lexically_normal();
   const bool is_include = place.inner().word == "include";
   const bool has_slash = size < rest.size();
-  for (const FolderEntry& entry : list_folder(own.parent_path() / typed.substr(0, slash))) {
+  if (typed.ends_with('.')) {
+    builder.add({.label = "../", .kind = CompletionKind::Folder, .text = has_slash ? ".." : "../"},
+                {});
+  }
+  for (const FolderEntry& entry : list_folder(folder)) {
     if (entry.name.starts_with('.')) continue;
     if (!entry.is_folder && !is_loadable(entry.name, is_include)) continue;
     if (is_here && entry.name == own.filename()) continue;

@@ -113,9 +113,14 @@ void complete_number(CompletionBuilder& builder) {
   }
 }
 
-/// The colours that the file has already.
+/// The colours that the file has already, where a colour may be.
 void complete_color(CompletionBuilder& builder) {
   constexpr std::size_t kMaxColors = 100;
+  const CursorPlace& place = builder.place();
+  // Of the whole value: a colour can be a factor.
+  const ExpectedType expected =
+      expected_in(builder.view(), builder.file(), place, place.brackets.size() - 1);
+  if (!expected.is_unknown() && expected.type != "color") return;
   const SyntaxTree& tree = builder.view().tree(builder.file());
   const Span typed = builder.place().token;
   builder.set_replaced(typed);

@@ -103,13 +103,18 @@ class PlaceSearch {
   CursorPlace find() {
     for (;;) {
       const Token token = tokens_.next();
-      if (is_cursor_in(token, offset_)) return finish_inside(token);
+      if (is_cursor_in(token, offset_) || is_begun_color(token)) return finish_inside(token);
       if (token.kind == TokenKind::End || token.span.begin >= offset_) return finish({});
       read(token);
     }
   }
 
  private:
+  /// Whether it is a `#` before the cursor without its digits.
+  bool is_begun_color(const Token& token) const {
+    return token.span.end == offset_ && text_.substr(token.span.begin, token.span.size()) == "#";
+  }
+
   void read(const Token& token) {
     if (token.kind == TokenKind::LineEnd) {
       line_begin_ = token.span.end;
@@ -129,11 +134,20 @@ class PlaceSearch {
       return finish(token);
     }
     if (token.kind == TokenKind::Number) return finish(PlaceKind::Number, token);
-    if (token.kind == TokenKind::Color) return finish(PlaceKind::Color, token);
+    if (token.kind == TokenKind::Color || is_begun_color(token)) {
+      CursorPlace place = finish(PlaceKind::Color, token);
+      if (!begins_value(place.inner())) place.kind = PlaceKind::Nothing;
+      return place;
+    }
     const bool is_file_name = is_string(token.kind) && step_at(token) == Step::File;
     if (is_file_name) return finish(PlaceKind::FileName, token);
     const bool is_inside = is_string(token.kind) || !is_trivia(token.kind);
     return is_inside ? finish(PlaceKind::Nothing, token) : finish({});
+  }
+
+  static bool begins_value(const OpenBracket& inner) {
+    const bool is_element = !inner.is_block() && inner.role != Role::Parameters;
+    return inner.step == Step::Operand || (inner.step == Step::Start && is_element);
   }
 
   Step step_at(const Token& token) {
@@ -159,11 +173,6 @@ class PlaceSearch {
     if (!is_fresh) enter_line(has_word ? token.span.begin : offset_);
     place_.is_first_of_line = is_first_;
     place_.brackets = std::move(reader_.brackets());
-    if (offset_ > 0 && text_[offset_ - 1] == '#' && place_.before == "#") {
-      place_.kind = PlaceKind::Color;
-      place_.token = {offset_ - 1, offset_};
-      return std::move(place_);
-    }
     TokenReader after(text_, place_.word.end);
     const bool has_colon = after.text(after.next_solid()) == ":";
     const OpenBracket& inner = place_.inner();

@@ -72,15 +72,15 @@ TEST(CodeActions, FixTheSameMistakeInTheWholeFileOnce) {
   client.open("a.scene", "scene 1\nsphere { radus: 1 }\nsphere { radus: 2 }\n");
   const Json actions = actions_in(client, "a.scene", everywhere(), {{"only", {"quickfix"}}});
   const std::string title = "Replace all `radus` with `radius` in this file (2 places)";
-  EXPECT_THAT(titles(actions), ElementsAre("Replace `radus` with `radius`", title,
-                                           "Replace `radus` with `radius`"));
+  EXPECT_THAT(titles(actions),
+              ElementsAre("Replace `radus` with `radius`", title, "Replace `radus` with `radius`"));
   EXPECT_EQ(after(client, "a.scene", actions[1]),
             "scene 1\nsphere { radius: 1 }\nsphere { radius: 2 }\n");
 }
 
 TEST(CodeActions, AreThoseOfTheRange) {
   TestClient client;
-  client.open("a.scene", "scene 1\nlet a = 1;\nlet b = 2;\n");
+  client.open("a.scene", "scene 1\nlet a = 1;\nlet b = 2 m\n");
   const auto at = [](int line, int character) {
     return empty_range({{"line", line}, {"character", character}});
   };

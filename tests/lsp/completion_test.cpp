@@ -14,6 +14,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::IsSupersetOf;
 using testing::Not;
 
 constexpr auto kCompletion = "textDocument/completion";
@@ -105,8 +106,23 @@ TEST(CompletionMessages, ListFilesOfTheFolder) {
   cursor = client.open_marked("b.scene", "scene 1\ninclude \"parts/|\"\n");
   EXPECT_THAT(labels(client.result_at(kCompletion, "b.scene", cursor)),
               ElementsAre("legs.scene", "top.json"));
-  cursor = client.open_marked("c.scene", "scene 1\nimport \"../../../|\"\n");
-  EXPECT_THAT(labels(client.result_at(kCompletion, "c.scene", cursor)), IsEmpty());
+}
+
+TEST(CompletionMessages, OfferFilesOutsideTheFolderUnlessTheyAreRefused) {
+  TestClient client, sandboxed(Json::object(), {{"sandbox", true}});
+  for (TestClient* each : {&client, &sandboxed}) {
+    each->write("above.scene", "scene 1\n");
+    each->write("lib/beside.scene", "scene 1\n");
+  }
+  const auto offered = [](TestClient& each) {
+    const Json cursor = each.open_marked("lib/a.scene", "scene 1\nimport \"../|\"\n");
+    return labels(each.result_at(kCompletion, "lib/a.scene", cursor));
+  };
+  EXPECT_THAT(offered(client), ElementsAre("above.scene", "lib/"));
+  EXPECT_THAT(offered(sandboxed), IsEmpty());
+  const Json cursor = sandboxed.open_marked("lib/b.scene", "scene 1\nimport \"|\"\n");
+  EXPECT_THAT(labels(sandboxed.result_at(kCompletion, "lib/b.scene", cursor)),
+              IsSupersetOf({"a.scene", "beside.scene"}));
 }
 
 TEST(CompletionMessages, OfTypedCharactersAreNotUnwanted) {

@@ -65,15 +65,6 @@ EditedScene edit(const std::string& text, std::string_view line) {
   return {text.substr(0, at) + after + rest, static_cast<std::uint32_t>(at + cursor)};
 }
 
-std::vector<lang::FolderEntry> list_folder(const fs::path& folder) {
-  std::vector<lang::FolderEntry> entries;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    entries.push_back({entry.path().filename().string(), entry.is_directory()});
-  }
-  return entries;
-}
-
 std::string first_labels(const fs::path& scene, std::string_view line) {
   const EditedScene edited = edit(read_text(scene), line);
   lang::DiskFileSystem files;
@@ -84,7 +75,8 @@ std::string first_labels(const fs::path& scene, std::string_view line) {
   lang::ProgramOptions options;
   options.workspace = &workspace;
   lang::SceneView view(std::move(root), options);
-  const lang::CompletionList list = lang::complete(view, 0, edited.cursor, list_folder);
+  const lang::CompletionList list = lang::complete(
+      view, 0, edited.cursor, [&](const fs::path& folder) { return files.list(folder); });
   std::string labels;
   for (std::size_t i = 0; i < std::min(kShown, list.items.size()); ++i) {
     labels += (i == 0 ? "" : " · ") + list.items[i].label;

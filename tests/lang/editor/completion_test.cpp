@@ -204,6 +204,42 @@ TEST(Completion, OffersFilesRelativeToTheText) {
   EXPECT_THAT(labels(complete("scene 1\nimport \"/|")), IsEmpty());
 }
 
+TEST(Completion, OmitsTheFileItselfHoweverItIsNamed) {
+  const auto list = [](const std::filesystem::path& /*folder*/) {
+    return std::vector<lang::FolderEntry>{{"root.scene"}, {"b.scene"}};
+  };
+  for (const char* typed : {"", "./", "lib/../", ".//"}) {
+    MarkedScene scene(std::string("scene 1\nimport \"") + typed + "|");
+    EXPECT_THAT(labels(lang::complete(scene.view(), 0, scene.offset(), list)),
+                ElementsAre("b.scene"))
+        << typed;
+  }
+  MarkedScene scene("scene 1\nimport \"lib/|");
+  EXPECT_THAT(labels(lang::complete(scene.view(), 0, scene.offset(), list)),
+              ElementsAre("b.scene", "root.scene"));
+}
+
+TEST(Completion, OffersTheFolderAbove) {
+  EXPECT_THAT(labels("scene 1\nimport \"..|"), ElementsAre("../"));
+  EXPECT_THAT(labels("scene 1\nimport \"../..|\" as a"), ElementsAre("../"));
+  EXPECT_THAT(labels("scene 1\nimport \"lib.|"), IsEmpty());
+}
+
+TEST(Completion, OffersColorsOfTheFileWhereAColorMayBe) {
+  const std::string first = "scene 1\nlet a = #fc0\n";
+  for (const char* text : {"let b = #|", "let b = #f|", "let b = [#fff, #|", "let b = a * #|",
+                           "sphere { material: diffuse(#|", "background { top: #|",
+                           "let b = if true then #|", "param c: color = #|"}) {
+    EXPECT_THAT(labels(first + text), Contains("#fc0")) << text;
+  }
+  for (const char* text :
+       {"#|", "#f|", "sphere { #|", "sphere #|", "let b = 1 #|", "let b = a #f|", "let #|",
+        "sphere { radius: #|", "fn f(#|", "for i in #|", "sphere { material: #|", "if #|", "// #|",
+        "/* #| */", "let b = \"#|\"", "import #|"}) {
+    EXPECT_THAT(labels(first + text), IsEmpty()) << text;
+  }
+}
+
 TEST(Completion, OffersCodesOfWarnings) {
   const auto found = labels("scene 1\n// sdlc: allow(|\nlet a = 1");
   EXPECT_THAT(found, Contains("W402"));
