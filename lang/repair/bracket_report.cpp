@@ -246,11 +246,11 @@ class BracketReport : private RepairRound {
 
 }  // namespace
 
-void repair_brackets(const RepairContext& context, const TokenList& tokens,
-                     const std::vector<BracketFault>& faults) {
+std::vector<Edit> repair_brackets(const RepairContext& context, const TokenList& tokens,
+                                  const std::vector<BracketFault>& faults) {
   constexpr std::size_t kMaxFaults = 64;  // a text beyond that is no text
-  if (faults.empty() || faults.size() > kMaxFaults) return;
-  context.text.apply(BracketReport(context, tokens).run(faults));
+  if (faults.empty() || faults.size() > kMaxFaults) return {};
+  return BracketReport(context, tokens).run(faults);
 }
 
 }  // namespace sdlc::lang

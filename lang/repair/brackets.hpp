@@ -32,8 +32,8 @@ struct BracketFault {
 std::vector<BracketFault> find_scene_bracket_faults(const TokenList& tokens);
 std::vector<BracketFault> find_json_bracket_faults(const TokenList& tokens);
 
-/// Reports the faults and makes the edits that remove them.
-void repair_brackets(const RepairContext& context, const TokenList& tokens,
-                     const std::vector<BracketFault>& faults);
+/// Reports the faults; the edits remove them.
+std::vector<Edit> repair_brackets(const RepairContext& context, const TokenList& tokens,
+                                  const std::vector<BracketFault>& faults);
 
 }  // namespace sdlc::lang

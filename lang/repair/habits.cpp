@@ -70,12 +70,12 @@ constexpr auto kRows = std::to_array<Row>({
     {FunctionWord, "function func fun", {"fn"}},
     {DefinitionWord, "define module", {"def"}},
     {LoopWord, "foreach", {"for"}},
-    {ElseIf, "elif elseif elsif", {"else if"}},
     {StatementWord, "while do repeat loop", {"", kNoLoop}},
     {StatementWord, "return", {"", kFunction}},
     {StatementWord, "pass", {"", "a block may be empty: `{ }`"}},
     {StatementWord, "module class", {"", kOwnKind}},
     {StatementWord, "switch match", {"", kElseIf}},
+    {ElseIf, "elif elseif elsif", {"else if"}},
 
     {Unit, "degree degrees", {"deg"}},
     {Unit, "radians", {"rad"}},
@@ -170,6 +170,7 @@ constexpr auto kRows = std::to_array<Row>({
     {Library, "math Math numpy np std", {}},
 });
 // clang-format on
+static_assert(std::ranges::is_sorted(kRows, {}, &Row::place), "find_habit() searches it");
 
 /// Calls the function with each word of the row until it returns true.
 template <typename Function>
@@ -197,17 +198,16 @@ HabitPlace properties_of(ObjectKind kind) noexcept {
 }  // namespace
 
 std::optional<Habit> find_habit(HabitPlace place, std::string_view written) noexcept {
-  for (const Row& row : kRows) {
+  for (const Row& row : std::ranges::equal_range(kRows, place, {}, &Row::place)) {
     const auto is_written = [&](std::string_view word) { return word == written; };
-    if (row.place == place && any_word(row.words, is_written)) return row.habit;
+    if (any_word(row.words, is_written)) return row.habit;
   }
   return std::nullopt;
 }
 
 std::string_view foreign_sign_at(std::string_view text) noexcept {
   std::string_view longest;
-  for (const Row& row : kRows) {
-    if (row.place != Sign) continue;
+  for (const Row& row : std::ranges::equal_range(kRows, Sign, {}, &Row::place)) {
     any_word(row.words, [&](std::string_view sign) {
       if (sign.size() > longest.size() && text.starts_with(sign)) longest = sign;
       return false;

@@ -19,7 +19,7 @@ std::optional<RepairedText> repair_json(const SourceFile& file, DiagnosticSink& 
   repaired.apply(repair_json_syntax(context, tokens));
   if (repaired.is_changed()) tokens = json_tokens(repaired.text());
   if (!tokens.has_matching_brackets() && tokens.is_bracket(0, '{')) {
-    repair_brackets(context, tokens, find_json_bracket_faults(tokens));
+    repaired.apply(repair_brackets(context, tokens, find_json_bracket_faults(tokens)));
   }
   if (!repaired.is_changed()) return std::nullopt;
   return repaired;

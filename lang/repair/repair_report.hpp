@@ -51,7 +51,7 @@ class RepairRound {
   }
   /// The empty span after the token before.
   Span gap_before(std::size_t token) const {
-    const std::uint32_t end = token == 0 ? 0 : tokens_[token - 1].end;
+    const std::uint32_t end = token == 0 ? context_.text.part().begin : tokens_[token - 1].end;
     return {end, end};
   }
   std::string_view text_of(Span span) const {

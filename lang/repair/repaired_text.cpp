@@ -19,6 +19,7 @@ void RepairedText::apply(std::vector<Edit> edits) {
   }
   if (round.empty()) return;
   next += std::string_view(text_).substr(copied);
+  part_.end += static_cast<std::uint32_t>(next.size() - text_.size());
   text_ = std::move(next);
   rounds_.push_back(std::move(round));
 }

@@ -23,14 +23,19 @@ struct Edit {
 /// each round counts the bytes of the text before it.
 class RepairedText {
  public:
-  explicit RepairedText(std::string_view source) : text_(source) {}
+  explicit RepairedText(std::string_view source)
+      : text_(source), part_{0, static_cast<std::uint32_t>(source.size())} {}
 
   const std::string& text() const noexcept { return text_; }
+  /// The part of the text that repairs read and edit: all of it, unless set_part() was called.
+  Span part() const noexcept { return part_; }
+  /// Precondition: each end of the part is one of the text or the first token of a line.
+  void set_part(Span part) noexcept { part_ = part; }
   /// Whether anything was edited or reported.
   bool is_changed() const noexcept { return !rounds_.empty() || !reported_.empty(); }
 
-  /// Makes the edits. One that begins inside another is dropped; of several insertions at one place
-  /// the order is kept.
+  /// Makes the edits, which are inside the part. One that begins inside another is dropped; of
+  /// several insertions at one place the order is kept.
   void apply(std::vector<Edit> edits);
 
   /// Suppresses further reports of a part of the source.
@@ -57,6 +62,7 @@ class RepairedText {
   static std::uint32_t end_before(const Round& round, std::uint32_t end) noexcept;
 
   std::string text_;
+  Span part_;
   std::vector<Round> rounds_;
   std::vector<Span> reported_;
 };

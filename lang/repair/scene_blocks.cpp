@@ -231,9 +231,8 @@ class Blocks : private SceneRound {
 
 }  // namespace
 
-void repair_blocks(const RepairContext& context) {
-  const TokenList tokens = scene_tokens(context.text.text());
-  context.text.apply(Blocks(context, tokens).run());
+std::vector<Edit> repair_blocks(const RepairContext& context, const TokenList& tokens) {
+  return Blocks(context, tokens).run();
 }
 
 }  // namespace sdlc::lang

@@ -145,9 +145,8 @@ class Marks : private RepairRound {
 
 }  // namespace
 
-void repair_marks(const RepairContext& context) {
-  const TokenList tokens = scene_tokens(context.text.text());
-  context.text.apply(Marks(context, tokens).run());
+std::vector<Edit> repair_marks(const RepairContext& context, const TokenList& tokens) {
+  return Marks(context, tokens).run();
 }
 
 }  // namespace sdlc::lang

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/repair/repaired_text.hpp"
+#include "lang/repair/tokens.hpp"
 #include "lang/source/source.hpp"
 
 namespace sdlc::lang {
@@ -21,20 +24,20 @@ void repair_spelling(const RepairContext& context);
 /// brackets may be wrong too, one missing and one too many elsewhere.
 void repair_structure(const RepairContext& context, bool may_mismatch);
 
-// The rounds of these repairs. Each reports what it finds and edits the text.
+// The rounds of these repairs. Each reports what it finds and returns the edits of the text.
 
 /// Heads of blocks, loops and functions: `for (i in list) {`, `let f(x) = …`.
-void repair_blocks(const RepairContext& context);
+std::vector<Edit> repair_blocks(const RepairContext& context, const TokenList& tokens);
 /// Declarations, names and values: `let size: number = 1`, `1, 2, 3` for a point.
-void repair_values(const RepairContext& context);
+std::vector<Edit> repair_values(const RepairContext& context, const TokenList& tokens);
 /// Operators, quotes, comments and separated units as other languages write them.
-void repair_signs(const RepairContext& context);
+std::vector<Edit> repair_signs(const RepairContext& context, const TokenList& tokens);
 /// Misspelt keywords.
-void repair_words(const RepairContext& context);
+std::vector<Edit> repair_words(const RepairContext& context, const TokenList& tokens);
 /// Statements without a colon, and calls in place of statements.
-void repair_statements(const RepairContext& context);
+std::vector<Edit> repair_statements(const RepairContext& context, const TokenList& tokens);
 /// What is missing between values in parentheses and lists: commas, colons, the third value of a
 /// point.
-void repair_marks(const RepairContext& context);
+std::vector<Edit> repair_marks(const RepairContext& context, const TokenList& tokens);
 
 }  // namespace sdlc::lang

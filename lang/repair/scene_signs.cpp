@@ -302,9 +302,8 @@ class Signs : private SceneRound {
 
 }  // namespace
 
-void repair_signs(const RepairContext& context) {
-  const TokenList tokens = scene_tokens(context.text.text());
-  context.text.apply(Signs(context, tokens).run());
+std::vector<Edit> repair_signs(const RepairContext& context, const TokenList& tokens) {
+  return Signs(context, tokens).run();
 }
 
 }  // namespace sdlc::lang

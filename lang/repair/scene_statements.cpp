@@ -114,9 +114,8 @@ class Statements : private SceneRound {
 
 }  // namespace
 
-void repair_statements(const RepairContext& context) {
-  const TokenList tokens = scene_tokens(context.text.text());
-  context.text.apply(Statements(context, tokens).run());
+std::vector<Edit> repair_statements(const RepairContext& context, const TokenList& tokens) {
+  return Statements(context, tokens).run();
 }
 
 }  // namespace sdlc::lang

@@ -12,7 +12,9 @@ namespace {
 
 class SceneTokens {
  public:
-  explicit SceneTokens(std::string_view text) : text_(text), reader_(text) {}
+  /// The tokens from `begin`, a line's first token, to the end of the text.
+  SceneTokens(std::string_view text, std::uint32_t begin)
+      : text_(text), reader_(text, begin), indent_(indent_of_line(text, begin)) {}
 
   TokenList run() {
     for (Token token = reader_.next(); token.kind != TokenKind::End; token = reader_.next()) {
@@ -120,12 +122,15 @@ class SceneTokens {
   TokenReader reader_;
   std::vector<RepairToken> tokens_;
   std::vector<Span> foreign_comments_;
-  std::uint32_t line_ = 0, indent_ = 0;
+  std::uint32_t line_ = 0, indent_;
   bool is_first_ = true;
 };
 
 }  // namespace
 
-TokenList scene_tokens(std::string_view text) { return SceneTokens(text).run(); }
+TokenList scene_tokens(const RepairedText& text) {
+  const Span part = text.part();
+  return SceneTokens(std::string_view(text.text()).substr(0, part.end), part.begin).run();
+}
 
 }  // namespace sdlc::lang

@@ -395,9 +395,8 @@ class Values : private SceneRound {
 
 }  // namespace
 
-void repair_values(const RepairContext& context) {
-  const TokenList tokens = scene_tokens(context.text.text());
-  context.text.apply(Values(context, tokens).run());
+std::vector<Edit> repair_values(const RepairContext& context, const TokenList& tokens) {
+  return Values(context, tokens).run();
 }
 
 }  // namespace sdlc::lang

@@ -111,9 +111,8 @@ class Words : private SceneRound {
 
 }  // namespace
 
-void repair_words(const RepairContext& context) {
-  const TokenList tokens = scene_tokens(context.text.text());
-  context.text.apply(Words(context, tokens).run());
+std::vector<Edit> repair_words(const RepairContext& context, const TokenList& tokens) {
+  return Words(context, tokens).run();
 }
 
 }  // namespace sdlc::lang

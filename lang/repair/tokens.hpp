@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lang/repair/repaired_text.hpp"
 #include "lang/source/source.hpp"
 
 /// The tokens of a broken text, as far as its repair needs them.
@@ -31,8 +32,8 @@ struct RepairToken {
   Span span() const noexcept { return {begin, end}; }
 };
 
-/// The tokens of a text without its comments. Every index is valid: those outside the text give an
-/// empty token of the class End.
+/// The tokens of a text or of a part of it, without its comments. Every index is valid: those
+/// outside the text give an empty token of the class End.
 class TokenList {
  public:
   TokenList(std::string_view text, std::vector<RepairToken> tokens,
@@ -96,9 +97,9 @@ class TokenList {
   RepairToken end_;
 };
 
-/// The tokens of a scene. `#` begins a comment if it cannot begin a colour, and `--` if it begins a
-/// line.
-TokenList scene_tokens(std::string_view text);
+/// The tokens of the part of a scene that is repaired. `#` begins a comment if it cannot begin a
+/// colour, and `--` if it begins a line.
+TokenList scene_tokens(const RepairedText& text);
 /// The tokens of a config; none if a comment is never closed.
 TokenList json_tokens(std::string_view text);
 

@@ -1,9 +1,13 @@
 #include <algorithm>
+#include <cstdint>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lang/repair/scene_repair.hpp"
+#include "lang/syntax/broken_parts.hpp"
 #include "lang/syntax/characters.hpp"
 #include "lang/syntax/statements.hpp"
 #include "lang/syntax/syntax.hpp"
@@ -63,20 +67,42 @@ Reading read(const SourceFile& file, std::string_view text, const RepairedText* 
   return reading;
 }
 
+/// Repairs each part of the text. Afterwards `parts` are where they have moved to.
+template <typename Repair>
+void repair_parts(RepairedText& text, std::vector<Span>& parts, Repair repair) {
+  // The last one first: a repair moves what follows it.
+  for (Span& part : std::views::reverse(parts)) {
+    const std::uint32_t end = part.end;
+    text.set_part(part);
+    repair();
+    part = text.part();
+    const std::uint32_t growth = part.end - end;  // modulo 2^32
+    for (Span* later = &part + 1; later != parts.data() + parts.size(); ++later) {
+      later->begin += growth;
+      later->end += growth;
+    }
+  }
+}
+
 /// Reads a text with errors again after repairs: always after those of the spelling, and after
 /// those of the structure if fewer errors remain.
 Reading read_repaired(const SourceFile& file, std::string_view text, Reading reading,
                       DiagnosticSink& sink) {
   const StopRequest* stop = sink.stop_request();
+  std::vector<Span> parts = {{0, static_cast<std::uint32_t>(text.size())}};
+  if (!reading.has_misplaced) parts = broken_parts(text, reading.nodes.span(), reading.sink);
   RepairedText spelled(text);
-  repair_spelling({file, spelled, sink});
+  repair_parts(spelled, parts, [&] { repair_spelling({file, spelled, sink}); });
   if (spelled.is_changed()) {
     reading = read<grammar::file>(file, spelled.text(), &spelled, stop);
     if (reading.is_sound() || reading.is_foreign) return reading;
   }
+  if (reading.has_misplaced) parts = {{0, static_cast<std::uint32_t>(spelled.text().size())}};
   RepairedText repaired = spelled;
   DiagnosticSink repairs(stop);
-  repair_structure({file, repaired, repairs}, reading.has_misplaced);
+  repair_parts(repaired, parts, [&] {
+    repair_structure({file, repaired, repairs}, reading.has_misplaced);
+  });
   if (repaired.is_changed()) {
     Reading again = read<grammar::file>(file, repaired.text(), &repaired, stop);
     if (again.sink.error_count() < std::max<std::size_t>(reading.sink.error_count(), 1)) {

@@ -53,5 +53,14 @@ TEST(RepairedText, KeepsTheOrderOfInsertionsAndDropsOverlaps) {
   EXPECT_EQ(text.text(), "x)}cd");
 }
 
+TEST(RepairedText, HasAPartThatGrowsWithItsEdits) {
+  RepairedText text("abc\ndef\nghi");
+  text.set_part({4, 8});
+  text.apply({{{4, 5}, "12345"}});
+  EXPECT_EQ(text.part(), (Span{4, 12}));
+  text.apply({{{4, 12}, ""}});
+  EXPECT_EQ(text.part(), (Span{4, 4}));
+}
+
 }  // namespace
 }  // namespace sdlc::lang

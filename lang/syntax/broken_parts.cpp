@@ -1,0 +1,97 @@
+#include "lang/syntax/broken_parts.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "lang/text/brackets.hpp"
+#include "lang/token/lines.hpp"
+#include "lang/token/token_reader.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+/// A child of the File.
+struct Statement {
+  std::uint32_t begin = 0;
+  bool is_broken = false;
+};
+
+std::vector<Statement> statements_of(std::span<const SyntaxNode> nodes) {
+  std::vector<Statement> statements;
+  for (std::size_t i = 1; i < nodes.size(); i += nodes[i].extent) {
+    const bool is_broken =
+        std::ranges::any_of(nodes.subspan(i, nodes[i].extent),
+                            [](const SyntaxNode& node) { return node.kind == SyntaxKind::Error; });
+    statements.push_back({nodes[i].begin, is_broken});
+  }
+  return statements;
+}
+
+/// Marks the statements with an error, or after which one is. False if an error is before the
+/// first, or may be anywhere.
+bool mark(std::vector<Statement>& statements, const DiagnosticSink& errors) {
+  if (statements.empty() || !errors.not_kept().empty()) return false;
+  for (const Diagnostic& error : errors.diagnostics()) {
+    auto after =
+        std::ranges::upper_bound(statements, error.where.span.begin, {}, &Statement::begin);
+    if (after == statements.begin()) return false;
+    std::prev(after)->is_broken = true;
+  }
+  return !statements.front().is_broken;
+}
+
+/// The broken statements with their neighbours.
+std::vector<Span> parts_with(const std::vector<Statement>& statements, std::string_view text) {
+  const auto size = static_cast<std::uint32_t>(text.size());
+  const auto begins_line = [&](std::size_t i) {
+    return is_first_of_line(text, statements[i].begin);
+  };
+  std::vector<Span> parts;
+  for (std::size_t i = 1; i < statements.size(); ++i) {
+    if (!statements[i].is_broken) continue;
+    std::size_t first = i - 1, end = i + 2;
+    while (first > 0 && !begins_line(first)) --first;
+    while (end < statements.size() && !begins_line(end)) ++end;
+    const Span part{first == 0 ? 0 : statements[first].begin,
+                    end < statements.size() ? statements[end].begin : size};
+    if (!parts.empty() && part.begin <= parts.back().end) {
+      parts.back().end = std::max(parts.back().end, part.end);
+    } else {
+      parts.push_back(part);
+    }
+  }
+  return parts;
+}
+
+/// Whether each bracket of the part that is opened is closed, and no other.
+bool has_pairs(std::string_view text, Span part) {
+  std::string open;
+  TokenReader tokens(text.substr(0, part.end), part.begin);
+  for (Token token = tokens.next(); token.kind != TokenKind::End; token = tokens.next()) {
+    const char bracket = text[token.span.begin];
+    if (token.kind == TokenKind::Open) open += bracket;
+    if (token.kind != TokenKind::Close) continue;
+    if (open.empty() || !is_bracket_pair(open.back(), bracket)) return false;
+    open.pop_back();
+  }
+  return open.empty();
+}
+
+}  // namespace
+
+std::vector<Span> broken_parts(std::string_view text, std::span<const SyntaxNode> nodes,
+                               const DiagnosticSink& errors) {
+  std::vector<Statement> statements = statements_of(nodes);
+  if (!mark(statements, errors)) return {{0, static_cast<std::uint32_t>(text.size())}};
+  std::vector<Span> parts = parts_with(statements, text);
+  // A block that is not opened looks like statements without an error, to the bracket that closes
+  // it.
+  if (!std::ranges::all_of(parts, [&](Span part) { return has_pairs(text, part); })) {
+    parts = {{parts.front().begin, parts.back().end}};
+  }
+  return parts;
+}
+
+}  // namespace sdlc::lang
