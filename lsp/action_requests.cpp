@@ -4,6 +4,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include "lang/editor/allow_here.hpp"
 #include "lang/editor/fix_edits.hpp"
+#include "lang/explain/explain.hpp"
 #include "lsp/checked_scene.hpp"
 #include "lsp/edits_json.hpp"
 #include "lsp/positions.hpp"
@@ -23,6 +25,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr std::string_view kQuickFix = "quickfix", kFixAll = "source.fixAll.sdlc";
+constexpr std::string_view kNoKind;
 /// Nobody chooses from more, and each takes about a millisecond in a large text.
 constexpr std::size_t kMaxActions = 50;
 constexpr int kAutomatic = 2;  ///< CodeActionTriggerKind: nobody asked, the caret was moved
@@ -76,8 +79,8 @@ class Actions {
         wish_(params.value("context", Json::object())) {}
 
   Json list() {
-    // A light bulb must not be late; whoever asks may wait for the check.
-    const milliseconds patience(wish_.asks_for(kQuickFix) || wish_.asks_for(kFixAll) ? 2000 : 300);
+    // Whoever asks may wait for the check. A light bulb is asked for again after it.
+    const milliseconds patience(wish_.asks_for(kQuickFix) || wish_.asks_for(kFixAll) ? 2000 : 0);
     session_.checks().use_findings(session_.scene_of(text_.identity), patience, session_.stop(),
                                    [this](const CheckedScene& scene) { add(scene); });
     return std::move(actions_);
@@ -86,6 +89,7 @@ class Actions {
  private:
   void add(const CheckedScene& scene) {
     bool has_safe_fix = false;
+    std::set<std::string_view> explained;
     for (const lang::Diagnostic* found : scene.findings().shown) {
       if (!is_in_text(*found)) continue;
       const std::optional<lang::QuickFix> fix = fixes_.of(*found);
@@ -97,8 +101,10 @@ class Actions {
       const auto everywhere = lang::fix_everywhere(*found, scene.findings().shown);
       if (everywhere && !has_action(everywhere->title)) add_fix(*everywhere, known);
       add_allowance(*found, known);
+      if (wish_.asks_for(kNoKind)) explained.insert(found->info->code);
     }
     if (has_safe_fix && wish_.asks_for(kFixAll)) add_fix_all();
+    for (const std::string_view code : explained) add_explanation(code);
   }
 
   bool is_in_text(const lang::Diagnostic& found) {
@@ -139,6 +145,16 @@ class Actions {
     add_quick_fix({{"title", fmt::format("Allow {} here", found.info->code)},
                    {"edit", workspace_edit(session_, {{session_.uri_of(*document), edits}})}},
                   known);
+  }
+
+  void add_explanation(std::string_view code) {
+    if (!lang::explanation(std::string(code))) return;
+    const std::string title = fmt::format("Explain {}", code);
+    const Json arguments = Json::array({{{"code", code}, {"show", true}}});
+    actions_.push_back(
+        {{"title", title},
+         {"kind", kNoKind},
+         {"command", {{"title", title}, {"command", "sdlc.explain"}, {"arguments", arguments}}}});
   }
 
   void add_quick_fix(Json action, const Json& known) {

@@ -177,6 +177,13 @@ void Checks::check(std::unique_lock<std::mutex>& lock, const fs::path& scene) {
   wake_.notify_all();
 }
 
+std::optional<bool> Checks::reads(const fs::path& scene, const fs::path& file) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = scenes_.find(scene);
+  if (found == scenes_.end() || found->second.is_due) return std::nullopt;
+  return found->second.reads.contains(file);
+}
+
 bool Checks::use_findings(const fs::path& scene, std::chrono::milliseconds patience,
                           const lang::StopRequest& stop,
                           const std::function<void(const CheckedScene&)>& use) {
@@ -191,7 +198,7 @@ bool Checks::use_findings(const fs::path& scene, std::chrono::milliseconds patie
     const auto found = scenes_.find(scene);
     return !changes_.empty() || (found != scenes_.end() && found->second.is_due);
   };
-  while (!stop.is_made() && Clock::now() < deadline) {
+  while (true) {
     {
       const std::unique_lock work(work_, 5ms);
       std::unique_lock lock(mutex_);
@@ -203,9 +210,9 @@ bool Checks::use_findings(const fs::path& scene, std::chrono::milliseconds patie
         return true;
       }
     }
+    if (stop.is_made() || Clock::now() >= deadline) return false;
     std::this_thread::sleep_for(1ms);
   }
-  return false;
 }
 
 }  // namespace sdlc::lsp

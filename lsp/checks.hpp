@@ -55,6 +55,10 @@ class Checks {
   /// Replaces the scenes to check, by identity; checks the new ones.
   void set_scenes(std::set<std::filesystem::path> scenes);
 
+  /// Whether the scene, as it was checked last, reads the file, both by identity; a scene that
+  /// cannot be read reads none. Nullopt if its check is due.
+  std::optional<bool> reads(const std::filesystem::path& scene, const std::filesystem::path& file);
+
   /// Calls `use` with the findings of a scene in its present state, once they are there; waits at
   /// most `patience`, and until `stop` is made. Returns whether they were there. `use` must be
   /// quick: checks wait for it.

@@ -26,15 +26,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-enum class MessageType : int { Error = 1, Warning = 2, Info = 3 };
-
-void show_message(Session& session, MessageType type, const std::string& text) {
-  session.connection().notify("window/showMessage",
-                              {{"type", static_cast<int>(type)}, {"message", text}});
+/// The parameters of a request about the text that the argument names, by its URI or a member.
+Json about_text(const Json& argument) {
+  const Json& uri = argument.is_string() ? argument : argument.at("uri");
+  return {{"textDocument", {{"uri", uri}}}};
 }
-
-/// The parameters of a request about the text that the argument names.
-Json about_text(const Json& argument) { return {{"textDocument", {{"uri", argument.at("uri")}}}}; }
+Json member(const Json& argument, const char* name) {
+  return argument.is_object() ? argument.value(name, Json()) : Json();
+}
 
 // Rendering
 
@@ -63,9 +62,24 @@ const OpenFile* open_file(const Session& session, const fs::path& identity) {
   return found == session.open_files().end() ? nullptr : &found->second;
 }
 
+/// The open files, without the scene itself, that the scene reads and that have unsaved changes.
+std::vector<std::string> unsaved_files(Session& session, const fs::path& scene) {
+  std::vector<std::string> names;
+  const lang::SceneView* view = session.view_of(scene);
+  if (view == nullptr) return names;
+  for (const auto& [uri, file] : session.open_files()) {
+    if (file.identity == scene || !view->find(file.identity)) continue;
+    std::error_code ignored;
+    const auto saved = session.disk().read(file.path, file.text->size(), ignored);
+    if (saved != *file.text) names.push_back(fmt::format("`{}`", file.path.filename().string()));
+  }
+  return names;
+}
+
 Json render(Session& session, const Json& argument) {
   const Text text = session.text_of(about_text(argument));
-  RenderOrder order{.camera = argument.value("camera", std::string()),
+  const Json camera = member(argument, "camera"), frame = member(argument, "frame");
+  RenderOrder order{.camera = camera.is_null() ? std::string() : camera.get<std::string>(),
                     .threads = session.settings().threads,
                     .is_sandboxed = session.program_options().is_sandboxed};
   const bool is_itself = !order.camera.empty() || has_camera(text);
@@ -75,8 +89,13 @@ Json render(Session& session, const Json& argument) {
     order.scene = open->path;
     order.text = open->text;
   }
-  order.frame = argument.contains("frame") ? std::optional(argument.at("frame").get<int>())
-                                           : first_frame(session, scene);
+  order.frame = frame.is_null() ? first_frame(session, scene) : std::optional(frame.get<int>());
+  if (const std::vector<std::string> unsaved = unsaved_files(session, scene); !unsaved.empty()) {
+    session.connection().show(
+        MessageType::Warning,
+        fmt::format("The render reads {} as saved, without the changes in the editor.",
+                    fmt::join(unsaved, ", ")));
+  }
   session.renders().start(
       std::move(order), {.has_progress = session.client().can("/window/workDoneProgress"),
                          .shows_documents = session.client().can("/window/showDocument/support")});
@@ -88,7 +107,7 @@ Json render(Session& session, const Json& argument) {
 Json fix_all(Session& session, const Json& argument) {
   const Json edit = fix_all_edit(session, about_text(argument));
   if (edit.is_null()) {
-    show_message(session, MessageType::Info, "There is nothing that can be fixed safely.");
+    session.connection().show(MessageType::Info, "There is nothing that can be fixed safely.");
   } else {
     session.connection().request("workspace/applyEdit",
                                  {{"label", "Fix all safe findings"}, {"edit", edit}});
@@ -96,7 +115,16 @@ Json fix_all(Session& session, const Json& argument) {
   return nullptr;
 }
 
-Json explain(Session& /*session*/, const Json& argument) {
+/// Shows a page in the editor: as a file, or as a message where the editor cannot show files.
+void show_page(Session& session, const std::string& code, std::string_view page) {
+  if (session.client().can("/window/showDocument/support")) {
+    session.show_document(code + ".md", page);
+  } else {
+    session.connection().show(MessageType::Info, std::string(page));
+  }
+}
+
+Json explain(Session& session, const Json& argument) {
   const std::string code = lang::upper_case(
       (argument.is_string() ? argument : argument.at("code")).get_ref<const std::string&>());
   const auto page = lang::explanation(code);
@@ -104,6 +132,7 @@ Json explain(Session& /*session*/, const Json& argument) {
     throw RequestError(ErrorCode::RequestFailed,
                        fmt::format("no diagnostic has the code `{}`", code));
   }
+  if (member(argument, "show") == true) show_page(session, code, *page);
   return {{"code", code}, {"markdown", *page}};
 }
 
@@ -124,8 +153,8 @@ void ask_for_scene(Session& session, const fs::path& file) {
   std::vector<fs::path> scenes = session.scenes_with(file);
   if (std::ranges::find(scenes, file) == scenes.end()) scenes.push_back(file);
   if (scenes.size() == 1) {
-    return show_message(
-        session, MessageType::Info,
+    return session.connection().show(
+        MessageType::Info,
         fmt::format("No scene that is known imports or includes `{}`.", file.filename().string()));
   }
   if (scenes.size() > kMaxActions) scenes.resize(kMaxActions);
@@ -153,7 +182,7 @@ void ask_for_scene(Session& session, const fs::path& file) {
 
 Json choose_scene(Session& session, const Json& argument) {
   const Text text = session.text_of(about_text(argument));
-  if (!argument.contains("scene")) {
+  if (!argument.is_object() || !argument.contains("scene")) {
     ask_for_scene(session, text.identity);
   } else if (argument.at("scene").is_null()) {
     session.choose_scene(text.identity, std::nullopt);

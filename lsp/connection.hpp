@@ -25,6 +25,10 @@ class Connection {
   Connection& operator=(const Connection&) = delete;
 
   void notify(std::string_view method, Json params);
+  /// A message that the editor shows.
+  void show(MessageType type, const std::string& text) {
+    notify("window/showMessage", {{"type", static_cast<int>(type)}, {"message", text}});
+  }
   void respond(const Json& id, Json result);
   void fail(const Json& id, ErrorCode code, const std::string& message);
   /// `params` may be null: there are none.

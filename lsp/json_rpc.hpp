@@ -16,6 +16,9 @@ namespace sdlc::lsp {
 
 using Json = nlohmann::json;
 
+/// Of a message that the editor shows.
+enum class MessageType : int { Error = 1, Warning = 2, Info = 3 };
+
 /// Error codes of JSON-RPC and of the protocol.
 enum class ErrorCode : int {
   ParseError = -32700,

@@ -75,7 +75,16 @@ void watch_files(Session& session) {
                       {"registerOptions", {{"watchers", std::move(watchers)}}}}})}});
 }
 
-void change_settings(Session& session, const Settings& settings) {
+/// Tells the user what is wrong with them.
+Settings settings_in(Session& session, const Json& json) {
+  std::vector<std::string> mistakes;
+  const Settings settings = Settings::of(json, mistakes);
+  for (const std::string& mistake : mistakes) session.show_once(mistake);
+  return settings;
+}
+
+void change_settings(Session& session, const Json& json) {
+  const Settings settings = settings_in(session, json);
   const bool has_changed = settings.inlay_hints != session.settings().inlay_hints;
   session.set_settings(settings);
   if (has_changed) refresh_inlay_hints(session);
@@ -88,8 +97,8 @@ void ask_for_settings(Session& session) {
                                {{"items", Json::array({{{"section", "sdlc"}}})}},
                                [&session](const Json& result) {
                                  if (!result.is_array() || result.empty()) return;
-                                 if (!result.front().is_object()) return;
-                                 change_settings(session, Settings::of(result.front()));
+                                 if (result.front().is_null()) return;
+                                 change_settings(session, result.front());
                                });
 }
 
@@ -103,7 +112,8 @@ Json initialize(Session& session, const Json& params) {
   } else if (params.contains("rootUri") && params.at("rootUri").is_string()) {
     session.set_folders({path_of_uri(params.at("rootUri").get_ref<const std::string&>())});
   }
-  session.set_settings(Settings::of(params.value("initializationOptions", Json())));
+  session.set_settings(settings_in(session, params.value("initializationOptions", Json())));
+  if (params.contains("trace")) set_trace(session, {{"value", params.at("trace")}});
   return {{"capabilities", capabilities_for(session.client())},
           {"serverInfo", {{"name", "sdlc"}, {"version", session.server_options().version}}}};
 }
@@ -116,15 +126,17 @@ void initialized(Session& session, const Json& /*params*/) {
 Json shut_down(Session& /*session*/, const Json& /*params*/) { return nullptr; }
 
 void set_trace(Session& session, const Json& params) {
+  std::vector<std::string> ignored;
   Settings settings = session.settings();
-  settings.trace = Settings::of({{"trace", {{"server", params.value("value", "off")}}}}).trace;
+  settings.trace =
+      Settings::of({{"trace", {{"server", params.value("value", Json())}}}}, ignored).trace;
   session.set_settings(settings);
 }
 
 void did_change_configuration(Session& session, const Json& params) {
   const Json settings = params.value("settings", Json());
   if (settings.is_object() && settings.contains("sdlc")) {
-    change_settings(session, Settings::of(settings.at("sdlc")));
+    change_settings(session, settings.at("sdlc"));
   } else {
     ask_for_settings(session);
   }

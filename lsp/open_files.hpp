@@ -19,6 +19,7 @@ struct OpenFile {
   std::filesystem::path identity;  ///< the same for all paths of one file
   int version = 0;
   std::shared_ptr<const std::string> text;
+  bool is_outdated = false;  ///< a change could not be applied: the editor has another text
 };
 
 /// The text after `didChange`'s list of changes. Throws RequestError (InvalidParams) if one cannot

@@ -68,11 +68,10 @@ void Publisher::publish(const Checks::Result& result) {
 
 /// A message box, because a `.sdlc.toml` is no text of this server. Shown again only if it changes.
 void Publisher::show_config_errors(const CheckedScene& checked) {
-  constexpr int kWarning = 2;
   if (checked.config_errors() == config_errors_) return;
   config_errors_ = checked.config_errors();
   for (const std::string& error : config_errors_) {
-    connection_.notify("window/showMessage", {{"type", kWarning}, {"message", error}});
+    connection_.show(MessageType::Warning, error);
   }
 }
 

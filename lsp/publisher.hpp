@@ -20,7 +20,7 @@ namespace sdlc::lsp {
 /// is not sent again. All functions may be called by every thread.
 class Publisher {
  public:
-  /// An open file: how the client calls it, and the scene that it is checked in.
+  /// An open file: how the client calls it, and the scene that it is checked in, if any.
   struct OpenText {
     std::string uri;
     std::filesystem::path scene;

@@ -1,9 +1,7 @@
 #include "lsp/render_runs.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <cstdlib>
 #include <iterator>
 #include <list>
 #include <map>
@@ -18,6 +16,7 @@
 
 #include "lang/text/display_width.hpp"
 #include "lsp/child_process.hpp"
+#include "lsp/temporary_folder.hpp"
 #include "lsp/uri.hpp"
 
 namespace sdlc::lsp {
@@ -26,37 +25,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-enum class MessageType : int { Error = 1, Info = 3 };
-
-/// A folder of our own in the system's folder for temporary files, made on first use.
+/// Where pictures are written.
 class PictureFolder {
  public:
-  PictureFolder() = default;
-  PictureFolder(const PictureFolder&) = delete;
-  PictureFolder& operator=(const PictureFolder&) = delete;
-  ~PictureFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-
   /// The picture of a scene: the same file each time, so that an editor that shows it reloads it.
   fs::path picture_of(const fs::path& scene) {
-    if (path_.empty()) {
-      std::string name = (fs::temp_directory_path() / "sdlc-lsp-XXXXXX").string();
-      if (::mkdtemp(name.data()) == nullptr) {
-        throw std::system_error(errno, std::generic_category(), "cannot make " + name);
-      }
-      path_ = name;
-    }
     const std::size_t number = numbers_.try_emplace(scene, numbers_.size() + 1).first->second;
-    const fs::path folder = path_ / std::to_string(number);
+    const fs::path folder = folder_.path() / std::to_string(number);
     fs::create_directories(folder);
     const fs::path stem = scene.stem();
     return folder / ((stem.empty() ? "picture" : stem.string()) + ".png");
   }
 
  private:
-  fs::path path_;
+  TemporaryFolder folder_;
   std::map<fs::path, std::size_t> numbers_;
 };
 

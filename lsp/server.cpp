@@ -117,8 +117,10 @@ void Server::answer(const Received& received) {
   } catch (const RequestError& error) {
     connection_.fail(request.id, error.code(), error.what());
   } catch (const Json::exception& error) {
-    connection_.fail(request.id, ErrorCode::InvalidParams,
-                     fmt::format("the parameters are wrong: {}", error.what()));
+    log_.write(fmt::format("wrong parameters of `{}`: {}", request.method, error.what()));
+    connection_.fail(
+        request.id, ErrorCode::InvalidParams,
+        fmt::format("a parameter of `{}` is missing or has the wrong type", request.method));
   } catch (const std::exception& error) {
     log_.write(fmt::format("`{}` failed: {}", request.method, error.what()));
     connection_.fail(request.id, ErrorCode::InternalError,

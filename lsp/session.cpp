@@ -1,12 +1,15 @@
 #include "lsp/session.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <fstream>
 #include <set>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "lang/editor/config_text.hpp"
 #include "lsp/positions.hpp"
 #include "lsp/uri.hpp"
 
@@ -25,7 +28,10 @@ Session::Session(Connection& connection, Log& log, const ServerOptions& options,
                      .end = [this](const auto& progress) { index_progress_.end(progress); },
                      .changed = [this, post] { post([this] { update_scenes(); }); }}),
       checks_(disk_, {.limits = options.limits, .is_sandboxed = options.is_sandboxed}, log,
-              [this](const Checks::Result& result) { publisher_.publish(result); }) {}
+              [this, post](const Checks::Result& result) {
+                publisher_.publish(result);
+                post([this, scene = result.scene] { review_choices(scene); });
+              }) {}
 
 RenderRuns& Session::renders() {
   if (!renders_) {
@@ -80,6 +86,16 @@ void Session::change(const OpenFile& file) {
   texts_changed();
 }
 
+void Session::set_outdated(const std::string& uri, const std::string& reason) {
+  OpenFile& file = files_.at(uri);
+  file.is_outdated = true;
+  log_.write(fmt::format("a change of `{}` was refused: {}", uri, reason));
+  connection_.show(MessageType::Error,
+                   fmt::format("sdlc no longer knows the text of `{}`, because the editor has sent "
+                               "a wrong change ({}). Close the file and open it again.",
+                               file.path.filename().string(), reason));
+}
+
 void Session::close(const std::string& uri) {
   const auto found = files_.find(uri);
   if (found == files_.end()) return;
@@ -112,16 +128,55 @@ void Session::update_scenes() {
   std::set<fs::path> scenes;
   for (const auto& [uri, file] : files_) {
     const fs::path scene = scene_of(file.identity);
-    scenes.insert(scene);
-    open[file.identity] = {.uri = uri, .scene = scene};
+    const bool is_json = lang::source_format_of(file.path, *file.text) == lang::SourceFormat::Json;
+    const bool is_foreign =
+        scene == file.identity && is_json && !lang::looks_like_config(*file.text);
+    open[file.identity] = {.uri = uri, .scene = is_foreign ? fs::path() : scene};
+    if (!is_foreign) scenes.insert(scene);
   }
   publisher_.set_open(std::move(open));
+  // A chosen scene that does not read its file today may do so after its next change.
+  for (const auto& [file, choice] : chosen_) {
+    if (workspace_.is_open(file)) scenes.insert(choice.scene);
+  }
   checks_.set_scenes(std::move(scenes));
+}
+
+void Session::review_choices(const fs::path& scene) {
+  bool has_changed = false;
+  for (auto& [file, choice] : chosen_) {
+    if (choice.scene != scene || file == scene) continue;
+    const std::optional<bool> is_read = checks_.reads(scene, file);
+    if (!is_read || *is_read == choice.is_read) continue;
+    choice.is_read = *is_read;
+    has_changed = true;
+    if (choice.is_read) continue;
+    connection_.show(MessageType::Warning,
+                     fmt::format("`{}` does not read `{}`, which is checked in the scene that is "
+                                 "found automatically until it does.",
+                                 scene.filename().string(), file.filename().string()));
+  }
+  if (has_changed) update_scenes();
+}
+
+void Session::show_document(const std::string& name, std::string_view text) {
+  const fs::path file = pages_.path() / name;
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  if (!out.flush()) throw std::system_error(errno, std::generic_category(), file.string());
+  connection_.request("window/showDocument", {{"uri", uri_of_path(file)}, {"takeFocus", true}});
+}
+
+void Session::show_once(const std::string& warning) {
+  constexpr std::size_t kMaxShown = 100;
+  if (shown_.size() < kMaxShown && shown_.insert(warning).second) {
+    connection_.show(MessageType::Warning, warning);
+  }
 }
 
 fs::path Session::scene_of(const fs::path& identity) const {
   const auto chosen = chosen_.find(identity);
-  if (chosen != chosen_.end()) return chosen->second;
+  if (chosen != chosen_.end() && chosen->second.is_read) return chosen->second.scene;
   const std::vector<fs::path> roots = index_.roots_of(identity);
   if (roots.empty()) return identity;
   const auto is_open = [&](const fs::path& scene) { return workspace_.is_open(scene); };
@@ -139,8 +194,11 @@ std::vector<fs::path> Session::scenes_with(const fs::path& identity) const {
 
 void Session::choose_scene(const fs::path& file, std::optional<fs::path> scene) {
   chosen_.erase(file);
-  if (scene) chosen_.emplace(file, std::move(*scene));
+  if (scene) chosen_.emplace(file, Choice{.scene = std::move(*scene)});
   update_scenes();
+  if (const auto chosen = chosen_.find(file); chosen != chosen_.end()) {
+    review_choices(fs::path(chosen->second.scene));  // no check follows if it was checked before
+  }
 }
 
 std::shared_ptr<const lang::Document> Session::load(const fs::path& path) {
@@ -169,7 +227,12 @@ Text Session::text_of(const Json& params) {
     throw RequestError(ErrorCode::InvalidParams, "the request has no `textDocument.uri`");
   }
   const std::string uri = params.at(pointer);
-  if (const OpenFile* file = find_open(uri)) return text_at(file->path);
+  if (const OpenFile* file = find_open(uri)) {
+    if (file->is_outdated) {
+      throw RequestError(ErrorCode::ContentModified, "the text is not that of the editor");
+    }
+    return text_at(file->path);
+  }
   return text_at(path_of_uri(uri));
 }
 

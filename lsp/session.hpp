@@ -7,7 +7,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lang/diagnostics/diagnostics.hpp"
@@ -25,6 +27,7 @@
 #include "lsp/render_runs.hpp"
 #include "lsp/semantic_tokens.hpp"
 #include "lsp/settings.hpp"
+#include "lsp/temporary_folder.hpp"
 
 namespace sdlc::lsp {
 
@@ -54,6 +57,11 @@ class Session {
   const Client& client() const noexcept { return client_; }
   const Settings& settings() const noexcept { return settings_; }
   Checks& checks() noexcept { return checks_; }
+  /// Shows a text in the editor, as a file that is removed at the end. Throws std::system_error if
+  /// it cannot be written.
+  void show_document(const std::string& name, std::string_view text);
+  /// A warning that the editor shows, unless it has shown it before.
+  void show_once(const std::string& warning);
   const FolderIndex& index() const noexcept { return index_; }
   /// Made on first use. Throws std::system_error.
   RenderRuns& renders();
@@ -68,6 +76,9 @@ class Session {
   void open(OpenFile file);
   /// Replaces an open text.
   void change(const OpenFile& file);
+  /// A change of an open text could not be applied: until a whole text arrives, requests about it
+  /// are refused, and the user is told.
+  void set_outdated(const std::string& uri, const std::string& reason);
   void close(const std::string& uri);
   /// Null if the client has not opened it.
   const OpenFile* find_open(const std::string& uri) const;
@@ -98,15 +109,17 @@ class Session {
   /// A text of a file that need not be open; null if it cannot be read.
   std::shared_ptr<const lang::Document> load(const std::filesystem::path& path);
   lang::Workspace& workspace() noexcept { return workspace_; }
+  const lang::FileSystem& disk() const noexcept { return disk_; }
 
   // Scenes
 
-  /// The scene that a file is checked in: the one that the user has chosen, else the first scene
-  /// that imports or includes it, open ones first, else the file itself.
+  /// The scene that a file is checked in: the one that the user has chosen, if it reads the file;
+  /// else the first scene that imports or includes it, open ones first; else the file itself.
   std::filesystem::path scene_of(const std::filesystem::path& identity) const;
   /// All scenes that read the file, the one that it is checked in first.
   std::vector<std::filesystem::path> scenes_with(const std::filesystem::path& identity) const;
-  /// Chooses the scene that a file is checked in; nullopt: automatically.
+  /// Chooses the scene that a file is checked in; nullopt: automatically. A scene that does not
+  /// read the file counts as soon as it does: until then, the user is told that it does not.
   void choose_scene(const std::filesystem::path& file, std::optional<std::filesystem::path> scene);
 
   SemanticResults& semantic_results() noexcept { return semantic_results_; }
@@ -124,9 +137,17 @@ class Session {
     std::unique_ptr<lang::SceneView> view;
   };
 
+  /// The scene that the user has chosen for a file.
+  struct Choice {
+    std::filesystem::path scene;
+    bool is_read = true;  ///< the scene reads the file, as far as is known
+  };
+
   /// The texts have changed: forgets what was made of them, and checks what must be checked.
   void texts_changed();
   void update_scenes();
+  /// A check of the scene has ended: those who have chosen it learn whether it reads their file.
+  void review_choices(const std::filesystem::path& scene);
 
   Connection& connection_;
   Log& log_;
@@ -136,8 +157,10 @@ class Session {
   std::vector<std::filesystem::path> folders_;
   lang::DiskFileSystem disk_;
   lang::Workspace workspace_{disk_};
-  std::map<std::string, OpenFile> files_;  // by URI
-  std::map<std::filesystem::path, std::filesystem::path> chosen_;
+  std::map<std::string, OpenFile> files_;           // by URI
+  std::map<std::filesystem::path, Choice> chosen_;  // by the file's identity
+  std::set<std::string> shown_;                     // warnings
+  TemporaryFolder pages_;
   std::vector<View> views_;  // the last used one is the last
   SemanticResults semantic_results_;
   const lang::StopRequest* stop_ = nullptr;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lang/source/limits.hpp"
 #include "lsp/json_rpc.hpp"
@@ -23,7 +24,8 @@ struct Settings {
   bool inlay_hints = false;   ///< `inlayHints`
   Trace trace = Trace::Off;   ///< `trace.server`: off, messages, verbose
 
-  static Settings of(const Json& json);
+  /// Adds a sentence for each wrong setting.
+  static Settings of(const Json& json, std::vector<std::string>& mistakes);
 };
 
 }  // namespace sdlc::lsp

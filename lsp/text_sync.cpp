@@ -24,6 +24,12 @@ int version_in(const Json& document) {
   return version != document.end() && version->is_number_integer() ? version->get<int>() : 0;
 }
 
+/// Whether the first of the changes is a whole text.
+bool replaces_text(const Json& changes) {
+  return changes.is_array() && !changes.empty() && changes.front().is_object() &&
+         !changes.front().contains("range");
+}
+
 }  // namespace
 
 void did_open(Session& session, const Json& params) {
@@ -43,9 +49,16 @@ void did_change(Session& session, const Json& params) {
   }
   OpenFile file = *known;
   file.version = version_in(params.at("textDocument"));
-  file.text = std::make_shared<const std::string>(
-      changed_text(*known->text, params.at("contentChanges"), session.client().encoding()));
-  session.change(file);
+  const Json& changes = params.at("contentChanges");
+  if (known->is_outdated && !replaces_text(changes)) return;
+  try {
+    file.text = std::make_shared<const std::string>(
+        changed_text(*known->text, changes, session.client().encoding()));
+    file.is_outdated = false;
+    session.change(file);
+  } catch (const RequestError& error) {
+    session.set_outdated(file.uri, error.what());
+  }
 }
 
 void did_close(Session& session, const Json& params) { session.close(uri_in(params)); }

@@ -1,10 +1,20 @@
 #include "lang/editor/config_text.hpp"
 
+#include <algorithm>
+#include <cstddef>
+
 #include <fmt/format.h>
 
 #include "lang/schema/property_text.hpp"
 
 namespace sdlc::lang {
+
+bool looks_like_config(std::string_view text) {
+  constexpr std::ptrdiff_t kEnough = 2;
+  return std::ranges::count_if(json_config().keys, [&](const JsonKey& key) {
+           return text.find(fmt::format("\"{}\"", key.key)) != std::string_view::npos;
+         }) >= kEnough;
+}
 
 std::string describe_key(const JsonKey& key) {
   std::string text(describe(key.type));

@@ -5,8 +5,12 @@
 
 #include "lang/schema/schema.hpp"
 
-/// Rows of the tables of the JSON format as text.
+/// Texts of the JSON format, and the rows of its tables as text.
 namespace sdlc::lang {
+
+/// Whether a JSON text, complete or not, is meant to be a config: it has two or more of the keys of
+/// a config. Editors open many other JSON files.
+bool looks_like_config(std::string_view text);
 
 /// "a number, at least 0, required"
 std::string describe_key(const JsonKey& key);

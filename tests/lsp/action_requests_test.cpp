@@ -47,7 +47,7 @@ TEST(CodeActions, FixAndAllowFindings) {
       "scene 1\n" + kCamera + "sphere { center: (0, 0, 0), radius: |0, material: unlit(red) }\n";
   const Json at = client.open_marked("a.scene", text);
   const Json actions = actions_in(client, "a.scene", empty_range(at));
-  EXPECT_THAT(titles(actions), ElementsAre("Allow W402 here"));
+  EXPECT_THAT(titles(actions), ElementsAre("Allow W402 here", "Explain W402"));
   EXPECT_EQ(actions[0].at("kind"), "quickfix");
   EXPECT_EQ(
       after(client, "a.scene", actions[0]),
@@ -96,7 +96,8 @@ TEST(CodeActions, RespectTheWantedKindsAndTheTrigger) {
   const auto with = [&](const Json& context) {
     return titles(actions_in(client, "a.scene", everywhere(), context));
   };
-  EXPECT_THAT(with(Json::object()), ElementsAre("Remove `;`", "Fix all safe findings"));
+  EXPECT_THAT(with(Json::object()),
+              ElementsAre("Remove `;`", "Fix all safe findings", "Explain E012"));
   EXPECT_THAT(with({{"triggerKind", 2}}), ElementsAre("Remove `;`"));
   for (const char* kind : {"source", "source.fixAll", "source.fixAll.sdlc"}) {
     EXPECT_THAT(with({{"only", {kind}}}), ElementsAre("Fix all safe findings"));
@@ -134,7 +135,7 @@ TEST(CodeActions, FixAllByACommandForOtherClients) {
 
 TEST(CodeActions, FixConfigs) {
   TestClient client;
-  client.open("a.json", "{\"rendering\": {\"width\": 10,},}");
+  client.open("a.json", "{\"rendering\": {\"width\": 10,}, \"saving\": {}}");
   const Json actions = actions_in(client, "a.json", everywhere(), {{"only", {"quickfix"}}});
   ASSERT_FALSE(actions.empty());
   EXPECT_EQ(actions[0].at("kind"), "quickfix");

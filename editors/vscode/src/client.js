@@ -20,9 +20,14 @@ function withPage(diagnostic) {
   return diagnostic;
 }
 
-/** Shows a picture beside the text; other documents are shown as usual. */
+/** Shows a picture beside the text, and a page of `sdlc explain` rendered; other documents as usual. */
 async function showDocument(params, token, next) {
   const uri = vscode.Uri.parse(params.uri);
+  const page = /\/([EWS]\d{3})\.md$/.exec(uri.path);
+  if (page) {
+    await vscode.commands.executeCommand('sdlc.explainCode', page[1]);
+    return { success: true };
+  }
   if (!/\.(png|jpe?g|gif|webp|bmp)$/i.test(uri.path)) return next(params, token);
   const options = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: !params.takeFocus };
   await vscode.commands.executeCommand('vscode.open', uri, options);
