@@ -20,17 +20,18 @@ namespace fs = std::filesystem;
 Session::Session(Connection& connection, Log& log, const ServerOptions& options, Post post)
     : connection_(connection),
       log_(log),
+      post_(std::move(post)),
       server_options_(options),
       publisher_(disk_, connection),
       index_progress_(connection),
       index_(disk_, {.begin = [this] { index_progress_.begin(); },
                      .report = [this](const auto& progress) { index_progress_.report(progress); },
                      .end = [this](const auto& progress) { index_progress_.end(progress); },
-                     .changed = [this, post] { post([this] { update_scenes(); }); }}),
+                     .changed = [this] { post_([this] { update_scenes(); }); }}),
       checks_(disk_, {.limits = options.limits, .is_sandboxed = options.is_sandboxed}, log,
-              [this, post](const Checks::Result& result) {
+              [this](const Checks::Result& result) {
                 publisher_.publish(result);
-                post([this, scene = result.scene] { review_choices(scene); });
+                post_([this, scene = result.scene] { review_choices(scene); });
               }) {}
 
 RenderRuns& Session::renders() {
@@ -120,10 +121,23 @@ void Session::files_changed(const std::vector<fs::path>& files) {
 
 void Session::texts_changed() {
   views_.clear();
-  update_scenes();
+  plan_update();
+}
+
+void Session::plan_update() {
+  if (std::exchange(is_update_due_, true)) return;
+  post_([this] {
+    if (is_update_due_) update_scenes();
+  });
+}
+
+Checks& Session::checks() {
+  if (is_update_due_) update_scenes();
+  return checks_;
 }
 
 void Session::update_scenes() {
+  is_update_due_ = false;
   std::map<fs::path, Publisher::OpenText> open;
   std::set<fs::path> scenes;
   for (const auto& [uri, file] : files_) {

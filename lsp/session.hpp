@@ -56,7 +56,8 @@ class Session {
   const ServerOptions& server_options() const noexcept { return server_options_; }
   const Client& client() const noexcept { return client_; }
   const Settings& settings() const noexcept { return settings_; }
-  Checks& checks() noexcept { return checks_; }
+  /// Checks of the scenes of the texts as they are now.
+  Checks& checks();
   /// Shows a text in the editor, as a file that is removed at the end. Throws std::system_error if
   /// it cannot be written.
   void show_document(const std::string& name, std::string_view text);
@@ -145,12 +146,16 @@ class Session {
 
   /// The texts have changed: forgets what was made of them, and checks what must be checked.
   void texts_changed();
+  /// Updates the scenes after the messages that have arrived: an editor opens many files at once.
+  void plan_update();
   void update_scenes();
   /// A check of the scene has ended: those who have chosen it learn whether it reads their file.
   void review_choices(const std::filesystem::path& scene);
 
   Connection& connection_;
   Log& log_;
+  const Post post_;
+  bool is_update_due_ = false;
   const ServerOptions server_options_;
   Client client_;
   Settings settings_;
