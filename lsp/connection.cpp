@@ -2,13 +2,18 @@
 
 #include <utility>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace sdlc::lsp {
 
-void Connection::send(const Json& message) {
+std::size_t Connection::send(const Json& message) {
   const std::string text = text_of_message(message);
   const std::scoped_lock lock(out_mutex_);
   log_.sent(text);
   out_ << with_header(text) << std::flush;
+  return text.size();
 }
 
 void Connection::notify(std::string_view method, Json params) {
@@ -16,7 +21,12 @@ void Connection::notify(std::string_view method, Json params) {
 }
 
 void Connection::respond(const Json& id, Json result) {
-  send({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}});
+  // The answer takes ten times its text in memory, which the system gets back.
+  constexpr std::size_t kLarge = std::size_t{1} << 20;
+  const std::size_t size = send({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}});
+#ifdef __GLIBC__
+  if (size > kLarge) malloc_trim(0);
+#endif
 }
 
 void Connection::fail(const Json& id, ErrorCode code, const std::string& message) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -39,7 +40,8 @@ class Connection {
   void accept(const Message& response);
 
  private:
-  void send(const Json& message);
+  /// Returns the bytes of the text.
+  std::size_t send(const Json& message);
 
   std::ostream& out_;
   Log& log_;

@@ -38,7 +38,11 @@ std::shared_ptr<const Document> Workspace::load(const fs::path& path, const std:
     document = std::make_shared<const Document>(name, std::move(*text), version);
     entry = document;
   }
-  if (!open_.empty()) kept_[name] = {.identity = identity(path), .document = document};
+  if (!open_.empty()) {
+    kept_[name] = {.identity = identity(path), .document = document};
+    if (!is_same) loaded_bytes_ += document->text().size();
+    if (loaded_bytes_ > kMaxKeptBytes) drop_unused();
+  }
   return document;
 }
 
@@ -68,8 +72,34 @@ void Workspace::drop_unused() {
     use(file);
     for (const fs::path& dependent : dependents_of(file)) use(dependent);
   }
+  loaded_bytes_ = 0;
   std::erase_if(kept_, [&](const auto& kept) { return !used.contains(kept.second.identity); });
+  if (kept_bytes() > kMaxKeptBytes) {
+    used = read_by_open_texts();
+    std::erase_if(kept_, [&](const auto& kept) { return !used.contains(kept.second.identity); });
+  }
   std::erase_if(in_use_, [](const auto& known) { return known.second.expired(); });
+}
+
+std::size_t Workspace::kept_bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& [name, kept] : kept_) bytes += kept.document->text().size();
+  return bytes;
+}
+
+std::set<fs::path> Workspace::read_by_open_texts() const {
+  std::set<fs::path> files;
+  std::vector<fs::path> pending;
+  for (const auto& [file, text] : open_) pending.push_back(file);
+  while (!pending.empty()) {
+    const fs::path file = std::move(pending.back());
+    pending.pop_back();
+    if (!files.insert(file).second) continue;
+    const auto found = dependencies_.find(file);
+    if (found == dependencies_.end()) continue;
+    pending.insert(pending.end(), found->second.begin(), found->second.end());
+  }
+  return files;
 }
 
 std::vector<fs::path> Workspace::dependents(const fs::path& path) const {

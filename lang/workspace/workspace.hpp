@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -36,8 +37,8 @@ class Workspace final : public FileSystem {
   /// The text at `path`, as it is now, called `name` in messages; null with `error` set if it
   /// cannot be read. A document that is in use is returned again as long as its name, content and
   /// version stay the same, so that it is not parsed again. An open text and the files that it
-  /// depends on, or that depend on it, count as in use. Of a file of more than `max_bytes` bytes
-  /// the first `max_bytes` + 1 are read.
+  /// depends on count as in use; and so do those that depend on it, until they are too large. Of a
+  /// file of more than `max_bytes` bytes the first `max_bytes` + 1 are read.
   std::shared_ptr<const Document> load(const std::filesystem::path& path, const std::string& name,
                                        std::uint64_t max_bytes, std::error_code& error);
   std::shared_ptr<const Document> load(const std::filesystem::path& path, std::uint64_t max_bytes,
@@ -83,13 +84,20 @@ class Workspace final : public FileSystem {
 
   const OpenText* find_open(const std::filesystem::path& path) const;
   std::vector<std::filesystem::path> dependents_of(const std::filesystem::path& start) const;
-  /// Releases documents that no open text has to do with.
+  std::set<std::filesystem::path> read_by_open_texts() const;
+  /// Releases documents that no open text has to do with; if the others are too large, those that
+  /// no open text reads.
   void drop_unused();
+  std::size_t kept_bytes() const;
+
+  /// A document takes about 30 times the memory of its text.
+  static constexpr std::size_t kMaxKeptBytes = std::size_t{4} << 20;
 
   const FileSystem& disk_;
   std::map<std::filesystem::path, OpenText> open_;                                    // by identity
   std::map<std::string, std::weak_ptr<const Document>> in_use_;                       // by name
   std::map<std::string, KeptDocument> kept_;                                          // by name
+  std::size_t loaded_bytes_ = 0;  // of kept documents, since drop_unused()
   std::map<std::filesystem::path, std::set<std::filesystem::path>> dependents_;       // by identity
   std::map<std::filesystem::path, std::vector<std::filesystem::path>> dependencies_;  // by identity
 };

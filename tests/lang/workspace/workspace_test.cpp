@@ -194,6 +194,20 @@ TEST_F(WorkspaceTest, ReleasesDocumentsThatNoOpenTextUses) {
   EXPECT_TRUE(root.expired());
 }
 
+TEST_F(WorkspaceTest, ReleasesLargeDocumentsThatNoOpenTextReads) {
+  const std::string large = "scene 1\n//" + std::string(3 << 20, '-');
+  files_.texts = {{"lib.scene", large}, {"a.scene", large}, {"b.scene", large}};
+  workspace_.open("open.scene", "scene 1");
+  workspace_.set_dependencies("open.scene", {"lib.scene"});
+  workspace_.set_dependencies("a.scene", {"open.scene"});
+  workspace_.set_dependencies("b.scene", {"open.scene"});
+  const std::weak_ptr<const Document> a = load("a.scene");
+  EXPECT_FALSE(a.expired()) << "one is not too much";
+  const std::weak_ptr<const Document> lib = load("lib.scene"), b = load("b.scene");
+  EXPECT_FALSE(lib.expired());
+  EXPECT_TRUE(a.expired());
+}
+
 TEST_F(WorkspaceTest, EndsWhereFilesDependOnEachOther) {
   workspace_.set_dependencies("a.scene", {"b.scene"});
   workspace_.set_dependencies("b.scene", {"a.scene"});
