@@ -63,16 +63,18 @@ std::optional<std::string> nearest_file(const fs::path& from, std::string_view w
   std::string with_slashes(written);
   std::ranges::replace(with_slashes, '\\', '/');
   const fs::path wanted(with_slashes);
+  // `here.scene` has no parent path: it is in the working folder.
+  const fs::path folder = from.has_parent_path() ? from.parent_path() : fs::path(".");
   if (wanted.is_absolute() || !wanted.has_filename()) return std::nullopt;
   fs::path found;
   for (const fs::path& part : wanted.parent_path()) {
     const bool is_step = part == "." || part == ".." || part.empty();
     const std::string name =
-        is_step ? part.string() : folder_like(part.string(), list(from.parent_path() / found));
+        is_step ? part.string() : folder_like(part.string(), list(folder / found));
     if (name.empty()) return std::nullopt;
     found /= name;
   }
-  const std::vector<FolderEntry> entries = list((from.parent_path() / found).lexically_normal());
+  const std::vector<FolderEntry> entries = list((folder / found).lexically_normal());
   std::vector<std::string_view> files = names_of(entries, false);
   const bool is_own_folder = found.lexically_normal().empty() || found.lexically_normal() == ".";
   std::erase_if(files, [&](std::string_view file) {
