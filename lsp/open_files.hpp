@@ -14,11 +14,11 @@ namespace sdlc::lsp {
 
 /// A text that is open in the editor.
 struct OpenFile {
-  std::string uri;  ///< as the client writes it
-  std::filesystem::path path;
-  std::filesystem::path identity;  ///< the same for all paths of one file
+  std::string uri = {};  ///< as the client writes it
+  std::filesystem::path path = {};
+  std::filesystem::path identity = {};  ///< the same for all paths of one file
   int version = 0;
-  std::shared_ptr<const std::string> text;
+  std::shared_ptr<const std::string> text = {};
   bool is_outdated = false;  ///< a change could not be applied: the editor has another text
 };
 

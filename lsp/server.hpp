@@ -33,8 +33,8 @@ class Server {
 
  private:
   struct Received {
-    Message message;
-    std::shared_ptr<lang::StopRequest> stop;
+    Message message = {};
+    std::shared_ptr<lang::StopRequest> stop = {};
     std::function<void()> task = {};  ///< instead of a message
   };
   enum class State { New, Running, ShutDown };

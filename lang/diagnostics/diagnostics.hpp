@@ -185,6 +185,7 @@ class DiagnosticSink {
 
   /// A muted sink drops everything.
   void set_muted(bool is_muted) noexcept { is_muted_ = is_muted; }
+  bool is_muted() const noexcept { return is_muted_; }
 
   /// Empties the sink. Repetitions of earlier diagnostics are still dropped.
   void clear();

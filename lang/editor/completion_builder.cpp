@@ -83,7 +83,7 @@ bool CompletionBuilder::is_followed_by(char c) const {
 }
 
 CompletionList CompletionBuilder::take() {
-  constexpr std::size_t kMaxItems = 400;  // 100 KB of JSON
+  constexpr std::size_t kMaxItems = 200;  // 50 KB of JSON
   const auto key = [](const Ranked* r) {
     return std::tie(r->rank.fit, r->match, r->rank.distance, r->item.label);
   };

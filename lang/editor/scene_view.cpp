@@ -3,12 +3,21 @@
 #include <utility>
 
 namespace sdlc::lang {
+namespace {
+
+DiagnosticSink muted_sink(const StopRequest* stop) {
+  DiagnosticSink sink(stop);
+  sink.set_muted(true);
+  return sink;
+}
+
+}  // namespace
 
 SceneView::SceneView(std::shared_ptr<const Document> root, const ProgramOptions& options,
                      const StopRequest* stop)
     : root_(std::move(root)),
       options_(options),
-      ignored_(stop),
+      ignored_(muted_sink(stop)),
       program_(*root_, options_, ignored_),
       index_(program_, ignored_) {}
 

@@ -41,7 +41,7 @@ class SceneView {
  private:
   std::shared_ptr<const Document> root_;
   ProgramOptions options_;
-  DiagnosticSink ignored_;
+  DiagnosticSink ignored_;  ///< muted
   Program program_;
   SymbolIndex index_;
 };

@@ -23,6 +23,12 @@ namespace {
 /// The version of the language that the parser reads.
 constexpr std::string_view kVersion = "1";
 
+bool has_include(ast::Node statement) {
+  const auto nodes = statement.tree().nodes().subspan(statement.index());
+  const auto own = nodes.first(nodes.front().extent);
+  return std::ranges::find(own, SyntaxKind::Include, &SyntaxNode::kind) != own.end();
+}
+
 }  // namespace
 
 bool check_file_size(const SourceFile& file, const Limits& limits, DiagnosticSink& sink) {
@@ -123,6 +129,7 @@ void Program::load_all(DiagnosticSink& sink) {
     Resolver resolver(*this, static_cast<std::uint32_t>(next - modules_.begin()), sink);
     Code code(file.tree);
     for (const ast::Node statement : ast::Node(file.tree, 0).children()) {
+      if (sink.is_muted() && !has_include(statement)) continue;  // nothing to load or to report
       std::uint32_t frame_size = 0;
       code.clear();
       resolver.resolve_statement(statement, code, frame_size);

@@ -31,7 +31,7 @@ struct SetOption {
 /// Sources and limits of a program.
 struct ProgramOptions {
   Workspace* workspace = nullptr;  ///< null: no file except the root can be read
-  Limits limits;
+  Limits limits = {};
   bool is_sandboxed = false;  ///< no file outside the root's folder is read
   std::vector<SetOption> sets = {};
 };

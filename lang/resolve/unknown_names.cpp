@@ -58,7 +58,7 @@ bool UnknownNames::is_excused(std::uint32_t module, std::string_view name, std::
   Module& declaring = modules_.module_at(module);
   if (!declaring.lost_names) declaring.lost_names = std::make_unique<LostNames>(declaring.tree);
   if (declaring.lost_names->contains(name)) return true;
-  if (module != index_) return false;
+  if (module != index_ || sink_.is_muted()) return false;
   const Misspelling* misspelling = find_misspelling(use);
   if (misspelling == nullptr || !misspelling->is_certain) return false;
   sink_

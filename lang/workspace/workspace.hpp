@@ -94,9 +94,9 @@ class Workspace final : public FileSystem {
   static constexpr std::size_t kMaxKeptBytes = std::size_t{4} << 20;
 
   const FileSystem& disk_;
-  std::map<std::filesystem::path, OpenText> open_;                                    // by identity
-  std::map<std::string, std::weak_ptr<const Document>> in_use_;                       // by name
-  std::map<std::string, KeptDocument> kept_;                                          // by name
+  std::map<std::filesystem::path, OpenText> open_;               // by identity
+  std::map<std::string, std::weak_ptr<const Document>> in_use_;  // by name
+  std::map<std::string, KeptDocument> kept_;                     // by name
   std::size_t loaded_bytes_ = 0;  // of kept documents, since drop_unused()
   std::map<std::filesystem::path, std::set<std::filesystem::path>> dependents_;       // by identity
   std::map<std::filesystem::path, std::vector<std::filesystem::path>> dependencies_;  // by identity

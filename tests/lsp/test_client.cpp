@@ -166,8 +166,8 @@ std::int64_t TestClient::send_request(std::string_view method, Json params) {
 Answer TestClient::wait_for(std::int64_t id) {
   return wait<Answer>(
       [&]() -> std::optional<Answer> {
-        const auto found = answers_.find(id);
-        return found == answers_.end() ? std::nullopt : std::optional(found->second);
+        const auto found = answers_.extract(id);
+        return found.empty() ? std::nullopt : std::optional(std::move(found.mapped()));
       },
       fmt::format("the answer to request {}", id));
 }
@@ -204,6 +204,11 @@ Json TestClient::wait_for_message(const std::function<bool(const Json&)>& fits) 
         return message;
       },
       "a message");
+}
+
+void TestClient::drop_messages() {
+  const std::scoped_lock lock(mutex_);
+  messages_.clear();
 }
 
 Json TestClient::wait_for_notification(std::string_view method) {

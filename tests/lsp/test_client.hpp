@@ -78,6 +78,8 @@ class TestClient {
   /// The next message that fits, requests of the server among them; messages before it are kept.
   Json wait_for_message(const std::function<bool(const Json&)>& fits);
   Json wait_for_notification(std::string_view method);
+  /// Drops the messages that are kept.
+  void drop_messages();
   void respond(const Json& id, Json result);
 
   /// The diagnostics of a file once they fit; waits for them.
