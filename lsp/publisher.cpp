@@ -66,6 +66,12 @@ void Publisher::publish(const Checks::Result& result) {
   if (result.checked != nullptr) show_config_errors(*result.checked);
 }
 
+void Publisher::send_again(const std::string& uri) {
+  const std::scoped_lock lock(mutex_);
+  const auto sent = sent_.find(uri);
+  if (sent != sent_.end()) sent->second = nullptr;
+}
+
 /// A message box, because a `.sdlc.toml` is no text of this server. Shown again only if it changes.
 void Publisher::show_config_errors(const CheckedScene& checked) {
   if (checked.config_errors() == config_errors_) return;

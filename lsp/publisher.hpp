@@ -36,6 +36,9 @@ class Publisher {
   /// Replaces the open files, by identity. Findings of scenes that nobody looks at are removed.
   void set_open(std::map<std::filesystem::path, OpenText> open);
   void publish(const Checks::Result& result);
+  /// Sends the findings of a file again after its next check: an editor may have dropped them when
+  /// it closed the file.
+  void send_again(const std::string& uri);
 
   /// The client's URI of a file, if it is open.
   std::string uri_of(const std::filesystem::path& path) const;
@@ -62,7 +65,7 @@ class Publisher {
   bool has_related_ = false, has_versions_ = false;
   std::map<std::filesystem::path, OpenText> open_;
   std::map<std::filesystem::path, Findings> scenes_;
-  std::map<std::string, Json> sent_;        // by URI; without those that are empty
+  std::map<std::string, Json> sent_;        // by URI; without those that are empty; null: unknown
   std::vector<std::string> config_errors_;  // shown last
 };
 

@@ -76,6 +76,7 @@ lang::ProgramOptions Session::program_options() {
 void Session::open(OpenFile file) {
   const std::string uri = file.uri;
   files_[uri] = std::move(file);
+  publisher_.send_again(uri);
   change(files_[uri]);
 }
 

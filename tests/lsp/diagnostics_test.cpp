@@ -41,6 +41,22 @@ TEST(Diagnostics, OfAnImportedFileAppearThere) {
   client.diagnostics("lib.scene", is_any);
 }
 
+TEST(Diagnostics, AreSentAgainToAnEditorThatOpensTheFileAgain) {
+  const std::string text = "scene 1\nlet a = wrong\n";
+  TestClient client;
+  client.open("a.scene", text);
+  client.diagnostics("a.scene", is_any);
+  for (int i = 0; i < 10; ++i) {
+    client.drop_messages();
+    client.close("a.scene");
+    client.open("a.scene", text);
+    client.wait_for_message([](const Json& message) {
+      return message.at("method") == "textDocument/publishDiagnostics" &&
+             is_any(message.at("params").at("diagnostics"));
+    });
+  }
+}
+
 TEST(Diagnostics, CountUtf16UnitsUnlessTheClientOffersUtf8) {
   const std::string text = "scene 1\nlet a = \"𝄞é\" + b\nsphere { center: (0, 0, 0), radius: 1 }\n";
   TestClient client;
