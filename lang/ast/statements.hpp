@@ -8,6 +8,11 @@
 /// Properties of statements that several phases use.
 namespace sdlc::lang::ast {
 
+/// Properties and objects are statements, too.
+inline bool is_statement(SyntaxKind kind) noexcept {
+  return kind >= SyntaxKind::Property && kind <= SyntaxKind::Object;
+}
+
 /// The keyword of a statement; empty for properties and objects.
 inline std::string_view statement_word(SyntaxKind kind) noexcept {
   switch (kind) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "lang/allowances/allowance_comments.hpp"
+#include "lang/ast/statements.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "lang/token/lines.hpp"
 #include "lang/token/token_reader.hpp"
@@ -20,16 +21,13 @@ struct StatementSpan {
   SyntaxKind kind;
 };
 
-bool is_statement(SyntaxKind kind) {
-  return kind >= SyntaxKind::Property && kind <= SyntaxKind::Object;
-}
-
 /// The statements around an offset, the innermost first.
 std::vector<StatementSpan> statements_at(const SyntaxTree& tree, std::uint32_t at) {
   std::vector<StatementSpan> statements;
   for (const SyntaxNode& node : tree.nodes()) {
     if (node.begin > at) break;
-    if (is_statement(node.kind) && at < node.end) statements.push_back({node.span(), node.kind});
+    if (ast::is_statement(node.kind) && at < node.end)
+      statements.push_back({node.span(), node.kind});
   }
   std::ranges::reverse(statements);
   return statements;

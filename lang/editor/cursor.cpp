@@ -53,4 +53,8 @@ Cursor cursor_at(const SyntaxTree& tree, std::uint32_t offset) {
   return is_word(before.token.kind) ? before : cursor;
 }
 
+bool has_colon_after(std::string_view text, std::uint32_t end) noexcept {
+  return text.substr(skip_space(text, end), 1) == ":";
+}
+
 }  // namespace sdlc::lang

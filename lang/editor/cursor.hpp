@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "lang/ast/ast.hpp"
@@ -19,5 +20,8 @@ struct Cursor {
 Cursor cursor_on(const SyntaxTree& tree, std::uint32_t offset);
 /// The same, but of a word, number or other literal that ends at the offset if none begins there.
 Cursor cursor_at(const SyntaxTree& tree, std::uint32_t offset);
+
+/// Whether a colon follows the word that ends at `end`: it is a label, or a parameter with a type.
+bool has_colon_after(std::string_view text, std::uint32_t end) noexcept;
 
 }  // namespace sdlc::lang

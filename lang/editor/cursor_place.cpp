@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "lang/ast/ast.hpp"
+#include "lang/editor/cursor.hpp"
 #include "lang/editor/place_reader.hpp"
 #include "lang/text/brackets.hpp"
 #include "lang/token/lines.hpp"
@@ -27,7 +28,8 @@ Span find_surroundings(const SyntaxTree& tree, std::uint32_t offset) {
         child.kind() >= SyntaxKind::Import && child.kind() <= SyntaxKind::Object;
     const std::uint32_t begin = child.span().begin;
     // A repair can end a statement too early; the rest of it is then indented.
-    if (!is_statement || line_begin(text, begin) != begin) continue;
+    const bool begins_line = begin == 0 || text[begin - 1] == '\n';
+    if (!is_statement || !begins_line) continue;
     if (begin >= offset) return {found.begin, begin};
     found.begin = begin;
   }
@@ -173,8 +175,7 @@ class PlaceSearch {
     if (!is_fresh) enter_line(has_word ? token.span.begin : offset_);
     place_.is_first_of_line = is_first_;
     place_.brackets = std::move(reader_.brackets());
-    TokenReader after(text_, place_.word.end);
-    const bool has_colon = after.text(after.next_solid()) == ":";
+    const bool has_colon = has_colon_after(text_, place_.word.end);
     const OpenBracket& inner = place_.inner();
     place_.kind = inner.is_block() ? kind_in_block(place_, has_colon) : kind_in_brackets(place_);
     place_.is_first_of_statement = inner.step == Step::PathDot;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "lang/ast/statements.hpp"
 #include "lang/format/format.hpp"
 #include "lang/report/findings.hpp"
 #include "lang/token/lines.hpp"
@@ -76,10 +77,6 @@ LineRange lines_of_range(const SourceFile& file, Span range) {
   return {.first = first, .last = last};
 }
 
-bool is_statement(SyntaxKind kind) {
-  return kind >= SyntaxKind::Property && kind <= SyntaxKind::Object;
-}
-
 /// The statement whose last brace is before `caret`.
 std::optional<Span> statement_closed_at(const SyntaxTree& tree, std::uint32_t caret) {
   if (caret == 0 || tree.file().text()[caret - 1] != '}') return std::nullopt;
@@ -87,7 +84,7 @@ std::optional<Span> statement_closed_at(const SyntaxTree& tree, std::uint32_t ca
   for (const SyntaxNode& node : tree.nodes()) {
     if (node.begin >= caret) break;
     // A block is a part of the statement that began last and contains it.
-    if (is_statement(node.kind) && node.end >= caret) statement = node.span();
+    if (ast::is_statement(node.kind) && node.end >= caret) statement = node.span();
     const bool has_brace = node.kind == SyntaxKind::Object || node.kind == SyntaxKind::Block;
     if (has_brace && node.end == caret) return statement;
   }
@@ -104,7 +101,7 @@ std::optional<Span> statement_ended_before(const SyntaxTree& tree, std::uint32_t
   for (const SyntaxNode& node : tree.nodes()) {
     if (node.begin >= line) break;
     const bool ends_there = node.end > previous && node.end < line;
-    if (!is_statement(node.kind) || !ends_there) continue;
+    if (!ast::is_statement(node.kind) || !ends_there) continue;
     if (!statement || node.end > statement->end) statement = node.span();
   }
   if (statement && text[statement->end - 1] == '}') return std::nullopt;

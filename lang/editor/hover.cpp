@@ -131,7 +131,7 @@ Span HoverQuery::add_name() {
   if (is_here) return {};
   // A component of a value: `point.x`.
   if (inner().is(SyntaxKind::Reference) || inner().is(SyntaxKind::Member)) return add_expression();
-  const bool is_label = source().substr(skip_space(source(), cursor_.token.span.end), 1) == ":";
+  const bool is_label = has_colon_after(source(), cursor_.token.span.end);
   const Keyword* keyword = is_label ? nullptr : find_keyword(token_text());
   if (keyword == nullptr) return {};
   text_.add_code(keyword->form);

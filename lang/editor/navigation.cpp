@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "lang/ast/ast.hpp"
+#include "lang/editor/cursor.hpp"
 #include "lang/editor/links.hpp"
-#include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
 
@@ -74,12 +74,6 @@ std::optional<JumpTarget> find_target(const SceneView& view, std::uint32_t file,
 bool is_used_only_in_its_file(const Symbol& symbol) {
   return symbol.is_local || symbol.is_duplicate || symbol.kind == SymbolKind::LoopVariable ||
          symbol.kind == SymbolKind::Import || symbol.kind == SymbolKind::Object;
-}
-
-/// Whether a colon follows: the name is a label, or a parameter with a type.
-bool has_colon_after(std::string_view text, Span name) {
-  TokenReader tokens(text, name.end);
-  return tokens.text(tokens.next_solid()) == ":";
 }
 
 }  // namespace
@@ -180,7 +174,7 @@ std::vector<Highlight> highlights(const SceneView& view, std::uint32_t file, std
     if (occurrence.symbol != name->symbol) continue;
     const bool is_declaration = is_own && occurrence.where == symbol->where;
     const bool is_write =
-        is_declaration || has_colon_after(view.file(file).text(), occurrence.where);
+        is_declaration || has_colon_after(view.file(file).text(), occurrence.where.end);
     found.push_back({.where = occurrence.where, .is_write = is_write});
   }
   return found;

@@ -146,7 +146,7 @@ class SemanticReader {
     if (name_ != end && name_->where == span) return add_symbol(*name_);
     const bool is_component = last_.kind == TokenKind::Mark && text_of(last_.span) == ".";
     if (is_component) return push(span, SemanticType::Property);
-    const bool is_label = text_.substr(skip_space(text_, span.end), 1) == ":";
+    const bool is_label = has_colon_after(text_, span.end);
     if (!is_label && find_keyword(text_of(span)) != nullptr) push(span, SemanticType::Keyword);
   }
 
@@ -168,8 +168,7 @@ class SemanticReader {
   /// Whether the parameter is the label of a property of an instance.
   bool is_property(const Occurrence& name, const Symbol& symbol) const {
     const SyntaxTree& tree = view_.tree(name.symbol.file);
-    return tree[symbol.owner].kind == SyntaxKind::Def &&
-           text_.substr(skip_space(text_, name.where.end), 1) == ":";
+    return tree[symbol.owner].kind == SyntaxKind::Def && has_colon_after(text_, name.where.end);
   }
 
   const SceneView& view_;

@@ -8,6 +8,7 @@
 
 #include "lang/ast/ast.hpp"
 #include "lang/editor/callee.hpp"
+#include "lang/editor/cursor.hpp"
 #include "lang/editor/cursor_place.hpp"
 #include "lang/schema/property_text.hpp"
 #include "lang/token/token_reader.hpp"
@@ -149,8 +150,7 @@ const OpenBracket* find_call(const CursorPlace& place) {
 std::string_view label_at(const CursorPlace& place, const OpenBracket& call,
                           std::string_view text) {
   if (&call != &place.inner() || place.kind != CursorPlace::Kind::Argument) return call.label;
-  TokenReader after(text, place.word.end);
-  const bool is_label = place.word.size() > 0 && after.text(after.next_solid()) == ":";
+  const bool is_label = place.word.size() > 0 && has_colon_after(text, place.word.end);
   return is_label ? text.substr(place.word.begin, place.word.size()) : std::string_view();
 }
 

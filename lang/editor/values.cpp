@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "lang/ast/statements.hpp"
-#include "lang/token/token_reader.hpp"
+#include "lang/editor/cursor.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -16,11 +16,6 @@ std::span<const Occurrence> names_in(const SymbolTable& table, Span span) {
   const auto begin = [](const Occurrence& name) { return name.where.begin; };
   return {std::ranges::lower_bound(names, span.begin, {}, begin),
           std::ranges::lower_bound(names, span.end, {}, begin)};
-}
-
-/// A name before a colon is never a value.
-bool is_label(std::string_view text, Span name) {
-  return text.substr(skip_space(text, name.end), 1) == ":";
 }
 
 bool has_errors(ast::Node node) {
@@ -44,7 +39,8 @@ const Symbol* local_at(const SymbolTable& table, const Occurrence& name) {
   if (symbol == nullptr) return nullptr;
   const bool is_local = symbol->is_local || symbol->kind == SymbolKind::Parameter ||
                         symbol->kind == SymbolKind::LoopVariable;
-  return is_local && !is_label(table.tree().file().text(), name.where) ? symbol : nullptr;
+  const bool is_label = has_colon_after(table.tree().file().text(), name.where.end);
+  return is_local && !is_label ? symbol : nullptr;
 }
 
 ComputedValue Values::of_expression(std::uint32_t file, ast::Node expression,

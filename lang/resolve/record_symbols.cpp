@@ -51,10 +51,6 @@ void Resolver::record_all() {
 
 namespace {
 
-bool is_statement(SyntaxKind kind) {
-  return kind >= SyntaxKind::Property && kind <= SyntaxKind::Object;
-}
-
 bool is_expression(SyntaxKind kind) {
   return kind >= SyntaxKind::Conditional && kind != SyntaxKind::Argument &&
          kind != SyntaxKind::Member && kind != SyntaxKind::Index;
@@ -137,7 +133,7 @@ void Resolver::record_skipped(ast::Node node) {
     expression(node);
     return;
   }
-  if (is_statement(node.kind())) {
+  if (ast::is_statement(node.kind())) {
     statement(node, false);
     return;
   }
