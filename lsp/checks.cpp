@@ -69,6 +69,8 @@ void Checks::add(Change change, bool waits_for_keys) {
                            running->second.reads.contains(*change.path);
   if (stop_ && is_affected) stop_->make();
   if (change.path) changed_last_ = *change.path;
+  // The last change of a file is enough, and the texts of the others take memory.
+  std::erase_if(changes_, [&](const Change& older) { return older.path == change.path; });
   changes_.push_back(std::move(change));
   // Wait for the next key for half the time of a check: a check that is stopped was for nothing.
   const auto quiet = std::clamp<Clock::duration>(last_duration_ / 2, 1ms, 150ms);

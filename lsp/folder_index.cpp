@@ -1,6 +1,7 @@
 #include "lsp/folder_index.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <system_error>
 #include <utility>
 
@@ -17,11 +18,6 @@ constexpr milliseconds kQuietTime{300};
 /// A shorter walk is not worth a progress bar.
 constexpr milliseconds kSilentTime{500};
 constexpr milliseconds kReportInterval{200};
-
-bool is_below(const fs::path& folder, const fs::path& path) {
-  const fs::path below = path.lexically_relative(folder);
-  return !below.empty() && *below.begin() != "..";
-}
 
 }  // namespace
 
@@ -126,6 +122,7 @@ FolderIndex::Paths FolderIndex::dependents_of(const fs::path& path) const {
 std::vector<fs::path> FolderIndex::roots_of(const fs::path& path) const {
   const fs::path identity = files_.identity(path);
   const std::scoped_lock lock(mutex_);
+  if (const auto known = roots_.find(identity); known != roots_.end()) return known->second;
   const Paths readers = dependents_of(identity);
   std::vector<fs::path> all(readers.begin(), readers.end());
   // A file of a cycle is a root if only files of the cycle read it.
@@ -136,6 +133,9 @@ std::vector<fs::path> FolderIndex::roots_of(const fs::path& path) const {
     });
   };
   std::ranges::stable_partition(all, is_root);
+  constexpr std::size_t kMaxRoots = 64;  // an answer can have thousands of paths
+  if (roots_.size() == kMaxRoots) roots_.clear();
+  roots_[identity] = all;
   return all;
 }
 
@@ -151,6 +151,8 @@ void FolderIndex::run() {
       } catch (const lang::StopRequested&) {
         if (!lock.owns_lock()) lock.lock();
         break;
+      } catch (const std::exception&) {  // out of memory: without that file
+        if (!lock.owns_lock()) lock.lock();
       }
       is_busy_ = false;
       continue;
@@ -310,6 +312,7 @@ bool FolderIndex::replace(const fs::path& path, std::shared_ptr<const FileFacts>
     if (found->second.empty()) dependents_.erase(found);
   }
   for (const fs::path& dependency : after) dependents_[dependency].insert(path);
+  if (before != after) roots_.clear();
   const bool is_new = (known == facts_.end()) != (facts == nullptr);
   if (facts) {
     facts_[path] = std::move(facts);
@@ -320,9 +323,11 @@ bool FolderIndex::replace(const fs::path& path, std::shared_ptr<const FileFacts>
 }
 
 bool FolderIndex::remove_below(const fs::path& folder) {
+  const std::string prefix = folder.native() + '/';
   std::vector<fs::path> gone;
-  for (const auto& [path, facts] : facts_) {
-    if (is_below(folder, path) && !open_.contains(path)) gone.push_back(path);
+  for (auto file = facts_.lower_bound(prefix);
+       file != facts_.end() && file->first.native().starts_with(prefix); ++file) {
+    if (!open_.contains(file->first)) gone.push_back(file->first);
   }
   for (const fs::path& path : gone) replace(path, nullptr);
   return !gone.empty();

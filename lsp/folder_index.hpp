@@ -119,6 +119,7 @@ class FolderIndex {
   std::map<Path, Clock::time_point, ByText> updates_;  // when they are due
   std::map<Path, std::shared_ptr<const FileFacts>, ByText> facts_;
   std::map<Path, Paths, ByText> dependents_;
+  mutable std::map<Path, std::vector<Path>, ByText> roots_;  // answers of roots_of()
   bool is_busy_ = false;
 
   // The walk that goes on
