@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lang/editor/color_places.hpp"
-#include "lsp/sorted_positions.hpp"
+#include "lsp/positions.hpp"
 
 namespace sdlc::lsp {
 namespace {
@@ -49,11 +49,11 @@ std::string label_of(std::string text) {
 
 Json document_color(Session& session, const Json& params) {
   const Text text = session.text_of(params);
-  SortedPositions positions(*text.source, session.client().encoding());
+  TextRanges ranges(*text.source, session.client().encoding());
   Json colors = Json::array();
   for (const lang::ColorPlace& place : colors_of(text)) {
     colors.push_back(
-        {{"range", positions.next_range(place.where)}, {"color", color_json(place.displayed())}});
+        {{"range", ranges.range(place.where)}, {"color", color_json(place.displayed())}});
   }
   return colors;
 }

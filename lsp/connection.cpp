@@ -57,7 +57,7 @@ void Connection::accept(const Message& response) {
     on_result = std::move(found->second);
     pending_.erase(found);
   }
-  if (on_result) on_result(response.error.is_null() ? response.result : Json());
+  if (on_result) on_result(response.error.is_null() ? &response.result : nullptr);
 }
 
 }  // namespace sdlc::lsp

@@ -17,9 +17,9 @@ namespace sdlc::lsp {
 /// The way to the client. Every thread may send. A message is sent at once and whole.
 class Connection {
  public:
-  /// Called with the result of a request of the server, on the thread that handles messages; null
-  /// if the client reports an error.
-  using OnResult = std::function<void(const Json& result)>;
+  /// Called with the result of a request of the server, on the thread that handles messages; a null
+  /// pointer if the client reports an error.
+  using OnResult = std::function<void(const Json* result)>;
 
   Connection(std::ostream& out, Log& log) : out_(out), log_(log) {}
   Connection(const Connection&) = delete;

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "lsp/positions.hpp"
-
 namespace sdlc::lsp {
 namespace {
 
@@ -31,13 +29,13 @@ std::string message_of(const lang::Diagnostic& diagnostic, bool has_related) {
 
 }  // namespace
 
-Json DiagnosticsJson::related(const lang::Diagnostic& diagnostic) const {
+Json DiagnosticsJson::related(const lang::Diagnostic& diagnostic) {
   Json related = Json::array();
   const auto add = [&](const lang::Location& where, const std::string& message) {
     if (where.file == nullptr) return;
     related.push_back(
         {{"location",
-          {{"uri", uri_of(*where.file)}, {"range", range_json(*where.file, where.span, encoding)}}},
+          {{"uri", uri_of(*where.file)}, {"range", ranges.range(*where.file, where.span)}}},
          {"message", message}});
   };
   for (const lang::Label& label : diagnostic.labels) add(label.where, label.message);
@@ -45,9 +43,9 @@ Json DiagnosticsJson::related(const lang::Diagnostic& diagnostic) const {
   return related;
 }
 
-Json DiagnosticsJson::of(const lang::Diagnostic& diagnostic) const {
+Json DiagnosticsJson::of(const lang::Diagnostic& diagnostic) {
   const auto& [file, span] = diagnostic.where;
-  Json json{{"range", file == nullptr ? first_range() : range_json(*file, span, encoding)},
+  Json json{{"range", file == nullptr ? first_range() : ranges.range(*file, span)},
             {"severity", severity_of(*diagnostic.info)},
             {"code", diagnostic.info->code},
             {"source", "sdlc"},

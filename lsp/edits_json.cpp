@@ -1,12 +1,15 @@
 #include "lsp/edits_json.hpp"
 
+#include "lsp/positions.hpp"
+
 namespace sdlc::lsp {
 
 Json edits_json(const Session& session, const lang::SourceFile& file,
                 std::span<const lang::TextEdit> edits) {
+  TextRanges ranges(file, session.client().encoding());
   Json list = Json::array();
   for (const lang::TextEdit& edit : edits) {
-    list.push_back({{"range", session.range(file, edit.where)}, {"newText", edit.text}});
+    list.push_back({{"range", ranges.range(edit.where)}, {"newText", edit.text}});
   }
   return list;
 }

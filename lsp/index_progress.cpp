@@ -18,9 +18,9 @@ void IndexProgress::begin() {
   has_begun_ = false;
   // The client must know the token before it is used. The walk may have ended by then.
   connection_.request("window/workDoneProgress/create", {{"token", token_}},
-                      [this, token = token_](const Json&) {
+                      [this, token = token_](const Json* result) {
                         const std::scoped_lock answered(mutex_);
-                        if (token != token_) return;
+                        if (result == nullptr || token != token_) return;
                         has_begun_ = true;
                         send({{"kind", "begin"}, {"title", "Reading scenes"}});
                       });

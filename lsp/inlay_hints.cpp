@@ -1,7 +1,7 @@
 #include "lsp/inlay_hints.hpp"
 
 #include "lang/editor/inlay_hints.hpp"
-#include "lsp/sorted_positions.hpp"
+#include "lsp/positions.hpp"
 
 namespace sdlc::lsp {
 
@@ -11,11 +11,11 @@ Json inlay_hint(Session& session, const Json& params) {
   const Text text = session.text_of(params);
   if (!text.is_scene()) return hints;
   constexpr int kType = 1, kParameter = 2;  // InlayHintKind of the protocol
-  SortedPositions positions(*text.source, session.client().encoding());
+  TextRanges ranges(*text.source, session.client().encoding());
   const lang::Span range = session.span(text, params.at("range"));
   for (const lang::InlayHint& hint : lang::inlay_hints(*text.view, text.file, range)) {
     const bool is_argument = hint.kind == lang::InlayHint::Kind::Argument;
-    hints.push_back({{"position", positions.next_json(hint.offset)},
+    hints.push_back({{"position", ranges.position(hint.offset)},
                      {"label", hint.text},
                      {"kind", is_argument ? kParameter : kType},
                      {"paddingLeft", !is_argument},

@@ -105,6 +105,14 @@ std::optional<Message> MessageReader::next() {
   return parse_message(content);
 }
 
+const std::string& document_uri(const Json& params) {
+  const Json::json_pointer pointer("/textDocument/uri");
+  if (!params.is_object() || !params.contains(pointer) || !params.at(pointer).is_string()) {
+    throw RequestError(ErrorCode::InvalidParams, "there is no `textDocument.uri`");
+  }
+  return params.at(pointer).get_ref<const std::string&>();
+}
+
 Message parse_message(std::string_view text) {
   if (depth_of(text) > kMaxMessageDepth) {
     fail(ErrorCode::InvalidRequest, "a message is nested too deeply");
@@ -112,8 +120,8 @@ Message parse_message(std::string_view text) {
   Json json;
   try {
     json = Json::parse(text);
-  } catch (const Json::exception& error) {
-    fail(ErrorCode::ParseError, fmt::format("a message is no JSON: {}", error.what()));
+  } catch (const Json::parse_error& error) {
+    fail(ErrorCode::ParseError, fmt::format("a message is no JSON from byte {} on", error.byte));
   }
   if (!json.is_object()) fail(ErrorCode::InvalidRequest, "a message must be a JSON object");
   Message message;

@@ -45,6 +45,9 @@ class RequestError : public std::runtime_error {
   ErrorCode code_;
 };
 
+/// The URI that `params.textDocument` names. Throws RequestError (InvalidParams) if there is none.
+const std::string& document_uri(const Json& params);
+
 /// A message from the client: a request, a notification, or a response to a request of the server.
 struct Message {
   Json id = nullptr;   ///< a number or string; null for notifications

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "lsp/action_requests.hpp"
-#include "lsp/command_requests.hpp"
+#include "lsp/code_actions.hpp"
+#include "lsp/commands.hpp"
 #include "lsp/completion.hpp"
-#include "lsp/format_requests.hpp"
+#include "lsp/formatting.hpp"
 #include "lsp/inlay_hints.hpp"
 #include "lsp/semantic_tokens.hpp"
 #include "lsp/uri.hpp"
@@ -95,10 +95,10 @@ void ask_for_settings(Session& session) {
   if (!session.client().can("/workspace/configuration")) return;
   session.connection().request("workspace/configuration",
                                {{"items", Json::array({{{"section", "sdlc"}}})}},
-                               [&session](const Json& result) {
-                                 if (!result.is_array() || result.empty()) return;
-                                 if (result.front().is_null()) return;
-                                 change_settings(session, result.front());
+                               [&session](const Json* result) {
+                                 if (!result || !result->is_array() || result->empty()) return;
+                                 if (result->front().is_null()) return;
+                                 change_settings(session, result->front());
                                });
 }
 

@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <array>
 
-#include "lsp/action_requests.hpp"
-#include "lsp/call_requests.hpp"
+#include "lsp/call_hierarchy.hpp"
+#include "lsp/code_actions.hpp"
 #include "lsp/code_lenses.hpp"
 #include "lsp/colors.hpp"
-#include "lsp/command_requests.hpp"
+#include "lsp/commands.hpp"
 #include "lsp/completion.hpp"
-#include "lsp/format_requests.hpp"
+#include "lsp/folding_and_selection.hpp"
+#include "lsp/formatting.hpp"
 #include "lsp/hover.hpp"
 #include "lsp/inlay_hints.hpp"
 #include "lsp/lifecycle.hpp"
-#include "lsp/navigation_requests.hpp"
-#include "lsp/range_requests.hpp"
-#include "lsp/rename_requests.hpp"
+#include "lsp/navigation.hpp"
+#include "lsp/rename.hpp"
 #include "lsp/semantic_tokens.hpp"
-#include "lsp/symbol_requests.hpp"
+#include "lsp/symbols.hpp"
 #include "lsp/text_sync.hpp"
 
 namespace sdlc::lsp {

@@ -25,10 +25,13 @@ const Json& member(const Json& range, const char* key) {
 
 }  // namespace
 
+Json position_json(lang::Position position) {
+  return {{"line", position.line - 1}, {"character", position.column - 1}};
+}
+
 Json position_json(const lang::SourceFile& file, std::uint32_t offset,
                    lang::PositionEncoding encoding) {
-  const lang::Position position = lang::position_of(file, offset, encoding);
-  return {{"line", position.line - 1}, {"character", position.column - 1}};
+  return position_json(lang::position_of(file, offset, encoding));
 }
 
 Json range_json(const lang::SourceFile& file, lang::Span span, lang::PositionEncoding encoding) {
@@ -39,6 +42,14 @@ Json range_json(const lang::SourceFile& file, lang::Span span, lang::PositionEnc
 Json first_range() {
   const Json first{{"line", 0}, {"character", 0}};
   return {{"start", first}, {"end", first}};
+}
+
+Json TextRanges::range(lang::Span span) {
+  return {{"start", position(span.begin)}, {"end", position(span.end)}};
+}
+
+Json FileRanges::range(const lang::SourceFile& file, lang::Span span) {
+  return files_.try_emplace(&file, file, encoding_).first->second.range(span);
 }
 
 lang::Position position_of_json(const Json& position) {

@@ -40,8 +40,8 @@ Publisher::Findings Publisher::findings_of(const Checks::Result& result) const {
     if (is_new) entry->second = files_.identity(file.name());
     return entry->second;
   };
-  const DiagnosticsJson json{
-      .encoding = encoding_,
+  DiagnosticsJson json{
+      .ranges = FileRanges(encoding_),
       .has_related = has_related_,
       .uri_of = [&](const lang::SourceFile& file) { return uri_of_identity(identity_of(file)); }};
   for (const lang::Diagnostic* diagnostic : result.checked->findings().shown) {
@@ -66,10 +66,10 @@ void Publisher::publish(const Checks::Result& result) {
   if (result.checked != nullptr) show_config_errors(*result.checked);
 }
 
-void Publisher::send_again(const std::string& uri) {
+void Publisher::send_again(const fs::path& file) {
   const std::scoped_lock lock(mutex_);
-  const auto sent = sent_.find(uri);
-  if (sent != sent_.end()) sent->second = nullptr;
+  const auto sent = sent_.find(file);
+  if (sent != sent_.end()) sent->second.findings = nullptr;
 }
 
 /// A message box, because a `.sdlc.toml` is no text of this server. Shown again only if it changes.
@@ -122,19 +122,28 @@ void Publisher::send(const std::set<fs::path>& files, const Checked& checked) {
   for (const fs::path& file : files) {
     const std::string uri = uri_of_identity(file);
     Json findings = united(file);
-    const auto sent = sent_.find(uri);
-    if (sent == sent_.end() ? findings.empty() : sent->second == findings) continue;
-    Json params{{"uri", uri}, {"diagnostics", findings}};
+    if (const auto sent = sent_.find(file); sent != sent_.end()) {
+      if (sent->second.uri == uri && sent->second.findings == findings) continue;
+      // A link to the file was opened or closed: the editor takes both for different files.
+      if (sent->second.uri != uri) send(sent->second.uri, Json::array(), std::nullopt);
+    } else if (findings.empty()) {
+      continue;
+    }
     const bool is_open_root =
         checked.root != nullptr && *checked.root == file && open_.contains(file);
-    if (has_versions_ && is_open_root) params["version"] = checked.version;
-    connection_.notify("textDocument/publishDiagnostics", std::move(params));
+    send(uri, findings, is_open_root ? std::optional(checked.version) : std::nullopt);
     if (findings.empty()) {
-      sent_.erase(uri);
+      sent_.erase(file);
     } else {
-      sent_[uri] = std::move(findings);
+      sent_[file] = {.uri = uri, .findings = std::move(findings)};
     }
   }
+}
+
+void Publisher::send(const std::string& uri, const Json& findings, std::optional<int> version) {
+  Json params{{"uri", uri}, {"diagnostics", findings}};
+  if (has_versions_ && version) params["version"] = *version;
+  connection_.notify("textDocument/publishDiagnostics", std::move(params));
 }
 
 }  // namespace sdlc::lsp

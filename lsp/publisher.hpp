@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -38,12 +39,17 @@ class Publisher {
   void publish(const Checks::Result& result);
   /// Sends the findings of a file again after its next check: an editor may have dropped them when
   /// it closed the file.
-  void send_again(const std::string& uri);
+  void send_again(const std::filesystem::path& file);
 
   /// The client's URI of a file, if it is open.
   std::string uri_of(const std::filesystem::path& path) const;
 
  private:
+  /// The findings of a file that the client has, under this URI.
+  struct Sent {
+    std::string uri;
+    Json findings;  ///< null: unknown
+  };
   /// The findings of one scene, by the identity of the file.
   using Findings = std::map<std::filesystem::path, Json>;
 
@@ -56,6 +62,7 @@ class Publisher {
     int version = 0;
   };
   void send(const std::set<std::filesystem::path>& files, const Checked& checked);
+  void send(const std::string& uri, const Json& findings, std::optional<int> version);
   void show_config_errors(const CheckedScene& checked);
 
   const lang::FileSystem& files_;
@@ -65,8 +72,8 @@ class Publisher {
   bool has_related_ = false, has_versions_ = false;
   std::map<std::filesystem::path, OpenText> open_;
   std::map<std::filesystem::path, Findings> scenes_;
-  std::map<std::string, Json> sent_;        // by URI; without those that are empty; null: unknown
-  std::vector<std::string> config_errors_;  // shown last
+  std::map<std::filesystem::path, Sent> sent_;  // by identity; without those that are empty
+  std::vector<std::string> config_errors_;      // shown last
 };
 
 }  // namespace sdlc::lsp

@@ -191,11 +191,13 @@ class RenderRuns::Runner {
 
   void ask_for_progress(const std::string& token) {
     const std::weak_ptr<Jobs> jobs = jobs_;
-    request_("window/workDoneProgress/create", {{"token", token}}, [jobs, token](const Json&) {
-      if (const auto held = jobs.lock()) {
-        held->add([token](Runner& runner) { runner.begin_progress(token); });
-      }
-    });
+    request_("window/workDoneProgress/create", {{"token", token}},
+             [jobs, token](const Json* result) {
+               if (result == nullptr) return;  // the client shows no progress after all
+               if (const auto held = jobs.lock()) {
+                 held->add([token](Runner& runner) { runner.begin_progress(token); });
+               }
+             });
   }
 
   void begin_progress(const std::string& token) {
@@ -277,8 +279,8 @@ class RenderRuns::Runner {
     if (!run.abilities.shows_documents) return show_message(MessageType::Info, message);
     const std::weak_ptr<Jobs> jobs = jobs_;
     request_("window/showDocument", {{"uri", uri_of_path(run.picture)}, {"takeFocus", false}},
-             [jobs, message](const Json& result) {
-               if (result.is_object() && result.value("success", false)) return;
+             [jobs, message](const Json* result) {
+               if (result && result->is_object() && result->value("success", false)) return;
                if (const auto held = jobs.lock()) {
                  held->add([message](Runner& runner) {
                    runner.show_message(MessageType::Info, message);

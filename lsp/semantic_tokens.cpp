@@ -7,7 +7,6 @@
 #include "lang/editor/semantic_tokens.hpp"
 #include "lang/source/position_encoding.hpp"
 #include "lsp/session.hpp"
-#include "lsp/sorted_positions.hpp"
 
 namespace sdlc::lsp {
 namespace {
@@ -25,23 +24,19 @@ Numbers numbers_of(Session& session, const Text& text, std::optional<lang::Span>
   Numbers numbers;
   if (!text.is_scene()) return numbers;
   const bool augments = session.client().can("/textDocument/semanticTokens/augmentsSyntaxTokens");
-  SortedPositions positions(*text.source, session.client().encoding());
-  lang::Position last{0, 0};
+  lang::PositionMap positions(*text.source, session.client().encoding());
+  lang::Position last{1, 1};
   for (const lang::SemanticToken& token : lang::semantic_tokens(*text.view, text.file, range)) {
     if (augments && is_syntactic(token.type)) continue;
-    const lang::Position begin = positions.next(token.span.begin);
-    const std::uint32_t size = positions.next(token.span.end).column - begin.column;
+    const lang::Position begin = positions.at(token.span.begin);
+    const std::uint32_t size = positions.at(token.span.end).column - begin.column;
     const std::uint32_t lines = begin.line - last.line;
-    const std::uint32_t columns = lines > 0 ? begin.column : begin.column - last.column;
+    const std::uint32_t columns = begin.column - (lines > 0 ? 1 : last.column);
     numbers.insert(numbers.end(),
                    {lines, columns, size, static_cast<std::uint32_t>(token.type), token.modifiers});
     last = begin;
   }
   return numbers;
-}
-
-std::string uri_of(const Json& params) {
-  return params.at("textDocument").at("uri").get<std::string>();
 }
 
 /// The edit that replaces the numbers between the equal first and last ones.
@@ -87,12 +82,12 @@ Json semantic_tokens_full(Session& session, const Json& params) {
   const Text text = session.text_of(params);
   Numbers numbers = numbers_of(session, text, std::nullopt);
   Json result{{"data", numbers}};
-  result["resultId"] = session.semantic_results().add(uri_of(params), std::move(numbers));
+  result["resultId"] = session.semantic_results().add(document_uri(params), std::move(numbers));
   return result;
 }
 
 Json semantic_tokens_delta(Session& session, const Json& params) {
-  const std::string uri = uri_of(params);
+  const std::string& uri = document_uri(params);
   const std::string id = params.at("previousResultId").get<std::string>();
   const Numbers* old = session.semantic_results().find(uri, id);
   if (old == nullptr) return semantic_tokens_full(session, params);

@@ -75,9 +75,8 @@ lang::ProgramOptions Session::program_options() {
 
 void Session::open(OpenFile file) {
   const std::string uri = file.uri;
-  files_[uri] = std::move(file);
-  publisher_.send_again(uri);
-  change(files_[uri]);
+  publisher_.send_again(file.identity);
+  change(files_[uri] = std::move(file));
 }
 
 void Session::change(const OpenFile& file) {
@@ -103,6 +102,10 @@ void Session::close(const std::string& uri) {
   if (found == files_.end()) return;
   const OpenFile file = std::move(found->second);
   files_.erase(found);
+  // The same file can be open under another URI, through a link.
+  const auto other = std::ranges::find_if(
+      files_, [&](const auto& open) { return open.second.identity == file.identity; });
+  if (other != files_.end()) return change(other->second);
   workspace_.close(file.path);
   checks_.close(file.path);
   index_.close(file.path);
@@ -236,20 +239,17 @@ lang::SceneView* Session::view_of(const fs::path& scene) {
   return views_.emplace_back(View{scene, std::move(view)}).view.get();
 }
 
-Text Session::text_of(const Json& params) {
-  const Json::json_pointer pointer("/textDocument/uri");
-  if (!params.is_object() || !params.contains(pointer) || !params.at(pointer).is_string()) {
-    throw RequestError(ErrorCode::InvalidParams, "the request has no `textDocument.uri`");
+fs::path Session::path_of(const Json& params) const {
+  const std::string& uri = document_uri(params);
+  const OpenFile* file = find_open(uri);
+  if (file == nullptr) return path_of_uri(uri);
+  if (file->is_outdated) {
+    throw RequestError(ErrorCode::ContentModified, "the text is not that of the editor");
   }
-  const std::string uri = params.at(pointer);
-  if (const OpenFile* file = find_open(uri)) {
-    if (file->is_outdated) {
-      throw RequestError(ErrorCode::ContentModified, "the text is not that of the editor");
-    }
-    return text_at(file->path);
-  }
-  return text_at(path_of_uri(uri));
+  return file->path;
 }
+
+Text Session::text_of(const Json& params) { return text_at(path_of(params)); }
 
 Text Session::text_at(const fs::path& path) {
   Text text{.identity = workspace_.identity(path)};

@@ -90,6 +90,9 @@ class Session {
 
   // What a request is about
 
+  /// The path that `params.textDocument` names. Throws RequestError (InvalidParams) if it names
+  /// none, and (ContentModified) if the text of the editor is not known.
+  std::filesystem::path path_of(const Json& params) const;
   /// The text that `params.textDocument` names. Throws RequestError (InvalidParams) if there is
   /// none: it is not open and cannot be read.
   Text text_of(const Json& params);

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::chrono::seconds kPatience{5};
 
-/// Whether the folders have been read, after some patience.
+}  // namespace
+
 bool wait_for_index(const Session& session) {
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
   while (!session.index().is_complete()) {
@@ -25,8 +26,6 @@ bool wait_for_index(const Session& session) {
   }
   return true;
 }
-
-}  // namespace
 
 SessionScenes::SessionScenes(Session& session, const Text& text, const lang::SharedSymbol& symbol)
     : session_(session), scenes_{text.view->root().name()} {

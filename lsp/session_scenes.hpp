@@ -9,6 +9,10 @@
 
 namespace sdlc::lsp {
 
+/// Whether the folders have been read, after some patience. Throws lang::StopRequested if the
+/// request was cancelled.
+bool wait_for_index(const Session& session);
+
 /// The scenes that can use a symbol, resolved one after the other.
 class SessionScenes final : public lang::SceneSet {
  public:

@@ -14,10 +14,6 @@
 namespace sdlc::lsp {
 namespace {
 
-const std::string& uri_in(const Json& params) {
-  return params.at("textDocument").at("uri").get_ref<const std::string&>();
-}
-
 /// Version numbers are for messages only.
 int version_in(const Json& document) {
   const auto version = document.find("version");
@@ -34,7 +30,7 @@ bool replaces_text(const Json& changes) {
 
 void did_open(Session& session, const Json& params) {
   const Json& document = params.at("textDocument");
-  const std::string& uri = uri_in(params);
+  const std::string& uri = document_uri(params);
   OpenFile file{.uri = uri, .path = path_of_uri(uri), .version = version_in(document)};
   file.identity = session.workspace().identity(file.path);
   file.text = std::make_shared<const std::string>(document.at("text").get<std::string>());
@@ -42,9 +38,9 @@ void did_open(Session& session, const Json& params) {
 }
 
 void did_change(Session& session, const Json& params) {
-  const OpenFile* known = session.find_open(uri_in(params));
+  const OpenFile* known = session.find_open(document_uri(params));
   if (known == nullptr) {
-    session.log().write(fmt::format("a change of `{}`, which is not open", uri_in(params)));
+    session.log().write(fmt::format("a change of `{}`, which is not open", document_uri(params)));
     return;
   }
   OpenFile file = *known;
@@ -61,10 +57,10 @@ void did_change(Session& session, const Json& params) {
   }
 }
 
-void did_close(Session& session, const Json& params) { session.close(uri_in(params)); }
+void did_close(Session& session, const Json& params) { session.close(document_uri(params)); }
 
 void did_save(Session& session, const Json& params) {
-  session.files_changed({path_of_uri(uri_in(params))});
+  session.files_changed({path_of_uri(document_uri(params))});
 }
 
 void did_change_watched_files(Session& session, const Json& params) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 #include <string>
 
@@ -55,6 +56,38 @@ TEST(Diagnostics, AreSentAgainToAnEditorThatOpensTheFileAgain) {
              is_any(message.at("params").at("diagnostics"));
     });
   }
+}
+
+class LinkedFile : public testing::Test {
+ protected:
+  LinkedFile() {
+    client_.write("real.scene", kWrong);
+    std::filesystem::create_symlink(client_.path("real.scene"), client_.path("link.scene"));
+  }
+
+  static constexpr const char* kWrong = "scene 1\nlet a = wrong\n";
+  TestClient client_;
+};
+
+TEST_F(LinkedFile, HasItsDiagnosticsUnderTheNameThatIsOpen) {
+  client_.open("main.scene", "scene 1\nimport \"real.scene\" as real\n");
+  client_.diagnostics("real.scene", is_any);
+  client_.open("link.scene", kWrong);
+  client_.diagnostics("link.scene", is_any);
+  client_.diagnostics("real.scene", is_empty);
+  client_.close("link.scene");
+  client_.diagnostics("link.scene", is_empty);
+  client_.diagnostics("real.scene", is_any);
+}
+
+TEST_F(LinkedFile, KeepsItsTextUntilAllItsNamesAreClosed) {
+  client_.open("link.scene", "scene 1\nlet b = 1\n");
+  client_.open("real.scene", "scene 1\nlet b = 1\n");
+  client_.close("link.scene");
+  client_.diagnostics("real.scene", is_without_errors);
+  const Json symbols = client_.result("textDocument/documentSymbol",
+                                      {{"textDocument", {{"uri", client_.uri("real.scene")}}}});
+  EXPECT_EQ(symbols.at(0).at("name"), "b");
 }
 
 TEST(Diagnostics, CountUtf16UnitsUnlessTheClientOffersUtf8) {

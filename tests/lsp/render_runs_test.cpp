@@ -31,7 +31,7 @@ class RenderRunsTest : public testing::Test {
   struct Sent {
     std::string method;
     Json params;
-    std::function<void(const Json&)> on_result;
+    std::function<void(const Json*)> on_result;
   };
 
   void start_with(const std::string& script) {
@@ -42,13 +42,13 @@ class RenderRunsTest : public testing::Test {
     fs::permissions(program, fs::perms::owner_all);
     runs_.emplace(
         program.string(), [this](std::string_view method, Json params) { add(method, params, {}); },
-        [this](std::string_view method, Json params, std::function<void(const Json&)> on_result) {
+        [this](std::string_view method, Json params, std::function<void(const Json*)> on_result) {
           add(method, params, std::move(on_result));
         });
   }
 
   void add(std::string_view method, const Json& params,
-           std::function<void(const Json&)> on_result) {
+           std::function<void(const Json*)> on_result) {
     const std::scoped_lock lock(mutex_);
     sent_.push_back({std::string(method), params, std::move(on_result)});
     arrived_.notify_all();
@@ -72,7 +72,7 @@ class RenderRunsTest : public testing::Test {
     runs_->start(order, kAll);
     const Sent create = next();
     EXPECT_EQ(create.method, "window/workDoneProgress/create");
-    create.on_result(nullptr);
+    create.on_result(&kNoValue);
     const Json begin = next().params;
     EXPECT_EQ(begin["value"]["kind"], "begin");
     EXPECT_EQ(begin["token"], create.params["token"]);
@@ -81,6 +81,7 @@ class RenderRunsTest : public testing::Test {
 
   static constexpr lsp::RenderRuns::Abilities kAll{.has_progress = true, .shows_documents = true};
   static constexpr lsp::RenderRuns::Abilities kNone{};
+  static inline const Json kNoValue = nullptr;  ///< the result of a request that has none
 
   const TemporaryFolder folder_;
   std::mutex mutex_;
@@ -109,7 +110,8 @@ TEST_F(RenderRunsTest, ShowProgressAndThePicture) {
   const fs::path picture = lsp::path_of_uri(show.params["uri"].get<std::string>());
   EXPECT_EQ(picture.filename(), "ball.png");
   EXPECT_EQ(content_of(picture), "done\n");
-  show.on_result({{"success", true}});
+  const Json shown{{"success", true}};
+  show.on_result(&shown);
   EXPECT_TRUE(is_silent_for(std::chrono::milliseconds(50)));
   runs_.reset();
   EXPECT_FALSE(fs::exists(picture));
@@ -128,7 +130,8 @@ TEST_F(RenderRunsTest, NameThePictureForAClientThatCannotShowIt) {
 TEST_F(RenderRunsTest, NameThePictureIfShowingItFails) {
   start_with("echo done >\"$picture\"\n");
   runs_->start({.scene = folder_ / "ball.scene"}, {.shows_documents = true});
-  next().on_result({{"success", false}});
+  const Json failed{{"success", false}};
+  next().on_result(&failed);
   EXPECT_EQ(next().method, "window/showMessage");
 }
 
@@ -232,11 +235,22 @@ TEST_F(RenderRunsTest, SurviveLateAnswersOfTheClient) {
   runs_->start({.scene = folder_ / "ball.scene"}, kAll);
   const Sent create = next(), show = next();
   EXPECT_EQ(show.method, "window/showDocument");
-  create.on_result(nullptr);  // nothing runs any more
+  create.on_result(&kNoValue);  // nothing runs any more
   EXPECT_TRUE(is_silent_for(std::chrono::milliseconds(50)));
   runs_.reset();
-  create.on_result(nullptr);
+  create.on_result(&kNoValue);
   show.on_result(nullptr);
+}
+
+TEST_F(RenderRunsTest, ShowNoProgressThatTheClientRefuses) {
+  start_with(
+      "read go <\"$(dirname \"$0\")/go\"\necho '{\"fraction\": 0.25}' >&2\necho done "
+      ">\"$picture\"\n");
+  ASSERT_EQ(::mkfifo((folder_ / "go").c_str(), 0600), 0);
+  runs_->start({.scene = folder_ / "ball.scene"}, kAll);
+  next().on_result(nullptr);
+  std::ofstream(folder_ / "go") << "go\n";
+  EXPECT_EQ(next().method, "window/showDocument");
 }
 
 TEST_F(RenderRunsTest, SurviveMuchAndStrangeOutput) {

@@ -77,6 +77,9 @@ TEST_F(WrongChange, IsToldToTheUser) {
 
 TEST_F(WrongChange, IsFollowedByNoAnswerAboutAnotherText) {
   EXPECT_FALSE(symbols().error.is_null());
+  EXPECT_FALSE(
+      client_.ask("textDocument/formatting", {{"textDocument", {{"uri", client_.uri("a.scene")}}}})
+          .error.is_null());
   send(Json::array({edit(position(0, 0), position(0, 0), " ")}));
   EXPECT_FALSE(symbols().error.is_null());
 }

@@ -1,4 +1,4 @@
-#include "lsp/symbol_requests.hpp"
+#include "lsp/symbols.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@
 #include "lang/editor/symbols.hpp"
 #include "lang/resolve/symbol.hpp"
 #include "lsp/file_facts.hpp"
-#include "lsp/place_ranges.hpp"
+#include "lsp/positions.hpp"
 #include "lsp/symbol_kinds.hpp"
 
 namespace sdlc::lsp {
@@ -27,7 +27,7 @@ class SymbolTree {
  public:
   SymbolTree(Session& session, const Text& text)
       : symbols_(symbols_of(text)),
-        ranges_(session, *text.source),
+        ranges_(*text.source, session.client().encoding()),
         knows_all_(session.client().can("/textDocument/documentSymbol/symbolKind")) {}
 
   /// DocumentSymbols: those from the next one on that are at least as deep.
@@ -76,10 +76,6 @@ class SymbolTree {
 /// Symbols that are sent at most: an editor asks again when the query is longer.
 constexpr std::size_t kMaxFound = 200;
 
-Json position_json(lang::Position position) {
-  return {{"line", position.line - 1}, {"character", position.column - 1}};
-}
-
 /// SymbolInformation.
 Json found_json(const Session& session, const FileFacts& file, const IndexedSymbol& symbol,
                 bool knows_all) {
@@ -101,7 +97,7 @@ Json list_document_symbols(Session& session, const Json& params) {
   const bool is_nested =
       session.client().can("/textDocument/documentSymbol/hierarchicalDocumentSymbolSupport");
   if (is_nested) return tree.nested();
-  return tree.flat(params.at("textDocument").at("uri").get<std::string>());
+  return tree.flat(document_uri(params));
 }
 
 Json find_workspace_symbols(Session& session, const Json& params) {

@@ -1,4 +1,4 @@
-#include "lsp/call_requests.hpp"
+#include "lsp/call_hierarchy.hpp"
 
 #include <filesystem>
 #include <optional>

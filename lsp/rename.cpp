@@ -1,4 +1,4 @@
-#include "lsp/rename_requests.hpp"
+#include "lsp/rename.hpp"
 
 #include <cstdint>
 #include <map>

@@ -1,4 +1,4 @@
-#include "lsp/format_requests.hpp"
+#include "lsp/formatting.hpp"
 
 #include <memory>
 #include <string>
@@ -8,16 +8,13 @@
 #include "lang/editor/formatting.hpp"
 #include "lsp/edits_json.hpp"
 #include "lsp/positions.hpp"
-#include "lsp/uri.hpp"
 
 namespace sdlc::lsp {
 namespace {
 
 /// Formatting needs the text alone, not the scene that it is in.
 std::shared_ptr<const lang::Document> document_of(Session& session, const Json& params) {
-  const auto& uri = params.at("textDocument").at("uri").get_ref<const std::string&>();
-  const OpenFile* open = session.find_open(uri);
-  const std::filesystem::path path = open == nullptr ? path_of_uri(uri) : open->path;
+  const std::filesystem::path path = session.path_of(params);
   auto document = session.load(session.workspace().identity(path));
   if (document) return document;
   throw RequestError(ErrorCode::InvalidParams, fmt::format("cannot read `{}`", path.string()));

@@ -1,4 +1,4 @@
-#include "lsp/command_requests.hpp"
+#include "lsp/commands.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +16,9 @@
 #include "lang/compile/compile.hpp"
 #include "lang/explain/explain.hpp"
 #include "lang/text/ascii.hpp"
-#include "lsp/action_requests.hpp"
+#include "lsp/code_actions.hpp"
 #include "lsp/methods.hpp"
+#include "lsp/session_scenes.hpp"
 #include "lsp/uri.hpp"
 
 namespace sdlc::lsp {
@@ -150,6 +151,7 @@ std::string shown_path(const Session& session, const fs::path& path) {
 /// Asks the user for the scene of a file.
 void ask_for_scene(Session& session, const fs::path& file) {
   constexpr std::size_t kMaxActions = 20;
+  wait_for_index(session);
   std::vector<fs::path> scenes = session.scenes_with(file);
   if (std::ranges::find(scenes, file) == scenes.end()) scenes.push_back(file);
   if (scenes.size() == 1) {
@@ -173,9 +175,9 @@ void ask_for_scene(Session& session, const fs::path& file) {
       {{"type", static_cast<int>(MessageType::Info)},
        {"message", fmt::format("With which scene is `{}` checked?", file.filename().string())},
        {"actions", std::move(actions)}},
-      [&session, file, choices = std::move(choices)](const Json& result) {
-        if (!result.is_object()) return;
-        const auto choice = choices.find(result.value("title", std::string()));
+      [&session, file, choices = std::move(choices)](const Json* result) {
+        if (result == nullptr || !result->is_object()) return;
+        const auto choice = choices.find(result->value("title", std::string()));
         if (choice != choices.end()) session.choose_scene(file, choice->second);
       });
 }

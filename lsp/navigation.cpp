@@ -1,4 +1,4 @@
-#include "lsp/navigation_requests.hpp"
+#include "lsp/navigation.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -78,10 +78,11 @@ Json highlight(Session& session, const Json& params) {
   if (!text.is_scene()) return Json::array();
   const std::uint32_t offset = session.offset(text, params.at("position"));
   constexpr int kRead = 2, kWrite = 3;  // DocumentHighlightKind
+  TextRanges ranges(*text.source, session.client().encoding());
   Json found = Json::array();
   for (const lang::Highlight& name : lang::highlights(*text.view, text.file, offset)) {
-    found.push_back({{"range", session.range(*text.source, name.where)},
-                     {"kind", name.is_write ? kWrite : kRead}});
+    found.push_back(
+        {{"range", ranges.range(name.where)}, {"kind", name.is_write ? kWrite : kRead}});
   }
   return found;
 }
@@ -90,12 +91,12 @@ Json list_links(Session& session, const Json& params) {
   const Text text = session.text_of(params);
   Json links = Json::array();
   if (!text.is_scene()) return links;
+  TextRanges ranges(*text.source, session.client().encoding());
   const lang::Module& module = text.view->module(text.file);
   for (const lang::FileLink& link :
        lang::file_links(module.tree, module.path, session.workspace())) {
     if (!link.exists) continue;
-    links.push_back({{"range", session.range(*text.source, link.where)},
-                     {"target", session.uri_of(link.target)}});
+    links.push_back({{"range", ranges.range(link.where)}, {"target", session.uri_of(link.target)}});
   }
   return links;
 }

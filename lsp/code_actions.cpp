@@ -1,4 +1,4 @@
-#include "lsp/action_requests.hpp"
+#include "lsp/code_actions.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -74,8 +74,9 @@ class Actions {
   Actions(Session& session, const Text& text, const Json& params)
       : session_(session),
         text_(text),
-        uri_(params.at("textDocument").at("uri").get<std::string>()),
+        uri_(document_uri(params)),
         range_(session.span(text, params.at("range"))),
+        ranges_(session.client().encoding()),
         wish_(params.value("context", Json::object())) {}
 
   Json list() {
@@ -114,8 +115,8 @@ class Actions {
     if (is_new) known->second = session_.workspace().identity(file->name()) == text_.identity;
     return known->second;
   }
-  Json known_form(const lang::Diagnostic& found) const {
-    return wish_.find(found.info->code, session_.range(*found.where.file, found.where.span));
+  Json known_form(const lang::Diagnostic& found) {
+    return wish_.find(found.info->code, ranges_.range(*found.where.file, found.where.span));
   }
   bool touches_range(lang::Span span) const {
     return span.begin <= range_.end && span.end >= range_.begin;
@@ -182,6 +183,7 @@ class Actions {
   const Text& text_;
   const std::string uri_;
   const lang::Span range_;
+  FileRanges ranges_;
   const Wish wish_;
   lang::QuickFixes fixes_;
   std::map<const lang::SourceFile*, bool> is_text_;

@@ -1,4 +1,4 @@
-#include "lsp/range_requests.hpp"
+#include "lsp/folding_and_selection.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include "lang/source/position_encoding.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "lang/token/lines.hpp"
-#include "lsp/place_ranges.hpp"
+#include "lsp/positions.hpp"
 
 namespace sdlc::lsp {
 namespace {
@@ -90,7 +90,7 @@ Json list_selection_ranges(Session& session, const Json& params) {
   for (const Json& position : params.at("positions")) {
     offsets.push_back(session.offset(text, position));
   }
-  TextRanges ranges(session, *text.source);
+  TextRanges ranges(*text.source, session.client().encoding());
   Json all = Json::array();
   for (const auto& chain : lang::selection_ranges(*text.source, tree_of(text), offsets)) {
     Json selection;
