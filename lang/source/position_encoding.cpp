@@ -74,7 +74,7 @@ std::size_t offset_in_line(std::string_view line, std::uint32_t column, Position
 namespace {
 
 /// Bytes of a line between columns that a PositionMap keeps.
-constexpr std::uint32_t kStep = 4096;
+constexpr std::uint32_t kStep = 256;
 
 }  // namespace
 
