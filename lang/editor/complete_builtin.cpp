@@ -19,14 +19,14 @@
 namespace sdlc::lang {
 namespace {
 
-/// The names in a signature: "clamp(x, low, high)".
+/// The names of the arguments in a signature, without options: "clamp(x, low, high)".
 std::string placeholders_of(const Builtin& function) {
   if (function.min_arguments != function.max_arguments) return "$0";
   std::string text;
   int next = 1;
   std::string_view rest = function.signature.substr(function.name.size() + 1);
   rest = rest.substr(0, rest.find(')'));
-  while (!rest.empty()) {
+  while (!rest.empty() && next <= static_cast<int>(function.max_arguments)) {
     const std::size_t end = std::min(rest.find(", "), rest.size());
     text += fmt::format("{}${{{}:{}}}", text.empty() ? "" : ", ", next++, rest.substr(0, end));
     rest.remove_prefix(std::min(end + 2, rest.size()));

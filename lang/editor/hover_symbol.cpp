@@ -90,6 +90,16 @@ std::string join_names(std::span<const Property> properties) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// A line for each.
+std::string describe_parameters(std::span<const Property> parameters) {
+  std::string text;
+  for (const Property& parameter : parameters) {
+    text += fmt::format("{}* {}: {}. {}", text.empty() ? "" : "\n", as_code(parameter.name),
+                        describe(parameter), parameter.doc);
+  }
+  return text;
+}
+
 class Description {
  public:
   Description(SceneView& view, std::uint32_t file, const Cursor& cursor, Values& values,
@@ -225,15 +235,11 @@ void Description::add_function(const BuiltinSymbol& builtin) {
   if (const Constructor* constructor = find_constructor(builtin.name)) {
     text_.add_code(signature_of(*constructor));
     text_.add(builtin.doc);
-    std::string parameters;
-    for (const Property& parameter : constructor->parameters) {
-      parameters += fmt::format("{}* {}: {}. {}", parameters.empty() ? "" : "\n",
-                                as_code(parameter.name), describe(parameter), parameter.doc);
-    }
-    text_.add(parameters);
+    text_.add(describe_parameters(constructor->parameters));
   } else if (const Builtin* function = find_builtin(builtin.name)) {
     text_.add_code(function->signature);
     text_.add(builtin.doc);
+    if (!function->options.empty()) text_.add(describe_parameters(function->options));
   }
   add_value_of_call();
 }

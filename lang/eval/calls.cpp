@@ -15,7 +15,7 @@ Value Evaluator::evaluate_builtin(const Code& code, const Expression& e) {
   constexpr std::size_t kMaxOnStack = 4;
   std::array<Value, kMaxOnStack> on_stack;
   std::vector<Value> on_heap;
-  const std::size_t count = operands.size() - 1;
+  const std::size_t count = operands.size() - 1 - builtin.options.size();
   if (count > kMaxOnStack) on_heap.resize(count);
   const std::span<Value> arguments(count > kMaxOnStack ? on_heap.data() : on_stack.data(), count);
   bool has_failed = false;
@@ -30,11 +30,43 @@ Value Evaluator::evaluate_builtin(const Code& code, const Expression& e) {
     if (is_read && !take_steps(code, e.node, steps_to_read(arguments[i]))) return Nothing{};
   }
   if (has_failed || !take_steps(code, e.node, builtin.steps + count)) return Nothing{};
-  if (builtin.more_steps != nullptr) steps_ += builtin.more_steps(arguments);
-  return builtin.evaluate({.name = builtin.name,
-                           .arguments = arguments,
-                           .node = ast::Node(*code.tree, e.node),
-                           .sink = sink_});
+  BuiltinCall call{.function = builtin,
+                   .arguments = arguments,
+                   .options = {},
+                   .node = ast::Node(*code.tree, e.node),
+                   .sink = sink_};
+  if (builtin.options.empty()) return run_builtin(code, call);
+  std::array<Value, kMaxOptions> options;
+  if (!read_options(code, builtin, operands.subspan(1 + count), options)) return Nothing{};
+  call.options = std::span(options).first(builtin.options.size());
+  return run_builtin(code, call);
+}
+
+bool Evaluator::read_options(const Code& code, const Builtin& builtin,
+                             std::span<const std::uint32_t> operands, std::span<Value> options) {
+  bool is_good = true;
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    const Property& option = builtin.options[i];
+    if (operands[i] == kNothing) {
+      options[i] = default_of(option);
+    } else {
+      options[i] = property_value(code, option, operands[i]);
+      is_good = is_good && !is_nothing(options[i]);
+    }
+  }
+  return is_good;
+}
+
+Value Evaluator::run_builtin(const Code& code, const BuiltinCall& call) {
+  const auto more_work = call.function.more_work;
+  if (more_work != nullptr) {
+    const BuiltinWork work = more_work(call);
+    const NodeIndex node = call.node.index();
+    if (!take_steps(code, node, work.steps) || !may_take_memory(code, node, work.bytes)) {
+      return Nothing{};
+    }
+  }
+  return call.function.evaluate(call);
 }
 
 Value Evaluator::evaluate_constructor(const Code& code, const Expression& e) {

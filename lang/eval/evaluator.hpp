@@ -19,6 +19,7 @@
 #include "lang/program/program.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/source/limits.hpp"
+#include "lang/value/builtins.hpp"
 #include "lang/value/constructors.hpp"
 
 namespace sdlc::lang {
@@ -188,6 +189,10 @@ class Evaluator final : public ChainSource {
   Value evaluate_index(const Code& code, const Expression& e);
   Value evaluate_function(const Code& code, const Expression& e);
   Value evaluate_builtin(const Code& code, const Expression& e);
+  /// Reads the options of a call; false if one is wrong.
+  bool read_options(const Code& code, const Builtin& builtin,
+                    std::span<const std::uint32_t> operands, std::span<Value> options);
+  Value run_builtin(const Code& code, const BuiltinCall& call);
   Value evaluate_constructor(const Code& code, const Expression& e);
   /// nullopt if the value is no bool, which is reported; `word`: "if", "and", …
   std::optional<bool> evaluate_condition(const Code& code, std::uint32_t expression,

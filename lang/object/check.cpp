@@ -22,6 +22,8 @@ bool is_in(Range range, double number) noexcept {
     case Range::Fraction: return number >= 0 && number <= 1;
     case Range::PositiveFraction: return number > 0 && number <= 1;
     case Range::Kelvin: return number >= 1667 && number <= 25000;
+    case Range::UpToHundred: return number >= 0 && number <= 100;
+    case Range::Octaves: return number >= 1 && number <= 32;
     case Range::BetweenZeroAndHalfTurn: return number > 0 && number < 180;
   }
   return false;

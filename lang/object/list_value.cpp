@@ -35,14 +35,18 @@ struct ListNode {
 ListValue::ListValue(std::vector<Value> values)
     : node_(std::make_shared<ListNode>(std::move(values))), count_(node_->values.size()) {}
 
-ListValue::ListValue(double first, double step, std::size_t count)
-    : first_(first), step_(step), count_(count) {}
+ListValue::ListValue(Scalar first, double step, std::size_t count)
+    : first_(first.value), step_(step), count_(count), unit_(first.unit) {}
+
+ListValue::ListValue(Angle first, double step, std::size_t count)
+    : first_(first.degrees), step_(step), count_(count), has_angles_(true) {}
 
 std::uint64_t ListValue::weight() const noexcept { return node_ ? node_->weight : count_; }
 
 Value ListValue::operator[](std::size_t i) const {
   if (node_) return node_->values[i];
-  return Scalar{first_ + step_ * static_cast<double>(i)};
+  const double value = first_ + step_ * static_cast<double>(i);
+  return has_angles_ ? Value(Angle{value}) : Value(Scalar{value, unit_});
 }
 
 void ListValue::release(std::vector<Value> values) {

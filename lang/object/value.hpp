@@ -98,8 +98,9 @@ struct ListNode;
 class ListValue {
  public:
   explicit ListValue(std::vector<Value> values);
-  /// first, first + step, …: `count` numbers.
-  ListValue(double first, double step, std::size_t count);
+  /// first, first + step, …: `count` numbers of one unit, or angles and a step in degrees.
+  ListValue(Scalar first, double step, std::size_t count);
+  ListValue(Angle first, double step, std::size_t count);
 
   std::size_t size() const noexcept { return count_; }
   /// The steps (see limits.hpp) of reading all of it: one per element, nested lists included as
@@ -115,6 +116,8 @@ class ListValue {
   std::shared_ptr<ListNode> node_;  // null: a progression
   double first_ = 0, step_ = 1;
   std::size_t count_ = 0;
+  Unit unit_ = Unit::None;
+  bool has_angles_ = false;
 };
 
 inline bool is_nothing(const Value& value) noexcept { return holds_alternative<Nothing>(value); }
@@ -143,6 +146,8 @@ std::optional<T> value_as(const Value& value) noexcept {
 std::string_view describe(const Value& value) noexcept;
 /// The value in the syntax of the language, for messages: "-1", "40deg".
 std::string to_text(const Value& value);
+/// "m", "s" or nothing.
+std::string_view suffix_of(Unit unit) noexcept;
 /// The shortest spelling that reads back as the same number.
 std::string to_text(double number);
 

@@ -141,6 +141,10 @@ class Resolver {
   std::uint32_t function_call(std::uint32_t module, std::uint32_t function, ast::Call call);
   std::uint32_t constructor_call(const Constructor& constructor, ast::Call call);
   std::uint32_t builtin_call(const Builtin& builtin, ast::Call call);
+  struct BuiltinArguments;
+  void builtin_argument(BuiltinArguments& arguments, ast::Node argument);
+  void builtin_option(BuiltinArguments& arguments, ast::Labeled argument);
+  std::size_t unknown_option(BuiltinArguments& arguments, ast::Labeled argument);
   // T: Property of a constructor, Parameter of a fn
   template <typename T>
   struct Binding;

@@ -164,11 +164,18 @@ class TypeInference {
   Name of_element(std::uint32_t file, ast::Node list) {
     if (is_exhausted()) return {};
     if (list.is(SyntaxKind::List)) return of_child(file, list, 0);
-    if (list.is(SyntaxKind::Call)) return list.head() == "range" ? "number" : Name();
+    if (list.is(SyntaxKind::Call)) return of_element_of_call(file, list);
     if (!list.is(SyntaxKind::Reference)) return {};
     const Occurrence* name = last_name(file, list.span());
     if (name == nullptr || name->where.end != list.span().end) return {};
     return of_elements(name->symbol);
+  }
+
+  Name of_element_of_call(std::uint32_t file, ast::Node call) {
+    if (call.head() == "range") return of_child(file, call, 0);
+    const auto list = call.child(0);
+    const bool keeps_elements = call.head() == "sort" || call.head() == "reverse";
+    return keeps_elements && list ? of_element(file, *list) : Name();
   }
 
   /// The last name in a path that has a symbol; components may follow it.

@@ -33,6 +33,8 @@ std::string_view describe(Range range) noexcept {
     case Range::Fraction: return "from 0 to 100%";
     case Range::PositiveFraction: return "greater than 0 and at most 100%";
     case Range::Kelvin: return "from 1667 to 25000";
+    case Range::UpToHundred: return "from 0 to 100";
+    case Range::Octaves: return "from 1 to 32";
     case Range::BetweenZeroAndHalfTurn: return "greater than 0 and less than 180 degrees";
   }
   return "";

@@ -44,6 +44,8 @@ enum class Range : std::uint8_t {
   Fraction,                ///< 0 to 1
   PositiveFraction,        ///< greater than 0, at most 1
   Kelvin,                  ///< 1667 to 25000, where the fit of black-body colours is valid
+  UpToHundred,             ///< 0 to 100
+  Octaves,                 ///< 1 to 32
   BetweenZeroAndHalfTurn,  ///< both ends excluded
 };
 

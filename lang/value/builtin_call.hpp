@@ -27,6 +27,9 @@ inline const Scalar* plain_number(const BuiltinCall& call, std::size_t i) noexce
 Value wrong_argument(const BuiltinCall& call, std::size_t i, std::string_view wanted);
 /// Reports that there is no result for `argument`: "a negative number". The result is Nothing.
 Value no_result(const BuiltinCall& call, std::string_view argument);
+/// Where the number or angle `x` is between the arguments `low` and the next one: 0 at the first, 1
+/// at the second, not limited. `low` counts from argument 0. nullopt: that is reported.
+std::optional<double> share_of_interval(const BuiltinCall& call, std::size_t x, std::size_t low);
 /// The result if it is finite; else an overflow is reported.
 Value finite(const BuiltinCall& call, Value result);
 

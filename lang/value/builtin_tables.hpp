@@ -8,6 +8,7 @@
 namespace sdlc::lang {
 
 std::span<const Builtin> number_functions() noexcept;
+std::span<const Builtin> motion_functions() noexcept;
 std::span<const Builtin> angle_functions() noexcept;
 std::span<const Builtin> vector_functions() noexcept;
 std::span<const Builtin> list_functions() noexcept;

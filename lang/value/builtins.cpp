@@ -10,13 +10,27 @@ namespace sdlc::lang {
 std::span<const Builtin> all_builtins() noexcept {
   static const std::vector<Builtin> builtins = [] {
     std::vector<Builtin> all;
-    for (const auto table : {number_functions(), angle_functions(), vector_functions(),
-                             list_functions(), text_functions(), random_functions()}) {
+    // Completion shows the usual ones first.
+    for (const auto table :
+         {number_functions(), angle_functions(), list_functions(), text_functions(),
+          vector_functions(), random_functions(), motion_functions()}) {
       all.insert(all.end(), table.begin(), table.end());
     }
     return all;
   }();
   return builtins;
+}
+
+std::optional<ast::Node> BuiltinCall::option_node(std::size_t option) const {
+  std::size_t positional = 0;
+  for (const ast::Node written : node.children()) {
+    if (written.is(SyntaxKind::Argument)) {
+      if (written.head() == function.options[option].name) return ast::Labeled{written}.value();
+    } else if (positional++ == function.max_arguments + option) {
+      return written;
+    }
+  }
+  return std::nullopt;
 }
 
 std::size_t Builtin::index() const noexcept {

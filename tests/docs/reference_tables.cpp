@@ -87,6 +87,10 @@ std::string function_table(std::string_view topic) {
       signatures.replace(at, 3, ")`, `");
     }
     text += fmt::format("| {} | {} |\n", signatures, builtin.doc);
+    for (const lang::Property& option : builtin.options) {
+      text +=
+          fmt::format("| · `{}`: {} | {} |\n", option.name, describe_values(option), option.doc);
+    }
   }
   return text;
 }
