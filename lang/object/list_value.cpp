@@ -2,6 +2,7 @@
 #include <limits>
 #include <utility>
 
+#include "lang/object/table.hpp"
 #include "lang/object/value.hpp"
 #include "lang/source/limits.hpp"
 
@@ -14,12 +15,10 @@ struct ListNode {
     weight = values.size();
     for (const Value& value : values) {
       constexpr auto kMax = std::numeric_limits<std::uint64_t>::max();
-      if (const auto* list = get_if<ListValue>(&value)) {
+      if (const auto* list = elements_of(value)) {
         weight += std::min(list->weight(), kMax - weight);
       } else if (const auto* text = get_if<std::string>(&value)) {
         weight += std::min<std::uint64_t>(text->size() / work::kBytes, kMax - weight);
-      } else {
-        break;  // the elements are of one type
       }
     }
   }
@@ -38,10 +37,25 @@ ListValue::ListValue(std::vector<Value> values)
 ListValue::ListValue(double first, double step, std::size_t count)
     : first_(first), step_(step), count_(count) {}
 
-std::uint64_t ListValue::weight() const noexcept { return node_ ? node_->weight : count_; }
+ListValue::ListValue(std::shared_ptr<const Table> table)
+    : table_(std::move(table)), count_(table_->row_count()) {}
+
+ListValue::ListValue(std::shared_ptr<const Table> table, std::size_t row)
+    : table_(std::move(table)), row_(row), count_(table_->columns().size()) {}
+
+std::uint64_t ListValue::weight() const noexcept {
+  if (node_) return node_->weight;
+  if (!table_) return count_;
+  return row_ == kAllRows ? table_->weight() : table_->weight_of_row(row_);
+}
 
 Value ListValue::operator[](std::size_t i) const {
   if (node_) return node_->values[i];
+  if (table_ && row_ != kAllRows) return table_->cell(row_, i);
+  if (table_) {
+    ListValue row(table_, i);
+    return table_->is_uniform() ? Value(std::move(row)) : Value(RowValue{std::move(row)});
+  }
   return Scalar{first_ + step_ * static_cast<double>(i)};
 }
 
@@ -50,7 +64,8 @@ void ListValue::release(std::vector<Value> values) {
   std::vector<std::shared_ptr<ListNode>> waiting;
   const auto take_lists = [&](std::vector<Value>& from) {
     for (Value& value : from) {
-      auto* list = value.get_if_unshared<ListValue>();
+      auto* row = value.get_if_unshared<RowValue>();
+      auto* list = row != nullptr ? &row->elements : value.get_if_unshared<ListValue>();
       if (list != nullptr && list->node_ && list->node_.use_count() == 1) {
         waiting.push_back(std::move(list->node_));
       }

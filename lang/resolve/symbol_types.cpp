@@ -163,12 +163,23 @@ class TypeInference {
 
   Name of_element(std::uint32_t file, ast::Node list) {
     if (is_exhausted()) return {};
-    if (list.is(SyntaxKind::List)) return of_child(file, list, 0);
+    if (list.is(SyntaxKind::List)) return of_all(file, list);
     if (list.is(SyntaxKind::Call)) return list.head() == "range" ? "number" : Name();
     if (!list.is(SyntaxKind::Reference)) return {};
     const Occurrence* name = last_name(file, list.span());
     if (name == nullptr || name->where.end != list.span().end) return {};
     return of_elements(name->symbol);
+  }
+
+  /// The type of the children if they have one.
+  Name of_all(std::uint32_t file, ast::Node node) {
+    Name type;
+    for (const ast::Node child : node.children()) {
+      const Name next = of_expression(file, child);
+      if (next.empty() || (!type.empty() && next != type)) return {};
+      type = next;
+    }
+    return type;
   }
 
   /// The last name in a path that has a symbol; components may follow it.

@@ -25,10 +25,15 @@ namespace {
 using render::LinearRgb;
 using render::Vec3;
 
-constexpr std::string_view kAngle = "an angle";
+constexpr std::string_view kAngle = "an angle", kList = "a list";
 
 Value wrong_argument(const BuiltinCall& call, std::size_t i, std::string_view wanted) {
   const Location where = call.place(i);
+  const auto* row = get_if<RowValue>(&call.arguments[i]);
+  if (row != nullptr && wanted == kList) {
+    report_mixed(*row, where, call.sink);
+    return Nothing{};
+  }
   auto report =
       call.sink.report(diag::wrong_argument, where, call.name, wanted, describe(call.arguments[i]));
   const bool is_literal = call.node.child(i)->is(SyntaxKind::Number);
@@ -145,6 +150,10 @@ class Operands {
   }
   /// Whether they are numbers of one unit or angles, and at least one; if not, that is reported.
   bool check() const {
+    if (size() == 1 && list_ == nullptr && argument<RowValue>(call_, 0) != nullptr) {
+      wrong_argument(call_, 0, kList);
+      return false;
+    }
     const Value first = size() > 0 ? (*this)[0] : Value();
     for (std::size_t i = 0; i < size(); ++i) {
       const Value value = (*this)[i];
@@ -216,7 +225,7 @@ Value evaluate_mod(const BuiltinCall& call) {
 
 Value evaluate_sum(const BuiltinCall& call) {
   const auto* list = argument<ListValue>(call, 0);
-  if (list == nullptr) return wrong_argument(call, 0, "a list");
+  if (list == nullptr) return wrong_argument(call, 0, kList);
   if (list->size() == 0) return Scalar{};
   Value sum = (*list)[0];
   const ast::Node place = *call.node.child(0);
@@ -227,8 +236,8 @@ Value evaluate_sum(const BuiltinCall& call) {
 }
 
 Value evaluate_len(const BuiltinCall& call) {
-  const auto* list = argument<ListValue>(call, 0);
-  if (list == nullptr) return wrong_argument(call, 0, "a list");
+  const ListValue* list = elements_of(call.arguments[0]);
+  if (list == nullptr) return wrong_argument(call, 0, kList);
   return Scalar{static_cast<double>(list->size())};
 }
 
@@ -382,7 +391,7 @@ constexpr auto kBuiltins = std::to_array<Builtin>({
     {"sum", "sum(list)", 1, 1, evaluate_sum, "list", "", "lists",
      "The sum of a list of numbers, points, angles or colours."},
     {"len", "len(list)", 1, 1, evaluate_len, "list", "number", "lists",
-     "The number of elements of a list.", 0},
+     "The number of elements of a list or row.", 0},
     {"str", "str(x)", 1, 1, evaluate_str, "", "string", "lists",
      "The shortest text that reads back as the same value; a string is unchanged.", 35},
     {"dot", "dot(a, b)", 2, 2, evaluate_dot, "vec3", "number", "vectors", "Dot product."},
