@@ -8,6 +8,7 @@
 #include "lang/ast/statements.hpp"
 #include "lang/resolve/builtin_symbols.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/source/data_format.hpp"
 #include "lang/value/builtins.hpp"
 #include "lang/value/constructors.hpp"
 
@@ -33,6 +34,13 @@ class TypeInference {
         if (const auto type = node.first(SyntaxKind::TypeName)) return type->text();
         const auto value = ast::expression_of(node);
         return value ? of_expression(id.file, *value) : Name();
+      }
+      case SymbolKind::Import: {
+        const auto path = node.first(SyntaxKind::String);
+        if (!path) return {};
+        const Name text = path->text();
+        const bool is_data = text.size() > 1 && data_format_of(text.substr(1, text.size() - 2));
+        return is_data ? "list" : Name();
       }
       case SymbolKind::LoopVariable: {
         const auto list = node.child(1);
