@@ -22,11 +22,13 @@ struct ListNode {
       }
     }
   }
+  explicit ListNode(std::shared_ptr<const Table> table_) : table(std::move(table_)) {}
   ListNode(const ListNode&) = delete;
   ListNode& operator=(const ListNode&) = delete;
   ~ListNode() { ListValue::release(std::move(values)); }
 
   std::vector<Value> values;
+  std::shared_ptr<const Table> table;  // in place of values
   CountedBytes bytes;
   std::uint64_t weight = 0;
 };
@@ -38,23 +40,29 @@ ListValue::ListValue(double first, double step, std::size_t count)
     : first_(first), step_(step), count_(count) {}
 
 ListValue::ListValue(std::shared_ptr<const Table> table)
-    : table_(std::move(table)), count_(table_->row_count()) {}
+    : node_(std::make_shared<ListNode>(std::move(table))),
+      row_(kAllRows),
+      count_(node_->table->row_count()) {}
 
-ListValue::ListValue(std::shared_ptr<const Table> table, std::size_t row)
-    : table_(std::move(table)), row_(row), count_(table_->columns().size()) {}
+ListValue::ListValue(std::shared_ptr<ListNode> table, std::size_t row)
+    : node_(std::move(table)), row_(row), count_(node_->table->columns().size()) {}
+
+const Table* ListValue::table_of_row() const noexcept {
+  return node_ && node_->table && row_ != kAllRows ? node_->table.get() : nullptr;
+}
 
 std::uint64_t ListValue::weight() const noexcept {
-  if (node_) return node_->weight;
-  if (!table_) return count_;
-  return row_ == kAllRows ? table_->weight() : table_->weight_of_row(row_);
+  if (!node_) return count_;
+  if (!node_->table) return node_->weight;
+  return row_ == kAllRows ? node_->table->weight() : node_->table->weight_of_row(row_);
 }
 
 Value ListValue::operator[](std::size_t i) const {
-  if (node_) return node_->values[i];
-  if (table_ && row_ != kAllRows) return table_->cell(row_, i);
-  if (table_) {
-    ListValue row(table_, i);
-    return table_->is_uniform() ? Value(std::move(row)) : Value(RowValue{std::move(row)});
+  if (node_ && !node_->table) return node_->values[i];
+  if (node_ && row_ != kAllRows) return node_->table->cell(row_, i);
+  if (node_) {
+    ListValue row(node_, i);
+    return node_->table->is_uniform() ? Value(std::move(row)) : Value(RowValue{std::move(row)});
   }
   return Scalar{first_ + step_ * static_cast<double>(i)};
 }

@@ -105,8 +105,6 @@ class ListValue {
   ListValue(double first, double step, std::size_t count);
   /// The rows of a table.
   explicit ListValue(std::shared_ptr<const Table> table);
-  /// The cells of row `row` of a table.
-  ListValue(std::shared_ptr<const Table> table, std::size_t row);
 
   std::size_t size() const noexcept { return count_; }
   /// The steps (see limits.hpp) of reading all of it: one per element, nested lists included as
@@ -114,10 +112,8 @@ class ListValue {
   std::uint64_t weight() const noexcept;
   /// Precondition: i < size().
   Value operator[](std::size_t i) const;
-  /// The table of which this is all rows, or null.
-  const Table* table() const noexcept { return row_ == kAllRows ? table_.get() : nullptr; }
   /// The table of which this is one row, or null: its columns have names.
-  const Table* table_of_row() const noexcept { return row_ == kAllRows ? nullptr : table_.get(); }
+  const Table* table_of_row() const noexcept;
 
   /// Destroys values without recursion into nested lists.
   static void release(std::vector<Value> values);
@@ -125,10 +121,15 @@ class ListValue {
  private:
   static constexpr std::size_t kAllRows = static_cast<std::size_t>(-1);
 
-  std::shared_ptr<ListNode> node_;
-  std::shared_ptr<const Table> table_;  // both null: a progression
-  std::size_t row_ = kAllRows;
-  double first_ = 0, step_ = 1;
+  /// The cells of row `row` of a table.
+  ListValue(std::shared_ptr<ListNode> table, std::size_t row);
+
+  std::shared_ptr<ListNode> node_;  // null: a progression
+  double first_ = 0;
+  union {
+    double step_ = 1;  // of a progression
+    std::size_t row_;  // of a table; kAllRows: all
+  };
   std::size_t count_ = 0;
 };
 
