@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "lang/object/value.hpp"
@@ -34,7 +35,7 @@ enum class Op : std::uint8_t {
   Triple,       ///< three
   List,         ///< elements
   Conditional,  ///< condition, value, …, value
-  Member,       ///< operand; `detail`: 'x', 'y' or 'z'; 0: an unknown member
+  Member,       ///< operand, index of the name in Code::names; `detail`: 'x', 'y', 'z', or 0
   Index,        ///< list, position
   Function,     ///< module, function, then per parameter an argument or kNothing
   Builtin,      ///< index in all_builtins(), arguments
@@ -83,6 +84,7 @@ struct Code {
   std::vector<std::uint32_t> operands;
   std::vector<double> numbers;
   std::vector<Value> constants;
+  std::vector<std::string_view> names;  ///< of members, in the text
 
   std::span<const std::uint32_t> operands_of(const Expression& e) const noexcept {
     return std::span(operands).subspan(e.first, e.count);
@@ -96,6 +98,7 @@ struct Code {
     operands.clear();
     numbers.clear();
     constants.clear();
+    names.clear();
   }
 };
 

@@ -12,6 +12,7 @@
 #include "lang/editor/callee.hpp"
 #include "lang/editor/complete_builtin.hpp"
 #include "lang/editor/completion_builder.hpp"
+#include "lang/editor/data_columns.hpp"
 #include "lang/resolve/symbol_types.hpp"
 
 namespace sdlc::lang {
@@ -81,7 +82,8 @@ void add_globals(CompletionBuilder& builder, const ExpectedType& expected) {
   }
   for (const Symbol& symbol : table.symbols()) {
     const bool is_global = !symbol.is_local && !symbol.is_duplicate && !symbol.name.empty() &&
-                           (symbol.kind == SymbolKind::Let || symbol.kind == SymbolKind::Param);
+                           (symbol.kind == SymbolKind::Let || symbol.kind == SymbolKind::Param ||
+                            table_of(builder.view(), table.id_of(symbol)) != nullptr);
     if (!is_global || !builder.accepts(symbol.name) || is_own_name(builder, symbol) ||
         hidden.contains(symbol.name)) {
       continue;

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "lang/ast/statements.hpp"
+#include "lang/editor/data_columns.hpp"
 #include "lang/resolve/builtin_symbols.hpp"
 #include "lang/resolve/symbol_types.hpp"
 #include "lang/schema/find_kind.hpp"
@@ -116,7 +117,8 @@ class Description {
 
  private:
   void add_declared(SymbolId id, const Symbol& symbol);
-  void add_import(const Symbol& symbol);
+  void add_import(SymbolId id, const Symbol& symbol);
+  void add_table(const Table& table);
   void add_type(SymbolId id);
   void add_loop(SymbolId id, const Symbol& symbol);
   void add_builtin(const BuiltinSymbol& builtin);
@@ -168,7 +170,7 @@ void Description::add_declared(SymbolId id, const Symbol& symbol) {
     }
     case SymbolKind::Fn: add_value_of_call(); break;
     case SymbolKind::LoopVariable: add_loop(id, symbol); break;
-    case SymbolKind::Import: add_import(symbol); break;
+    case SymbolKind::Import: add_import(id, symbol); break;
     case SymbolKind::Object:
       if (const Kind* kind = find_kind(node.head())) text_.add(kind->doc);
       break;
@@ -196,7 +198,26 @@ void Description::add_loop(SymbolId id, const Symbol& symbol) {
   }
 }
 
-void Description::add_import(const Symbol& symbol) {
+void Description::add_table(const Table& table) {
+  constexpr std::size_t kMaxColumns = 30;
+  text_.add(fmt::format("Data file: {}, {} {}.", as_code(table.file()), table.row_count(),
+                        table.row_count() == 1 ? "row" : "rows"));
+  std::string columns;
+  for (const Column& column : table.columns()) {
+    const auto index = static_cast<std::size_t>(&column - table.columns().data());
+    if (index == kMaxColumns) {
+      columns += fmt::format("\n* … ({} columns)", table.columns().size());
+      break;
+    }
+    columns += fmt::format("{}* {}: {}", index == 0 ? "" : "\n",
+                           as_code(column.name.empty() ? fmt::format("[{}]", index) : column.name),
+                           column.has_numbers() ? "number" : "string");
+  }
+  text_.add(columns);
+}
+
+void Description::add_import(SymbolId id, const Symbol& symbol) {
+  if (const auto table = table_of(view_, id)) return add_table(*table);
   const auto& imports = view_.module(file_).imports;
   const auto found = imports.find(symbol.name);
   if (found == imports.end() || found->second.module == kNothing) {

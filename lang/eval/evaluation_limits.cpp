@@ -26,7 +26,7 @@ void Evaluator::end_call() {
 }
 
 std::uint64_t Evaluator::steps_to_read(const Value& value) noexcept {
-  if (const auto* list = get_if<ListValue>(&value)) return list->weight();
+  if (const ListValue* list = elements_of(value)) return list->weight();
   if (const auto* text = get_if<std::string>(&value)) return text->size() / work::kBytes;
   return 0;
 }

@@ -183,6 +183,17 @@ class Evaluator final : public ChainSource {
   Value evaluate_triple(const Code& code, const Expression& e);
   Value evaluate_interval(const Code& code, const Expression& e);
   Value evaluate_list(const Code& code, const Expression& e);
+  /// Reports the rows of a list that are not like the first.
+  void report_uneven_rows(const Code& code, const Expression& e, std::span<const Value> rows);
+  Location place_of_element(const Code& code, std::uint32_t list, std::size_t i) const;
+  /// A column as written: `.name`, or `["name"]` if `member` is empty.
+  struct ColumnName {
+    std::string_view name;
+    Span where;   ///< of the name
+    Span member;  ///< of the dot and the name
+  };
+  /// The cell of a row of a data file.
+  Value column_of(const Code& code, const ListValue& row, const ColumnName& column);
   Value evaluate_logic(const Code& code, const Expression& e);
   Value evaluate_conditional(const Code& code, const Expression& e);
   Value evaluate_member(const Code& code, const Expression& e);

@@ -6,6 +6,7 @@
 
 #include "lang/eval/evaluator.hpp"
 #include "lang/source/limits.hpp"
+#include "lang/value/logic.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -49,6 +50,7 @@ void Evaluator::run_block(const Code& code, std::span<const std::uint32_t> state
 
 void Evaluator::report_not_a_list(const Code& code, std::uint32_t expression, const Value& value) {
   const Location where = place(code, expression);
+  if (const auto* row = get_if<RowValue>(&value)) return report_mixed(*row, where, sink_);
   auto report = sink_.report(diag::not_a_list, where, describe(value));
   if (const auto* bounds = get_if<Bounds>(&value)) {
     report.help(

@@ -94,6 +94,7 @@ struct Writer {
   std::string operator()(const Word& word) const { return word.text; }
   std::string operator()(None) const { return "none"; }
   std::string operator()(const ListValue&) const { return "[…]"; }  // may have any length
+  std::string operator()(const RowValue&) const { return "[…]"; }
   std::string operator()(const MotionValue& motion) const {
     return fmt::format("line(to: {}, over: {})", to_text(motion.to),
                        to_text(motion.over.from, motion.over.to));
@@ -130,6 +131,7 @@ struct Describer {
   std::string_view operator()(const Word&) const { return "a word"; }
   std::string_view operator()(None) const { return "`none`"; }
   std::string_view operator()(const ListValue&) const { return "a list"; }
+  std::string_view operator()(const RowValue&) const { return "a row"; }
 };
 
 }  // namespace

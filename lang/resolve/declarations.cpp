@@ -35,6 +35,13 @@ void collect(Modules& modules, std::uint32_t index, ast::Node statement, ast::No
       const auto file = statement.first(SyntaxKind::String);
       if (!file) return;
       const std::uint32_t loaded = modules.load(index, *file, false, sink);
+      if (loaded >= kTables && loaded != kNothing) {
+        module.global_names.emplace(name.text(), number(module.globals));
+        module.globals.push_back({.name = name.text(),
+                                  .node = statement.index(),
+                                  .table = modules.table_at(loaded)});
+        return;
+      }
       module.imports.emplace(name.text(), Import{.module = loaded, .node = statement.index()});
       return;
     }

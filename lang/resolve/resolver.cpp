@@ -39,6 +39,10 @@ void Resolver::resolve_declarations() {
 void Resolver::resolve_global(Global& global) {
   const ast::Node statement(module_.tree, global.node);
   uses_ = {};
+  if (global.table != nullptr) {
+    global.value = code_.add_constant(statement, ListValue(global.table));
+    return;
+  }
   scopes_.reset_frame_size();
   if (const auto type = statement.first(SyntaxKind::TypeName)) global.type = resolve_type(*type);
   const auto value = ast::expression_of(statement);

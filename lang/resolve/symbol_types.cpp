@@ -8,6 +8,7 @@
 #include "lang/ast/statements.hpp"
 #include "lang/resolve/builtin_symbols.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/source/data_format.hpp"
 #include "lang/value/builtins.hpp"
 #include "lang/value/constructors.hpp"
 
@@ -33,6 +34,13 @@ class TypeInference {
         if (const auto type = node.first(SyntaxKind::TypeName)) return type->text();
         const auto value = ast::expression_of(node);
         return value ? of_expression(id.file, *value) : Name();
+      }
+      case SymbolKind::Import: {
+        const auto path = node.first(SyntaxKind::String);
+        if (!path) return {};
+        const Name text = path->text();
+        const bool is_data = text.size() > 1 && data_format_of(text.substr(1, text.size() - 2));
+        return is_data ? "list" : Name();
       }
       case SymbolKind::LoopVariable: {
         const auto list = node.child(1);
@@ -163,7 +171,7 @@ class TypeInference {
 
   Name of_element(std::uint32_t file, ast::Node list) {
     if (is_exhausted()) return {};
-    if (list.is(SyntaxKind::List)) return of_child(file, list, 0);
+    if (list.is(SyntaxKind::List)) return of_all(file, list);
     if (list.is(SyntaxKind::Call)) return of_element_of_call(file, list);
     if (!list.is(SyntaxKind::Reference)) return {};
     const Occurrence* name = last_name(file, list.span());
@@ -176,6 +184,17 @@ class TypeInference {
     const auto list = call.child(0);
     const bool keeps_elements = call.head() == "sort" || call.head() == "reverse";
     return keeps_elements && list ? of_element(file, *list) : Name();
+  }
+
+  /// The type of the children if they have one.
+  Name of_all(std::uint32_t file, ast::Node node) {
+    Name type;
+    for (const ast::Node child : node.children()) {
+      const Name next = of_expression(file, child);
+      if (next.empty() || (!type.empty() && next != type)) return {};
+      type = next;
+    }
+    return type;
   }
 
   /// The last name in a path that has a symbol; components may follow it.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -40,9 +41,10 @@ struct Limits {
   std::uint64_t include_depth = 32;                 ///< nested imports and includes
   std::uint64_t file = std::uint64_t{32} << 20;     ///< bytes of one .scene file
   std::uint64_t config = std::uint64_t{256} << 20;  ///< bytes of one JSON config
+  std::uint64_t data = std::uint64_t{256} << 20;    ///< bytes of one data file
 
   /// For a file of unknown format.
-  constexpr std::uint64_t any_file() const noexcept { return file > config ? file : config; }
+  constexpr std::uint64_t any_file() const noexcept { return std::max({file, config, data}); }
 };
 
 /// A row of the table of limits.
@@ -52,7 +54,7 @@ struct LimitInfo {
   std::string_view doc;
 };
 
-inline constexpr std::array<LimitInfo, 7> kLimits{{
+inline constexpr std::array<LimitInfo, 8> kLimits{{
     {"steps", &Limits::steps,
      "steps of one evaluation, about 10 nanoseconds each: operations, calls, iterations of loops, "
      "elements of lists, bytes of strings; each sphere allows a hundred-thousandth more"},
@@ -63,6 +65,7 @@ inline constexpr std::array<LimitInfo, 7> kLimits{{
     {"include-depth", &Limits::include_depth, "nested imports and includes"},
     {"file", &Limits::file, "bytes of one .scene file"},
     {"config", &Limits::config, "bytes of one JSON config"},
+    {"data", &Limits::data, "bytes of one data file"},
 }};
 
 }  // namespace sdlc::lang

@@ -9,6 +9,11 @@ namespace sdlc::lang {
 
 Value wrong_argument(const BuiltinCall& call, std::size_t i, std::string_view wanted) {
   const Location where = call.place(i);
+  const auto* row = argument<RowValue>(call, i);
+  if (row != nullptr && wanted == kListWanted) {
+    report_mixed(*row, where, call.sink);
+    return Nothing{};
+  }
   auto report = call.sink.report(diag::wrong_argument, where, call.function.name, wanted,
                                  describe(call.arguments[i]));
   const bool is_literal = call.node.child(i)->is(SyntaxKind::Number);

@@ -10,7 +10,7 @@
 /// What the built-in functions share: arguments, and results that do not exist.
 namespace sdlc::lang {
 
-inline constexpr std::string_view kAngleWanted = "an angle";
+inline constexpr std::string_view kAngleWanted = "an angle", kListWanted = "a list";
 
 template <typename T>
 const T* argument(const BuiltinCall& call, std::size_t i) noexcept {

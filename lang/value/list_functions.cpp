@@ -20,7 +20,7 @@ namespace {
 
 Value evaluate_sum(const BuiltinCall& call) {
   const auto* list = argument<ListValue>(call, 0);
-  if (list == nullptr) return wrong_argument(call, 0, "a list");
+  if (list == nullptr) return wrong_argument(call, 0, kListWanted);
   if (list->size() == 0) return Scalar{};
   Value sum = (*list)[0];
   const ast::Node place = *call.node.child(0);
@@ -31,8 +31,8 @@ Value evaluate_sum(const BuiltinCall& call) {
 }
 
 Value evaluate_len(const BuiltinCall& call) {
-  const auto* list = argument<ListValue>(call, 0);
-  if (list == nullptr) return wrong_argument(call, 0, "a list");
+  const ListValue* list = elements_of(call.arguments[0]);
+  if (list == nullptr) return wrong_argument(call, 0, kListWanted);
   return Scalar{static_cast<double>(list->size())};
 }
 
@@ -47,7 +47,7 @@ BuiltinWork work_of_copy(const BuiltinCall& call) {
 
 Value evaluate_reverse(const BuiltinCall& call) {
   const auto* list = argument<ListValue>(call, 0);
-  if (list == nullptr) return wrong_argument(call, 0, "a list");
+  if (list == nullptr) return wrong_argument(call, 0, kListWanted);
   std::vector<Value> values;
   values.reserve(list->size());
   for (std::size_t i = list->size(); i-- > 0;) values.push_back((*list)[i]);
@@ -67,7 +67,7 @@ Value wrong_element(const BuiltinCall& call, std::size_t i, std::string_view wan
 template <bool (*stops_at)(bool)>
 Value any_or_all(const BuiltinCall& call) {
   const auto* list = argument<ListValue>(call, 0);
-  if (list == nullptr) return wrong_argument(call, 0, "a list");
+  if (list == nullptr) return wrong_argument(call, 0, kListWanted);
   bool result = !stops_at(true);
   for (std::size_t i = 0; i < list->size(); ++i) {
     const auto value = value_as<bool>((*list)[i]);
@@ -154,7 +154,7 @@ Value wrong_length(const BuiltinCall& call, std::size_t i) {
 Value evaluate_sort(const BuiltinCall& call) {
   const std::size_t last = call.arguments.size() - 1;
   const auto *list = argument<ListValue>(call, 0), *keys = argument<ListValue>(call, last);
-  if (list == nullptr) return wrong_argument(call, 0, "a list");
+  if (list == nullptr) return wrong_argument(call, 0, kListWanted);
   if (keys == nullptr) {
     return wrong_argument(call, last, "a list of keys, such as `[f(x) for x in xs]`,");
   }
@@ -181,7 +181,7 @@ BuiltinWork work_of_zip(const BuiltinCall& call) {
 Value evaluate_zip(const BuiltinCall& call) {
   const std::size_t columns = call.arguments.size();
   for (std::size_t i = 0; i < columns; ++i) {
-    if (argument<ListValue>(call, i) == nullptr) return wrong_argument(call, i, "a list");
+    if (argument<ListValue>(call, i) == nullptr) return wrong_argument(call, i, kListWanted);
     if (size_of(call.arguments[i]) != size_of(call.arguments[0])) return wrong_length(call, i);
   }
   std::vector<Value> rows;
@@ -189,14 +189,13 @@ Value evaluate_zip(const BuiltinCall& call) {
   for (std::size_t row = 0; row < rows.capacity(); ++row) {
     std::vector<Value> values;
     values.reserve(columns);
+    bool is_mixed = false;
     for (std::size_t i = 0; i < columns; ++i) {
       values.push_back((*argument<ListValue>(call, i))[row]);
-      if (are_of_one_type(values.front(), values.back())) continue;
-      call.sink.report(diag::mixed_list, call.place(i), describe(values.front()),
-                       describe(values.back()));
-      return Nothing{};
+      is_mixed = is_mixed || !are_of_one_type(values.front(), values.back());
     }
-    rows.emplace_back(ListValue(std::move(values)));
+    ListValue elements(std::move(values));
+    rows.push_back(is_mixed ? Value(RowValue{std::move(elements)}) : Value(std::move(elements)));
   }
   return ListValue(std::move(rows));
 }
@@ -280,7 +279,7 @@ constexpr auto kListFunctions = std::to_array<Builtin>({
     {"sum", "sum(list)", 1, 1, evaluate_sum, "list", "", "lists",
      "The sum of a list of numbers, points, angles or colours."},
     {"len", "len(list)", 1, 1, evaluate_len, "list", "number", "lists",
-     "The number of elements of a list.", 0},
+     "The number of elements of a list or row.", 0},
     {"range", "range(n), range(a, b), range(a, b, step)", 1, 3, evaluate_range, "number", "list",
      "lists",
      "The whole numbers from 0 to `n - 1`, or from `a` in steps of `step` (default 1) before `b`. "
@@ -295,7 +294,7 @@ constexpr auto kListFunctions = std::to_array<Builtin>({
     {"reverse", "reverse(list)", 1, 1, evaluate_reverse, "list", "list", "lists",
      "The elements from the last to the first.", 10, work_of_copy},
     {"zip", "zip(a, b, …)", 2, kAnyNumber, evaluate_zip, "list", "list", "lists",
-     "The lists `[a[i], b[i], …]` for each `i`; the arguments are lists of one length.", 10,
+     "The rows `[a[i], b[i], …]` for each `i`; the arguments are lists of one length.", 10,
      work_of_zip},
     {"any", "any(list)", 1, 1, any_or_all<is_true>, "list", "bool", "lists",
      "Whether a truth value of the list is true; false of an empty list."},

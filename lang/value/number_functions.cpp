@@ -89,6 +89,10 @@ class Operands {
   /// Whether they are numbers of one unit, angles, or vectors if these are allowed, and at least
   /// one; if not, that is reported.
   bool check(bool takes_vectors) const {
+    if (call_.arguments.size() == 1 && argument<RowValue>(call_, 0) != nullptr) {
+      wrong_argument(call_, 0, kListWanted);
+      return false;
+    }
     const Value first = size() > 0 ? (*this)[0] : Value();
     for (std::size_t i = 0; i < size(); ++i) {
       const Value value = (*this)[i];

@@ -204,6 +204,27 @@ TEST(Completion, OffersFilesRelativeToTheText) {
   EXPECT_THAT(labels(complete("scene 1\nimport \"/|")), IsEmpty());
 }
 
+TEST(Completion, OffersDataFilesToImports) {
+  const auto list = [](const std::filesystem::path& /*folder*/) {
+    return std::vector<lang::FolderEntry>{{"a.csv"}, {"b.TSV"}, {"c.xyz"}, {"d.txt"}};
+  };
+  MarkedScene import("scene 1\nimport \"|"), include("scene 1\ninclude \"|");
+  EXPECT_THAT(labels(lang::complete(import.view(), 0, import.offset(), list)),
+              ElementsAre("a.csv", "b.TSV", "c.xyz"));
+  EXPECT_THAT(labels(lang::complete(include.view(), 0, include.offset(), list)), IsEmpty());
+}
+
+TEST(Completion, OffersTheColumnsOfARow) {
+  const std::string start = "scene 1\nimport \"a.csv\" as atoms\n";
+  for (const char* text : {"for a in atoms { let b = a.| }", "let a = atoms[0]\nlet b = a.|"}) {
+    EXPECT_THAT(labels({{"root.scene", start + text}, {"a.csv", "name,mass,\"x (m)\"\na,1,2\n"}}),
+                ElementsAre("name", "mass"))
+        << text;
+  }
+  EXPECT_THAT(labels({{"root.scene", start + "for a in at| {"}, {"a.csv", "x\n1\n"}}),
+              Contains("atoms"));
+}
+
 TEST(Completion, OmitsTheFileItselfHoweverItIsNamed) {
   const auto list = [](const std::filesystem::path& /*folder*/) {
     return std::vector<lang::FolderEntry>{{"root.scene"}, {"b.scene"}};

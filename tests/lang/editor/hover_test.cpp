@@ -62,6 +62,13 @@ TEST(Hover, ShowsPathAndDescriptionOfAnImport) {
   EXPECT_THAT(hover_at("import \"lib/../l.|scene\" as l\n"), HasSubstr("File: `l.scene`"));
 }
 
+TEST(Hover, ShowsColumnsAndNumberOfRowsOfADataFile) {
+  EXPECT_THAT(hover_in({{"root.scene", "scene 1\nimport \"a.csv\" as a\nlet n = len(|a)\n"},
+                        {"a.csv", "name,mass,\nx,1,2\ny,2,3\n"}}),
+              HasSubstr("Data file: `a.csv`, 2 rows.\n\n* `name`: string\n* `mass`: number\n"
+                        "* `[2]`: number"));
+}
+
 TEST(Hover, ShowsSignaturesOfFunctionsAndDefs) {
   EXPECT_THAT(hover_at("/// Twice.\nfn twice(x: number) = 2 * x\nlet a = twi|ce(4)\n"),
               AllOf(HasSubstr("```scene\nfn twice(x: number) = 2 * x\n```"), HasSubstr("Twice."),

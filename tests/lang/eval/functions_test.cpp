@@ -90,6 +90,7 @@ TEST(Functions, OfListsWorkOnEveryList) {
   expect_true("len(reverse([])) == 0");
   expect_true("zip([1, 2], [3, 4], [5, 6]) == [[1, 3, 5], [2, 4, 6]]");
   expect_true("len(zip([], [])) == 0");
+  expect_true("zip([1, 2], [\"a\", \"b\"]) == [[1, \"a\"], [2, \"b\"]]");
   expect_true("any([false, true]) and not any([false]) and not any([])");
   expect_true("all([true, true]) and not all([true, false]) and all([])");
 }
