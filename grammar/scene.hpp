@@ -36,6 +36,8 @@ struct arguments;
 struct argument;
 struct expression;
 struct conditional;
+struct let_in;
+struct binding;
 struct disjunction;
 struct conjunction;
 struct negation;
@@ -179,7 +181,7 @@ struct argument         : sor<argument_labeled, expression> {};
 
 // Expressions, loosest first. A chain is a loop, never a left-deep recursion.
 
-struct expression : sor<conditional, disjunction> {};
+struct expression : sor<conditional, let_in, disjunction> {};
 
 struct conditional_condition : seq<expression> {};
 struct conditional_then      : seq<then_word> {};
@@ -191,6 +193,18 @@ struct conditional_inside    : seq<must<conditional_condition, conditional_then,
                                              conditional_value>>,
                                    must<conditional_else, conditional_value>> {};
 struct conditional           : seq<if_word, conditional_inside> {};
+
+struct let_in_binding : seq<binding> {};
+struct let_in_in      : seq<in_word> {};
+struct let_in_value   : seq<expression> {};
+struct let_in_inside  : seq<must<let_in_binding>, star<mark<','>, must<let_in_binding>>,
+                            must<let_in_in, let_in_value>> {};
+struct let_in         : seq<let_word, let_in_inside> {};
+
+struct binding_name  : token<name> {};
+struct binding_is    : mark<'='> {};
+struct binding_value : seq<expression> {};
+struct binding       : seq<binding_name, must<binding_is, binding_value>> {};
 
 struct disjunction_operand : seq<conjunction> {};
 struct disjunction         : seq<conjunction, star<or_word, must<disjunction_operand>>> {};
@@ -268,9 +282,9 @@ struct list        : seq<mark<'['>, list_inside> {};
 // clang-format on
 
 /// Through these rules, entered behind an opening bracket or a prefix, all recursion goes.
-using nesting =
-    tao::pegtl::type_list<block_inside, parameters_inside, arguments_inside, conditional_inside,
-                          negation_inside, unary_inside, power_inside, operand_index_inside,
-                          parenthesis_inside, list_inside, comment_block_inside>;
+using nesting = tao::pegtl::type_list<block_inside, parameters_inside, arguments_inside,
+                                      conditional_inside, let_in_inside, negation_inside,
+                                      unary_inside, power_inside, operand_index_inside,
+                                      parenthesis_inside, list_inside, comment_block_inside>;
 
 }  // namespace sdlc::grammar

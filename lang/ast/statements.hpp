@@ -46,7 +46,7 @@ inline std::uint32_t end_of_inside(Node node) {
   return node.span().end - (node.text().ends_with('}') ? 1 : 0);
 }
 
-/// The expression of a let, param, fn or parameter.
+/// The expression of a let, binding, param, fn or parameter.
 inline std::optional<Node> expression_of(Node node) {
   std::optional<Node> found;
   for (const Node child : node.children()) {

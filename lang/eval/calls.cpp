@@ -89,11 +89,27 @@ Value Evaluator::evaluate_constructor(const Code& code, const Expression& e) {
   return constructor.construct(constructor, arguments);
 }
 
-Value Evaluator::evaluate_function(const Code& code, const Expression& e) {
+const Evaluator::Environment* Evaluator::environment_of(const Environment& here,
+                                                        std::uint32_t outwards) {
+  const Environment* environment = &here;
+  for (; outwards > 0; --outwards) environment = environment->outer;
+  return environment;
+}
+
+Evaluator::Callee Evaluator::callee_of(const Code& code, const Expression& e,
+                                       const Environment& here) const {
   const auto operands = code.operands_of(e);
+  if (e.op == Op::LocalFunction) {
+    return {code, code.definitions[operands[1]], environment_of(here, operands[0])};
+  }
   const Module& module = program_.module(operands[0]);
-  const Definition& function = module.functions[operands[1]];
-  const auto arguments = operands.subspan(2);
+  return {module.code, module.functions[operands[1]], nullptr};
+}
+
+Value Evaluator::evaluate_function(const Code& code, const Expression& e) {
+  const Environment here{frame_, environment_};
+  const auto [body, function, environment] = callee_of(code, e, here);
+  const auto arguments = code.operands_of(e).subspan(2);
   if (!take_steps(code, e.node, work::kCall + arguments.size())) return Nothing{};
   if (!may_call(code, e.node)) return Nothing{};
 
@@ -101,9 +117,10 @@ Value Evaluator::evaluate_function(const Code& code, const Expression& e) {
   if (!opened) return Nothing{};
   const std::size_t base = *opened;
   bool has_failed = function.body == kNothing;
-  const auto bind = [&](std::size_t i, const Code& from, std::uint32_t expression) {
+  const auto bind = [&, &body = body, &function = function](std::size_t i, const Code& from,
+                                                            std::uint32_t expression) {
     const Parameter& parameter = function.parameters[i];
-    Value value = check_type(module, parameter.name, parameter.type, parameter.node,
+    Value value = check_type(body, parameter.name, parameter.type, parameter.node,
                              evaluate(from, expression), place(from, expression));
     has_failed = has_failed || is_nothing(value);
     locals_[base + i].values[0] = std::move(value);
@@ -115,15 +132,17 @@ Value Evaluator::evaluate_function(const Code& code, const Expression& e) {
   if (!has_failed) {
     const Nested entry(
         *this, {.kind = StackEntry::Call, .code = &code, .node = e.node, .name = function.name});
-    const std::size_t frame = std::exchange(frame_, base);
+    frame_ = base;
+    environment_ = environment;
     ++calls_;
     // A default may use the parameters before it.
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-      if (arguments[i] == kNothing) bind(i, module.code, function.parameters[i].default_value);
+      if (arguments[i] == kNothing) bind(i, body, function.parameters[i].default_value);
     }
-    if (!has_failed) result = evaluate(module.code, function.body);
+    if (!has_failed) result = evaluate(body, function.body);
     end_call();
-    frame_ = frame;
+    frame_ = here.frame;
+    environment_ = here.outer;
   }
   locals_.resize(base);
   return result;

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "lang/eval/evaluator.hpp"
 #include "lang/source/limits.hpp"
@@ -19,6 +20,12 @@ constexpr std::uint64_t kPowerSteps = 100, kStringSteps = 4;
 const Value& Evaluator::read(const Varying& variable) {
   if (variable.reads_time) reads_time_ = true;
   return variable.values[variable.varies ? moment_ : 0];
+}
+
+const Evaluator::Varying& Evaluator::outer_local(const Environment* environment,
+                                                 std::uint32_t outwards, std::uint32_t slot) const {
+  for (; outwards > 1; --outwards) environment = environment->outer;
+  return locals_[environment->frame + slot];
 }
 
 /// `a op b`; kNoNumber if an operand is no number or there is an error to report.
@@ -57,13 +64,13 @@ Scalar Evaluator::evaluate_number(const Code& code, std::uint32_t index, Value& 
       break;
     }
     case Op::Sum:
-    case Op::Product: {
-      if (!may_nest(code, e.node)) break;
-      ++depth_;
-      const Scalar result = evaluate_chain(code, e, other);
-      --depth_;
-      return result;
-    }
+    case Op::Product:
+      if (StackSegments::is_low()) [[unlikely]] {
+        Scalar result = kNoNumber;
+        run_on_segment(code, e.node, [&] { result = evaluate_chain(code, e, other); });
+        return result;
+      }
+      return evaluate_chain(code, e, other);
     default: other = evaluate(code, index);
   }
   if (const auto* number = get_if<Scalar>(value)) return *number;
@@ -77,6 +84,7 @@ Value Evaluator::evaluate(const Code& code, std::uint32_t index) {
     case Op::Number: return Scalar{code.numbers[e.first], static_cast<Unit>(e.detail)};
     case Op::Constant: return code.constants[e.first];
     case Op::Local: return read(locals_[frame_ + e.first]);
+    case Op::Outer: return read(outer_local(environment_, e.detail, e.first));
     case Op::Time: reads_time_ = true; return Scalar{times_[moment_], Unit::Time};
     case Op::Global: {
       const auto operands = code.operands_of(e);
@@ -84,12 +92,13 @@ Value Evaluator::evaluate(const Code& code, std::uint32_t index) {
     }
     default: break;
   }
-  if (!may_nest(code, e.node)) return Nothing{};
   ++steps_;
-  ++depth_;
-  Value value = evaluate_operation(code, e);
-  --depth_;
-  return value;
+  if (StackSegments::is_low()) [[unlikely]] {
+    Value value = Nothing{};
+    run_on_segment(code, e.node, [&] { value = evaluate_operation(code, e); });
+    return value;
+  }
+  return evaluate_operation(code, e);
 }
 
 Value Evaluator::evaluate_operation(const Code& code, const Expression& e) {
@@ -104,7 +113,8 @@ Value Evaluator::evaluate_operation(const Code& code, const Expression& e) {
     case Op::Builtin: return evaluate_builtin(code, e);
     case Op::Triple: return evaluate_triple(code, e);
     case Op::Constructor: return evaluate_constructor(code, e);
-    case Op::Function: return evaluate_function(code, e);
+    case Op::Function:
+    case Op::LocalFunction: return evaluate_function(code, e);
     case Op::Negative:
       return evaluate_negative(evaluate(code, code.operands_of(e)[0]), location(code, e.node),
                                sink_);
@@ -124,6 +134,7 @@ Value Evaluator::evaluate_operation(const Code& code, const Expression& e) {
     case Op::Interval: return evaluate_interval(code, e);
     case Op::List: return evaluate_list(code, e);
     case Op::Conditional: return evaluate_conditional(code, e);
+    case Op::LetIn: return evaluate_let_in(code, e);
     case Op::Member: return evaluate_member(code, e);
     case Op::Index: return evaluate_index(code, e);
     default:
@@ -216,6 +227,17 @@ Value Evaluator::evaluate_conditional(const Code& code, const Expression& e) {
     if (*holds) return evaluate(code, operands[i + 1]);
   }
   return i < operands.size() ? evaluate(code, operands[i]) : Nothing{};
+}
+
+Value Evaluator::evaluate_let_in(const Code& code, const Expression& e) {
+  const auto operands = code.operands_of(e);
+  std::uint32_t slot = operands[0];
+  for (const std::uint32_t value : operands.subspan(1, operands.size() - 2)) {
+    Varying local;
+    local.values[0] = evaluate(code, value);  // at the current time
+    locals_[frame_ + slot++] = std::move(local);
+  }
+  return evaluate(code, operands.back());
 }
 
 }  // namespace sdlc::lang

@@ -24,8 +24,13 @@ std::string as_range(ast::Node interval, const Bounds& bounds) {
 void Evaluator::run(const Code& code, std::uint32_t index) {
   const Statement& statement = code.statements[index];
   if (!take_steps(code, statement.node, work::kStatement)) return;
-  if (!may_nest(code, statement.node)) return;
-  ++depth_;
+  if (StackSegments::is_low()) [[unlikely]] {
+    return run_on_segment(code, statement.node, [&] { run_action(code, statement); });
+  }
+  run_action(code, statement);
+}
+
+void Evaluator::run_action(const Code& code, const Statement& statement) {
   switch (statement.action) {
     case Action::Let: {
       const auto operands = code.operands_of(statement);
@@ -38,10 +43,16 @@ void Evaluator::run(const Code& code, std::uint32_t index) {
     case Action::Assert: run_assert(code, statement); break;
     case Action::Object: run_object(code, statement); break;
     case Action::Group: run_group(code, statement); break;
-    case Action::Instance: run_instance(code, statement); break;
-    case Action::Include: run_include(code, statement); break;
+    case Action::Instance:
+    case Action::LocalInstance: run_instance(code, statement); break;
+    case Action::Include:
+      if (StackSegments::has_less_than(StackSegments::kFile)) {
+        return run_on_segment(
+            code, statement.node, [&] { run_include(code, statement); }, StackSegments::kFile);
+      }
+      run_include(code, statement);
+      break;
   }
-  --depth_;
 }
 
 void Evaluator::run_block(const Code& code, std::span<const std::uint32_t> statements) {

@@ -56,6 +56,7 @@ bool are_plain(ast::Children nodes) {
 void Composer::expression(ast::Node node, bool is_aligned) {
   switch (node.kind()) {
     case SyntaxKind::Conditional: conditional(node); break;
+    case SyntaxKind::LetIn: let_in(node); break;
     case SyntaxKind::Or:
     case SyntaxKind::And:
     case SyntaxKind::Comparison:
@@ -88,7 +89,9 @@ void Composer::expression(ast::Node node, bool is_aligned) {
 
 /// The value after `=` or `:`. A chain moves to its own line before it is broken.
 void Composer::assigned(ast::Node value) {
-  if (!is_chain(value.kind()) && !value.is(SyntaxKind::Conditional)) {
+  const bool is_long =
+      is_chain(value.kind()) || value.is(SyntaxKind::Conditional) || value.is(SyntaxKind::LetIn);
+  if (!is_long) {
     layout_.space();
     return expression(value);
   }
@@ -154,6 +157,30 @@ void Composer::conditional(ast::Node conditional) {
     expression(*++part);
     layout_.dedent();
     layout_.close_group();
+  }
+  layout_.close_group();
+}
+
+/// `let a = 1, b = 2 in a + b` on one line, or a line for each binding and one for the value.
+void Composer::let_in(ast::Node let_in) {
+  leading_comments();
+  layout_.open_group();
+  token();  // let
+  layout_.space();
+  bool is_first = true;
+  for (const ast::Node part : let_in.children()) {
+    if (!part.is(SyntaxKind::Binding)) {
+      line();
+      token();  // in
+      layout_.space();
+      expression(part);
+      break;
+    }
+    if (!is_first) comma(Comma::Always), layout_.indent(), line(), layout_.dedent();
+    is_first = false;
+    token();            // name
+    space_and_token();  // =
+    assigned(*part.child(1));
   }
   layout_.close_group();
 }

@@ -89,6 +89,7 @@ class Composer {
   void indented_line(ast::Node value);
   void chain(ast::Node chain, bool is_aligned);
   void power(ast::Node power);
+  void let_in(ast::Node let_in);
   void conditional(ast::Node conditional);
   void enclosed(ast::Node value);
   void list(ast::Node list);

@@ -96,9 +96,6 @@ void Resolver::record_misplaced_declaration(ast::Node node) {
     return;
   }
   record_declaration(node);
-  if (node.is(SyntaxKind::Import)) return;
-  Definition definition = read_definition(node, sink_);
-  resolve_definition(definition);
 }
 
 void Resolver::record_error(ast::Node error, bool is_top) {
@@ -172,6 +169,12 @@ NodeIndex Resolver::hidden_by(std::string_view name) const {
   if (const auto own = find_declaration(module_, NameSpace::Values, name)) return own->node;
   const Import* import = find_in(module_.imports, name);
   return import != nullptr ? import->node : kNothing;
+}
+
+NodeIndex Resolver::hidden_definition(NameSpace space, std::string_view name) const {
+  if (const Definition* local = find_local(space, name)) return local->node;
+  const auto own = find_declaration(module_, space, name);
+  return own ? own->node : kNothing;
 }
 
 void Resolver::record_path(std::span<const std::string_view> names) {

@@ -83,6 +83,12 @@ bool swaps_color(ast::Call call, std::span<const Property> parameters) {
 std::uint32_t Resolver::call(ast::Call call) {
   const std::string_view callee = call.callee();
   if (callee.find('.') != std::string_view::npos) return imported_call(call);
+  if (const Definition* local = find_local(NameSpace::Functions, callee)) {
+    if (is_recording()) recorder_->use_own(callee, local->node);
+    use_definition(*local);
+    const std::span<const Parameter> parameters = local->parameters;
+    return call_of(Op::LocalFunction, local_callee(*local), parameters, call, local);
+  }
   if (const auto own = find_declaration(module_, NameSpace::Functions, callee)) {
     if (is_recording()) recorder_->use_own(callee, own->node);
     uses_.functions.push_back(own->index);
@@ -134,9 +140,9 @@ std::uint32_t Resolver::constructor_call(const Constructor& constructor, ast::Ca
 std::uint32_t Resolver::function_call(std::uint32_t module, std::uint32_t function,
                                       ast::Call call) {
   const std::array<std::uint32_t, 2> callee{module, function};
-  const std::span<const Parameter> parameters =
-      modules_.module_at(module).functions[function].parameters;
-  return call_of(Op::Function, callee, parameters, call);
+  const Definition& definition = modules_.module_at(module).functions[function];
+  const std::span<const Parameter> parameters = definition.parameters;
+  return call_of(Op::Function, callee, parameters, call, &definition);
 }
 
 /// The arguments of a call of a built-in function while they are read.
@@ -254,20 +260,18 @@ struct Resolver::Binding {
 
 template <typename T>
 std::uint32_t Resolver::call_of(Op op, std::span<const std::uint32_t> callee,
-                                std::span<const T> parameters, ast::Call call) {
+                                std::span<const T> parameters, ast::Call call,
+                                const Definition* function) {
   const std::size_t mark = code_.mark();
   for (const std::uint32_t part : callee) code_.push(part);
   const std::size_t first = code_.mark();
   for (std::size_t i = 0; i < parameters.size(); ++i) code_.push(kNothing);
-  const bool is_function = op == Op::Function;
-  const Definition* function =
-      is_function ? &modules_.module_at(callee[0]).functions[callee[1]] : nullptr;
   const bool is_broken = call.is_broken() || std::exchange(is_guess_, false) ||
                          (function != nullptr && function->is_broken);
   Binding<T> binding{.parameters = parameters,
                      .call = call,
                      .function = function,
-                     .module = is_function ? callee[0] : kNothing,
+                     .module = function != nullptr ? function->module : kNothing,
                      .first = first,
                      .is_broken = is_broken,
                      .is_good = !is_broken};

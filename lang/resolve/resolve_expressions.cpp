@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "lang/ast/statements.hpp"
 #include "lang/object/value.hpp"
 #include "lang/resolve/lookup.hpp"
 #include "lang/resolve/path.hpp"
@@ -49,6 +50,7 @@ std::uint32_t Resolver::expression(ast::Node node, const Property* property) {
     case SyntaxKind::Comparison: return operands_of(node, Op::Comparison);
     case SyntaxKind::List: return operands_of(node, Op::List);
     case SyntaxKind::Conditional: return conditional(node, property);
+    case SyntaxKind::LetIn: return let_in(node, property);
     case SyntaxKind::Postfix: return postfix(node);
     case SyntaxKind::Reference: return reference(node, property);
     case SyntaxKind::Call: return call({node});
@@ -100,6 +102,29 @@ std::uint32_t Resolver::conditional(ast::Node node, const Property* property) {
   return code_.add_with(Op::Conditional, node, mark);
 }
 
+std::uint32_t Resolver::let_in(ast::Node node, const Property* property) {
+  // If the value is still missing, the names are visible where it will be.
+  const Block scope(*this, node.is_broken() ? scope_end_ : node.span().end);
+  const std::size_t mark = code_.mark(), first_slot = code_.reserve();
+  std::uint32_t result = kNothing;
+  for (const ast::Node part : node.children()) {
+    if (part.is(SyntaxKind::Binding)) {
+      const auto value = ast::expression_of(part);
+      record_rest(part, value);
+      const std::string_view declaring = std::exchange(declaring_, ast::declared_name(part));
+      const std::uint32_t operand = value ? expression(*value) : code_.add_broken(part);
+      declaring_ = declaring;
+      const std::uint32_t slot = declare_let(part);  // one after the other
+      if (code_.mark() == first_slot + 1) code_[first_slot] = slot;
+      code_.push(operand);
+    } else {
+      result = expression(part, property);
+    }
+  }
+  code_.push(result != kNothing ? result : code_.add_broken(node));
+  return code_.add_with(Op::LetIn, node, mark);
+}
+
 std::uint32_t Resolver::postfix(ast::Node node) {
   std::uint32_t value = kNothing;
   for (const ast::Node part : node.children()) {
@@ -137,9 +162,9 @@ std::uint32_t Resolver::reference(ast::Node node, const Property* property) {
 
   std::uint32_t value = kNothing;
   std::size_t used = 1;
-  if (const auto slot = scopes_.find(names[0])) {
-    if (is_recording()) recorder_->use_local(names[0], *slot);
-    value = code_.add(Op::Local, node, *slot);
+  if (const auto local = scopes_.find(names[0])) {
+    if (is_recording()) recorder_->use_local(names[0], *local);
+    value = local_value(node, scopes_[*local]);
   } else if (const auto own = find_declaration(module_, NameSpace::Values, names[0])) {
     if (is_recording()) recorder_->use_own(names[0], own->node);
     uses_.globals.push_back(own->index);
@@ -153,6 +178,13 @@ std::uint32_t Resolver::reference(ast::Node node, const Property* property) {
   if (code_.code().expressions[value].op == Op::Broken) return value;
   for (; used < names.size(); ++used) value = code_.add_member(node, value, names[used]);
   return value;
+}
+
+std::uint32_t Resolver::local_value(ast::Node node, const Scopes::Local& local) {
+  const std::uint32_t outwards = scopes_.frame() - local.frame;
+  if (outwards == 0) return code_.add(Op::Local, node, local.slot);
+  use_outer({.frame = local.frame, .slot = local.slot});
+  return code_.add(Op::Outer, node, local.slot, 0, static_cast<std::uint8_t>(outwards));
 }
 
 /// The node as a word, or kNothing if the property does not accept this word.

@@ -108,6 +108,13 @@ class TypeInference {
       case SyntaxKind::Sum: return of_sum(file, node);
       case SyntaxKind::Postfix: return of_postfix(file, node);
       case SyntaxKind::Conditional: return of_child(file, node, 1);
+      case SyntaxKind::LetIn: {
+        Name type;
+        for (const ast::Node part : node.children()) {
+          if (!part.is(SyntaxKind::Binding)) type = of_expression(file, part);
+        }
+        return type;
+      }
       case SyntaxKind::Product: return of_product(file, node);
       case SyntaxKind::Call: return of_call(file, node);
       case SyntaxKind::Reference: return of_reference(file, node);

@@ -36,6 +36,9 @@ template <> struct Build<grammar::argument_head>    : LabelHead {};
 template <> struct Build<grammar::argument_labeled> : Node<SyntaxKind::Argument> {};
 template <> struct Build<grammar::conditional_inside> : Nest<Opener::Word, 2> {};
 template <> struct Build<grammar::conditional>      : Node<SyntaxKind::Conditional, 'i'> {};
+template <> struct Build<grammar::let_in_inside>    : Nest<Opener::Word, 3> {};
+template <> struct Build<grammar::binding_name>     : Leaf<SyntaxKind::Name> {};
+template <> struct Build<grammar::binding>          : Node<SyntaxKind::Binding> {};
 template <> struct Build<grammar::conjunction>      : Chain<SyntaxKind::And> {};
 template <> struct Build<grammar::negation_inside>  : Nest<Opener::Word, 3> {};
 template <> struct Build<grammar::negation_not>     : Node<SyntaxKind::Not, 'n'> {};
@@ -139,6 +142,17 @@ struct Build<grammar::reference> : Node<SyntaxKind::Reference> {
     const std::uint32_t end = builder.token_end();
     if (text.substr(end, at - end).find('\n') == std::string_view::npos) return false;
     return looks_like_object(text, at);
+  }
+};
+
+/// `let … in …`, but not the statement of the next line if the value before it is missing.
+template <>
+struct Build<grammar::let_in> : Node<SyntaxKind::LetIn, 'l'> {
+  SDLC_SURROUND {
+    if (in.empty() || in.peek_char() != 'l') return false;
+    const std::uint32_t begin = builder.offset(in.current());
+    if (is_first_of_line(builder.text(), begin) && !has_in(builder.text(), begin)) return false;
+    return Node::match<Rule, A, M, Action, Ctrl>(in, builder);
   }
 };
 

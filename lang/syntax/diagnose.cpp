@@ -115,6 +115,9 @@ class Diagnosis {
           report.help("`if … then …` is a value; a statement is `if … { … }`");
         }
         break;
+      case Wanted::LetIn:
+        report.help("a value with local names is `let a = 1, b = 2 in a + b`");
+        break;
       case Wanted::SecondOperand: report.help("write `a < b and b < c`"); break;
       case Wanted::FileName:
         report.help("a file name is a string, known without evaluating anything");

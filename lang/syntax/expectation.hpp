@@ -15,6 +15,7 @@ enum class Wanted : std::uint8_t {
   In,             ///< of a `for`
   Block,          ///< in braces
   Then,           ///< of an `if` that is a value
+  LetIn,          ///< `in` of a `let` that is a value
   Message,        ///< of an assertion
   FileName,       ///< of an import
   ParametersEnd,  ///< `,` or `)`

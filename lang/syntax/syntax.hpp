@@ -38,9 +38,11 @@ enum class SyntaxKind : std::uint8_t {
   TypeName,   ///< leaf
   Parameter,  ///< head: name; [TypeName], [expression]
   Block,      ///< statements
+  Binding,    ///< Name, expression; of a LetIn
 
   // Expressions
   Conditional,  ///< condition, value, [condition, value]..., value
+  LetIn,        ///< Binding..., value
   Or,           ///< operands, two or more
   And,          ///< operands, two or more
   Not,          ///< operand

@@ -34,6 +34,8 @@ class Shape {
     switch (node.kind) {
       case SyntaxKind::Error: return "error";
       case SyntaxKind::Conditional: return "if";
+      case SyntaxKind::LetIn: return "let";
+      case SyntaxKind::Binding: return "=";
       case SyntaxKind::Or: return "or";
       case SyntaxKind::And: return "and";
       case SyntaxKind::Not: return "not";
@@ -81,6 +83,8 @@ TEST(SyntaxTree, KeepsChainsFlat) {
   EXPECT_EQ(shape_of("a + b - c + d"), "(sum a +b -c +d)");
   EXPECT_EQ(shape_of("a or b or c"), "(or a b c)");
   EXPECT_EQ(shape_of("if a then b else if c then d else e"), "(if a b c d e)");
+  EXPECT_EQ(shape_of("let a = 1, b = a in a + b"), "(let (= a 1) (= b a) (sum a +b))");
+  EXPECT_EQ(shape_of("\n let a = let in = 1 in in in a"), "(let (= a (let (= in 1) in)) a)");
 }
 
 TEST(SyntaxTree, TellsGroupsFromTriples) {
