@@ -101,7 +101,8 @@ Json picture_json(const InspectReport& report) {
                {"seconds", number_or_null(settings.seconds)},
                {"adaptive", settings.is_adaptive},
                {"threads", settings.threads},
-               {"tone", name_of(report.lowered.output.tone)},
+               {"tone", name_of(report.lowered.output.mapping.tone)},
+               {"exposure", report.lowered.output.mapping.exposure},
                {"output", report.output ? Json(*report.output) : Json()}});
   return json;
 }

@@ -193,7 +193,7 @@ void write_picture(const InspectReport& report, Sheet& sheet) {
   const auto [numbers, choices] = describe_settings(settings);
   sheet.row("picture", fmt::format("{}, {}{}, {}, tone {}", size, has_goal ? "at most " : "",
                                    counted(static_cast<std::size_t>(settings.samples), "sample"),
-                                   numbers, name_of(report.lowered.output.tone)));
+                                   numbers, describe(report.lowered.output.mapping)));
   sheet.detail("sampling", choices);
   if (has_goal) sheet.detail("until", describe_goals(settings));
   sheet.detail("output",

@@ -163,7 +163,7 @@ bool is_same_picture(const LoweredScene& a, const LoweredScene& b, bool compares
   const bool has_same_settings =
       a.settings.width == b.settings.width && a.settings.height == b.settings.height &&
       a.settings.samples == b.settings.samples && a.settings.depth == b.settings.depth &&
-      a.settings.seed == b.settings.seed && a.output.tone == b.output.tone;
+      a.settings.seed == b.settings.seed && a.output.mapping == b.output.mapping;
   const bool has_same_colors = !compares_colors || (a.scene.materials == b.scene.materials &&
                                                     ba.bottom == bb.bottom && ba.top == bb.top);
   return (has_same_view || !a.camera) && has_same_settings && has_same_colors &&

@@ -17,7 +17,7 @@ namespace sdlc::lang {
 /// How the scene wants its picture to be saved.
 struct OutputSettings {
   std::string output;  ///< as written; empty if the scene names none
-  render::Tone tone = render::Tone::Srgb;
+  render::ToneMapping mapping = {};
 };
 
 /// Properties of a camera that render::Camera does not have.

@@ -118,6 +118,7 @@ enum : std::size_t {
   kDepth,
   kOutput,
   kTone,
+  kExposure,
   kCamera,
   kSeed,
   kThreads,

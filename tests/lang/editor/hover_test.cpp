@@ -88,9 +88,9 @@ TEST(Hover, ShowsTypeRangeDefaultAndValueOfAProperty) {
             "Value: `0.4m` = `40cm`");
   EXPECT_THAT(hover_at("camera { |up: (0, 1, 0) }\n"), HasSubstr("default `(0, 1, 0)`"));
   EXPECT_THAT(hover_at("render { |tone: sqrt }\n"),
-              HasSubstr("`srgb`, `sqrt` or `linear`; default `srgb`"));
+              HasSubstr("`srgb`, `sqrt`, `linear` or `neutral`; default `srgb`"));
   EXPECT_THAT(hover_at("render { tone: sq|rt }\n"),
-              HasSubstr("`srgb`, `sqrt` or `linear`; default `srgb`"));
+              HasSubstr("`srgb`, `sqrt`, `linear` or `neutral`; default `srgb`"));
   EXPECT_THAT(hover_at("let m = specular(red, fu|zz: 0.1)\n"), HasSubstr("`fuzz` of `specular`"));
 }
 
