@@ -48,7 +48,7 @@ struct LimitInfo {
   std::string_view doc;
 };
 
-inline constexpr std::array<LimitInfo, 8> kLimits{{
+inline constexpr std::array<LimitInfo, 9> kLimits{{
     {"steps", &Limits::steps,
      "steps of one evaluation, about 10 nanoseconds each: operations, calls, iterations of loops, "
      "elements of lists, bytes of strings; each sphere allows a hundred-thousandth more"},
