@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,31 +16,50 @@ namespace sdlc::lang {
 
 inline constexpr std::uint32_t kNothing = 0xFFFFFFFF;
 
+/// The names of a loop as operands: consecutive slots of the index, if there is one, and of the
+/// element or its parts.
+struct LoopSlots {
+  static constexpr std::size_t kOperands = 3;
+
+  std::uint32_t slot;  ///< the first
+  bool has_index;
+  std::uint32_t part_count;  ///< 0: the element is not taken apart
+
+  explicit LoopSlots(std::span<const std::uint32_t> operands)
+      : slot(operands[0]), has_index(operands[1] != 0), part_count(operands[2]) {}
+
+  std::uint32_t element_slot() const noexcept { return slot + has_index; }
+  std::uint32_t size() const noexcept { return has_index + std::max(part_count, 1u); }
+};
+
 /// Operation of an expression. Its operands are in Code::operands, most are indices of expressions.
 enum class Op : std::uint8_t {
-  Broken,       ///< operands, evaluated to report their errors; the value is Nothing
-  Number,       ///< `first`: index in Code::numbers; `detail`: its Unit
-  Constant,     ///< `first`: index in Code::constants
-  Time,         ///< `time`
-  Local,        ///< `first`: slot of the frame
-  Global,       ///< operands: module, global
-  Negative,     ///< operand
-  Not,          ///< operand
-  Sum,          ///< operands; all but the first have their operator in `before`
-  Product,      ///< the same
-  Power,        ///< base, exponent
-  And,          ///< operands
-  Or,           ///< operands
-  Comparison,   ///< left, right; the operator is right's `before`
-  Interval,     ///< from, to
-  Triple,       ///< three
-  List,         ///< elements
-  Conditional,  ///< condition, value, …, value
-  Member,       ///< operand; `detail`: 'x', 'y' or 'z'; 0: an unknown member
-  Index,        ///< list, position
-  Function,     ///< module, function, then per parameter an argument or kNothing
-  Builtin,      ///< index in all_builtins(), arguments
-  Constructor,  ///< index in all_constructors(), then per parameter an argument or kNothing
+  Broken,         ///< operands, evaluated to report their errors; the value is Nothing
+  Number,         ///< `first`: index in Code::numbers; `detail`: its Unit
+  Constant,       ///< `first`: index in Code::constants
+  Time,           ///< `time`
+  Local,          ///< `first`: slot of the frame
+  Global,         ///< operands: module, global
+  Negative,       ///< operand
+  Not,            ///< operand
+  Sum,            ///< operands; all but the first have their operator in `before`
+  Product,        ///< the same
+  Power,          ///< base, exponent
+  And,            ///< operands
+  Or,             ///< operands
+  Comparison,     ///< left, right; the operator is right's `before`
+  Interval,       ///< from, to
+  Triple,         ///< three
+  List,           ///< elements
+  Comprehension,  ///< value, clauses
+  ForClause,      ///< LoopSlots, list
+  IfClause,       ///< condition
+  Conditional,    ///< condition, value, …, value
+  Member,         ///< operand; `detail`: 'x', 'y' or 'z'; 0: an unknown member
+  Index,          ///< list, position
+  Function,       ///< module, function, then per parameter an argument or kNothing
+  Builtin,        ///< index in all_builtins(), arguments
+  Constructor,    ///< index in all_constructors(), then per parameter an argument or kNothing
 };
 
 struct Expression {
@@ -54,7 +75,7 @@ static_assert(sizeof(Expression) == 16);
 /// Action of a statement, with its operands. A block is its number of statements, then these.
 enum class Action : std::uint8_t {
   Let,       ///< slot, expression
-  For,       ///< slot, list, block
+  For,       ///< LoopSlots, list, block
   If,        ///< [condition or kNothing, block]...
   Assert,    ///< condition, message
   Object,    ///< [property or kNothing, expression]...; its kind is Statement::kind

@@ -57,9 +57,11 @@ ComputedValue Values::of_expression(std::uint32_t file, ast::Node expression,
   const SymbolTable& table = view_.table(file);
   for (const Occurrence& name : names_in(table, expression.span())) {
     if (!name.symbol.is_known()) return {};
-    if (const Symbol* local = local_at(table, name)) {
-      return {.status = ComputedValue::Status::Local, .local = local->name};
-    }
+    const Symbol* local = local_at(table, name);
+    if (local == nullptr) continue;
+    const bool is_own = expression.span().begin <= local->where.begin &&
+                        local->where.end <= expression.span().end;  // of a comprehension in it
+    if (!is_own) return {.status = ComputedValue::Status::Local, .local = local->name};
   }
   return computed(probe_.expression(file, expression, property));
 }

@@ -45,13 +45,25 @@ Evaluator::Varying Evaluator::evaluate_global(std::uint32_t module, std::uint32_
   const Module& file = program_.module(module);
   const Global& global = file.globals[index];
   if (global.value == kNothing) return {};
-  Varying value = evaluate_over_shutter(file.code, global.value);
+  Varying value = evaluate_in_frame(file.code, global.value, global.frame_size);
   for (Value& moment : value.values) {
     moment = check_type(file, global.name, global.type, global.node, std::move(moment),
                         place(file.code, global.value));
   }
   const bool may_be_set = module == Program::kRoot && global.is_param;
   return may_be_set ? with_setting(index, std::move(value)) : value;
+}
+
+Evaluator::Varying Evaluator::evaluate_in_frame(const Code& code, std::uint32_t expression,
+                                                std::uint32_t slots) {
+  if (slots == 0) return evaluate_over_shutter(code, expression);
+  const auto base = open_frame(code, code.expressions[expression].node, slots);
+  if (!base) return {};
+  const std::size_t frame = std::exchange(frame_, *base);
+  Varying value = evaluate_over_shutter(code, expression);
+  frame_ = frame;
+  locals_.resize(*base);
+  return value;
 }
 
 Evaluator::Varying Evaluator::with_setting(std::uint32_t index, Varying value) {
@@ -72,14 +84,14 @@ Evaluator::Varying Evaluator::with_setting(std::uint32_t index, Varying value) {
     sink_.report(diag::no_value, whole, fmt::format("--set {}", global.name));
     return {};
   }
-  std::uint32_t expression = kNothing;
-  const Code& code = program_.resolve_setting(*setting, expression, sink_);
-  reads_time_ = false;
-  Value given = evaluate(code, expression);
-  if (reads_time_) {
+  std::uint32_t expression = kNothing, frame_size = 0;
+  const Code& code = program_.resolve_setting(*setting, expression, frame_size, sink_);
+  const Varying evaluated = evaluate_in_frame(code, expression, frame_size);
+  if (evaluated.reads_time) {
     sink_.report(diag::depends_on_time, whole, global.name);
     return {};
   }
+  const Value& given = evaluated.values[0];
   if (is_nothing(given) || is_nothing(original)) return {.values = {given}};
   const bool fits =
       global.type != nullptr ? global.type->holds(given) : are_of_one_type(original, given);

@@ -44,8 +44,11 @@ void Evaluator::find_settings() {
 
 Code Evaluator::resolve(const Setting& setting) {
   Code code(setting.node.node.tree());
-  std::uint32_t frame_size = 0;  // unused: settings have no locals
+  std::uint32_t frame_size = 0;
   Resolver(program_, Program::kRoot, sink_).resolve_statement(setting.node.node, code, frame_size);
+  // Without a frame nothing is evaluated: too little memory ends the evaluation.
+  locals_.clear();
+  static_cast<void>(open_frame(code, setting.node.node.index(), frame_size));
   return code;
 }
 

@@ -107,11 +107,12 @@ ProbedValue SingleValues::expression(std::uint32_t module, ast::Node node,
                                      const Property* property) {
   restart();
   Code code(node.tree());
+  std::uint32_t frame_size = 0;
   const std::uint32_t index =
-      Resolver(program_, module, ignored_).resolve_value(node, property, code);
+      Resolver(program_, module, ignored_).resolve_value(node, property, code, frame_size);
   UsedValues used(program_, known_);
   const bool is_good = used.add(code, index) && evaluate(used);
-  return is_good ? result_of(evaluator_.evaluate_over_shutter(code, index))
+  return is_good ? result_of(evaluator_.evaluate_in_frame(code, index, frame_size))
                  : ProbedValue{.is_too_expensive = true};
 }
 

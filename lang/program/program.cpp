@@ -89,19 +89,21 @@ std::optional<ParamSetting> Program::setting_of(std::uint32_t global) const {
 }
 
 const Code& Program::resolve_setting(const ParamSetting& setting, std::uint32_t& expression,
-                                     DiagnosticSink& sink) {
+                                     std::uint32_t& frame_size, DiagnosticSink& sink) {
   auto known = setting_values_.find(setting.file);
   if (known == setting_values_.end()) {
     DiagnosticSink errors(sink.stop_request());
     const auto index = module_count();
     const SyntaxTree& tree = setting_trees_.emplace_back(parse_expression(*setting.file, errors));
     modules_.push_back(std::make_unique<Module>(*setting.file, tree));
-    const auto value = Resolver(*this, index, errors).resolve_expression();
-    known = setting_values_.emplace(setting.file, SettingValue{index, value}).first;
+    std::uint32_t slots = 0;
+    const auto value = Resolver(*this, index, errors).resolve_expression(slots);
+    known = setting_values_.emplace(setting.file, SettingValue{index, value, slots}).first;
     known->second.errors.add(errors);
   }
   sink.add(known->second.errors);
   expression = known->second.expression;
+  frame_size = known->second.frame_size;
   return module(known->second.module).code;
 }
 

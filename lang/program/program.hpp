@@ -74,14 +74,16 @@ class Program final : public Modules {
   /// The setting of a global of the root; nullopt if no --set gives it a value.
   std::optional<ParamSetting> setting_of(std::uint32_t global) const;
   /// The resolved value of a setting, which can use only built-in names. Returns the code and sets
-  /// `expression` to the index of the value in it. Reports its errors at every call.
+  /// `expression` to the index of the value in it, `frame_size` to the slots of its locals. Reports
+  /// its errors at every call.
   const Code& resolve_setting(const ParamSetting& setting, std::uint32_t& expression,
-                              DiagnosticSink& sink);
+                              std::uint32_t& frame_size, DiagnosticSink& sink);
 
  private:
   struct SettingValue {
     std::uint32_t module;
     std::uint32_t expression;
+    std::uint32_t frame_size;
     DiagnosticSink errors = {};
   };
 

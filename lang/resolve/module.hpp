@@ -29,6 +29,7 @@ struct Global {
   bool is_param = false;
   bool uses_time = false;          ///< may read `time`, directly or indirectly
   std::uint32_t value = kNothing;  ///< expression
+  std::uint32_t frame_size = 0;    ///< slots of the locals in it
 };
 
 struct Parameter {

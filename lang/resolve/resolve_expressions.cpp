@@ -48,6 +48,7 @@ std::uint32_t Resolver::expression(ast::Node node, const Property* property) {
     case SyntaxKind::And: return operands_of(node, Op::And);
     case SyntaxKind::Comparison: return operands_of(node, Op::Comparison);
     case SyntaxKind::List: return operands_of(node, Op::List);
+    case SyntaxKind::Comprehension: return comprehension(node);
     case SyntaxKind::Conditional: return conditional(node, property);
     case SyntaxKind::Postfix: return postfix(node);
     case SyntaxKind::Reference: return reference(node, property);
@@ -100,6 +101,36 @@ std::uint32_t Resolver::conditional(ast::Node node, const Property* property) {
   return code_.add_with(Op::Conditional, node, mark);
 }
 
+std::uint32_t Resolver::comprehension(ast::Node node) {
+  // Clauses come first: a clause sees the names of those before it, the value all names.
+  const Block scope(*this, node.span().end);
+  const std::size_t mark = code_.mark();
+  code_.push(kNothing);
+  for (const ast::Node part : node.children()) {
+    if (part.is(SyntaxKind::ForClause)) {
+      code_.push(for_clause(part, node.span()));
+    } else if (part.is(SyntaxKind::IfClause)) {
+      code_.push(operands_of(part, Op::IfClause));
+    } else if (part.index() != node.index() + 1) {
+      code_.push(broken_expression(part));
+    }
+  }
+  const auto value = node.child(0);
+  const std::uint32_t element = value ? expression(*value) : code_.add_broken(node);
+  code_[mark] = element;
+  return code_.add_with(Op::Comprehension, node, mark);
+}
+
+std::uint32_t Resolver::for_clause(ast::Node node, Span scope) {
+  const auto list = node.child(1);
+  if (!list) return broken_expression(node);
+  const std::uint32_t values = expression(*list);
+  const std::size_t mark = code_.mark();
+  pattern(node, scope);
+  code_.push(values);
+  return code_.add_with(Op::ForClause, node, mark);
+}
+
 std::uint32_t Resolver::postfix(ast::Node node) {
   std::uint32_t value = kNothing;
   for (const ast::Node part : node.children()) {
@@ -137,9 +168,9 @@ std::uint32_t Resolver::reference(ast::Node node, const Property* property) {
 
   std::uint32_t value = kNothing;
   std::size_t used = 1;
-  if (const auto slot = scopes_.find(names[0])) {
-    if (is_recording()) recorder_->use_local(names[0], *slot);
-    value = code_.add(Op::Local, node, *slot);
+  if (const auto local = scopes_.find(names[0])) {
+    if (is_recording()) recorder_->use_local(names[0], *local);
+    value = code_.add(Op::Local, node, scopes_[*local].slot);
   } else if (const auto own = find_declaration(module_, NameSpace::Values, names[0])) {
     if (is_recording()) recorder_->use_own(names[0], own->node);
     uses_.globals.push_back(own->index);

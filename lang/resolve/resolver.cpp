@@ -46,6 +46,7 @@ void Resolver::resolve_global(Global& global) {
   declaring_ = global.name;
   if (value) global.value = expression(*value);
   declaring_ = {};
+  global.frame_size = scopes_.frame_size();
 }
 
 namespace {
@@ -69,7 +70,10 @@ void Resolver::resolve_definition(Definition& definition) {
     const ast::Node node(module_.tree, parameter.node);
     if (const auto type = node.first(SyntaxKind::TypeName)) parameter.type = resolve_type(*type);
     const auto value = ast::expression_of(node);
+    // Defaults are evaluated after the arguments of later parameters.
+    scopes_.reserve(static_cast<std::uint32_t>(definition.parameters.size()));
     if (value) parameter.default_value = expression(*value);
+    scopes_.reserve(0);
     record_rest(node, value);
     declare_local({.kind = SymbolKind::Parameter,
                    .node = node.index(),
@@ -125,11 +129,10 @@ std::optional<Declaration> Resolver::imported_declaration(const Import& import, 
 }
 
 std::uint32_t Resolver::declare_local(Symbol symbol) {
-  if (!is_recording()) return scopes_.declare(symbol.name);
-  symbol.hides = hidden_by(symbol.name);
-  const std::uint32_t slot = scopes_.declare(symbol.name);
-  recorder_->declare_local(symbol, slot);
-  return slot;
+  if (is_recording()) symbol.hides = hidden_by(symbol.name);
+  const std::uint32_t index = scopes_.declare(symbol.name);
+  if (is_recording()) recorder_->declare_local(symbol, index);
+  return scopes_[index].slot;
 }
 
 }  // namespace sdlc::lang

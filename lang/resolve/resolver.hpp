@@ -40,11 +40,13 @@ class Resolver {
   /// Resolves another statement of the top level into `code`. Returns its index there, or kNothing;
   /// `frame_size`: the number of slots of its frame.
   std::uint32_t resolve_statement(ast::Node statement, Code& code, std::uint32_t& frame_size);
-  /// Resolves a file that is one expression. Returns its index in the Module's code.
-  std::uint32_t resolve_expression();
-  /// Resolves an expression that uses no locals, as the value of `property`, which may be null,
-  /// into `code`. Returns its index there.
-  std::uint32_t resolve_value(ast::Node value, const Property* property, Code& code);
+  /// Resolves a file that is one expression. Returns its index in the Module's code; `frame_size`
+  /// as above.
+  std::uint32_t resolve_expression(std::uint32_t& frame_size);
+  /// Resolves an expression that uses no locals but its own, as the value of `property`, which may
+  /// be null, into `code`. Returns its index there; `frame_size` as above.
+  std::uint32_t resolve_value(ast::Node value, const Property* property, Code& code,
+                              std::uint32_t& frame_size);
   /// Resolves every statement for the recorder. The Module does not change.
   void record_all();
 
@@ -59,6 +61,7 @@ class Resolver {
   void resolve_global(Global& global);
   void resolve_definition(Definition& definition);
   const TypeInfo* resolve_type(ast::Node node);
+  /// Returns the slot of the local in its frame.
   std::uint32_t declare_local(Symbol symbol);
 
   // Recording
@@ -87,6 +90,8 @@ class Resolver {
   std::uint32_t statement(ast::Node node, bool is_top);
   std::uint32_t let_statement(ast::Node node);
   std::uint32_t for_statement(ast::Node node);
+  /// Declares the names of a For or ForClause, and pushes its LoopSlots.
+  void pattern(ast::Node loop, Span scope);
   std::uint32_t if_statement(ast::Node node);
   std::uint32_t assert_statement(ast::Node node);
   std::uint32_t include_statement(ast::Node node);
@@ -126,6 +131,8 @@ class Resolver {
   std::uint32_t string(ast::Node node);
   std::uint32_t number(ast::Node node);
   std::uint32_t conditional(ast::Node node, const Property* property);
+  std::uint32_t comprehension(ast::Node node);
+  std::uint32_t for_clause(ast::Node node, Span scope);
   std::uint32_t postfix(ast::Node node);
   std::uint32_t reference(ast::Node node, const Property* property);
   std::uint32_t word(ast::Node node, const Property& property);

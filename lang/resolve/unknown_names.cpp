@@ -129,8 +129,7 @@ std::vector<std::string_view> UnknownNames::known_values(std::uint32_t use,
                                                          std::string_view declaring) {
   std::vector<std::string_view> known;
   if (const Misspelling* misspelling = find_misspelling(use)) known.push_back(misspelling->name);
-  for (std::uint32_t slot = 0; slot < scopes_.size(); ++slot)
-    known.push_back(scopes_.name_of(slot));
+  for (std::uint32_t i = 0; i < scopes_.size(); ++i) known.push_back(scopes_[i].name);
   for (const Global& global : module_.globals) {
     if (global.name != declaring) known.push_back(global.name);
   }
