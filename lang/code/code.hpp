@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <span>
@@ -15,6 +17,22 @@
 namespace sdlc::lang {
 
 inline constexpr std::uint32_t kNothing = 0xFFFFFFFF;
+
+/// The names of a loop as operands: consecutive slots of the index, if there is one, and of the
+/// element or its parts.
+struct LoopSlots {
+  static constexpr std::size_t kOperands = 3;
+
+  std::uint32_t slot;  ///< the first
+  bool has_index;
+  std::uint32_t part_count;  ///< 0: the element is not taken apart
+
+  explicit LoopSlots(std::span<const std::uint32_t> operands)
+      : slot(operands[0]), has_index(operands[1] != 0), part_count(operands[2]) {}
+
+  std::uint32_t element_slot() const noexcept { return slot + has_index; }
+  std::uint32_t size() const noexcept { return has_index + std::max(part_count, 1u); }
+};
 
 /// Operation of an expression. Its operands are in Code::operands, most are indices of expressions.
 enum class Op : std::uint8_t {
@@ -36,6 +54,9 @@ enum class Op : std::uint8_t {
   Interval,       ///< from, to
   Triple,         ///< three
   List,           ///< elements
+  Comprehension,  ///< value, clauses
+  ForClause,      ///< LoopSlots, list
+  IfClause,       ///< condition
   Conditional,    ///< condition, value, …, value
   LetIn,          ///< the first slot of its locals, their values, the value
   Member,         ///< operand, index of the name in Code::names; `detail`: 'x', 'y', 'z', or 0
@@ -60,7 +81,7 @@ static_assert(sizeof(Expression) == 16);
 /// Action of a statement, with its operands. A block is its number of statements, then these.
 enum class Action : std::uint8_t {
   Let,     ///< slot, expression
-  For,     ///< slot, list, block
+  For,     ///< LoopSlots, list, block
   If,      ///< [condition or kNothing, block]...
   Assert,  ///< condition, message
   Object,  ///< [property or kNothing, expression]...; its kind is Statement::kind
@@ -129,8 +150,8 @@ struct Code {
   std::vector<double> numbers;
   std::vector<Value> constants;
   std::vector<std::string_view> names;  ///< of members, in the text
-  std::deque<Definition> definitions;  ///< fns and defs in blocks
-  std::uint32_t frame_size = 0;        ///< slots of a statement or expression outside definitions
+  std::deque<Definition> definitions;   ///< fns and defs in blocks
+  std::uint32_t frame_size = 0;         ///< slots of a statement or expression outside definitions
 
   std::span<const std::uint32_t> operands_of(const Expression& e) const noexcept {
     return std::span(operands).subspan(e.first, e.count);

@@ -112,7 +112,7 @@ ExpectedType expected_in(const SceneView& view, std::uint32_t file, const Cursor
     case Role::Parameters:
       return f.locals.empty() ? ExpectedType() : ExpectedType{.type = f.locals.back().type};
     case Role::Parenthesis: return of_component(expected_in(view, file, place, bracket - 1), f);
-    case Role::List: return {};
+    case Role::List: return of_statement(f);
     case Role::Index: return {.type = "number", .units = Units::None};
   }
   return {};

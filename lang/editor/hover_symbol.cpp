@@ -43,9 +43,10 @@ std::string declaration_text(ast::Node node, const Symbol& symbol) {
     }
     case SymbolKind::Def: return std::string(signature_of(node));
     case SymbolKind::LoopVariable: {
-      const auto list = node.child(1);
+      const ast::Node loop(node.tree(), symbol.owner);
+      const auto list = loop.child(1);
       const std::uint32_t end = list ? list->span().end : symbol.where.end;
-      return std::string(node.tree().text({node.span().begin, end}));
+      return std::string(node.tree().text({loop.span().begin, end}));
     }
     case SymbolKind::Object:
       return std::string(node.tree().text({node.span().begin, symbol.where.end}));
@@ -188,7 +189,7 @@ void Description::add_type(SymbolId id) {
 }
 
 void Description::add_loop(SymbolId id, const Symbol& symbol) {
-  const auto list = ast::Node(view_.tree(id.file), symbol.node).child(1);
+  const auto list = ast::Node(view_.tree(id.file), symbol.owner).child(1);
   if (!list || id.file != file_) return;
   const ComputedValue value = values_.of_expression(file_, *list);
   if (value.status == ComputedValue::Status::Known) {

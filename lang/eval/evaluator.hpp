@@ -33,8 +33,8 @@ namespace sdlc::lang {
 ///
 /// evaluator.cpp has the phases of an evaluation, settings.cpp the objects that only the root may
 /// have, globals.cpp the values of the top level; statements.cpp, instances.cpp and includes.cpp
-/// run statements; expressions.cpp, aggregates.cpp and calls.cpp compute values; properties.cpp
-/// checks them; evaluation_limits.cpp counts work and memory.
+/// run statements; expressions.cpp, aggregates.cpp, loops.cpp and calls.cpp compute values;
+/// properties.cpp checks them; evaluation_limits.cpp counts work and memory.
 class Evaluator final : public ChainSource {
  public:
   Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink);
@@ -65,8 +65,8 @@ class Evaluator final : public ChainSource {
     enum Kind : std::uint8_t { Iteration, Call, Instance, Group, Include } kind;
     const Code* code;
     NodeIndex node;               ///< the statement or call
-    std::string_view name;        ///< of the function or kind, or the loop's variable
-    std::size_t local = 0;        ///< of an Iteration: index of the variable in locals_
+    std::string_view name = {};   ///< of the function, kind or group
+    std::size_t local = 0;        ///< of an Iteration: index of its first name in locals_
     std::uint64_t iteration = 0;  ///< from 0
   };
   class Nested;
@@ -121,6 +121,7 @@ class Evaluator final : public ChainSource {
   /// Sets the times of the shutter if the chosen camera has one.
   void find_shutter();
   std::optional<std::string> chosen_camera();
+  /// The code of a setting, with its frame opened.
   Code resolve(const Setting& setting);
   /// The value of one property; Nothing if it is not written.
   Value setting_value(const Setting& setting, std::size_t property);
@@ -140,6 +141,19 @@ class Evaluator final : public ChainSource {
   void run(const Code& code, std::uint32_t statement);
   void run_block(const Code& code, std::span<const std::uint32_t> statements);
   void run_for(const Code& code, const Statement& statement);
+  /// The loop of a For or ForClause.
+  struct Loop {
+    const Code& code;
+    NodeIndex node;
+    LoopSlots names;
+    std::uint32_t list;  ///< expression
+    const ListValue& opening;
+    const ListValue* closing = nullptr;  ///< of the shutter; null: the elements do not vary
+    bool reads_time = false;
+  };
+  /// Gives the names of a loop their values for element i; false if it cannot be taken apart.
+  bool bind_names(const Loop& loop, std::size_t i);
+  bool report_wrong_parts(const Loop& loop, const Value& element);
   void run_if(const Code& code, const Statement& statement);
   void run_assert(const Code& code, const Statement& statement);
   void run_group(const Code& code, const Statement& statement);
@@ -190,9 +204,11 @@ class Evaluator final : public ChainSource {
   Scalar evaluate_chain(const Code& code, const Expression& e, Value& other);
   Value evaluate_operation(const Code& code, const Expression& e);
   Value evaluate_power(const Code& code, const Expression& e);
-  /// `left op right` of any types: arithmetic, or strings joined by `+`.
+  /// `left op right` of any types: arithmetic, or strings or lists joined by `+`.
   Value combine(const Code& code, const Value& left, std::uint32_t left_index, const Value& right,
                 std::uint32_t right_index);
+  Value join(const Code& code, const ListValue& left, const ListValue& right,
+             std::uint32_t right_index);
   Value evaluate_triple(const Code& code, const Expression& e);
   Value evaluate_interval(const Code& code, const Expression& e);
   Value evaluate_list(const Code& code, const Expression& e);
@@ -207,11 +223,22 @@ class Evaluator final : public ChainSource {
   };
   /// The cell of a row of a data file.
   Value column_of(const Code& code, const ListValue& row, const ColumnName& column);
+  Value evaluate_comprehension(const Code& code, const Expression& e);
+  struct Comprehension;
+  /// Runs the clauses from `first` on, nested in those before. False if the list has failed.
+  bool run_clauses(Comprehension& list, std::size_t first);
+  bool run_for_clause(Comprehension& list, std::size_t index);
+  bool add_element(Comprehension& list);
+  bool make_room(Comprehension& list, std::size_t count);
   Value evaluate_logic(const Code& code, const Expression& e);
   Value evaluate_conditional(const Code& code, const Expression& e);
   Value evaluate_let_in(const Code& code, const Expression& e);
   Value evaluate_member(const Code& code, const Expression& e);
   Value evaluate_index(const Code& code, const Expression& e);
+  /// The element of a list at a position; else Nothing, which is reported at `written`.
+  Value element_at(const ListValue& list, const Value& position, ast::Node written);
+  Value elements_at(const Code& code, const Expression& e, const ListValue& list,
+                    const ListValue& positions);
   Value evaluate_function(const Code& code, const Expression& e);
   /// `operands`: those of the call or instance. `here`: the current frame and its environment.
   Callee callee_of(const Code& code, const Expression& e, const Environment& here) const;

@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lang/eval/evaluator.hpp"
 #include "lang/source/limits.hpp"
@@ -133,6 +134,7 @@ Value Evaluator::evaluate_operation(const Code& code, const Expression& e) {
     }
     case Op::Interval: return evaluate_interval(code, e);
     case Op::List: return evaluate_list(code, e);
+    case Op::Comprehension: return evaluate_comprehension(code, e);
     case Op::Conditional: return evaluate_conditional(code, e);
     case Op::LetIn: return evaluate_let_in(code, e);
     case Op::Member: return evaluate_member(code, e);
@@ -160,6 +162,10 @@ std::optional<bool> Evaluator::evaluate_condition(const Code& code, std::uint32_
 Value Evaluator::combine(const Code& code, const Value& left, std::uint32_t left_index,
                          const Value& right, std::uint32_t right_index) {
   const Operator op = code.expressions[right_index].before;
+  const auto *list = get_if<ListValue>(&left), *other = get_if<ListValue>(&right);
+  if (list != nullptr && other != nullptr && op == Operator::Add) {
+    return join(code, *list, *other, right_index);
+  }
   const auto* text = get_if<std::string>(&left);
   const auto* more = get_if<std::string>(&right);
   if (text == nullptr || more == nullptr || op != Operator::Add) {
@@ -172,6 +178,28 @@ Value Evaluator::combine(const Code& code, const Value& left, std::uint32_t left
       take_steps(code, node(code, right_index).index(), kStringSteps + bytes / work::kBytes) &&
       may_take_memory(code, node(code, right_index).index(), bytes);
   return is_good ? Value(*text + *more) : Nothing{};
+}
+
+Value Evaluator::join(const Code& code, const ListValue& left, const ListValue& right,
+                      std::uint32_t right_index) {
+  if (left.size() == 0) return right;
+  if (right.size() == 0) return left;
+  const Value first = left[0], second = right[0];
+  const NodeIndex where = node(code, right_index).index();
+  const std::uint64_t size = left.size() + right.size();
+  const std::uint64_t to_compare = steps_to_read(second);
+  if (!take_steps(code, where, work::kList + size + to_compare)) return Nothing{};
+  if (!are_of_one_type(first, second)) {
+    sink_.report(diag::mixed_list, place(code, right_index), describe(first), describe(second));
+    return Nothing{};
+  }
+  if (!may_take_memory(code, where, size * sizeof(Value))) return Nothing{};
+  std::vector<Value> values;
+  values.reserve(size);
+  for (const ListValue* list : {&left, &right}) {
+    for (std::size_t i = 0; i < list->size(); ++i) values.push_back((*list)[i]);
+  }
+  return ListValue(std::move(values));
 }
 
 Value Evaluator::evaluate_power(const Code& code, const Expression& e) {

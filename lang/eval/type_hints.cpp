@@ -134,4 +134,11 @@ void add_type_hint(DiagnosticBuilder& report, const Property& property, const Va
   }
 }
 
+std::string as_range(ast::Node interval, const Bounds& bounds) {
+  const std::string_view from = interval.child(0)->text(), to = interval.child(1)->text();
+  const bool is_literal = to == to_text(bounds.to);
+  return fmt::format("range({}, {})", from,
+                     is_literal ? to_text(bounds.to + 1) : fmt::format("{} + 1", to));
+}
+
 }  // namespace sdlc::lang

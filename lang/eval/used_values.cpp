@@ -21,6 +21,7 @@ std::span<const std::uint32_t> expressions_in(const Code& code, const Expression
     case Op::LetIn:
     case Op::Builtin:
     case Op::Constructor: return code.operands_of(e).subspan(1);
+    case Op::ForClause: return code.operands_of(e).subspan(LoopSlots::kOperands);
     default: return code.operands_of(e);
   }
 }
@@ -63,8 +64,9 @@ bool UsedValues::visit(const Part& part) {
     }
     default: break;
   }
+  const bool may_read_locals = part.may_read_locals || e.op == Op::Comprehension;
   for (const std::uint32_t operand : expressions_in(*part.code, e)) {
-    if (operand != kNothing) open_.push_back({part.code, operand});
+    if (operand != kNothing) open_.push_back({part.code, operand, may_read_locals});
   }
   return true;
 }

@@ -19,7 +19,8 @@ bool is_chain(SyntaxKind kind) {
 
 /// Whether the node has brackets with indented contents.
 bool is_bracketed(ast::Node node) {
-  return node.is(SyntaxKind::Call) || node.is(SyntaxKind::List) || node.is(SyntaxKind::Triple);
+  return node.is(SyntaxKind::Call) || node.is(SyntaxKind::List) ||
+         node.is(SyntaxKind::Comprehension) || node.is(SyntaxKind::Triple);
 }
 
 /// Whether several such elements fit well on one line.
@@ -83,6 +84,7 @@ void Composer::expression(ast::Node node, bool is_aligned) {
       sequence(node.children(), false, [this](ast::Node part) { expression(part); });
       break;
     case SyntaxKind::List: list(node); break;
+    case SyntaxKind::Comprehension: comprehension(node); break;
     default: tokens_until(node.span().end); break;
   }
 }
@@ -236,6 +238,24 @@ void Composer::parameters(ast::Node declaration) {
   sequence(all, false, [this](ast::Node each) { parameter(each); });
 }
 
+void Composer::loop_head(ast::Node loop) {
+  token();  // for
+  layout_.space();
+  bool is_first = true;
+  for (const ast::Node part : loop.child(0)->children()) {
+    if (!is_first) comma(Comma::Always), layout_.space();
+    is_first = false;
+    if (part.is(SyntaxKind::Name)) {
+      token();
+    } else {
+      sequence(part.children(), false, [this](ast::Node) { token(); });
+    }
+  }
+  space_and_token();  // in
+  layout_.space();
+  expression(*loop.child(1));
+}
+
 void Composer::call(ast::Node call) {
   tokens_until(call.head_span().end);
   const auto arguments = call.children();
@@ -284,6 +304,27 @@ void Composer::list(ast::Node list) {
       is_first = false;
     }
     if (!is_first) comma(Comma::IfBroken);
+  });
+}
+
+/// Value and clauses on one line, or a line for each, as where the bracket ends its line.
+void Composer::comprehension(ast::Node list) {
+  bracketed([&] {
+    if (tokens_.is_broken_ahead()) layout_.break_group();
+    soft_line();
+    for (const ast::Node part : list.children()) {
+      if (part.is(SyntaxKind::ForClause)) {
+        line();
+        loop_head(part);
+      } else if (part.is(SyntaxKind::IfClause)) {
+        line();
+        token();  // if
+        layout_.space();
+        expression(*part.child(0));
+      } else {
+        expression(part);
+      }
+    }
   });
 }
 

@@ -111,15 +111,13 @@ void Resolver::record_broken_for(ast::Node node) {
   bool is_declared = false;
   const auto declare = [&](std::uint32_t begin) {
     if (std::exchange(is_declared, true)) return;
-    declare_local({.kind = SymbolKind::LoopVariable,
-                   .is_local = true,
-                   .node = node.index(),
-                   .name = ast::declared_name(node),
-                   .scope = {begin, scope_end_}});
+    const std::size_t mark = code_.mark();
+    pattern(node, {begin, scope_end_});
+    code_.take(mark);
   };
   for (const ast::Node child : node.children()) {
     if (child.is(SyntaxKind::Block)) declare(child.span().begin);
-    if (!child.is(SyntaxKind::Name)) record_skipped(child);
+    if (!child.is(SyntaxKind::Pattern)) record_skipped(child);
   }
   declare(node.span().end);
 }

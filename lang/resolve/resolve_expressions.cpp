@@ -49,6 +49,7 @@ std::uint32_t Resolver::expression(ast::Node node, const Property* property) {
     case SyntaxKind::And: return operands_of(node, Op::And);
     case SyntaxKind::Comparison: return operands_of(node, Op::Comparison);
     case SyntaxKind::List: return operands_of(node, Op::List);
+    case SyntaxKind::Comprehension: return comprehension(node);
     case SyntaxKind::Conditional: return conditional(node, property);
     case SyntaxKind::LetIn: return let_in(node, property);
     case SyntaxKind::Postfix: return postfix(node);
@@ -123,6 +124,36 @@ std::uint32_t Resolver::let_in(ast::Node node, const Property* property) {
   }
   code_.push(result != kNothing ? result : code_.add_broken(node));
   return code_.add_with(Op::LetIn, node, mark);
+}
+
+std::uint32_t Resolver::comprehension(ast::Node node) {
+  // Clauses come first: a clause sees the names of those before it, the value all names.
+  const Block scope(*this, node.span().end);
+  const std::size_t mark = code_.mark();
+  code_.push(kNothing);
+  for (const ast::Node part : node.children()) {
+    if (part.is(SyntaxKind::ForClause)) {
+      code_.push(for_clause(part, node.span()));
+    } else if (part.is(SyntaxKind::IfClause)) {
+      code_.push(operands_of(part, Op::IfClause));
+    } else if (part.index() != node.index() + 1) {
+      code_.push(broken_expression(part));
+    }
+  }
+  const auto value = node.child(0);
+  const std::uint32_t element = value ? expression(*value) : code_.add_broken(node);
+  code_[mark] = element;
+  return code_.add_with(Op::Comprehension, node, mark);
+}
+
+std::uint32_t Resolver::for_clause(ast::Node node, Span scope) {
+  const auto list = node.child(1);
+  if (!list) return broken_expression(node);
+  const std::uint32_t values = expression(*list);
+  const std::size_t mark = code_.mark();
+  pattern(node, scope);
+  code_.push(values);
+  return code_.add_with(Op::ForClause, node, mark);
 }
 
 std::uint32_t Resolver::postfix(ast::Node node) {

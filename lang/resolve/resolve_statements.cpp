@@ -22,6 +22,7 @@ std::uint32_t Resolver::resolve_statement(ast::Node node, Code& code) {
 std::uint32_t Resolver::resolve_expression() {
   const ast::Node file(module_.tree, 0);
   const auto value = file.child(0);
+  scopes_.reset_frame_size();
   const std::uint32_t index = value ? expression(*value) : code_.add_broken(file);
   module_.code.frame_size = scopes_.frame_size();
   return index;
@@ -29,6 +30,7 @@ std::uint32_t Resolver::resolve_expression() {
 
 std::uint32_t Resolver::resolve_value(ast::Node value, const Property* property, Code& code) {
   code_.write_to(code);
+  scopes_.reset_frame_size();
   const std::uint32_t index = expression(value, property);
   code.frame_size = scopes_.frame_size();
   code_.write_to(module_.code);
@@ -126,14 +128,35 @@ std::uint32_t Resolver::for_statement(ast::Node node) {
   const std::uint32_t values = expression(*list);
   const Block scope(*this, ast::end_of_inside(*body));
   const std::size_t mark = code_.mark();
-  const std::uint32_t slot = declare_local({.kind = SymbolKind::LoopVariable,
-                                            .is_local = true,
-                                            .node = node.index(),
-                                            .name = ast::declared_name(node),
-                                            .scope = {body->span().begin, scope_end_}});
-  code_.push({slot, values});
+  pattern(node, {body->span().begin, scope_end_});
+  code_.push(values);
   block(*body);
   return code_.add_statement(Action::For, node, mark);
+}
+
+void Resolver::pattern(ast::Node loop, Span scope) {
+  const ast::LoopNames names = ast::names_of_loop(loop);
+  std::uint32_t first = kNothing;
+  for (std::size_t i = 0; i < names.all.size(); ++i) {
+    const ast::Node name = names.all[i];
+    const auto same =
+        std::ranges::find(names.all.begin(), names.all.begin() + i, name.text(), &ast::Node::text);
+    const bool is_duplicate = same != names.all.begin() + i && name.text() != "_";
+    if (is_duplicate) {
+      sink_.report(diag::duplicate, name.location(), "loop variable", name.text())
+          .label(same->location(), "first declared here");
+    }
+    const std::uint32_t slot = declare_local({.kind = SymbolKind::LoopVariable,
+                                              .is_local = true,
+                                              .is_duplicate = is_duplicate,
+                                              .node = name.index(),
+                                              .owner = loop.index(),
+                                              .name = name.text(),
+                                              .scope = scope});
+    if (first == kNothing) first = slot;
+  }
+  if (first == kNothing) first = declare_local({.kind = SymbolKind::LoopVariable});
+  code_.push({first, names.has_index, static_cast<std::uint32_t>(names.part_count())});
 }
 
 std::uint32_t Resolver::if_statement(ast::Node node) {

@@ -43,8 +43,8 @@ class Resolver {
   std::uint32_t resolve_statement(ast::Node statement, Code& code);
   /// Resolves a file that is one expression. Returns its index in the Module's code.
   std::uint32_t resolve_expression();
-  /// Resolves an expression that uses no locals, as the value of `property`, which may be null,
-  /// into `code`. Returns its index there.
+  /// Resolves an expression that uses no locals but its own, as the value of `property`, which may
+  /// be null, into `code`. Returns its index there.
   std::uint32_t resolve_value(ast::Node value, const Property* property, Code& code);
   /// Resolves every statement for the recorder. The Module does not change.
   void record_all();
@@ -103,6 +103,8 @@ class Resolver {
   /// Declares the name of a let or binding whose value is resolved; returns its slot.
   std::uint32_t declare_let(ast::Node node);
   std::uint32_t for_statement(ast::Node node);
+  /// Declares the names of a For or ForClause, and pushes its LoopSlots.
+  void pattern(ast::Node loop, Span scope);
   std::uint32_t if_statement(ast::Node node);
   std::uint32_t assert_statement(ast::Node node);
   std::uint32_t include_statement(ast::Node node);
@@ -148,6 +150,8 @@ class Resolver {
   std::uint32_t number(ast::Node node);
   std::uint32_t conditional(ast::Node node, const Property* property);
   std::uint32_t let_in(ast::Node node, const Property* property);
+  std::uint32_t comprehension(ast::Node node);
+  std::uint32_t for_clause(ast::Node node, Span scope);
   std::uint32_t postfix(ast::Node node);
   std::uint32_t reference(ast::Node node, const Property* property);
   std::uint32_t local_value(ast::Node node, const Scopes::Local& local);

@@ -43,8 +43,7 @@ class TypeInference {
         return is_data ? "list" : Name();
       }
       case SymbolKind::LoopVariable: {
-        const auto list = node.child(1);
-        return list ? of_element(id.file, *list) : Name();
+        return of_loop_variable(id.file, *symbol);
       }
       default: return {};
     }
@@ -59,6 +58,15 @@ class TypeInference {
   }
 
  private:
+  /// Nothing is known of parts: a list has one type of elements, a row several.
+  Name of_loop_variable(std::uint32_t file, const Symbol& symbol) {
+    const ast::Node loop(index_.table(file).tree(), symbol.owner);
+    const ast::LoopNames names = ast::names_of_loop(loop);
+    if (names.has_index && names.all[0].index() == symbol.node) return "number";
+    const auto list = loop.child(1);
+    return list && !names.takes_apart ? of_element(file, *list) : Name();
+  }
+
   /// References may be long chains, and cyclic in files with errors.
   bool is_exhausted() {
     constexpr int kMaxSteps = 1000, kMaxDepth = 100;
@@ -100,7 +108,8 @@ class TypeInference {
       case SyntaxKind::Or:
       case SyntaxKind::Comparison: return "bool";
       case SyntaxKind::Interval: return "interval";
-      case SyntaxKind::List: return "list";
+      case SyntaxKind::List:
+      case SyntaxKind::Comprehension: return "list";
       case SyntaxKind::Triple: return of_child(file, node, 0) == "angle" ? "angles" : "vec3";
       case SyntaxKind::Power: return "number";
       case SyntaxKind::Group:
@@ -151,7 +160,9 @@ class TypeInference {
   Name of_postfix(std::uint32_t file, ast::Node node) {
     const auto operand = node.child(0), postfix = node.child(1);
     if (!operand || !postfix || node.child(2)) return {};
-    if (postfix->is(SyntaxKind::Index)) return of_element(file, *operand);
+    if (postfix->is(SyntaxKind::Index)) {
+      return of_child(file, *postfix, 0) == "list" ? "list" : of_element(file, *operand);
+    }
     return of_component(of_expression(file, *operand));
   }
 
@@ -179,6 +190,7 @@ class TypeInference {
   Name of_element(std::uint32_t file, ast::Node list) {
     if (is_exhausted()) return {};
     if (list.is(SyntaxKind::List)) return of_all(file, list);
+    if (list.is(SyntaxKind::Comprehension)) return of_child(file, list, 0);
     if (list.is(SyntaxKind::Call)) return of_element_of_call(file, list);
     if (!list.is(SyntaxKind::Reference)) return {};
     const Occurrence* name = last_name(file, list.span());
