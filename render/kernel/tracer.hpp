@@ -38,7 +38,8 @@ class Tracer {
   virtual bool trace(const RenderSettings& settings, EmitterTally* emitters,
                      std::span<PixelRun> runs, TraceCounts& counts,
                      const std::atomic<bool>& cancel) const = 0;
-  /// The sphere at the centre of a pixel; nullopt for the background.
+  /// The sphere at the centre of a pixel, through the centre of the lens; nullopt for the
+  /// background.
   virtual std::optional<PickedSphere> pick(const RenderSettings& settings,
                                            std::uint64_t pixel) const = 0;
   /// The features of a pixel that has `samples` samples; PixelFeatures{} without any.
