@@ -158,7 +158,7 @@ std::uint32_t Resolver::reference(ast::Node node, const Property* property) {
 
 /// Whether the name is that of a variable or an import, not of a built-in value.
 bool Resolver::is_declared(std::string_view name) {
-  return scopes_.find(name) || find_declaration(module_, NameSpace::Values, name) != nullptr ||
+  return scopes_.find(name) || find_declaration(module_, NameSpace::Values, name).has_value() ||
          find_in(module_.imports, name) != nullptr;
 }
 
