@@ -86,9 +86,11 @@ bool Evaluator::run_clauses(Comprehension& list, std::size_t first) {
   if (first == list.clauses.size()) return add_element(list);
   const std::uint32_t index = list.clauses[first];
   const Expression& clause = list.code.expressions[index];
-  if (!may_nest(list.code, clause.node)) return false;
-  ++depth_;
   bool is_good = false;
+  if (StackSegments::is_low()) [[unlikely]] {
+    run_on_segment(list.code, clause.node, [&] { is_good = run_clauses(list, first); });
+    return is_good;
+  }
   if (clause.op == Op::ForClause) {
     is_good = run_for_clause(list, first);
   } else if (clause.op == Op::IfClause) {
@@ -97,7 +99,6 @@ bool Evaluator::run_clauses(Comprehension& list, std::size_t first) {
   } else {
     evaluate(list.code, index);  // a broken one
   }
-  --depth_;
   return is_good;
 }
 

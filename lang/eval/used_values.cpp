@@ -64,9 +64,8 @@ bool UsedValues::visit(const Part& part) {
     }
     default: break;
   }
-  const bool may_read_locals = part.may_read_locals || e.op == Op::Comprehension;
   for (const std::uint32_t operand : expressions_in(*part.code, e)) {
-    if (operand != kNothing) open_.push_back({part.code, operand, may_read_locals});
+    if (operand != kNothing) open_.push_back({part.code, operand});
   }
   return true;
 }

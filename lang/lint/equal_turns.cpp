@@ -14,7 +14,7 @@ std::vector<std::size_t> variables_of(std::span<const Symbol> symbols, ast::Node
   std::vector<std::size_t> variables;
   const auto first = std::ranges::lower_bound(symbols, loop.index(), {}, &Symbol::node);
   for (auto it = first; it != symbols.end() && it->node < body.index(); ++it) {
-    if (it->kind != SymbolKind::LoopVariable) continue;
+    if (it->kind != SymbolKind::LoopVariable || it->owner != loop.index()) continue;
     variables.push_back(static_cast<std::size_t>(it - symbols.begin()));
   }
   return variables;
