@@ -8,6 +8,7 @@
 
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/source/data_format.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/value/builtins.hpp"
 #include "lang/value/colors.hpp"
@@ -100,6 +101,11 @@ nlohmann::ordered_json language_tables() {
                           [](const lang::TypeInfo& type) {
                             return Json{{"name", type.name}, {"doc", type.doc}};
                           })},
+          {"data_formats", table(lang::kDataFormats,
+                                 [](const lang::DataFormatInfo& format) {
+                                   return Json{{"extension", format.extension},
+                                               {"doc", format.doc}};
+                                 })},
           {"limits", table(lang::kLimits, limit_row)},
           {"colors", table(lang::named_colors(), color_row)},
           {"diagnostics", table(lang::all_diagnostics(), diagnostic_row)}};
