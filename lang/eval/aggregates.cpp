@@ -119,8 +119,8 @@ void Evaluator::report_uneven_rows(const Code& code, const Expression& e,
       sink_.report(diag::uneven_rows, place(code, operands[i]), i + 1, count(row), count(first))
           .label(place(code, operands[0]), "row 1");
     } else if (const auto k = first_difference(first, row)) {
-      const bool are_rows = holds_alternative<RowValue>(row[*k]) &&
-                            holds_alternative<RowValue>(first[*k]);
+      const bool are_rows =
+          holds_alternative<RowValue>(row[*k]) && holds_alternative<RowValue>(first[*k]);
       sink_
           .report(diag::uneven_rows, place_of_element(code, operands[i], *k), i + 1,
                   are_rows ? "another row" : describe(row[*k]), describe(first[*k]))

@@ -28,9 +28,9 @@ struct Global {
   NodeIndex node = 0;              ///< the statement
   const TypeInfo* type = nullptr;  ///< declared; null: any
   bool is_param = false;
-  bool uses_time = false;          ///< may read `time`, directly or indirectly
+  bool uses_time = false;                        ///< may read `time`, directly or indirectly
   std::shared_ptr<const Table> table = nullptr;  ///< of an import of a data file
-  std::uint32_t value = kNothing;  ///< expression
+  std::uint32_t value = kNothing;                ///< expression
 };
 
 struct Parameter {
