@@ -141,7 +141,8 @@ class DelimitedReader {
     const std::uint32_t begin = at_;
     while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n') ++at_;
     std::uint32_t end = at_;
-    while (end > begin && (text_[end - 1] == ' ' || text_[end - 1] == '\t' || text_[end - 1] == '\r'))
+    while (end > begin &&
+           (text_[end - 1] == ' ' || text_[end - 1] == '\t' || text_[end - 1] == '\r'))
       --end;
     return {.text = text_.substr(begin, end - begin), .where = {begin, end}};
   }
@@ -215,7 +216,7 @@ class DelimitedReader {
   std::optional<std::uint32_t> first_blank_;
   bool is_broken_ = false;       // the current row has an error that may hide cells
   bool is_cell_broken_ = false;  // the last cell has it
-  std::string quoted_;      // the text of a quoted cell with quotes in it
+  std::string quoted_;           // the text of a quoted cell with quotes in it
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ class TableBuilder {
  public:
   static constexpr std::size_t kMaxColumns = 10'000;
 
-  TableBuilder(const SourceFile& file, DiagnosticSink& sink) 
+  TableBuilder(const SourceFile& file, DiagnosticSink& sink)
       : file_(file), sink_(sink), earlier_errors_(sink.error_count()) {}
 
   enum class Type : std::uint8_t {

@@ -26,7 +26,11 @@ std::string count_of_atoms(std::uint64_t count) {
 class XyzReader {
  public:
   XyzReader(const SourceFile& file, DiagnosticSink& sink)
-      : file_(file), text_(file.text()), sink_(sink), table_(file, sink), at_(begin_of_text(text_)) {}
+      : file_(file),
+        text_(file.text()),
+        sink_(sink),
+        table_(file, sink),
+        at_(begin_of_text(text_)) {}
 
   std::shared_ptr<const Table> read() {
     if (!read_count()) return nullptr;
@@ -61,8 +65,9 @@ class XyzReader {
     sink_
         .report(diag::no_header, {&file_, where_count_},
                 is_empty ? "it is empty" : "its first line is not a number of atoms")
-        .help("an XYZ file has the number of atoms, a comment line, and a line `element x y z` per "
-              "atom");
+        .help(
+            "an XYZ file has the number of atoms, a comment line, and a line `element x y z` per "
+            "atom");
     return false;
   }
 

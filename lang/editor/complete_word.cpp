@@ -33,7 +33,8 @@ void add_components(CompletionBuilder& builder, std::string_view type) {
 void add_columns(CompletionBuilder& builder, const Table& table) {
   int row = 0;
   for (const Column& column : table.columns()) {
-    const bool is_name = !column.name.empty() && end_of_identifier(column.name, 0) == column.name.size();
+    const bool is_name =
+        !column.name.empty() && end_of_identifier(column.name, 0) == column.name.size();
     if (!is_name) continue;
     builder.add({.label = column.name,
                  .kind = CompletionKind::Component,

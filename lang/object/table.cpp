@@ -11,10 +11,9 @@ Table::Table(std::string file, std::vector<Column> columns, std::size_t rows)
     : file_(std::move(file)),
       columns_(std::move(columns)),
       rows_(rows),
-      is_uniform_(std::ranges::all_of(columns_,
-                                      [&](const Column& column) {
-                                        return column.has_numbers() == columns_[0].has_numbers();
-                                      })),
+      is_uniform_(std::ranges::all_of(
+          columns_,
+          [&](const Column& column) { return column.has_numbers() == columns_[0].has_numbers(); })),
       weight_(rows * (1 + columns_.size())) {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Column& column = columns_[i];
@@ -58,9 +57,8 @@ std::size_t Table::bytes() const noexcept {
   std::size_t bytes = sizeof *this;
   for (const Column& column : columns_) {
     const auto* numbers = std::get_if<std::vector<double>>(&column.cells);
-    bytes += sizeof column + (numbers != nullptr
-                                  ? numbers->capacity() * sizeof(double)
-                                  : std::get<StringColumn>(column.cells).bytes());
+    bytes += sizeof column + (numbers != nullptr ? numbers->capacity() * sizeof(double)
+                                                 : std::get<StringColumn>(column.cells).bytes());
   }
   return bytes;
 }

@@ -43,7 +43,8 @@ void report_data_as_scene(const SourceFile& file, DiagnosticSink& sink) {
 /// Whether the file has neither an extension of scenes nor the beginning of one.
 bool is_of_unknown_format(const SourceFile& file) {
   const std::string extension = fs::path(file.name()).extension().string();
-  if (extension.empty() || extension == ".scene" || file.format() == SourceFormat::Json) return false;
+  if (extension.empty() || extension == ".scene" || file.format() == SourceFormat::Json)
+    return false;
   const std::uint32_t begin = skip_space(file.text(), 0);
   return file.text().substr(begin, end_of_identifier(file.text(), begin) - begin) != "scene";
 }
@@ -63,7 +64,7 @@ bool has_include(ast::Node statement) {
 }  // namespace
 
 bool check_file_size(const SourceFile& file, const Limits& limits, DiagnosticSink& sink) {
-  const std::uint64_t Limits::*limit = data_format_of(file.name())             ? &Limits::data
+  const std::uint64_t Limits::*limit = data_format_of(file.name())           ? &Limits::data
                                        : file.format() == SourceFormat::Json ? &Limits::config
                                                                              : &Limits::file;
   if (file.text().size() <= limits.*limit) return true;
@@ -282,8 +283,7 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
   if (is_data && is_include) return report_include_of_data(name, *written, sink);
   loaded_.emplace(key, kNothing);
   const FileRequest request{from, name, *written, is_include};
-  const std::shared_ptr<const Document> document =
-      read(path, request, sink);
+  const std::shared_ptr<const Document> document = read(path, request, sink);
   if (!document) return kNothing;
   dependencies_.push_back(path);
   documents_.push_back(document);

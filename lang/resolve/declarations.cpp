@@ -37,9 +37,8 @@ void collect(Modules& modules, std::uint32_t index, ast::Node statement, ast::No
       const std::uint32_t loaded = modules.load(index, *file, false, sink);
       if (loaded >= kTables && loaded != kNothing) {
         module.global_names.emplace(name.text(), number(module.globals));
-        module.globals.push_back({.name = name.text(),
-                                  .node = statement.index(),
-                                  .table = modules.table_at(loaded)});
+        module.globals.push_back(
+            {.name = name.text(), .node = statement.index(), .table = modules.table_at(loaded)});
         return;
       }
       module.imports.emplace(name.text(), Import{.module = loaded, .node = statement.index()});

@@ -28,10 +28,10 @@ struct Global {
   NodeIndex node = 0;              ///< the statement
   const TypeInfo* type = nullptr;  ///< declared; null: any
   bool is_param = false;
-  bool uses_time = false;          ///< may read `time`, directly or indirectly
+  bool uses_time = false;                        ///< may read `time`, directly or indirectly
   std::shared_ptr<const Table> table = nullptr;  ///< of an import of a data file
-  std::uint32_t value = kNothing;  ///< expression
-  std::uint32_t frame_size = 0;    ///< slots of the locals in it
+  std::uint32_t value = kNothing;                ///< expression
+  std::uint32_t frame_size = 0;                  ///< slots of the locals in it
 };
 
 /// The import of a .scene file: its name denotes a module.

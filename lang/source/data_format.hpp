@@ -18,11 +18,13 @@ struct DataFormatInfo {
 };
 
 inline constexpr auto kDataFormats = std::to_array<DataFormatInfo>({
-    {".csv", DataFormat::Csv, "Cells separated by commas (RFC 4180); the first line has the names "
-                              "of the columns."},
+    {".csv", DataFormat::Csv,
+     "Cells separated by commas (RFC 4180); the first line, the header, has the names of the "
+     "columns."},
     {".tsv", DataFormat::Tsv, "The same with tabs."},
-    {".xyz", DataFormat::Xyz, "Atoms of a molecule: their number, a comment line, and per atom a "
-                              "line `element x y z`, which are the names of the columns."},
+    {".xyz", DataFormat::Xyz,
+     "The atoms of a molecule: their number, a comment line, and a line `element x y z` for each, "
+     "which are the names of the columns."},
 });
 
 /// The format of a data file by its extension, whose case does not matter; nullopt for other files.

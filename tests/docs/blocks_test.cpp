@@ -94,7 +94,7 @@ std::string kind_of(const CodeBlock& block) {
 
 /// A block that is a complete text of one of the formats.
 bool is_file(const CodeBlock& block) {
-  static const std::vector<std::string> kinds{"scene",  "scene-wrong",  "scene-file", "scene-part",
+  static const std::vector<std::string> kinds{"scene",  "scene-wrong",  "scene-file",  "scene-part",
                                               "config", "config-wrong", "config-file", "data-file"};
   return std::ranges::find(kinds, kind_of(block)) != kinds.end();
 }

@@ -13,6 +13,7 @@
 #include "lang/report/findings.hpp"
 #include "lang/schema/property_text.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/source/data_format.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/value/builtins.hpp"
 #include "lang/value/colors.hpp"
@@ -103,6 +104,14 @@ std::string type_table() {
   return text;
 }
 
+std::string data_format_table() {
+  std::string text = "| extension | |\n| --- | --- |\n";
+  for (const lang::DataFormatInfo& format : lang::kDataFormats) {
+    text += fmt::format("| `{}` | {} |\n", format.extension, format.doc);
+  }
+  return text;
+}
+
 std::string limit_table() {
   std::string text = "| limit | by default | what it counts |\n| --- | --- | --- |\n";
   const lang::Limits defaults;
@@ -160,6 +169,7 @@ std::vector<GeneratedPart> reference_parts() {
     parts.push_back({fmt::format("functions of {}", topic), function_table(topic)});
   }
   parts.push_back({"types", type_table()});
+  parts.push_back({"data formats", data_format_table()});
   parts.push_back({"limits", limit_table()});
   parts.push_back({"fixed limits", fixed_limit_table()});
   parts.push_back({"named colors", color_list()});

@@ -42,7 +42,8 @@ TEST(TableReader, ReadsTheNearestDoubles) {
 }
 
 TEST(TableReader, TakesWordsThatFromCharsWouldReadAsStrings) {
-  for (const char* word : {"nan", "inf", "-inf", "infinity", "0x10", "1_000", "1 2", "+-1", "--1", "1e"}) {
+  for (const char* word :
+       {"nan", "inf", "-inf", "infinity", "0x10", "1_000", "1 2", "+-1", "--1", "1e"}) {
     const auto table = read("a.csv", std::string("x\n") + word + "\n");
     ASSERT_NE(table, nullptr) << word;
     EXPECT_FALSE(table->columns()[0].has_numbers()) << word;
