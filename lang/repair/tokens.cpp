@@ -103,10 +103,14 @@ bool is_clause(const TokenList& tokens, std::size_t i) {
 
 }  // namespace
 
+bool TokenList::is_let_of_value(std::size_t i) const noexcept {
+  return is(i, "let") && is_same_line(i) && wants_operand(i - 1);
+}
+
 bool TokenList::begins_statement(std::size_t i) const noexcept {
   if (!is_word(i)) return false;
   const std::string_view word = written(i);
-  if (is_one_of(word, kDeclarationWords)) return true;
+  if (is_one_of(word, kDeclarationWords)) return !is_let_of_value(i);
   if (word == "for") {
     return (is_word(i + 1) || is_bracket(i + 1, '(')) && !is_clause(*this, i);
   }

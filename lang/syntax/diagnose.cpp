@@ -119,9 +119,7 @@ class Diagnosis {
           report.unsafe_fix(where({at_, at_}), "in ");
         }
         break;
-      case Wanted::LetIn:
-        report.help("a value with local names is `let a = 1, b = 2 in a + b`");
-        break;
+      case Wanted::LetIn: explain_let_in(report); break;
       case Wanted::SecondName:
         report.help("a name alone needs no parentheses");
         if (c == ')') {
@@ -213,6 +211,21 @@ class Diagnosis {
       report.fix(where(found_), "");
     } else if (is_comma) {
       report.help("a computed list has one value before its `for`");
+    }
+  }
+
+  /// A comma before the next name, or the `in` before the value, is missing.
+  void explain_let_in(DiagnosticBuilder& report) {
+    report.help("a value with local names is `let a = 1, b = 2 in a + b`");
+    if (is_on_next_line_ || !begins_value()) return;
+    const std::uint32_t end = builder_.token_end();
+    const std::uint32_t next = skip_blanks(text_, found_.end);
+    const bool is_name = is_letter(char_at(text_, at_)) && char_at(text_, next) == '=' &&
+                         char_at(text_, next + 1) != '=';
+    if (is_name) {
+      report.unsafe_fix(where({end, end}), ",");
+    } else if (end < at_) {
+      report.unsafe_fix(where({end, end}), " in");
     }
   }
 
