@@ -14,6 +14,9 @@
 namespace sdlc::lang {
 namespace {
 
+/// The elements of a list; null for other values.
+const ListValue* elements_of(const Value& value) noexcept { return get_if<ListValue>(&value); }
+
 /// Room for `count` more values, in a vector that grows geometrically.
 std::size_t capacity_for(const std::vector<Value>& values, std::size_t count) {
   const std::size_t size = values.size() + count;
@@ -24,6 +27,14 @@ std::size_t capacity_for(const std::vector<Value>& values, std::size_t count) {
 
 bool Evaluator::bind_names(const Loop& loop, std::size_t i) {
   Varying* variables = &locals_[frame_ + loop.names.slot];
+  const bool is_plain =
+      !loop.names.has_index && loop.names.part_count == 0 && loop.closing == nullptr;
+  if (is_plain) {  // fast path
+    variables->values[0] = loop.opening[i];
+    variables->reads_time = loop.reads_time;
+    variables->varies = false;
+    return true;
+  }
   if (loop.names.has_index) *variables++ = {.values = {Scalar{static_cast<double>(i)}}};
   const std::size_t moments = loop.closing != nullptr ? 2 : 1;
   const std::size_t count = std::max<std::size_t>(loop.names.part_count, 1);
@@ -138,19 +149,19 @@ bool Evaluator::run_for_clause(Comprehension& list, std::size_t index) {
 }
 
 bool Evaluator::add_element(Comprehension& list) {
-  Value value = evaluate(list.code, list.value);
+  Value value;
+  const Scalar number = evaluate_number(list.code, list.value, value);
+  if (is_number(number)) value = number;
   if (is_nothing(value)) return false;
   if (!list.elements.empty() && !are_of_one_type(list.elements.front(), value)) {
-    const Value& first = list.elements.front();
-    auto report = sink_.report(diag::mixed_list, place(list.code, list.value), describe(first),
-                               describe(value));
-    const ListValue *row = elements_of(first), *other = elements_of(value);
-    report.help(row != nullptr && other != nullptr
-                    ? describe_difference(*row, *other)
-                    : fmt::format("the first element is {}", describe(first)));
+    sink_
+        .report(diag::mixed_list, place(list.code, list.value), describe(list.elements.front()),
+                describe(value))
+        .help(fmt::format("the first element is {}", describe(list.elements.front())));
     return false;
   }
-  if (!make_room(list, 1)) return false;
+  const bool is_full = list.elements.size() == list.elements.capacity();
+  if (is_full && !make_room(list, 1)) return false;
   list.elements.push_back(std::move(value));
   return true;
 }
