@@ -149,20 +149,18 @@ bool Evaluator::run_for_clause(Comprehension& list, std::size_t index) {
 }
 
 bool Evaluator::add_element(Comprehension& list) {
-<<<<<<< HEAD
   Value value;
   const Scalar number = evaluate_number(list.code, list.value, value);
   if (is_number(number)) value = number;
-  if (is_nothing(value)) return false;
-=======
-  Value value = evaluate(list.code, list.value);
   if (is_nothing(value) || !take_steps(list.code, list.node, steps_to_compare(value))) return false;
->>>>>>> 19931db (eval: take steps for comparing the types of rows)
   if (!list.elements.empty() && !are_of_one_type(list.elements.front(), value)) {
-    sink_
-        .report(diag::mixed_list, place(list.code, list.value), describe(list.elements.front()),
-                describe(value))
-        .help(fmt::format("the first element is {}", describe(list.elements.front())));
+    const Value& first = list.elements.front();
+    auto report = sink_.report(diag::mixed_list, place(list.code, list.value), describe(first),
+                               describe(value));
+    const ListValue *row = elements_of(first), *other = elements_of(value);
+    report.help(row != nullptr && other != nullptr
+                    ? describe_difference(*row, *other)
+                    : fmt::format("the first element is {}", describe(first)));
     return false;
   }
   const bool is_full = list.elements.size() == list.elements.capacity();
