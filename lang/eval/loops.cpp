@@ -14,9 +14,6 @@
 namespace sdlc::lang {
 namespace {
 
-/// The elements of a list; null for other values.
-const ListValue* elements_of(const Value& value) noexcept { return get_if<ListValue>(&value); }
-
 /// Room for `count` more values, in a vector that grows geometrically.
 std::size_t capacity_for(const std::vector<Value>& values, std::size_t count) {
   const std::size_t size = values.size() + count;
