@@ -287,8 +287,7 @@ class MeasureJob {
         {"height", settings.height},
         {"samples", settings.samples},
         {"threads", settings.threads},
-        {"tone", name_of(lowered.output.mapping.tone)},
-        {"exposure", lowered.output.mapping.exposure},
+        {"tone", name_of(lowered.output.tone)},
         {"precision", request_.precision ? std::string(name_of(*request_.precision)) : "auto"}};
     render::for_each_setting([&](const auto& setting) {
       json[std::string(setting.name)] = render::shown(settings.*setting.member);
@@ -301,7 +300,7 @@ class MeasureJob {
 
   /// Returns false if it was interrupted.
   bool study(const lang::LoweredScene& lowered) {
-    details_.emplace(lowered.output.mapping);
+    details_.emplace(lowered.output.tone);
     std::optional<render::ReferencePicture> reference;
     if (!options_.work.empty()) {
       work_.emplace(options_.work, identity(lowered));
@@ -344,7 +343,7 @@ class MeasureJob {
   void measure_other_seconds(const render::Picture& picture, const lang::LoweredScene& lowered) {
     const auto seconds_to_encode = [&](const render::Picture& any) {
       const auto start = std::chrono::steady_clock::now();
-      render::encode_picture(any, {.mapping = lowered.output.mapping});
+      render::encode_picture(any, {.tone = lowered.output.tone});
       return render::seconds_since(start);
     };
     const double loading = seconds_to_encode(render::Picture(1, 1));

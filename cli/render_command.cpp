@@ -84,13 +84,13 @@ void check_memory(const render::RenderSettings& settings, const render::Aovs& ao
 render::WriteOptions write_options(const Output& output, const RenderOptions& options,
                                    const lang::LoweredScene& lowered,
                                    const render::RenderResult& result) {
-  std::optional<render::ToneMapping> mapping;
-  if (!describe(output.format).is_linear) mapping = lowered.output.mapping;
+  std::optional<render::Tone> tone;
+  if (!describe(output.format).is_linear) tone = lowered.output.tone;
   return {.format = output.format,
-          .mapping = lowered.output.mapping,
+          .tone = lowered.output.tone,
           .ppm_text = options.ppm_text,
           .metadata = {.software = fmt::format("sdlc {}", kVersion),
-                       .entries = picture_metadata(lowered.settings, result, mapping)}};
+                       .entries = picture_metadata(lowered.settings, result, tone)}};
 }
 
 void write_to_stdout(const render::Picture& picture, const render::WriteOptions& options,

@@ -87,7 +87,9 @@ void Composer::assertion(ast::Node assertion) {
 }
 
 void Composer::for_loop(ast::Node loop) {
-  loop_head(loop);
+  words(3);  // for name in
+  layout_.space();
+  expression(*loop.child(1));
   const ast::Node body = *loop.child(2);
   block(body, body.children().begin());
 }

@@ -88,9 +88,8 @@ class DeclarationSearch {
     std::vector<const Symbol*> symbols;
     if (unknown.space == NameSpace::Labels) {
       if (unknown.owner.file != table_.file()) return {};
-      for (const Symbol& symbol : table_.symbols()) {
-        const bool is_parameter = symbol.kind == SymbolKind::Parameter;
-        if (is_parameter && symbol.owner == unknown.owner.index) symbols.push_back(&symbol);
+      for (const Symbol& parameter : table_.parameters_of(unknown.owner.index)) {
+        symbols.push_back(&parameter);
       }
       return symbols;
     }

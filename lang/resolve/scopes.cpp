@@ -16,17 +16,15 @@ std::optional<std::uint32_t> Scopes::find(std::string_view name) const {
 }
 
 std::uint32_t Scopes::declare(std::string_view name) {
-  const auto index = static_cast<std::uint32_t>(locals_.size());
+  const auto slot = static_cast<std::uint32_t>(locals_.size());
   std::uint32_t hidden = kNone;
-  if (index >= kMaxLinear) {
-    const auto [known, is_new] = by_name_.try_emplace(name, index);
-    if (!is_new) hidden = std::exchange(known->second, index);
+  if (slot >= kMaxLinear) {
+    const auto [known, is_new] = by_name_.try_emplace(name, slot);
+    if (!is_new) hidden = std::exchange(known->second, slot);
   }
-  const std::uint32_t next = index == frame_begin_ ? 0 : locals_.back().slot + 1;
-  const std::uint32_t slot = std::max(next, reserved_);
-  locals_.push_back({.name = name, .frame = frame_, .slot = slot, .hidden = hidden});
+  locals_.push_back({.name = name, .hidden = hidden});
   frame_size_ = std::max(frame_size_, slot + 1);
-  return index;
+  return slot;
 }
 
 void Scopes::leave(std::size_t size) {

@@ -23,16 +23,11 @@ std::optional<std::string_view> intended_name(const std::optional<Habit>& habit,
 /// intended one, which the caller resolves instead.
 class UnknownNames {
  public:
-  /// What is visible in blocks, beside the declarations of the file.
-  struct Locals {
-    const Scopes &values, &functions, &kinds;
-  };
-
-  UnknownNames(Modules& modules, std::uint32_t module, Locals locals, DiagnosticSink& sink)
+  UnknownNames(Modules& modules, std::uint32_t module, const Scopes& scopes, DiagnosticSink& sink)
       : modules_(modules),
         index_(module),
         module_(modules.module_at(module)),
-        locals_(locals),
+        scopes_(scopes),
         sink_(sink) {}
 
   /// Values that are not suggested.
@@ -92,7 +87,7 @@ class UnknownNames {
   Modules& modules_;
   std::uint32_t index_;
   Module& module_;
-  Locals locals_;
+  const Scopes& scopes_;
   DiagnosticSink& sink_;
 };
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "render/exactness/camera_surface.hpp"
-#include "render/exactness/camera_view.hpp"
 #include "render/exactness/movement.hpp"
 #include "render/exactness/near_pairs.hpp"
 
@@ -33,7 +32,7 @@ class Parting {
       find_contacts(*known);
     } else {
       const Nearness nearness{.gap_of_extent = kContactReach * kMinGap * unit_};
-      const auto pairs = find_near_pairs(CameraView(scene_, scene_.camera), nearness, exact_);
+      const auto pairs = find_near_pairs(scene_, {}, nearness, exact_);
       if (!pairs) return;
       find_contacts(*pairs);
     }
@@ -94,8 +93,7 @@ class Parting {
     return scene_.shifts.empty() ? opening(i) : opening(i) + scene_.shifts[i];
   }
   double extent(std::uint32_t i) const {
-    return std::max(length(opening(i)), length(closing(i))) + radius(i) +
-           scene_.camera.aperture / 2;
+    return std::max(length(opening(i)), length(closing(i))) + radius(i);
   }
 
   /// Twice the error of points on the two spheres near their contact.

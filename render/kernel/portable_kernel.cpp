@@ -17,12 +17,8 @@ TraceRuns<double>* choose_pilot(bool has_motion) noexcept {
 TraceRuns<double>* portable_kernel(KernelFeatures features) noexcept {
   using namespace HWY_NAMESPACE;
   if (features.pilot) return choose_pilot(features.motion);
-  if (features.lens) {
-    return features.lights ? choose_kernel<double, true, true>(features)
-                           : choose_kernel<double, false, true>(features);
-  }
-  return features.lights ? choose_kernel<double, true, false>(features)
-                         : choose_kernel<double, false, false>(features);
+  return features.lights ? choose_kernel<double, true>(features)
+                         : choose_kernel<double, false>(features);
 }
 
 }  // namespace sdlc::render

@@ -3,6 +3,5 @@
   (parameters)
   (arguments)
   (list)
-  (comprehension)
   (block_comment)
 ] @fold

@@ -7,8 +7,6 @@
   (group)
   (triple)
   (list)
-  (comprehension)
-  (row_pattern)
   (index)
 ] @indent.begin @indent
 

@@ -3,20 +3,12 @@
 (fn_statement) @local.scope
 (def_statement) @local.scope
 (for_statement) @local.scope
-(comprehension) @local.scope
-(let_in) @local.scope
 
 (let_statement
   name: (identifier) @local.definition)
 (param_statement
   name: (identifier) @local.definition)
-(pattern
-  index: (identifier) @local.definition)
-(pattern
-  name: (identifier) @local.definition)
-(row_pattern
-  name: (identifier) @local.definition)
-(binding
+(for_statement
   name: (identifier) @local.definition)
 (parameter
   name: (identifier) @local.definition)
