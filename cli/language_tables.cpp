@@ -60,12 +60,16 @@ Json constructor_row(const lang::Constructor& constructor) {
 }
 
 Json function_row(const lang::Builtin& function) {
-  return {{"name", function.name},
-          {"signature", function.signature},
-          {"least_arguments", function.min_arguments},
-          {"most_arguments", function.max_arguments},
-          {"topic", function.topic},
-          {"doc", function.doc}};
+  Json row{{"name", function.name},
+           {"signature", function.signature},
+           {"least_arguments", function.min_arguments},
+           {"most_arguments", function.max_arguments},
+           {"topic", function.topic},
+           {"doc", function.doc}};
+  for (const lang::Property& option : function.options) {
+    row["options"].push_back(property_row(option));
+  }
+  return row;
 }
 
 Json limit_row(const lang::LimitInfo& limit) {

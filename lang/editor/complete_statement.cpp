@@ -217,6 +217,9 @@ void complete_operator(CompletionBuilder& builder) {
   const bool is_open = !f.conditionals.empty();
   if (is_open && f.conditionals.back() == ConditionalPart::Condition) add("then", 0);
   if (is_open && f.conditionals.back() == ConditionalPart::Then) add("else", 0);
+  const bool may_have_clause = f.role == OpenBracket::Role::List && f.commas == 0 && !is_open;
+  if (may_have_clause) add("for", 3);
+  if (may_have_clause && !f.word.empty()) add("if", 0);
   add("and", 1);
   add("or", 2);
 }

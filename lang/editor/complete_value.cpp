@@ -137,6 +137,13 @@ void add_named_arguments(CompletionBuilder& builder, const OpenBracket& call,
                   {kArgument, later + static_cast<int>(i)});
     }
   }
+  if (callee.builtin != nullptr && positional >= callee.builtin->min_arguments) {
+    const auto options = callee.builtin->options;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+      if (is_given(callee.builtin->max_arguments + i, options[i].name)) continue;
+      builder.add(property_item(options[i], true, has_colon), {kArgument, static_cast<int>(i)});
+    }
+  }
   const std::vector<SymbolId> parameters = parameters_of(builder.view(), callee.function);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (is_given(i, builder.view().index().find(parameters[i])->name)) continue;

@@ -43,9 +43,10 @@ std::string declaration_text(ast::Node node, const Symbol& symbol) {
     }
     case SymbolKind::Def: return std::string(signature_of(node));
     case SymbolKind::LoopVariable: {
-      const auto list = node.child(1);
+      const ast::Node loop(node.tree(), symbol.owner);
+      const auto list = loop.child(1);
       const std::uint32_t end = list ? list->span().end : symbol.where.end;
-      return std::string(node.tree().text({node.span().begin, end}));
+      return std::string(node.tree().text({loop.span().begin, end}));
     }
     case SymbolKind::Object:
       return std::string(node.tree().text({node.span().begin, symbol.where.end}));
@@ -89,6 +90,16 @@ std::string join_names(std::span<const Property> properties) {
   std::vector<std::string> names;
   for (const Property& property : properties) names.push_back(as_code(property.name));
   return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// A line for each.
+std::string describe_parameters(std::span<const Property> parameters) {
+  std::string text;
+  for (const Property& parameter : parameters) {
+    text += fmt::format("{}* {}: {}. {}", text.empty() ? "" : "\n", as_code(parameter.name),
+                        describe(parameter), parameter.doc);
+  }
+  return text;
 }
 
 class Description {
@@ -178,7 +189,7 @@ void Description::add_type(SymbolId id) {
 }
 
 void Description::add_loop(SymbolId id, const Symbol& symbol) {
-  const auto list = ast::Node(view_.tree(id.file), symbol.node).child(1);
+  const auto list = ast::Node(view_.tree(id.file), symbol.owner).child(1);
   if (!list || id.file != file_) return;
   const ComputedValue value = values_.of_expression(file_, *list);
   if (value.status == ComputedValue::Status::Known) {
@@ -246,15 +257,11 @@ void Description::add_function(const BuiltinSymbol& builtin) {
   if (const Constructor* constructor = find_constructor(builtin.name)) {
     text_.add_code(signature_of(*constructor));
     text_.add(builtin.doc);
-    std::string parameters;
-    for (const Property& parameter : constructor->parameters) {
-      parameters += fmt::format("{}* {}: {}. {}", parameters.empty() ? "" : "\n",
-                                as_code(parameter.name), describe(parameter), parameter.doc);
-    }
-    text_.add(parameters);
+    text_.add(describe_parameters(constructor->parameters));
   } else if (const Builtin* function = find_builtin(builtin.name)) {
     text_.add_code(function->signature);
     text_.add(builtin.doc);
+    if (!function->options.empty()) text_.add(describe_parameters(function->options));
   }
   add_value_of_call();
 }

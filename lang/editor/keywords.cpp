@@ -22,7 +22,10 @@ constexpr auto kKeywords = std::to_array<Keyword>({
      "Makes the values, functions and kinds of another file available as `name.…`."},
     {"include", "include \"file.scene\"", "Places the objects of another file here."},
     {"assert", "assert condition, \"message\"", "Reports the message if the condition is false."},
-    {"for", "for name in list { … }", "Places the objects in the block once per element."},
+    {"for", "for name in list { … }",
+     "Places the objects in the block once per element; in brackets, `[value for name in list]` is "
+     "a "
+     "list."},
     {"if", kConditional,
      "Chooses one of two values; as a statement, `if condition { … } else { … }` chooses objects."},
     {"then", kConditional, "Precedes the value if the condition is true."},

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "lang/eval/evaluator.hpp"
+#include "lang/eval/type_hints.hpp"
 #include "lang/object/table.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/text/nearest_name.hpp"
@@ -195,14 +196,45 @@ Value Evaluator::evaluate_index(const Code& code, const Expression& e) {
     if (holds_alternative<Triple>(value)) report.help("its components are `.x`, `.y` and `.z`");
     return Nothing{};
   }
-  const Location where = place(code, operands[1]);
   const auto* name = get_if<std::string>(&position);
   if (name != nullptr && list->table_of_row() != nullptr) {
-    return column_of(code, *list, {.name = *name, .where = where.span, .member = {}});
+    const Span where = node(code, operands[1]).span();
+    return column_of(code, *list, {.name = *name, .where = where, .member = {}});
   }
+  const auto* positions = get_if<ListValue>(&position);
+  if (positions != nullptr) return elements_at(code, e, *list, *positions);
+  return element_at(*list, position, node(code, operands[1]));
+}
+
+Value Evaluator::elements_at(const Code& code, const Expression& e, const ListValue& list,
+                             const ListValue& positions) {
+  const ast::Node written = node(code, code.operands_of(e)[1]);
+  const bool is_good = take_steps(code, e.node, work::kList + positions.size()) &&
+                       may_take_memory(code, e.node, positions.size() * sizeof(Value));
+  if (!is_good) return Nothing{};
+  std::vector<Value> elements;
+  elements.reserve(positions.size());
+  bool is_mixed = false;  // some elements of a row
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    elements.push_back(element_at(list, positions[i], written));
+    if (is_nothing(elements.back())) return Nothing{};
+    is_mixed = is_mixed || !are_of_one_type(elements.front(), elements.back());
+  }
+  ListValue chosen(std::move(elements));
+  return is_mixed ? Value(RowValue{std::move(chosen)}) : Value(std::move(chosen));
+}
+
+Value Evaluator::element_at(const ListValue& list, const Value& position, ast::Node written) {
+  const Location where = written.location();
   const auto* number = get_if<Scalar>(&position);
   if (number == nullptr || number->unit != Unit::None) {
-    sink_.report(diag::wrong_argument, where, "[ ]", "a whole number", describe(position));
+    auto report =
+        sink_.report(diag::wrong_argument, where, "[ ]", "a whole number", describe(position));
+    const auto* bounds = get_if<Bounds>(&position);
+    if (bounds != nullptr) report.help("the elements from a to b - 1 are `list[range(a, b)]`");
+    if (bounds != nullptr && written.is(SyntaxKind::Interval)) {
+      report.unsafe_fix(where, as_range(written, *bounds));
+    }
     return Nothing{};
   }
   if (number->value != std::floor(number->value)) {
@@ -210,12 +242,12 @@ Value Evaluator::evaluate_index(const Code& code, const Expression& e) {
         .help("round it with `floor(…)` or `round(…)`");
     return Nothing{};
   }
-  if (number->value < 0 || number->value >= static_cast<double>(list->size())) {
-    sink_.report(diag::index_out_of_range, where, to_text(number->value), list->size())
+  if (number->value < 0 || number->value >= static_cast<double>(list.size())) {
+    sink_.report(diag::index_out_of_range, where, to_text(number->value), list.size())
         .help("the first element has index 0");
     return Nothing{};
   }
-  return (*list)[static_cast<std::size_t>(number->value)];
+  return list[static_cast<std::size_t>(number->value)];
 }
 
 }  // namespace sdlc::lang

@@ -116,7 +116,7 @@ InstanceMemo::Contents InstanceMemo::look_up(Def def, const std::string& argumen
   return {.number = last_number_, .is_new = true, .height = 0};
 }
 
-void InstanceMemo::set_height(Def def, const std::string& arguments, int height) {
+void InstanceMemo::set_height(Def def, const std::string& arguments, std::uint64_t height) {
   of_def_[key(def)].known[arguments].height = height;
 }
 

@@ -36,8 +36,11 @@ struct ListNode {
 ListValue::ListValue(std::vector<Value> values)
     : node_(std::make_shared<ListNode>(std::move(values))), count_(node_->values.size()) {}
 
-ListValue::ListValue(double first, double step, std::size_t count)
-    : first_(first), step_(step), count_(count) {}
+ListValue::ListValue(Scalar first, double step, std::size_t count)
+    : first_(first.value), step_(step), count_(count), unit_(first.unit) {}
+
+ListValue::ListValue(Angle first, double step, std::size_t count)
+    : first_(first.degrees), step_(step), count_(count), has_angles_(true) {}
 
 ListValue::ListValue(std::shared_ptr<const Table> table)
     : node_(std::make_shared<ListNode>(std::move(table))),
@@ -64,7 +67,8 @@ Value ListValue::operator[](std::size_t i) const {
     ListValue row(node_, i);
     return node_->table->is_uniform() ? Value(std::move(row)) : Value(RowValue{std::move(row)});
   }
-  return Scalar{first_ + step_ * static_cast<double>(i)};
+  const double value = first_ + step_ * static_cast<double>(i);
+  return has_angles_ ? Value(Angle{value}) : Value(Scalar{value, unit_});
 }
 
 void ListValue::release(std::vector<Value> values) {

@@ -26,6 +26,10 @@ std::string to_text(double number) {
   return text;
 }
 
+std::string_view suffix_of(Unit unit) noexcept {
+  return unit == Unit::Length ? "m" : unit == Unit::Time ? "s" : "";
+}
+
 namespace {
 
 std::string to_text(render::Vec3 v) {
@@ -70,10 +74,6 @@ std::string to_text(const MaterialValue& material) {
     }
   }
   return text += ')';
-}
-
-std::string_view suffix_of(Unit unit) noexcept {
-  return unit == Unit::Length ? "m" : unit == Unit::Time ? "s" : "";
 }
 
 struct Writer {

@@ -101,8 +101,9 @@ class Table;
 class ListValue {
  public:
   explicit ListValue(std::vector<Value> values);
-  /// first, first + step, …: `count` numbers.
-  ListValue(double first, double step, std::size_t count);
+  /// first, first + step, …: `count` numbers of one unit, or angles and a step in degrees.
+  ListValue(Scalar first, double step, std::size_t count);
+  ListValue(Angle first, double step, std::size_t count);
   /// The rows of a table.
   explicit ListValue(std::shared_ptr<const Table> table);
 
@@ -131,6 +132,8 @@ class ListValue {
     std::size_t row_;  // of a table; kAllRows: all
   };
   std::size_t count_ = 0;
+  Unit unit_ = Unit::None;
+  bool has_angles_ = false;
 };
 
 /// A list of several types: one row of a table. What works on all elements of a list alike does not
@@ -171,6 +174,8 @@ std::optional<T> value_as(const Value& value) noexcept {
 std::string_view describe(const Value& value) noexcept;
 /// The value in the syntax of the language, for messages: "-1", "40deg".
 std::string to_text(const Value& value);
+/// "m", "s" or nothing.
+std::string_view suffix_of(Unit unit) noexcept;
 /// The shortest spelling that reads back as the same number.
 std::string to_text(double number);
 

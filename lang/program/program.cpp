@@ -166,9 +166,8 @@ void Program::load_all(DiagnosticSink& sink) {
     Code code(file.tree);
     for (const ast::Node statement : ast::Node(file.tree, 0).children()) {
       if (sink.is_muted() && !has_include(statement)) continue;  // nothing to load or to report
-      std::uint32_t frame_size = 0;
       code.clear();
-      resolver.resolve_statement(statement, code, frame_size);
+      resolver.resolve_statement(statement, code);
     }
     file.is_resolved = true;
   }

@@ -47,10 +47,12 @@ void collect(Modules& modules, std::uint32_t index, ast::Node statement, ast::No
     case SyntaxKind::Fn:
       module.function_names.emplace(name.text(), number(module.functions));
       module.functions.push_back(read_definition(statement, sink));
+      module.functions.back().module = index;
       return;
     case SyntaxKind::Def:
       module.def_names.emplace(name.text(), number(module.defs));
       module.defs.push_back(read_definition(statement, sink));
+      module.defs.back().module = index;
       return;
     default:
       module.global_names.emplace(name.text(), number(module.globals));

@@ -31,26 +31,7 @@ struct Global {
   bool uses_time = false;                        ///< may read `time`, directly or indirectly
   std::shared_ptr<const Table> table = nullptr;  ///< of an import of a data file
   std::uint32_t value = kNothing;                ///< expression
-};
-
-struct Parameter {
-  std::string_view name;
-  NodeIndex node = 0;
-  bool has_default = false;
-  const TypeInfo* type = nullptr;
-  std::uint32_t default_value = kNothing;  ///< expression, which may use the parameters before it
-};
-
-/// A fn or def. Its parameters are the first slots of its frame.
-struct Definition {
-  std::string_view name;
-  NodeIndex node = 0;  ///< the statement
-  std::vector<Parameter> parameters;
-  std::uint32_t frame_size = 0;
-  std::uint32_t body = kNothing;     ///< of a fn: expression
-  std::vector<std::uint32_t> block;  ///< of a def: statements
-  bool uses_time = false;            ///< of a fn: may read `time`
-  bool is_broken = false;            ///< parameters may be missing because of an error
+  std::uint32_t frame_size = 0;                  ///< slots of the locals in it
 };
 
 /// The import of a .scene file: its name denotes a module.

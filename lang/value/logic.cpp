@@ -123,8 +123,6 @@ std::optional<bool> are_equal(const Value& a, const Value& b) {
   return visit([&]<typename T>(const T& value) { return Equal()(value, get<T>(b)); }, a);
 }
 
-namespace {
-
 std::string describe_difference(const ListValue& a, const ListValue& b) {
   if (a.size() != b.size()) {
     return fmt::format("the rows have {} and {} elements", a.size(), b.size());
@@ -133,8 +131,6 @@ std::string describe_difference(const ListValue& a, const ListValue& b) {
   return fmt::format("element {} is {} in the first row and {} in the second", i, describe(a[i]),
                      describe(b[i]));
 }
-
-}  // namespace
 
 Value evaluate_comparison(const Value& left, Operator op, const Value& right, Location where,
                           DiagnosticSink& sink) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
@@ -32,6 +33,9 @@ bool are_of_one_type(const Value& a, const Value& b);
 /// The first place where the types of two rows differ; the length of the shorter if one lacks
 /// elements; nullopt if they are of one type.
 std::optional<std::size_t> first_difference(const ListValue& a, const ListValue& b);
+
+/// How two rows of different types differ, as in "the rows have 2 and 3 elements".
+std::string describe_difference(const ListValue& a, const ListValue& b);
 
 /// Reports a row where a list is needed: it mixes two types.
 void report_mixed(const RowValue& row, Location where, DiagnosticSink& sink);

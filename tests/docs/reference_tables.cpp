@@ -88,6 +88,10 @@ std::string function_table(std::string_view topic) {
       signatures.replace(at, 3, ")`, `");
     }
     text += fmt::format("| {} | {} |\n", signatures, builtin.doc);
+    for (const lang::Property& option : builtin.options) {
+      text +=
+          fmt::format("| · `{}`: {} | {} |\n", option.name, describe_values(option), option.doc);
+    }
   }
   return text;
 }
@@ -121,15 +125,12 @@ std::string fixed_limit_table() {
   return fmt::format(
       "| fixed | |\n| --- | --- |\n"
       "| {} | brackets inside brackets, in the text of a file |\n"
-      "| {} | calls of functions and instances of kinds inside each other |\n"
-      "| {} | expressions and statements inside each other while they are evaluated, through calls "
-      "and instances |\n"
       "| {:.0f} | pixels, samples, rays and the like: whole numbers in properties, but for `seed` "
       "|\n"
       "| {} | pixels of a picture |\n"
       "| {} | errors that are shown of one run, and as many warnings; more are counted |\n",
-      lang::kMaxNesting, lang::kMaxCalls, lang::kMaxEvaluationDepth, lang::kMaxWholeNumber,
-      render::kMaxPicturePixels, lang::FindingsFilter::kMaxShown);
+      lang::kMaxNesting, lang::kMaxWholeNumber, render::kMaxPicturePixels,
+      lang::FindingsFilter::kMaxShown);
 }
 
 std::string color_list() {

@@ -84,7 +84,13 @@
   name: (identifier) @variable)
 (param_statement
   name: (identifier) @variable)
-(for_statement
+(pattern
+  index: (identifier) @variable)
+(pattern
+  name: (identifier) @variable)
+(row_pattern
+  name: (identifier) @variable)
+(binding
   name: (identifier) @variable)
 (parameter
   name: (identifier) @variable.parameter)
