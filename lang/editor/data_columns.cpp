@@ -22,7 +22,11 @@ std::shared_ptr<const Table> table_of_row(const SceneView& view, SymbolId id) {
   const ast::Node statement(view.tree(id.file), symbol->node);
   std::optional<ast::Node> list;
   if (symbol->kind == SymbolKind::LoopVariable) {
-    list = statement.child(1);
+    const ast::Node loop(view.tree(id.file), symbol->owner);
+    const ast::LoopNames names = ast::names_of_loop(loop);
+    const bool is_element =
+        !names.all.empty() && !names.takes_apart && names.all.back().index() == symbol->node;
+    if (is_element) list = loop.child(1);
   } else if (symbol->kind == SymbolKind::Let) {
     const auto value = ast::expression_of(statement);
     const auto index = value && value->is(SyntaxKind::Postfix) ? value->child(1) : std::nullopt;
