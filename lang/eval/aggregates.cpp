@@ -86,8 +86,7 @@ Value Evaluator::evaluate_list(const Code& code, const Expression& e) {
     Value value = evaluate(code, operand);
     const ListValue* list = elements_of(value);
     are_lists = are_lists && list != nullptr;
-    const auto* row = get_if<RowValue>(&value);  // compared element by element
-    if (row != nullptr && !take_steps(code, e.node, row->elements.weight())) return Nothing{};
+    if (!take_steps(code, e.node, steps_to_compare(value))) return Nothing{};
     has_failed = has_failed || is_nothing(value);
     is_mixed = is_mixed || (!values.empty() && !are_of_one_type(values.front(), value));
     values.push_back(std::move(value));
@@ -218,6 +217,7 @@ Value Evaluator::elements_at(const Code& code, const Expression& e, const ListVa
   for (std::size_t i = 0; i < positions.size(); ++i) {
     elements.push_back(element_at(list, positions[i], written));
     if (is_nothing(elements.back())) return Nothing{};
+    if (!take_steps(code, e.node, steps_to_compare(elements.back()))) return Nothing{};
     is_mixed = is_mixed || !are_of_one_type(elements.front(), elements.back());
   }
   ListValue chosen(std::move(elements));

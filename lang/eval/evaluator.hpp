@@ -266,6 +266,11 @@ class Evaluator final : public ChainSource {
   std::size_t report_count() const { return sink_.error_count() + sink_.warning_count(); }
   /// The steps of reading all of a value.
   static std::uint64_t steps_to_read(const Value& value) noexcept;
+  /// The steps of comparing its type with another: those of reading a row, 0 for other values.
+  static std::uint64_t steps_to_compare(const Value& value) noexcept {
+    const auto* row = get_if<RowValue>(&value);
+    return row != nullptr ? row->elements.weight() : 0;
+  }
   /// Counts steps. If there are too many, or the values take too much memory, this is reported and
   /// the evaluation ends: false.
   bool take_steps(const Code& code, NodeIndex node, std::uint64_t count);

@@ -139,7 +139,7 @@ bool Evaluator::run_for_clause(Comprehension& list, std::size_t index) {
 
 bool Evaluator::add_element(Comprehension& list) {
   Value value = evaluate(list.code, list.value);
-  if (is_nothing(value)) return false;
+  if (is_nothing(value) || !take_steps(list.code, list.node, steps_to_compare(value))) return false;
   if (!list.elements.empty() && !are_of_one_type(list.elements.front(), value)) {
     const Value& first = list.elements.front();
     auto report = sink_.report(diag::mixed_list, place(list.code, list.value), describe(first),
