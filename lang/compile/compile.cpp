@@ -259,7 +259,7 @@ void Compiler::report_scale(const LoweredScene& lowered, Purpose purpose) {
 }
 
 void Compiler::report_lens(const LoweredScene& lowered, Purpose purpose) {
-  const auto report = [&](const render::Camera& camera, Location aperture) {
+  const auto check = [&](const render::Camera& camera, Location aperture) {
     sink_.stop_if_requested();
     const auto contact = render::find_lens_contact(lowered.scene, camera);
     if (!contact) return;
@@ -268,12 +268,12 @@ void Compiler::report_lens(const LoweredScene& lowered, Purpose purpose) {
     report.help("choose a smaller `aperture`, or move the camera");
   };
   if (purpose == Purpose::Picture) {
-    if (lowered.camera) report(lowered.scene.camera, lowered.camera->aperture);
+    if (lowered.camera) check(lowered.scene.camera, lowered.camera->aperture);
     return;
   }
   const auto& cameras = lowered.checked_cameras;
   const std::size_t count = cameras_to_judge(cameras.size(), lowered.scene.spheres.size());
-  for (std::size_t i = 0; i < count; ++i) report(cameras[i].camera, cameras[i].aperture);
+  for (std::size_t i = 0; i < count; ++i) check(cameras[i].camera, cameras[i].aperture);
 }
 
 void Compiler::warn_of_precision(const LoweredScene& lowered, render::Precision taken,

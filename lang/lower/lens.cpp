@@ -30,6 +30,7 @@ std::optional<Target> find_sphere(const Object& object, const std::string& name,
                                   const NamedSpheres& names, DiagnosticSink& sink) {
   const NamedSpheres::Found& found = names.find(name);
   if (found.count == 0) {
+    if (!names.is_complete()) return std::nullopt;  // the sphere may be missing because of an error
     sink.report(diag::unknown_sphere, object.location(kFocus), name)
         .suggest(names.nearest(name))
         .help("`focus` takes a distance, a point or the name of one sphere");

@@ -36,7 +36,7 @@ class NamedSpheres {
  public:
   struct Found {
     std::size_t count = 0;             ///< of all spheres with the name
-    std::vector<NamedSphere> spheres;  ///< the first kMaxShown
+    std::vector<NamedSphere> spheres;  ///< the first kMaxShown with distinct places
   };
   static constexpr std::size_t kMaxShown = 3;
 
@@ -52,6 +52,9 @@ class NamedSpheres {
   /// is ambiguous from now on.
   void repeat(const Object& group, std::uint32_t contents);
 
+  /// The objects are complete, or not because of an error.
+  void finish(bool is_complete) noexcept { is_complete_ = is_complete; }
+  bool is_complete() const noexcept { return is_complete_; }
   const Found& find(std::string_view name) const;
   /// The most similar name of another sphere.
   std::optional<std::string> nearest(std::string_view name) const;
@@ -64,7 +67,8 @@ class NamedSpheres {
 
   std::map<std::string, Found, std::less<>> wanted_;
   std::set<std::string, std::less<>> others_;  // names, for suggestions
-  std::vector<std::uint32_t> contents_;        // of the open groups
+  bool is_complete_ = true;
+  std::vector<std::uint32_t> contents_;  // of the open groups
   std::unordered_map<std::uint32_t, std::set<std::string, std::less<>>> names_in_contents_;
 };
 

@@ -241,6 +241,7 @@ void SceneBuilder::add_motion(const Object& object) {
 // The scene
 
 LoweredScene SceneBuilder::finish(const Overrides& overrides) {
+  named_.finish(!sink_->has_errors());
   const WantedSettings wanted{
       .file = *file_, .render = render_, .overrides = overrides, .sink = *sink_};
   LoweredScene lowered;

@@ -69,8 +69,9 @@ struct TracerOptions {
   std::span<const std::uint32_t> lights{};  ///< the spheres from choose_lights()
 };
 
-/// `scene` is in world coordinates and already checked; the camera is on the surface of at most one
-/// of its spheres, unless the backend allows more. Search::All allows at most kMaxWideSpheres.
+/// `scene` is in world coordinates and already checked. A lens touches no surface; a pinhole is on
+/// the surface of at most one sphere, unless the backend allows more. Search::All allows at most
+/// kMaxWideSpheres.
 std::unique_ptr<const Tracer> make_tracer(Scene scene, const TracerOptions& options);
 
 }  // namespace sdlc::render
