@@ -150,7 +150,7 @@ std::string shown_path(const Session& session, const fs::path& path) {
 
 /// Asks the user for the scene of a file.
 void ask_for_scene(Session& session, const fs::path& file) {
-  constexpr std::size_t kMaxActions = 20;
+  constexpr std::size_t kMaxScenes = 20;
   wait_for_index(session);
   std::vector<fs::path> scenes = session.scenes_with(file);
   if (std::ranges::find(scenes, file) == scenes.end()) scenes.push_back(file);
@@ -159,7 +159,7 @@ void ask_for_scene(Session& session, const fs::path& file) {
         MessageType::Info,
         fmt::format("No scene that is known imports or includes `{}`.", file.filename().string()));
   }
-  if (scenes.size() > kMaxActions) scenes.resize(kMaxActions);
+  if (scenes.size() > kMaxScenes) scenes.resize(kMaxScenes);
   const fs::path present = session.scene_of(file);
   std::map<std::string, std::optional<fs::path>> choices{{"Automatic", std::nullopt}};
   Json actions = Json::array();
