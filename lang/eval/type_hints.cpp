@@ -119,6 +119,7 @@ void add_type_hint(DiagnosticBuilder& report, const Property& property, const Va
     case Type::Frames:
     case Type::Interval: return hint_interval(report, wanted);
     case Type::Motion: report.help("a motion is `line(to: (1, 0, 0), over: 0s .. 1s)`"); return;
+    case Type::Focus:
     case Type::Word:
       if (text != nullptr && written.is(SyntaxKind::String) && is_word(*text)) {
         report.help("the word is written without quotes");

@@ -45,6 +45,9 @@ bool has_type(Type type, const Value& value) noexcept {
     case Type::Color: return holds_alternative<render::LinearRgb>(value);
     case Type::Frames: return bounds != nullptr && bounds->unit == Unit::None;
     case Type::Interval: return bounds != nullptr && bounds->unit != Unit::Length;
+    case Type::Focus:
+      return has_type(Type::Length, value) || has_type(Type::Vec3, value) ||
+             holds_alternative<Word>(value);
     case Type::Word: return holds_alternative<Word>(value);
     case Type::Material: return holds_alternative<MaterialValue>(value);
     case Type::Motion: return holds_alternative<MotionValue>(value);

@@ -17,7 +17,8 @@ namespace {
 constexpr double kPi = 3.141592653589793;
 
 bool reads_words(const Property* property) {
-  return property != nullptr && (property->type == Type::Word || property->reads_none);
+  return property != nullptr &&
+         (property->type == Type::Word || property->type == Type::Focus || property->reads_none);
 }
 
 }  // namespace
@@ -155,11 +156,20 @@ std::uint32_t Resolver::reference(ast::Node node, const Property* property) {
   return value;
 }
 
-/// The node as a word, or kNothing if the property does not accept this word.
+/// Whether the name is that of a variable or an import, not of a built-in value.
+bool Resolver::is_declared(std::string_view name) {
+  return scopes_.find(name) || find_declaration(module_, NameSpace::Values, name).has_value() ||
+         find_in(module_.imports, name) != nullptr;
+}
+
+/// The node as a word, or kNothing if the property does not accept this word. Where values are
+/// accepted, too, a variable wins over the name of a sphere.
 std::uint32_t Resolver::word(ast::Node node, const Property& property) {
   const std::string_view text = node.text();
   const bool is_none = property.reads_none && text == "none";
-  if (!is_none && property.type != Type::Word) return kNothing;
+  const bool is_name =
+      property.type == Type::Word || (property.type == Type::Focus && !is_declared(text));
+  if (!is_none && !is_name) return kNothing;
   if (is_recording()) recorder_->use_word(text, property);
   return is_none ? code_.add_constant(node, None{})
                  : code_.add_constant(node, Word{std::string(text)});

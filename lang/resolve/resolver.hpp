@@ -128,6 +128,7 @@ class Resolver {
   std::uint32_t conditional(ast::Node node, const Property* property);
   std::uint32_t postfix(ast::Node node);
   std::uint32_t reference(ast::Node node, const Property* property);
+  bool is_declared(std::string_view name);
   std::uint32_t word(ast::Node node, const Property& property);
   std::uint32_t imported_value(ast::Node node, const Import& import,
                                std::span<const std::string_view> names);

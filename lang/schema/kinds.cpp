@@ -57,6 +57,11 @@ constexpr auto kCameraProperties = std::to_array<Property>({
      .reads_none = true,
      .doc = "The times at which the shutter opens and closes, relative to the frame's `time`; "
             "`none`: nothing moves."},
+    defaulted("aperture", Type::Length, Range::NonNegative, 0.0, "0",
+              "Diameter of the lens, in metres; 0: a pinhole, with everything in focus."),
+    optional("focus", Type::Focus, Range::Positive,
+             "What is in focus: a distance along the view axis, a point, or the name of a sphere; "
+             "default: the distance of `at`."),
 });
 static_assert(kCameraProperties.size() == camera_property::kCount);
 

@@ -25,6 +25,7 @@ enum class Type : std::uint8_t {
   Color,
   Interval,  ///< two times in seconds
   Frames,    ///< two whole numbers
+  Focus,     ///< a distance, a point or the name of a sphere
   Word,      ///< one of the property's words, or any name
   Material,
   Motion,
@@ -100,7 +101,18 @@ const MaterialInfo& material_info(MaterialKind kind) noexcept;
 /// The row numbers of properties in the tables of lang/schema/kinds.cpp, which are also the indices
 /// of their slots in an Object.
 namespace camera_property {
-enum : std::size_t { kFrom, kAt, kUp, kFov, kViewHeight, kAspect, kShutter, kCount };
+enum : std::size_t {
+  kFrom,
+  kAt,
+  kUp,
+  kFov,
+  kViewHeight,
+  kAspect,
+  kShutter,
+  kAperture,
+  kFocus,
+  kCount
+};
 }
 namespace background_property {
 enum : std::size_t { kColor, kBottom, kTop, kCount };

@@ -57,6 +57,9 @@ struct WideView {
   double depth_units = 0;
   PickedSlot* picked = nullptr;  ///< may be null
   PlainPaths* plain = nullptr;   ///< KernelFeatures::pilot
+  /// KernelFeatures::lens: the radii of the lens to the right and upwards, and the same divided by
+  /// the distance of the plane in focus. 0 sends all rays through the centre of the lens.
+  std::array<T, 3> lens_right{}, lens_up{}, lens_right_in_view{}, lens_up_in_view{};
 };
 
 /// Traces all samples of `runs`, a run in one lane. Returns soon, with meaningless sums, if
@@ -74,6 +77,7 @@ struct KernelFeatures {
   bool instances = false;      ///< WideScene::instances, in double
   bool lights = false;         ///< WideScene::lights
   bool pilot = false;          ///< WideView::plain; portable, with `bvh` and `lights`
+  bool lens = false;           ///< WideView::lens_right and the others; not with `pilot`
 };
 /// The kernel with these features.
 template <typename T>
