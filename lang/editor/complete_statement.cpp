@@ -108,9 +108,10 @@ void add_kinds(CompletionBuilder& builder, bool is_top) {
 void add_defs(CompletionBuilder& builder) {
   SceneView& view = builder.view();
   const bool has_block = builder.is_followed_by('{');
-  for (const Definition& def : view.module(builder.file()).defs) {
-    if (def.name.empty() || !builder.accepts(def.name)) continue;
-    builder.add(def_item(view, {builder.file(), def.node}, std::string(def.name), has_block),
+  const SymbolTable& table = view.table(builder.file());
+  for (const Symbol* def : table.visible(builder.place().offset, NameSpace::Kinds)) {
+    if (!builder.accepts(def->name)) continue;
+    builder.add(def_item(view, table.id_of(*def), std::string(def->name), has_block),
                 {kStatement, kOwnDef});
   }
   for (const auto& [name, import] : view.module(builder.file()).imports) {

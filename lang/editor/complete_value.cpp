@@ -74,6 +74,18 @@ void add_locals(CompletionBuilder& builder, const ExpectedType& expected) {
   }
 }
 
+/// The names of a `let … in` around the cursor, which the tokens do not show.
+void add_bindings(CompletionBuilder& builder, const ExpectedType& expected) {
+  const SymbolTable& table = builder.view().table(builder.file());
+  for (const Symbol* symbol : table.visible(builder.place().offset, NameSpace::Values)) {
+    const bool is_binding = table.tree()[symbol->node].kind == SyntaxKind::Binding;
+    if (!is_binding || !builder.accepts(symbol->name)) continue;
+    const SymbolId id = table.id_of(*symbol);
+    add_value(builder, id, std::string(symbol->name), expected, type_name_of(builder.view(), id),
+              0);
+  }
+}
+
 void add_globals(CompletionBuilder& builder, const ExpectedType& expected) {
   const SymbolTable& table = builder.view().table(builder.file());
   std::unordered_set<std::string_view> hidden;
@@ -96,10 +108,11 @@ void add_globals(CompletionBuilder& builder, const ExpectedType& expected) {
 
 void add_declared_functions(CompletionBuilder& builder, const ExpectedType& expected) {
   SceneView& view = builder.view();
-  for (const Definition& function : view.module(builder.file()).functions) {
-    if (function.name.empty() || !builder.accepts(function.name)) continue;
-    const SymbolId id{builder.file(), function.node};
-    builder.add(function_item(view, id, std::string(function.name), builder.is_followed_by('(')),
+  const SymbolTable& table = view.table(builder.file());
+  for (const Symbol* function : table.visible(builder.place().offset, NameSpace::Functions)) {
+    if (!builder.accepts(function->name)) continue;
+    const SymbolId id = table.id_of(*function);
+    builder.add(function_item(view, id, std::string(function->name), builder.is_followed_by('(')),
                 {fit_of_result(expected, type_name_of(view, id)), kGlobal});
   }
 }
@@ -184,6 +197,7 @@ void complete_value(CompletionBuilder& builder) {
   if (is_word) return;
   add_literals(builder, expected);
   add_locals(builder, expected);
+  add_bindings(builder, expected);
   add_globals(builder, expected);
   add_declared_functions(builder, expected);
   add_imports(builder, expected);

@@ -12,10 +12,11 @@ constexpr std::string_view kConditional = "if condition then value else value";
 
 constexpr auto kKeywords = std::to_array<Keyword>({
     {"scene", "scene 1", "The version of the language: the first statement of a file."},
-    {"let", "let name = value", "Names a value."},
+    {"let", "let name = value",
+     "Names a value; in a value, `let a = …, b = … in value` names parts of it."},
     {"param", "param name: type = value",
      "Names a value that `sdlc render --set name=value` replaces."},
-    {"fn", "fn name(parameter, …) = value", "Defines a function of values."},
+    {"fn", "fn name(parameter, …) = value", "Defines a function of values, also in a block."},
     {"def", "def name(parameter, …) { … }",
      "Defines a kind of object; its instances are groups with the objects in the block."},
     {"import", "import \"file.scene\" as name",
@@ -36,7 +37,8 @@ constexpr auto kKeywords = std::to_array<Keyword>({
     {"true", "true", "The value of a condition that holds."},
     {"false", "false", "The value of a condition that does not hold."},
     {"as", "import \"file.scene\" as name", "Precedes the name of an imported file."},
-    {"in", "for name in list { … }", "Precedes the list of a loop."},
+    {"in", "for name in list { … }",
+     "Precedes the list of a loop, or the value of `let name = … in value`."},
 });
 
 constexpr bool has_all_reserved_words() {

@@ -24,6 +24,14 @@ std::size_t capacity_for(const std::vector<Value>& values, std::size_t count) {
 
 bool Evaluator::bind_names(const Loop& loop, std::size_t i) {
   Varying* variables = &locals_[frame_ + loop.names.slot];
+  const bool is_plain =
+      !loop.names.has_index && loop.names.part_count == 0 && loop.closing == nullptr;
+  if (is_plain) {  // fast path
+    variables->values[0] = loop.opening[i];
+    variables->reads_time = loop.reads_time;
+    variables->varies = false;
+    return true;
+  }
   if (loop.names.has_index) *variables++ = {.values = {Scalar{static_cast<double>(i)}}};
   const std::size_t moments = loop.closing != nullptr ? 2 : 1;
   const std::size_t count = std::max<std::size_t>(loop.names.part_count, 1);
@@ -138,7 +146,9 @@ bool Evaluator::run_for_clause(Comprehension& list, std::size_t index) {
 }
 
 bool Evaluator::add_element(Comprehension& list) {
-  Value value = evaluate(list.code, list.value);
+  Value value;
+  const Scalar number = evaluate_number(list.code, list.value, value);
+  if (is_number(number)) value = number;
   if (is_nothing(value) || !take_steps(list.code, list.node, steps_to_compare(value))) return false;
   if (!list.elements.empty() && !are_of_one_type(list.elements.front(), value)) {
     const Value& first = list.elements.front();
@@ -150,7 +160,8 @@ bool Evaluator::add_element(Comprehension& list) {
                     : fmt::format("the first element is {}", describe(first)));
     return false;
   }
-  if (!make_room(list, 1)) return false;
+  const bool is_full = list.elements.size() == list.elements.capacity();
+  if (is_full && !make_room(list, 1)) return false;
   list.elements.push_back(std::move(value));
   return true;
 }

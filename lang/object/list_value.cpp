@@ -25,7 +25,10 @@ struct ListNode {
   explicit ListNode(std::shared_ptr<const Table> table_) : table(std::move(table_)) {}
   ListNode(const ListNode&) = delete;
   ListNode& operator=(const ListNode&) = delete;
-  ~ListNode() { ListValue::release(std::move(values)); }
+  ~ListNode() {
+    // The weight is that of the elements alone if lists in it are empty: nothing is nested.
+    if (weight > values.size()) ListValue::release(std::move(values));
+  }
 
   std::vector<Value> values;
   std::shared_ptr<const Table> table;  // in place of values

@@ -74,6 +74,7 @@ constexpr auto kRows = std::to_array<Row>({
     {StatementWord, "return", {"", kFunction}},
     {StatementWord, "pass", {"", "a block may be empty: `{ }`"}},
     {StatementWord, "module class", {"", kOwnKind}},
+    {StatementWord, "where", {"", "names of parts of a value come first: `let a = 1 in a + 2`"}},
     {StatementWord, "switch match", {"", kElseIf}},
     {ElseIf, "elif elseif elsif", {"else if"}},
 

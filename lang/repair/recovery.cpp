@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lang/repair/vocabulary.hpp"
+#include "lang/schema/schema.hpp"
 #include "lang/token/lines.hpp"
 #include "lang/token/name_characters.hpp"
 #include "lang/token/token_reader.hpp"
@@ -150,7 +151,12 @@ bool looks_like_object(std::string_view text, std::uint32_t at) {
   }
   TokenReader tokens(text, end);
   Token next = tokens.next_in_line();
-  if (is_name(next.kind)) next = tokens.next_in_line();
+  if (is_name(next.kind)) {
+    // `k sphere {`: the end of a value, and an object.
+    const bool is_kind = std::ranges::count(all_kinds(), tokens.text(next), &Kind::name) > 0;
+    if (is_kind) return false;
+    next = tokens.next_in_line();
+  }
   return tokens.text(next) == "{";
 }
 

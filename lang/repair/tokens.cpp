@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lang/repair/recovery.hpp"
 #include "lang/repair/vocabulary.hpp"
 #include "lang/text/ascii.hpp"
 #include "lang/text/brackets.hpp"
@@ -103,10 +104,16 @@ bool is_clause(const TokenList& tokens, std::size_t i) {
 
 }  // namespace
 
+bool TokenList::is_let_of_value(std::size_t i) const noexcept {
+  if (i == 0 || !is(i, "let")) return false;
+  if (wants_operand(i - 1) && is_same_line(i)) return true;
+  return (wants_operand(i - 1) || is(i - 1, TokenClass::Comma)) && has_in(text_, (*this)[i].begin);
+}
+
 bool TokenList::begins_statement(std::size_t i) const noexcept {
   if (!is_word(i)) return false;
   const std::string_view word = written(i);
-  if (is_one_of(word, kDeclarationWords)) return true;
+  if (is_one_of(word, kDeclarationWords)) return !is_let_of_value(i);
   if (word == "for") {
     return (is_word(i + 1) || is_bracket(i + 1, '(')) && !is_clause(*this, i);
   }

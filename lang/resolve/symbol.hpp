@@ -56,7 +56,7 @@ struct SymbolId {
 /// A symbol that a file declares.
 struct Symbol {
   SymbolKind kind = SymbolKind::Let;
-  bool is_local = false;      ///< in a block: a let or a loop variable
+  bool is_local = false;      ///< in a block or a value: any but a parameter
   bool is_duplicate = false;  ///< the scope already has a declaration of the name
   NodeIndex node = 0;         ///< the declaration
   NodeIndex owner = 0;        ///< of a parameter: the fn or def; of a loop variable: the loop

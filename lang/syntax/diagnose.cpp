@@ -38,6 +38,7 @@ class Diagnosis {
     auto report =
         report_expected(follows_comma && ends_values(wanted) ? "a value" : expectation.words);
     explain(report, wanted);
+    if (is_in_computed_list()) builder_.poison_since(builder_.opener + 1);
     if (!is_closing(wanted)) return;
     report.label(where({builder_.opener, builder_.opener + 1}), "opened here");
     if (wanted == Wanted::GroupEnd && commas_in_group() > 1) {
@@ -119,9 +120,7 @@ class Diagnosis {
           report.unsafe_fix(where({at_, at_}), "in ");
         }
         break;
-      case Wanted::LetIn:
-        report.help("a value with local names is `let a = 1, b = 2 in a + b`");
-        break;
+      case Wanted::LetIn: explain_let_in(report); break;
       case Wanted::SecondName:
         report.help("a name alone needs no parentheses");
         if (c == ')') {
@@ -131,7 +130,7 @@ class Diagnosis {
       case Wanted::LoopBlock: explain_loop_block(report); break;
       case Wanted::ArgumentsEnd:
       case Wanted::GroupEnd:
-        if (word() == "for") report.help_if(kComputedList);
+        if (word() == "for" && !is_on_next_line_) report.help_if(kComputedList);
         break;
       case Wanted::ListEnd: explain_list_end(report); break;
       case Wanted::ClausesEnd: explain_clauses_end(report); break;
@@ -151,6 +150,20 @@ class Diagnosis {
 
   // Comprehensions
 
+  /// Names in it may be those of a loop that could not be read.
+  bool is_in_computed_list() const {
+    if (builder_.brackets == 0) return false;
+    if (word() == "for" && !is_on_next_line_) return true;
+    if (text_[builder_.opener] != '[') return false;
+    if (word() == "in" || word() == "if" || word() == "|") return !is_on_next_line_;
+    const auto nodes = builder_.nodes();
+    for (auto node = nodes.rbegin(); node != nodes.rend() && node->begin > builder_.opener;
+         ++node) {
+      if (node->kind == SyntaxKind::ForClause) return true;
+    }
+    return false;
+  }
+
   /// `a: x for x in xs`, which lacks the brackets.
   void explain_loop_block(DiagnosticBuilder& report) {
     explain_block(report);
@@ -163,16 +176,21 @@ class Diagnosis {
     const std::size_t last = before.find_last_not_of(" \t");
     const bool follows_value =
         last != std::string_view::npos && std::string_view("\n{},").find(before[last]) > 3;
-    if (follows_value) report.help_if(kComputedList);
+    if (!follows_value) return;
+    report.help_if(kComputedList);
+    builder_.poison_last_statement();
+    builder_.node(builder_.size() - 1 - static_cast<NodeIndex>(loop - nodes.rbegin())).kind =
+        SyntaxKind::Error;
   }
 
   /// `[for x in xs x]`, `[x in xs]`, `[x | x <- xs]`, `[x if c for x in xs]`
   void explain_list_end(DiagnosticBuilder& report) {
+    if (is_on_next_line_) return;
     if (word() != "for" && word() != "in" && word() != "if" && word() != "|") return;
     report.help_if(kComputedList);
     TokenReader tokens(text_, found_.end);
-    const Token second = tokens.next(), third = tokens.next();
-    if (word() == "|" && tokens.text(third) == "<" && tokens.text(tokens.next()) == "-") {
+    const Token second = tokens.next_solid(), third = tokens.next_solid();
+    if (word() == "|" && text_.substr(third.span.begin).starts_with("<-")) {
       report.fix(where(found_), "for").fix(where({third.span.begin, third.span.begin + 2}), "in");
     } else if (word() == "in" && is_letter(char_at(text_, builder_.opener + 1))) {
       const Span name{builder_.opener + 1, end_of_identifier(text_, builder_.opener + 1)};
@@ -189,8 +207,10 @@ class Diagnosis {
     int depth = 0;
     Span condition{begin, begin};
     std::uint32_t loop = 0;
-    for (Token token = tokens.next(); token.kind != TokenKind::End; token = tokens.next()) {
+    for (Token token = tokens.next_solid(); token.kind != TokenKind::End;
+         token = tokens.next_solid()) {
       const std::string_view word = tokens.text(token);
+      if (depth == 0 && word == "else") report.help("a choice is `if … then … else …`");
       if (depth == 0 && (word == "else" || word == "then")) return;
       if (depth == 0 && word == "for" && loop == 0) loop = token.span.begin;
       if (loop == 0) condition.end = token.span.end;
@@ -213,6 +233,21 @@ class Diagnosis {
       report.fix(where(found_), "");
     } else if (is_comma) {
       report.help("a computed list has one value before its `for`");
+    }
+  }
+
+  /// A comma before the next name, or the `in` before the value, is missing.
+  void explain_let_in(DiagnosticBuilder& report) {
+    report.help("a value with local names is `let a = 1, b = 2 in a + b`");
+    if (is_on_next_line_ || !begins_value()) return;
+    const std::uint32_t end = builder_.token_end();
+    const std::uint32_t next = skip_blanks(text_, found_.end);
+    const bool is_name = is_letter(char_at(text_, at_)) && char_at(text_, next) == '=' &&
+                         char_at(text_, next + 1) != '=';
+    if (is_name) {
+      report.unsafe_fix(where({end, end}), ",");
+    } else if (end < at_) {
+      report.unsafe_fix(where({end, end}), " in");
     }
   }
 
