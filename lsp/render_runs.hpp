@@ -30,8 +30,7 @@ class RenderRuns {
  public:
   /// Send messages to the client. Called on the thread of the renders.
   using Notify = std::function<void(std::string_view method, Json params)>;
-  /// `on_result` may be called on any thread, or never; a null
-  /// pointer for an error.
+  /// `on_result` may be called on any thread, or never; a null pointer for an error.
   using Request = std::function<void(std::string_view method, Json params,
                                      std::function<void(const Json*)> on_result)>;
   /// What the client can do.
