@@ -124,7 +124,7 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
 
 std::vector<std::pair<std::string, std::string>> picture_metadata(
     const render::RenderSettings& settings, const render::RenderResult& result,
-    std::optional<render::Tone> tone) {
+    const std::optional<render::ToneMapping>& mapping) {
   std::vector<std::pair<std::string, std::string>> entries{
       {"sdlc:samples", result.min_samples == result.max_samples
                            ? fmt::to_string(result.max_samples)
@@ -135,7 +135,10 @@ std::vector<std::pair<std::string, std::string>> picture_metadata(
   });
   entries.emplace_back("sdlc:truncated_paths", fmt::to_string(result.truncated_paths));
   entries.emplace_back("sdlc:scarce_emitters", fmt::to_string(result.scarce_emitters.size()));
-  if (tone) entries.emplace_back("sdlc:tone", name_of(*tone));
+  if (mapping) entries.emplace_back("sdlc:tone", name_of(mapping->tone));
+  if (mapping && mapping->exposure != 0) {
+    entries.emplace_back("sdlc:exposure", fmt::to_string(mapping->exposure));
+  }
   if (result.error) {
     entries.emplace_back("sdlc:relative_error", fmt::to_string(result.error->relative_error));
     entries.emplace_back(

@@ -23,10 +23,10 @@ std::string describe_error(const render::RenderResult& result);
 std::vector<std::string> accuracy_warnings(const render::RenderSettings& settings,
                                            const render::RenderResult& result);
 
-/// The metadata of picture files; keys have the prefix "sdlc:". `tone` is nullopt for a file with
-/// linear radiance.
+/// The metadata of picture files; keys have the prefix "sdlc:". `mapping` is nullopt for a file
+/// with linear radiance.
 std::vector<std::pair<std::string, std::string>> picture_metadata(
     const render::RenderSettings& settings, const render::RenderResult& result,
-    std::optional<render::Tone> tone);
+    const std::optional<render::ToneMapping>& mapping);
 
 }  // namespace sdlc::cli

@@ -1,6 +1,7 @@
 #include "cli/compare_pair.hpp"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -63,9 +64,21 @@ PictureFile read(const std::string& name) {
 }
 
 /// nullopt if the file does not record it.
-std::optional<render::Tone> tone_in(const PictureFile& file) {
+std::optional<render::ToneMapping> mapping_in(const PictureFile& file) {
   const auto word = file.find_metadata("sdlc:tone");
-  return word ? render::tone_of(*word) : std::nullopt;
+  const auto tone = word ? render::tone_of(*word) : std::nullopt;
+  if (!tone) return std::nullopt;
+  render::ToneMapping mapping{.tone = *tone};
+  if (const auto stops = file.find_metadata("sdlc:exposure")) {
+    std::from_chars(stops->data(), stops->data() + stops->size(), mapping.exposure);
+  }
+  return mapping;
+}
+
+/// The flags whose values differ.
+std::string differing_flags(const render::ToneMapping& a, const render::ToneMapping& b) {
+  if (a.exposure == b.exposure) return "--tone";
+  return a.tone == b.tone ? "--exposure" : "--tone and --exposure";
 }
 
 void check_match(const ComparedPair& pair) {
@@ -87,12 +100,13 @@ void check_match(const ComparedPair& pair) {
     throw UsageError(fmt::format("`{}` is grey and `{}` has colours; make both the same",
                                  a.is_grey ? a_name : b_name, a.is_grey ? b_name : a_name));
   }
-  const auto a_tone = tone_in(a), b_tone = tone_in(b);
-  if (a_tone && b_tone && a_tone != b_tone) {
+  const auto a_mapping = mapping_in(a), b_mapping = mapping_in(b);
+  if (a_mapping && b_mapping && a_mapping != b_mapping) {
     throw UsageError(fmt::format(
-        "`{}` has codes of the tone {} and `{}` of {}; render one of them with the other's --tone, "
+        "`{}` has codes of the tone {} and `{}` of {}; render one of them with the other's {}, "
         "or compare .exr files",
-        a_name, name_of(*a_tone), b_name, name_of(*b_tone)));
+        a_name, describe(*a_mapping), b_name, describe(*b_mapping),
+        differing_flags(*a_mapping, *b_mapping)));
   }
 }
 
@@ -101,13 +115,14 @@ void choose_tone(ComparedPair& pair) {
     pair.tone = render::Tone::Linear;
     return;
   }
-  const auto a_tone = tone_in(pair.picture), b_tone = tone_in(pair.reference);
-  if (a_tone || b_tone) pair.tone = a_tone ? *a_tone : *b_tone;
+  const auto a = mapping_in(pair.picture), b = mapping_in(pair.reference);
+  const render::ToneMapping usual, mapping = a ? *a : b.value_or(usual);
+  pair.tone = mapping.tone;
   // Do not mention sRGB, the usual case.
-  if (pair.tone == render::Tone::Srgb || (a_tone && b_tone)) return;
-  pair.notes.push_back(fmt::format(
-      "{} does not record its tone; assuming that of the other, {}",
-      lang::printable(a_tone ? pair.reference_name : pair.picture_name), name_of(pair.tone)));
+  if (mapping == usual || (a && b)) return;
+  pair.notes.push_back(fmt::format("{} does not record its tone; assuming that of the other, {}",
+                                   lang::printable(a ? pair.reference_name : pair.picture_name),
+                                   describe(mapping)));
 }
 
 void note_others(const std::string& name, const PictureFile& file,

@@ -14,7 +14,8 @@ namespace sdlc::cli {
 struct ComparedPair {
   std::string picture_name, reference_name;  ///< as given by the user
   render::PictureFile picture, reference;
-  render::Tone tone = render::Tone::Srgb;  ///< of the codes; Linear for linear values
+  /// That of the codes: tone Linear for linear values.
+  render::Tone tone = render::Tone::Srgb;
   /// Both have a variance, whose values are all finite and not negative.
   bool has_variance = false;
   std::vector<std::string> notes;  ///< what the files contain but is not compared, or was assumed

@@ -44,6 +44,14 @@ void add_range(Json& schema, lang::Range range) {
       schema["minimum"] = 1667;
       schema["maximum"] = 25000;
       break;
+    case lang::Range::UpToHundred:
+      schema["minimum"] = 0;
+      schema["maximum"] = 100;
+      break;
+    case lang::Range::Octaves:
+      schema["minimum"] = 1;
+      schema["maximum"] = 32;
+      break;
     case lang::Range::BetweenZeroAndHalfTurn:
       schema["exclusiveMinimum"] = 0;
       schema["exclusiveMaximum"] = 180;

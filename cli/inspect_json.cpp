@@ -1,3 +1,4 @@
+#include <cmath>
 #include <optional>
 
 #include <nlohmann/json.hpp>
@@ -7,6 +8,7 @@
 #include "cli/kernel_options.hpp"
 #include "cli/precision_json.hpp"
 #include "render/image/tone.hpp"
+#include "render/scene/depth_of_field.hpp"
 #include "render/scene/instances.hpp"
 #include "render/scene/settings.hpp"
 
@@ -71,6 +73,17 @@ Json materials_json(const MaterialCounts& counts) {
   return {{"distinct", distinct}, {"types", std::move(types)}};
 }
 
+/// The depths at which the blur is within a pixel; infinity is null.
+Json lens_json(const render::Camera& camera, int height) {
+  Json json{{"aperture", camera.aperture}, {"focus_distance", camera.focus}};
+  if (height <= 0) return json;
+  const render::DepthOfField sharp = render::depth_of_field(camera, height, 1);
+  json["sharp_from"] = sharp.from;
+  json["sharp_to"] = std::isfinite(sharp.to) ? Json(sharp.to) : Json();
+  json["hyperfocal_distance"] = render::hyperfocal_distance(camera, height, 1);
+  return json;
+}
+
 Json camera_json(const lang::LoweredScene& lowered) {
   if (!lowered.camera) return nullptr;
   const render::Camera& camera = lowered.scene.camera;
@@ -81,7 +94,9 @@ Json camera_json(const lang::LoweredScene& lowered) {
             {"fov_degrees", lowered.camera->fov.degrees},
             {"view_height", lowered.camera->view_height},
             {"aspect", camera.aspect},
+            {"lens", nullptr},
             {"shutter", nullptr}};
+  if (camera.has_lens()) json["lens"] = lens_json(camera, lowered.settings.height);
   if (const auto& shutter = lowered.camera->shutter) {
     json["shutter"] = {{"open_seconds", shutter->from}, {"close_seconds", shutter->to}};
   }
@@ -101,7 +116,8 @@ Json picture_json(const InspectReport& report) {
                {"seconds", number_or_null(settings.seconds)},
                {"adaptive", settings.is_adaptive},
                {"threads", settings.threads},
-               {"tone", name_of(report.lowered.output.tone)},
+               {"tone", name_of(report.lowered.output.mapping.tone)},
+               {"exposure", report.lowered.output.mapping.exposure},
                {"output", report.output ? Json(*report.output) : Json()}});
   return json;
 }

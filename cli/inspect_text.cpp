@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "lang/report/report.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/tone.hpp"
+#include "render/scene/depth_of_field.hpp"
 #include "render/scene/instances.hpp"
 #include "render/scene/settings.hpp"
 
@@ -129,6 +131,17 @@ void write_materials(const MaterialCounts& counts, Sheet& sheet) {
   }
 }
 
+/// "aperture 0.1, focus at 10, sharp from 9.55 to 10.5 (blur within a pixel)"
+std::string describe_lens(const render::Camera& camera, int height) {
+  std::string text = fmt::format("aperture {}, focus at {}", format_rounded(camera.aperture),
+                                 format_rounded(camera.focus));
+  if (height <= 0) return text;
+  const render::DepthOfField sharp = render::depth_of_field(camera, height, 1);
+  const std::string to = std::isfinite(sharp.to) ? "to " + format_rounded(sharp.to) : "on";
+  return text +
+         fmt::format(", sharp from {} {} (blur within a pixel)", format_rounded(sharp.from), to);
+}
+
 void write_camera(const lang::LoweredScene& lowered, Sheet& sheet) {
   if (!lowered.camera) {
     if (render::count_spheres(lowered.scene) > 0) sheet.row("camera", "none");
@@ -148,6 +161,7 @@ void write_camera(const lang::LoweredScene& lowered, Sheet& sheet) {
   std::string fov = format_rounded(chosen.fov.degrees) + "deg";
   if (chosen.view_height != 2) fov += ", view_height " + format_rounded(chosen.view_height);
   sheet.detail("fov", fov);
+  if (camera.has_lens()) sheet.detail("lens", describe_lens(camera, lowered.settings.height));
   sheet.detail("shutter", chosen.shutter ? fmt::format("open from {} s to {} s",
                                                        format_rounded(chosen.shutter->from),
                                                        format_rounded(chosen.shutter->to))
@@ -193,7 +207,7 @@ void write_picture(const InspectReport& report, Sheet& sheet) {
   const auto [numbers, choices] = describe_settings(settings);
   sheet.row("picture", fmt::format("{}, {}{}, {}, tone {}", size, has_goal ? "at most " : "",
                                    counted(static_cast<std::size_t>(settings.samples), "sample"),
-                                   numbers, name_of(report.lowered.output.tone)));
+                                   numbers, describe(report.lowered.output.mapping)));
   sheet.detail("sampling", choices);
   if (has_goal) sheet.detail("until", describe_goals(settings));
   sheet.detail("output",

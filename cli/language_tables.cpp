@@ -8,6 +8,7 @@
 
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/source/data_format.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/value/builtins.hpp"
 #include "lang/value/colors.hpp"
@@ -59,12 +60,16 @@ Json constructor_row(const lang::Constructor& constructor) {
 }
 
 Json function_row(const lang::Builtin& function) {
-  return {{"name", function.name},
-          {"signature", function.signature},
-          {"least_arguments", function.min_arguments},
-          {"most_arguments", function.max_arguments},
-          {"topic", function.topic},
-          {"doc", function.doc}};
+  Json row{{"name", function.name},
+           {"signature", function.signature},
+           {"least_arguments", function.min_arguments},
+           {"most_arguments", function.max_arguments},
+           {"topic", function.topic},
+           {"doc", function.doc}};
+  for (const lang::Property& option : function.options) {
+    row["options"].push_back(property_row(option));
+  }
+  return row;
 }
 
 Json limit_row(const lang::LimitInfo& limit) {
@@ -92,17 +97,22 @@ Json table(const Rows& rows, ToJson to_json) {
 }  // namespace
 
 nlohmann::ordered_json language_tables() {
-  return {{"language", 1},
-          {"kinds", table(lang::all_kinds(), kind_row)},
-          {"constructors", table(lang::all_constructors(), constructor_row)},
-          {"functions", table(lang::all_builtins(), function_row)},
-          {"types", table(lang::all_types(),
-                          [](const lang::TypeInfo& type) {
-                            return Json{{"name", type.name}, {"doc", type.doc}};
-                          })},
-          {"limits", table(lang::kLimits, limit_row)},
-          {"colors", table(lang::named_colors(), color_row)},
-          {"diagnostics", table(lang::all_diagnostics(), diagnostic_row)}};
+  return {
+      {"language", 1},
+      {"kinds", table(lang::all_kinds(), kind_row)},
+      {"constructors", table(lang::all_constructors(), constructor_row)},
+      {"functions", table(lang::all_builtins(), function_row)},
+      {"types", table(lang::all_types(),
+                      [](const lang::TypeInfo& type) {
+                        return Json{{"name", type.name}, {"doc", type.doc}};
+                      })},
+      {"data_formats", table(lang::kDataFormats,
+                             [](const lang::DataFormatInfo& format) {
+                               return Json{{"extension", format.extension}, {"doc", format.doc}};
+                             })},
+      {"limits", table(lang::kLimits, limit_row)},
+      {"colors", table(lang::named_colors(), color_row)},
+      {"diagnostics", table(lang::all_diagnostics(), diagnostic_row)}};
 }
 
 }  // namespace sdlc::cli

@@ -287,7 +287,8 @@ class MeasureJob {
         {"height", settings.height},
         {"samples", settings.samples},
         {"threads", settings.threads},
-        {"tone", name_of(lowered.output.tone)},
+        {"tone", name_of(lowered.output.mapping.tone)},
+        {"exposure", lowered.output.mapping.exposure},
         {"precision", request_.precision ? std::string(name_of(*request_.precision)) : "auto"}};
     render::for_each_setting([&](const auto& setting) {
       json[std::string(setting.name)] = render::shown(settings.*setting.member);
@@ -300,7 +301,7 @@ class MeasureJob {
 
   /// Returns false if it was interrupted.
   bool study(const lang::LoweredScene& lowered) {
-    details_.emplace(lowered.output.tone);
+    details_.emplace(lowered.output.mapping);
     std::optional<render::ReferencePicture> reference;
     if (!options_.work.empty()) {
       work_.emplace(options_.work, identity(lowered));
@@ -343,7 +344,7 @@ class MeasureJob {
   void measure_other_seconds(const render::Picture& picture, const lang::LoweredScene& lowered) {
     const auto seconds_to_encode = [&](const render::Picture& any) {
       const auto start = std::chrono::steady_clock::now();
-      render::encode_picture(any, {.tone = lowered.output.tone});
+      render::encode_picture(any, {.mapping = lowered.output.mapping});
       return render::seconds_since(start);
     };
     const double loading = seconds_to_encode(render::Picture(1, 1));

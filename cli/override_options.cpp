@@ -77,6 +77,15 @@ void add_amount(Command& command, const std::string& flag,
       .type_name(type);
 }
 
+void add_exposure(Command& command, lang::Overrides& overrides) {
+  using lang::render_property::kExposure;
+  const lang::Property& exposure = render_property(kExposure);
+  add_amount(
+      command, render::flag_of(exposure.name), parse_signed_number,
+      [&](double stops) { overrides.render.emplace_back(kExposure, stops); }, "STOPS",
+      std::string(exposure.doc));
+}
+
 void add_goals(Command& command, lang::Overrides& overrides) {
   const lang::Property& error = render_property(lang::render_property::kError);
   add_amount(
@@ -102,6 +111,7 @@ void add_override_options(Command& command, lang::Overrides& overrides) {
   for (std::size_t i = 0; i < kCount; ++i) {
     if (render_property(i).type == lang::Type::Word) add_word(command, i, overrides);
   }
+  add_exposure(command, overrides);
   add_goals(command, overrides);
   add_instances(command, overrides.instancing);
 }

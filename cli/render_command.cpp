@@ -84,13 +84,13 @@ void check_memory(const render::RenderSettings& settings, const render::Aovs& ao
 render::WriteOptions write_options(const Output& output, const RenderOptions& options,
                                    const lang::LoweredScene& lowered,
                                    const render::RenderResult& result) {
-  std::optional<render::Tone> tone;
-  if (!describe(output.format).is_linear) tone = lowered.output.tone;
+  std::optional<render::ToneMapping> mapping;
+  if (!describe(output.format).is_linear) mapping = lowered.output.mapping;
   return {.format = output.format,
-          .tone = lowered.output.tone,
+          .mapping = lowered.output.mapping,
           .ppm_text = options.ppm_text,
           .metadata = {.software = fmt::format("sdlc {}", kVersion),
-                       .entries = picture_metadata(lowered.settings, result, tone)}};
+                       .entries = picture_metadata(lowered.settings, result, mapping)}};
 }
 
 void write_to_stdout(const render::Picture& picture, const render::WriteOptions& options,

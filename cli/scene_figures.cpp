@@ -114,6 +114,7 @@ std::vector<std::string> required_features(const render::Scene& scene,
                                            const MaterialCounts& materials) {
   std::vector<std::string> features;
   if (has_motion(scene)) features.emplace_back("motion");
+  if (scene.camera.has_lens()) features.emplace_back("lens");
   if (!scene.background.is_constant()) features.emplace_back("gradient");
   for (const MaterialFigures& row : materials) {
     if (row.spheres > 0) features.emplace_back(material_name(row.type));

@@ -29,8 +29,8 @@ struct MaterialFigures {
 using MaterialCounts = std::array<MaterialFigures, 5>;
 MaterialCounts count_materials(const render::Scene& scene);
 
-/// The renderer features that a scene uses: "motion", "gradient" and its material types, in a fixed
-/// order.
+/// The renderer features that a scene uses: "motion", "lens", "gradient" and its material types, in
+/// a fixed order.
 std::vector<std::string> required_features(const render::Scene& scene,
                                            const MaterialCounts& materials);
 

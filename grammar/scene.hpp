@@ -26,6 +26,7 @@ struct fn;
 struct def;
 struct assert_;
 struct for_;
+struct pattern;
 struct if_;
 struct object;
 struct block;
@@ -36,6 +37,8 @@ struct arguments;
 struct argument;
 struct expression;
 struct conditional;
+struct let_in;
+struct binding;
 struct disjunction;
 struct conjunction;
 struct negation;
@@ -51,6 +54,8 @@ struct reference;
 struct path;
 struct parenthesis;
 struct list;
+struct for_clause;
+struct if_clause;
 
 /// A lexical rule with the space after it.
 template <typename Rule>
@@ -133,11 +138,20 @@ struct assert_comma     : mark<','> {};
 struct assert_message   : seq<expression> {};
 struct assert_          : seq<assert_word, must<assert_condition, assert_comma, assert_message>> {};
 
-struct for_name  : token<name> {};
-struct for_in    : seq<in_word> {};
-struct for_list  : seq<expression> {};
-struct for_block : seq<block> {};
-struct for_      : seq<for_word, must<for_name, for_in, for_list, for_block>> {};
+struct for_pattern : seq<pattern> {};
+struct for_in      : seq<in_word> {};
+struct for_list    : seq<expression> {};
+struct for_block   : seq<block> {};
+struct for_        : seq<for_word, must<for_pattern, for_in, for_list, for_block>> {};
+
+struct pattern_name   : token<name> {};
+struct pattern_comma  : mark<','> {};
+struct pattern_end    : mark<')'> {};
+struct pattern_inside : seq<must<pattern_name, pattern_comma, pattern_name>,
+                            star<mark<','>, pattern_name>, opt<mark<','>>, must<pattern_end>> {};
+struct pattern_row    : seq<mark<'('>, pattern_inside> {};
+struct pattern_second : sor<pattern_row, pattern_name> {};
+struct pattern        : sor<pattern_row, seq<pattern_name, opt<mark<','>, must<pattern_second>>>> {};
 
 struct if_condition : seq<expression> {};
 struct if_block     : seq<block> {};
@@ -179,7 +193,7 @@ struct argument         : sor<argument_labeled, expression> {};
 
 // Expressions, loosest first. A chain is a loop, never a left-deep recursion.
 
-struct expression : sor<conditional, disjunction> {};
+struct expression : sor<conditional, let_in, disjunction> {};
 
 struct conditional_condition : seq<expression> {};
 struct conditional_then      : seq<then_word> {};
@@ -191,6 +205,18 @@ struct conditional_inside    : seq<must<conditional_condition, conditional_then,
                                              conditional_value>>,
                                    must<conditional_else, conditional_value>> {};
 struct conditional           : seq<if_word, conditional_inside> {};
+
+struct let_in_binding : seq<binding> {};
+struct let_in_in      : seq<in_word> {};
+struct let_in_value   : seq<expression> {};
+struct let_in_inside  : seq<must<let_in_binding>, star<mark<','>, must<let_in_binding>>,
+                            must<let_in_in, let_in_value>> {};
+struct let_in         : seq<let_word, let_in_inside> {};
+
+struct binding_name  : token<name> {};
+struct binding_is    : mark<'='> {};
+struct binding_value : seq<expression> {};
+struct binding       : seq<binding_name, must<binding_is, binding_value>> {};
 
 struct disjunction_operand : seq<conjunction> {};
 struct disjunction         : seq<conjunction, star<or_word, must<disjunction_operand>>> {};
@@ -261,16 +287,26 @@ struct parenthesis_inside : seq<must<parenthesis_value>,
                                 must<parenthesis_end>> {};
 struct parenthesis        : seq<mark<'('>, parenthesis_inside> {};
 
-struct list_end    : mark<']'> {};
-struct list_inside : seq<opt<expression, star<mark<','>, expression>, opt<mark<','>>>,
-                         must<list_end>> {};
-struct list        : seq<mark<'['>, list_inside> {};
+struct list_end         : mark<']'> {};
+struct list_clauses_end : mark<']'> {};
+struct list_elements    : seq<star<mark<','>, expression>, opt<mark<','>>, must<list_end>> {};
+struct list_clauses     : seq<for_clause, star<sor<for_clause, if_clause>>,
+                              must<list_clauses_end>> {};
+struct list_inside      : sor<seq<expression, sor<list_clauses, list_elements>>, must<list_end>> {};
+struct list             : seq<mark<'['>, list_inside> {};
+
+struct for_clause_list : seq<expression> {};
+struct for_clause      : seq<for_word, must<for_pattern, for_in, for_clause_list>> {};
+
+struct if_clause_condition : seq<expression> {};
+struct if_clause           : seq<if_word, must<if_clause_condition>> {};
 // clang-format on
 
 /// Through these rules, entered behind an opening bracket or a prefix, all recursion goes.
 using nesting =
     tao::pegtl::type_list<block_inside, parameters_inside, arguments_inside, conditional_inside,
-                          negation_inside, unary_inside, power_inside, operand_index_inside,
-                          parenthesis_inside, list_inside, comment_block_inside>;
+                          let_in_inside, negation_inside, unary_inside, power_inside,
+                          operand_index_inside, parenthesis_inside, list_inside, pattern_inside,
+                          comment_block_inside>;
 
 }  // namespace sdlc::grammar

@@ -6,6 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "lang/source/data_format.hpp"
 #include "lsp/code_actions.hpp"
 #include "lsp/commands.hpp"
 #include "lsp/completion.hpp"
@@ -66,6 +69,9 @@ void watch_files(Session& session) {
   Json watchers = Json::array();
   for (const char* pattern : {"**/*.scene", "**/*.json", "**/.sdlc.toml"}) {
     watchers.push_back({{"globPattern", pattern}});
+  }
+  for (const lang::DataFormatInfo& format : lang::kDataFormats) {
+    watchers.push_back({{"globPattern", fmt::format("**/*{}", format.extension)}});
   }
   session.connection().request(
       "client/registerCapability",

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "lang/editor/config_text.hpp"
+#include "lang/source/data_format.hpp"
 #include "lsp/positions.hpp"
 #include "lsp/uri.hpp"
 
@@ -147,8 +148,9 @@ void Session::update_scenes() {
   for (const auto& [uri, file] : files_) {
     const fs::path scene = scene_of(file.identity);
     const bool is_json = lang::source_format_of(file.path, *file.text) == lang::SourceFormat::Json;
-    const bool is_foreign =
-        scene == file.identity && is_json && !lang::looks_like_config(*file.text);
+    const bool is_no_scene = lang::data_format_of(file.path).has_value() ||
+                             (is_json && !lang::looks_like_config(*file.text));
+    const bool is_foreign = scene == file.identity && is_no_scene;
     open[file.identity] = {.uri = uri, .scene = is_foreign ? fs::path() : scene};
     if (!is_foreign) scenes.insert(scene);
   }
@@ -232,7 +234,9 @@ lang::SceneView* Session::view_of(const fs::path& scene) {
     return views_.back().view.get();
   }
   auto root = load(scene);
-  if (!root || root->format() != lang::SourceFormat::Scene) return nullptr;
+  const bool is_scene = root && root->format() == lang::SourceFormat::Scene &&
+                        !lang::data_format_of(scene).has_value();
+  if (!is_scene) return nullptr;
   constexpr std::size_t kMaxViews = 4;
   if (views_.size() == kMaxViews) views_.erase(views_.begin());
   auto view = std::make_unique<lang::SceneView>(std::move(root), program_options(), stop_);

@@ -79,9 +79,10 @@ void choose_crop(const Picture& errors, DetailLayout& layout) {
   }
 }
 
-std::string png_of(const Picture& picture, render::Tone tone) {
+std::string png_of(const Picture& picture, const render::ToneMapping& mapping) {
   const std::vector<std::byte> bytes = render::encode_picture(
-      picture, {.format = render::ImageFormat::Png, .tone = tone, .metadata = {.software = ""}});
+      picture,
+      {.format = render::ImageFormat::Png, .mapping = mapping, .metadata = {.software = ""}});
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -104,7 +105,7 @@ std::string Details::crop_of(const Picture& picture) const {
   for (int y = 0; y < crop.height; ++y) {
     for (int x = 0; x < crop.width; ++x) crop.at(x, y) = picture.at(layout_.x + x, layout_.y + y);
   }
-  return png_of(crop, tone_);
+  return png_of(crop, mapping_);
 }
 
 std::string Details::error_map(const Picture& errors) const {
@@ -113,7 +114,7 @@ std::string Details::error_map(const Picture& errors) const {
     values.push_back(static_cast<float>(error.r));
   }
   return png_of(render::color_mapped(values, layout_.map_width, layout_.map_height, layout_.top),
-                render::Tone::Srgb);
+                {});
 }
 
 void Details::add(const render::Configuration& configuration, int samples, const Picture& picture,
@@ -121,7 +122,7 @@ void Details::add(const render::Configuration& configuration, int samples, const
   if (pictures_.empty()) {
     choose_layout(picture, reference);
     const Picture whole = shrunk(reference.picture, layout_.map_width, layout_.map_height);
-    pictures_[kReferenceKey] = {.crop = crop_of(reference.picture), .map = png_of(whole, tone_)};
+    pictures_[kReferenceKey] = {.crop = crop_of(reference.picture), .map = png_of(whole, mapping_)};
   }
   pictures_[key_of(configuration, samples)] = {
       .crop = crop_of(picture), .map = error_map(errors_of(picture, reference.picture))};

@@ -28,7 +28,7 @@ struct DetailLayout {
 /// The visual part of a measurement: error maps, and the noisiest area of each picture, enlarged.
 class Details {
  public:
-  explicit Details(render::Tone tone) : tone_(tone) {}
+  explicit Details(const render::ToneMapping& mapping) : mapping_(mapping) {}
 
   /// Adds a picture. The first one determines the layout.
   void add(const render::Configuration& configuration, int samples, const render::Picture& picture,
@@ -56,7 +56,7 @@ class Details {
   std::string error_map(const render::Picture& errors) const;
   void add_rows(Report& report, const std::string& title, std::vector<Shown> shown) const;
 
-  render::Tone tone_;
+  render::ToneMapping mapping_;
   DetailLayout layout_;
   std::map<std::string, PictureDetails> pictures_;
 };

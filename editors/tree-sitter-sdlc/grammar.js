@@ -85,10 +85,23 @@ module.exports = grammar({
     for_statement: ($) =>
       seq(
         'for',
-        field('name', $.identifier),
+        field('pattern', $.pattern),
         'in',
         field('list', $._expression),
         field('body', $.block),
+      ),
+    pattern: ($) =>
+      seq(
+        optional(seq(field('index', $.identifier), ',')),
+        choice(field('name', $.identifier), $.row_pattern),
+      ),
+    row_pattern: ($) =>
+      seq(
+        '(',
+        field('name', $.identifier),
+        repeat1(seq(',', field('name', $.identifier))),
+        optional(','),
+        ')',
       ),
     if_statement: ($) =>
       last(
@@ -117,7 +130,7 @@ module.exports = grammar({
 
     // Expressions, loosest first. A chain is one node with all its operands.
 
-    _expression: ($) => choice($.conditional, $._disjunction),
+    _expression: ($) => choice($.conditional, $.let_in, $._disjunction),
     conditional: ($) =>
       seq(
         'if',
@@ -134,8 +147,11 @@ module.exports = grammar({
           ),
         ),
         'else',
-        field('value', $._disjunction),
+        field('value', choice($.let_in, $._disjunction)),
       ),
+    let_in: ($) =>
+      seq('let', $.binding, repeat(seq(',', $.binding)), 'in', field('value', $._expression)),
+    binding: ($) => seq(field('name', $.identifier), '=', field('value', $._expression)),
     _disjunction: ($) => choice($.disjunction, last($._conjunction)),
     disjunction: ($) =>
       last(seq($._conjunction, repeat1(seq('or', $._conjunction)))),
@@ -161,7 +177,7 @@ module.exports = grammar({
     _power: ($) => choice($.power, $._operand),
     power: ($) => seq(field('base', $._operand), '^', field('exponent', $._unary)),
     _operand: ($) =>
-      choice($._literal, $.list, $.reference, $.call, $._parenthesis, $.postfix),
+      choice($._literal, $.list, $.comprehension, $.reference, $.call, $._parenthesis, $.postfix),
     // A path takes all the `.name` after it.
     postfix: ($) =>
       seq(
@@ -181,6 +197,17 @@ module.exports = grammar({
     triple: ($) =>
       seq('(', $._expression, ',', $._expression, ',', $._expression, optional(','), ')'),
     list: ($) => seq('[', optional(comma_separated($._expression)), ']'),
+    comprehension: ($) =>
+      seq(
+        '[',
+        field('value', $._expression),
+        $.for_clause,
+        repeat(choice($.for_clause, $.if_clause)),
+        ']',
+      ),
+    for_clause: ($) =>
+      seq('for', field('pattern', $.pattern), 'in', field('list', $._expression)),
+    if_clause: ($) => seq('if', field('condition', $._expression)),
 
     _literal: ($) => choice($.number, $.string, $.color, $.true, $.false),
     label: ($) =>

@@ -62,7 +62,8 @@ std::uint32_t CodeBuilder::add_member(ast::Node node, std::uint32_t operand,
                                       std::string_view name) {
   const bool is_axis = name == "x" || name == "y" || name == "z";
   const std::size_t operands = mark();
-  push(operand);
+  push({operand, static_cast<std::uint32_t>(code_->names.size())});
+  code_->names.push_back(name);
   return add_with(Op::Member, node, operands, is_axis ? static_cast<std::uint8_t>(name[0]) : 0);
 }
 

@@ -54,7 +54,7 @@ class CodeBuilder {
   std::uint32_t add_broken(ast::Node node) { return add(Op::Broken, node); }
   std::uint32_t add_constant(ast::Node node, Value value);
   std::uint32_t add_number(ast::Node node, Scalar number);
-  /// `operand.name`; an unknown name is an error of the evaluation.
+  /// `operand.name`, a part of the text; an unknown name is an error of the evaluation.
   std::uint32_t add_member(ast::Node node, std::uint32_t operand, std::string_view name);
 
   // Statements; returns the index of the new one, with the operands above `mark`

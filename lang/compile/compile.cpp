@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <span>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
 
 #include "lang/json/json.hpp"
+#include "render/exactness/lens_contact.hpp"
 
 namespace sdlc::lang {
 namespace {
@@ -167,6 +169,7 @@ LoweredScene Compiler::build(const Overrides& overrides, std::optional<int> fram
   if (!sink_.has_errors()) {
     report_dropped();
     report_scale(lowered, purpose);
+    report_lens(lowered, purpose);
   }
   times_.parse_seconds += seconds(read - start);
   times_.lower_seconds = seconds(Clock::now() - read);
@@ -253,6 +256,24 @@ void Compiler::report_scale(const LoweredScene& lowered, Purpose purpose) {
     const auto fault = find_scale_fault(lowered.scene, camera, lowered.precision);
     if (fault) return report_fault(*fault, {});
   }
+}
+
+void Compiler::report_lens(const LoweredScene& lowered, Purpose purpose) {
+  const auto check = [&](const render::Camera& camera, Location aperture) {
+    sink_.stop_if_requested();
+    const auto contact = render::find_lens_contact(lowered.scene, camera);
+    if (!contact) return;
+    auto report = sink_.report(diag::lens_meets_surface, aperture);
+    if (contact->sphere) report.label(trace(std::span(&*contact->sphere, 1))[0].where, "this one");
+    report.help("choose a smaller `aperture`, or move the camera");
+  };
+  if (purpose == Purpose::Picture) {
+    if (lowered.camera) check(lowered.scene.camera, lowered.camera->aperture);
+    return;
+  }
+  const auto& cameras = lowered.checked_cameras;
+  const std::size_t count = cameras_to_judge(cameras.size(), lowered.scene.spheres.size());
+  for (std::size_t i = 0; i < count; ++i) check(cameras[i].camera, cameras[i].aperture);
 }
 
 void Compiler::warn_of_precision(const LoweredScene& lowered, render::Precision taken,

@@ -107,6 +107,8 @@ class Compiler {
   /// Passes all files that the text can import and include to the workspace.
   void publish_dependencies();
   /// `setting`: the place of the setting that causes it; without a file: none, report the sphere.
+  /// E241, for the cameras that report_scale() judges.
+  void report_lens(const LoweredScene& lowered, Purpose purpose);
   void report_fault(const PrecisionFault& fault, Location setting);
 
   using ToldPrecision =

@@ -85,7 +85,7 @@ std::optional<std::string> ConfigWriter::setting_text(JsonSetting setting) {
   const int threads = lowered_->settings.threads;
   switch (setting) {
     case JsonSetting::GammaCorrect:
-      return lowered_->output.tone == render::Tone::Sqrt ? "true" : "false";
+      return lowered_->output.mapping.tone == render::Tone::Sqrt ? "true" : "false";
     case JsonSetting::InParallel: return threads == 1 ? "false" : "true";
     case JsonSetting::NumberCores:
       return threads > 1 ? std::optional(std::to_string(threads)) : std::nullopt;
@@ -134,7 +134,8 @@ std::string ConfigWriter::object_text(const JsonObject& table, std::string_view 
 }
 
 void ConfigWriter::check_tone() {
-  if (lowered_->output.tone != render::Tone::Srgb) return;
+  const render::Tone tone = lowered_->output.mapping.tone;
+  if (tone == render::Tone::Sqrt || tone == render::Tone::Linear) return;
   using namespace render_property;
   const bool is_written = render_ && render_->slot(kTone).is_written;
   const Location where = is_written ? render_->location(kTone)
@@ -142,7 +143,7 @@ void ConfigWriter::check_tone() {
                                     : cameras_.front().where;
   sink_
       .report(diag::not_in_config, where,
-              is_written ? "`tone: srgb`" : "`tone: srgb`, the default,")
+              fmt::format("`tone: {}`{}", name_of(tone), is_written ? "" : ", the default,"))
       .help("the format has `sqrt` and `linear`: `--tone sqrt` is similar");
 }
 

@@ -159,11 +159,12 @@ bool is_same_picture(const LoweredScene& a, const LoweredScene& b, bool compares
   const render::Camera &ca = a.scene.camera, &cb = b.scene.camera;
   const render::Background &ba = a.scene.background, &bb = b.scene.background;
   const bool has_same_view = ca.from == cb.from && ca.at == cb.at && ca.up == cb.up &&
-                             ca.plane_height == cb.plane_height && ca.aspect == cb.aspect;
+                             ca.plane_height == cb.plane_height && ca.aspect == cb.aspect &&
+                             ca.aperture == cb.aperture && (!ca.has_lens() || ca.focus == cb.focus);
   const bool has_same_settings =
       a.settings.width == b.settings.width && a.settings.height == b.settings.height &&
       a.settings.samples == b.settings.samples && a.settings.depth == b.settings.depth &&
-      a.settings.seed == b.settings.seed && a.output.tone == b.output.tone;
+      a.settings.seed == b.settings.seed && a.output.mapping == b.output.mapping;
   const bool has_same_colors = !compares_colors || (a.scene.materials == b.scene.materials &&
                                                     ba.bottom == bb.bottom && ba.top == bb.top);
   return (has_same_view || !a.camera) && has_same_settings && has_same_colors &&

@@ -38,14 +38,18 @@ std::vector<const Symbol*> callables_of(const SymbolTable& table) {
   return found;
 }
 
-/// The one whose declaration contains the place; null for the top level.
+/// The innermost one whose declaration contains the place; null for the top level.
 const Symbol* callable_around(const SyntaxTree& tree, const std::vector<const Symbol*>& callables,
                               Span place) {
   const auto after = std::ranges::upper_bound(callables, place.begin, {},
                                               [&](const Symbol* s) { return tree[s->node].begin; });
-  if (after == callables.begin()) return nullptr;
-  const Symbol* before = *std::prev(after);
-  return place.end <= tree[before->node].end ? before : nullptr;
+  // Definitions may be nested: those that end before the place are skipped.
+  for (auto before = after; before != callables.begin();) {
+    const Symbol* callable = *--before;
+    if (place.end <= tree[callable->node].end) return callable;
+    if (!callable->is_local) break;  // no other contains the place
+  }
+  return nullptr;
 }
 
 /// Collects places by the item at the other end.

@@ -101,6 +101,7 @@ std::string_view type_name_of(Type type) noexcept {
     case Type::Interval:
     case Type::Frames: return "interval";
     case Type::Material: return "material";
+    case Type::Focus:
     case Type::Word:
     case Type::Motion: break;
   }

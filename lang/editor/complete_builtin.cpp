@@ -19,14 +19,14 @@
 namespace sdlc::lang {
 namespace {
 
-/// The names in a signature: "clamp(x, low, high)".
+/// The names of the arguments in a signature, without options: "clamp(x, low, high)".
 std::string placeholders_of(const Builtin& function) {
   if (function.min_arguments != function.max_arguments) return "$0";
   std::string text;
   int next = 1;
   std::string_view rest = function.signature.substr(function.name.size() + 1);
   rest = rest.substr(0, rest.find(')'));
-  while (!rest.empty()) {
+  while (!rest.empty() && next <= static_cast<int>(function.max_arguments)) {
     const std::size_t end = std::min(rest.find(", "), rest.size());
     text += fmt::format("{}${{{}:{}}}", text.empty() ? "" : ", ", next++, rest.substr(0, end));
     rest.remove_prefix(std::min(end + 2, rest.size()));
@@ -154,15 +154,16 @@ std::string picture_name(const CompletionBuilder& builder) {
 }
 
 /// The names of cameras, for `camera` of render.
-void add_cameras(CompletionBuilder& builder) {
+/// The names of objects of this kind: "camera" or "sphere".
+void add_labels(CompletionBuilder& builder, std::string_view kind) {
   const SymbolTable& table = builder.view().table(builder.file());
   for (const Symbol& symbol : table.symbols()) {
     if (symbol.kind != SymbolKind::Object) continue;
     const ast::Node node(table.tree(), symbol.node);
-    if (node.head() != "camera") continue;
+    if (node.head() != kind) continue;
     builder.add({.label = std::string(symbol.name),
                  .kind = CompletionKind::Variable,
-                 .detail = "camera",
+                 .detail = std::string(kind),
                  .documentation = table.documentation_of(symbol)},
                 {kFits, 0});
   }
@@ -219,7 +220,8 @@ void add_words(CompletionBuilder& builder, const Property& property) {
   };
   for (const std::string_view word : property.words) add(word);
   if (property.reads_none) add("none");
-  if (property.type == Type::Word && property.words.empty()) add_cameras(builder);
+  if (property.type == Type::Word && property.words.empty()) add_labels(builder, "camera");
+  if (property.type == Type::Focus) add_labels(builder, "sphere");
 }
 
 void add_literals(CompletionBuilder& builder, const ExpectedType& expected) {

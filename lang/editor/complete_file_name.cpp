@@ -5,7 +5,6 @@
 
 #include "lang/editor/completion_builder.hpp"
 #include "lang/program/nearest_file.hpp"
-#include "lang/token/name_characters.hpp"
 #include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
@@ -16,15 +15,6 @@ Span content_of(std::string_view text, Span token) {
   const bool is_closed = token.size() > 1 && text[token.end - 1] == '"';
   const std::uint32_t end = is_closed ? token.end - 1 : end_of_unclosed_string(text, token);
   return {token.begin + 1, std::max(token.begin + 1, end)};
-}
-
-/// The file's stem as a name: "pool_table" for "library/pool-table.scene".
-std::string name_for(std::string_view file) {
-  std::string name = std::filesystem::path(file).stem().string();
-  for (char& c : name) {
-    if (!is_idchar(c)) c = '_';
-  }
-  return name.empty() || !is_letter(name.front()) ? "library" : name;
 }
 
 }  // namespace
@@ -66,7 +56,7 @@ void complete_import_name(CompletionBuilder& builder, bool with_as) {
   const OpenBracket& f = builder.place().inner();
   std::string_view file = builder.text().substr(f.path.begin, f.path.size());
   file = file.substr(1, file.size() - (file.size() > 1 && file.ends_with('"') ? 2 : 1));
-  const std::string name = name_for(file);
+  const std::string name = name_for_file(file);
   CompletionItem item{.label = with_as ? "as " + name : name,
                       .kind = with_as ? CompletionKind::Keyword : CompletionKind::Module,
                       .documentation = "The name before the names of the imported file."};

@@ -108,9 +108,10 @@ void add_kinds(CompletionBuilder& builder, bool is_top) {
 void add_defs(CompletionBuilder& builder) {
   SceneView& view = builder.view();
   const bool has_block = builder.is_followed_by('{');
-  for (const Definition& def : view.module(builder.file()).defs) {
-    if (def.name.empty() || !builder.accepts(def.name)) continue;
-    builder.add(def_item(view, {builder.file(), def.node}, std::string(def.name), has_block),
+  const SymbolTable& table = view.table(builder.file());
+  for (const Symbol* def : table.visible(builder.place().offset, NameSpace::Kinds)) {
+    if (!builder.accepts(def->name)) continue;
+    builder.add(def_item(view, table.id_of(*def), std::string(def->name), has_block),
                 {kStatement, kOwnDef});
   }
   for (const auto& [name, import] : view.module(builder.file()).imports) {
@@ -217,6 +218,9 @@ void complete_operator(CompletionBuilder& builder) {
   const bool is_open = !f.conditionals.empty();
   if (is_open && f.conditionals.back() == ConditionalPart::Condition) add("then", 0);
   if (is_open && f.conditionals.back() == ConditionalPart::Then) add("else", 0);
+  const bool may_have_clause = f.role == OpenBracket::Role::List && f.commas == 0 && !is_open;
+  if (may_have_clause) add("for", 3);
+  if (may_have_clause && !f.word.empty()) add("if", 0);
   add("and", 1);
   add("or", 2);
 }

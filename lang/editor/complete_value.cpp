@@ -12,6 +12,7 @@
 #include "lang/editor/callee.hpp"
 #include "lang/editor/complete_builtin.hpp"
 #include "lang/editor/completion_builder.hpp"
+#include "lang/editor/data_columns.hpp"
 #include "lang/resolve/symbol_types.hpp"
 
 namespace sdlc::lang {
@@ -73,6 +74,18 @@ void add_locals(CompletionBuilder& builder, const ExpectedType& expected) {
   }
 }
 
+/// The names of a `let … in` around the cursor, which the tokens do not show.
+void add_bindings(CompletionBuilder& builder, const ExpectedType& expected) {
+  const SymbolTable& table = builder.view().table(builder.file());
+  for (const Symbol* symbol : table.visible(builder.place().offset, NameSpace::Values)) {
+    const bool is_binding = table.tree()[symbol->node].kind == SyntaxKind::Binding;
+    if (!is_binding || !builder.accepts(symbol->name)) continue;
+    const SymbolId id = table.id_of(*symbol);
+    add_value(builder, id, std::string(symbol->name), expected, type_name_of(builder.view(), id),
+              0);
+  }
+}
+
 void add_globals(CompletionBuilder& builder, const ExpectedType& expected) {
   const SymbolTable& table = builder.view().table(builder.file());
   std::unordered_set<std::string_view> hidden;
@@ -81,7 +94,8 @@ void add_globals(CompletionBuilder& builder, const ExpectedType& expected) {
   }
   for (const Symbol& symbol : table.symbols()) {
     const bool is_global = !symbol.is_local && !symbol.is_duplicate && !symbol.name.empty() &&
-                           (symbol.kind == SymbolKind::Let || symbol.kind == SymbolKind::Param);
+                           (symbol.kind == SymbolKind::Let || symbol.kind == SymbolKind::Param ||
+                            table_of(builder.view(), table.id_of(symbol)) != nullptr);
     if (!is_global || !builder.accepts(symbol.name) || is_own_name(builder, symbol) ||
         hidden.contains(symbol.name)) {
       continue;
@@ -94,10 +108,11 @@ void add_globals(CompletionBuilder& builder, const ExpectedType& expected) {
 
 void add_declared_functions(CompletionBuilder& builder, const ExpectedType& expected) {
   SceneView& view = builder.view();
-  for (const Definition& function : view.module(builder.file()).functions) {
-    if (function.name.empty() || !builder.accepts(function.name)) continue;
-    const SymbolId id{builder.file(), function.node};
-    builder.add(function_item(view, id, std::string(function.name), builder.is_followed_by('(')),
+  const SymbolTable& table = view.table(builder.file());
+  for (const Symbol* function : table.visible(builder.place().offset, NameSpace::Functions)) {
+    if (!builder.accepts(function->name)) continue;
+    const SymbolId id = table.id_of(*function);
+    builder.add(function_item(view, id, std::string(function->name), builder.is_followed_by('(')),
                 {fit_of_result(expected, type_name_of(view, id)), kGlobal});
   }
 }
@@ -133,6 +148,13 @@ void add_named_arguments(CompletionBuilder& builder, const OpenBracket& call,
       const int later = parameters[i].presence == Presence::Required ? 0 : kGlobal;
       builder.add(property_item(parameters[i], true, has_colon),
                   {kArgument, later + static_cast<int>(i)});
+    }
+  }
+  if (callee.builtin != nullptr && positional >= callee.builtin->min_arguments) {
+    const auto options = callee.builtin->options;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+      if (is_given(callee.builtin->max_arguments + i, options[i].name)) continue;
+      builder.add(property_item(options[i], true, has_colon), {kArgument, static_cast<int>(i)});
     }
   }
   const std::vector<SymbolId> parameters = parameters_of(builder.view(), callee.function);
@@ -175,6 +197,7 @@ void complete_value(CompletionBuilder& builder) {
   if (is_word) return;
   add_literals(builder, expected);
   add_locals(builder, expected);
+  add_bindings(builder, expected);
   add_globals(builder, expected);
   add_declared_functions(builder, expected);
   add_imports(builder, expected);

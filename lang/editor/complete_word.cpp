@@ -11,6 +11,7 @@
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/editor/callee.hpp"
 #include "lang/editor/completion_builder.hpp"
+#include "lang/editor/data_columns.hpp"
 #include "lang/token/name_characters.hpp"
 #include "lang/token/token_reader.hpp"
 #include "lang/value/types.hpp"
@@ -25,6 +26,20 @@ void add_components(CompletionBuilder& builder, std::string_view type) {
                  .kind = CompletionKind::Component,
                  .detail = std::string(type == "angles" ? "angle" : "number")},
                 {});
+  }
+}
+
+/// The columns of a data file whose names can follow a dot.
+void add_columns(CompletionBuilder& builder, const Table& table) {
+  int row = 0;
+  for (const Column& column : table.columns()) {
+    const bool is_name =
+        !column.name.empty() && end_of_identifier(column.name, 0) == column.name.size();
+    if (!is_name) continue;
+    builder.add({.label = column.name,
+                 .kind = CompletionKind::Component,
+                 .detail = column.has_numbers() ? "number" : "string"},
+                {0, row++});
   }
 }
 
@@ -89,6 +104,7 @@ void complete_member(CompletionBuilder& builder) {
     return;
   }
   const SymbolId value = path.size() == 0 ? SymbolId() : find_value(builder, path);
+  if (const auto table = table_of_row(builder.view(), value)) return add_columns(builder, *table);
   const std::string_view type =
       value.is_known() ? type_name_of(builder.view(), value) : std::string_view();
   if (type.empty() || type == "vec3" || type == "angles") add_components(builder, type);

@@ -84,6 +84,7 @@ PlaceKind kind_in_brackets(const CursorPlace& place) {
       return f.role == Role::Arguments ? PlaceKind::Argument : PlaceKind::Expression;
     case Step::Operand: return PlaceKind::Expression;
     case Step::AfterOperand: return PlaceKind::Operator;
+    case Step::AfterName: return f.word == "for" ? PlaceKind::In : PlaceKind::Nothing;
     case Step::Dot: return PlaceKind::Member;
     case Step::Type: return PlaceKind::Type;
     default: return PlaceKind::Nothing;

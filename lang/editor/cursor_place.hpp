@@ -49,7 +49,7 @@ struct OpenBracket {
     File,
     Block,        ///< of an object, for, if, else or def
     Arguments,    ///< of a call
-    Parameters,   ///< of a fn or def
+    Parameters,   ///< of a fn or def; the names of a loop that are in parentheses
     Parenthesis,  ///< a group or triple
     List,
     Index,
@@ -62,18 +62,18 @@ struct OpenBracket {
   std::uint32_t commas = 0;     ///< before the cursor
   bool has_statements = false;  ///< a Block has had statements that are no properties
   std::vector<std::string_view> labels = {};  ///< before the cursor
-  std::vector<LocalName> locals = {};         ///< in the order of the text
+  std::vector<LocalName> locals = {};  ///< in the order of the text; of a List, those of its loops
 
   // The statement, argument or element around the cursor
   PlaceStep step = PlaceStep::Start;
   std::uint32_t begin = 0;                         ///< its first byte
   std::string_view previous = {};                  ///< the keyword of the statement before
-  std::string_view word = {};                      ///< the keyword of a statement
+  std::string_view word = {};                      ///< the keyword of a statement or clause
   std::string_view name = {};                      ///< that it declares
   std::string_view type = {};                      ///< of a param
   std::string_view label = {};                     ///< of a property or argument
   Span path = {};                                  ///< the last path; empty after other operands
-  std::vector<LocalName> declared = {};            ///< parameters and loop variables
+  std::vector<LocalName> declared = {};            ///< parameters and names of a loop
   std::vector<ConditionalPart> conditionals = {};  ///< the open ones, outermost first
 
   bool is_block() const noexcept { return role == Role::File || role == Role::Block; }

@@ -46,6 +46,18 @@ std::size_t index_of_argument(const OpenBracket& call, const Names& names) {
   return static_cast<std::size_t>(std::ranges::find(names, call.label) - names.begin());
 }
 
+/// The option that the argument gives; null if it gives none.
+const Property* option_at(const OpenBracket& call, const Builtin& function) {
+  const auto& options = function.options;
+  if (!call.label.empty()) {
+    const auto found = std::ranges::find(options, call.label, &Property::name);
+    return found == options.end() ? nullptr : &*found;
+  }
+  const std::size_t index = call.commas - function.max_arguments;
+  return call.commas >= function.max_arguments && index < options.size() ? &options[index]
+                                                                         : nullptr;
+}
+
 ExpectedType of_argument(const SceneView& view, std::uint32_t file, const CursorPlace& place,
                          std::size_t bracket) {
   const OpenBracket& call = place.brackets[bracket];
@@ -58,6 +70,7 @@ ExpectedType of_argument(const SceneView& view, std::uint32_t file, const Cursor
                                 : ExpectedType();
   }
   if (callee.builtin != nullptr) {
+    if (const Property* option = option_at(call, *callee.builtin)) return of_property(*option);
     if (callee.builtin->result == "=") {
       ExpectedType around = expected_in(view, file, place, bracket - 1);
       around.property = nullptr;
@@ -99,7 +112,7 @@ ExpectedType expected_in(const SceneView& view, std::uint32_t file, const Cursor
     case Role::Parameters:
       return f.locals.empty() ? ExpectedType() : ExpectedType{.type = f.locals.back().type};
     case Role::Parenthesis: return of_component(expected_in(view, file, place, bracket - 1), f);
-    case Role::List: return {};
+    case Role::List: return of_statement(f);
     case Role::Index: return {.type = "number", .units = Units::None};
   }
   return {};

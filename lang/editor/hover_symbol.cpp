@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "lang/ast/statements.hpp"
+#include "lang/editor/data_columns.hpp"
 #include "lang/resolve/builtin_symbols.hpp"
 #include "lang/resolve/symbol_types.hpp"
 #include "lang/schema/find_kind.hpp"
@@ -42,9 +43,10 @@ std::string declaration_text(ast::Node node, const Symbol& symbol) {
     }
     case SymbolKind::Def: return std::string(signature_of(node));
     case SymbolKind::LoopVariable: {
-      const auto list = node.child(1);
+      const ast::Node loop(node.tree(), symbol.owner);
+      const auto list = loop.child(1);
       const std::uint32_t end = list ? list->span().end : symbol.where.end;
-      return std::string(node.tree().text({node.span().begin, end}));
+      return std::string(node.tree().text({loop.span().begin, end}));
     }
     case SymbolKind::Object:
       return std::string(node.tree().text({node.span().begin, symbol.where.end}));
@@ -90,6 +92,16 @@ std::string join_names(std::span<const Property> properties) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// A line for each.
+std::string describe_parameters(std::span<const Property> parameters) {
+  std::string text;
+  for (const Property& parameter : parameters) {
+    text += fmt::format("{}* {}: {}. {}", text.empty() ? "" : "\n", as_code(parameter.name),
+                        describe(parameter), parameter.doc);
+  }
+  return text;
+}
+
 class Description {
  public:
   Description(SceneView& view, std::uint32_t file, const Cursor& cursor, Values& values,
@@ -106,7 +118,8 @@ class Description {
 
  private:
   void add_declared(SymbolId id, const Symbol& symbol);
-  void add_import(const Symbol& symbol);
+  void add_import(SymbolId id, const Symbol& symbol);
+  void add_table(const Table& table);
   void add_type(SymbolId id);
   void add_loop(SymbolId id, const Symbol& symbol);
   void add_builtin(const BuiltinSymbol& builtin);
@@ -158,7 +171,7 @@ void Description::add_declared(SymbolId id, const Symbol& symbol) {
     }
     case SymbolKind::Fn: add_value_of_call(); break;
     case SymbolKind::LoopVariable: add_loop(id, symbol); break;
-    case SymbolKind::Import: add_import(symbol); break;
+    case SymbolKind::Import: add_import(id, symbol); break;
     case SymbolKind::Object:
       if (const Kind* kind = find_kind(node.head())) text_.add(kind->doc);
       break;
@@ -176,7 +189,7 @@ void Description::add_type(SymbolId id) {
 }
 
 void Description::add_loop(SymbolId id, const Symbol& symbol) {
-  const auto list = ast::Node(view_.tree(id.file), symbol.node).child(1);
+  const auto list = ast::Node(view_.tree(id.file), symbol.owner).child(1);
   if (!list || id.file != file_) return;
   const ComputedValue value = values_.of_expression(file_, *list);
   if (value.status == ComputedValue::Status::Known) {
@@ -186,7 +199,26 @@ void Description::add_loop(SymbolId id, const Symbol& symbol) {
   }
 }
 
-void Description::add_import(const Symbol& symbol) {
+void Description::add_table(const Table& table) {
+  constexpr std::size_t kMaxColumns = 30;
+  text_.add(fmt::format("Data file: {}, {} {}.", as_code(table.file()), table.row_count(),
+                        table.row_count() == 1 ? "row" : "rows"));
+  std::string columns;
+  for (const Column& column : table.columns()) {
+    const auto index = static_cast<std::size_t>(&column - table.columns().data());
+    if (index == kMaxColumns) {
+      columns += fmt::format("\n* … ({} columns)", table.columns().size());
+      break;
+    }
+    columns += fmt::format("{}* {}: {}", index == 0 ? "" : "\n",
+                           as_code(column.name.empty() ? fmt::format("[{}]", index) : column.name),
+                           column.has_numbers() ? "number" : "string");
+  }
+  text_.add(columns);
+}
+
+void Description::add_import(SymbolId id, const Symbol& symbol) {
+  if (const auto table = table_of(view_, id)) return add_table(*table);
   const auto& imports = view_.module(file_).imports;
   const auto found = imports.find(symbol.name);
   if (found == imports.end() || found->second.module == kNothing) {
@@ -225,15 +257,11 @@ void Description::add_function(const BuiltinSymbol& builtin) {
   if (const Constructor* constructor = find_constructor(builtin.name)) {
     text_.add_code(signature_of(*constructor));
     text_.add(builtin.doc);
-    std::string parameters;
-    for (const Property& parameter : constructor->parameters) {
-      parameters += fmt::format("{}* {}: {}. {}", parameters.empty() ? "" : "\n",
-                                as_code(parameter.name), describe(parameter), parameter.doc);
-    }
-    text_.add(parameters);
+    text_.add(describe_parameters(constructor->parameters));
   } else if (const Builtin* function = find_builtin(builtin.name)) {
     text_.add_code(function->signature);
     text_.add(builtin.doc);
+    if (!function->options.empty()) text_.add(describe_parameters(function->options));
   }
   add_value_of_call();
 }

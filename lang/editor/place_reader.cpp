@@ -146,10 +146,17 @@ void PlaceReader::read_declaration(const Token& token) {
   const std::string_view word = text_.substr(token.span.begin, token.span.size());
   switch (f.step) {
     case Step::DeclaredName:
+      if (f.word == "for" && word == "(") return open(Role::Parameters, token);
       if (!is_name(token.kind)) break;
       f.name = word;
-      if (f.word == "for" || f.word == "let") f.declared = {{.name = word, .where = token.span}};
+      if (f.word == "for" || f.word == "let") {
+        (f.is_block() ? f.declared : f.locals).push_back({.name = word, .where = token.span});
+      }
       f.step = Step::AfterName;
+      return;
+    case Step::AfterName:
+      if (f.word != "for" || word != ",") break;
+      f.step = Step::DeclaredName;
       return;
     case Step::AfterLabel: f.step = Step::Operand; return;
     case Step::Type:
@@ -274,7 +281,10 @@ void PlaceReader::read_after_operand(const Token& token) {
 void PlaceReader::read_name_after_operand(const Token& token) {
   OpenBracket& f = top();
   const std::string_view word = text_.substr(token.span.begin, token.span.size());
-  if (f.word == "else" && word == "if" && f.path.size() == 0) {
+  if (f.role == Role::List && f.conditionals.empty() && (word == "for" || word == "if")) {
+    f.word = word;
+    f.step = word == "for" ? Step::DeclaredName : Step::Operand;
+  } else if (f.word == "else" && word == "if" && f.path.size() == 0) {
     f.word = word;
     f.step = Step::Operand;
   } else if (!read_link_word(word)) {
@@ -326,7 +336,11 @@ void PlaceReader::close(char bracket) {
   std::vector<LocalName> locals = std::move(found->locals);
   brackets_.erase(found.base() - 1, brackets_.end());
   OpenBracket& f = top();
-  if (role == Role::Parameters) {
+  if (role == Role::Parameters && f.word == "for") {
+    auto& names = f.is_block() ? f.declared : f.locals;
+    names.insert(names.end(), locals.begin(), locals.end());
+    f.step = Step::AfterName;
+  } else if (role == Role::Parameters) {
     f.declared = std::move(locals);
     f.step = Step::AfterParameters;
   } else if (role == Role::Block && f.is_block()) {

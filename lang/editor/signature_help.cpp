@@ -43,6 +43,21 @@ class SignatureWriter {
   std::vector<std::string_view> names_;
 };
 
+/// "a number, at least 0, default `0`. Blurs the mirror."
+std::string documentation_of(const Property& parameter) {
+  std::string usual = describe_default(parameter);
+  if (!usual.empty() && usual != "required") usual = "default " + usual;
+  return fmt::format("{}{}{}. {}", describe_values(parameter), usual.empty() ? "" : ", ", usual,
+                     parameter.doc);
+}
+
+/// The documentation of an option by its spelling in the signature: "curve: cubic".
+std::string documentation_of(const Builtin& function, std::string_view spelling) {
+  const std::string_view name = spelling.substr(0, spelling.find(':'));
+  const auto option = std::ranges::find(function.options, name, &Property::name);
+  return option == function.options.end() ? std::string() : documentation_of(*option);
+}
+
 /// The forms in "range(n), range(a, b), range(a, b, step)".
 std::vector<Signature> signatures_of(const Builtin& function) {
   std::vector<Signature> all;
@@ -53,21 +68,14 @@ std::vector<Signature> signatures_of(const Builtin& function) {
     SignatureWriter writer(function.name, std::string(function.doc));
     while (!inside.empty()) {
       const std::size_t comma = std::min(inside.find(", "), inside.size());
-      writer.add({}, inside.substr(0, comma), {});
+      const std::string_view spelling = inside.substr(0, comma);
+      writer.add({}, spelling, documentation_of(function, spelling));
       inside.remove_prefix(std::min(comma + 2, inside.size()));
     }
     all.push_back(writer.finish());
     rest.remove_prefix(std::min(end + 3, rest.size()));
   }
   return all;
-}
-
-/// "a number, at least 0, default `0`. Blurs the mirror."
-std::string documentation_of(const Property& parameter) {
-  std::string usual = describe_default(parameter);
-  if (!usual.empty() && usual != "required") usual = "default " + usual;
-  return fmt::format("{}{}{}. {}", describe_values(parameter), usual.empty() ? "" : ", ", usual,
-                     parameter.doc);
 }
 
 /// The parameters that the call names, and the one at the cursor.
@@ -121,9 +129,16 @@ SignatureHelp help_for(const SceneView& view, SymbolId function, std::string_vie
   return help;
 }
 
+/// The index of the argument at the cursor.
+std::size_t index_of(const CallAtCursor& at, const Builtin& function) {
+  const auto option = std::ranges::find(function.options, at.label, &Property::name);
+  if (at.label.empty() || option == function.options.end()) return at.call->commas;
+  return function.max_arguments + static_cast<std::size_t>(option - function.options.begin());
+}
+
 SignatureHelp help_for(const Builtin& function, const CallAtCursor& at) {
   SignatureHelp help{.signatures = signatures_of(function)};
-  const std::size_t index = at.call->commas;
+  const std::size_t index = index_of(at, function);
   const auto fits = [&](const Signature& s) { return index < s.parameters.size(); };
   const auto form = std::ranges::find_if(help.signatures, fits);
   const bool is_found = form != help.signatures.end();

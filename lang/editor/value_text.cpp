@@ -64,7 +64,7 @@ std::string text_of(const ListValue& list, int depth) {
 }
 
 std::string text_at_depth(const Value& value, int depth) {
-  if (const auto* list = get_if<ListValue>(&value)) return text_of(*list, depth);
+  if (const ListValue* list = elements_of(value)) return text_of(*list, depth);
   if (const auto* text = get_if<std::string>(&value)) return text_of(*text);
   if (const auto* color = get_if<render::LinearRgb>(&value)) return text_of(*color);
   if (const auto* material = get_if<MaterialValue>(&value)) return text_of(*material);

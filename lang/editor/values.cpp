@@ -24,6 +24,10 @@ bool has_errors(ast::Node node) {
                              [](const SyntaxNode& part) { return part.kind == SyntaxKind::Error; });
 }
 
+bool contains(Span outer, Span inner) {
+  return outer.begin <= inner.begin && inner.end <= outer.end;
+}
+
 ComputedValue computed(ProbedValue probed) {
   using enum ComputedValue::Status;
   if (probed.is_too_expensive) return {.status = TooExpensive};
@@ -53,7 +57,8 @@ ComputedValue Values::of_expression(std::uint32_t file, ast::Node expression,
   const SymbolTable& table = view_.table(file);
   for (const Occurrence& name : names_in(table, expression.span())) {
     if (!name.symbol.is_known()) return {};
-    if (const Symbol* local = local_at(table, name)) {
+    const Symbol* local = local_at(table, name);
+    if (local != nullptr && !contains(expression.span(), local->where)) {
       return {.status = ComputedValue::Status::Local, .local = local->name};
     }
   }

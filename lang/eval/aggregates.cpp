@@ -1,14 +1,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "lang/eval/evaluator.hpp"
+#include "lang/eval/type_hints.hpp"
+#include "lang/object/table.hpp"
 #include "lang/source/limits.hpp"
+#include "lang/text/nearest_name.hpp"
+#include "lang/token/name_characters.hpp"
 #include "lang/value/logic.hpp"
 
-// Triples, intervals and lists, and access to their parts.
+// Triples, intervals, lists and rows, and access to their parts.
 namespace sdlc::lang {
 
 Value Evaluator::evaluate_triple(const Code& code, const Expression& e) {
@@ -72,21 +81,78 @@ Value Evaluator::evaluate_list(const Code& code, const Expression& e) {
     return Nothing{};
   std::vector<Value> values;
   values.reserve(e.count);
-  bool has_failed = false;
+  bool has_failed = false, is_mixed = false, are_lists = true;
   for (const std::uint32_t operand : code.operands_of(e)) {
     Value value = evaluate(code, operand);
-    if (is_nothing(value)) {
-      has_failed = true;
-    } else if (values.empty() || are_of_one_type(values.front(), value)) {
-      values.push_back(std::move(value));
-    } else {
-      sink_.report(diag::mixed_list, place(code, operand), describe(values.front()),
-                   describe(value));
-      has_failed = true;
-    }
+    const ListValue* list = elements_of(value);
+    are_lists = are_lists && list != nullptr;
+    if (!take_steps(code, e.node, steps_to_compare(value))) return Nothing{};
+    has_failed = has_failed || is_nothing(value);
+    is_mixed = is_mixed || (!values.empty() && !are_of_one_type(values.front(), value));
+    values.push_back(std::move(value));
   }
   if (has_failed) return Nothing{};
-  return ListValue(std::move(values));
+  if (!is_mixed) return ListValue(std::move(values));
+  if (!are_lists) return RowValue{ListValue(std::move(values))};
+  report_uneven_rows(code, e, values);
+  return Nothing{};
+}
+
+/// The place of an element if the list is written there; else that of the list.
+Location Evaluator::place_of_element(const Code& code, std::uint32_t list, std::size_t i) const {
+  const ast::Node written = node(code, list);
+  const auto element = written.is(SyntaxKind::List) ? written.child(i) : std::nullopt;
+  return (element ? *element : written).location();
+}
+
+void Evaluator::report_uneven_rows(const Code& code, const Expression& e,
+                                   std::span<const Value> rows) {
+  const auto operands = code.operands_of(e);
+  const ListValue& first = *elements_of(rows[0]);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (are_of_one_type(rows[0], rows[i])) continue;
+    const ListValue& row = *elements_of(rows[i]);
+    const auto count = [](const ListValue& list) {
+      return list.size() == 1 ? "1 element" : fmt::format("{} elements", list.size());
+    };
+    if (row.size() != first.size()) {
+      sink_.report(diag::uneven_rows, place(code, operands[i]), i + 1, count(row), count(first))
+          .label(place(code, operands[0]), "row 1");
+    } else if (const auto k = first_difference(first, row)) {
+      const bool are_rows =
+          holds_alternative<RowValue>(row[*k]) && holds_alternative<RowValue>(first[*k]);
+      sink_
+          .report(diag::uneven_rows, place_of_element(code, operands[i], *k), i + 1,
+                  are_rows ? "another row" : describe(row[*k]), describe(first[*k]))
+          .label(place_of_element(code, operands[0], *k), "row 1");
+    }
+  }
+}
+
+Value Evaluator::column_of(const Code& code, const ListValue& row, const ColumnName& column) {
+  const Table& table = *row.table_of_row();
+  if (const auto index = table.find(column.name)) return row[*index];
+  auto report = sink_.report(diag::no_member, code.tree->location(column.where),
+                             fmt::format("a row of `{}`", table.file()), column.name);
+  if (!report.is_kept()) return Nothing{};
+  const std::vector<std::string_view> names = table.names();
+  if (const auto nearest = nearest_name(column.name, names)) {
+    const bool is_name = end_of_identifier(*nearest, 0) == nearest->size();
+    if (column.member.size() > 0 && is_name) {
+      report.suggest(nearest);
+    } else {
+      const std::string text = to_text(Value(std::string(*nearest)));
+      const bool is_member = column.member.size() > 0;
+      report.help(fmt::format("did you mean `[{}]`?", text))
+          .unsafe_fix(code.tree->location(is_member ? column.member : column.where),
+                      is_member ? fmt::format("[{}]", text) : text);
+    }
+  }
+  constexpr std::size_t kMaxNames = 20;
+  const auto shown = std::span(names).first(std::min(names.size(), kMaxNames));
+  report.help(fmt::format("its columns are {}{}", fmt::join(shown, ", "),
+                          shown.size() < names.size() ? ", …" : ""));
+  return Nothing{};
 }
 
 Value Evaluator::evaluate_member(const Code& code, const Expression& e) {
@@ -99,15 +165,22 @@ Value Evaluator::evaluate_member(const Code& code, const Expression& e) {
   if (triple != nullptr && e.detail != 0) return Scalar{component(triple->value), triple->unit};
   const auto* angles = get_if<AngleTriple>(&value);
   if (angles != nullptr && e.detail != 0) return Angle{component(angles->degrees)};
+  const std::string_view name = code.names[code.operands_of(e)[1]];
+  const ListValue* list = elements_of(value);
+  if (list != nullptr && list->table_of_row() != nullptr) {
+    const std::string_view text = code.tree->file().text();
+    const auto begin = static_cast<std::uint32_t>(name.data() - text.data());
+    const auto end = begin + static_cast<std::uint32_t>(name.size());
+    const auto dot = static_cast<std::uint32_t>(text.rfind('.', begin));
+    return column_of(code, *list, {.name = name, .where = {begin, end}, .member = {dot, end}});
+  }
 
-  const ast::Node member(*code.tree, e.node);
-  const std::string_view text = member.text();
-  const std::string_view name = text.substr(text.rfind('.') + 1);
-  auto report = sink_.report(diag::no_member, member.location(), describe(value),
-                             name.substr(std::min(name.find_first_not_of(" \t\r\n"), name.size())));
+  auto report = sink_.report(diag::no_member, location(code, e.node), describe(value), name);
   if (triple != nullptr || angles != nullptr) report.help("its components are `.x`, `.y` and `.z`");
   if (holds_alternative<ListValue>(value)) {
     report.help("`len(list)` is the number of elements, `list[0]` the first one");
+  } else if (list != nullptr) {
+    report.help("its elements have no names: `row[0]` is the first one");
   }
   return Nothing{};
 }
@@ -116,16 +189,52 @@ Value Evaluator::evaluate_index(const Code& code, const Expression& e) {
   const auto operands = code.operands_of(e);
   const Value value = evaluate(code, operands[0]), position = evaluate(code, operands[1]);
   if (is_nothing(value) || is_nothing(position)) return Nothing{};
-  const auto* list = get_if<ListValue>(&value);
+  const ListValue* list = elements_of(value);
   if (list == nullptr) {
     auto report = sink_.report(diag::wrong_operand, location(code, e.node), "[ ]", describe(value));
     if (holds_alternative<Triple>(value)) report.help("its components are `.x`, `.y` and `.z`");
     return Nothing{};
   }
-  const Location where = place(code, operands[1]);
+  const auto* name = get_if<std::string>(&position);
+  if (name != nullptr && list->table_of_row() != nullptr) {
+    const Span where = node(code, operands[1]).span();
+    return column_of(code, *list, {.name = *name, .where = where, .member = {}});
+  }
+  const auto* positions = get_if<ListValue>(&position);
+  if (positions != nullptr) return elements_at(code, e, *list, *positions);
+  return element_at(*list, position, node(code, operands[1]));
+}
+
+Value Evaluator::elements_at(const Code& code, const Expression& e, const ListValue& list,
+                             const ListValue& positions) {
+  const ast::Node written = node(code, code.operands_of(e)[1]);
+  const bool is_good = take_steps(code, e.node, work::kList + positions.size()) &&
+                       may_take_memory(code, e.node, positions.size() * sizeof(Value));
+  if (!is_good) return Nothing{};
+  std::vector<Value> elements;
+  elements.reserve(positions.size());
+  bool is_mixed = false;  // some elements of a row
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    elements.push_back(element_at(list, positions[i], written));
+    if (is_nothing(elements.back())) return Nothing{};
+    if (!take_steps(code, e.node, steps_to_compare(elements.back()))) return Nothing{};
+    is_mixed = is_mixed || !are_of_one_type(elements.front(), elements.back());
+  }
+  ListValue chosen(std::move(elements));
+  return is_mixed ? Value(RowValue{std::move(chosen)}) : Value(std::move(chosen));
+}
+
+Value Evaluator::element_at(const ListValue& list, const Value& position, ast::Node written) {
+  const Location where = written.location();
   const auto* number = get_if<Scalar>(&position);
   if (number == nullptr || number->unit != Unit::None) {
-    sink_.report(diag::wrong_argument, where, "[ ]", "a whole number", describe(position));
+    auto report =
+        sink_.report(diag::wrong_argument, where, "[ ]", "a whole number", describe(position));
+    const auto* bounds = get_if<Bounds>(&position);
+    if (bounds != nullptr) report.help("the elements from a to b - 1 are `list[range(a, b)]`");
+    if (bounds != nullptr && written.is(SyntaxKind::Interval)) {
+      report.unsafe_fix(where, as_range(written, *bounds));
+    }
     return Nothing{};
   }
   if (number->value != std::floor(number->value)) {
@@ -133,12 +242,12 @@ Value Evaluator::evaluate_index(const Code& code, const Expression& e) {
         .help("round it with `floor(…)` or `round(…)`");
     return Nothing{};
   }
-  if (number->value < 0 || number->value >= static_cast<double>(list->size())) {
-    sink_.report(diag::index_out_of_range, where, to_text(number->value), list->size())
+  if (number->value < 0 || number->value >= static_cast<double>(list.size())) {
+    sink_.report(diag::index_out_of_range, where, to_text(number->value), list.size())
         .help("the first element has index 0");
     return Nothing{};
   }
-  return (*list)[static_cast<std::size_t>(number->value)];
+  return list[static_cast<std::size_t>(number->value)];
 }
 
 }  // namespace sdlc::lang

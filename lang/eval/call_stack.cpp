@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "lang/ast/statements.hpp"
 #include "lang/eval/evaluator.hpp"
 
 // The call stack in diagnostics.
@@ -36,12 +37,18 @@ ChainLink Evaluator::link_of(const StackEntry& entry) const {
     case StackEntry::Include: return {node.location(), "included"};
     case StackEntry::Iteration: break;
   }
-  const auto name = node.first(SyntaxKind::Name);
-  const Location where = name ? name->location() : node.location();
-  const auto* number = get_if<Scalar>(&locals_[entry.local].values[0]);
-  if (number != nullptr)
-    return {where, fmt::format("with {} = {}", entry.name, to_text(number->value))};
-  return {where, fmt::format("with {} in iteration {}", entry.name, entry.iteration + 1)};
+  const auto names = ast::names_of_loop(node).all;
+  const Location where = names.empty() ? node.location() : names[0].location();
+  std::string numbers;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto* number = get_if<Scalar>(&locals_[entry.local + i].values[0]);
+    if (number == nullptr) continue;
+    numbers += fmt::format("{}{} = {}", numbers.empty() ? "" : ", ", names[i].text(),
+                           to_text(number->value));
+  }
+  if (!numbers.empty()) return {where, fmt::format("with {}", numbers)};
+  const std::string_view name = names.empty() ? std::string_view() : names[0].text();
+  return {where, fmt::format("with {} in iteration {}", name, entry.iteration + 1)};
 }
 
 }  // namespace sdlc::lang

@@ -15,7 +15,7 @@ Value Evaluator::evaluate_builtin(const Code& code, const Expression& e) {
   constexpr std::size_t kMaxOnStack = 4;
   std::array<Value, kMaxOnStack> on_stack;
   std::vector<Value> on_heap;
-  const std::size_t count = operands.size() - 1;
+  const std::size_t count = operands.size() - 1 - builtin.options.size();
   if (count > kMaxOnStack) on_heap.resize(count);
   const std::span<Value> arguments(count > kMaxOnStack ? on_heap.data() : on_stack.data(), count);
   bool has_failed = false;
@@ -30,11 +30,43 @@ Value Evaluator::evaluate_builtin(const Code& code, const Expression& e) {
     if (is_read && !take_steps(code, e.node, steps_to_read(arguments[i]))) return Nothing{};
   }
   if (has_failed || !take_steps(code, e.node, builtin.steps + count)) return Nothing{};
-  if (builtin.more_steps != nullptr) steps_ += builtin.more_steps(arguments);
-  return builtin.evaluate({.name = builtin.name,
-                           .arguments = arguments,
-                           .node = ast::Node(*code.tree, e.node),
-                           .sink = sink_});
+  BuiltinCall call{.function = builtin,
+                   .arguments = arguments,
+                   .options = {},
+                   .node = ast::Node(*code.tree, e.node),
+                   .sink = sink_};
+  if (builtin.options.empty()) return run_builtin(code, call);
+  std::array<Value, kMaxOptions> options;
+  if (!read_options(code, builtin, operands.subspan(1 + count), options)) return Nothing{};
+  call.options = std::span(options).first(builtin.options.size());
+  return run_builtin(code, call);
+}
+
+bool Evaluator::read_options(const Code& code, const Builtin& builtin,
+                             std::span<const std::uint32_t> operands, std::span<Value> options) {
+  bool is_good = true;
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    const Property& option = builtin.options[i];
+    if (operands[i] == kNothing) {
+      options[i] = default_of(option);
+    } else {
+      options[i] = property_value(code, option, operands[i]);
+      is_good = is_good && !is_nothing(options[i]);
+    }
+  }
+  return is_good;
+}
+
+Value Evaluator::run_builtin(const Code& code, const BuiltinCall& call) {
+  const auto more_work = call.function.more_work;
+  if (more_work != nullptr) {
+    const BuiltinWork work = more_work(call);
+    const NodeIndex node = call.node.index();
+    if (!take_steps(code, node, work.steps) || !may_take_memory(code, node, work.bytes)) {
+      return Nothing{};
+    }
+  }
+  return call.function.evaluate(call);
 }
 
 Value Evaluator::evaluate_constructor(const Code& code, const Expression& e) {
@@ -57,11 +89,27 @@ Value Evaluator::evaluate_constructor(const Code& code, const Expression& e) {
   return constructor.construct(constructor, arguments);
 }
 
-Value Evaluator::evaluate_function(const Code& code, const Expression& e) {
+const Evaluator::Environment* Evaluator::environment_of(const Environment& here,
+                                                        std::uint32_t outwards) {
+  const Environment* environment = &here;
+  for (; outwards > 0; --outwards) environment = environment->outer;
+  return environment;
+}
+
+Evaluator::Callee Evaluator::callee_of(const Code& code, const Expression& e,
+                                       const Environment& here) const {
   const auto operands = code.operands_of(e);
+  if (e.op == Op::LocalFunction) {
+    return {code, code.definitions[operands[1]], environment_of(here, operands[0])};
+  }
   const Module& module = program_.module(operands[0]);
-  const Definition& function = module.functions[operands[1]];
-  const auto arguments = operands.subspan(2);
+  return {module.code, module.functions[operands[1]], nullptr};
+}
+
+Value Evaluator::evaluate_function(const Code& code, const Expression& e) {
+  const Environment here{frame_, environment_};
+  const auto [body, function, environment] = callee_of(code, e, here);
+  const auto arguments = code.operands_of(e).subspan(2);
   if (!take_steps(code, e.node, work::kCall + arguments.size())) return Nothing{};
   if (!may_call(code, e.node)) return Nothing{};
 
@@ -69,9 +117,10 @@ Value Evaluator::evaluate_function(const Code& code, const Expression& e) {
   if (!opened) return Nothing{};
   const std::size_t base = *opened;
   bool has_failed = function.body == kNothing;
-  const auto bind = [&](std::size_t i, const Code& from, std::uint32_t expression) {
+  const auto bind = [&, &body = body, &function = function](std::size_t i, const Code& from,
+                                                            std::uint32_t expression) {
     const Parameter& parameter = function.parameters[i];
-    Value value = check_type(module, parameter.name, parameter.type, parameter.node,
+    Value value = check_type(body, parameter.name, parameter.type, parameter.node,
                              evaluate(from, expression), place(from, expression));
     has_failed = has_failed || is_nothing(value);
     locals_[base + i].values[0] = std::move(value);
@@ -83,15 +132,17 @@ Value Evaluator::evaluate_function(const Code& code, const Expression& e) {
   if (!has_failed) {
     const Nested entry(
         *this, {.kind = StackEntry::Call, .code = &code, .node = e.node, .name = function.name});
-    const std::size_t frame = std::exchange(frame_, base);
+    frame_ = base;
+    environment_ = environment;
     ++calls_;
     // A default may use the parameters before it.
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-      if (arguments[i] == kNothing) bind(i, module.code, function.parameters[i].default_value);
+      if (arguments[i] == kNothing) bind(i, body, function.parameters[i].default_value);
     }
-    if (!has_failed) result = evaluate(module.code, function.body);
+    if (!has_failed) result = evaluate(body, function.body);
     end_call();
-    frame_ = frame;
+    frame_ = here.frame;
+    environment_ = here.outer;
   }
   locals_.resize(base);
   return result;

@@ -6,18 +6,15 @@
 // Limits on steps, memory, nesting and calls.
 namespace sdlc::lang {
 
-bool Evaluator::report_too_deep(const Code& code, NodeIndex node) {
-  sink_.report(diag::too_deep, location(code, node), kMaxEvaluationDepth);
-  return false;
-}
-
 bool Evaluator::may_call(const Code& code, NodeIndex node) {
-  // A function that calls itself twice would reach the limit 2^kMaxCalls times: end the outermost
+  // A function that calls itself twice would reach a limit of n calls 2^n times: end the outermost
   // call.
   if (has_called_too_deep_) return false;
-  if (calls_ < kMaxCalls) return true;
+  const std::uint64_t max = program_.limits().calls;
+  if (calls_ < max) return true;
   has_called_too_deep_ = true;
-  sink_.report(diag::too_deep, ast::Node(*code.tree, node).head_location(), kMaxCalls);
+  sink_.report(diag::too_deep, ast::Node(*code.tree, node).head_location(), max)
+      .help("`--limit calls=N` allows more");
   return false;
 }
 
@@ -26,7 +23,7 @@ void Evaluator::end_call() {
 }
 
 std::uint64_t Evaluator::steps_to_read(const Value& value) noexcept {
-  if (const auto* list = get_if<ListValue>(&value)) return list->weight();
+  if (const ListValue* list = elements_of(value)) return list->weight();
   if (const auto* text = get_if<std::string>(&value)) return text->size() / work::kBytes;
   return 0;
 }

@@ -85,13 +85,13 @@ void Evaluator::run_file(std::uint32_t module) {
     if (is_declaration(statement.kind())) continue;
     const bool is_ignored = is_setting(file, statement);
     if (is_ignored && module == Program::kRoot) continue;  // see run_settings()
-    std::uint32_t frame_size = 0;
     code.clear();
-    const std::uint32_t index = resolver.resolve_statement(statement, code, frame_size);
+    const std::uint32_t index = resolver.resolve_statement(statement, code);
     if (index == kNothing || is_ignored) continue;  // settings of included files are only checked
-    if (!open_frame(code, statement.index(), frame_size)) return;
+    check_defaults(code);
+    const Frame frame(*this, code, statement.index(), code.frame_size);
+    if (!frame.is_open()) return;
     run(code, index);
-    locals_.resize(frame_);
   }
   file.is_resolved = true;
 }

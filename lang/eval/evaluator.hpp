@@ -2,34 +2,39 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/eval/eval.hpp"
 #include "lang/eval/instance_memo.hpp"
+#include "lang/eval/stack_segments.hpp"
 #include "lang/object/counted_bytes.hpp"
 #include "lang/object/object.hpp"
 #include "lang/object/value.hpp"
 #include "lang/program/program.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/source/limits.hpp"
+#include "lang/value/builtins.hpp"
 #include "lang/value/constructors.hpp"
 
 namespace sdlc::lang {
 
 /// Runs code. Recursion is as deep as the tree, which the parser limits, times the nesting of calls
-/// and instances, which kMaxCalls limits; kMaxEvaluationDepth limits both together.
+/// and instances, which Limits::calls limits. The machine's stack goes on in memory for values: see
+/// StackSegments.
 ///
 /// evaluator.cpp has the phases of an evaluation, settings.cpp the objects that only the root may
 /// have, globals.cpp the values of the top level; statements.cpp, instances.cpp and includes.cpp
-/// run statements; expressions.cpp, aggregates.cpp and calls.cpp compute values; properties.cpp
-/// checks them; evaluation_limits.cpp counts work and memory.
+/// run statements; expressions.cpp, aggregates.cpp, loops.cpp and calls.cpp compute values;
+/// properties.cpp checks them; evaluation_limits.cpp counts work and memory.
 class Evaluator final : public ChainSource {
  public:
   Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink);
@@ -60,11 +65,23 @@ class Evaluator final : public ChainSource {
     enum Kind : std::uint8_t { Iteration, Call, Instance, Group, Include } kind;
     const Code* code;
     NodeIndex node;               ///< the statement or call
-    std::string_view name;        ///< of the function or kind, or the loop's variable
-    std::size_t local = 0;        ///< of an Iteration: index of the variable in locals_
+    std::string_view name = {};   ///< of the function, kind or group
+    std::size_t local = 0;        ///< of an Iteration: index of its first name in locals_
     std::uint64_t iteration = 0;  ///< from 0
   };
   class Nested;
+  class Frame;
+  /// The frame around that of a local fn or def, and those around it.
+  struct Environment {
+    std::size_t frame;
+    const Environment* outer;
+  };
+  /// A call of a fn or an instance of a def: what is called, and from where it sees names.
+  struct Callee {
+    const Code& code;
+    const Definition& definition;
+    const Environment* environment;
+  };
   /// Sets the chain of a sink for its own lifetime.
   class ChainScope {
    public:
@@ -83,9 +100,7 @@ class Evaluator final : public ChainSource {
   struct DefInstance {
     const Code& code;  ///< of the instance statement
     NodeIndex node;
-    InstanceMemo::Def key;
-    const Module& module;  ///< of the def
-    const Definition& def;
+    Callee callee;
     std::span<const std::uint32_t> arguments;  ///< expressions; kNothing: the default
     std::size_t base;                          ///< first slot of its frame
   };
@@ -106,6 +121,7 @@ class Evaluator final : public ChainSource {
   /// Sets the times of the shutter if the chosen camera has one.
   void find_shutter();
   std::optional<std::string> chosen_camera();
+  /// The code of a setting, with its frame opened.
   Code resolve(const Setting& setting);
   /// The value of one property; Nothing if it is not written.
   Value setting_value(const Setting& setting, std::size_t property);
@@ -125,6 +141,19 @@ class Evaluator final : public ChainSource {
   void run(const Code& code, std::uint32_t statement);
   void run_block(const Code& code, std::span<const std::uint32_t> statements);
   void run_for(const Code& code, const Statement& statement);
+  /// The loop of a For or ForClause.
+  struct Loop {
+    const Code& code;
+    NodeIndex node;
+    LoopSlots names;
+    std::uint32_t list;  ///< expression
+    const ListValue& opening;
+    const ListValue* closing = nullptr;  ///< of the shutter; null: the elements do not vary
+    bool reads_time = false;
+  };
+  /// Gives the names of a loop their values for element i; false if it cannot be taken apart.
+  bool bind_names(const Loop& loop, std::size_t i);
+  bool report_wrong_parts(const Loop& loop, const Value& element);
   void run_if(const Code& code, const Statement& statement);
   void run_assert(const Code& code, const Statement& statement);
   void run_group(const Code& code, const Statement& statement);
@@ -133,7 +162,7 @@ class Evaluator final : public ChainSource {
   /// Adds the contents to the sink, inside object_, the group of the instance.
   void place_instance(const DefInstance& instance);
   /// Returns the depth of calls and instances that it reached, this one included.
-  int run_contents(const DefInstance& instance);
+  std::uint64_t run_contents(const DefInstance& instance);
   /// Evaluates argument i, an expression of `from`, into the frame; false if it has failed.
   bool bind_argument(const DefInstance& instance, std::size_t i, const Code& from,
                      std::uint32_t expression);
@@ -156,12 +185,11 @@ class Evaluator final : public ChainSource {
   /// object_.closing if the property may change; otherwise this warns.
   void read_changing(const Code& code, std::size_t property, std::uint32_t expression);
   Varying evaluate_over_shutter(const Code& code, std::uint32_t expression);
-  /// Whether expressions and statements may be nested one level deeper on the machine's stack; if
-  /// not, that is reported.
-  bool may_nest(const Code& code, NodeIndex node) {
-    return depth_ < kMaxEvaluationDepth || report_too_deep(code, node);
-  }
-  bool report_too_deep(const Code& code, NodeIndex node);
+  void run_action(const Code& code, const Statement& statement);
+  /// Calls the function on a new segment of the stack. If there is no memory for it, this is
+  /// reported, and the evaluation ends.
+  template <typename Function>
+  void run_on_segment(const Code& code, NodeIndex node, Function&& function, std::size_t bytes = 0);
 
   // Expressions
   Value evaluate(const Code& code, std::uint32_t expression);
@@ -176,32 +204,73 @@ class Evaluator final : public ChainSource {
   Scalar evaluate_chain(const Code& code, const Expression& e, Value& other);
   Value evaluate_operation(const Code& code, const Expression& e);
   Value evaluate_power(const Code& code, const Expression& e);
-  /// `left op right` of any types: arithmetic, or strings joined by `+`.
+  /// `left op right` of any types: arithmetic, or strings or lists joined by `+`.
   Value combine(const Code& code, const Value& left, std::uint32_t left_index, const Value& right,
                 std::uint32_t right_index);
+  Value join(const Code& code, const ListValue& left, const ListValue& right,
+             std::uint32_t right_index);
   Value evaluate_triple(const Code& code, const Expression& e);
   Value evaluate_interval(const Code& code, const Expression& e);
   Value evaluate_list(const Code& code, const Expression& e);
+  /// Reports the rows of a list that are not like the first.
+  void report_uneven_rows(const Code& code, const Expression& e, std::span<const Value> rows);
+  Location place_of_element(const Code& code, std::uint32_t list, std::size_t i) const;
+  /// A column as written: `.name`, or `["name"]` if `member` is empty.
+  struct ColumnName {
+    std::string_view name;
+    Span where;   ///< of the name
+    Span member;  ///< of the dot and the name
+  };
+  /// The cell of a row of a data file.
+  Value column_of(const Code& code, const ListValue& row, const ColumnName& column);
+  Value evaluate_comprehension(const Code& code, const Expression& e);
+  struct Comprehension;
+  /// Runs the clauses from `first` on, nested in those before. False if the list has failed.
+  bool run_clauses(Comprehension& list, std::size_t first);
+  bool run_for_clause(Comprehension& list, std::size_t index);
+  bool add_element(Comprehension& list);
+  bool make_room(Comprehension& list, std::size_t count);
   Value evaluate_logic(const Code& code, const Expression& e);
   Value evaluate_conditional(const Code& code, const Expression& e);
+  Value evaluate_let_in(const Code& code, const Expression& e);
   Value evaluate_member(const Code& code, const Expression& e);
   Value evaluate_index(const Code& code, const Expression& e);
+  /// The element of a list at a position; else Nothing, which is reported at `written`.
+  Value element_at(const ListValue& list, const Value& position, ast::Node written);
+  Value elements_at(const Code& code, const Expression& e, const ListValue& list,
+                    const ListValue& positions);
   Value evaluate_function(const Code& code, const Expression& e);
+  /// `operands`: those of the call or instance. `here`: the current frame and its environment.
+  Callee callee_of(const Code& code, const Expression& e, const Environment& here) const;
+  Callee callee_of(const Code& code, const Statement& statement, const Environment& here) const;
+  static const Environment* environment_of(const Environment& here, std::uint32_t outwards);
   Value evaluate_builtin(const Code& code, const Expression& e);
+  /// Reads the options of a call; false if one is wrong.
+  bool read_options(const Code& code, const Builtin& builtin,
+                    std::span<const std::uint32_t> operands, std::span<Value> options);
+  Value run_builtin(const Code& code, const BuiltinCall& call);
   Value evaluate_constructor(const Code& code, const Expression& e);
   /// nullopt if the value is no bool, which is reported; `word`: "if", "and", …
   std::optional<bool> evaluate_condition(const Code& code, std::uint32_t expression,
                                          std::string_view word);
   const Value& read(const Varying& variable);
+  const Varying& outer_local(const Environment* environment, std::uint32_t outwards,
+                             std::uint32_t slot) const;
   void check_defaults();
-  void check_default(const Module& file, const Parameter& parameter);
+  void check_defaults(const Code& code);
+  void check_default(const Code& code, const Parameter& parameter);
   /// The value if it has the declared type; else Nothing, which is reported.
-  Value check_type(const Module& module, std::string_view name, const TypeInfo* type,
+  Value check_type(const Code& code, std::string_view name, const TypeInfo* type,
                    NodeIndex declaration, Value value, Location where);
   /// Errors and warnings so far.
   std::size_t report_count() const { return sink_.error_count() + sink_.warning_count(); }
   /// The steps of reading all of a value.
   static std::uint64_t steps_to_read(const Value& value) noexcept;
+  /// The steps of comparing its type with another: those of reading a row, 0 for other values.
+  static std::uint64_t steps_to_compare(const Value& value) noexcept {
+    const auto* row = get_if<RowValue>(&value);
+    return row != nullptr ? row->elements.weight() : 0;
+  }
   /// Counts steps. If there are too many, or the values take too much memory, this is reported and
   /// the evaluation ends: false.
   bool take_steps(const Code& code, NodeIndex node, std::uint64_t count);
@@ -257,14 +326,14 @@ class Evaluator final : public ChainSource {
   std::vector<std::vector<Varying>> globals_;      // by module
   std::array<std::vector<bool>, 2> globals_done_;  // by Globals and module
   std::vector<Varying> locals_;
-  std::size_t frame_ = 0;  // index of the first slot of the current frame
+  std::size_t frame_ = 0;                     // index of the first slot of the current frame
+  const Environment* environment_ = nullptr;  // of a local fn or def: what is around its frame
 
   InstanceMemo memo_;
   std::vector<StackEntry> stack_;
   Object object_;  // the current one; reused
-  int depth_ = 0;
-  int calls_ = 0;
-  int deepest_calls_ = 0;  // the maximum of calls_ in the current instance
+  std::uint64_t calls_ = 0;
+  std::uint64_t deepest_calls_ = 0;  // the maximum of calls_ in the current instance
   bool has_called_too_deep_ = false;
   std::vector<std::uint32_t> open_includes_;  // the innermost last
   std::unordered_set<std::uint32_t> included_;
@@ -278,6 +347,36 @@ class Evaluator final : public ChainSource {
   bool is_allowance_withheld_ = false;
   CountedBytes locals_bytes_;
 };
+
+/// A frame of locals, the current one during its own lifetime.
+class Evaluator::Frame {
+ public:
+  Frame(Evaluator& evaluator, const Code& code, NodeIndex node, std::size_t slots)
+      : evaluator_(evaluator), base_(evaluator.open_frame(code, node, slots)) {
+    if (base_) outer_ = std::exchange(evaluator.frame_, *base_);
+  }
+  ~Frame() {
+    if (!base_) return;
+    evaluator_.locals_.resize(*base_);
+    evaluator_.frame_ = outer_;
+  }
+  Frame(const Frame&) = delete;
+  Frame& operator=(const Frame&) = delete;
+  /// False if memory is exceeded, which is reported.
+  bool is_open() const noexcept { return base_.has_value(); }
+
+ private:
+  Evaluator& evaluator_;
+  std::optional<std::size_t> base_;
+  std::size_t outer_ = 0;
+};
+
+template <typename Function>
+void Evaluator::run_on_segment(const Code& code, NodeIndex node, Function&& function,
+                               std::size_t bytes) {
+  constexpr std::uint64_t kTooMuch = std::numeric_limits<std::uint64_t>::max();
+  if (!StackSegments::run(function, bytes)) may_take_memory(code, node, kTooMuch);
+}
 
 /// Pushes an entry for its own lifetime.
 class Evaluator::Nested {

@@ -1,6 +1,8 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "lang/eval/evaluator.hpp"
 #include "lang/source/limits.hpp"
@@ -19,6 +21,12 @@ constexpr std::uint64_t kPowerSteps = 100, kStringSteps = 4;
 const Value& Evaluator::read(const Varying& variable) {
   if (variable.reads_time) reads_time_ = true;
   return variable.values[variable.varies ? moment_ : 0];
+}
+
+const Evaluator::Varying& Evaluator::outer_local(const Environment* environment,
+                                                 std::uint32_t outwards, std::uint32_t slot) const {
+  for (; outwards > 1; --outwards) environment = environment->outer;
+  return locals_[environment->frame + slot];
 }
 
 /// `a op b`; kNoNumber if an operand is no number or there is an error to report.
@@ -57,13 +65,13 @@ Scalar Evaluator::evaluate_number(const Code& code, std::uint32_t index, Value& 
       break;
     }
     case Op::Sum:
-    case Op::Product: {
-      if (!may_nest(code, e.node)) break;
-      ++depth_;
-      const Scalar result = evaluate_chain(code, e, other);
-      --depth_;
-      return result;
-    }
+    case Op::Product:
+      if (StackSegments::is_low()) [[unlikely]] {
+        Scalar result = kNoNumber;
+        run_on_segment(code, e.node, [&] { result = evaluate_chain(code, e, other); });
+        return result;
+      }
+      return evaluate_chain(code, e, other);
     default: other = evaluate(code, index);
   }
   if (const auto* number = get_if<Scalar>(value)) return *number;
@@ -77,6 +85,7 @@ Value Evaluator::evaluate(const Code& code, std::uint32_t index) {
     case Op::Number: return Scalar{code.numbers[e.first], static_cast<Unit>(e.detail)};
     case Op::Constant: return code.constants[e.first];
     case Op::Local: return read(locals_[frame_ + e.first]);
+    case Op::Outer: return read(outer_local(environment_, e.detail, e.first));
     case Op::Time: reads_time_ = true; return Scalar{times_[moment_], Unit::Time};
     case Op::Global: {
       const auto operands = code.operands_of(e);
@@ -84,12 +93,13 @@ Value Evaluator::evaluate(const Code& code, std::uint32_t index) {
     }
     default: break;
   }
-  if (!may_nest(code, e.node)) return Nothing{};
   ++steps_;
-  ++depth_;
-  Value value = evaluate_operation(code, e);
-  --depth_;
-  return value;
+  if (StackSegments::is_low()) [[unlikely]] {
+    Value value = Nothing{};
+    run_on_segment(code, e.node, [&] { value = evaluate_operation(code, e); });
+    return value;
+  }
+  return evaluate_operation(code, e);
 }
 
 Value Evaluator::evaluate_operation(const Code& code, const Expression& e) {
@@ -104,7 +114,8 @@ Value Evaluator::evaluate_operation(const Code& code, const Expression& e) {
     case Op::Builtin: return evaluate_builtin(code, e);
     case Op::Triple: return evaluate_triple(code, e);
     case Op::Constructor: return evaluate_constructor(code, e);
-    case Op::Function: return evaluate_function(code, e);
+    case Op::Function:
+    case Op::LocalFunction: return evaluate_function(code, e);
     case Op::Negative:
       return evaluate_negative(evaluate(code, code.operands_of(e)[0]), location(code, e.node),
                                sink_);
@@ -123,7 +134,9 @@ Value Evaluator::evaluate_operation(const Code& code, const Expression& e) {
     }
     case Op::Interval: return evaluate_interval(code, e);
     case Op::List: return evaluate_list(code, e);
+    case Op::Comprehension: return evaluate_comprehension(code, e);
     case Op::Conditional: return evaluate_conditional(code, e);
+    case Op::LetIn: return evaluate_let_in(code, e);
     case Op::Member: return evaluate_member(code, e);
     case Op::Index: return evaluate_index(code, e);
     default:
@@ -149,6 +162,10 @@ std::optional<bool> Evaluator::evaluate_condition(const Code& code, std::uint32_
 Value Evaluator::combine(const Code& code, const Value& left, std::uint32_t left_index,
                          const Value& right, std::uint32_t right_index) {
   const Operator op = code.expressions[right_index].before;
+  const auto *list = get_if<ListValue>(&left), *other = get_if<ListValue>(&right);
+  if (list != nullptr && other != nullptr && op == Operator::Add) {
+    return join(code, *list, *other, right_index);
+  }
   const auto* text = get_if<std::string>(&left);
   const auto* more = get_if<std::string>(&right);
   if (text == nullptr || more == nullptr || op != Operator::Add) {
@@ -161,6 +178,28 @@ Value Evaluator::combine(const Code& code, const Value& left, std::uint32_t left
       take_steps(code, node(code, right_index).index(), kStringSteps + bytes / work::kBytes) &&
       may_take_memory(code, node(code, right_index).index(), bytes);
   return is_good ? Value(*text + *more) : Nothing{};
+}
+
+Value Evaluator::join(const Code& code, const ListValue& left, const ListValue& right,
+                      std::uint32_t right_index) {
+  if (left.size() == 0) return right;
+  if (right.size() == 0) return left;
+  const Value first = left[0], second = right[0];
+  const NodeIndex where = node(code, right_index).index();
+  const std::uint64_t size = left.size() + right.size();
+  const std::uint64_t to_compare = steps_to_read(second);
+  if (!take_steps(code, where, work::kList + size + to_compare)) return Nothing{};
+  if (!are_of_one_type(first, second)) {
+    sink_.report(diag::mixed_list, place(code, right_index), describe(first), describe(second));
+    return Nothing{};
+  }
+  if (!may_take_memory(code, where, size * sizeof(Value))) return Nothing{};
+  std::vector<Value> values;
+  values.reserve(size);
+  for (const ListValue* list : {&left, &right}) {
+    for (std::size_t i = 0; i < list->size(); ++i) values.push_back((*list)[i]);
+  }
+  return ListValue(std::move(values));
 }
 
 Value Evaluator::evaluate_power(const Code& code, const Expression& e) {
@@ -216,6 +255,17 @@ Value Evaluator::evaluate_conditional(const Code& code, const Expression& e) {
     if (*holds) return evaluate(code, operands[i + 1]);
   }
   return i < operands.size() ? evaluate(code, operands[i]) : Nothing{};
+}
+
+Value Evaluator::evaluate_let_in(const Code& code, const Expression& e) {
+  const auto operands = code.operands_of(e);
+  std::uint32_t slot = operands[0];
+  for (const std::uint32_t value : operands.subspan(1, operands.size() - 2)) {
+    Varying local;
+    local.values[0] = evaluate(code, value);  // at the current time
+    locals_[frame_ + slot++] = std::move(local);
+  }
+  return evaluate(code, operands.back());
 }
 
 }  // namespace sdlc::lang

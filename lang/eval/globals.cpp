@@ -45,9 +45,11 @@ Evaluator::Varying Evaluator::evaluate_global(std::uint32_t module, std::uint32_
   const Module& file = program_.module(module);
   const Global& global = file.globals[index];
   if (global.value == kNothing) return {};
+  const Frame frame(*this, file.code, global.node, global.frame_size);
+  if (!frame.is_open()) return {};
   Varying value = evaluate_over_shutter(file.code, global.value);
   for (Value& moment : value.values) {
-    moment = check_type(file, global.name, global.type, global.node, std::move(moment),
+    moment = check_type(file.code, global.name, global.type, global.node, std::move(moment),
                         place(file.code, global.value));
   }
   const bool may_be_set = module == Program::kRoot && global.is_param;
@@ -74,6 +76,8 @@ Evaluator::Varying Evaluator::with_setting(std::uint32_t index, Varying value) {
   }
   std::uint32_t expression = kNothing;
   const Code& code = program_.resolve_setting(*setting, expression, sink_);
+  const Frame frame(*this, code, 0, code.frame_size);
+  if (!frame.is_open()) return {};
   reads_time_ = false;
   Value given = evaluate(code, expression);
   if (reads_time_) {
@@ -96,26 +100,35 @@ void Evaluator::check_defaults() {
     const Module& file = program_.module(i);
     for (const std::vector<Definition>* list : {&file.functions, &file.defs}) {
       for (const Definition& definition : *list) {
-        for (const Parameter& parameter : definition.parameters) check_default(file, parameter);
+        for (const Parameter& parameter : definition.parameters) {
+          check_default(file.code, parameter);
+        }
       }
     }
+    check_defaults(file.code);
   }
 }
 
-void Evaluator::check_default(const Module& file, const Parameter& parameter) {
-  const std::uint32_t expression = parameter.default_value;
-  if (expression == kNothing) return;
-  const Op op = file.code.expressions[expression].op;
-  if (op != Op::Number && op != Op::Constant) return;
-  check_type(file, parameter.name, parameter.type, parameter.node, evaluate(file.code, expression),
-             place(file.code, expression));
+void Evaluator::check_defaults(const Code& code) {
+  for (const Definition& definition : code.definitions) {
+    for (const Parameter& parameter : definition.parameters) check_default(code, parameter);
+  }
 }
 
-Value Evaluator::check_type(const Module& module, std::string_view name, const TypeInfo* type,
+void Evaluator::check_default(const Code& code, const Parameter& parameter) {
+  const std::uint32_t expression = parameter.default_value;
+  if (expression == kNothing) return;
+  const Op op = code.expressions[expression].op;
+  if (op != Op::Number && op != Op::Constant) return;
+  check_type(code, parameter.name, parameter.type, parameter.node, evaluate(code, expression),
+             place(code, expression));
+}
+
+Value Evaluator::check_type(const Code& code, std::string_view name, const TypeInfo* type,
                             NodeIndex declaration, Value value, Location where) {
   if (type == nullptr || is_nothing(value) || type->holds(value)) return value;
   auto report = sink_.report(diag::declared_type, where, name, type->name, describe(value));
-  const ast::Node statement(module.tree, declaration);
+  const ast::Node statement(*code.tree, declaration);
   if (const auto written = statement.first(SyntaxKind::TypeName)) {
     report.label(written->location(), "declared here");
   }

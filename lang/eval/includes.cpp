@@ -65,11 +65,9 @@ void Evaluator::run_include(const Code& code, const Statement& statement) {
   if (is_include_cycle(code, statement, included)) return;
   evaluate_globals(included, Globals::TimeFree);
   evaluate_globals(included, Globals::TimeDependent);
-  const std::size_t frame = std::exchange(frame_, locals_.size());
   open_includes_.push_back(included);
   run_file(included);
   open_includes_.pop_back();
-  frame_ = frame;
 }
 
 }  // namespace sdlc::lang

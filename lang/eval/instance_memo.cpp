@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 namespace sdlc::lang {
@@ -79,9 +80,11 @@ bool append_identity(const Value& value, std::string& identity) {
   } else if (const auto* word = get_if<Word>(&value)) {
     begin('w');
     append(std::string_view(word->text), identity);
-  } else if (const auto* list = get_if<ListValue>(&value)) {
+  } else if (const ListValue* list = elements_of(value)) {
     if (list->weight() > kMaxWeight) return false;
-    begin('l');
+    begin(get_if<RowValue>(&value) != nullptr ? 'r' : 'l');
+    // The names of columns belong to a row; the tables live as long as the program.
+    append(std::uint64_t{std::bit_cast<std::uintptr_t>(list->table_of_row())}, identity);
     append(std::uint64_t{list->size()}, identity);
     for (std::size_t i = 0; i < list->size(); ++i) {
       if (!append_identity((*list)[i], identity)) return false;
@@ -113,7 +116,7 @@ InstanceMemo::Contents InstanceMemo::look_up(Def def, const std::string& argumen
   return {.number = last_number_, .is_new = true, .height = 0};
 }
 
-void InstanceMemo::set_height(Def def, const std::string& arguments, int height) {
+void InstanceMemo::set_height(Def def, const std::string& arguments, std::uint64_t height) {
   of_def_[key(def)].known[arguments].height = height;
 }
 

@@ -44,8 +44,7 @@ void Evaluator::find_settings() {
 
 Code Evaluator::resolve(const Setting& setting) {
   Code code(setting.node.node.tree());
-  std::uint32_t frame_size = 0;  // unused: settings have no locals
-  Resolver(program_, Program::kRoot, sink_).resolve_statement(setting.node.node, code, frame_size);
+  Resolver(program_, Program::kRoot, sink_).resolve_statement(setting.node.node, code);
   return code;
 }
 
@@ -53,6 +52,8 @@ Value Evaluator::setting_value(const Setting& setting, std::size_t property) {
   const Code code = resolve(setting);
   const std::uint32_t expression = expression_of(code, code.statements.back(), property);
   if (expression == kNothing) return {};
+  const Frame frame(*this, code, code.statements.back().node, code.frame_size);
+  if (!frame.is_open()) return {};
   return property_value(code, setting.kind->properties[property], expression);
 }
 
@@ -60,6 +61,8 @@ void Evaluator::find_animation() {
   for (const Setting& setting : settings_) {
     if (setting.kind->id != ObjectKind::Animation) continue;
     const Code code = resolve(setting);
+    const Frame frame(*this, code, code.statements.back().node, code.frame_size);
+    if (!frame.is_open()) return;
     read_object(code, code.statements.back(), *setting.kind,
                 code.operands_of(code.statements.back()));
     const auto frames = object_.get<render::Interval>(animation_property::kFrames);
@@ -106,6 +109,8 @@ void Evaluator::run_settings() {
   for (const Setting& setting : settings_) {
     const Code code = resolve(setting);
     const Statement& statement = code.statements.back();
+    const Frame frame(*this, code, statement.node, code.frame_size);
+    if (!frame.is_open()) return;
     read_object(code, statement, *setting.kind, code.operands_of(statement));
     Slot& shutter = object_.slots[camera_property::kShutter];
     if (setting.kind->id == ObjectKind::Camera && shutter_ &&

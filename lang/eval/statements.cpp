@@ -5,26 +5,22 @@
 #include <fmt/format.h>
 
 #include "lang/eval/evaluator.hpp"
+#include "lang/eval/type_hints.hpp"
 #include "lang/source/limits.hpp"
+#include "lang/value/logic.hpp"
 
 namespace sdlc::lang {
-namespace {
-
-/// The list of the whole numbers of the interval `a .. b`: `range(a, b + 1)`.
-std::string as_range(ast::Node interval, const Bounds& bounds) {
-  const std::string_view from = interval.child(0)->text(), to = interval.child(1)->text();
-  const bool is_literal = to == to_text(bounds.to);
-  return fmt::format("range({}, {})", from,
-                     is_literal ? to_text(bounds.to + 1) : fmt::format("{} + 1", to));
-}
-
-}  // namespace
 
 void Evaluator::run(const Code& code, std::uint32_t index) {
   const Statement& statement = code.statements[index];
   if (!take_steps(code, statement.node, work::kStatement)) return;
-  if (!may_nest(code, statement.node)) return;
-  ++depth_;
+  if (StackSegments::is_low()) [[unlikely]] {
+    return run_on_segment(code, statement.node, [&] { run_action(code, statement); });
+  }
+  run_action(code, statement);
+}
+
+void Evaluator::run_action(const Code& code, const Statement& statement) {
   switch (statement.action) {
     case Action::Let: {
       const auto operands = code.operands_of(statement);
@@ -37,10 +33,16 @@ void Evaluator::run(const Code& code, std::uint32_t index) {
     case Action::Assert: run_assert(code, statement); break;
     case Action::Object: run_object(code, statement); break;
     case Action::Group: run_group(code, statement); break;
-    case Action::Instance: run_instance(code, statement); break;
-    case Action::Include: run_include(code, statement); break;
+    case Action::Instance:
+    case Action::LocalInstance: run_instance(code, statement); break;
+    case Action::Include:
+      if (StackSegments::has_less_than(StackSegments::kFile)) {
+        return run_on_segment(
+            code, statement.node, [&] { run_include(code, statement); }, StackSegments::kFile);
+      }
+      run_include(code, statement);
+      break;
   }
-  --depth_;
 }
 
 void Evaluator::run_block(const Code& code, std::span<const std::uint32_t> statements) {
@@ -49,6 +51,7 @@ void Evaluator::run_block(const Code& code, std::span<const std::uint32_t> state
 
 void Evaluator::report_not_a_list(const Code& code, std::uint32_t expression, const Value& value) {
   const Location where = place(code, expression);
+  if (const auto* row = get_if<RowValue>(&value)) return report_mixed(*row, where, sink_);
   auto report = sink_.report(diag::not_a_list, where, describe(value));
   if (const auto* bounds = get_if<Bounds>(&value)) {
     report.help(
@@ -65,7 +68,7 @@ void Evaluator::report_not_a_list(const Code& code, std::uint32_t expression, co
 
 void Evaluator::run_for(const Code& code, const Statement& statement) {
   const auto operands = code.operands_of(statement);
-  const std::uint32_t slot = operands[0], expression = operands[1];
+  const std::uint32_t expression = operands[LoopSlots::kOperands];
   const Varying lists = evaluate_over_shutter(code, expression);
   if (is_nothing(lists.values[0])) return;
   const auto* list = get_if<ListValue>(&lists.values[0]);
@@ -77,24 +80,27 @@ void Evaluator::run_for(const Code& code, const Statement& statement) {
     closing = nullptr;
   }
 
-  const auto name = ast::Node(*code.tree, statement.node).first(SyntaxKind::Name);
+  const Loop loop{.code = code,
+                  .node = statement.node,
+                  .names = LoopSlots(operands),
+                  .list = expression,
+                  .opening = *list,
+                  .closing = closing,
+                  .reads_time = lists.reads_time};
+  const auto block = operands.subspan(LoopSlots::kOperands + 1);
   const Nested entry(*this, {.kind = StackEntry::Iteration,
                              .code = &code,
                              .node = statement.node,
-                             .name = name ? name->text() : std::string_view(),
-                             .local = frame_ + slot});
+                             .local = frame_ + loop.names.slot});
   const std::size_t entry_index = stack_.size() - 1;
   // An error in one iteration is most likely in all of them: stop after the first.
   const std::size_t errors = sink_.error_count();
   for (std::size_t i = 0; i < list->size() && sink_.error_count() == errors; ++i) {
     stack_[entry_index].iteration = i;
-    Varying& variable = locals_[frame_ + slot];
-    variable.values[0] = (*list)[i];
-    variable.reads_time = lists.reads_time;
-    variable.varies = closing != nullptr;
-    if (closing != nullptr) variable.values[1] = (*closing)[i];
-    if (!take_steps(code, code.expressions[expression].node, work::kTurn)) return;
-    run_block(code, operands.subspan(3, operands[2]));
+    if (!bind_names(loop, i)) return;
+    const std::uint64_t steps = work::kTurn + loop.names.part_count;
+    if (!take_steps(code, code.expressions[expression].node, steps)) return;
+    run_block(code, block.subspan(1, block[0]));
   }
 }
 

@@ -119,6 +119,7 @@ void add_type_hint(DiagnosticBuilder& report, const Property& property, const Va
     case Type::Frames:
     case Type::Interval: return hint_interval(report, wanted);
     case Type::Motion: report.help("a motion is `line(to: (1, 0, 0), over: 0s .. 1s)`"); return;
+    case Type::Focus:
     case Type::Word:
       if (text != nullptr && written.is(SyntaxKind::String) && is_word(*text)) {
         report.help("the word is written without quotes");
@@ -132,6 +133,13 @@ void add_type_hint(DiagnosticBuilder& report, const Property& property, const Va
       return;
     default: return;
   }
+}
+
+std::string as_range(ast::Node interval, const Bounds& bounds) {
+  const std::string_view from = interval.child(0)->text(), to = interval.child(1)->text();
+  const bool is_literal = to == to_text(bounds.to);
+  return fmt::format("range({}, {})", from,
+                     is_literal ? to_text(bounds.to + 1) : fmt::format("{} + 1", to));
 }
 
 }  // namespace sdlc::lang

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/object/value.hpp"
@@ -11,5 +13,8 @@ namespace sdlc::lang {
 /// value.
 void add_type_hint(DiagnosticBuilder& report, const Property& property, const Value& given,
                    ast::Node written);
+
+/// The list of the whole numbers of the interval `a .. b`: `range(a, b + 1)`.
+std::string as_range(ast::Node interval, const Bounds& bounds);
 
 }  // namespace sdlc::lang

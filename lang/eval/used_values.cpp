@@ -14,10 +14,14 @@ std::span<const std::uint32_t> expressions_in(const Code& code, const Expression
     case Op::Constant:
     case Op::Time:
     case Op::Local:
+    case Op::Outer:
     case Op::Global: return {};
-    case Op::Function: return code.operands_of(e).subspan(2);
+    case Op::Function:
+    case Op::LocalFunction: return code.operands_of(e).subspan(2);
+    case Op::LetIn:
     case Op::Builtin:
     case Op::Constructor: return code.operands_of(e).subspan(1);
+    case Op::ForClause: return code.operands_of(e).subspan(LoopSlots::kOperands);
     default: return code.operands_of(e);
   }
 }
@@ -25,7 +29,7 @@ std::span<const std::uint32_t> expressions_in(const Code& code, const Expression
 }  // namespace
 
 bool UsedValues::add(const Code& code, std::uint32_t expression) {
-  open_.push_back({&code, expression, false});
+  open_.push_back({&code, expression});
   return visit_all();
 }
 
@@ -47,7 +51,6 @@ bool UsedValues::visit_all() {
 bool UsedValues::visit(const Part& part) {
   const Expression& e = part.code->expressions[part.expression];
   switch (e.op) {
-    case Op::Local: return part.may_read_locals;
     case Op::Time: uses_time_ = true; break;
     case Op::Global: {
       const auto operands = part.code->operands_of(e);
@@ -62,7 +65,7 @@ bool UsedValues::visit(const Part& part) {
     default: break;
   }
   for (const std::uint32_t operand : expressions_in(*part.code, e)) {
-    if (operand != kNothing) open_.push_back({part.code, operand, part.may_read_locals});
+    if (operand != kNothing) open_.push_back({part.code, operand});
   }
   return true;
 }
@@ -73,17 +76,17 @@ void UsedValues::visit_global(std::uint32_t module, std::uint32_t global) {
   globals_.push_back({module, global});
   const Module& file = program_.module(module);
   const std::uint32_t value = file.globals[global].value;
-  if (value != kNothing) open_.push_back({&file.code, value, false});
+  if (value != kNothing) open_.push_back({&file.code, value});
 }
 
 void UsedValues::visit_function(std::uint32_t module, std::uint32_t function) {
   if (!functions_.emplace(module, function).second) return;
   const Module& file = program_.module(module);
   const Definition& definition = file.functions[function];
-  if (definition.body != kNothing) open_.push_back({&file.code, definition.body, true});
+  if (definition.body != kNothing) open_.push_back({&file.code, definition.body});
   for (const Parameter& parameter : definition.parameters) {
     const std::uint32_t value = parameter.default_value;
-    if (value != kNothing) open_.push_back({&file.code, value, true});
+    if (value != kNothing) open_.push_back({&file.code, value});
   }
 }
 

@@ -40,8 +40,8 @@ class UsedValues {
   UsedValues(const Program& program, const GlobalSet& known)
       : program_(program), known_(known), found_(program) {}
 
-  /// Adds what the expression uses. False if it reads locals, or if so much code is reached that
-  /// evaluating it takes too long; the result is then incomplete.
+  /// Adds what the expression uses. False if so much code is reached that evaluating it takes too
+  /// long; the result is then incomplete.
   bool add(const Code& code, std::uint32_t expression);
   bool add_global(std::uint32_t module, std::uint32_t global);
 
@@ -53,7 +53,6 @@ class UsedValues {
   struct Part {
     const Code* code;
     std::uint32_t expression;
-    bool may_read_locals;  ///< in a function
   };
 
   bool visit_all();

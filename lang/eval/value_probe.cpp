@@ -111,8 +111,9 @@ ProbedValue SingleValues::expression(std::uint32_t module, ast::Node node,
       Resolver(program_, module, ignored_).resolve_value(node, property, code);
   UsedValues used(program_, known_);
   const bool is_good = used.add(code, index) && evaluate(used);
-  return is_good ? result_of(evaluator_.evaluate_over_shutter(code, index))
-                 : ProbedValue{.is_too_expensive = true};
+  const Evaluator::Frame frame(evaluator_, code, code.expressions[index].node, code.frame_size);
+  return is_good && frame.is_open() ? result_of(evaluator_.evaluate_over_shutter(code, index))
+                                    : ProbedValue{.is_too_expensive = true};
 }
 
 double SingleValues::time() {

@@ -19,7 +19,8 @@ bool is_chain(SyntaxKind kind) {
 
 /// Whether the node has brackets with indented contents.
 bool is_bracketed(ast::Node node) {
-  return node.is(SyntaxKind::Call) || node.is(SyntaxKind::List) || node.is(SyntaxKind::Triple);
+  return node.is(SyntaxKind::Call) || node.is(SyntaxKind::List) ||
+         node.is(SyntaxKind::Comprehension) || node.is(SyntaxKind::Triple);
 }
 
 /// Whether several such elements fit well on one line.
@@ -56,6 +57,7 @@ bool are_plain(ast::Children nodes) {
 void Composer::expression(ast::Node node, bool is_aligned) {
   switch (node.kind()) {
     case SyntaxKind::Conditional: conditional(node); break;
+    case SyntaxKind::LetIn: let_in(node); break;
     case SyntaxKind::Or:
     case SyntaxKind::And:
     case SyntaxKind::Comparison:
@@ -82,13 +84,16 @@ void Composer::expression(ast::Node node, bool is_aligned) {
       sequence(node.children(), false, [this](ast::Node part) { expression(part); });
       break;
     case SyntaxKind::List: list(node); break;
+    case SyntaxKind::Comprehension: comprehension(node); break;
     default: tokens_until(node.span().end); break;
   }
 }
 
 /// The value after `=` or `:`. A chain moves to its own line before it is broken.
 void Composer::assigned(ast::Node value) {
-  if (!is_chain(value.kind()) && !value.is(SyntaxKind::Conditional)) {
+  const bool is_long =
+      is_chain(value.kind()) || value.is(SyntaxKind::Conditional) || value.is(SyntaxKind::LetIn);
+  if (!is_long) {
     layout_.space();
     return expression(value);
   }
@@ -158,6 +163,30 @@ void Composer::conditional(ast::Node conditional) {
   layout_.close_group();
 }
 
+/// `let a = 1, b = 2 in a + b` on one line, or a line for each binding and one for the value.
+void Composer::let_in(ast::Node let_in) {
+  leading_comments();
+  layout_.open_group();
+  token();  // let
+  layout_.space();
+  bool is_first = true;
+  for (const ast::Node part : let_in.children()) {
+    if (!part.is(SyntaxKind::Binding)) {
+      line();
+      token();  // in
+      layout_.space();
+      expression(part);
+      break;
+    }
+    if (!is_first) comma(Comma::Always), layout_.indent(), line(), layout_.dedent();
+    is_first = false;
+    token();            // name
+    space_and_token();  // =
+    assigned(*part.child(1));
+  }
+  layout_.close_group();
+}
+
 /// Brackets and contents on one line, or the contents indented on lines between the brackets.
 template <typename Contents>
 void Composer::bracketed(Contents contents) {
@@ -209,6 +238,24 @@ void Composer::parameters(ast::Node declaration) {
   sequence(all, false, [this](ast::Node each) { parameter(each); });
 }
 
+void Composer::loop_head(ast::Node loop) {
+  token();  // for
+  layout_.space();
+  bool is_first = true;
+  for (const ast::Node part : loop.child(0)->children()) {
+    if (!is_first) comma(Comma::Always), layout_.space();
+    is_first = false;
+    if (part.is(SyntaxKind::Name)) {
+      token();
+    } else {
+      sequence(part.children(), false, [this](ast::Node) { token(); });
+    }
+  }
+  space_and_token();  // in
+  layout_.space();
+  expression(*loop.child(1));
+}
+
 void Composer::call(ast::Node call) {
   tokens_until(call.head_span().end);
   const auto arguments = call.children();
@@ -257,6 +304,27 @@ void Composer::list(ast::Node list) {
       is_first = false;
     }
     if (!is_first) comma(Comma::IfBroken);
+  });
+}
+
+/// Value and clauses on one line, or a line for each, as where the bracket ends its line.
+void Composer::comprehension(ast::Node list) {
+  bracketed([&] {
+    if (tokens_.is_broken_ahead()) layout_.break_group();
+    soft_line();
+    for (const ast::Node part : list.children()) {
+      if (part.is(SyntaxKind::ForClause)) {
+        line();
+        loop_head(part);
+      } else if (part.is(SyntaxKind::IfClause)) {
+        line();
+        token();  // if
+        layout_.space();
+        expression(*part.child(0));
+      } else {
+        expression(part);
+      }
+    }
   });
 }
 

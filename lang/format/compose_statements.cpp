@@ -87,9 +87,7 @@ void Composer::assertion(ast::Node assertion) {
 }
 
 void Composer::for_loop(ast::Node loop) {
-  words(3);  // for name in
-  layout_.space();
-  expression(*loop.child(1));
+  loop_head(loop);
   const ast::Node body = *loop.child(2);
   block(body, body.children().begin());
 }

@@ -74,6 +74,8 @@ class Composer {
   void def(ast::Node def);
   void assertion(ast::Node assertion);
   void for_loop(ast::Node loop);
+  /// `for names in list`
+  void loop_head(ast::Node loop);
   void condition(ast::Node condition);
   void object(ast::Node object);
   void block(ast::Node block, ast::Children::Iterator first);
@@ -89,9 +91,11 @@ class Composer {
   void indented_line(ast::Node value);
   void chain(ast::Node chain, bool is_aligned);
   void power(ast::Node power);
+  void let_in(ast::Node let_in);
   void conditional(ast::Node conditional);
   void enclosed(ast::Node value);
   void list(ast::Node list);
+  void comprehension(ast::Node list);
   template <typename Contents>
   void bracketed(Contents contents);
   template <typename Elements, typename Compose>

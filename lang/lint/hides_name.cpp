@@ -3,8 +3,9 @@
 namespace sdlc::lang {
 
 /// A let, loop variable or parameter has the same name as a value of the file that is visible
-/// there, and hides it. Names of the language may be hidden without a warning, so that new ones
-/// break no file; so may names that begin with `_`.
+/// there, and hides it; or a fn or def in a block that of another function or kind. Names of the
+/// language may be hidden without a warning, so that new ones break no file; so may names that
+/// begin with `_`.
 void check_hides_name(LintContext& context) {
   const SymbolTable& names = context.names();
   for (const Symbol& symbol : names.symbols()) {

@@ -67,6 +67,7 @@ void check_unused(LintContext& context) {
     Finding& finding = context.add(diag::unused, LintPlace::of(tree.location(symbol.where)),
                                    describe(symbol.kind), symbol.name);
     finding.help.push_back(fmt::format("to keep it, rename it to `_{}`", symbol.name));
+    if (tree[symbol.node].kind == SyntaxKind::Binding) continue;  // a comma is removed too
     if (const auto lines = lines_of(tree, text, tree[symbol.node].span())) {
       finding.fixes.push_back({tree.location(*lines), "", false});
     }

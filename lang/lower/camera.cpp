@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "lang/lower/lens.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "render/math/interval.hpp"
@@ -78,7 +79,7 @@ const Object* choose_camera(const WantedSettings& wanted, std::span<const Object
 }
 
 std::optional<LoweredCamera> lower_camera(const Object& object, SourceFormat format,
-                                          DiagnosticSink& sink) {
+                                          const NamedSpheres& names, DiagnosticSink& sink) {
   using namespace camera_property;
   const auto from = object.get<render::Vec3>(kFrom);
   const auto at = object.get<render::Vec3>(kAt);
@@ -115,15 +116,19 @@ std::optional<LoweredCamera> lower_camera(const Object& object, SourceFormat for
     sink.report(diag::beyond_numbers, object.where, "the width or height of the view plane");
     return std::nullopt;
   }
-  return LoweredCamera{.camera = {.from = *from,
-                                  .at = *at,
-                                  .up = *up,
-                                  .plane_height = plane_height,
-                                  .aspect = *aspect},
+  render::Camera camera{
+      .from = *from, .at = *at, .up = *up, .plane_height = plane_height, .aspect = *aspect};
+  if (!lower_lens(object, names, sink, camera)) return std::nullopt;
+  return LoweredCamera{.camera = camera,
                        .written = {.name = object.name,
                                    .fov = *fov,
                                    .view_height = *view_height,
-                                   .shutter = object.get<render::Interval>(kShutter)}};
+                                   .shutter = object.get<render::Interval>(kShutter),
+                                   .aperture = written_location(object, kAperture)}};
+}
+
+Location written_location(const Object& object, std::size_t property) {
+  return object.slot(property).is_written ? object.location(property) : Location{};
 }
 
 std::string_view property_name(const Object& object, std::size_t property, SourceFormat format) {

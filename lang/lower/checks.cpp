@@ -8,18 +8,19 @@
 namespace sdlc::lang {
 
 std::vector<CheckedCamera> check_cameras(std::span<const Object> cameras, SourceFormat format,
-                                         DiagnosticSink& sink) {
+                                         const NamedSpheres& names, DiagnosticSink& sink) {
   using namespace camera_property;
   std::vector<CheckedCamera> checked;
   for (const Object& declared : cameras) {
-    const auto lowered = lower_camera(declared, format, sink);
+    const auto lowered = lower_camera(declared, format, names, sink);
     if (!lowered) continue;
-    const bool has_aspect = declared.slot(kAspect).is_written;
     checked.push_back({.name = declared.name,
                        .camera = lowered->camera,
                        .shutter = lowered->written.shutter,
                        .from = declared.location(kFrom),
-                       .aspect = has_aspect ? declared.location(kAspect) : Location{}});
+                       .aspect = written_location(declared, kAspect),
+                       .aperture = written_location(declared, kAperture),
+                       .focus = written_location(declared, kFocus)});
   }
   return checked;
 }

@@ -7,6 +7,7 @@
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/lower/group_contents.hpp"
 #include "lang/lower/lowered_scene.hpp"
+#include "lang/lower/named_spheres.hpp"
 #include "lang/lower/settings.hpp"
 #include "lang/object/object.hpp"
 #include "lang/source/source.hpp"
@@ -19,7 +20,7 @@ namespace sdlc::lang {
 
 /// Lowers all cameras, reports mistakes, and returns the valid ones.
 std::vector<CheckedCamera> check_cameras(std::span<const Object> cameras, SourceFormat format,
-                                         DiagnosticSink& sink);
+                                         const NamedSpheres& names, DiagnosticSink& sink);
 
 /// The places of the settings that checks report. `background` may be null.
 WrittenPlaces find_places(const WantedSettings& wanted, const Object* background);

@@ -17,7 +17,7 @@ namespace sdlc::lang {
 /// How the scene wants its picture to be saved.
 struct OutputSettings {
   std::string output;  ///< as written; empty if the scene names none
-  render::Tone tone = render::Tone::Srgb;
+  render::ToneMapping mapping = {};
 };
 
 /// Properties of a camera that render::Camera does not have.
@@ -26,6 +26,7 @@ struct WrittenCamera {
   Angle fov;
   double view_height = 2;
   std::optional<render::Interval> shutter;  ///< absolute times in seconds; nullopt: none
+  Location aperture;                        ///< in the text; no file: not written
 };
 
 /// A valid camera. Checks lower all cameras, not only the chosen one.
@@ -33,8 +34,8 @@ struct CheckedCamera {
   std::string name;  ///< may be empty
   render::Camera camera;
   std::optional<render::Interval> shutter;
-  Location from;    ///< its `from` in the text
-  Location aspect;  ///< no file: not written
+  Location from;                     ///< its `from` in the text
+  Location aspect, aperture, focus;  ///< no file: not written
 };
 
 /// Places in the text; without a file if the setting is not written.

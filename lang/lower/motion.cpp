@@ -2,6 +2,11 @@
 
 namespace sdlc::lang {
 
+render::Vec3 center_at(const MotionValue& motion, render::Vec3 center, double time) noexcept {
+  const double duration = motion.over.to - motion.over.from;
+  return center + (motion.to - center) * ((time - motion.over.from) / duration);
+}
+
 void lower_motion(std::span<const MovingSphere> moving, render::Interval shutter,
                   DiagnosticSink& sink, std::vector<render::Sphere>& spheres,
                   std::vector<render::Vec3>& shifts) {
@@ -9,7 +14,7 @@ void lower_motion(std::span<const MovingSphere> moving, render::Interval shutter
     const render::Interval over = each.motion.over;
     const double duration = over.to - over.from;
     const render::Vec3 path = each.motion.to - each.center;
-    render::Vec3 opening = each.center + path * ((shutter.from - over.from) / duration);
+    render::Vec3 opening = center_at(each.motion, each.center, shutter.from);
     render::Vec3 shift = path * ((shutter.to - shutter.from) / duration);
     if (each.groups) {
       const auto& [at_opening, at_closing] = *each.groups;

@@ -25,6 +25,10 @@ struct MovingSphere {
   std::optional<std::array<render::Placement, 2>> groups;
 };
 
+/// The centre of a sphere with this motion, which is at `center` at motion.over.from, inside its
+/// groups.
+render::Vec3 center_at(const MotionValue& motion, render::Vec3 center, double time) noexcept;
+
 /// Moves the spheres to their positions at the opening of the shutter, and sets their shifts until
 /// the closing; `shifts` has the size of `spheres`. Reports paths beyond the range of double.
 void lower_motion(std::span<const MovingSphere> moving, render::Interval shutter,

@@ -29,6 +29,7 @@ void SceneBuilder::add(const Object& object) {
   switch (object.kind->id) {
     case ObjectKind::Camera:
       if (may_take_more_memory(object.where)) cameras_.push_back(object);
+      named_.want(object);
       break;
     case ObjectKind::Background:
       if (!background_) background_ = object;  // a second one has been reported
@@ -81,11 +82,13 @@ SceneBuilder::Group SceneBuilder::in_world(const Group& group) const {
 void SceneBuilder::enter(const Object& object) {
   const Group group = read_group(object);
   repeats_.enter(group.placing);
+  if (named_.is_used()) named_.enter();
   groups_.push_back(in_world(group));
 }
 
 void SceneBuilder::leave() {
   repeats_.leave();
+  if (named_.is_used()) named_.leave();
   groups_.pop_back();
 }
 
@@ -98,6 +101,7 @@ bool SceneBuilder::repeat(const Object& object, std::uint32_t contents) {
   if (outcome == GroupRepeats::Outcome::Duplicate) {
     sink_->report(diag::duplicate_sphere, object.where, "group is the same as an earlier one");
   }
+  if (outcome == GroupRepeats::Outcome::Added) named_.repeat(object, contents);
   return outcome != GroupRepeats::Outcome::Unknown;
 }
 
@@ -166,6 +170,10 @@ std::optional<render::Material> SceneBuilder::material_of(const Object& sphere) 
 void SceneBuilder::add_sphere(const Object& object) {
   using namespace sphere_property;
   had_spheres_ = true;
+  if (named_.is_used()) {
+    named_.add(object,
+               groups_.empty() ? render::Placement() : groups_.back().placing.placements[0]);
+  }
   const auto center = object.get<render::Vec3>(kCenter);
   const auto radius = object.get<double>(kRadius);
   const auto material = material_of(object);
@@ -233,6 +241,7 @@ void SceneBuilder::add_motion(const Object& object) {
 // The scene
 
 LoweredScene SceneBuilder::finish(const Overrides& overrides) {
+  named_.finish(!sink_->has_errors());
   const WantedSettings wanted{
       .file = *file_, .render = render_, .overrides = overrides, .sink = *sink_};
   LoweredScene lowered;
@@ -247,7 +256,7 @@ LoweredScene SceneBuilder::finish(const Overrides& overrides) {
   if (camera == nullptr && !sink_->has_errors() && !is_part()) check_for_picture(overrides);
   for (const Object& declared : cameras_) lowered.cameras.push_back(declared.name);
   if (purpose_ == Purpose::Check) {
-    lowered.checked_cameras = check_cameras(cameras_, file_->format(), *sink_);
+    lowered.checked_cameras = check_cameras(cameras_, file_->format(), named_, *sink_);
   }
   lowered.places = find_places(wanted, background_ ? &*background_ : nullptr);
   if (camera != nullptr) lower_chosen_camera(*camera, lowered);
@@ -280,7 +289,7 @@ void SceneBuilder::check_for_picture(const Overrides& overrides) const {
 }
 
 void SceneBuilder::lower_chosen_camera(const Object& object, LoweredScene& lowered) {
-  if (auto camera = lower_camera(object, file_->format(), *sink_)) {
+  if (auto camera = lower_camera(object, file_->format(), named_, *sink_)) {
     lowered.scene.camera = camera->camera;
     lowered.camera = std::move(camera->written);
   }

@@ -13,6 +13,7 @@
 #include "lang/lower/lowered_scene.hpp"
 #include "lang/lower/material_table.hpp"
 #include "lang/lower/motion.hpp"
+#include "lang/lower/named_spheres.hpp"
 #include "lang/lower/overrides.hpp"
 #include "lang/lower/settings.hpp"
 #include "lang/object/counted_bytes.hpp"
@@ -60,6 +61,7 @@ class SceneBuilder final : public ObjectSink {
   bool wants_contents() const override { return purpose_ == Purpose::Picture; }
   void begin_contents(std::uint32_t contents) override {
     repeats_.begin(contents, groups_.back().placing);
+    if (named_.is_used()) named_.begin_contents(contents);
   }
   void forget_contents(std::uint32_t contents) override { repeats_.forget(contents); }
   bool repeat(const Object& group, std::uint32_t contents) override;
@@ -142,6 +144,7 @@ class SceneBuilder final : public ObjectSink {
                                       ///< get their material where it is included
   CountedBytes bytes_;
   MaterialTable materials_;
+  NamedSpheres named_;
 };
 
 }  // namespace sdlc::lang

@@ -73,8 +73,9 @@ void lower_settings(const WantedSettings& wanted, bool is_plain, LoweredScene& l
   settings.threads = lower_threads(wanted, settings.threads);
   lowered.output.output = wanted.render.get<std::string>(kOutput).value_or("");
   if (const auto tone = wanted.get<Word>(kTone)) {
-    lowered.output.tone = render::tone_of(tone->text).value_or(lowered.output.tone);
+    lowered.output.mapping.tone = render::tone_of(tone->text).value_or(render::Tone::Srgb);
   }
+  lowered.output.mapping.exposure = wanted.get<double>(kExposure).value_or(0);
   lowered.precision = wanted.get_as<render::Precision>(kPrecision);
   if (is_plain) {  // a plain picture has no noise
     settings.samples = settings.depth = 1;

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "lang/math/elementary.hpp"
 #include "render/shading/sampler.hpp"
 
 namespace sdlc::lang {
@@ -14,6 +15,18 @@ constexpr std::uint64_t kNumber = 1, kBool = 2, kString = 3, kVec3 = 4, kAngle =
 double fade(double t) noexcept { return t * t * t * (t * (t * 6 - 15) + 10); }
 
 double mix(double a, double b, double t) noexcept { return a + t * (b - a); }
+
+constexpr double kTurn = 360;
+
+render::Vec3 on_circle(double radius, double turns, double z) noexcept {
+  const double degrees = kTurn * turns;
+  return {radius * cos_degrees(degrees), radius * sin_degrees(degrees), z};
+}
+
+render::Vec3 on_sphere(const RandomHash& arguments, std::string_view name) noexcept {
+  const double u = arguments.uniform_of(name, 0);
+  return on_circle(2 * std::sqrt(u * (1 - u)), arguments.uniform_of(name, 1), 2 * u - 1);
+}
 
 }  // namespace
 
@@ -78,6 +91,42 @@ double noise(render::Vec3 p) noexcept {
   };
   const auto along_y = [&](double z) { return mix(along_x(low.y, z), along_x(low.y + 1, z), t.y); };
   return mix(along_y(low.z), along_y(low.z + 1), t.z);
+}
+
+double noise(render::Vec3 p, int octaves) noexcept {
+  // Its multiples are not near whole numbers, and far enough apart that octaves share no corners.
+  constexpr render::Vec3 kShift{101.618, 57.414, 211.732};
+  double sum = 0, weights = 0, weight = 1;
+  for (int k = 0; k < octaves; ++k) {
+    sum += weight * noise(p / weight + kShift * k);
+    weights += weight;
+    weight /= 2;
+  }
+  return sum / weights;
+}
+
+render::Vec3 random_in_disc(const RandomHash& arguments) noexcept {
+  constexpr std::string_view kName = "random_in_disc";
+  const double radius = std::sqrt(arguments.uniform_of(kName, 0));
+  return on_circle(radius, arguments.uniform_of(kName, 1), 0);
+}
+
+render::Vec3 random_on_sphere(const RandomHash& arguments) noexcept {
+  return on_sphere(arguments, "random_on_sphere");
+}
+
+render::Vec3 random_in_sphere(const RandomHash& arguments) noexcept {
+  constexpr std::string_view kName = "random_in_sphere";
+  const double u = arguments.uniform_of(kName, 2);
+  const double radius = u == 0 ? 0 : power(u, 1 / 3.0);
+  return on_sphere(arguments, kName) * radius;
+}
+
+double random_normal(const RandomHash& arguments) noexcept {
+  constexpr std::string_view kName = "random_normal";
+  const double u = arguments.uniform_of(kName, 0);  // below 1
+  const double radius = std::sqrt(-2 * log(1 - u).value_or(0));
+  return radius * cos_degrees(kTurn * arguments.uniform_of(kName, 1));
 }
 
 }  // namespace sdlc::lang

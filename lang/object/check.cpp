@@ -22,6 +22,8 @@ bool is_in(Range range, double number) noexcept {
     case Range::Fraction: return number >= 0 && number <= 1;
     case Range::PositiveFraction: return number > 0 && number <= 1;
     case Range::Kelvin: return number >= 1667 && number <= 25000;
+    case Range::UpToHundred: return number >= 0 && number <= 100;
+    case Range::Octaves: return number >= 1 && number <= 32;
     case Range::BetweenZeroAndHalfTurn: return number > 0 && number < 180;
   }
   return false;
@@ -45,6 +47,9 @@ bool has_type(Type type, const Value& value) noexcept {
     case Type::Color: return holds_alternative<render::LinearRgb>(value);
     case Type::Frames: return bounds != nullptr && bounds->unit == Unit::None;
     case Type::Interval: return bounds != nullptr && bounds->unit != Unit::Length;
+    case Type::Focus:
+      return has_type(Type::Length, value) || has_type(Type::Vec3, value) ||
+             holds_alternative<Word>(value);
     case Type::Word: return holds_alternative<Word>(value);
     case Type::Material: return holds_alternative<MaterialValue>(value);
     case Type::Motion: return holds_alternative<MotionValue>(value);

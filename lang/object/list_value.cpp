@@ -2,6 +2,7 @@
 #include <limits>
 #include <utility>
 
+#include "lang/object/table.hpp"
 #include "lang/object/value.hpp"
 #include "lang/source/limits.hpp"
 
@@ -14,20 +15,23 @@ struct ListNode {
     weight = values.size();
     for (const Value& value : values) {
       constexpr auto kMax = std::numeric_limits<std::uint64_t>::max();
-      if (const auto* list = get_if<ListValue>(&value)) {
+      if (const auto* list = elements_of(value)) {
         weight += std::min(list->weight(), kMax - weight);
       } else if (const auto* text = get_if<std::string>(&value)) {
         weight += std::min<std::uint64_t>(text->size() / work::kBytes, kMax - weight);
-      } else {
-        break;  // the elements are of one type
       }
     }
   }
+  explicit ListNode(std::shared_ptr<const Table> table_) : table(std::move(table_)) {}
   ListNode(const ListNode&) = delete;
   ListNode& operator=(const ListNode&) = delete;
-  ~ListNode() { ListValue::release(std::move(values)); }
+  ~ListNode() {
+    // The weight is that of the elements alone if lists in it are empty: nothing is nested.
+    if (weight > values.size()) ListValue::release(std::move(values));
+  }
 
   std::vector<Value> values;
+  std::shared_ptr<const Table> table;  // in place of values
   CountedBytes bytes;
   std::uint64_t weight = 0;
 };
@@ -35,14 +39,39 @@ struct ListNode {
 ListValue::ListValue(std::vector<Value> values)
     : node_(std::make_shared<ListNode>(std::move(values))), count_(node_->values.size()) {}
 
-ListValue::ListValue(double first, double step, std::size_t count)
-    : first_(first), step_(step), count_(count) {}
+ListValue::ListValue(Scalar first, double step, std::size_t count)
+    : first_(first.value), step_(step), count_(count), unit_(first.unit) {}
 
-std::uint64_t ListValue::weight() const noexcept { return node_ ? node_->weight : count_; }
+ListValue::ListValue(Angle first, double step, std::size_t count)
+    : first_(first.degrees), step_(step), count_(count), has_angles_(true) {}
+
+ListValue::ListValue(std::shared_ptr<const Table> table)
+    : node_(std::make_shared<ListNode>(std::move(table))),
+      row_(kAllRows),
+      count_(node_->table->row_count()) {}
+
+ListValue::ListValue(std::shared_ptr<ListNode> table, std::size_t row)
+    : node_(std::move(table)), row_(row), count_(node_->table->columns().size()) {}
+
+const Table* ListValue::table_of_row() const noexcept {
+  return node_ && node_->table && row_ != kAllRows ? node_->table.get() : nullptr;
+}
+
+std::uint64_t ListValue::weight() const noexcept {
+  if (!node_) return count_;
+  if (!node_->table) return node_->weight;
+  return row_ == kAllRows ? node_->table->weight() : node_->table->weight_of_row(row_);
+}
 
 Value ListValue::operator[](std::size_t i) const {
-  if (node_) return node_->values[i];
-  return Scalar{first_ + step_ * static_cast<double>(i)};
+  if (node_ && !node_->table) return node_->values[i];
+  if (node_ && row_ != kAllRows) return node_->table->cell(row_, i);
+  if (node_) {
+    ListValue row(node_, i);
+    return node_->table->is_uniform() ? Value(std::move(row)) : Value(RowValue{std::move(row)});
+  }
+  const double value = first_ + step_ * static_cast<double>(i);
+  return has_angles_ ? Value(Angle{value}) : Value(Scalar{value, unit_});
 }
 
 void ListValue::release(std::vector<Value> values) {
@@ -50,7 +79,8 @@ void ListValue::release(std::vector<Value> values) {
   std::vector<std::shared_ptr<ListNode>> waiting;
   const auto take_lists = [&](std::vector<Value>& from) {
     for (Value& value : from) {
-      auto* list = value.get_if_unshared<ListValue>();
+      auto* row = value.get_if_unshared<RowValue>();
+      auto* list = row != nullptr ? &row->elements : value.get_if_unshared<ListValue>();
       if (list != nullptr && list->node_ && list->node_.use_count() == 1) {
         waiting.push_back(std::move(list->node_));
       }

@@ -26,6 +26,10 @@ std::string to_text(double number) {
   return text;
 }
 
+std::string_view suffix_of(Unit unit) noexcept {
+  return unit == Unit::Length ? "m" : unit == Unit::Time ? "s" : "";
+}
+
 namespace {
 
 std::string to_text(render::Vec3 v) {
@@ -72,10 +76,6 @@ std::string to_text(const MaterialValue& material) {
   return text += ')';
 }
 
-std::string_view suffix_of(Unit unit) noexcept {
-  return unit == Unit::Length ? "m" : unit == Unit::Time ? "s" : "";
-}
-
 struct Writer {
   std::string operator()(Nothing) const { return "nothing"; }
   std::string operator()(Scalar scalar) const {
@@ -94,6 +94,7 @@ struct Writer {
   std::string operator()(const Word& word) const { return word.text; }
   std::string operator()(None) const { return "none"; }
   std::string operator()(const ListValue&) const { return "[…]"; }  // may have any length
+  std::string operator()(const RowValue&) const { return "[…]"; }
   std::string operator()(const MotionValue& motion) const {
     return fmt::format("line(to: {}, over: {})", to_text(motion.to),
                        to_text(motion.over.from, motion.over.to));
@@ -130,6 +131,7 @@ struct Describer {
   std::string_view operator()(const Word&) const { return "a word"; }
   std::string_view operator()(None) const { return "`none`"; }
   std::string_view operator()(const ListValue&) const { return "a list"; }
+  std::string_view operator()(const RowValue&) const { return "a row"; }
 };
 
 }  // namespace

@@ -87,19 +87,25 @@ struct MotionValue {
 };
 
 class ListValue;
+struct RowValue;
 
 using Value = Variant<Nothing, Scalar, bool, Triple, Angle, AngleTriple, render::LinearRgb, Bounds,
-                      MaterialValue, MotionValue, None, std::string, Word, ListValue>;
+                      MaterialValue, MotionValue, None, std::string, Word, ListValue, RowValue>;
 
 struct ListNode;
+class Table;
 
 /// A sequence of values of one type. Copies share the elements, which are immutable. An arithmetic
-/// progression (the result of `range`) takes constant memory.
+/// progression (the result of `range`) takes constant memory, and the rows of a data file stay in
+/// the columns of their table.
 class ListValue {
  public:
   explicit ListValue(std::vector<Value> values);
-  /// first, first + step, …: `count` numbers.
-  ListValue(double first, double step, std::size_t count);
+  /// first, first + step, …: `count` numbers of one unit, or angles and a step in degrees.
+  ListValue(Scalar first, double step, std::size_t count);
+  ListValue(Angle first, double step, std::size_t count);
+  /// The rows of a table.
+  explicit ListValue(std::shared_ptr<const Table> table);
 
   std::size_t size() const noexcept { return count_; }
   /// The steps (see limits.hpp) of reading all of it: one per element, nested lists included as
@@ -107,15 +113,40 @@ class ListValue {
   std::uint64_t weight() const noexcept;
   /// Precondition: i < size().
   Value operator[](std::size_t i) const;
+  /// The table of which this is one row, or null: its columns have names.
+  const Table* table_of_row() const noexcept;
 
   /// Destroys values without recursion into nested lists.
   static void release(std::vector<Value> values);
 
  private:
+  static constexpr std::size_t kAllRows = static_cast<std::size_t>(-1);
+
+  /// The cells of row `row` of a table.
+  ListValue(std::shared_ptr<ListNode> table, std::size_t row);
+
   std::shared_ptr<ListNode> node_;  // null: a progression
-  double first_ = 0, step_ = 1;
+  double first_ = 0;
+  union {
+    double step_ = 1;  // of a progression
+    std::size_t row_;  // of a table; kAllRows: all
+  };
   std::size_t count_ = 0;
+  Unit unit_ = Unit::None;
+  bool has_angles_ = false;
 };
+
+/// A list of several types: one row of a table. What works on all elements of a list alike does not
+/// take it. (A row of a data file whose cells are of one type is a ListValue.)
+struct RowValue {
+  ListValue elements;
+};
+
+/// The elements of a list or row; null for other values.
+inline const ListValue* elements_of(const Value& value) noexcept {
+  if (const auto* row = get_if<RowValue>(&value)) return &row->elements;
+  return get_if<ListValue>(&value);
+}
 
 inline bool is_nothing(const Value& value) noexcept { return holds_alternative<Nothing>(value); }
 
@@ -143,6 +174,8 @@ std::optional<T> value_as(const Value& value) noexcept {
 std::string_view describe(const Value& value) noexcept;
 /// The value in the syntax of the language, for messages: "-1", "40deg".
 std::string to_text(const Value& value);
+/// "m", "s" or nothing.
+std::string_view suffix_of(Unit unit) noexcept;
 /// The shortest spelling that reads back as the same number.
 std::string to_text(double number);
 

@@ -4,7 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "lang/source/data_format.hpp"
 #include "lang/text/nearest_name.hpp"
+#include "lang/token/name_characters.hpp"
 
 namespace sdlc::lang {
 
@@ -54,8 +56,17 @@ std::string file_like(std::string_view written, std::vector<std::string_view> fi
 
 }  // namespace
 
+std::string name_for_file(std::string_view file) {
+  std::string name = fs::path(file).stem().string();
+  for (char& c : name) {
+    if (!is_idchar(c)) c = '_';
+  }
+  return name.empty() || !is_letter(name.front()) ? "library" : name;
+}
+
 bool is_loadable(std::string_view file_name, bool is_include) {
-  return file_name.ends_with(".scene") || (is_include && file_name.ends_with(".json"));
+  if (file_name.ends_with(".scene")) return true;
+  return is_include ? file_name.ends_with(".json") : data_format_of(file_name).has_value();
 }
 
 std::optional<std::string> nearest_file(const fs::path& from, std::string_view written,

@@ -9,6 +9,9 @@
 
 namespace sdlc::lang {
 
+/// The file's stem as a name: "pool_table" for "library/pool-table.scene".
+std::string name_for_file(std::string_view file);
+
 /// Whether a file of this name can be imported or, with `is_include`, included.
 bool is_loadable(std::string_view file_name, bool is_include);
 

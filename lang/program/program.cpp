@@ -10,8 +10,11 @@
 #include "lang/program/nearest_file.hpp"
 #include "lang/resolve/record_symbols.hpp"
 #include "lang/resolve/resolver.hpp"
+#include "lang/source/data_format.hpp"
 #include "lang/syntax/syntax.hpp"
 #include "lang/text/nearest_name.hpp"
+#include "lang/token/name_characters.hpp"
+#include "lang/token/token_reader.hpp"
 #include "lang/value/literals.hpp"
 
 namespace sdlc::lang {
@@ -23,6 +26,35 @@ namespace {
 /// The version of the language that the parser reads.
 constexpr std::string_view kVersion = "1";
 
+std::uint32_t report_include_of_data(ast::Node name, std::string_view written,
+                                     DiagnosticSink& sink) {
+  sink.report(diag::include_of_data, name.location())
+      .help(fmt::format("`import \"{}\" as {}` gives the list of its rows", written,
+                        name_for_file(written)));
+  return kNothing;
+}
+
+void report_data_as_scene(const SourceFile& file, DiagnosticSink& sink) {
+  sink.report(diag::unknown_format, {&file, {0, 0}}, file.name(), "a scene")
+      .help(fmt::format("a scene reads it by `import \"{}\" as {}`",
+                        fs::path(file.name()).filename().string(), name_for_file(file.name())));
+}
+
+/// Whether the file has neither an extension of scenes nor the beginning of one.
+bool is_of_unknown_format(const SourceFile& file) {
+  const std::string extension = fs::path(file.name()).extension().string();
+  if (extension.empty() || extension == ".scene" || file.format() == SourceFormat::Json)
+    return false;
+  const std::uint32_t begin = skip_space(file.text(), 0);
+  return file.text().substr(begin, end_of_identifier(file.text(), begin) - begin) != "scene";
+}
+
+std::vector<std::string_view> data_extensions() {
+  std::vector<std::string_view> extensions;
+  for (const DataFormatInfo& format : kDataFormats) extensions.push_back(format.extension);
+  return extensions;
+}
+
 bool has_include(ast::Node statement) {
   const auto nodes = statement.tree().nodes().subspan(statement.index());
   const auto own = nodes.first(nodes.front().extent);
@@ -32,11 +64,13 @@ bool has_include(ast::Node statement) {
 }  // namespace
 
 bool check_file_size(const SourceFile& file, const Limits& limits, DiagnosticSink& sink) {
-  const bool is_config = file.format() == SourceFormat::Json;
-  const std::uint64_t most = is_config ? limits.config : limits.file;
-  if (file.text().size() <= most) return true;
-  sink.report(diag::file_too_large, {&file, {0, 0}}, most)
-      .help(fmt::format("`--limit {}=N` allows more", is_config ? "config" : "file"));
+  const std::uint64_t Limits::*limit = data_format_of(file.name())           ? &Limits::data
+                                       : file.format() == SourceFormat::Json ? &Limits::config
+                                                                             : &Limits::file;
+  if (file.text().size() <= limits.*limit) return true;
+  sink.report(diag::file_too_large, {&file, {0, 0}}, limits.*limit)
+      .help(fmt::format("`--limit {}=N` allows more",
+                        std::ranges::find(kLimits, limit, &LimitInfo::limit)->name));
   return false;
 }
 
@@ -47,7 +81,9 @@ Program::Program(const Document& root, const ProgramOptions& options, Diagnostic
     if (options_.is_sandboxed) sandbox_.emplace(*options_.workspace, path);
     loaded_.emplace(identity(path), kRoot);
   }
-  add_module(root, std::move(path), kNothing, sink);
+  const bool is_data = data_format_of(path).has_value();
+  if (is_data) report_data_as_scene(root, sink);
+  add_module(is_data ? unread_ : root, std::move(path), kNothing, sink);
   modules_[kRoot]->is_included = true;
   for (const SetOption& option : options_.sets) add_setting(option, sink);
 }
@@ -130,9 +166,8 @@ void Program::load_all(DiagnosticSink& sink) {
     Code code(file.tree);
     for (const ast::Node statement : ast::Node(file.tree, 0).children()) {
       if (sink.is_muted() && !has_include(statement)) continue;  // nothing to load or to report
-      std::uint32_t frame_size = 0;
       code.clear();
-      resolver.resolve_statement(statement, code, frame_size);
+      resolver.resolve_statement(statement, code);
     }
     file.is_resolved = true;
   }
@@ -191,6 +226,22 @@ std::optional<std::string> Program::suggest_file(const FileRequest& request) {
   return nearest ? std::optional(fmt::format("\"{}\"", *nearest)) : std::nullopt;
 }
 
+std::uint32_t Program::add_table(const Document& file, const FileRequest& request,
+                                 DiagnosticSink& sink) {
+  if (!check_file_size(file, options_.limits, sink)) return kNothing;
+  std::shared_ptr<const Table> table = file.table(sink);
+  if (table == nullptr) return kNothing;
+  bytes_of_tables_ += table->bytes();
+  if (bytes_of_tables_ > options_.limits.memory) {
+    sink.report(diag::too_much_memory, request.name.location(), options_.limits.memory)
+        .help("`--limit memory=N` allows more");
+    return kNothing;
+  }
+  table_bytes_.set(bytes_of_tables_);
+  tables_.push_back(std::move(table));
+  return kTables + static_cast<std::uint32_t>(tables_.size() - 1);
+}
+
 std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
                             DiagnosticSink& sink) {
   const Value value = evaluate_string(name, sink);
@@ -210,10 +261,15 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
           .help(fmt::format("the cycle is {}", fmt::join(circle, " → ")));
       return kNothing;
     }
-    const bool is_usable = module != kNothing && (is_include || module < kConfigs);
-    if (!is_usable && module != kNothing) sink.report(diag::import_of_config, name.location());
-    if (is_include && module < kConfigs) modules_[module]->is_included = true;
-    return is_usable ? module : kNothing;
+    if (module == kNothing) return kNothing;
+    const bool is_config = module >= kConfigs, is_data = !is_config && module >= kTables;
+    if (is_config && !is_include) {
+      sink.report(diag::import_of_config, name.location());
+      return kNothing;
+    }
+    if (is_data && is_include) return report_include_of_data(name, *written, sink);
+    if (is_include && !is_config) modules_[module]->is_included = true;
+    return module;
   }
 
   std::uint64_t depth = 0;
@@ -223,13 +279,22 @@ std::uint32_t Program::load(std::uint32_t from, ast::Node name, bool is_include,
     return kNothing;
   }
 
+  const bool is_data = data_format_of(path).has_value();
+  if (is_data && is_include) return report_include_of_data(name, *written, sink);
   loaded_.emplace(key, kNothing);
-  const std::shared_ptr<const Document> document =
-      read(path, {from, name, *written, is_include}, sink);
+  const FileRequest request{from, name, *written, is_include};
+  const std::shared_ptr<const Document> document = read(path, request, sink);
   if (!document) return kNothing;
   dependencies_.push_back(path);
   documents_.push_back(document);
   const Document& file = *document;
+  if (is_data) return loaded_[key] = add_table(file, request, sink);
+  if (is_of_unknown_format(file)) {
+    sink.report(diag::unknown_format, name.location(), *written, "a scene or a data file")
+        .help(fmt::format("data files have the extensions {}; other files begin with `scene 1`",
+                          fmt::join(data_extensions(), ", ")));
+    return kNothing;
+  }
   if (file.format() == SourceFormat::Json) {
     if (!check_file_size(file, options_.limits, sink)) return kNothing;
     loaded_[key] = kConfigs + static_cast<std::uint32_t>(configs_.size());

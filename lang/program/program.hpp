@@ -13,6 +13,8 @@
 #include "lang/ast/ast.hpp"
 #include "lang/code/code.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/object/counted_bytes.hpp"
+#include "lang/object/table.hpp"
 #include "lang/resolve/module.hpp"
 #include "lang/resolve/symbol_table.hpp"
 #include "lang/source/limits.hpp"
@@ -62,6 +64,9 @@ class Program final : public Modules {
   /// The symbols of a module, with SymbolDetail::Declared; recorded on first use.
   const SymbolTable& names_of(std::uint32_t module, const StopRequest* stop);
   const SourceFile& config(std::uint32_t index) const { return *configs_[index - kConfigs]; }
+  std::shared_ptr<const Table> table_at(std::uint32_t index) const override {
+    return tables_[index - kTables];
+  }
   const Limits& limits() const noexcept override { return options_.limits; }
   void load_all(DiagnosticSink& sink) override;
   /// Whether no evaluation can include further files.
@@ -99,6 +104,8 @@ class Program final : public Modules {
     std::string_view written;  ///< its value
     bool is_include;
   };
+  /// Reads a data file: its index, or kNothing if it has mistakes.
+  std::uint32_t add_table(const Document& file, const FileRequest& request, DiagnosticSink& sink);
   std::shared_ptr<const Document> read(const std::filesystem::path& path,
                                        const FileRequest& request, DiagnosticSink& sink);
   /// The string with the existing file that a request for a missing one probably means.
@@ -108,6 +115,9 @@ class Program final : public Modules {
   std::optional<Sandbox> sandbox_;
   std::vector<std::unique_ptr<Module>> modules_;
   std::vector<const SourceFile*> configs_;
+  std::vector<std::shared_ptr<const Table>> tables_;
+  std::size_t bytes_of_tables_ = 0;
+  CountedBytes table_bytes_;
   std::vector<std::shared_ptr<const Document>> documents_;  ///< all except the root
   const Document unread_{"", "scene 1"};                    ///< parsed for a file that is too large
   std::deque<SourceFile> setting_files_;

@@ -1,16 +1,22 @@
 #include "lang/repair/recovery.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
 #include "lang/repair/vocabulary.hpp"
+#include "lang/schema/schema.hpp"
 #include "lang/token/lines.hpp"
 #include "lang/token/name_characters.hpp"
 #include "lang/token/token_reader.hpp"
 
 namespace sdlc::lang {
 namespace {
+
+/// Signs after which a value goes on.
+constexpr auto kContinued = std::to_array<std::string_view>(
+    {"=", ":", ",", "+", "-", "*", "/", "^", "..", "==", "!=", "<", "<=", ">", ">="});
 
 enum class Beginning : std::uint8_t {
   None,
@@ -145,8 +151,42 @@ bool looks_like_object(std::string_view text, std::uint32_t at) {
   }
   TokenReader tokens(text, end);
   Token next = tokens.next_in_line();
-  if (is_name(next.kind)) next = tokens.next_in_line();
+  if (is_name(next.kind)) {
+    // `k sphere {`: the end of a value, and an object.
+    const bool is_kind = std::ranges::count(all_kinds(), tokens.text(next), &Kind::name) > 0;
+    if (is_kind) return false;
+    next = tokens.next_in_line();
+  }
   return tokens.text(next) == "{";
+}
+
+bool has_in(std::string_view text, std::uint32_t at) {
+  constexpr std::uint32_t kLookahead = 4096;  // a text of mistakes is not read again and again
+  TokenReader tokens(text.substr(0, std::min<std::size_t>(text.size(), at + kLookahead)), at);
+  std::uint32_t open = 0, lets = 0, loops = 0;
+  bool ends_value = false, is_first = false;
+  for (Token token = tokens.next(); token.kind != TokenKind::End; token = tokens.next()) {
+    if (token.kind == TokenKind::LineEnd) is_first = true;
+    if (is_trivia(token.kind)) continue;
+    const std::string_view word = tokens.text(token);
+    const bool begins_line = std::exchange(is_first, false) && open == 0;
+    if (begins_line && ends_value && looks_like_statement(text, token.span.begin)) return false;
+    if (token.kind == TokenKind::Open) ++open;
+    if (token.kind == TokenKind::Close && open-- == 0) return false;
+    ends_value = is_name(token.kind)
+                     ? !is_one_of(word, kJoints)
+                     : !is_one_of(word, kContinued) && token.kind != TokenKind::Open;
+    if (open > 0) continue;
+    lets += word == "let";
+    loops += word == "for";
+    if (word != "in") continue;
+    if (loops > 0) {
+      --loops;
+    } else if (--lets == 0) {
+      return true;
+    }
+  }
+  return text.size() - at > kLookahead;
 }
 
 Span trim(std::string_view text, Span span) noexcept {

@@ -29,6 +29,10 @@ bool looks_like_statement(std::string_view text, std::uint32_t at);
 /// Whether the name at `at` looks like the kind of an object, whose block follows.
 bool looks_like_object(std::string_view text, std::uint32_t at);
 
+/// Whether the `let` at `at`, the first word of its line, is the beginning of a value: its `in`
+/// follows before another statement, as far as a short look shows.
+bool has_in(std::string_view text, std::uint32_t at);
+
 /// `span` without the white space at its ends.
 Span trim(std::string_view text, Span span) noexcept;
 

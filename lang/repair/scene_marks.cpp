@@ -31,6 +31,7 @@ class Marks : private RepairRound {
     std::size_t opener = 0;
     std::uint32_t commas = 0;
     bool has_fault = false;
+    bool has_loop = false;  ///< a `for` of a comprehension, after which no value lacks a comma
   };
 
   bool is_call() const { return tokens_.holds_arguments(open_.back().opener) && !is_head(); }
@@ -43,7 +44,9 @@ class Marks : private RepairRound {
   bool is_between_values() const {
     if (open_.empty() || tokens_.is_bracket(open_.back().opener, '{')) return false;
     const std::size_t opener = open_.back().opener;
-    const bool is_loop = opener > 0 && tokens_.is(opener - 1, "for");
+    const std::size_t closer = tokens_.partner(opener);
+    const bool is_loop = opener > 0 && (tokens_.is(opener - 1, "for") ||
+                                        (closer < tokens_.size() && tokens_.is(closer + 1, "in")));
     return !is_loop && !is_added(i_) && !is_added(i_ - 1);
   }
 
@@ -51,7 +54,8 @@ class Marks : private RepairRound {
     Open& open = open_.back();
     // A point has three values: a fourth is too much, and lacks no comma.
     const bool is_full = is_plain() && open.commas > 1;
-    if (i_ != open.opener + 1 && !is_full && is_apart()) {
+    open.has_loop = open.has_loop || tokens_.is(i_, "for");
+    if (i_ != open.opener + 1 && !is_full && !open.has_loop && is_apart()) {
       open.has_fault = true;
       missing_mark(lacks_colon());
     }

@@ -15,7 +15,13 @@ void SceneRound::note_statement() {
   if (tokens_.begins_object(i_) && tokens_.may_begin_statement(i_)) {
     next_block_ = word == "group" ? Inside::Group : Inside::Object;
   }
-  if (tokens_.is_word(i_) && is_one_of(word, kDeclarationWords)) {
+  if (tokens_.is_let_of_value(i_)) {
+    is_let_ = true;
+  } else if (word == "in" || (tokens_[i_].is_first && tokens_.begins_statement(i_))) {
+    is_let_ = false;
+  }
+  const bool declares = tokens_.is_word(i_) && is_one_of(word, kDeclarationWords);
+  if (declares && !tokens_.is_let_of_value(i_)) {
     while (!in_block()) inside_.pop_back();  // never closed
     is_condition_ = word == "assert";
     next_block_ = Inside::Block;

@@ -46,6 +46,8 @@ class SceneRound : protected RepairRound {
   Inside inside() const { return inside_.empty() ? Inside::File : inside_.back(); }
   bool in_block() const { return inside() <= Inside::Block; }
   bool in_object() const { return inside() == Inside::Group || inside() == Inside::Object; }
+  /// Whether the token is between a `let` of a value and its `in`.
+  bool in_let() const { return is_let_; }
   /// Whether the token is in the condition of an `if` or an `assert`.
   bool in_condition() const { return is_condition_; }
 
@@ -61,6 +63,7 @@ class SceneRound : protected RepairRound {
   bool is_skipped_ = false;
   Inside next_block_ = Inside::Block;  ///< what the next brace opens
   bool is_condition_ = false;
+  bool is_let_ = false;
 };
 
 }  // namespace sdlc::lang

@@ -133,6 +133,10 @@ class Signs : private SceneRound {
     const bool begins_argument =
         i_ > 1 && (tokens_.is(i_ - 2, TokenClass::Comma) || tokens_.is_bracket(i_ - 2, '('));
     const bool is_argument = follows_name && inside() == Inside::Arguments && begins_argument;
+    // `let a = 1, b = 2 in a + b` goes on after its commas.
+    const bool is_binding = in_let() && follows_name && i_ > 1 &&
+                            (tokens_.is(i_ - 2, "let") || tokens_.is(i_ - 2, TokenClass::Comma));
+    if (is_binding) return;
     const bool is_statement = follows_name && tokens_.may_begin_statement(i_ - 1);
     if (in_condition() && !is_argument) {
       auto message = report(diag::foreign, span_of(i_), "=");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lang/repair/recovery.hpp"
 #include "lang/repair/vocabulary.hpp"
 #include "lang/text/ascii.hpp"
 #include "lang/text/brackets.hpp"
@@ -86,11 +87,36 @@ bool TokenList::begins_object(std::size_t i) const noexcept {
   return is_name(i + 1) && is_same_line(i + 1) && is_bracket(i + 2, '{');
 }
 
+namespace {
+
+/// Whether the `for` is one of a list: it has no block.
+bool is_clause(const TokenList& tokens, std::size_t i) {
+  constexpr std::size_t kFar = 100;
+  int depth = 0;
+  for (std::size_t n = i + 1; n < std::min(tokens.size(), i + kFar); ++n) {
+    if (tokens.is_bracket(n, '{')) return false;
+    if (is_one_of(tokens.written(n), kDeclarationWords)) return !tokens[i].is_first;
+    depth += tokens.is(n, TokenClass::Open) - tokens.is(n, TokenClass::Close);
+    if (tokens.is_bracket(n, ']') && depth < 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool TokenList::is_let_of_value(std::size_t i) const noexcept {
+  if (i == 0 || !is(i, "let")) return false;
+  if (wants_operand(i - 1) && is_same_line(i)) return true;
+  return (wants_operand(i - 1) || is(i - 1, TokenClass::Comma)) && has_in(text_, (*this)[i].begin);
+}
+
 bool TokenList::begins_statement(std::size_t i) const noexcept {
   if (!is_word(i)) return false;
   const std::string_view word = written(i);
-  if (is_one_of(word, kDeclarationWords)) return true;
-  if (word == "for") return is_word(i + 1) || is_bracket(i + 1, '(');
+  if (is_one_of(word, kDeclarationWords)) return !is_let_of_value(i);
+  if (word == "for") {
+    return (is_word(i + 1) || is_bracket(i + 1, '(')) && !is_clause(*this, i);
+  }
   if (word == "if") return may_begin_statement(i) && !is_choice(i);
   const bool follows_head = i > 0 && is_word(i - 1) && is_one_of(written(i - 1), kJoints);
   const bool is_second = i > 0 && is_name(i - 1) && is_same_line(i) && may_begin_statement(i - 1);

@@ -77,6 +77,8 @@ class TokenList {
   bool wants_operand(std::size_t i) const noexcept;
   /// Whether the token at `i` can be the first of a statement.
   bool may_begin_statement(std::size_t i) const noexcept;
+  /// Whether the `let` at `i` begins a value: `radius: let a = 1 in a`.
+  bool is_let_of_value(std::size_t i) const noexcept;
   /// Whether it is: a declaration, a `for`, an `if` with a block, or the kind of an object.
   bool begins_statement(std::size_t i) const noexcept;
   /// Whether an object begins: its kind, perhaps its name, and `{`.

@@ -38,6 +38,7 @@ std::vector<BuiltinSymbol> make_builtin_symbols() {
   }
   for (const Builtin& builtin : all_builtins()) {
     all.push_back({SymbolKind::BuiltinFunction, builtin.name, nullptr, builtin.doc});
+    add_properties(all, builtin.options);
   }
   for (const Constructor& constructor : all_constructors()) {
     all.push_back({SymbolKind::BuiltinFunction, constructor.name, nullptr, constructor.doc});

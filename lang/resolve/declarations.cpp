@@ -35,16 +35,24 @@ void collect(Modules& modules, std::uint32_t index, ast::Node statement, ast::No
       const auto file = statement.first(SyntaxKind::String);
       if (!file) return;
       const std::uint32_t loaded = modules.load(index, *file, false, sink);
+      if (loaded >= kTables && loaded != kNothing) {
+        module.global_names.emplace(name.text(), number(module.globals));
+        module.globals.push_back(
+            {.name = name.text(), .node = statement.index(), .table = modules.table_at(loaded)});
+        return;
+      }
       module.imports.emplace(name.text(), Import{.module = loaded, .node = statement.index()});
       return;
     }
     case SyntaxKind::Fn:
       module.function_names.emplace(name.text(), number(module.functions));
       module.functions.push_back(read_definition(statement, sink));
+      module.functions.back().module = index;
       return;
     case SyntaxKind::Def:
       module.def_names.emplace(name.text(), number(module.defs));
       module.defs.push_back(read_definition(statement, sink));
+      module.defs.back().module = index;
       return;
     default:
       module.global_names.emplace(name.text(), number(module.globals));

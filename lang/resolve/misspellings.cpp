@@ -88,8 +88,9 @@ class DeclarationSearch {
     std::vector<const Symbol*> symbols;
     if (unknown.space == NameSpace::Labels) {
       if (unknown.owner.file != table_.file()) return {};
-      for (const Symbol& parameter : table_.parameters_of(unknown.owner.index)) {
-        symbols.push_back(&parameter);
+      for (const Symbol& symbol : table_.symbols()) {
+        const bool is_parameter = symbol.kind == SymbolKind::Parameter;
+        if (is_parameter && symbol.owner == unknown.owner.index) symbols.push_back(&symbol);
       }
       return symbols;
     }

@@ -12,6 +12,7 @@
 #include "lang/ast/ast.hpp"
 #include "lang/code/code.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/object/table.hpp"
 #include "lang/resolve/lost_names.hpp"
 #include "lang/resolve/misspellings.hpp"
 #include "lang/source/limits.hpp"
@@ -21,37 +22,19 @@
 
 namespace sdlc::lang {
 
-/// A let or param of a file's top level.
+/// A let or param of a file's top level, or the import of a data file.
 struct Global {
   std::string_view name;
   NodeIndex node = 0;              ///< the statement
   const TypeInfo* type = nullptr;  ///< declared; null: any
   bool is_param = false;
-  bool uses_time = false;          ///< may read `time`, directly or indirectly
-  std::uint32_t value = kNothing;  ///< expression
+  bool uses_time = false;                        ///< may read `time`, directly or indirectly
+  std::shared_ptr<const Table> table = nullptr;  ///< of an import of a data file
+  std::uint32_t value = kNothing;                ///< expression
+  std::uint32_t frame_size = 0;                  ///< slots of the locals in it
 };
 
-struct Parameter {
-  std::string_view name;
-  NodeIndex node = 0;
-  bool has_default = false;
-  const TypeInfo* type = nullptr;
-  std::uint32_t default_value = kNothing;  ///< expression, which may use the parameters before it
-};
-
-/// A fn or def. Its parameters are the first slots of its frame.
-struct Definition {
-  std::string_view name;
-  NodeIndex node = 0;  ///< the statement
-  std::vector<Parameter> parameters;
-  std::uint32_t frame_size = 0;
-  std::uint32_t body = kNothing;     ///< of a fn: expression
-  std::vector<std::uint32_t> block;  ///< of a def: statements
-  bool uses_time = false;            ///< of a fn: may read `time`
-  bool is_broken = false;            ///< parameters may be missing because of an error
-};
-
-/// An import statement: its name denotes a module.
+/// The import of a .scene file: its name denotes a module.
 struct Import {
   std::uint32_t module = kNothing;  ///< kNothing: it could not be loaded
   NodeIndex node = 0;               ///< the statement
@@ -90,9 +73,11 @@ class Modules {
   virtual std::uint32_t module_count() const = 0;
   virtual Module& module_at(std::uint32_t index) = 0;
   /// The file that the String node names, loaded on first use: a module, a config (only if
-  /// `is_include`), or kNothing, which is reported.
+  /// `is_include`), a data file (only if not), or kNothing, which is reported.
   virtual std::uint32_t load(std::uint32_t from, ast::Node name, bool is_include,
                              DiagnosticSink& sink) = 0;
+  /// The table of a data file. `index`: the result of load(), at least kTables.
+  virtual std::shared_ptr<const Table> table_at(std::uint32_t index) const = 0;
   /// Loads all files that any evaluation could include, without evaluating anything.
   virtual void load_all(DiagnosticSink& sink) = 0;
   virtual const Limits& limits() const = 0;
@@ -100,5 +85,7 @@ class Modules {
 
 /// The first index of configs: the index of one is its index in the program's configs plus this.
 inline constexpr std::uint32_t kConfigs = 0x80000000;
+/// The same of data files; less than kConfigs.
+inline constexpr std::uint32_t kTables = 0x40000000;
 
 }  // namespace sdlc::lang

@@ -96,9 +96,6 @@ void Resolver::record_misplaced_declaration(ast::Node node) {
     return;
   }
   record_declaration(node);
-  if (node.is(SyntaxKind::Import)) return;
-  Definition definition = read_definition(node, sink_);
-  resolve_definition(definition);
 }
 
 void Resolver::record_error(ast::Node error, bool is_top) {
@@ -114,15 +111,13 @@ void Resolver::record_broken_for(ast::Node node) {
   bool is_declared = false;
   const auto declare = [&](std::uint32_t begin) {
     if (std::exchange(is_declared, true)) return;
-    declare_local({.kind = SymbolKind::LoopVariable,
-                   .is_local = true,
-                   .node = node.index(),
-                   .name = ast::declared_name(node),
-                   .scope = {begin, scope_end_}});
+    const std::size_t mark = code_.mark();
+    pattern(node, {begin, scope_end_});
+    code_.take(mark);
   };
   for (const ast::Node child : node.children()) {
     if (child.is(SyntaxKind::Block)) declare(child.span().begin);
-    if (!child.is(SyntaxKind::Name)) record_skipped(child);
+    if (!child.is(SyntaxKind::Pattern)) record_skipped(child);
   }
   declare(node.span().end);
 }
@@ -172,6 +167,12 @@ NodeIndex Resolver::hidden_by(std::string_view name) const {
   if (const auto own = find_declaration(module_, NameSpace::Values, name)) return own->node;
   const Import* import = find_in(module_.imports, name);
   return import != nullptr ? import->node : kNothing;
+}
+
+NodeIndex Resolver::hidden_definition(NameSpace space, std::string_view name) const {
+  if (const Definition* local = find_local(space, name)) return local->node;
+  const auto own = find_declaration(module_, space, name);
+  return own ? own->node : kNothing;
 }
 
 void Resolver::record_path(std::span<const std::string_view> names) {

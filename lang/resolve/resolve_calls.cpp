@@ -22,8 +22,14 @@ std::string arguments(std::size_t count) {
   return fmt::format("{} argument{}", count, count == 1 ? "" : "s");
 }
 
+/// The largest number of arguments, options included.
+std::size_t max_positional(const Builtin& builtin) {
+  const bool is_any = builtin.max_arguments == kAnyNumber;
+  return is_any ? kAnyNumber : builtin.max_arguments + builtin.options.size();
+}
+
 std::string accepted_arguments(const Builtin& builtin) {
-  const auto [min, max] = std::pair(builtin.min_arguments, builtin.max_arguments);
+  const std::size_t min = builtin.min_arguments, max = max_positional(builtin);
   if (min == max) return arguments(min);
   if (max == kAnyNumber) return "at least " + arguments(min);
   return fmt::format("{} to {}", min, arguments(max));
@@ -77,6 +83,12 @@ bool swaps_color(ast::Call call, std::span<const Property> parameters) {
 std::uint32_t Resolver::call(ast::Call call) {
   const std::string_view callee = call.callee();
   if (callee.find('.') != std::string_view::npos) return imported_call(call);
+  if (const Definition* local = find_local(NameSpace::Functions, callee)) {
+    if (is_recording()) recorder_->use_own(callee, local->node);
+    use_definition(*local);
+    const std::span<const Parameter> parameters = local->parameters;
+    return call_of(Op::LocalFunction, local_callee(*local), parameters, call, local);
+  }
   if (const auto own = find_declaration(module_, NameSpace::Functions, callee)) {
     if (is_recording()) recorder_->use_own(callee, own->node);
     uses_.functions.push_back(own->index);
@@ -128,39 +140,103 @@ std::uint32_t Resolver::constructor_call(const Constructor& constructor, ast::Ca
 std::uint32_t Resolver::function_call(std::uint32_t module, std::uint32_t function,
                                       ast::Call call) {
   const std::array<std::uint32_t, 2> callee{module, function};
-  const std::span<const Parameter> parameters =
-      modules_.module_at(module).functions[function].parameters;
-  return call_of(Op::Function, callee, parameters, call);
+  const Definition& definition = modules_.module_at(module).functions[function];
+  const std::span<const Parameter> parameters = definition.parameters;
+  return call_of(Op::Function, callee, parameters, call, &definition);
 }
+
+/// The arguments of a call of a built-in function while they are read.
+struct Resolver::BuiltinArguments {
+  const Builtin& builtin;
+  std::array<std::uint32_t, kMaxOptions> options;  ///< kNothing: not given
+  std::size_t count = 0;                           ///< positional arguments
+  bool has_labels = false, is_good = true;
+};
 
 std::uint32_t Resolver::builtin_call(const Builtin& builtin, ast::Call call) {
   const std::size_t mark = code_.mark();
   code_.push(static_cast<std::uint32_t>(builtin.index()));
-  bool is_good = true;
-  for (const ast::Node argument : call.arguments()) {
-    std::optional<ast::Node> value = argument;
-    if (argument.is(SyntaxKind::Argument)) {
-      const ast::Labeled labeled{argument};
-      if (is_recording()) recorder_->use_unknown(labeled.label(), NameSpace::Labels);
-      sink_.report(diag::unknown_argument, labeled.label_location(), labeled.label(), builtin.name)
-          .help(fmt::format("its arguments have no names: `{}`", builtin.signature));
-      value = labeled.value();
-      is_good = false;
-    }
-    is_good = is_good && !argument.is(SyntaxKind::Error);
-    code_.push(value ? expression(*value) : code_.add_broken(argument));
-  }
-  const std::size_t count = code_.mark() - mark - 1;
-  if (is_good && (count < builtin.min_arguments || count > builtin.max_arguments)) {
+  BuiltinArguments arguments{.builtin = builtin, .options = {}};
+  arguments.options.fill(kNothing);
+  for (const ast::Node argument : call.arguments()) builtin_argument(arguments, argument);
+  bool is_good = arguments.is_good;
+  if (is_good &&
+      (arguments.count < builtin.min_arguments || arguments.count > max_positional(builtin))) {
     sink_
         .report(diag::wrong_argument_count, call.callee_location(), builtin.name,
-                accepted_arguments(builtin), count)
+                accepted_arguments(builtin), arguments.count)
         .help(fmt::format("write `{}`", builtin.signature));
     is_good = false;
+  }
+  for (std::size_t i = 0; i < builtin.options.size(); ++i) {
+    if (is_good || arguments.options[i] != kNothing) code_.push(arguments.options[i]);
   }
   if (is_good) return code_.add_with(Op::Builtin, call.node, mark);
   code_.remove(mark, mark + 1);
   return code_.add_with(Op::Broken, call.node, mark);
+}
+
+void Resolver::builtin_argument(BuiltinArguments& arguments, ast::Node argument) {
+  const Builtin& builtin = arguments.builtin;
+  if (argument.is(SyntaxKind::Argument)) return builtin_option(arguments, {argument});
+  if (arguments.has_labels && arguments.is_good) {
+    sink_.report(diag::positional_behind_named, argument.location());
+    arguments.is_good = false;
+  }
+  arguments.is_good = arguments.is_good && !argument.is(SyntaxKind::Error);
+  const std::size_t option = arguments.count++ - builtin.max_arguments;
+  if (arguments.count > builtin.max_arguments && option < builtin.options.size()) {
+    arguments.options[option] = expression(argument, &builtin.options[option]);
+  } else {
+    code_.push(expression(argument));
+  }
+}
+
+void Resolver::builtin_option(BuiltinArguments& arguments, ast::Labeled argument) {
+  const Builtin& builtin = arguments.builtin;
+  arguments.has_labels = true;
+  std::size_t index = index_of_name(builtin.options, argument.label());
+  if (index == builtin.options.size()) {
+    arguments.is_good = false;
+    index = unknown_option(arguments, argument);
+  } else if (is_recording()) {
+    recorder_->use_builtin(argument.label(), SymbolKind::Property, &builtin.options[index]);
+  }
+  const auto value = argument.value();
+  const bool is_known = index != builtin.options.size();
+  const bool is_placed = is_known && arguments.options[index] == kNothing;
+  if (is_known && !is_placed) {
+    const Expression& earlier = code_.code().expressions[arguments.options[index]];
+    sink_.report(diag::duplicate, argument.label_location(), "argument", argument.label())
+        .label(ast::Node(module_.tree, earlier.node).location(), "first given here");
+    arguments.is_good = false;
+  }
+  const Property* property = is_known ? &builtin.options[index] : nullptr;
+  const std::uint32_t operand =
+      value ? expression(*value, property) : code_.add_broken(argument.node);
+  if (is_placed) {
+    arguments.options[index] = operand;
+  } else {
+    code_.push(operand);
+  }
+}
+
+/// The index of the intended option if it is not given yet; the number of options otherwise.
+std::size_t Resolver::unknown_option(BuiltinArguments& arguments, ast::Labeled argument) {
+  const auto options = arguments.builtin.options;
+  if (is_recording()) recorder_->use_unknown(argument.label(), NameSpace::Labels);
+  auto report = sink_.report(diag::unknown_argument, argument.label_location(), argument.label(),
+                             arguments.builtin.name);
+  if (options.empty()) {
+    report.help(fmt::format("its arguments have no names: `{}`", arguments.builtin.signature));
+    return options.size();
+  }
+  const auto nearest = intended_name(std::nullopt, argument.label(), names_of(options));
+  report.suggest(nearest);
+  if (!nearest) report.help(fmt::format("write `{}`", arguments.builtin.signature));
+  const std::size_t index = nearest ? index_of_name(options, *nearest) : options.size();
+  const bool is_free = index < options.size() && arguments.options[index] == kNothing;
+  return is_free ? index : options.size();
 }
 
 // Arguments of functions with named parameters
@@ -184,20 +260,18 @@ struct Resolver::Binding {
 
 template <typename T>
 std::uint32_t Resolver::call_of(Op op, std::span<const std::uint32_t> callee,
-                                std::span<const T> parameters, ast::Call call) {
+                                std::span<const T> parameters, ast::Call call,
+                                const Definition* function) {
   const std::size_t mark = code_.mark();
   for (const std::uint32_t part : callee) code_.push(part);
   const std::size_t first = code_.mark();
   for (std::size_t i = 0; i < parameters.size(); ++i) code_.push(kNothing);
-  const bool is_function = op == Op::Function;
-  const Definition* function =
-      is_function ? &modules_.module_at(callee[0]).functions[callee[1]] : nullptr;
   const bool is_broken = call.is_broken() || std::exchange(is_guess_, false) ||
                          (function != nullptr && function->is_broken);
   Binding<T> binding{.parameters = parameters,
                      .call = call,
                      .function = function,
-                     .module = is_function ? callee[0] : kNothing,
+                     .module = function != nullptr ? function->module : kNothing,
                      .first = first,
                      .is_broken = is_broken,
                      .is_good = !is_broken};

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "lang/ast/statements.hpp"
 #include "lang/object/value.hpp"
 #include "lang/resolve/lookup.hpp"
 #include "lang/resolve/path.hpp"
@@ -17,7 +18,8 @@ namespace {
 constexpr double kPi = 3.141592653589793;
 
 bool reads_words(const Property* property) {
-  return property != nullptr && (property->type == Type::Word || property->reads_none);
+  return property != nullptr &&
+         (property->type == Type::Word || property->type == Type::Focus || property->reads_none);
 }
 
 }  // namespace
@@ -48,7 +50,9 @@ std::uint32_t Resolver::expression(ast::Node node, const Property* property) {
     case SyntaxKind::And: return operands_of(node, Op::And);
     case SyntaxKind::Comparison: return operands_of(node, Op::Comparison);
     case SyntaxKind::List: return operands_of(node, Op::List);
+    case SyntaxKind::Comprehension: return comprehension(node);
     case SyntaxKind::Conditional: return conditional(node, property);
+    case SyntaxKind::LetIn: return let_in(node, property);
     case SyntaxKind::Postfix: return postfix(node);
     case SyntaxKind::Reference: return reference(node, property);
     case SyntaxKind::Call: return call({node});
@@ -100,6 +104,59 @@ std::uint32_t Resolver::conditional(ast::Node node, const Property* property) {
   return code_.add_with(Op::Conditional, node, mark);
 }
 
+std::uint32_t Resolver::let_in(ast::Node node, const Property* property) {
+  // If the value is still missing, the names are visible where it will be.
+  const Block scope(*this, node.is_broken() ? scope_end_ : node.span().end);
+  const std::size_t mark = code_.mark(), first_slot = code_.reserve();
+  std::uint32_t result = kNothing;
+  for (const ast::Node part : node.children()) {
+    if (part.is(SyntaxKind::Binding)) {
+      const auto value = ast::expression_of(part);
+      record_rest(part, value);
+      const std::string_view declaring = std::exchange(declaring_, ast::declared_name(part));
+      const std::uint32_t operand = value ? expression(*value) : code_.add_broken(part);
+      declaring_ = declaring;
+      const std::uint32_t slot = declare_let(part);  // one after the other
+      if (code_.mark() == first_slot + 1) code_[first_slot] = slot;
+      code_.push(operand);
+    } else {
+      result = expression(part, property);
+    }
+  }
+  code_.push(result != kNothing ? result : code_.add_broken(node));
+  return code_.add_with(Op::LetIn, node, mark);
+}
+
+std::uint32_t Resolver::comprehension(ast::Node node) {
+  // Clauses come first: a clause sees the names of those before it, the value all names.
+  const Block scope(*this, node.span().end);
+  const std::size_t mark = code_.mark();
+  code_.push(kNothing);
+  for (const ast::Node part : node.children()) {
+    if (part.is(SyntaxKind::ForClause)) {
+      code_.push(for_clause(part, node.span()));
+    } else if (part.is(SyntaxKind::IfClause)) {
+      code_.push(operands_of(part, Op::IfClause));
+    } else if (part.index() != node.index() + 1) {
+      code_.push(broken_expression(part));
+    }
+  }
+  const auto value = node.child(0);
+  const std::uint32_t element = value ? expression(*value) : code_.add_broken(node);
+  code_[mark] = element;
+  return code_.add_with(Op::Comprehension, node, mark);
+}
+
+std::uint32_t Resolver::for_clause(ast::Node node, Span scope) {
+  const auto list = node.child(1);
+  if (!list) return broken_expression(node);
+  const std::uint32_t values = expression(*list);
+  const std::size_t mark = code_.mark();
+  pattern(node, scope);
+  code_.push(values);
+  return code_.add_with(Op::ForClause, node, mark);
+}
+
 std::uint32_t Resolver::postfix(ast::Node node) {
   std::uint32_t value = kNothing;
   for (const ast::Node part : node.children()) {
@@ -137,9 +194,9 @@ std::uint32_t Resolver::reference(ast::Node node, const Property* property) {
 
   std::uint32_t value = kNothing;
   std::size_t used = 1;
-  if (const auto slot = scopes_.find(names[0])) {
-    if (is_recording()) recorder_->use_local(names[0], *slot);
-    value = code_.add(Op::Local, node, *slot);
+  if (const auto local = scopes_.find(names[0])) {
+    if (is_recording()) recorder_->use_local(names[0], *local);
+    value = local_value(node, scopes_[*local]);
   } else if (const auto own = find_declaration(module_, NameSpace::Values, names[0])) {
     if (is_recording()) recorder_->use_own(names[0], own->node);
     uses_.globals.push_back(own->index);
@@ -155,11 +212,27 @@ std::uint32_t Resolver::reference(ast::Node node, const Property* property) {
   return value;
 }
 
-/// The node as a word, or kNothing if the property does not accept this word.
+std::uint32_t Resolver::local_value(ast::Node node, const Scopes::Local& local) {
+  const std::uint32_t outwards = scopes_.frame() - local.frame;
+  if (outwards == 0) return code_.add(Op::Local, node, local.slot);
+  use_outer({.frame = local.frame, .slot = local.slot});
+  return code_.add(Op::Outer, node, local.slot, 0, static_cast<std::uint8_t>(outwards));
+}
+
+/// Whether the name is that of a variable or an import, not of a built-in value.
+bool Resolver::is_declared(std::string_view name) {
+  return scopes_.find(name) || find_declaration(module_, NameSpace::Values, name).has_value() ||
+         find_in(module_.imports, name) != nullptr;
+}
+
+/// The node as a word, or kNothing if the property does not accept this word. Where values are
+/// accepted, too, a variable wins over the name of a sphere.
 std::uint32_t Resolver::word(ast::Node node, const Property& property) {
   const std::string_view text = node.text();
   const bool is_none = property.reads_none && text == "none";
-  if (!is_none && property.type != Type::Word) return kNothing;
+  const bool is_name =
+      property.type == Type::Word || (property.type == Type::Focus && !is_declared(text));
+  if (!is_none && !is_name) return kNothing;
   if (is_recording()) recorder_->use_word(text, property);
   return is_none ? code_.add_constant(node, None{})
                  : code_.add_constant(node, Word{std::string(text)});

@@ -20,6 +20,10 @@ std::uint32_t Resolver::object(ast::Object node, bool is_top) {
   if (is_recording()) recorder_->declare_object(node);
   const std::string_view name = node.kind();
   if (name.find('.') != std::string_view::npos) return imported_object(node, is_top);
+  if (const Definition* local = find_local(NameSpace::Kinds, name)) {
+    if (is_recording()) recorder_->use_own(name, local->node);
+    return local_instance(*local, node);
+  }
   if (const auto def = find_declaration(module_, NameSpace::Kinds, name)) {
     if (is_recording()) recorder_->use_own(name, def->node);
     return instance_of(index_, def->index, node);
@@ -62,6 +66,9 @@ std::uint32_t Resolver::object_as(const UnknownNames::IntendedKind& intended, st
   if (!intended.name) return object_of_no_kind(node);
   const Guess guess(*this);
   const Module& owner = modules_.module_at(module);
+  const Definition* local =
+      module == index_ ? find_local(NameSpace::Kinds, *intended.name) : nullptr;
+  if (local != nullptr) return local_instance(*local, node);
   if (const auto def = find_declaration(owner, NameSpace::Kinds, *intended.name)) {
     return instance_of(module, def->index, node);
   }
@@ -151,12 +158,21 @@ std::uint32_t Resolver::group(const Kind& kind, ast::Object node) {
   return code_.add_statement(Action::Group, node.node, mark, kind.id);
 }
 
+std::uint32_t Resolver::local_instance(const Definition& def, ast::Object node) {
+  use_definition(def);
+  return instance_of(Action::LocalInstance, local_callee(def), def, node);
+}
+
 std::uint32_t Resolver::instance_of(std::uint32_t module, std::uint32_t index, ast::Object node) {
-  const Module& owner = modules_.module_at(module);
-  const Definition& def = owner.defs[index];
+  const Definition& def = modules_.module_at(module).defs[index];
+  return instance_of(Action::Instance, {module, index}, def, node);
+}
+
+std::uint32_t Resolver::instance_of(Action action, std::array<std::uint32_t, 2> callee,
+                                    const Definition& def, ast::Object node) {
   slots_.reset(node.kind());
   slots_.is_broken = def.is_broken;
-  slots_.def = {module, def.node};
+  slots_.def = {def.module, def.node};
   for (const Parameter& parameter : def.parameters) slots_.add_parameter(parameter);
   for (const Property& property : kind_info(ObjectKind::Group).properties) {
     // A parameter `material` replaces the property of the group.
@@ -164,14 +180,14 @@ std::uint32_t Resolver::instance_of(std::uint32_t module, std::uint32_t index, a
     slots_.add(property, is_taken ? std::string_view() : property.name);
   }
   read_properties(node);
-  if (!has_all_parameters(owner, def, node)) return kNothing;
+  if (!has_all_parameters(modules_.module_at(def.module), def, node)) return kNothing;
 
   const std::size_t mark = code_.mark();
-  code_.push({module, index, 0});
+  code_.push({callee[0], callee[1], 0});
   slots_.push_to(code_, def.parameters.size());
   code_[mark + 2] = static_cast<std::uint32_t>((code_.mark() - mark - 3) / 2);
   for (std::size_t i = 0; i < def.parameters.size(); ++i) code_.push(slots_.given[i].value);
-  return code_.add_statement(Action::Instance, node.node, mark, ObjectKind::Group);
+  return code_.add_statement(action, node.node, mark, ObjectKind::Group);
 }
 
 bool Resolver::has_all_parameters(const Module& owner, const Definition& def, ast::Object node) {

@@ -9,12 +9,12 @@
 
 namespace sdlc::lang {
 
-std::uint32_t Resolver::resolve_statement(ast::Node node, Code& code, std::uint32_t& frame_size) {
+std::uint32_t Resolver::resolve_statement(ast::Node node, Code& code) {
   code_.write_to(code);
   uses_.clear();
   scopes_.reset_frame_size();
   const std::uint32_t index = statement(node, true);
-  frame_size = scopes_.frame_size();
+  code.frame_size = scopes_.frame_size();
   code_.write_to(module_.code);
   return index;
 }
@@ -22,12 +22,17 @@ std::uint32_t Resolver::resolve_statement(ast::Node node, Code& code, std::uint3
 std::uint32_t Resolver::resolve_expression() {
   const ast::Node file(module_.tree, 0);
   const auto value = file.child(0);
-  return value ? expression(*value) : code_.add_broken(file);
+  scopes_.reset_frame_size();
+  const std::uint32_t index = value ? expression(*value) : code_.add_broken(file);
+  module_.code.frame_size = scopes_.frame_size();
+  return index;
 }
 
 std::uint32_t Resolver::resolve_value(ast::Node value, const Property* property, Code& code) {
   code_.write_to(code);
+  scopes_.reset_frame_size();
   const std::uint32_t index = expression(value, property);
+  code.frame_size = scopes_.frame_size();
   code_.write_to(module_.code);
   return index;
 }
@@ -42,10 +47,12 @@ std::uint32_t Resolver::statement(ast::Node node, bool is_top) {
     case SyntaxKind::Assert: return assert_statement(node);
     case SyntaxKind::Include: return include_statement(node);
     case SyntaxKind::Property: return property_outside({node}, is_top);
-    case SyntaxKind::Import:
-    case SyntaxKind::Param:
     case SyntaxKind::Fn:
     case SyntaxKind::Def:
+      if (!is_top) local_definition(node);
+      return kNothing;
+    case SyntaxKind::Import:
+    case SyntaxKind::Param:
       if (is_top) return kNothing;
       top_level_only(node);
       record_misplaced_declaration(node);
@@ -94,18 +101,22 @@ std::uint32_t Resolver::let_statement(ast::Node node) {
   declaring_ = name;
   const std::uint32_t result = value ? expression(*value) : code_.add_broken(node);
   declaring_ = {};
+  const std::size_t mark = code_.mark();
+  code_.push({declare_let(node), result});
+  return code_.add_statement(Action::Let, node, mark);
+}
+
+std::uint32_t Resolver::declare_let(ast::Node node) {
+  const std::string_view name = ast::declared_name(node);
   const auto known = !name.empty() ? scopes_.find(name) : std::nullopt;
   if (known && scopes_.is_innermost(*known)) {
     sink_.report(diag::duplicate, node.first(SyntaxKind::Name)->location(), "value", name);
   }
-  const std::size_t mark = code_.mark();
-  const std::uint32_t slot = declare_local({.kind = SymbolKind::Let,
-                                            .is_local = true,
-                                            .node = node.index(),
-                                            .name = name,
-                                            .scope = {node.span().end, scope_end_}});
-  code_.push({slot, result});
-  return code_.add_statement(Action::Let, node, mark);
+  return declare_local({.kind = SymbolKind::Let,
+                        .is_local = true,
+                        .node = node.index(),
+                        .name = name,
+                        .scope = {node.span().end, scope_end_}});
 }
 
 std::uint32_t Resolver::for_statement(ast::Node node) {
@@ -117,14 +128,35 @@ std::uint32_t Resolver::for_statement(ast::Node node) {
   const std::uint32_t values = expression(*list);
   const Block scope(*this, ast::end_of_inside(*body));
   const std::size_t mark = code_.mark();
-  const std::uint32_t slot = declare_local({.kind = SymbolKind::LoopVariable,
-                                            .is_local = true,
-                                            .node = node.index(),
-                                            .name = ast::declared_name(node),
-                                            .scope = {body->span().begin, scope_end_}});
-  code_.push({slot, values});
+  pattern(node, {body->span().begin, scope_end_});
+  code_.push(values);
   block(*body);
   return code_.add_statement(Action::For, node, mark);
+}
+
+void Resolver::pattern(ast::Node loop, Span scope) {
+  const ast::LoopNames names = ast::names_of_loop(loop);
+  std::uint32_t first = kNothing;
+  for (std::size_t i = 0; i < names.all.size(); ++i) {
+    const ast::Node name = names.all[i];
+    const auto same =
+        std::ranges::find(names.all.begin(), names.all.begin() + i, name.text(), &ast::Node::text);
+    const bool is_duplicate = same != names.all.begin() + i && name.text() != "_";
+    if (is_duplicate) {
+      sink_.report(diag::duplicate, name.location(), "loop variable", name.text())
+          .label(same->location(), "first declared here");
+    }
+    const std::uint32_t slot = declare_local({.kind = SymbolKind::LoopVariable,
+                                              .is_local = true,
+                                              .is_duplicate = is_duplicate,
+                                              .node = name.index(),
+                                              .owner = loop.index(),
+                                              .name = name.text(),
+                                              .scope = scope});
+    if (first == kNothing) first = slot;
+  }
+  if (first == kNothing) first = declare_local({.kind = SymbolKind::LoopVariable});
+  code_.push({first, names.has_index, static_cast<std::uint32_t>(names.part_count())});
 }
 
 std::uint32_t Resolver::if_statement(ast::Node node) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "lang/ast/ast.hpp"
 #include "lang/code/code_builder.hpp"
@@ -37,13 +39,12 @@ class Resolver {
 
   /// Resolves the declarations of the file's top level into its Module.
   void resolve_declarations();
-  /// Resolves another statement of the top level into `code`. Returns its index there, or kNothing;
-  /// `frame_size`: the number of slots of its frame.
-  std::uint32_t resolve_statement(ast::Node statement, Code& code, std::uint32_t& frame_size);
+  /// Resolves another statement of the top level into `code`. Returns its index there, or kNothing.
+  std::uint32_t resolve_statement(ast::Node statement, Code& code);
   /// Resolves a file that is one expression. Returns its index in the Module's code.
   std::uint32_t resolve_expression();
-  /// Resolves an expression that uses no locals, as the value of `property`, which may be null,
-  /// into `code`. Returns its index there.
+  /// Resolves an expression that uses no locals but its own, as the value of `property`, which may
+  /// be null, into `code`. Returns its index there.
   std::uint32_t resolve_value(ast::Node value, const Property* property, Code& code);
   /// Resolves every statement for the recorder. The Module does not change.
   void record_all();
@@ -58,7 +59,18 @@ class Resolver {
   // Declarations
   void resolve_global(Global& global);
   void resolve_definition(Definition& definition);
+  /// A fn or def in a block.
+  void local_definition(ast::Node statement);
+  /// The visible local fn or def with this name, or null.
+  const Definition* find_local(NameSpace space, std::string_view name) const;
+  /// Notes for the local definition being resolved, if any, that it reads a local of a frame around
+  /// its own, or uses another definition.
+  void use_outer(OuterLocal local);
+  void use_definition(const Definition& used);
+  /// The operands that a call of a local fn or an instance of a local def begins with.
+  std::array<std::uint32_t, 2> local_callee(const Definition& definition) const;
   const TypeInfo* resolve_type(ast::Node node);
+  /// Returns the slot of the local in its frame.
   std::uint32_t declare_local(Symbol symbol);
 
   // Recording
@@ -76,6 +88,8 @@ class Resolver {
   void record_broken_for(ast::Node node);
   /// The declaration of the visible value with this name, which a new local hides; or kNothing.
   NodeIndex hidden_by(std::string_view name) const;
+  /// The same for a local fn or def.
+  NodeIndex hidden_definition(NameSpace space, std::string_view name) const;
   /// A path whose first name is no import.
   void record_path(std::span<const std::string_view> names);
   /// The label of a property in this slot.
@@ -86,7 +100,11 @@ class Resolver {
   // Statements; all return the index of the statement, or kNothing
   std::uint32_t statement(ast::Node node, bool is_top);
   std::uint32_t let_statement(ast::Node node);
+  /// Declares the name of a let or binding whose value is resolved; returns its slot.
+  std::uint32_t declare_let(ast::Node node);
   std::uint32_t for_statement(ast::Node node);
+  /// Declares the names of a For or ForClause, and pushes its LoopSlots.
+  void pattern(ast::Node loop, Span scope);
   std::uint32_t if_statement(ast::Node node);
   std::uint32_t assert_statement(ast::Node node);
   std::uint32_t include_statement(ast::Node node);
@@ -100,6 +118,11 @@ class Resolver {
   std::uint32_t imported_object(ast::Object node, bool is_top);
   std::uint32_t object_of(const Kind& kind, ast::Object node);
   std::uint32_t group(const Kind& kind, ast::Object node);
+  /// `callee`: the first operands of the Instance or LocalInstance.
+  std::uint32_t instance_of(Action action, std::array<std::uint32_t, 2> callee,
+                            const Definition& def, ast::Object node);
+  std::uint32_t local_instance(const Definition& def, ast::Object node);
+  /// Of a def of a top level.
   std::uint32_t instance_of(std::uint32_t module, std::uint32_t def, ast::Object node);
   bool has_all_parameters(const Module& owner, const Definition& def, ast::Object node);
   std::uint32_t object_as(const UnknownNames::IntendedKind& intended, std::uint32_t module,
@@ -126,8 +149,13 @@ class Resolver {
   std::uint32_t string(ast::Node node);
   std::uint32_t number(ast::Node node);
   std::uint32_t conditional(ast::Node node, const Property* property);
+  std::uint32_t let_in(ast::Node node, const Property* property);
+  std::uint32_t comprehension(ast::Node node);
+  std::uint32_t for_clause(ast::Node node, Span scope);
   std::uint32_t postfix(ast::Node node);
   std::uint32_t reference(ast::Node node, const Property* property);
+  std::uint32_t local_value(ast::Node node, const Scopes::Local& local);
+  bool is_declared(std::string_view name);
   std::uint32_t word(ast::Node node, const Property& property);
   std::uint32_t imported_value(ast::Node node, const Import& import,
                                std::span<const std::string_view> names);
@@ -141,12 +169,16 @@ class Resolver {
   std::uint32_t function_call(std::uint32_t module, std::uint32_t function, ast::Call call);
   std::uint32_t constructor_call(const Constructor& constructor, ast::Call call);
   std::uint32_t builtin_call(const Builtin& builtin, ast::Call call);
+  struct BuiltinArguments;
+  void builtin_argument(BuiltinArguments& arguments, ast::Node argument);
+  void builtin_option(BuiltinArguments& arguments, ast::Labeled argument);
+  std::size_t unknown_option(BuiltinArguments& arguments, ast::Labeled argument);
   // T: Property of a constructor, Parameter of a fn
   template <typename T>
   struct Binding;
   template <typename T>
   std::uint32_t call_of(Op op, std::span<const std::uint32_t> callee, std::span<const T> parameters,
-                        ast::Call call);
+                        ast::Call call, const Definition* function = nullptr);
   bool has_swapped_color(ast::Call call, std::span<const Property> parameters);
   template <typename T>
   void bind_argument(Binding<T>& binding, ast::Node argument);
@@ -164,6 +196,9 @@ class Resolver {
   SymbolRecorder* recorder_;
   CodeBuilder code_;
   Scopes scopes_;
+  Scopes functions_, kinds_;                                      // local fns and defs
+  std::vector<const Definition*> local_functions_, local_kinds_;  // by index in those
+  Definition* definition_ = nullptr;                              // the local one being resolved
   UnknownNames unknown_;
   std::uint32_t scope_end_ = 0;  // of the innermost block
   bool is_guess_ = false;
@@ -179,6 +214,8 @@ class Resolver::Block {
  public:
   Block(Resolver& resolver, std::uint32_t end)
       : block_(resolver.scopes_),
+        functions_(resolver.functions_),
+        kinds_(resolver.kinds_),
         scope_end_(resolver.scope_end_),
         outer_end_(std::exchange(resolver.scope_end_, end)) {}
   ~Block() { scope_end_ = outer_end_; }
@@ -186,7 +223,7 @@ class Resolver::Block {
   Block& operator=(const Block&) = delete;
 
  private:
-  Scopes::Block block_;
+  Scopes::Block block_, functions_, kinds_;
   std::uint32_t& scope_end_;
   std::uint32_t outer_end_;
 };

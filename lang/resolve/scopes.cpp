@@ -16,15 +16,17 @@ std::optional<std::uint32_t> Scopes::find(std::string_view name) const {
 }
 
 std::uint32_t Scopes::declare(std::string_view name) {
-  const auto slot = static_cast<std::uint32_t>(locals_.size());
+  const auto index = static_cast<std::uint32_t>(locals_.size());
   std::uint32_t hidden = kNone;
-  if (slot >= kMaxLinear) {
-    const auto [known, is_new] = by_name_.try_emplace(name, slot);
-    if (!is_new) hidden = std::exchange(known->second, slot);
+  if (index >= kMaxLinear) {
+    const auto [known, is_new] = by_name_.try_emplace(name, index);
+    if (!is_new) hidden = std::exchange(known->second, index);
   }
-  locals_.push_back({.name = name, .hidden = hidden});
+  const std::uint32_t next = index == frame_begin_ ? 0 : locals_.back().slot + 1;
+  const std::uint32_t slot = std::max(next, reserved_);
+  locals_.push_back({.name = name, .frame = frame_, .slot = slot, .hidden = hidden});
   frame_size_ = std::max(frame_size_, slot + 1);
-  return slot;
+  return index;
 }
 
 void Scopes::leave(std::size_t size) {

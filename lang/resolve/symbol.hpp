@@ -41,7 +41,7 @@ enum class NameSpace : std::uint8_t {
 };
 
 /// Identifies a symbol of a program by its file and the node that declares it: a statement, a
-/// Parameter or an Object. Valid for the program whose modules it indexes.
+/// Parameter, an Object or the Name of a loop. Valid for the program whose modules it indexes.
 struct SymbolId {
   static constexpr std::uint32_t kBuiltinFile = 0xFFFFFFFE;
 
@@ -56,10 +56,10 @@ struct SymbolId {
 /// A symbol that a file declares.
 struct Symbol {
   SymbolKind kind = SymbolKind::Let;
-  bool is_local = false;      ///< in a block: a let or a loop variable
+  bool is_local = false;      ///< in a block or a value: any but a parameter
   bool is_duplicate = false;  ///< the scope already has a declaration of the name
   NodeIndex node = 0;         ///< the declaration
-  NodeIndex owner = 0;        ///< of a parameter: the fn or def
+  NodeIndex owner = 0;        ///< of a parameter: the fn or def; of a loop variable: the loop
   std::string_view name;
   Span where = {};             ///< the name in the declaration
   Span scope = {};             ///< where it is visible; empty for objects and duplicates

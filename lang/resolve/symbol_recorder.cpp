@@ -39,7 +39,10 @@ void SymbolRecorder::use_word(std::string_view word, const Property& property) {
   if (!wants_all_) return;
   const SymbolId symbol = find_builtin_symbol(SymbolKind::Word, word, &property);
   if (symbol.is_known()) return use(word, symbol);
-  if (property.words.empty()) camera_names_.push_back(uses_.size());
+  if (property.words.empty()) {
+    const bool is_sphere = property.type == Type::Focus;
+    labels_.push_back({.use = uses_.size(), .kind = is_sphere ? "sphere" : "camera"});
+  }
   use_unknown(word, NameSpace::Words);
 }
 
@@ -49,14 +52,14 @@ void SymbolRecorder::use_unknown(std::string_view name, NameSpace space, SymbolI
   unknown_.push_back({.where = place(name), .space = space, .owner = owner});
 }
 
-void SymbolRecorder::find_cameras() {
-  for (const std::size_t use : camera_names_) {
+void SymbolRecorder::find_labels() {
+  for (const auto& [use, kind] : labels_) {
     Occurrence& occurrence = uses_[use];
     for (const Symbol& symbol : symbols_) {
-      const bool is_camera = symbol.kind == SymbolKind::Object &&
-                             ast::Node(tree_, symbol.node).head() == "camera" &&
-                             symbol.name == tree_.text(occurrence.where);
-      if (is_camera) occurrence.symbol = {file_, symbol.node};
+      const bool is_named = symbol.kind == SymbolKind::Object &&
+                            ast::Node(tree_, symbol.node).head() == kind &&
+                            symbol.name == tree_.text(occurrence.where);
+      if (is_named) occurrence.symbol = {file_, symbol.node};
     }
     if (!occurrence.symbol.is_known()) continue;
     std::erase_if(unknown_, [&](const UnknownName& u) { return u.where == occurrence.where; });
@@ -64,7 +67,7 @@ void SymbolRecorder::find_cameras() {
 }
 
 SymbolTable SymbolRecorder::finish() {
-  find_cameras();
+  find_labels();
   const auto begin = [](const Occurrence& occurrence) { return occurrence.where.begin; };
   // The walk follows the text, except around errors.
   if (!std::ranges::is_sorted(symbols_, {}, &Symbol::node)) {

@@ -41,7 +41,7 @@ class SymbolRecorder {
   SymbolTable finish();
 
  private:
-  void find_cameras();
+  void find_labels();
 
   const SyntaxTree& tree_;
   std::uint32_t file_;
@@ -49,7 +49,12 @@ class SymbolRecorder {
   std::vector<NodeIndex> locals_;  // by slot
   std::vector<Symbol> symbols_;
   std::vector<Occurrence> uses_;
-  std::vector<std::size_t> camera_names_;  // uses of cameras, which may be declared later
+  /// A use of the name of an object of this kind, which may be declared later.
+  struct Label {
+    std::size_t use;
+    std::string_view kind;
+  };
+  std::vector<Label> labels_;
   std::vector<UnknownName> unknown_;
 };
 

@@ -87,12 +87,19 @@ std::vector<const Symbol*> SymbolTable::visible(std::uint32_t offset, NameSpace 
   return found;
 }
 
-std::span<const Symbol> SymbolTable::parameters_of(NodeIndex owner) const noexcept {
-  const auto begin = std::ranges::upper_bound(symbols_, owner, {}, &Symbol::node);
-  const auto end = std::find_if(begin, symbols_.end(), [&](const Symbol& symbol) {
-    return symbol.kind != SymbolKind::Parameter || symbol.owner != owner;
-  });
-  return {begin, end};
+std::vector<Symbol> SymbolTable::parameters_of(NodeIndex owner) const {
+  std::vector<Symbol> parameters;
+  NodeIndex end = owner + 1;  // of the last parameter, whose default may declare names too
+  auto symbol = std::ranges::upper_bound(symbols_, owner, {}, &Symbol::node);
+  for (; symbol != symbols_.end(); ++symbol) {
+    if (symbol->kind == SymbolKind::Parameter && symbol->owner == owner) {
+      parameters.push_back(*symbol);
+      end = symbol->node + (*tree_)[symbol->node].extent;
+    } else if (symbol->node >= end) {
+      break;
+    }
+  }
+  return parameters;
 }
 
 std::string SymbolTable::documentation_of(const Symbol& symbol) const {

@@ -53,7 +53,7 @@ class SymbolTable {
   /// are omitted.
   std::vector<const Symbol*> visible(std::uint32_t offset, NameSpace space) const;
   /// The parameters of a fn or def.
-  std::span<const Symbol> parameters_of(NodeIndex owner) const noexcept;
+  std::vector<Symbol> parameters_of(NodeIndex owner) const;
   /// The text of the `///` comments before the declaration, without the slashes.
   std::string documentation_of(const Symbol& symbol) const;
 

@@ -8,6 +8,7 @@
 #include "lang/ast/statements.hpp"
 #include "lang/resolve/builtin_symbols.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/source/data_format.hpp"
 #include "lang/value/builtins.hpp"
 #include "lang/value/constructors.hpp"
 
@@ -34,9 +35,15 @@ class TypeInference {
         const auto value = ast::expression_of(node);
         return value ? of_expression(id.file, *value) : Name();
       }
+      case SymbolKind::Import: {
+        const auto path = node.first(SyntaxKind::String);
+        if (!path) return {};
+        const Name text = path->text();
+        const bool is_data = text.size() > 1 && data_format_of(text.substr(1, text.size() - 2));
+        return is_data ? "list" : Name();
+      }
       case SymbolKind::LoopVariable: {
-        const auto list = node.child(1);
-        return list ? of_element(id.file, *list) : Name();
+        return of_loop_variable(id.file, *symbol);
       }
       default: return {};
     }
@@ -51,6 +58,15 @@ class TypeInference {
   }
 
  private:
+  /// Nothing is known of parts: a list has one type of elements, a row several.
+  Name of_loop_variable(std::uint32_t file, const Symbol& symbol) {
+    const ast::Node loop(index_.table(file).tree(), symbol.owner);
+    const ast::LoopNames names = ast::names_of_loop(loop);
+    if (names.has_index && names.all[0].index() == symbol.node) return "number";
+    const auto list = loop.child(1);
+    return list && !names.takes_apart ? of_element(file, *list) : Name();
+  }
+
   /// References may be long chains, and cyclic in files with errors.
   bool is_exhausted() {
     constexpr int kMaxSteps = 1000, kMaxDepth = 100;
@@ -92,7 +108,8 @@ class TypeInference {
       case SyntaxKind::Or:
       case SyntaxKind::Comparison: return "bool";
       case SyntaxKind::Interval: return "interval";
-      case SyntaxKind::List: return "list";
+      case SyntaxKind::List:
+      case SyntaxKind::Comprehension: return "list";
       case SyntaxKind::Triple: return of_child(file, node, 0) == "angle" ? "angles" : "vec3";
       case SyntaxKind::Power: return "number";
       case SyntaxKind::Group:
@@ -100,6 +117,13 @@ class TypeInference {
       case SyntaxKind::Sum: return of_sum(file, node);
       case SyntaxKind::Postfix: return of_postfix(file, node);
       case SyntaxKind::Conditional: return of_child(file, node, 1);
+      case SyntaxKind::LetIn: {
+        Name type;
+        for (const ast::Node part : node.children()) {
+          if (!part.is(SyntaxKind::Binding)) type = of_expression(file, part);
+        }
+        return type;
+      }
       case SyntaxKind::Product: return of_product(file, node);
       case SyntaxKind::Call: return of_call(file, node);
       case SyntaxKind::Reference: return of_reference(file, node);
@@ -136,7 +160,9 @@ class TypeInference {
   Name of_postfix(std::uint32_t file, ast::Node node) {
     const auto operand = node.child(0), postfix = node.child(1);
     if (!operand || !postfix || node.child(2)) return {};
-    if (postfix->is(SyntaxKind::Index)) return of_element(file, *operand);
+    if (postfix->is(SyntaxKind::Index)) {
+      return of_child(file, *postfix, 0) == "list" ? "list" : of_element(file, *operand);
+    }
     return of_component(of_expression(file, *operand));
   }
 
@@ -163,12 +189,31 @@ class TypeInference {
 
   Name of_element(std::uint32_t file, ast::Node list) {
     if (is_exhausted()) return {};
-    if (list.is(SyntaxKind::List)) return of_child(file, list, 0);
-    if (list.is(SyntaxKind::Call)) return list.head() == "range" ? "number" : Name();
+    if (list.is(SyntaxKind::List)) return of_all(file, list);
+    if (list.is(SyntaxKind::Comprehension)) return of_child(file, list, 0);
+    if (list.is(SyntaxKind::Call)) return of_element_of_call(file, list);
     if (!list.is(SyntaxKind::Reference)) return {};
     const Occurrence* name = last_name(file, list.span());
     if (name == nullptr || name->where.end != list.span().end) return {};
     return of_elements(name->symbol);
+  }
+
+  Name of_element_of_call(std::uint32_t file, ast::Node call) {
+    if (call.head() == "range") return of_child(file, call, 0);
+    const auto list = call.child(0);
+    const bool keeps_elements = call.head() == "sort" || call.head() == "reverse";
+    return keeps_elements && list ? of_element(file, *list) : Name();
+  }
+
+  /// The type of the children if they have one.
+  Name of_all(std::uint32_t file, ast::Node node) {
+    Name type;
+    for (const ast::Node child : node.children()) {
+      const Name next = of_expression(file, child);
+      if (next.empty() || (!type.empty() && next != type)) return {};
+      type = next;
+    }
+    return type;
   }
 
   /// The last name in a path that has a symbol; components may follow it.

@@ -23,6 +23,10 @@
 namespace sdlc::lang {
 namespace {
 
+void add_names(const Scopes& locals, std::vector<std::string_view>& names) {
+  for (std::uint32_t i = 0; i < locals.size(); ++i) names.push_back(locals[i].name);
+}
+
 /// The name of a library function or constant of other languages: `pi` for `math.PI`.
 std::string member_of_library(std::string_view path) {
   return lower_case(path.substr(path.rfind('.') + 1));
@@ -129,8 +133,7 @@ std::vector<std::string_view> UnknownNames::known_values(std::uint32_t use,
                                                          std::string_view declaring) {
   std::vector<std::string_view> known;
   if (const Misspelling* misspelling = find_misspelling(use)) known.push_back(misspelling->name);
-  for (std::uint32_t slot = 0; slot < scopes_.size(); ++slot)
-    known.push_back(scopes_.name_of(slot));
+  add_names(locals_.values, known);
   for (const Global& global : module_.globals) {
     if (global.name != declaring) known.push_back(global.name);
   }
@@ -168,7 +171,7 @@ void UnknownNames::report_value(ast::Node reference, std::string_view name,
   }
   const auto habit = find_habit(HabitPlace::Name, name);
   auto nearest = intended_name(habit, name, known_values(begin, excluded.declaring));
-  const bool is_color = nearest && find_named_color(*nearest) && !scopes_.find(*nearest) &&
+  const bool is_color = nearest && find_named_color(*nearest) && !locals_.values.find(*nearest) &&
                         !module_.global_names.contains(*nearest);
   if (is_color && reference.span() == excluded.no_color) nearest = std::nullopt;
   report.suggest(nearest);
@@ -210,6 +213,7 @@ std::optional<std::string_view> UnknownNames::report_function(ast::Call call) {
     return std::nullopt;
   }
   std::vector<std::string_view> known = names_of(module_.functions);
+  add_names(locals_.functions, known);
   for (const Constructor& constructor : all_constructors()) known.push_back(constructor.name);
   for (const Builtin& builtin : all_builtins()) known.push_back(builtin.name);
   const auto habit = find_habit(HabitPlace::Callee, callee);
@@ -218,10 +222,10 @@ std::optional<std::string_view> UnknownNames::report_function(ast::Call call) {
       sink_.report(diag::unknown_function, call.callee_location(), callee).suggest(nearest);
   if (habit) report.help_if(habit->help);
   label_unused(report, begin, nearest);
-  if (scopes_.find(callee) || module_.global_names.contains(callee)) {
+  if (locals_.values.find(callee) || module_.global_names.contains(callee)) {
     report.help(
         fmt::format("`{0}` is a value, not a function; an element of a list is `{0}[0]`", callee));
-  } else if (module_.def_names.contains(callee)) {
+  } else if (locals_.kinds.find(callee) || module_.def_names.contains(callee)) {
     report.help(fmt::format("`{0}` is a kind of object; write `{0} {{ … }}`", callee));
   }
   return nearest;
@@ -266,13 +270,14 @@ UnknownNames::IntendedKind UnknownNames::report_kind(ast::Object object,
   if (!is_own) return {.name = suggest_member(report, path, module, NameSpace::Kinds)};
   if (!may_suggest(module.defs.size())) return {};
   std::vector<std::string_view> known = names_of(module.defs);
+  add_names(locals_.kinds, known);
   for (const Kind& kind : all_kinds()) known.push_back(kind.name);
   const auto habit = find_habit(HabitPlace::Kind, object.kind());
   const auto nearest = report.is_kept() ? intended_name(habit, object.kind(), known) : std::nullopt;
   if (habit) report.help_if(habit->help);
   report.suggest(nearest);
   label_unused(report, begin, nearest);
-  if (module_.function_names.contains(object.kind())) {
+  if (locals_.functions.find(object.kind()) || module_.function_names.contains(object.kind())) {
     report.help(fmt::format("`{}` is a function; `def` declares a kind of object", object.kind()));
   }
   return {.name = nearest};
@@ -281,7 +286,8 @@ UnknownNames::IntendedKind UnknownNames::report_kind(ast::Object object,
 UnknownNames::IntendedProperty UnknownNames::report_property(
     ast::Labeled property, std::string_view kind_name, std::span<const std::string_view> names,
     bool is_broken) {
-  const bool is_own = module_.def_names.contains(kind_name);
+  const bool is_own =
+      module_.def_names.contains(kind_name) || locals_.kinds.find(kind_name).has_value();
   const Kind* kind = is_own ? nullptr : find_kind(kind_name);
   const auto habit = kind != nullptr ? property_habit(*kind, property.label())
                                      : find_habit(HabitPlace::GroupProperty, property.label());

@@ -23,11 +23,16 @@ std::optional<std::string_view> intended_name(const std::optional<Habit>& habit,
 /// intended one, which the caller resolves instead.
 class UnknownNames {
  public:
-  UnknownNames(Modules& modules, std::uint32_t module, const Scopes& scopes, DiagnosticSink& sink)
+  /// What is visible in blocks, beside the declarations of the file.
+  struct Locals {
+    const Scopes &values, &functions, &kinds;
+  };
+
+  UnknownNames(Modules& modules, std::uint32_t module, Locals locals, DiagnosticSink& sink)
       : modules_(modules),
         index_(module),
         module_(modules.module_at(module)),
-        scopes_(scopes),
+        locals_(locals),
         sink_(sink) {}
 
   /// Values that are not suggested.
@@ -87,7 +92,7 @@ class UnknownNames {
   Modules& modules_;
   std::uint32_t index_;
   Module& module_;
-  const Scopes& scopes_;
+  Locals locals_;
   DiagnosticSink& sink_;
 };
 

@@ -15,6 +15,7 @@ std::string_view describe(Type type) noexcept {
     case Type::Color: return "a colour";
     case Type::Interval: return "an interval a .. b";
     case Type::Frames: return "an interval of frames";
+    case Type::Focus: return "a distance, a point or the name of a sphere";
     case Type::Word: return "a word";
     case Type::Material: return "a material";
     case Type::Motion: return "a motion";
@@ -33,6 +34,8 @@ std::string_view describe(Range range) noexcept {
     case Range::Fraction: return "from 0 to 100%";
     case Range::PositiveFraction: return "greater than 0 and at most 100%";
     case Range::Kelvin: return "from 1667 to 25000";
+    case Range::UpToHundred: return "from 0 to 100";
+    case Range::Octaves: return "from 1 to 32";
     case Range::BetweenZeroAndHalfTurn: return "greater than 0 and less than 180 degrees";
   }
   return "";

@@ -57,6 +57,11 @@ constexpr auto kCameraProperties = std::to_array<Property>({
      .reads_none = true,
      .doc = "The times at which the shutter opens and closes, relative to the frame's `time`; "
             "`none`: nothing moves."},
+    defaulted("aperture", Type::Length, Range::NonNegative, 0.0, "0",
+              "Diameter of the lens, in metres; 0: a pinhole, with everything in focus."),
+    optional("focus", Type::Focus, Range::Positive,
+             "What is in focus: a distance along the view axis, a point, or the name of a sphere; "
+             "default: the distance of `at`."),
 });
 static_assert(kCameraProperties.size() == camera_property::kCount);
 
@@ -93,7 +98,11 @@ constexpr auto kRenderProperties = std::to_array<Property>({
     optional("output", Type::String, Range::Any,
              "The picture's file; the extension selects the format."),
     choice("tone", render::kToneWords, "srgb",
-           "Tone curve of png, jpg and other 8-bit pictures; exr and hdr stay linear."),
+           "Tone curve of png, jpg and other 8-bit pictures; exr and hdr stay linear. neutral: "
+           "compresses highlights and keeps their hue."),
+    defaulted("exposure", Type::Number, Range::Any, 0.0, "0",
+              "Brightness of 8-bit pictures in stops: radiance is multiplied by 2^exposure before "
+              "the tone curve."),
     optional("camera", Type::Word, Range::Any, "Which camera to use, if there are several."),
     defaulted("seed", Type::WholeNumber, Range::NonNegativeExact, 0.0, "0",
               "Seed of the random numbers: another seed gives other noise."),

@@ -25,6 +25,7 @@ enum class Type : std::uint8_t {
   Color,
   Interval,  ///< two times in seconds
   Frames,    ///< two whole numbers
+  Focus,     ///< a distance, a point or the name of a sphere
   Word,      ///< one of the property's words, or any name
   Material,
   Motion,
@@ -44,6 +45,8 @@ enum class Range : std::uint8_t {
   Fraction,                ///< 0 to 1
   PositiveFraction,        ///< greater than 0, at most 1
   Kelvin,                  ///< 1667 to 25000, where the fit of black-body colours is valid
+  UpToHundred,             ///< 0 to 100
+  Octaves,                 ///< 1 to 32
   BetweenZeroAndHalfTurn,  ///< both ends excluded
 };
 
@@ -100,7 +103,18 @@ const MaterialInfo& material_info(MaterialKind kind) noexcept;
 /// The row numbers of properties in the tables of lang/schema/kinds.cpp, which are also the indices
 /// of their slots in an Object.
 namespace camera_property {
-enum : std::size_t { kFrom, kAt, kUp, kFov, kViewHeight, kAspect, kShutter, kCount };
+enum : std::size_t {
+  kFrom,
+  kAt,
+  kUp,
+  kFov,
+  kViewHeight,
+  kAspect,
+  kShutter,
+  kAperture,
+  kFocus,
+  kCount
+};
 }
 namespace background_property {
 enum : std::size_t { kColor, kBottom, kTop, kCount };
@@ -116,6 +130,7 @@ enum : std::size_t {
   kDepth,
   kOutput,
   kTone,
+  kExposure,
   kCamera,
   kSeed,
   kThreads,

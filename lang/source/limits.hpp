@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,13 +11,6 @@ namespace sdlc::lang {
 
 /// Nested brackets, prefixes and conditionals, in both formats. It bounds the recursion over trees.
 inline constexpr int kMaxNesting = 128;
-
-/// Nested calls of user-defined functions.
-inline constexpr int kMaxCalls = 128;
-
-/// Nested expressions and statements during evaluation, through calls and instances: a bound on the
-/// machine's stack.
-inline constexpr int kMaxEvaluationDepth = 2000;
 
 /// Steps of work. A step is about 10 nanoseconds, the time of an operation on two numbers; longer
 /// work counts in proportion to its time. `bench/hostile.py` measures whether the counts are right.
@@ -36,13 +30,15 @@ struct Limits {
   std::uint64_t steps = 100'000'000;                ///< of work: about a second
   std::uint64_t memory = std::uint64_t{1} << 30;    ///< bytes of all values and objects
   std::uint64_t objects = 100'000'000;              ///< spheres and instances
+  std::uint64_t calls = 10'000;                     ///< nested calls of fns and instances of defs
   std::uint64_t string = std::uint64_t{1} << 20;    ///< bytes of one string
   std::uint64_t include_depth = 32;                 ///< nested imports and includes
   std::uint64_t file = std::uint64_t{32} << 20;     ///< bytes of one .scene file
   std::uint64_t config = std::uint64_t{256} << 20;  ///< bytes of one JSON config
+  std::uint64_t data = std::uint64_t{256} << 20;    ///< bytes of one data file
 
   /// For a file of unknown format.
-  constexpr std::uint64_t any_file() const noexcept { return file > config ? file : config; }
+  constexpr std::uint64_t any_file() const noexcept { return std::max({file, config, data}); }
 };
 
 /// A row of the table of limits.
@@ -52,17 +48,19 @@ struct LimitInfo {
   std::string_view doc;
 };
 
-inline constexpr std::array<LimitInfo, 7> kLimits{{
+inline constexpr std::array<LimitInfo, 9> kLimits{{
     {"steps", &Limits::steps,
      "steps of one evaluation, about 10 nanoseconds each: operations, calls, iterations of loops, "
      "elements of lists, bytes of strings; each sphere allows a hundred-thousandth more"},
     {"memory", &Limits::memory,
-     "bytes of all strings, lists, spheres and instances; a sphere takes 64"},
+     "bytes of all strings, lists, spheres and instances, and of deep calls; a sphere takes 64"},
     {"objects", &Limits::objects, "spheres of a scene; an instance of several counts as 3"},
+    {"calls", &Limits::calls, "calls of functions and instances of kinds inside each other"},
     {"string", &Limits::string, "bytes of one string"},
     {"include-depth", &Limits::include_depth, "nested imports and includes"},
     {"file", &Limits::file, "bytes of one .scene file"},
     {"config", &Limits::config, "bytes of one JSON config"},
+    {"data", &Limits::data, "bytes of one data file"},
 }};
 
 }  // namespace sdlc::lang

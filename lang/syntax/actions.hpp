@@ -23,8 +23,11 @@ template <> struct Build<grammar::fn>               : Node<SyntaxKind::Fn, 'f'> 
 template <> struct Build<grammar::def_name>         : Leaf<SyntaxKind::Name> {};
 template <> struct Build<grammar::def>              : Node<SyntaxKind::Def, 'd'> {};
 template <> struct Build<grammar::assert_>          : Node<SyntaxKind::Assert, 'a'> {};
-template <> struct Build<grammar::for_name>         : Leaf<SyntaxKind::Name> {};
 template <> struct Build<grammar::for_>             : Node<SyntaxKind::For, 'f'> {};
+template <> struct Build<grammar::pattern_name>     : Leaf<SyntaxKind::Name> {};
+template <> struct Build<grammar::pattern_inside>   : Nest<Opener::Bracket, 1> {};
+template <> struct Build<grammar::pattern_row>      : Node<SyntaxKind::RowPattern, '('> {};
+template <> struct Build<grammar::pattern>          : Node<SyntaxKind::Pattern> {};
 template <> struct Build<grammar::if_>              : Node<SyntaxKind::If, 'i'> {};
 template <> struct Build<grammar::object_name>      : Leaf<SyntaxKind::Name> {};
 template <> struct Build<grammar::object>           : Node<SyntaxKind::Object> {};
@@ -36,6 +39,9 @@ template <> struct Build<grammar::argument_head>    : LabelHead {};
 template <> struct Build<grammar::argument_labeled> : Node<SyntaxKind::Argument> {};
 template <> struct Build<grammar::conditional_inside> : Nest<Opener::Word, 2> {};
 template <> struct Build<grammar::conditional>      : Node<SyntaxKind::Conditional, 'i'> {};
+template <> struct Build<grammar::let_in_inside>    : Nest<Opener::Word, 3> {};
+template <> struct Build<grammar::binding_name>     : Leaf<SyntaxKind::Name> {};
+template <> struct Build<grammar::binding>          : Node<SyntaxKind::Binding> {};
 template <> struct Build<grammar::conjunction>      : Chain<SyntaxKind::And> {};
 template <> struct Build<grammar::negation_inside>  : Nest<Opener::Word, 3> {};
 template <> struct Build<grammar::negation_not>     : Node<SyntaxKind::Not, 'n'> {};
@@ -57,7 +63,8 @@ template <> struct Build<grammar::operand_postfix>  : Chain<SyntaxKind::Postfix>
 template <> struct Build<grammar::path>             : Head {};
 template <> struct Build<grammar::parenthesis_inside> : Nest<Opener::Bracket, 1> {};
 template <> struct Build<grammar::list_inside>      : Nest<Opener::Bracket, 1> {};
-template <> struct Build<grammar::list>             : Node<SyntaxKind::List, '['> {};
+template <> struct Build<grammar::for_clause>       : Node<SyntaxKind::ForClause, 'f'> {};
+template <> struct Build<grammar::if_clause>        : Node<SyntaxKind::IfClause, 'i'> {};
 template <> struct Build<grammar::literal_true>     : LexicalLeaf<SyntaxKind::True> {};
 template <> struct Build<grammar::literal_false>    : LexicalLeaf<SyntaxKind::False> {};
 template <> struct Build<grammar::comment_block_inside> : Nest<Opener::Comment, 2> {};
@@ -139,6 +146,17 @@ struct Build<grammar::reference> : Node<SyntaxKind::Reference> {
     const std::uint32_t end = builder.token_end();
     if (text.substr(end, at - end).find('\n') == std::string_view::npos) return false;
     return looks_like_object(text, at);
+  }
+};
+
+/// `let … in …`, but not the statement of the next line if the value before it is missing.
+template <>
+struct Build<grammar::let_in> : Node<SyntaxKind::LetIn, 'l'> {
+  SDLC_SURROUND {
+    if (in.empty() || in.peek_char() != 'l') return false;
+    const std::uint32_t begin = builder.offset(in.current());
+    if (is_first_of_line(builder.text(), begin) && !has_in(builder.text(), begin)) return false;
+    return Node::match<Rule, A, M, Action, Ctrl>(in, builder);
   }
 };
 
@@ -224,6 +242,29 @@ struct Build<grammar::parenthesis> : pegtl::maybe_nothing {
     if (!builder.is_one_node(node.index() + 1))
       builder.node(node.index()).kind = SyntaxKind::Triple;
     return true;
+  }
+};
+
+/// A list with clauses is a comprehension.
+template <>
+struct Build<grammar::list> : pegtl::maybe_nothing {
+  SDLC_SURROUND {
+    if (in.empty() || in.peek_char() != '[') return false;
+    OpenNode node(builder, SyntaxKind::List, builder.offset(in.current()));
+    if (!SDLC_MATCH) {
+      node.discard();
+      return false;
+    }
+    const NodeIndex second = node.index() + 1 + element_extent(builder, node.index() + 1);
+    if (second < builder.size() && builder.node(second).kind == SyntaxKind::ForClause) {
+      builder.node(node.index()).kind = SyntaxKind::Comprehension;
+    }
+    return true;
+  }
+
+ private:
+  static std::uint32_t element_extent(TreeBuilder& builder, NodeIndex element) {
+    return element < builder.size() ? builder.node(element).extent : 0;
   }
 };
 

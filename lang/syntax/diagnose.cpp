@@ -17,6 +17,9 @@
 namespace sdlc::lang {
 namespace {
 
+constexpr std::string_view kComputedList =
+    "a computed list is `[x^2 for x in list]`, with conditions at the end: `… if x > 0]`";
+
 /// Reports what the grammar expected and did not find. Mistakes that need knowledge of other
 /// languages are repaired before (lang/repair).
 class Diagnosis {
@@ -35,11 +38,13 @@ class Diagnosis {
     auto report =
         report_expected(follows_comma && ends_values(wanted) ? "a value" : expectation.words);
     explain(report, wanted);
+    if (is_in_computed_list()) builder_.poison_since(builder_.opener + 1);
     if (!is_closing(wanted)) return;
     report.label(where({builder_.opener, builder_.opener + 1}), "opened here");
     if (wanted == Wanted::GroupEnd && commas_in_group() > 1) {
       report.help("a point has three values");
-    } else if (!follows_comma && begins_value() && !looks_like_statement(text_, at_)) {
+    } else if (wanted != Wanted::ClausesEnd && !follows_comma && begins_separate_value() &&
+               !looks_like_statement(text_, at_)) {
       if (!is_on_next_line_) builder_.poison_last_name();
       const std::uint32_t end = builder_.token_end();
       report.help("separate values with commas");
@@ -76,7 +81,8 @@ class Diagnosis {
 
  private:
   static bool is_closing(Wanted wanted) {
-    return ends_values(wanted) || wanted == Wanted::GroupEnd || wanted == Wanted::IndexEnd;
+    return ends_values(wanted) || wanted == Wanted::GroupEnd || wanted == Wanted::IndexEnd ||
+           wanted == Wanted::ClausesEnd || wanted == Wanted::PatternEnd;
   }
   static bool ends_values(Wanted wanted) {
     return wanted == Wanted::ParametersEnd || wanted == Wanted::ArgumentsEnd ||
@@ -108,18 +114,140 @@ class Diagnosis {
         break;
       case Wanted::In:
         if (c == '=') report.help_if(kNoLoop);
-        break;
-      case Wanted::Block:
-        if (c == ':') report.help("a block is in braces");
-        if (word() == "then") {
-          report.help("`if … then …` is a value; a statement is `if … { … }`");
+        if (word() == "of") {
+          report.fix(where(found_), "in");
+        } else if (begins_value() && !is_on_next_line_) {
+          report.unsafe_fix(where({at_, at_}), "in ");
         }
         break;
+      case Wanted::LetIn: explain_let_in(report); break;
+      case Wanted::SecondName:
+        report.help("a name alone needs no parentheses");
+        if (c == ')') {
+          report.fix(where({builder_.opener, builder_.opener + 1}), "").fix(where(found_), "");
+        }
+        break;
+      case Wanted::LoopBlock: explain_loop_block(report); break;
+      case Wanted::ArgumentsEnd:
+      case Wanted::GroupEnd:
+        if (word() == "for" && !is_on_next_line_) report.help_if(kComputedList);
+        break;
+      case Wanted::ListEnd: explain_list_end(report); break;
+      case Wanted::ClausesEnd: explain_clauses_end(report); break;
+      case Wanted::Block: explain_block(report); break;
       case Wanted::SecondOperand: report.help("write `a < b and b < c`"); break;
       case Wanted::FileName:
         report.help("a file name is a string, known without evaluating anything");
         break;
       default: break;
+    }
+  }
+
+  void explain_block(DiagnosticBuilder& report) {
+    if (char_at(text_, at_) == ':') report.help("a block is in braces");
+    if (word() == "then") report.help("`if … then …` is a value; a statement is `if … { … }`");
+  }
+
+  // Comprehensions
+
+  /// Names in it may be those of a loop that could not be read.
+  bool is_in_computed_list() const {
+    if (builder_.brackets == 0) return false;
+    if (word() == "for" && !is_on_next_line_) return true;
+    if (text_[builder_.opener] != '[') return false;
+    if (word() == "in" || word() == "if" || word() == "|") return !is_on_next_line_;
+    const auto nodes = builder_.nodes();
+    for (auto node = nodes.rbegin(); node != nodes.rend() && node->begin > builder_.opener;
+         ++node) {
+      if (node->kind == SyntaxKind::ForClause) return true;
+    }
+    return false;
+  }
+
+  /// `a: x for x in xs`, which lacks the brackets.
+  void explain_loop_block(DiagnosticBuilder& report) {
+    explain_block(report);
+    const auto nodes = builder_.nodes();
+    const auto loop = std::find_if(nodes.rbegin(), nodes.rend(), [](const SyntaxNode& node) {
+      return node.kind == SyntaxKind::For;
+    });
+    if (loop == nodes.rend()) return;
+    const std::string_view before = text_.substr(0, loop->begin);
+    const std::size_t last = before.find_last_not_of(" \t");
+    const bool follows_value =
+        last != std::string_view::npos && std::string_view("\n{},").find(before[last]) > 3;
+    if (!follows_value) return;
+    report.help_if(kComputedList);
+    builder_.poison_last_statement();
+    builder_.node(builder_.size() - 1 - static_cast<NodeIndex>(loop - nodes.rbegin())).kind =
+        SyntaxKind::Error;
+  }
+
+  /// `[for x in xs x]`, `[x in xs]`, `[x | x <- xs]`, `[x if c for x in xs]`
+  void explain_list_end(DiagnosticBuilder& report) {
+    if (is_on_next_line_) return;
+    if (word() != "for" && word() != "in" && word() != "if" && word() != "|") return;
+    report.help_if(kComputedList);
+    TokenReader tokens(text_, found_.end);
+    const Token second = tokens.next_solid(), third = tokens.next_solid();
+    if (word() == "|" && text_.substr(third.span.begin).starts_with("<-")) {
+      report.fix(where(found_), "for").fix(where({third.span.begin, third.span.begin + 2}), "in");
+    } else if (word() == "in" && is_letter(char_at(text_, builder_.opener + 1))) {
+      const Span name{builder_.opener + 1, end_of_identifier(text_, builder_.opener + 1)};
+      if (name.end != builder_.token_end()) return;
+      report.unsafe_fix(where({at_, at_}), fmt::format("for {} ", text(name)));
+    } else if (word() == "if") {
+      move_condition(report, second.span.begin);
+    }
+  }
+
+  /// The condition at `begin` comes before its `for`: it moves to the end of the list.
+  void move_condition(DiagnosticBuilder& report, std::uint32_t begin) {
+    TokenReader tokens(text_, begin);
+    int depth = 0;
+    Span condition{begin, begin};
+    std::uint32_t loop = 0;
+    for (Token token = tokens.next_solid(); token.kind != TokenKind::End;
+         token = tokens.next_solid()) {
+      const std::string_view word = tokens.text(token);
+      if (depth == 0 && word == "else") report.help("a choice is `if … then … else …`");
+      if (depth == 0 && (word == "else" || word == "then")) return;
+      if (depth == 0 && word == "for" && loop == 0) loop = token.span.begin;
+      if (loop == 0) condition.end = token.span.end;
+      depth += (token.kind == TokenKind::Open) - (token.kind == TokenKind::Close);
+      if (depth >= 0) continue;
+      if (loop == 0 || word != "]") return;
+      const std::uint32_t end = token.span.begin;
+      report.fix(where({at_, loop}), "")
+          .fix(where({end, end}), fmt::format(" if {}", text(condition)));
+      return;
+    }
+  }
+
+  /// `[x for x in xs,]` and `[x for x in xs if c else y]`
+  void explain_clauses_end(DiagnosticBuilder& report) {
+    const bool is_comma = char_at(text_, at_) == ',';
+    if (word() == "else") {
+      report.help("an `if` after `for` only selects; `[if c then x else y for x in list]` chooses");
+    } else if (is_comma && char_at(text_, skip_space(text_, found_.end)) == ']') {
+      report.fix(where(found_), "");
+    } else if (is_comma) {
+      report.help("a computed list has one value before its `for`");
+    }
+  }
+
+  /// A comma before the next name, or the `in` before the value, is missing.
+  void explain_let_in(DiagnosticBuilder& report) {
+    report.help("a value with local names is `let a = 1, b = 2 in a + b`");
+    if (is_on_next_line_ || !begins_value()) return;
+    const std::uint32_t end = builder_.token_end();
+    const std::uint32_t next = skip_blanks(text_, found_.end);
+    const bool is_name = is_letter(char_at(text_, at_)) && char_at(text_, next) == '=' &&
+                         char_at(text_, next + 1) != '=';
+    if (is_name) {
+      report.unsafe_fix(where({end, end}), ",");
+    } else if (end < at_) {
+      report.unsafe_fix(where({end, end}), " in");
     }
   }
 
@@ -156,6 +284,11 @@ class Diagnosis {
   bool begins_value() const {
     const char c = char_at(text_, at_);
     return is_idchar(c) || (c != '\0' && std::string_view("\"#[(-.").find(c) < 6);
+  }
+
+  /// Whether the word or sign can only begin a value: a comma may be missing before it.
+  bool begins_separate_value() const {
+    return begins_value() && !is_one_of(word(), kJoints) && word() != "for";
   }
 
   std::string found_text() const {

@@ -14,14 +14,19 @@ enum class Wanted : std::uint8_t {
   Type,           ///< of a parameter
   In,             ///< of a `for`
   Block,          ///< in braces
+  LoopBlock,      ///< the same of a `for`
   Then,           ///< of an `if` that is a value
+  LetIn,          ///< `in` of a `let` that is a value
   Message,        ///< of an assertion
   FileName,       ///< of an import
   ParametersEnd,  ///< `,` or `)`
   ArgumentsEnd,   ///< `,` or `)`
   GroupEnd,       ///< `)` after a value or the third of a point
   ListEnd,        ///< `,` or `]`
+  ClausesEnd,     ///< `]` after the clauses of a list
   IndexEnd,       ///< `]`
+  SecondName,     ///< `,` and another name: one alone is not taken apart
+  PatternEnd,     ///< `,` or `)` of the names in a `for`
   SecondOperand,  ///< none: comparisons make no chain
 };
 

@@ -28,42 +28,49 @@ enum class SyntaxKind : std::uint8_t {
   Fn,        ///< Name, Parameter..., expression
   Def,       ///< Name, Parameter..., Block
   Assert,    ///< expression, expression
-  For,       ///< Name, expression, Block
+  For,       ///< Pattern, expression, Block
   If,        ///< expression, Block, [expression, Block]..., [Block]
   Object,    ///< head: path of the kind; [Name], statements
 
-  // Parts of statements
-  Version,    ///< leaf
-  Name,       ///< leaf
-  TypeName,   ///< leaf
-  Parameter,  ///< head: name; [TypeName], [expression]
-  Block,      ///< statements
+  // Parts of statements and comprehensions
+  Version,     ///< leaf
+  Name,        ///< leaf
+  TypeName,    ///< leaf
+  Parameter,   ///< head: name; [TypeName], [expression]
+  Pattern,     ///< of a loop: [Name of the index], Name or RowPattern
+  RowPattern,  ///< Name...
+  ForClause,   ///< Pattern, expression
+  IfClause,    ///< expression
+  Block,       ///< statements
+  Binding,     ///< Name, expression; of a LetIn
 
   // Expressions
-  Conditional,  ///< condition, value, [condition, value]..., value
-  Or,           ///< operands, two or more
-  And,          ///< operands, two or more
-  Not,          ///< operand
-  Comparison,   ///< left, right; the operator is the right one's
-  Interval,     ///< from, to
-  Sum,          ///< operands, two or more; each but the first has its operator
-  Product,      ///< likewise
-  Negative,     ///< operand
-  Power,        ///< base, exponent
-  Postfix,      ///< operand, then Member or Index...
-  Member,       ///< leaf `.name`
-  Index,        ///< expression
-  Reference,    ///< leaf: a path
-  Call,         ///< head: path of the callee; arguments
-  Argument,     ///< head: label; expression. A positional argument is its expression.
-  Group,        ///< expression
-  Triple,       ///< three expressions
-  List,         ///< elements
-  Number,       ///< leaf
-  String,       ///< leaf, with its quotes
-  Color,        ///< leaf `#rgb` or `#rrggbb`
-  True,         ///< leaf
-  False,        ///< leaf
+  Conditional,    ///< condition, value, [condition, value]..., value
+  LetIn,          ///< Binding..., value
+  Or,             ///< operands, two or more
+  And,            ///< operands, two or more
+  Not,            ///< operand
+  Comparison,     ///< left, right; the operator is the right one's
+  Interval,       ///< from, to
+  Sum,            ///< operands, two or more; each but the first has its operator
+  Product,        ///< likewise
+  Negative,       ///< operand
+  Power,          ///< base, exponent
+  Postfix,        ///< operand, then Member or Index...
+  Member,         ///< leaf `.name`
+  Index,          ///< expression
+  Reference,      ///< leaf: a path
+  Call,           ///< head: path of the callee; arguments
+  Argument,       ///< head: label; expression. A positional argument is its expression.
+  Group,          ///< expression
+  Triple,         ///< three expressions
+  List,           ///< elements
+  Comprehension,  ///< value, ForClause, [ForClause or IfClause]...
+  Number,         ///< leaf
+  String,         ///< leaf, with its quotes
+  Color,          ///< leaf `#rgb` or `#rrggbb`
+  True,           ///< leaf
+  False,          ///< leaf
 };
 
 /// The operator before an operand of a Sum, Product or Comparison.

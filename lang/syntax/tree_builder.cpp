@@ -56,6 +56,13 @@ void TreeBuilder::poison_last_part(NodeIndex statement) {
   if (is_value && nodes_[mark].begin == nodes_[part].end) nodes_[part].kind = SyntaxKind::Error;
 }
 
+void TreeBuilder::poison_since(std::uint32_t begin) {
+  for (NodeIndex i = size(); i > 0 && nodes_[i - 1].begin >= begin; --i) {
+    nodes_[i - 1].kind = SyntaxKind::Error;
+    nodes_[i - 1].head = 0;
+  }
+}
+
 void TreeBuilder::poison_last_statement() {
   if (last_statement_ == kNone || last_statement_ >= nodes_.size()) return;
   const NodeIndex end = last_statement_ + nodes_[last_statement_].extent;

@@ -95,6 +95,8 @@ class TreeBuilder {
   void poison_last_name();
   /// The same for the last part of the statement at `statement`, if the mistake follows it.
   void poison_last_part(NodeIndex statement);
+  /// Turns all nodes that begin at `begin` or later into Errors.
+  void poison_since(std::uint32_t begin);
   void set_last_statement(NodeIndex statement) noexcept { last_statement_ = statement; }
 
   NodeBuffer<SyntaxNode> take_nodes() { return std::move(nodes_); }

@@ -62,7 +62,9 @@ class Operation {
     const bool has_string = left<std::string>() != nullptr || right<std::string>() != nullptr;
     const bool has_list = left<ListValue>() != nullptr || right<ListValue>() != nullptr;
     if (has_string && op_ == Operator::Add) report.help("convert the other value by `str(…)`");
-    if (has_list) report.help("a point is written in parentheses: `(x, y, z)`");
+    const bool may_join = op_ == Operator::Add && !left<Triple>() && !right<Triple>();
+    if (has_list && may_join) report.help("`+` joins two lists: `list + [x]`");
+    if (has_list && !may_join) report.help("a point is written in parentheses: `(x, y, z)`");
     return Nothing{};
   }
 

@@ -67,7 +67,9 @@ bool is_at_least_one(std::string_view digits) {
   return place + (is_negative ? -exponent : exponent) >= 0;
 }
 
-std::optional<double> parse_digits(std::string_view digits) {
+}  // namespace
+
+std::optional<double> parse_decimal(std::string_view digits) {
   std::string joined;
   if (digits.find('_') != std::string_view::npos) {
     std::copy_if(digits.begin(), digits.end(), std::back_inserter(joined),
@@ -80,6 +82,8 @@ std::optional<double> parse_digits(std::string_view digits) {
   if (is_at_least_one(digits)) return std::nullopt;
   return 0.0;
 }
+
+namespace {
 
 char32_t parse_hex(std::string_view digits) {
   std::uint32_t value = 0;
@@ -119,7 +123,7 @@ char unescaped(char letter) {
 Value evaluate_number(ast::Node node, DiagnosticSink& sink) {
   const std::string_view text = node.text();
   const std::size_t unit_begin = begin_of_unit(text);
-  const std::optional<double> number = parse_digits(text.substr(0, unit_begin));
+  const std::optional<double> number = parse_decimal(text.substr(0, unit_begin));
   const std::string_view unit_name = text.substr(unit_begin);
 
   UnitInfo unit{.name = "", .measure = Measure::Plain};

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
@@ -14,6 +16,9 @@ namespace sdlc::lang {
 /// The value of a Number node: the nearest double, multiplied or divided once for its unit. A
 /// number that is too large is reported; the result is then Nothing.
 Value evaluate_number(ast::Node node, DiagnosticSink& sink);
+/// The double nearest to a decimal number without sign and unit, which may have an exponent and `_`
+/// between digits. nullopt if it is beyond the largest.
+std::optional<double> parse_decimal(std::string_view digits);
 /// The value of a String node. An unpaired surrogate is reported; the result is then Nothing.
 Value evaluate_string(ast::Node node, DiagnosticSink& sink);
 

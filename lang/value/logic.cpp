@@ -1,8 +1,12 @@
 #include "lang/value/logic.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "lang/value/arithmetic.hpp"
 
@@ -30,6 +34,9 @@ struct Equal {
     return a == b;
   }
   bool operator()(const ListValue& a, const ListValue& b) const { return are_lists_equal(a, b); }
+  bool operator()(const RowValue& a, const RowValue& b) const {
+    return are_lists_equal(a.elements, b.elements);
+  }
 };
 
 /// A loop instead of recursion: lists may be nested as deeply as the file is long.
@@ -41,9 +48,8 @@ bool are_lists_equal(const ListValue& a, const ListValue& b) {
     if (left.size() != right.size()) return false;
     for (std::size_t i = 0; i < left.size(); ++i) {
       const Value x = left[i], y = right[i];
-      const auto* inner = get_if<ListValue>(&x);
-      const auto* other = get_if<ListValue>(&y);
-      if (inner != nullptr && other != nullptr) {
+      const ListValue *inner = elements_of(x), *other = elements_of(y);
+      if (inner != nullptr && other != nullptr && x.index() == y.index()) {
         waiting.emplace_back(*inner, *other);
       } else if (!are_equal(x, y).value_or(false)) {
         return false;
@@ -63,17 +69,67 @@ bool compare(const T& a, Operator op, const T& b) noexcept {
   }
 }
 
-}  // namespace
-
-bool are_of_one_type(const Value& a, const Value& b) noexcept {
+bool are_alike(const Value& a, const Value& b) noexcept {
   if (a.index() != b.index()) return false;
   const auto left = unit_of(a), right = unit_of(b);
   return !left || are_compatible(*left, *right);
 }
 
+/// A loop for the same reason.
+bool have_one_shape(const RowValue& a, const RowValue& b) {
+  std::vector<std::pair<ListValue, ListValue>> waiting{{a.elements, b.elements}};
+  while (!waiting.empty()) {
+    const auto [left, right] = std::move(waiting.back());
+    waiting.pop_back();
+    const Table* table = left.table_of_row();
+    if (table != nullptr && table == right.table_of_row()) continue;
+    if (left.size() != right.size()) return false;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const Value x = left[i], y = right[i];
+      if (!are_alike(x, y)) return false;
+      const auto* row = get_if<RowValue>(&x);
+      if (row != nullptr) waiting.emplace_back(row->elements, get<RowValue>(y).elements);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool are_of_one_type(const Value& a, const Value& b) {
+  if (!are_alike(a, b)) return false;
+  const auto* row = get_if<RowValue>(&a);
+  return row == nullptr || have_one_shape(*row, get<RowValue>(b));
+}
+
+std::optional<std::size_t> first_difference(const ListValue& a, const ListValue& b) {
+  const std::size_t size = std::min(a.size(), b.size());
+  for (std::size_t i = 0; i < size; ++i) {
+    if (!are_of_one_type(a[i], b[i])) return i;
+  }
+  return a.size() == b.size() ? std::nullopt : std::optional(size);
+}
+
+void report_mixed(const RowValue& row, Location where, DiagnosticSink& sink) {
+  const Value first = row.elements[0];
+  std::size_t other = 1;
+  while (are_of_one_type(first, row.elements[other])) ++other;
+  sink.report(diag::mixed_list, where, describe(first), describe(row.elements[other]))
+      .help("a list of several types is a row; its elements are used one by one: `row[0]`");
+}
+
 std::optional<bool> are_equal(const Value& a, const Value& b) {
   if (!are_of_one_type(a, b)) return std::nullopt;
   return visit([&]<typename T>(const T& value) { return Equal()(value, get<T>(b)); }, a);
+}
+
+std::string describe_difference(const ListValue& a, const ListValue& b) {
+  if (a.size() != b.size()) {
+    return fmt::format("the rows have {} and {} elements", a.size(), b.size());
+  }
+  const std::size_t i = first_difference(a, b).value_or(0);
+  return fmt::format("element {} is {} in the first row and {} in the second", i, describe(a[i]),
+                     describe(b[i]));
 }
 
 Value evaluate_comparison(const Value& left, Operator op, const Value& right, Location where,
@@ -82,7 +138,9 @@ Value evaluate_comparison(const Value& left, Operator op, const Value& right, Lo
   if (op == Operator::Equal || op == Operator::NotEqual) {
     const std::optional<bool> equal = are_equal(left, right);
     if (equal) return *equal == (op == Operator::Equal);
-    sink.report(diag::different_types, where, describe(left), describe(right));
+    auto report = sink.report(diag::different_types, where, describe(left), describe(right));
+    const auto *a = get_if<RowValue>(&left), *b = get_if<RowValue>(&right);
+    if (a != nullptr && b != nullptr) report.help(describe_difference(a->elements, b->elements));
     return Nothing{};
   }
   if (are_of_one_type(left, right)) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <string>
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
@@ -23,7 +25,19 @@ std::optional<bool> are_equal(const Value& a, const Value& b);
 Value evaluate_comparison(const Value& left, Operator op, const Value& right, Location where,
                           DiagnosticSink& sink);
 
-/// Whether two values can be elements of one list: the same type, and compatible units.
-bool are_of_one_type(const Value& a, const Value& b) noexcept;
+/// Whether two values can be elements of one list: the same type, and compatible units. Rows are of
+/// one type if they have as many elements and each has the type of its place. Takes time in
+/// proportion to the weight of a row.
+bool are_of_one_type(const Value& a, const Value& b);
+
+/// The first place where the types of two rows differ; the length of the shorter if one lacks
+/// elements; nullopt if they are of one type.
+std::optional<std::size_t> first_difference(const ListValue& a, const ListValue& b);
+
+/// How two rows of different types differ, as in "the rows have 2 and 3 elements".
+std::string describe_difference(const ListValue& a, const ListValue& b);
+
+/// Reports a row where a list is needed: it mixes two types.
+void report_mixed(const RowValue& row, Location where, DiagnosticSink& sink);
 
 }  // namespace sdlc::lang

@@ -13,6 +13,8 @@ bool is(const Value& value) {
   return holds_alternative<T>(value);
 }
 
+bool is_list(const Value& value) { return elements_of(value) != nullptr; }
+
 constexpr auto kTypes = std::to_array<TypeInfo>({
     {"number", is<Scalar>, "A number, with or without a unit: `3`, `20cm`, `15%`."},
     {"bool", is<bool>, "`true` or `false`."},
@@ -22,7 +24,8 @@ constexpr auto kTypes = std::to_array<TypeInfo>({
     {"angles", is<AngleTriple>, "Three angles: `(0deg, 30deg, 0deg)`."},
     {"color", is<render::LinearRgb>, "A colour: `red`, `#80b3ff`, `rgb(128, 179, 255)`."},
     {"interval", is<Bounds>, "From one number to another: `0s .. 20ms`."},
-    {"list", is<ListValue>, "Values of one type: `[1, 2, 3]`, `range(10)`."},
+    {"list", is_list,
+     "Values of one type: `[1, 2, 3]`, `range(10)`; or a row: `[\"Earth\", 1.5]`."},
     {"material", is<MaterialValue>, "A material: `diffuse(color: red)`."},
 });
 

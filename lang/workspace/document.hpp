@@ -1,15 +1,17 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/object/table.hpp"
 #include "lang/source/source.hpp"
 #include "lang/syntax/syntax.hpp"
 
 namespace sdlc::lang {
 
-/// A text with its syntax tree, which is parsed once however many programs use the text. Used by
+/// A text with its syntax tree or table, read once however many programs use the text. Used by
 /// one thread at a time.
 class Document : public SourceFile {
  public:
@@ -23,11 +25,14 @@ class Document : public SourceFile {
 
   /// The tree of a scene. Reports the syntax errors at every call.
   const SyntaxTree& tree(DiagnosticSink& sink) const;
+  /// The table of a data file; null if it has mistakes. Reports these at every call.
+  std::shared_ptr<const Table> table(DiagnosticSink& sink) const;
 
  private:
   int version_;
   mutable DiagnosticSink syntax_errors_;
   mutable std::optional<SyntaxTree> tree_;
+  mutable std::optional<std::shared_ptr<const Table>> table_;
 };
 
 }  // namespace sdlc::lang

@@ -40,7 +40,8 @@ struct SeenInstance {
 
 }  // namespace
 
-InstanceExtremes extremes_of_instances(const Scene& scene, const CameraFrame& frame) {
+InstanceExtremes extremes_of_instances(const Scene& scene, const CameraFrame& frame,
+                                       const LensDisc& lens) {
   const InstanceExtremes none{.radius = kInfinity, .extent = 0, .distance = kInfinity};
   if (scene.instances.empty()) return none;
   const std::vector<BoundingSphere> all_bounds = bounding_spheres(scene.prototypes);
@@ -53,9 +54,10 @@ InstanceExtremes extremes_of_instances(const Scene& scene, const CameraFrame& fr
     const SeenInstance seen(instance, all_bounds[instance.prototype], frame);
     const double min_radius = smallest[instance.prototype] * instance.placement.scale;
     extremes.radius = std::min(extremes.radius, frame.size(min_radius));
-    extremes.extent = std::max(extremes.extent, seen.extent());
-    if (seen.away - seen.moves > seen.radius) {
-      extremes.distance = std::min(extremes.distance, seen.away - seen.moves - seen.radius);
+    extremes.extent = std::max(extremes.extent, seen.extent() + lens.radius());
+    const double outside = seen.away - seen.moves - lens.radius();
+    if (outside > seen.radius) {
+      extremes.distance = std::min(extremes.distance, outside - seen.radius);
     }
   };
   const auto join = [](InstanceExtremes& extremes, const InstanceExtremes& later) {
@@ -69,15 +71,17 @@ InstanceExtremes extremes_of_instances(const Scene& scene, const CameraFrame& fr
   for (const Instance& instance : scene.instances) {
     const std::vector<Sphere>& spheres = scene.prototypes[instance.prototype].spheres;
     const SeenInstance seen(instance, all_bounds[instance.prototype], frame);
-    if (seen.away > seen.radius || seen.moves > 0 || spheres.size() > looks) continue;
+    if (seen.away - lens.radius() > seen.radius || seen.moves > 0 || spheres.size() > looks)
+      continue;
     looks -= spheres.size();
     for (const Sphere& sphere : spheres) {
       const Sphere there = placed(instance, sphere);
       const double of_sphere = frame.size(there.radius);
-      const double to_surface = std::fabs(moderate_length(frame.place(there.center)) - of_sphere);
-      if (to_surface <= kCoincidenceTolerance * of_sphere)
-        continue;  // the camera is on its
-                   // surface
+      const Vec3 center = frame.place(there.center);
+      const double to_surface = lens.radius() > 0 ? lens.clearance(center, {}, of_sphere)
+                                                  : std::fabs(moderate_length(center) - of_sphere);
+      // The camera is on its surface.
+      if (to_surface <= kCoincidenceTolerance * of_sphere) continue;
       extremes.distance = std::min(extremes.distance, to_surface);
     }
   }

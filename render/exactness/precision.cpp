@@ -47,9 +47,13 @@ constexpr Limits kFloatLimits{
 constexpr Limits kDoubleLimits{
     .unit = 0x1p-53, .min_gap = 0, .max_view = 1e100, .max_radiance = 1e300};
 
-/// The smallest distance from the camera to the surface over the shutter; nullopt if the surface
-/// passes through the camera.
+/// The smallest distance from the camera, or from any point of its lens, to the surface over the
+/// shutter; nullopt if the surface passes through it.
 inline std::optional<double> distance_to(const CameraView& view, std::uint32_t i) {
+  if (view.lens().radius() > 0) {
+    const double clearance = view.clearance(i);
+    return clearance > kTouching * view.radius(i) ? std::optional(clearance) : std::nullopt;
+  }
   const Vec3 from = view.opening(i);
   const double r = view.radius(i);
   double nearest = moderate_length(from) - r, farthest = nearest;
@@ -111,8 +115,8 @@ class Judge {
         const Limits& limits)
       : scene_(scene),
         camera_(camera),
-        view_(scene, camera.from),
-        of_instances_(extremes_of_instances(scene, view_.frame())),
+        view_(scene, camera),
+        of_instances_(extremes_of_instances(scene, view_.frame(), view_.lens())),
         limits_(limits),
         depth_(settings.depth),
         pixel_(camera.plane_height * std::min(1.0 / std::max(1, settings.height),
@@ -172,6 +176,7 @@ class Judge {
              .other = {}};
     PrecisionBound& view = bounds[PrecisionClause::View];
     view.value = camera_.plane_height * std::max(1.0, camera_.aspect);
+    if (camera_.has_lens()) view.value = std::max(view.value, camera_.aperture / camera_.focus);
     view.limit = limits_.max_view;
     view.share = view.value / view.limit;
 
@@ -365,10 +370,10 @@ FloatVerdict judge_float(const Scene& scene, const Camera& camera, const RenderS
 }
 
 ScaleRatio measure_scale(const Scene& scene, const Camera& camera) {
-  const CameraView view(scene, camera.from);
+  const CameraView view(scene, camera);
   ScaleRatio scale;
   Extremes extremes = extremes_of(view, {});
-  extremes.add(extremes_of_instances(scene, view.frame()));
+  extremes.add(extremes_of_instances(scene, view.frame(), view.lens()));
   scale.smallest = extremes.smallest;
   scale.farthest = extremes.farthest;
   if (extremes.extent > 0) {

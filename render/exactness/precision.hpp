@@ -30,7 +30,7 @@ enum class PrecisionClause : std::uint8_t {
   Across,    ///< error perpendicular to the view, in pixels, at the worst surface: at most 1/16
   Pixel,     ///< smaller angle of a pixel, in units of rounding: at least 16
   Gap,       ///< the narrowest gap between two surfaces, in radii of the larger sphere
-  View,      ///< the longer side of the image plane at distance 1
+  View,      ///< the longer side of the image plane at distance 1, or the lens divided by its focus
   Radiance,  ///< the max radiance, min colour or refractive index that is farthest from 1
 };
 inline constexpr std::size_t kPrecisionClauses = 6;
@@ -68,7 +68,7 @@ struct PrecisionBounds {
 
 /// The bounds for a scene that is traced entirely in float or double. u is the unit of rounding,
 /// 2^-24 or 2^-53, and E the distance from the camera to the far side of the farthest sphere, over
-/// the whole shutter.
+/// the whole shutter. With a lens, E and all distances are those of the worst point on it.
 ///
 /// The error of a hit is 25 u E and the error perpendicular to the view 2 u E: the 99th percentiles
 /// of measurements on single rays. Points on a sphere have an error of 2 u times its own E. So two

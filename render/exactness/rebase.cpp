@@ -60,7 +60,8 @@ Rebase::Rebase(const Scene& scene, std::span<const std::uint32_t> left_out)
     if (scene.shifts.empty()) return opened;
     return std::max(opened, moderate_length(center + frame_.size(scene.shifts[i])) + radius);
   });
-  extent = std::max(extent, extent_of_instances(scene, frame_));
+  extent =
+      std::max(extent, extent_of_instances(scene, frame_)) + frame_.size(scene.camera.aperture) / 2;
   const int e = -exponent_of(extent);
   first_ = power_of_two(e / 2);
   second_ = power_of_two(e - e / 2);
@@ -102,6 +103,8 @@ void rebase_to_camera(Scene& scene, std::span<const std::uint32_t> left_out) {
   });
   for (std::size_t i = 0; i < all_bounds.size(); ++i)
     center_prototype(scene.prototypes[i], all_bounds[i]);
+  scene.camera.aperture = rebase.length(scene.camera.aperture);
+  scene.camera.focus = rebase.length(scene.camera.focus);
   scene.camera.from = Vec3{};
   scene.camera.at = view;
 }

@@ -38,6 +38,7 @@ class Rebase {
         .center = scaled(frame_.place(s.center)), .radius = size(s.radius), .material = s.material};
   }
   Vec3 shift(Vec3 v) const noexcept { return scaled(frame_.size(v)); }
+  double length(double v) const noexcept { return size(v); }
   /// Converts a length of the rebased scene to the original unit; may overflow.
   double length_in_scene(double v) const noexcept {
     return frame_.length_in_scene(v / second_ / first_);
@@ -59,8 +60,8 @@ class Rebase {
 void center_prototype(Prototype& prototype, const BoundingSphere& bounds) noexcept;
 
 /// Moves the scene so that the camera is at the origin, and scales it by a power of two so that its
-/// extent E = max(|centre| + radius), over both ends of the shutter, is in [1, 2). The spheres
-/// `left_out` do not count if there are others.
+/// extent E = max(|centre| + radius) plus the radius of the lens, over both ends of the shutter, is
+/// in [1, 2). The spheres `left_out` do not count if there are others.
 ///
 /// The picture stays the same (scaling by powers of two is exact) and no longer depends on the
 /// scene's position in the world; squares of lengths neither overflow nor underflow. Prototypes are

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/exactness/camera_surface.hpp"
+#include "render/exactness/camera_view.hpp"
 #include "render/exactness/movement.hpp"
 #include "render/exactness/near_pairs.hpp"
 
@@ -32,7 +33,7 @@ class Parting {
       find_contacts(*known);
     } else {
       const Nearness nearness{.gap_of_extent = kContactReach * kMinGap * unit_};
-      const auto pairs = find_near_pairs(scene_, {}, nearness, exact_);
+      const auto pairs = find_near_pairs(CameraView(scene_, scene_.camera), nearness, exact_);
       if (!pairs) return;
       find_contacts(*pairs);
     }
@@ -93,7 +94,8 @@ class Parting {
     return scene_.shifts.empty() ? opening(i) : opening(i) + scene_.shifts[i];
   }
   double extent(std::uint32_t i) const {
-    return std::max(length(opening(i)), length(closing(i))) + radius(i);
+    return std::max(length(opening(i)), length(closing(i))) + radius(i) +
+           scene_.camera.aperture / 2;
   }
 
   /// Twice the error of points on the two spheres near their contact.

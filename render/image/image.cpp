@@ -29,6 +29,16 @@ std::vector<Value> components(const Picture& picture, Convert convert) {
   return values;
 }
 
+std::vector<std::uint8_t> codes_of(const Picture& picture, const ToneMapping& mapping) {
+  std::vector<std::uint8_t> codes;
+  codes.reserve(picture.pixels.size() * 3);
+  for (const LinearRgb& pixel : picture.pixels) {
+    const auto rgb = to_codes8(mapping, pixel);
+    codes.insert(codes.end(), rgb.begin(), rgb.end());
+  }
+  return codes;
+}
+
 float to_hdr(double v) noexcept {
   if (!(v > 0)) return 0;  // NaN takes this branch
   return static_cast<float>(std::min(v, kMaxHdrValue));
@@ -68,10 +78,11 @@ std::vector<std::byte> encode_picture(const Picture& picture, const WriteOptions
       static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height)) {
     throw IoError("write", shown, "the number of pixels does not match the size");
   }
+  const Tone tone = options.mapping.tone;
   EncodeRequest request{.format = options.format,
                         .width = picture.width,
                         .height = picture.height,
-                        .is_srgb = options.tone == Tone::Srgb,
+                        .is_srgb = tone == Tone::Srgb || tone == Tone::Neutral,
                         .ppm_text = options.ppm_text,
                         .software = options.metadata.software,
                         .metadata = options.metadata.entries};
@@ -82,7 +93,7 @@ std::vector<std::byte> encode_picture(const Picture& picture, const WriteOptions
   } else if (describe(options.format).is_linear) {
     radiance = components<float>(picture, to_float);
   } else {
-    codes = components<std::uint8_t>(picture, [&](double v) { return to_code8(options.tone, v); });
+    codes = codes_of(picture, options.mapping);
   }
   request.codes = codes;
   request.radiance = radiance;

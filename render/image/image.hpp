@@ -26,8 +26,8 @@ struct Metadata {
 
 struct WriteOptions {
   ImageFormat format = ImageFormat::Png;
-  Tone tone = Tone::Srgb;  ///< for formats that are not linear
-  bool ppm_text = false;   ///< PPM as decimal numbers (P3), not bytes (P6)
+  ToneMapping mapping = {};  ///< for formats that are not linear
+  bool ppm_text = false;     ///< PPM as decimal numbers (P3), not bytes (P6)
   Metadata metadata = {};
   /// Further channels; only EXR supports them, the other formats ignore them. Borrowed; the names
   /// must be unique and differ from R, G and B.
@@ -41,7 +41,7 @@ void check_picture_size(int width, int height, ImageFormat format,
 /// Returns the contents of the file; `shown` only names the picture in errors. EXR stores the
 /// linear values as 32-bit floats, clamped to the largest one. HDR stores them with a shared
 /// exponent per pixel: negative values and NaN become 0, infinity the largest value. The other
-/// formats store to_code8 of each value; JPEG, WebP and GIF are lossy. Throws IoError if the
+/// formats store to_codes8 of each pixel; JPEG, WebP and GIF are lossy. Throws IoError if the
 /// picture is empty or too large for the format, or if the codec fails.
 std::vector<std::byte> encode_picture(const Picture& picture, const WriteOptions& options,
                                       const std::filesystem::path& shown = "picture");

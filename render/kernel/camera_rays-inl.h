@@ -48,6 +48,8 @@ class CameraRays {
   static HWY_INLINE Bits word(std::uint32_t v) { return hn::Set(DU(), v); }
 
   HWY_INLINE Bits stream_start(Bits stream_key, Bits mixer, Bits sample) const;
+  HWY_INLINE void start_at_lens(Paths<T>& paths, Triple<V> place,
+                                typename LaneSampler<D>::Pair random) const;
   HWY_INLINE void depart_from_camera(Paths<T>& paths) const;
 
   const WideScene<T>& scene_;
@@ -75,8 +77,12 @@ void CameraRays<T, F>::start(Paths<T>& paths, Runs& runs) const {
   }
   const Bits at_vertex = add_low_32(start, word(kPairIncrement * kCameraPairs));
   paths.stream = hn::IfThenElse(fresh_bits, at_vertex, paths.stream);
-  paths.next = choose(paths.fresh, place, paths.next);
-  paths.origin = choose(paths.fresh, Triple<V>{zero, zero, zero}, paths.origin);
+  if constexpr (F::kLens) {
+    start_at_lens(paths, place, sampler.pair(kLens));
+  } else {
+    paths.next = choose(paths.fresh, place, paths.next);
+    paths.origin = choose(paths.fresh, Triple<V>{zero, zero, zero}, paths.origin);
+  }
   paths.throughput = choose(paths.fresh, Triple<V>{one, one, one}, paths.throughput);
   paths.depth_left = hn::IfThenElse(fresh_bits, word(view_.max_depth), paths.depth_left);
   depart_from_camera(paths);
@@ -92,6 +98,35 @@ auto CameraRays<T, F>::stream_start(Bits stream_key, Bits mixer, Bits sample) co
   }
   start = mix_lanes(start, mixer);
   return hn::Xor(start, hn::ShiftRight<16>(start));
+}
+
+/// A thin lens: rays start on it, and those of one point of the image plane meet in the plane in
+/// focus. At a distance f along the axis, the ray through the centre is at f · `place`; so a ray
+/// from the point p has the direction f · place − p, or place − p / f. A uniform point of the disc
+/// has weight 1. The concentric map of the square (Shirley, Chiu, "A low distortion map between
+/// disk and square", 1997) is continuous and keeps areas, so Sobol' points stay well distributed.
+template <typename T, typename F>
+void CameraRays<T, F>::start_at_lens(Paths<T>& paths, Triple<V> place,
+                                     typename LaneSampler<D>::Pair random) const {
+  const D d;
+  const V zero = hn::Zero(d), one = hn::Set(d, T{1});
+  const V a = hn::Sub(hn::Add(random.first, random.first), one);
+  const V b = hn::Sub(hn::Add(random.second, random.second), one);
+  const Mask is_wide = hn::Gt(hn::Abs(a), hn::Abs(b));
+  const V radius = hn::IfThenElse(is_wide, a, b), other = hn::IfThenElse(is_wide, b, a);
+  const V divisor = hn::IfThenElse(hn::Eq(radius, zero), one, radius);  // the centre: 0 / 0
+  const V turn = hn::Mul(hn::Div(other, divisor), hn::Set(d, T{0.125}));
+  const V cosine = sine_of_quarter_turn(hn::Sub(hn::Set(d, T{0.25}), hn::Abs(turn)));
+  const V along = hn::Mul(radius, cosine), across = hn::Mul(radius, sine_of_quarter_turn(turn));
+  const V x = hn::IfThenElse(is_wide, along, across), y = hn::IfThenElse(is_wide, across, along);
+
+  const Triple<V> in_view = plus_scaled(scaled(spread(d, view_.lens_right_in_view), x),
+                                        spread(d, view_.lens_up_in_view), y);
+  const Triple<V> next = minus_scaled(place, in_view, one);
+  const Triple<V> origin =
+      plus_scaled(scaled(spread(d, view_.lens_right), x), spread(d, view_.lens_up), y);
+  paths.next = choose(paths.fresh, next, paths.next);
+  paths.origin = choose(paths.fresh, origin, paths.origin);
 }
 
 /// The camera may be in the surface of a sphere.

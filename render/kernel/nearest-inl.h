@@ -31,7 +31,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// KernelFeatures of a kernel.
 template <bool motion, bool exact_spheres, bool bvh, bool instances, bool lights,
-          bool pilot = false>
+          bool pilot = false, bool lens = false>
 struct Features {
   static constexpr bool kMotion = motion;
   static constexpr bool kExactSpheres = exact_spheres;
@@ -39,6 +39,7 @@ struct Features {
   static constexpr bool kInstances = instances;  // in double, through a BVH
   static constexpr bool kLights = lights;
   static constexpr bool kPilot = pilot;  // with kLights
+  static constexpr bool kLens = lens;
 };
 
 template <typename T, bool kMotion>
@@ -156,13 +157,12 @@ auto NearestSphere<T, F>::find(Triple<V> origin, Triple<V> direction, V time, Bi
   return nearest;
 }
 
-/// Tests all spheres except those of WideScene::exact. Returns how many of them some lane's ray meets;
-/// without `kAsks` all.
+/// Tests all spheres except those of WideScene::exact. Returns how many of them some lane's ray
+/// meets; without `kAsks` all.
 template <typename T, typename F>
 template <bool kAsks>
 std::size_t NearestSphere<T, F>::intersect_tables(Triple<V> origin, Triple<V> direction, V time,
-                                                  Bits departed, V rehit,
-                                                  Nearest& nearest) const {
+                                                  Bits departed, V rehit, Nearest& nearest) const {
   const D d;
   const DU du;
   std::size_t met = scene_.first_exact;

@@ -335,30 +335,35 @@ void trace_runs(const WideScene<T>& scene, const WideView<T>& view, std::span<Pi
   WidePaths<T, F>(scene, view, runs, counts).trace(cancel);
 }
 
-template <typename T, bool kLights, bool kMotion, bool kExactSpheres>
+template <typename T, bool kLights, bool kLens, bool kMotion, bool kExactSpheres,
+          bool kInstances = false>
 TraceRuns<T>* choose_search(KernelFeatures features) noexcept {
-  return features.bvh ? &trace_runs<T, Features<kMotion, kExactSpheres, true, false, kLights>>
-                      : &trace_runs<T, Features<kMotion, kExactSpheres, false, false, kLights>>;
+  if constexpr (!kInstances) {
+    if (!features.bvh) {
+      return &trace_runs<T, Features<kMotion, kExactSpheres, false, false, kLights, false, kLens>>;
+    }
+  }
+  return &trace_runs<T, Features<kMotion, kExactSpheres, true, kInstances, kLights, false, kLens>>;
 }
 
-/// `kLights` as in `features`; it is a template parameter because each value has its own source
-/// file.
-template <typename T, bool kLights>
+/// `kLights` and `kLens` as in `features`; they are template parameters because their values have
+/// source files of their own.
+template <typename T, bool kLights, bool kLens>
 TraceRuns<T>* choose_kernel(KernelFeatures features) noexcept {
   if constexpr (sizeof(T) == 8) {
     if (features.instances) {
-      return features.motion ? &trace_runs<T, Features<true, false, true, true, kLights>>
-                             : &trace_runs<T, Features<false, false, true, true, kLights>>;
+      return features.motion ? choose_search<T, kLights, kLens, true, false, true>(features)
+                             : choose_search<T, kLights, kLens, false, false, true>(features);
     }
   }
   if constexpr (sizeof(T) == 4) {
     if (features.exact_spheres) {
-      return features.motion ? choose_search<T, kLights, true, true>(features)
-                             : choose_search<T, kLights, false, true>(features);
+      return features.motion ? choose_search<T, kLights, kLens, true, true>(features)
+                             : choose_search<T, kLights, kLens, false, true>(features);
     }
   }
-  return features.motion ? choose_search<T, kLights, true, false>(features)
-                         : choose_search<T, kLights, false, false>(features);
+  return features.motion ? choose_search<T, kLights, kLens, true, false>(features)
+                         : choose_search<T, kLights, kLens, false, false>(features);
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE

@@ -10,15 +10,19 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 TraceRuns<float>* kernel_with_lights(float type, KernelFeatures features) noexcept;
 TraceRuns<double>* kernel_with_lights(double type, KernelFeatures features) noexcept;
+TraceRuns<float>* kernel_with_lens(float type, KernelFeatures features) noexcept;
+TraceRuns<double>* kernel_with_lens(double type, KernelFeatures features) noexcept;
 
 // Called here, so that all instantiations are compiled for the instruction set.
 TraceRuns<float>* kernel_for(float type, KernelFeatures features) noexcept {
+  if (features.lens) return kernel_with_lens(type, features);
   if (features.lights) return kernel_with_lights(type, features);
-  return choose_kernel<float, false>(features);
+  return choose_kernel<float, false, false>(features);
 }
 TraceRuns<double>* kernel_for(double type, KernelFeatures features) noexcept {
+  if (features.lens) return kernel_with_lens(type, features);
   if (features.lights) return kernel_with_lights(type, features);
-  return choose_kernel<double, false>(features);
+  return choose_kernel<double, false, false>(features);
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE

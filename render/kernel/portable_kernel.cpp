@@ -17,8 +17,12 @@ TraceRuns<double>* choose_pilot(bool has_motion) noexcept {
 TraceRuns<double>* portable_kernel(KernelFeatures features) noexcept {
   using namespace HWY_NAMESPACE;
   if (features.pilot) return choose_pilot(features.motion);
-  return features.lights ? choose_kernel<double, true>(features)
-                         : choose_kernel<double, false>(features);
+  if (features.lens) {
+    return features.lights ? choose_kernel<double, true, true>(features)
+                           : choose_kernel<double, false, true>(features);
+  }
+  return features.lights ? choose_kernel<double, true, false>(features)
+                         : choose_kernel<double, false, false>(features);
 }
 
 }  // namespace sdlc::render

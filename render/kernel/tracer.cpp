@@ -37,6 +37,17 @@ WideView<T> view_of(const Pinhole& pinhole, const RenderSettings& settings,
   return view;
 }
 
+/// `camera`: of the rebased scene.
+template <typename T>
+void put_lens(const Camera& camera, const Pinhole& pinhole, WideView<T>& view) {
+  const Vec3 right = pinhole.right() * (camera.aperture / 2);
+  const Vec3 up = pinhole.up() * (camera.aperture / 2);
+  view.lens_right = rounded<T>(right);
+  view.lens_up = rounded<T>(up);
+  view.lens_right_in_view = rounded<T>(right / camera.focus);
+  view.lens_up_in_view = rounded<T>(up / camera.focus);
+}
+
 /// Adds a sphere of radius 0, which is never hit, to a scene without any: tables need a row.
 void fill_sky(Scene& scene) {
   scene.spheres.emplace_back();
@@ -66,12 +77,15 @@ class TracerIn final : public Tracer {
            const TracerOptions& options, ChooseKernel<T>& choose)
       : Tracer(rebase, reach_of(rebased, options.exact_spheres)),
         scene_(rebased, options.search, options.exact_spheres, options.lights),
-        kernel_(choose(kernel_features(scene_))),
+        camera_(rebased.camera),
+        kernel_(choose(kernel_features(scene_, camera_))),
         pinhole_(pinhole) {}
 
   bool trace(const RenderSettings& settings, EmitterTally* emitters, std::span<PixelRun> runs,
              TraceCounts& counts, const std::atomic<bool>& cancel) const override {
-    kernel_(scene_, view(settings, emitters, runs), runs, counts, cancel);
+    WideView<T> view = this->view(settings, emitters, runs);
+    if (camera_.has_lens()) put_lens(camera_, pinhole_, view);
+    kernel_(scene_, view, runs, counts, cancel);
     return !cancel.load(std::memory_order_relaxed);
   }
 
@@ -109,15 +123,17 @@ class TracerIn final : public Tracer {
     return view;
   }
 
-  static KernelFeatures kernel_features(const WideScene<T>& scene) {
+  static KernelFeatures kernel_features(const WideScene<T>& scene, const Camera& camera) {
     return {.motion = scene.has_motion,
             .exact_spheres = scene.exact_spheres > 0,
             .bvh = scene.search == Search::Bvh,
             .instances = !scene.instances.empty(),
-            .lights = scene.lights.nodes > 0};
+            .lights = scene.lights.nodes > 0,
+            .lens = camera.has_lens()};
   }
 
   const WideScene<T> scene_;
+  const Camera camera_;
   TraceRuns<T>* const kernel_;
   const Pinhole pinhole_;
 };

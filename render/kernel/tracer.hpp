@@ -38,7 +38,8 @@ class Tracer {
   virtual bool trace(const RenderSettings& settings, EmitterTally* emitters,
                      std::span<PixelRun> runs, TraceCounts& counts,
                      const std::atomic<bool>& cancel) const = 0;
-  /// The sphere at the centre of a pixel; nullopt for the background.
+  /// The sphere at the centre of a pixel, through the centre of the lens; nullopt for the
+  /// background.
   virtual std::optional<PickedSphere> pick(const RenderSettings& settings,
                                            std::uint64_t pixel) const = 0;
   /// The features of a pixel that has `samples` samples; PixelFeatures{} without any.
@@ -68,8 +69,9 @@ struct TracerOptions {
   std::span<const std::uint32_t> lights{};  ///< the spheres from choose_lights()
 };
 
-/// `scene` is in world coordinates and already checked; the camera is on the surface of at most one
-/// of its spheres, unless the backend allows more. Search::All allows at most kMaxWideSpheres.
+/// `scene` is in world coordinates and already checked. A lens touches no surface; a pinhole is on
+/// the surface of at most one sphere, unless the backend allows more. Search::All allows at most
+/// kMaxWideSpheres.
 std::unique_ptr<const Tracer> make_tracer(Scene scene, const TracerOptions& options);
 
 }  // namespace sdlc::render

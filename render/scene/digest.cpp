@@ -60,6 +60,10 @@ std::uint64_t digest_of(const Scene& scene) {
   digest.add(scene.camera.up);
   digest.add(scene.camera.plane_height);
   digest.add(scene.camera.aspect);
+  if (scene.camera.has_lens()) {
+    digest.add(scene.camera.aperture);
+    digest.add(scene.camera.focus);
+  }
   digest.add(scene.background.bottom);
   digest.add(scene.background.top);
   return digest.value();

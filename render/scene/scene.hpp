@@ -35,14 +35,21 @@ struct Sphere {
   friend bool operator==(const Sphere&, const Sphere&) = default;
 };
 
-/// A pinhole camera. `at` differs from `from`, and `up` is neither zero nor parallel to the view
-/// direction.
+/// A camera with a pinhole or a thin lens. `at` differs from `from`, and `up` is neither zero nor
+/// parallel to the view direction.
 struct Camera {
   Vec3 from;
   Vec3 at;
   Vec3 up{0, 1, 0};
   double plane_height = 2;  ///< height of the image plane at distance 1; greater than 0
   double aspect = 16.0 / 9.0;
+  /// Diameter of the lens, a disc around `from` perpendicular to the view axis; 0: a pinhole.
+  double aperture = 0;
+  /// With a lens: the distance along the view axis of the plane in focus, which is parallel to the
+  /// lens; greater than 0.
+  double focus = 1;
+
+  bool has_lens() const noexcept { return aperture > 0; }
 };
 
 /// The radiance of rays that hit no sphere: `bottom` straight down, `top` straight up, linear in

@@ -47,10 +47,11 @@ struct Surfaces {
   }
 };
 
-/// The pyramid of view directions.
+/// The pyramid of view directions from the camera, or from any point of its lens.
 class ViewPyramid {
  public:
-  explicit ViewPyramid(const Camera& camera) {
+  ViewPyramid(const Camera& camera, const Rebase& rebase)
+      : lens_radius_(rebase.length(camera.aperture) / 2), focus_(rebase.length(camera.focus)) {
     const Pinhole pinhole(camera);
     const Vec3 forward = pinhole.place(0.5, 0.5);
     const Vec3 right = pinhole.across() / 2, up = pinhole.upwards() / 2;
@@ -59,15 +60,22 @@ class ViewPyramid {
     normals_ = {side(right), side(-right), side(up), side(-up), -forward};
   }
 
-  /// Whether a sphere may be in the picture; `center` is relative to the camera.
+  /// Whether a sphere of the rebased scene may be in the picture.
   bool may_show(Vec3 center, double radius) const noexcept {
     constexpr double kRounding = 1e-6;
-    const double reach = radius + kRounding * moderate_length(center);
+    double reach = radius + kRounding * moderate_length(center);
+    if (lens_radius_ > 0) {
+      // A ray that starts at the edge of the lens is as far outside, and on the other side of the
+      // plane in focus up to (depth / focus - 1) times as far.
+      const double depth = moderate_length(center) + radius;
+      reach += lens_radius_ * std::fmax(1, depth / focus_ - 1);
+    }
     return std::ranges::all_of(normals_, [&](Vec3 n) { return dot(center, n) <= reach; });
   }
 
  private:
   std::array<Vec3, 5> normals_;
+  double lens_radius_, focus_;
 };
 
 /// The 95 % upper confidence limit for the mean of a Poisson distribution after n events, by the
@@ -96,8 +104,8 @@ EmitterClasses::EmitterClasses(const Scene& scene, std::span<const std::uint32_t
   constexpr int kOctaves = 64;  // below the brightest; the last class includes everything darker
   std::array<std::uint8_t, 2 * kOctaves> class_of_octave;
   class_of_octave.fill(kNone);
-  const ViewPyramid view(scene.camera);
   const Rebase rebase(scene);
+  const ViewPyramid view(scene.camera, rebase);
   for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
     const double radiance =
         root_mean_square(radiance_of(scene.materials[scene.spheres[i].material]));

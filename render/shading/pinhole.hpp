@@ -11,9 +11,10 @@ class Pinhole {
  public:
   explicit Pinhole(const Camera& camera) noexcept {
     forward_ = unit(direction_between(camera.from, camera.at));
-    const Vec3 right = unit(cross(forward_, with_moderate_length(camera.up)));
-    across_ = right * (camera.plane_height * camera.aspect);
-    upwards_ = cross(right, forward_) * camera.plane_height;
+    right_ = unit(cross(forward_, with_moderate_length(camera.up)));
+    up_ = cross(right_, forward_);
+    across_ = right_ * (camera.plane_height * camera.aspect);
+    upwards_ = up_ * camera.plane_height;
   }
 
   /// The vector from the camera to (s, t) on the image plane at distance 1: (0, 0) is the lower
@@ -24,12 +25,15 @@ class Pinhole {
   /// The unit direction through the same point.
   Vec3 direction(double s, double t) const noexcept { return unit(place(s, t)); }
 
+  /// The unit vectors to the right and upwards in the picture.
+  Vec3 right() const noexcept { return right_; }
+  Vec3 up() const noexcept { return up_; }
   /// The vectors along the lower edge and the left edge of the picture.
   Vec3 across() const noexcept { return across_; }
   Vec3 upwards() const noexcept { return upwards_; }
 
  private:
-  Vec3 forward_, across_, upwards_;
+  Vec3 forward_, right_, up_, across_, upwards_;
 };
 
 }  // namespace sdlc::render

@@ -19,7 +19,14 @@ constexpr std::uint64_t mix_bits(std::uint64_t z) noexcept {
 
 /// The use of each pair of dimensions. A vertex of the path has its own pairs, independent of what
 /// earlier surfaces used.
-enum CameraPair : std::uint32_t { kPixel, kTime, kCameraPairs };
+enum CameraPair : std::uint32_t {
+  kPixel,
+  kTime,
+  kCameraPairs,  ///< the pairs of the first vertex start here
+  /// The point on the lens. The pairs of vertices only count upwards, so the one before the first
+  /// pair is free: a lens changes no other random number.
+  kLens = 0xFFFFFFFF,
+};
 enum VertexPair : std::uint32_t {
   kDirection,  ///< scattered direction: height on the sphere and azimuth
   kChoice,     ///< first: selects one of several events, or the distance in a ball

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <string>
@@ -50,7 +51,7 @@ class CompareCommand : public testing::Test {
              const std::vector<std::pair<std::string, std::string>>& entries = {}) {
     render::write_picture(folder_ / name, picture,
                           {.format = render::image_format_of(name).value(),
-                           .tone = tone,
+                           .mapping = {.tone = tone},
                            .metadata = {.entries = entries}});
   }
   /// Both with a constant variance of that size.
@@ -170,6 +171,47 @@ TEST_F(CompareCommand, DecodesCodesForFlipByTheTone) {
     // The codes are rounded.
     EXPECT_NEAR(json("a.png b.png")["flip"], expected, 0.02) << name;
   }
+}
+
+// A viewer sees the compressed highlights, so FLIP does not undo the compression.
+TEST_F(CompareCommand, ComparesNeutralPicturesForFlipAsTheyAreShown) {
+  const LinearRgb sun(20, 10, 5), lamp(4, 2, 1);
+  write("a.png", Picture(16, 16, sun), render::Tone::Neutral, {{"sdlc:tone", "neutral"}});
+  write("b.png", Picture(16, 16, lamp), render::Tone::Neutral, {{"sdlc:tone", "neutral"}});
+  write("a.exr", Picture(16, 16, render::compress_neutrally(sun)));
+  write("b.exr", Picture(16, 16, render::compress_neutrally(lamp)));
+  const double shown = json("a.exr b.exr")["flip"];
+  EXPECT_GT(shown, 0.05);
+  EXPECT_NEAR(json("a.png b.png")["flip"], shown, 0.02);
+}
+
+TEST_F(CompareCommand, RefusesPicturesOfDifferentExposures) {
+  write("a.png", gradient(), render::Tone::Srgb, {{"sdlc:tone", "srgb"}});
+  write("b.png", gradient(), render::Tone::Srgb, {{"sdlc:tone", "srgb"}, {"sdlc:exposure", "1.5"}});
+  write("c.png", gradient(), render::Tone::Neutral,
+        {{"sdlc:tone", "neutral"}, {"sdlc:exposure", "1.5"}});
+  EXPECT_EQ(compare("b.png b.png").exit_code, 0);
+  const ProgramResult exposures = compare("a.png b.png");
+  EXPECT_EQ(exposures.exit_code, 2);
+  EXPECT_THAT(exposures.err,
+              HasSubstr("`a.png` has codes of the tone srgb and `b.png` of srgb with exposure 1.5; "
+                        "render one of them with the other's --exposure, or compare .exr files"));
+  EXPECT_THAT(compare("b.png c.png").err, HasSubstr("the other's --tone, or"));
+  EXPECT_THAT(compare("a.png c.png").err, HasSubstr("the other's --tone and --exposure, or"));
+}
+
+TEST_F(CompareCommand, KnowsTheExposureThatRenderRecords) {
+  std::ofstream(folder_ / "a.scene") << "scene 1\nbackground { color: #336699 }\n"
+                                        "render { width: 4, height: 4, exposure: 0.5 }\n";
+  const std::string render = "\"$SDLC\" render a.scene --quiet ";
+  EXPECT_EQ(run(render + "-o a.png").err, "");
+  EXPECT_EQ(run(render + "-o flag.png --exposure -1").err, "");
+  EXPECT_EQ(run(render + "-o zero.png --exposure 0").err, "");
+  EXPECT_THAT(compare("a.png flag.png").err,
+              HasSubstr("srgb with exposure 0.5 and `flag.png` of srgb with exposure -1;"));
+  EXPECT_THAT(content_of(folder_ / "zero.png"), Not(HasSubstr("sdlc:exposure")));
+  EXPECT_EQ(run(render + "-o a.exr && " + render + "-o flag.exr --exposure -1").err, "");
+  EXPECT_EQ(content_of(folder_ / "a.exr"), content_of(folder_ / "flag.exr"));
 }
 
 TEST_F(CompareCommand, TakesAnUntoldToneForThatOfTheOther) {

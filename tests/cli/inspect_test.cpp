@@ -126,6 +126,7 @@ TEST_F(InspectCommand, ShowsTheSettingsOfThePicture) {
                                      {"adaptive", false},
                                      {"threads", 0},
                                      {"tone", "sqrt"},
+                                     {"exposure", 0},
                                      {"output", "out/ring.0001.png"}}));
   EXPECT_EQ(report["background"]["kind"], "color");
   EXPECT_EQ(report["memory"]["picture_bytes"], 100 * 56 * 24);

@@ -252,7 +252,8 @@ TEST(Schema, GivesTheTablesOfTheLanguage) {
                             "doc": "The position of the camera.", "json": "look_from"
 })json"));
   EXPECT_EQ(tables["diagnostics"].size(), lang::all_diagnostics().size());
-  for (const char* table : {"constructors", "functions", "types", "limits", "colors"}) {
+  for (const char* table :
+       {"constructors", "functions", "types", "data_formats", "limits", "colors"}) {
     EXPECT_FALSE(tables[table].empty()) << table;
   }
 }

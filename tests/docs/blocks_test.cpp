@@ -41,6 +41,8 @@
 //     a file that others of its section, or of the page, import or include
 //   rust scene-unformatted         statements that `sdlc fmt` turns into the next block, a
 //   rust scene-formatted           `scene-formatted`; SDLC_UPDATE=1 rewrites that
+//   csv data-file NAME             (or `text`)
+//     a data file that others import
 //   json [config [NAME FLAG…]]
 //     a config, treated like `scene`; so are `json config-wrong` and `json config-file`
 //   text message [A => B]
@@ -92,8 +94,8 @@ std::string kind_of(const CodeBlock& block) {
 
 /// A block that is a complete text of one of the formats.
 bool is_file(const CodeBlock& block) {
-  static const std::vector<std::string> kinds{"scene",  "scene-wrong",  "scene-file", "scene-part",
-                                              "config", "config-wrong", "config-file"};
+  static const std::vector<std::string> kinds{"scene",  "scene-wrong",  "scene-file",  "scene-part",
+                                              "config", "config-wrong", "config-file", "data-file"};
   return std::ranges::find(kinds, kind_of(block)) != kinds.end();
 }
 
@@ -343,7 +345,7 @@ void check(const Example& example) {
     ASSERT_LT(example.index + 1, example.page->blocks.size());
     const std::string next = kind_of(example.page->blocks[example.index + 1]);
     EXPECT_TRUE(next == "message" || next == "session") << next;
-  } else if (kind == "scene-file" || kind == "config-file") {
+  } else if (kind == "scene-file" || kind == "config-file" || kind == "data-file") {
     EXPECT_NE(word(block, 2), "");
   } else if (kind == "scene-unformatted") {
     ASSERT_LT(example.index + 1, example.page->blocks.size());

@@ -13,6 +13,7 @@
 #include "lang/report/findings.hpp"
 #include "lang/schema/property_text.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/source/data_format.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/value/builtins.hpp"
 #include "lang/value/colors.hpp"
@@ -87,6 +88,10 @@ std::string function_table(std::string_view topic) {
       signatures.replace(at, 3, ")`, `");
     }
     text += fmt::format("| {} | {} |\n", signatures, builtin.doc);
+    for (const lang::Property& option : builtin.options) {
+      text +=
+          fmt::format("| · `{}`: {} | {} |\n", option.name, describe_values(option), option.doc);
+    }
   }
   return text;
 }
@@ -95,6 +100,14 @@ std::string type_table() {
   std::string text = "| type | |\n| --- | --- |\n";
   for (const lang::TypeInfo& type : lang::all_types()) {
     text += fmt::format("| `{}` | {} |\n", type.name, type.doc);
+  }
+  return text;
+}
+
+std::string data_format_table() {
+  std::string text = "| extension | |\n| --- | --- |\n";
+  for (const lang::DataFormatInfo& format : lang::kDataFormats) {
+    text += fmt::format("| `{}` | {} |\n", format.extension, format.doc);
   }
   return text;
 }
@@ -112,15 +125,12 @@ std::string fixed_limit_table() {
   return fmt::format(
       "| fixed | |\n| --- | --- |\n"
       "| {} | brackets inside brackets, in the text of a file |\n"
-      "| {} | calls of functions and instances of kinds inside each other |\n"
-      "| {} | expressions and statements inside each other while they are evaluated, through calls "
-      "and instances |\n"
       "| {:.0f} | pixels, samples, rays and the like: whole numbers in properties, but for `seed` "
       "|\n"
       "| {} | pixels of a picture |\n"
       "| {} | errors that are shown of one run, and as many warnings; more are counted |\n",
-      lang::kMaxNesting, lang::kMaxCalls, lang::kMaxEvaluationDepth, lang::kMaxWholeNumber,
-      render::kMaxPicturePixels, lang::FindingsFilter::kMaxShown);
+      lang::kMaxNesting, lang::kMaxWholeNumber, render::kMaxPicturePixels,
+      lang::FindingsFilter::kMaxShown);
 }
 
 std::string color_list() {
@@ -159,6 +169,7 @@ std::vector<GeneratedPart> reference_parts() {
     parts.push_back({fmt::format("functions of {}", topic), function_table(topic)});
   }
   parts.push_back({"types", type_table()});
+  parts.push_back({"data formats", data_format_table()});
   parts.push_back({"limits", limit_table()});
   parts.push_back({"fixed limits", fixed_limit_table()});
   parts.push_back({"named colors", color_list()});

@@ -37,7 +37,13 @@ void print_scene_words() {
     print(kind.name);
     for (const Property& property : kind.properties) print(property.name);
   }
-  for (const Builtin& builtin : all_builtins()) print(builtin.name);
+  for (const Builtin& builtin : all_builtins()) {
+    print(builtin.name);
+    for (const Property& option : builtin.options) {
+      print(option.name);
+      for (const std::string_view word : option.words) print(word);
+    }
+  }
   for (const Constructor& constructor : all_constructors()) {
     print(constructor.name);
     for (const Property& parameter : constructor.parameters) print(parameter.name);

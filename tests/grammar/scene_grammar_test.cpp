@@ -114,6 +114,13 @@ TEST(SceneGrammar, TakesReservedWordsForLabelsButNotForNames) {
   EXPECT_TRUE(matches("scene 1 let format = notes + iffy + trueish"));
 }
 
+TEST(SceneGrammar, TakesLocalNamesWhereAnExpressionStarts) {
+  EXPECT_TRUE(matches("scene 1 let a = let b = 1, c = b in b + c"));
+  EXPECT_TRUE(matches("scene 1 for in in let n = 3 in range(n) { }"));
+  EXPECT_FALSE(matches("scene 1 let a = 1 + let b = 1 in b"));
+  EXPECT_FALSE(matches("scene 1 let a = let b = 1, in b"));
+}
+
 TEST(SceneGrammar, NeverTakesALabelForAValue) {
   EXPECT_FALSE(matches("scene 1 sphere { center:\nradius: 1 }"));
 }

@@ -3,5 +3,6 @@
   (parameters)
   (arguments)
   (list)
+  (comprehension)
   (block_comment)
 ] @fold

@@ -85,7 +85,13 @@
   name: (identifier) @variable)
 (param_statement
   name: (identifier) @variable)
-(for_statement
+(pattern
+  index: (identifier) @variable)
+(pattern
+  name: (identifier) @variable)
+(row_pattern
+  name: (identifier) @variable)
+(binding
   name: (identifier) @variable)
 (parameter
   name: (identifier) @variable.parameter)
@@ -118,10 +124,10 @@
   (#match? @constructor "^(transmissive|linear255|emissive|specular|diffuse|kelvin|linear|unlit|line|hsl|rgb)$")) ; constructors
 ((call
   function: (path . (identifier) @function.builtin .))
-  (#match? @function.builtin "^(normalize|length|random|atan2|clamp|cross|floor|noise|range|round|acos|asin|ceil|sqrt|abs|cos|dot|exp|len|log|max|min|mix|mod|sin|str|sum|tan)$")) ; functions
+  (#match? @function.builtin "^(random_in_sphere|random_on_sphere|random_in_disc|random_normal|ease_in_out|smoothstep|normalize|ease_out|ease_in|reverse|length|random|rotate|atan2|clamp|cross|floor|fract|noise|range|remap|round|acos|asin|ceil|sign|sort|sqrt|abs|all|any|cos|dot|exp|len|log|max|min|mix|mod|sin|str|sum|tan|zip)$")) ; functions
 ((call
   function: (path . (identifier) @function.call .))
-  (#not-match? @function.call "^(transmissive|linear255|normalize|emissive|specular|diffuse|kelvin|length|linear|random|atan2|clamp|cross|floor|noise|range|round|unlit|acos|asin|ceil|line|sqrt|abs|cos|dot|exp|hsl|len|log|max|min|mix|mod|rgb|sin|str|sum|tan)$")) ; functions and constructors
+  (#not-match? @function.call "^(random_in_sphere|random_on_sphere|random_in_disc|random_normal|transmissive|ease_in_out|smoothstep|linear255|normalize|ease_out|emissive|specular|diffuse|ease_in|reverse|kelvin|length|linear|random|rotate|atan2|clamp|cross|floor|fract|noise|range|remap|round|unlit|acos|asin|ceil|line|sign|sort|sqrt|abs|all|any|cos|dot|exp|hsl|len|log|max|min|mix|mod|rgb|sin|str|sum|tan|zip)$")) ; functions and constructors
 (call
   function: (path (identifier) @module . "."))
 (call

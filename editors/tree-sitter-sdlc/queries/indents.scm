@@ -7,6 +7,8 @@
   (group)
   (triple)
   (list)
+  (comprehension)
+  (row_pattern)
   (index)
 ] @indent.begin @indent
 

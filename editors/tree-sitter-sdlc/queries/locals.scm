@@ -3,12 +3,20 @@
 (fn_statement) @local.scope
 (def_statement) @local.scope
 (for_statement) @local.scope
+(comprehension) @local.scope
+(let_in) @local.scope
 
 (let_statement
   name: (identifier) @local.definition)
 (param_statement
   name: (identifier) @local.definition)
-(for_statement
+(pattern
+  index: (identifier) @local.definition)
+(pattern
+  name: (identifier) @local.definition)
+(row_pattern
+  name: (identifier) @local.definition)
+(binding
   name: (identifier) @local.definition)
 (parameter
   name: (identifier) @local.definition)

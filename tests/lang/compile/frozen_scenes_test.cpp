@@ -31,7 +31,7 @@ std::string describe(const LoweredScene& lowered) {
   return fmt::format("{} {:016x} {}x{} samples {} depth {} seed {} tone {} output \"{}\"",
                      lowered.scene.spheres.size(), render::digest_of(lowered.scene), settings.width,
                      settings.height, settings.samples, settings.depth, settings.seed,
-                     static_cast<int>(lowered.output.tone), lowered.output.output);
+                     static_cast<int>(lowered.output.mapping.tone), lowered.output.output);
 }
 
 /// What every frame of the file lowers to, by "file" or "file frame".

@@ -70,7 +70,7 @@ void expect_same_lowering(const LoweredScene& a, const LoweredScene& b) {
   EXPECT_EQ(a.settings.depth, b.settings.depth);
   EXPECT_EQ(a.settings.seed, b.settings.seed);
   EXPECT_EQ(a.output.output, b.output.output);
-  EXPECT_EQ(a.output.tone, b.output.tone);
+  EXPECT_EQ(a.output.mapping, b.output.mapping);
 }
 
 void expect_round_trip(const std::string& config) {

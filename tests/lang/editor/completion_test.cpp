@@ -185,6 +185,18 @@ TEST(Completion, OffersTheWordsOfConditionals) {
   EXPECT_THAT(labels("scene 1\nfor i |"), ElementsAre("in"));
 }
 
+TEST(Completion, OffersTheWordsAndNamesOfComputedLists) {
+  EXPECT_THAT(labels("scene 1\nlet a = [1 |]"), Contains("for"));
+  EXPECT_THAT(labels("scene 1\nlet a = [1, 2 |]"), Not(Contains("for")));
+  EXPECT_THAT(labels("scene 1\nlet a = [x for x |]"), ElementsAre("in"));
+  EXPECT_EQ(labels("scene 1\nlet xs = [1]\nlet a = [x for x in |]").front(), "xs");
+  EXPECT_EQ(labels("scene 1\nlet a = [x for x in [1] |]").front(), "if");
+  EXPECT_THAT(labels("scene 1\nlet a = [x for size in [1] if s|]"), Contains("size"));
+  EXPECT_THAT(labels("scene 1\nlet a = [x for i, (size, _) in [[1, 2]] if s|]"), Contains("size"));
+  EXPECT_THAT(labels("scene 1\nlet a = [x for size in [1]]\nlet b = s|"), Not(Contains("size")));
+  EXPECT_THAT(labels("scene 1\nfor i, (size, _) in [[1, 2]] { let b = s| }"), Contains("size"));
+}
+
 TEST(Completion, OffersFilesRelativeToTheText) {
   std::vector<std::string> asked;
   const auto list = [&](const std::filesystem::path& folder) -> std::vector<lang::FolderEntry> {
@@ -202,6 +214,27 @@ TEST(Completion, OffersFilesRelativeToTheText) {
   EXPECT_EQ(complete("scene 1\nimport \"x/b|c.scene\" as b").items.front().replaced,
             (lang::Span{18, 26}));
   EXPECT_THAT(labels(complete("scene 1\nimport \"/|")), IsEmpty());
+}
+
+TEST(Completion, OffersDataFilesToImports) {
+  const auto list = [](const std::filesystem::path& /*folder*/) {
+    return std::vector<lang::FolderEntry>{{"a.csv"}, {"b.TSV"}, {"c.xyz"}, {"d.txt"}};
+  };
+  MarkedScene import("scene 1\nimport \"|"), include("scene 1\ninclude \"|");
+  EXPECT_THAT(labels(lang::complete(import.view(), 0, import.offset(), list)),
+              ElementsAre("a.csv", "b.TSV", "c.xyz"));
+  EXPECT_THAT(labels(lang::complete(include.view(), 0, include.offset(), list)), IsEmpty());
+}
+
+TEST(Completion, OffersTheColumnsOfARow) {
+  const std::string start = "scene 1\nimport \"a.csv\" as atoms\n";
+  for (const char* text : {"for a in atoms { let b = a.| }", "let a = atoms[0]\nlet b = a.|"}) {
+    EXPECT_THAT(labels({{"root.scene", start + text}, {"a.csv", "name,mass,\"x (m)\"\na,1,2\n"}}),
+                ElementsAre("name", "mass"))
+        << text;
+  }
+  EXPECT_THAT(labels({{"root.scene", start + "for a in at| {"}, {"a.csv", "x\n1\n"}}),
+              Contains("atoms"));
 }
 
 TEST(Completion, OmitsTheFileItselfHoweverItIsNamed) {

@@ -62,6 +62,13 @@ TEST(Hover, ShowsPathAndDescriptionOfAnImport) {
   EXPECT_THAT(hover_at("import \"lib/../l.|scene\" as l\n"), HasSubstr("File: `l.scene`"));
 }
 
+TEST(Hover, ShowsColumnsAndNumberOfRowsOfADataFile) {
+  EXPECT_THAT(hover_in({{"root.scene", "scene 1\nimport \"a.csv\" as a\nlet n = len(|a)\n"},
+                        {"a.csv", "name,mass,\nx,1,2\ny,2,3\n"}}),
+              HasSubstr("Data file: `a.csv`, 2 rows.\n\n* `name`: string\n* `mass`: number\n"
+                        "* `[2]`: number"));
+}
+
 TEST(Hover, ShowsSignaturesOfFunctionsAndDefs) {
   EXPECT_THAT(hover_at("/// Twice.\nfn twice(x: number) = 2 * x\nlet a = twi|ce(4)\n"),
               AllOf(HasSubstr("```scene\nfn twice(x: number) = 2 * x\n```"), HasSubstr("Twice."),
@@ -81,9 +88,9 @@ TEST(Hover, ShowsTypeRangeDefaultAndValueOfAProperty) {
             "Value: `0.4m` = `40cm`");
   EXPECT_THAT(hover_at("camera { |up: (0, 1, 0) }\n"), HasSubstr("default `(0, 1, 0)`"));
   EXPECT_THAT(hover_at("render { |tone: sqrt }\n"),
-              HasSubstr("`srgb`, `sqrt` or `linear`; default `srgb`"));
+              HasSubstr("`srgb`, `sqrt`, `linear` or `neutral`; default `srgb`"));
   EXPECT_THAT(hover_at("render { tone: sq|rt }\n"),
-              HasSubstr("`srgb`, `sqrt` or `linear`; default `srgb`"));
+              HasSubstr("`srgb`, `sqrt`, `linear` or `neutral`; default `srgb`"));
   EXPECT_THAT(hover_at("let m = specular(red, fu|zz: 0.1)\n"), HasSubstr("`fuzz` of `specular`"));
 }
 
@@ -136,6 +143,9 @@ TEST(Hover, DescribesBuiltInNames) {
 TEST(Hover, DescribesLoopVariablesAndLabels) {
   EXPECT_THAT(hover_at("for i in range(3) { sphere { radius: |i } }\n"),
               AllOf(HasSubstr("for i in range(3)"), HasSubstr("Value: `[0, 1, 2]`")));
+  EXPECT_THAT(hover_at("let a = [|x for i, x in [1, 2]]\n"), HasSubstr("for i, x in [1, 2]"));
+  EXPECT_THAT(hover_at("let |a = [x^2 for (x, _) in [[1, 2], [3, 4]] if x > 1]\n"),
+              HasSubstr("Value: `[9]`"));
   EXPECT_THAT(hover_at("/// Big.\nsphere ba|ll { radius: 1 }\n"),
               AllOf(HasSubstr("```scene\nsphere ball\n```"), HasSubstr("Big.")));
   EXPECT_THAT(hover_at("camera main {}\nrender { camera: ma|in }\n"), HasSubstr("camera main"));

@@ -52,6 +52,10 @@ TEST(Definition, IsTheDeclarationOfAName) {
             "d -> root.scene d in def d(n) {}");
   EXPECT_EQ(definition_of("scene 1\nrender { camera: |a }\ncamera a {}\n"),
             "a -> root.scene a in camera a {}");
+  EXPECT_EQ(definition_of("scene 1\ncamera a { focus: |b }\ngroup { sphere b {} }\n"),
+            "b -> root.scene b in sphere b {}");
+  EXPECT_EQ(definition_of("scene 1\ncamera a { focus: |b }\nsphere b {}\nlet b = 1\n"),
+            "b -> root.scene b in let b = 1");
 }
 
 TEST(Definition, IsInTheImportedFile) {

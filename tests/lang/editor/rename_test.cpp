@@ -95,6 +95,13 @@ TEST(RenamePlan, ChangesTheAliasOfAnImport) {
             "shapes.pair { gap: shapes.half(of: 2) }\n");
 }
 
+TEST(RenamePlan, ChangesTheNamesOfLoops) {
+  EXPECT_EQ(renamed("scene 1\nlet a = [x + i for i, x in [1] if x > 0]\nlet x = 1\n", "x + i", "y"),
+            "scene 1\nlet a = [y + i for i, y in [1] if y > 0]\nlet x = 1\n");
+  EXPECT_EQ(renamed("scene 1\nfor (a, b) in [[1, 2]] { assert a < b, \"\" }\n", "b)", "c"),
+            "scene 1\nfor (a, c) in [[1, 2]] { assert a < c, \"\" }\n");
+}
+
 TEST(RenamePlan, ChangesALabelThatNothingUses) {
   EXPECT_EQ(renamed("scene 1\nsphere ball { radius: 1 }\n", "ball", "globe"),
             "scene 1\nsphere globe { radius: 1 }\n");

@@ -50,7 +50,7 @@ TEST(SignatureHelp, IsThatOfTheInnermostCall) {
   EXPECT_EQ(help("let x = mix(max(1, 2), |"), "mix(a, *b*, t)");
   EXPECT_EQ(help("let x = mix(max(1, |"), "max(a, *b*, …)");
   EXPECT_EQ(help("let x = mix((1, 2, 3), [4, 5|"), "mix(a, *b*, t)");
-  EXPECT_EQ(help("let x = str(\")(,\", |"), "str(x)");
+  EXPECT_EQ(help("let x = str(\")(,\", |"), "str(x, *digits: …*, width: 0, fill: \" \")");
   EXPECT_EQ(help("let x = mix(/* ( */ 1, |"), "mix(a, *b*, t)");
 }
 

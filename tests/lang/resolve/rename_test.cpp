@@ -30,6 +30,18 @@ TEST(Rename, ReplacesEveryUseInEveryFile) {
               testing::HasSubstr("shapes.ring { n: shapes.count, scale: shapes.half"));
 }
 
+TEST(Rename, KeepsDefinitionsOfBlocksApart) {
+  const IndexedProgram program(
+      "scene 1\nfn f(x) = x\ngroup { fn f(x) = let y = x in y + f(0) sphere { radius: f(1) } }\n"
+      "sphere { radius: f(2) }\n");
+  EXPECT_THAT(program.renamed("f(1)", "g"),
+              ElementsAre(Pair("test.scene",
+                               "scene 1\nfn f(x) = x\n"
+                               "group { fn g(x) = let y = x in y + g(0) sphere { radius: g(1) } }\n"
+                               "sphere { radius: f(2) }\n")));
+  EXPECT_EQ(program.refusal("y + f", "x"), "conflict 3:23");
+}
+
 TEST(Rename, IsRefusedWhereAMeaningWouldChange) {
   const IndexedProgram program(R"(scene 1
 let a = 1

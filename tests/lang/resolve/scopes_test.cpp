@@ -44,5 +44,24 @@ TEST(Scopes, ForgetHiddenNamesOfManyInTheRightOrder) {
   EXPECT_EQ(scopes.frame_size(), 300u);
 }
 
+TEST(Scopes, HaveSlotsByFrame) {
+  Scopes scopes;
+  scopes.declare("a");
+  scopes.declare("b");
+  {
+    const Scopes::Frame frame(scopes);
+    const Scopes::Block block(scopes);
+    scopes.reserve(3);  // those of parameters
+    const std::uint32_t local = scopes.declare("c");
+    EXPECT_EQ(scopes[local].frame, 1u);
+    EXPECT_EQ(scopes[local].slot, 3u);
+    EXPECT_EQ(scopes.frame_size(), 4u);
+    EXPECT_EQ(scopes[*scopes.find("b")].frame, 0u);
+    EXPECT_EQ(scopes[*scopes.find("b")].slot, 1u);
+  }
+  EXPECT_EQ(scopes.frame_size(), 2u);
+  EXPECT_EQ(scopes[scopes.declare("d")].slot, 2u);
+}
+
 }  // namespace
 }  // namespace sdlc::lang

@@ -16,6 +16,29 @@ using lang::NameSpace;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+TEST(SymbolIndex, ResolvesDefinitionsOfBlocks) {
+  const IndexedProgram program(R"(scene 1
+fn f(x) = x
+def d() {
+  let a = 1
+  fn f(x) = if x > a then f(x - 1) else let a = x in a
+  def e(n) { d { } e { n: f(n) } }
+  e { n: f(a) }
+}
+d { }
+let b = f(2)
+)");
+  EXPECT_EQ(program.meaning("f(x - 1)"), "function 5:6");
+  EXPECT_EQ(program.meaning("f(a)"), "function 5:6");
+  EXPECT_EQ(program.meaning("f(2)"), "function 2:4");
+  EXPECT_EQ(program.meaning("a then"), "value 4:7");
+  EXPECT_EQ(program.meaning("a\n"), "value 5:45");
+  EXPECT_EQ(program.meaning("e { n: f(n)"), "kind 6:7");
+  EXPECT_EQ(program.meaning("n: f(a)"), "parameter 6:9");
+  EXPECT_THAT(program.references("f(a)"), ElementsAre("5:6", "5:27", "6:27", "7:10"));
+  EXPECT_THAT(program.unknown(), IsEmpty());
+}
+
 TEST(SymbolIndex, ResolvesLocalsInnermostFirst) {
   const IndexedProgram program(R"(scene 1
 let size = 1

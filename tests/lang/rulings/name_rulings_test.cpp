@@ -119,7 +119,7 @@ TEST(Rulings, Ruling12_ABareWordIsThePropertysOwn) {
            "camera other { from: (2, 0, 5), at: (0, 0, 0), fov: 40deg }\n"
            "sphere { center: (0, 0, 0), radius: 1,\n"
            "  material: transmissive(ior: 1.5, fresnel: if main > 5 then schlick else exact) }"});
-  EXPECT_EQ(lowered.output.tone, render::Tone::Sqrt);
+  EXPECT_EQ(lowered.output.mapping.tone, render::Tone::Sqrt);
   EXPECT_EQ(lowered.scene.camera.from.x, 1);
   ASSERT_EQ(lowered.scene.materials.size(), 1u);
   EXPECT_EQ(lowered.scene.materials.at(0).fresnel, render::Fresnel::Exact);

@@ -246,7 +246,7 @@ TEST(Rulings, Ruling33_RenderHasTheseSettingsAndDefaults) {
   EXPECT_EQ(plain.settings.samples, 64);
   EXPECT_EQ(plain.settings.depth, 16);
   EXPECT_EQ(plain.settings.seed, 0u);
-  EXPECT_EQ(plain.output.tone, render::Tone::Srgb);
+  EXPECT_EQ(plain.output.mapping.tone, render::Tone::Srgb);
   EXPECT_EQ(plain.output.output, "");
   const std::string render =
       "render { width: 5, height: 4, samples: 9, depth: 2, output: \"o.png\", tone: linear, "
@@ -267,7 +267,7 @@ TEST(Rulings, Ruling33_RenderHasTheseSettingsAndDefaults) {
   EXPECT_EQ(plain.settings.light_sampling, render::LightSampling::Auto);
   EXPECT_EQ(written.settings.error, 0.03);
   EXPECT_EQ(plain.settings.error, std::nullopt);
-  EXPECT_EQ(written.output.tone, render::Tone::Linear);
+  EXPECT_EQ(written.output.mapping.tone, render::Tone::Linear);
   EXPECT_EQ(written.output.output, "o.png");
 }
 
@@ -289,7 +289,7 @@ TEST(Rulings, Ruling33_FlagsWinOverTheScene) {
   EXPECT_EQ(lowered->settings.threads, 2);
   EXPECT_EQ(lowered->settings.seed, 10u);
   EXPECT_EQ(lowered->precision, render::Precision::Double);
-  EXPECT_EQ(lowered->output.tone, render::Tone::Linear);
+  EXPECT_EQ(lowered->output.mapping.tone, render::Tone::Linear);
 }
 
 TEST(Rulings, Ruling33_ABackgroundIsAColourAGradientOrTheJsonFormats) {

@@ -34,6 +34,8 @@ class Shape {
     switch (node.kind) {
       case SyntaxKind::Error: return "error";
       case SyntaxKind::Conditional: return "if";
+      case SyntaxKind::LetIn: return "let";
+      case SyntaxKind::Binding: return "=";
       case SyntaxKind::Or: return "or";
       case SyntaxKind::And: return "and";
       case SyntaxKind::Not: return "not";
@@ -48,6 +50,11 @@ class Shape {
       case SyntaxKind::Group: return "group";
       case SyntaxKind::Triple: return "triple";
       case SyntaxKind::List: return "list";
+      case SyntaxKind::Comprehension: return "comprehension";
+      case SyntaxKind::ForClause: return "for";
+      case SyntaxKind::IfClause: return "if";
+      case SyntaxKind::Pattern: return "names";
+      case SyntaxKind::RowPattern: return "row";
       default: return std::string(tree_.text({node.begin, node.begin + node.head}));
     }
   }
@@ -81,6 +88,8 @@ TEST(SyntaxTree, KeepsChainsFlat) {
   EXPECT_EQ(shape_of("a + b - c + d"), "(sum a +b -c +d)");
   EXPECT_EQ(shape_of("a or b or c"), "(or a b c)");
   EXPECT_EQ(shape_of("if a then b else if c then d else e"), "(if a b c d e)");
+  EXPECT_EQ(shape_of("let a = 1, b = a in a + b"), "(let (= a 1) (= b a) (sum a +b))");
+  EXPECT_EQ(shape_of("\n let a = let in = 1 in in in a"), "(let (= a (let (= in 1) in)) a)");
 }
 
 TEST(SyntaxTree, TellsGroupsFromTriples) {
@@ -93,6 +102,17 @@ TEST(SyntaxTree, TellsReferencesFromCalls) {
   EXPECT_EQ(shape_of("mat.brushed"), "mat.brushed");
   EXPECT_EQ(shape_of("f(1, g(), b: h(2))"), "(f 1 g() (b (h 2)))");
   EXPECT_EQ(shape_of("a[1].b.c[2]"), "(postfix a (index 1) .b .c (index 2))");
+}
+
+TEST(SyntaxTree, TellsListsFromComprehensions) {
+  EXPECT_EQ(shape_of("[]"), "[]");
+  EXPECT_EQ(shape_of("[1, x]"), "(list 1 x)");
+  EXPECT_EQ(shape_of("[x for x in a]"), "(comprehension x (for (names x) a))");
+  EXPECT_EQ(shape_of("[x + 1 for i, x in a if i for (b, c) in x]"),
+            "(comprehension (sum x +1) (for (names i x) a) (if i) (for (names (row b c)) x))");
+  EXPECT_EQ(shape_of("[[y for y in x] for i, (x, _) in if a then b else c]"),
+            "(comprehension (comprehension y (for (names y) x)) "
+            "(for (names i (row x _)) (if a b c)))");
 }
 
 TEST(SyntaxTree, ReadsPlainNumbersAsItReadsAllOthers) {

@@ -80,6 +80,8 @@ background { bottom: white, top: #80b3ff }
 sphere ground { center: (0, -1000.5, 0), radius: 1_000, material: diffuse(color: rgb(120, 140, 90)) }
 mat.kind big { n: count, material: mat.brushed, rotate: (0deg, 30deg, 0deg) for: true }
 let list = [[1, 2.5e-3], [-2^-1, x[0].y.z], []]
+let rows = [[i, b] for i, (a, b,) in list if a > 1 for c in [a]]
+for i, x in rows { for (_, size) in x { sphere { radius: size } } }
 let choice = if not a and b or c != d then "q\"\\\u00e9" else if false then f(1, x: 2) else (g(2)[3])
 render { width: 960, output: "ring.####.png" }
 assert count <= 1000, "count is a number of balls, at most 1000"

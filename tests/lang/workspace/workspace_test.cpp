@@ -121,6 +121,17 @@ TEST_F(WorkspaceTest, ParsesADocumentOnceAndReportsItsErrorsEachTime) {
   EXPECT_EQ(second.error_count(), 1u);
 }
 
+TEST_F(WorkspaceTest, ReadsATableOnceAndReportsItsErrorsEachTime) {
+  const Document good("a.csv", "x\n1\n"), wrong("b.csv", "x\n1\na\n");
+  DiagnosticSink sink;
+  EXPECT_EQ(good.table(sink), good.table(sink));
+  for (int i = 0; i < 2; ++i) {
+    DiagnosticSink errors;
+    EXPECT_EQ(wrong.table(errors), nullptr);
+    EXPECT_EQ(errors.error_count(), 1u);
+  }
+}
+
 TEST_F(WorkspaceTest, ParsesAgainAfterAStop) {
   const Document document("a.scene", "scene 1\nlet = 3");
   StopRequest stop;

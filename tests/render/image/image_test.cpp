@@ -93,9 +93,8 @@ INSTANTIATE_TEST_SUITE_P(Image, ExactFormat, testing::Values("a.png", "a.ppm", "
 TEST_P(ExactFormat, KeepsEveryCode) {
   for (const Tone tone : {Tone::Srgb, Tone::Sqrt, Tone::Linear}) {
     const Picture picture = gradient(kWidth, kHeight);
-    EXPECT_EQ(
-        max_difference(round_trip(picture, GetParam(), {.tone = tone}), codes_of(picture, tone)),
-        0);
+    const Picture read = round_trip(picture, GetParam(), {.mapping = {.tone = tone}});
+    EXPECT_EQ(max_difference(read, codes_of(picture, tone)), 0);
   }
 }
 
@@ -140,7 +139,7 @@ TEST(Image, ExrKeepsFloatsExactly) {
   picture.at(1, 0) = {kInfinity, -kInfinity, 1e-40F};
   picture.at(2, 1) = {3, 2, 1};
   // A tone must have no effect.
-  EXPECT_EQ(round_trip(picture, "a.exr", {.tone = Tone::Sqrt}).pixels, picture.pixels);
+  EXPECT_EQ(round_trip(picture, "a.exr", {.mapping = {Tone::Neutral, 2}}).pixels, picture.pixels);
 }
 
 TEST(Image, ExrHoldsTheLargestFloatForWhatIsLarger) {
@@ -157,7 +156,7 @@ TEST(Image, ExrKeepsNaN) {
 TEST(Image, HdrKeepsEightBitsOfThePixelsLargestComponent) {
   Picture picture = gradient(kWidth, kHeight);
   for (LinearRgb& p : picture.pixels) p *= LinearRgb(1000);
-  const Picture read = round_trip(picture, "a.hdr", {.tone = Tone::Sqrt});
+  const Picture read = round_trip(picture, "a.hdr", {.mapping = {Tone::Sqrt, 2}});
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
     const LinearRgb p = picture.pixels[i], d = p - read.pixels[i];
     // The exponent scales the largest component into [128, 256), and the others in the same way.
@@ -252,8 +251,9 @@ TEST(Image, CarriesItsMetadata) {
 }
 
 TEST(Image, SaysThatPngCodesAreSrgbOnlyWhenTheyAre) {
-  EXPECT_THAT(encoded(Picture(1, 1), {.tone = Tone::Srgb}), HasSubstr("sRGB"));
-  EXPECT_THAT(encoded(Picture(1, 1), {.tone = Tone::Sqrt}), Not(HasSubstr("sRGB")));
+  EXPECT_THAT(encoded(Picture(1, 1), {.mapping = {.tone = Tone::Srgb}}), HasSubstr("sRGB"));
+  EXPECT_THAT(encoded(Picture(1, 1), {.mapping = {.tone = Tone::Neutral}}), HasSubstr("sRGB"));
+  EXPECT_THAT(encoded(Picture(1, 1), {.mapping = {.tone = Tone::Sqrt}}), Not(HasSubstr("sRGB")));
 }
 
 TEST(Image, ReadsGreyAsThreeEqualComponents) {

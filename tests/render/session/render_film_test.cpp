@@ -86,12 +86,14 @@ struct Case {
   std::string name;
   KernelRequest kernel;
   RenderSettings settings;
-  bool has_instances = false;
+  bool has_instances = false, has_lens = false;
 
   Scene scene() const {
     // In the dark every pixel takes the most samples.
     const double sky = settings.is_adaptive ? 1 : 0.1;
-    return has_instances ? room_with_instances(sky) : room(sky);
+    Scene scene = has_instances ? room_with_instances(sky) : room(sky);
+    if (has_lens) scene.camera.aperture = 0.2, scene.camera.focus = 3;
+    return scene;
   }
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
@@ -112,6 +114,7 @@ std::vector<Case> cases() {
           one.settings.samples = samples;
           cases.push_back(one);
           cases.back().name += "_" + std::to_string(samples);
+          cases.back().has_lens = samples == 700;
         }
         one.settings.samples = 6000;
         one.settings.error = 0.02;

@@ -12,6 +12,8 @@ inline render::Scene scaled(render::Scene scene, int exponent) {
   const auto scale = [&](render::Vec3& v) { v = render::scaled_by_power_of_two(v, exponent); };
   scale(scene.camera.from);
   scale(scene.camera.at);
+  scene.camera.aperture = std::ldexp(scene.camera.aperture, exponent);
+  scene.camera.focus = std::ldexp(scene.camera.focus, exponent);
   for (render::Sphere& sphere : scene.spheres) {
     scale(sphere.center);
     sphere.radius = std::ldexp(sphere.radius, exponent);

@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "lang/lint/context.hpp"
+#include "render/math/power_of_two.hpp"
+#include "render/scene/depth_of_field.hpp"
+
+namespace sdlc::lang {
+namespace {
+
+/// The max blur of what is in focus, as the diameter in pixels.
+constexpr double kSharp = 4;
+
+/// Whether the sphere, at some time of the shutter, has a point within these depths.
+bool reaches(const LintContext& context, std::uint32_t i, const render::Camera& camera,
+             const render::DepthOfField& sharp) {
+  const render::Sphere& sphere = context.spheres()[i];
+  const render::Vec3 axis = unit(render::direction_between(camera.from, camera.at));
+  const double opening = dot(sphere.center - camera.from, axis);
+  const double closing = opening + dot(context.shift_of(i), axis);
+  return std::max(opening, closing) + sphere.radius >= sharp.from &&
+         std::min(opening, closing) - sphere.radius <= sharp.to;
+}
+
+std::string describe(const render::DepthOfField& sharp) {
+  const std::string to = std::isfinite(sharp.to) ? fmt::format("{:.4g}", sharp.to) : "infinity";
+  return fmt::format("{:.4g} to {}", sharp.from, to);
+}
+
+}  // namespace
+
+/// The camera has a lens, and no sphere reaches into the depths at which the blur of a point is at
+/// most 4 pixels wide (depth_of_field): even the sharpest surface is visibly blurred. Images in
+/// mirrors do not count. Checks at most kMaxCameras cameras, and only if the size of the picture is
+/// known.
+void check_nothing_in_focus(LintContext& context) {
+  const auto& cameras = context.lowered().checked_cameras;
+  const int height = context.lowered().settings.height;
+  if (height <= 0 || context.spheres().empty()) return;
+  for (std::size_t k = 0; k < std::min(cameras.size(), LintContext::kMaxCameras); ++k) {
+    const CheckedCamera& checked = cameras[k];
+    if (!checked.camera.has_lens()) continue;
+    const auto sharp = render::depth_of_field(checked.camera, height, kSharp);
+    bool has_any = false;
+    for (std::uint32_t i = 0; i < context.spheres().size() && !has_any; ++i) {
+      context.stop_if_requested();
+      has_any = reaches(context, i, checked.camera, sharp);
+    }
+    if (has_any) continue;
+    const bool is_written = checked.focus.file != nullptr;
+    Finding& finding =
+        context.add(diag::nothing_in_focus,
+                    LintPlace::of(is_written ? checked.focus : checked.aperture), describe(sharp));
+    finding.help.push_back("focus on a sphere by its name, or choose a smaller `aperture`");
+  }
+}
+
+}  // namespace sdlc::lang

@@ -1,0 +1,145 @@
+#include "render/exactness/lens_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "render/exactness/lens_disc.hpp"
+#include "render/exactness/precision.hpp"
+#include "tests/support/statistics/random.hpp"
+#include "tests/support/statistics/scenes.hpp"
+
+namespace sdlc::render {
+namespace {
+
+using test::add_sphere;
+using test::diffuse;
+using test::Random;
+
+/// A lens of radius 1 at the origin that looks along −z.
+Scene lens_scene() {
+  Scene scene = test::beam_scene({0, 0, 0}, {0, 0, -1}, LinearRgb{1});
+  scene.camera.aperture = 2;
+  scene.camera.focus = 5;
+  return scene;
+}
+
+Scene with_sphere(Vec3 center, double radius, Vec3 shift = {}) {
+  Scene scene = lens_scene();
+  add_sphere(scene, center, radius, diffuse({0.5, 0.5, 0.5}));
+  if (shift != Vec3{}) scene.shifts = {shift};
+  return scene;
+}
+
+bool touches(const Scene& scene) { return find_lens_contact(scene, scene.camera).has_value(); }
+
+TEST(LensDisc, HasTheDistancesOfItsPoints) {
+  Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 axis = unit(random.in_box(1) + Vec3{0, 0, 2});
+    const Vec3 right = unit(cross(axis, {1, 0.1, 0})), up = cross(right, axis);
+    const double radius = random.between(0.1, 2);
+    const Vec3 point = random.in_box(3);
+    double nearest = 1e300, farthest = 0;
+    for (int turn = 0; turn < 720; ++turn) {
+      for (int step = 0; step <= 40; ++step) {
+        const double angle = turn * M_PI / 360, r = radius * step / 40;
+        const Vec3 on_lens = right * (r * std::cos(angle)) + up * (r * std::sin(angle));
+        nearest = std::min(nearest, length(point - on_lens));
+        farthest = std::max(farthest, length(point - on_lens));
+      }
+    }
+    const LensDisc lens(axis, radius);
+    EXPECT_LE(lens.nearest(point), nearest + 1e-12);
+    EXPECT_NEAR(lens.nearest(point), nearest, 0.05);
+    EXPECT_GE(lens.farthest(point), farthest - 1e-12);
+    EXPECT_NEAR(lens.farthest(point), farthest, 0.01);
+  }
+}
+
+TEST(LensDisc, IsClearOfAMovingSphereByTheSmallestDistance) {
+  const LensDisc lens({0, 0, -1}, 1);
+  EXPECT_NEAR(lens.clearance({-5, 0, -3}, {10, 0, 0}, 1), 2, 1e-12);  // passes in front
+  EXPECT_NEAR(lens.clearance({0, 0, -3}, {0, 0, -4}, 1), 2, 1e-12);   // leaves
+  EXPECT_NEAR(lens.clearance({3, 0, 0}, {}, 1), 1, 1e-12);            // beside
+  EXPECT_NEAR(lens.clearance({1, 0, 0}, {2, 0, 0}, 10), 6, 1e-12);    // inside all the time
+  EXPECT_LT(lens.clearance({-5, 0, 0}, {10, 0, 0}, 1), 0);            // passes through
+  EXPECT_LT(lens.clearance({-50, 0, 0}, {100, 0, 0}, 0.01), 0);
+}
+
+TEST(LensContact, IsASurfaceThatCrossesTheDisc) {
+  EXPECT_TRUE(touches(with_sphere({1.5, 0, 0}, 1)));    // in the edge
+  EXPECT_TRUE(touches(with_sphere({0, 0, 0}, 0.5)));    // in the middle
+  EXPECT_TRUE(touches(with_sphere({0, 0, -1}, 1)));     // touches the centre
+  EXPECT_TRUE(touches(with_sphere({0, 0, 5}, 5.05)));   // around the centre, not the edge
+  EXPECT_FALSE(touches(with_sphere({2.5, 0, 0}, 1)));   // beside
+  EXPECT_FALSE(touches(with_sphere({0, 0, -1.5}, 1)));  // in front
+  EXPECT_FALSE(touches(with_sphere({0, 0, 0}, 1.5)));   // around all of it
+  EXPECT_FALSE(touches(with_sphere({0, 0, 5}, 5.2)));   // around all of it
+  EXPECT_FALSE(touches(with_sphere({1.5, 0, 0}, 0)));
+}
+
+TEST(LensContact, IsFoundAtAnyTimeOfTheShutter) {
+  EXPECT_TRUE(touches(with_sphere({-9, 0, 0}, 0.1, {18, 0, 0})));
+  EXPECT_FALSE(touches(with_sphere({-9, 0, -2}, 0.1, {18, 0, 0})));
+}
+
+TEST(LensContact, NamesTheFirstSphere) {
+  Scene scene = with_sphere({5, 0, 0}, 1);
+  add_sphere(scene, {1, 0, 0}, 1, diffuse({0.5, 0.5, 0.5}));
+  add_sphere(scene, {0, 1, 0}, 1, diffuse({0.5, 0.5, 0.5}));
+  EXPECT_EQ(find_lens_contact(scene, scene.camera)->sphere, 1u);
+}
+
+TEST(LensContact, IsNoneForAPinhole) {
+  Scene scene = with_sphere({0, 0, 0}, 0.5);
+  scene.camera.aperture = 0;
+  EXPECT_FALSE(touches(scene));
+}
+
+TEST(LensContact, IsFoundInInstances) {
+  Scene scene = lens_scene();
+  scene.materials.push_back(diffuse({0.5, 0.5, 0.5}));
+  scene.prototypes.push_back({.spheres = {{.center = {1, 0, 0}, .radius = 0.25, .material = 0},
+                                          {.center = {-1, 0, 0}, .radius = 0.25, .material = 0}},
+                              .shifts = {}});
+  Instance instance;
+  instance.placement.translate = {2, 0, 0};  // at x = 1 and 3
+  scene.instances = {instance};
+  ASSERT_TRUE(touches(scene));
+  EXPECT_FALSE(find_lens_contact(scene, scene.camera)->sphere);
+  scene.instances[0].placement.translate = {2.5, 0, 0};  // at x = 1.5 and 3.5
+  EXPECT_FALSE(touches(scene));
+  scene.instances[0].shift = {-1, 0, 0};
+  EXPECT_TRUE(touches(scene));
+}
+
+TEST(NearestToLens, IsMeasuredFromTheDisc) {
+  Scene scene = with_sphere({0, 0, -10}, 1);
+  add_sphere(scene, {8, 0, 0}, 1, diffuse({0.5, 0.5, 0.5}));
+  const auto nearest = find_nearest_to_lens(scene, scene.camera);
+  ASSERT_TRUE(nearest);
+  EXPECT_EQ(nearest->sphere, 1u);
+  EXPECT_NEAR(nearest->distance, 6, 1e-12);
+}
+
+/// E grows by the radius of the lens, and distances are those from its nearest point.
+TEST(LensPrecision, HoldsForEveryOriginOnTheDisc) {
+  const RenderSettings settings{.width = 100, .height = 100};
+  const auto across = [&](const Scene& scene) {
+    return judge_precision(scene, scene.camera, settings, Precision::Float)[PrecisionClause::Across]
+        .value;
+  };
+  Scene lens = with_sphere({8, 0, 0}, 1), pinhole = lens;
+  pinhole.camera.aperture = 0;
+  EXPECT_NEAR(across(lens) / across(pinhole), (10.0 / 9) * (7.0 / 6), 1e-12);
+  const auto hit = [&](const Scene& scene) {
+    return judge_precision(scene, scene.camera, settings, Precision::Float)[PrecisionClause::Hit]
+        .value;
+  };
+  EXPECT_NEAR(hit(lens) / hit(pinhole), 10.0 / 9, 1e-12);
+}
+
+}  // namespace
+}  // namespace sdlc::render
