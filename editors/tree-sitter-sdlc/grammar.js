@@ -28,6 +28,8 @@ module.exports = grammar({
     $.block_comment,
     // Never part of a rule: a number, name or colour that is none.
     $.malformed,
+    // `let` of a value. The statement of the next line is none, where a value is missing.
+    $._let_of_value,
   ],
 
   extras: ($) => [/[ \t\n]|\r\n/, $.doc_comment, $.line_comment, $.block_comment],
@@ -150,7 +152,13 @@ module.exports = grammar({
         field('value', choice($.let_in, $._disjunction)),
       ),
     let_in: ($) =>
-      seq('let', $.binding, repeat(seq(',', $.binding)), 'in', field('value', $._expression)),
+      seq(
+        alias($._let_of_value, 'let'),
+        $.binding,
+        repeat(seq(',', $.binding)),
+        'in',
+        field('value', $._expression),
+      ),
     binding: ($) => seq(field('name', $.identifier), '=', field('value', $._expression)),
     _disjunction: ($) => choice($.disjunction, last($._conjunction)),
     disjunction: ($) =>

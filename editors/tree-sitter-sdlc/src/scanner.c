@@ -16,6 +16,7 @@ enum TokenType {
   STRING_CONTENT,
   BLOCK_COMMENT,
   MALFORMED,
+  LET_OF_VALUE,
 };
 
 static inline void advance(TSLexer* lexer) { lexer->advance(lexer, false); }
@@ -58,7 +59,67 @@ static bool is_keyword(unsigned word, const bool* valid) {
   return valid[MALFORMED] ? word > SDLC_RESERVED_COUNT : true;
 }
 
-static bool scan_word(TSLexer* lexer, const bool* valid) {
+static bool is_word(const char* text, const char* word) {
+  return find_word(&word, 1, text) == 0;
+}
+
+// Whether the `in` of a `let` before the lexer's place comes before the next statement. A line that
+// begins with a name goes on only after an operator or a comma.
+static bool has_in(TSLexer* lexer) {
+  enum { LOOKAHEAD = 4096 };
+  unsigned open = 0, lets = 1, loops = 0;
+  bool ends_value = false, is_first = false;
+  for (unsigned n = 0; n < LOOKAHEAD && !lexer->eof(lexer); ++n) {
+    const int32_t c = lexer->lookahead;
+    if (is_letter(c)) {
+      char text[SDLC_MAX_WORD + 1];
+      unsigned size = 0;
+      for (; is_name_character(lexer->lookahead); advance(lexer), ++size) {
+        if (size < SDLC_MAX_WORD) text[size] = (char)lexer->lookahead;
+      }
+      text[size > SDLC_MAX_WORD ? 0 : size] = '\0';
+      const bool is_in = is_word(text, "in");
+      if (open == 0 && is_in && loops == 0 && --lets == 0) return true;
+      if (open == 0 && is_in && loops > 0) --loops;
+      const bool continues = is_in || is_word(text, "and") || is_word(text, "or") ||
+                             is_word(text, "then") || is_word(text, "else");
+      if (open == 0 && is_first && ends_value && !continues) return false;
+      lets += open == 0 && is_word(text, "let");
+      loops += open == 0 && is_word(text, "for");
+      ends_value = !continues && !is_word(text, "not") && !is_word(text, "if");
+      is_first = false;
+      continue;
+    }
+    advance(lexer);
+    if (c == '\n') is_first = true;
+    if (c == ' ' || c == '\t' || c == '\n' || c == '\r') continue;
+    if (c == '/' && lexer->lookahead == '/') {
+      while (lexer->lookahead != '\n' && !lexer->eof(lexer)) advance(lexer);
+      continue;
+    }
+    if (c == '(' || c == '[' || c == '{') ++open;
+    const bool closes = c == ')' || c == ']' || c == '}';
+    if (closes && open-- == 0) return false;
+    for (; c == '"' && lexer->lookahead != '"' && lexer->lookahead >= 0x20; advance(lexer)) {
+      if (lexer->lookahead == '\\') advance(lexer);
+    }
+    if (c == '"' && lexer->lookahead == '"') advance(lexer);
+    ends_value = closes || c == '"' || is_digit(c);
+    is_first = false;
+  }
+  return !lexer->eof(lexer);
+}
+
+// `let`, the word with this index.
+static bool scan_let(TSLexer* lexer, unsigned word, bool is_first_of_line, const bool* valid) {
+  lexer->mark_end(lexer);
+  const bool is_of_value = valid[LET_OF_VALUE] && !valid[MALFORMED];
+  const bool is_let_in = is_of_value && (!is_first_of_line || has_in(lexer));
+  lexer->result_symbol = (TSSymbol)(is_let_in ? LET_OF_VALUE : word);
+  return true;
+}
+
+static bool scan_word(TSLexer* lexer, bool is_first_of_line, const bool* valid) {
   char text[SDLC_MAX_WORD + 1];
   unsigned size = 0;
   bool is_malformed = false;
@@ -72,6 +133,7 @@ static bool scan_word(TSLexer* lexer, const bool* valid) {
   if (size > SDLC_MAX_WORD) return finish(lexer, IDENTIFIER);
   text[size] = '\0';
   const unsigned word = find_word(sdlc_words, SDLC_WORD_COUNT, text);
+  if (is_word(text, "let")) return scan_let(lexer, word, is_first_of_line, valid);
   return finish(lexer, is_keyword(word, valid) ? word : IDENTIFIER);
 }
 
@@ -212,9 +274,10 @@ static bool scan_block_comment(TSLexer* lexer) {
 }
 
 // False at a carriage return that no line feed follows: it is no space.
-static bool skip_spaces(TSLexer* lexer) {
+static bool skip_spaces(TSLexer* lexer, bool* has_line_end) {
   for (;;) {
     const int32_t c = lexer->lookahead;
+    *has_line_end = *has_line_end || c == '\n';
     if (c != ' ' && c != '\t' && c != '\n' && c != '\r') return true;
     skip(lexer);
     if (c == '\r' && lexer->lookahead != '\n') return false;
@@ -235,9 +298,10 @@ void tree_sitter_sdlc_external_scanner_deserialize(void* payload, const char* bu
 bool tree_sitter_sdlc_external_scanner_scan(void* payload, TSLexer* lexer, const bool* valid) {
   (void)payload;
   if (valid[STRING_CONTENT] && !valid[MALFORMED]) return scan_string_content(lexer);
-  if (!skip_spaces(lexer)) return false;
+  bool is_first_of_line = false;
+  if (!skip_spaces(lexer, &is_first_of_line)) return false;
   const int32_t c = lexer->lookahead;
-  if (is_letter(c) || is_foreign_letter(c)) return scan_word(lexer, valid);
+  if (is_letter(c) || is_foreign_letter(c)) return scan_word(lexer, is_first_of_line, valid);
   if (is_digit(c)) return scan_number(lexer, WHOLE, valid);
   if (c == '.') return scan_point(lexer, valid);
   if (c == '#') return scan_color(lexer);
