@@ -174,7 +174,7 @@ bool has_in(std::string_view text, std::uint32_t at) {
     if (token.kind == TokenKind::Open) ++open;
     if (token.kind == TokenKind::Close && open-- == 0) return false;
     ends_value = is_name(token.kind)
-                     ? !is_one_of(word, kJoints)
+                     ? !is_one_of(word, kJoints) && word != "let"
                      : !is_one_of(word, kContinued) && token.kind != TokenKind::Open;
     if (open > 0) continue;
     lets += word == "let";

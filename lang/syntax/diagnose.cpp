@@ -116,6 +116,8 @@ class Diagnosis {
         if (c == '=') report.help_if(kNoLoop);
         if (word() == "of") {
           report.fix(where(found_), "in");
+        } else if (text_.substr(0, builder_.token_end()).ends_with(" in")) {
+          report.help("a name comes before `in`: `for x in list`");
         } else if (begins_value() && !is_on_next_line_) {
           report.unsafe_fix(where({at_, at_}), "in ");
         }

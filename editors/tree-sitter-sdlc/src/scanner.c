@@ -86,7 +86,8 @@ static bool has_in(TSLexer* lexer) {
       if (open == 0 && is_first && ends_value && !continues) return false;
       lets += open == 0 && is_word(text, "let");
       loops += open == 0 && is_word(text, "for");
-      ends_value = !continues && !is_word(text, "not") && !is_word(text, "if");
+      ends_value = !continues && !is_word(text, "not") && !is_word(text, "if") &&
+                   !is_word(text, "let");
       is_first = false;
       continue;
     }

@@ -189,7 +189,7 @@ TEST(Completion, OffersTheWordsAndNamesOfComputedLists) {
   EXPECT_THAT(labels("scene 1\nlet a = [1 |]"), Contains("for"));
   EXPECT_THAT(labels("scene 1\nlet a = [1, 2 |]"), Not(Contains("for")));
   EXPECT_THAT(labels("scene 1\nlet a = [x for x |]"), ElementsAre("in"));
-  EXPECT_EQ(labels("scene 1\nlet xs = [1]\nlet a = [x for x in |]").front(), "xs");
+  EXPECT_EQ(labels("scene 1\nlet a = [x for x in |]").front(), "range");
   EXPECT_EQ(labels("scene 1\nlet a = [x for x in [1] |]").front(), "if");
   EXPECT_THAT(labels("scene 1\nlet a = [x for size in [1] if s|]"), Contains("size"));
   EXPECT_THAT(labels("scene 1\nlet a = [x for i, (size, _) in [[1, 2]] if s|]"), Contains("size"));
