@@ -152,7 +152,7 @@ TEST(Hover, DescribesLoopVariablesAndLabels) {
 }
 
 TEST(Hover, DescribesEveryKeyword) {
-  EXPECT_THAT(hover_at("l|et a = 1\n"), HasSubstr("Names a value."));
+  EXPECT_THAT(hover_at("l|et a = 1\n"), HasSubstr("Names a value"));
   EXPECT_THAT(hover_at("for i i|n range(3) {}\n"), HasSubstr("Precedes the list"));
   EXPECT_THAT(hover_at("let a = if true th|en 1 else 2\n"), HasSubstr("if condition then"));
   EXPECT_THAT(hover_in({{"root.scene", "sce|ne 1\n"}}), HasSubstr("version"));

@@ -39,7 +39,7 @@ TEST(Rename, KeepsDefinitionsOfBlocksApart) {
                                "scene 1\nfn f(x) = x\n"
                                "group { fn g(x) = let y = x in y + g(0) sphere { radius: g(1) } }\n"
                                "sphere { radius: f(2) }\n")));
-  EXPECT_EQ(program.refusal("y + f", "x"), "conflict 3:23");
+  EXPECT_EQ(program.refusal("y + f", "x"), "conflict 3:14");
 }
 
 TEST(Rename, IsRefusedWhereAMeaningWouldChange) {

@@ -57,7 +57,7 @@ TEST(Rulings, Ruling09_ALetOfABlockIsVisibleBehindItInItsBlock) {
 
 TEST(Rulings, Ruling09_SomeStatementsStandAtTheTopOnly) {
   for (const std::string statement :
-       {"fn f(x) = x", "def d() { }", "param p = 1", "import \"a.scene\" as a",
+       {"param p = 1", "import \"a.scene\" as a",
         "camera { from: (0, 0, 1), at: (0, 0, 0), fov: 1deg }", "background { color: red }",
         "render { width: 5 }", "animation { frames: 1 .. 2 }"}) {
     for (const std::string open : {"if true { ", "for i in [1] { ", "group { ", "def made() { "}) {

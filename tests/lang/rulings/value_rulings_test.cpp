@@ -44,7 +44,7 @@ TEST(Rulings, Ruling17_VectorsAddAndScaleAndHaveParts) {
   EXPECT_EQ(number("v.x + 10 * v.y + 100 * v.z", "let v = (1, 2, 3)"), 321);
   EXPECT_EQ(degrees("r.x + r.y + r.z", "let r = (10deg, 20deg, 30deg)"), 60);
   for (const char* wrong : {"(1, 2, 3) * (1, 2, 3)", "(1, 2, 3) + 1", "1 / (1, 2, 3)", "\"a\" * 2",
-                            "true + true", "unlit(red) * 2", "[1] + [2]"}) {
+                            "true + true", "unlit(red) * 2", "[1] - [2]"}) {
     EXPECT_THAT(errors_in(wrong), ElementsAre("E217")) << wrong;
   }
   EXPECT_THAT(errors_in("(1, 2, 3).w"), ElementsAre("E226"));
