@@ -229,7 +229,10 @@ class Evaluator final : public ChainSource {
   bool run_clauses(Comprehension& list, std::size_t first);
   bool run_for_clause(Comprehension& list, std::size_t index);
   bool add_element(Comprehension& list);
-  bool make_room(Comprehension& list, std::size_t count);
+  bool add_value(Comprehension& list, Value value);
+  /// Room for `count` more elements in a vector of the list.
+  template <typename T>
+  bool make_room(Comprehension& list, std::vector<T>& elements, std::size_t count);
   Value evaluate_logic(const Code& code, const Expression& e);
   Value evaluate_conditional(const Code& code, const Expression& e);
   Value evaluate_let_in(const Code& code, const Expression& e);

@@ -12,15 +12,6 @@
 
 // The names of loops, and comprehensions.
 namespace sdlc::lang {
-namespace {
-
-/// Room for `count` more values, in a vector that grows geometrically.
-std::size_t capacity_for(const std::vector<Value>& values, std::size_t count) {
-  const std::size_t size = values.size() + count;
-  return size <= values.capacity() ? values.capacity() : std::max(size, 2 * values.capacity());
-}
-
-}  // namespace
 
 bool Evaluator::bind_names(const Loop& loop, std::size_t i) {
   Varying* variables = &locals_[frame_ + loop.names.slot];
@@ -76,7 +67,9 @@ struct Evaluator::Comprehension {
   NodeIndex node;
   std::uint32_t value;                     ///< expression of an element
   std::span<const std::uint32_t> clauses;  ///< expressions
-  std::vector<Value> elements = {};
+  std::vector<double> numbers = {};        ///< the elements while all are numbers of one unit
+  Unit unit = Unit::None;
+  std::vector<Value> elements = {};  ///< otherwise
   CountedBytes bytes = {};
 };
 
@@ -87,6 +80,7 @@ Value Evaluator::evaluate_comprehension(const Code& code, const Expression& e) {
       .code = code, .node = e.node, .value = operands[0], .clauses = operands.subspan(1)};
   if (!run_clauses(list, 0)) return Nothing{};
   list.bytes.set(0);  // the list counts them
+  if (!list.numbers.empty()) return ListValue(std::move(list.numbers), list.unit);
   return ListValue(std::move(list.elements));
 }
 
@@ -123,7 +117,10 @@ bool Evaluator::run_for_clause(Comprehension& list, std::size_t index) {
     return false;
   }
   const bool is_last = index + 1 == list.clauses.size();
-  if (is_last && !make_room(list, elements->size())) return false;
+  const bool has_room =
+      !is_last || (list.elements.empty() ? make_room(list, list.numbers, elements->size())
+                                         : make_room(list, list.elements, elements->size()));
+  if (!has_room) return false;
 
   // The comprehension is evaluated at one moment: only the statements around it know two.
   const Loop loop{.code = code,
@@ -148,8 +145,25 @@ bool Evaluator::run_for_clause(Comprehension& list, std::size_t index) {
 bool Evaluator::add_element(Comprehension& list) {
   Value value;
   const Scalar number = evaluate_number(list.code, list.value, value);
-  if (is_number(number)) value = number;
+  if (!is_number(number)) return add_value(list, std::move(value));
+  const bool is_compact =
+      list.elements.empty() && (list.numbers.empty() || list.unit == number.unit);
+  if (!is_compact) return add_value(list, number);
+  const bool is_full = list.numbers.size() == list.numbers.capacity();
+  if (is_full && !make_room(list, list.numbers, 1)) return false;
+  list.unit = number.unit;
+  list.numbers.push_back(number.value);
+  return true;
+}
+
+bool Evaluator::add_value(Comprehension& list, Value value) {
   if (is_nothing(value) || !take_steps(list.code, list.node, steps_to_compare(value))) return false;
+  if (list.elements.empty()) {
+    const std::size_t room = std::max(list.numbers.capacity(), list.numbers.size() + 1);
+    if (!make_room(list, list.elements, room)) return false;
+    for (const double number : list.numbers) list.elements.push_back(Scalar{number, list.unit});
+    list.numbers = {};
+  }
   if (!list.elements.empty() && !are_of_one_type(list.elements.front(), value)) {
     const Value& first = list.elements.front();
     auto report = sink_.report(diag::mixed_list, place(list.code, list.value), describe(first),
@@ -161,18 +175,19 @@ bool Evaluator::add_element(Comprehension& list) {
     return false;
   }
   const bool is_full = list.elements.size() == list.elements.capacity();
-  if (is_full && !make_room(list, 1)) return false;
+  if (is_full && !make_room(list, list.elements, 1)) return false;
   list.elements.push_back(std::move(value));
   return true;
 }
 
-bool Evaluator::make_room(Comprehension& list, std::size_t count) {
-  const std::size_t before = list.elements.capacity();
-  const std::size_t capacity = capacity_for(list.elements, count);
-  if (capacity == before) return true;
-  if (!may_take_memory(list.code, list.node, capacity * sizeof(Value))) return false;
-  list.elements.reserve(capacity);
-  list.bytes.set(capacity * sizeof(Value));
+template <typename T>
+bool Evaluator::make_room(Comprehension& list, std::vector<T>& elements, std::size_t count) {
+  const std::size_t size = elements.size() + count;
+  if (size <= elements.capacity()) return true;
+  const std::size_t capacity = std::max(size, 2 * elements.capacity());
+  if (!may_take_memory(list.code, list.node, capacity * sizeof(T))) return false;
+  elements.reserve(capacity);
+  list.bytes.set(capacity * sizeof(T));
   return true;
 }
 

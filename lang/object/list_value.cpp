@@ -22,15 +22,20 @@ struct ListNode {
       }
     }
   }
+  explicit ListNode(std::vector<double> numbers_)
+      : numbers(std::move(numbers_)),
+        bytes(sizeof *this + numbers.capacity() * sizeof(double)),
+        weight(numbers.size()) {}
   explicit ListNode(std::shared_ptr<const Table> table_) : table(std::move(table_)) {}
   ListNode(const ListNode&) = delete;
   ListNode& operator=(const ListNode&) = delete;
   ~ListNode() {
     // The weight is that of the elements alone if lists in it are empty: nothing is nested.
-    if (weight > values.size()) ListValue::release(std::move(values));
+    if (weight > values.size() && numbers.empty()) ListValue::release(std::move(values));
   }
 
   std::vector<Value> values;
+  std::vector<double> numbers;         // in place of values
   std::shared_ptr<const Table> table;  // in place of values
   CountedBytes bytes;
   std::uint64_t weight = 0;
@@ -38,6 +43,11 @@ struct ListNode {
 
 ListValue::ListValue(std::vector<Value> values)
     : node_(std::make_shared<ListNode>(std::move(values))), count_(node_->values.size()) {}
+
+ListValue::ListValue(std::vector<double> numbers, Unit unit)
+    : node_(std::make_shared<ListNode>(std::move(numbers))),
+      count_(node_->numbers.size()),
+      unit_(unit) {}
 
 ListValue::ListValue(Scalar first, double step, std::size_t count)
     : first_(first.value), step_(step), count_(count), unit_(first.unit) {}
@@ -64,7 +74,8 @@ std::uint64_t ListValue::weight() const noexcept {
 }
 
 Value ListValue::operator[](std::size_t i) const {
-  if (node_ && !node_->table) return node_->values[i];
+  if (node_ && !node_->values.empty()) return node_->values[i];
+  if (node_ && !node_->numbers.empty()) return Scalar{node_->numbers[i], unit_};
   if (node_ && row_ != kAllRows) return node_->table->cell(row_, i);
   if (node_) {
     ListValue row(node_, i);

@@ -101,6 +101,8 @@ class Table;
 class ListValue {
  public:
   explicit ListValue(std::vector<Value> values);
+  /// Numbers of one unit, at least one: 8 bytes each.
+  ListValue(std::vector<double> numbers, Unit unit);
   /// first, first + step, …: `count` numbers of one unit, or angles and a step in degrees.
   ListValue(Scalar first, double step, std::size_t count);
   ListValue(Angle first, double step, std::size_t count);
