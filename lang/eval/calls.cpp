@@ -35,7 +35,9 @@ Value Evaluator::evaluate_builtin(const Code& code, const Expression& e) {
                    .options = {},
                    .node = ast::Node(*code.tree, e.node),
                    .sink = sink_};
-  if (builtin.options.empty()) return run_builtin(code, call);
+  if (builtin.options.empty()) {
+    return builtin.more_work == nullptr ? builtin.evaluate(call) : run_builtin(code, call);
+  }
   std::array<Value, kMaxOptions> options;
   if (!read_options(code, builtin, operands.subspan(1 + count), options)) return Nothing{};
   call.options = std::span(options).first(builtin.options.size());

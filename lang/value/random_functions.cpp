@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <optional>
 #include <string>
 
 #include "lang/math/random.hpp"
@@ -10,9 +9,8 @@
 namespace sdlc::lang {
 namespace {
 
-/// The arguments; nullopt if one has a wrong type, which is reported.
-std::optional<RandomHash> hash_of(const BuiltinCall& call) {
-  RandomHash hash;
+/// Adds the arguments; false if one has a wrong type, which is reported.
+bool add_arguments(const BuiltinCall& call, RandomHash& hash) {
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
     if (const auto* number = argument<Scalar>(call, i)) {
       hash.add_number(number->value);
@@ -26,26 +24,29 @@ std::optional<RandomHash> hash_of(const BuiltinCall& call) {
       hash.add_angle(angle->degrees);
     } else {
       wrong_argument(call, i, "numbers, strings, vectors, angles, true or false");
-      return std::nullopt;
+      return false;
     }
   }
-  return hash;
+  return true;
 }
 
 Value evaluate_random(const BuiltinCall& call) {
-  const auto hash = hash_of(call);
-  return hash ? Value(Scalar{hash->uniform()}) : Value();
+  RandomHash hash;
+  if (!add_arguments(call, hash)) return Nothing{};
+  return Scalar{hash.uniform()};
 }
 
 template <render::Vec3 (*point)(const RandomHash&) noexcept>
 Value random_point(const BuiltinCall& call) {
-  const auto hash = hash_of(call);
-  return hash ? Value(Triple{point(*hash)}) : Value();
+  RandomHash hash;
+  if (!add_arguments(call, hash)) return Nothing{};
+  return Triple{point(hash)};
 }
 
 Value evaluate_normal(const BuiltinCall& call) {
-  const auto hash = hash_of(call);
-  return hash ? Value(Scalar{random_normal(*hash)}) : Value();
+  RandomHash hash;
+  if (!add_arguments(call, hash)) return Nothing{};
+  return Scalar{random_normal(hash)};
 }
 
 constexpr auto kNoiseOption = std::to_array<Property>({
@@ -65,13 +66,15 @@ int octaves_of(const BuiltinCall& call) {
 }
 
 BuiltinWork work_of_noise(const BuiltinCall& call) {
-  return {.steps = kStepsOfNoise * static_cast<std::uint64_t>(octaves_of(call) - 1)};
+  const auto more = static_cast<std::uint64_t>(octaves_of(call) - 1);
+  return {.steps = kStepsOfNoise * more};
 }
 
 Value evaluate_noise(const BuiltinCall& call) {
   const auto* p = argument<Triple>(call, 0);
   if (p == nullptr) return wrong_argument(call, 0, "a vector");
   const int octaves = octaves_of(call);
+  if (octaves == 1) return Scalar{noise(p->value)};
   const Value finest = finite(call, Triple{p->value * std::ldexp(1, octaves)});
   return is_nothing(finest) ? finest : Scalar{noise(p->value, octaves)};
 }

@@ -1,6 +1,5 @@
 #include <array>
 #include <charconv>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -44,18 +43,17 @@ std::string fixed(double number, int digits) {
   return text;
 }
 
-/// nullopt: that is reported.
-std::optional<std::string> fixed_text(const BuiltinCall& call, int digits) {
+/// The number with so many digits after the point, and its unit; else Nothing, which is reported.
+Value fixed_text(const BuiltinCall& call, int digits) {
   const Value& value = call.arguments[0];
   if (const auto* angle = get_if<Angle>(&value)) return fixed(angle->degrees, digits) + "deg";
   if (const auto* number = get_if<Scalar>(&value)) {
     return fixed(number->value, digits) + std::string(suffix_of(number->unit));
   }
-  wrong_argument(call, 0, "a number or an angle with `digits`");
-  return std::nullopt;
+  return wrong_argument(call, 0, "a number or an angle with `digits`");
 }
 
-std::optional<std::string> shortest_text(const BuiltinCall& call) {
+Value shortest_text(const BuiltinCall& call) {
   if (const auto* text = argument<std::string>(call, 0)) return *text;
   const Value& value = call.arguments[0];
   const bool has_text = holds_alternative<bool>(value) || holds_alternative<Scalar>(value) ||
@@ -63,8 +61,7 @@ std::optional<std::string> shortest_text(const BuiltinCall& call) {
                         holds_alternative<AngleTriple>(value) ||
                         holds_alternative<render::LinearRgb>(value);
   if (has_text) return to_text(value);
-  wrong_argument(call, 0, "a number, angle, point, colour, string, true or false");
-  return std::nullopt;
+  return wrong_argument(call, 0, "a number, angle, point, colour, string, true or false");
 }
 
 /// The text, filled on the left to the width in characters.
