@@ -33,7 +33,7 @@ std::optional<Target> find_sphere(const Object& object, const std::string& name,
     if (!names.is_complete()) return std::nullopt;  // the sphere may be missing because of an error
     sink.report(diag::unknown_sphere, object.location(kFocus), name)
         .suggest(names.nearest(name))
-        .help("`focus` takes a distance, a point or the name of one sphere");
+        .help("`focus` takes a point, the name of one sphere or a distance");
     return std::nullopt;
   }
   if (found.count > 1) {

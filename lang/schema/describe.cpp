@@ -15,7 +15,7 @@ std::string_view describe(Type type) noexcept {
     case Type::Color: return "a colour";
     case Type::Interval: return "an interval a .. b";
     case Type::Frames: return "an interval of frames";
-    case Type::Focus: return "a distance, a point or the name of a sphere";
+    case Type::Focus: return "a point, the name of a sphere or a distance";
     case Type::Word: return "a word";
     case Type::Material: return "a material";
     case Type::Motion: return "a motion";

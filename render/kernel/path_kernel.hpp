@@ -48,9 +48,6 @@ struct WideView {
   Vec3 corner, right, down;
   /// The sides within which a sample is placed; 0 if it goes through the pixel's centre.
   std::array<T, 3> spread_right{}, spread_up{};
-  /// KernelFeatures::lens: the radii of the lens to the right and upwards, and the same divided by
-  /// the distance of the plane in focus. 0 sends all rays through the centre of the lens.
-  std::array<T, 3> lens_right{}, lens_up{}, lens_right_in_view{}, lens_up_in_view{};
   SamplerKind sampler = SamplerKind::Sobol;
   EmitterTally* emitters = nullptr;  ///< counts reached emitters; may be null
   /// For runs with PixelRun::first_hits: the view direction, of length 1, and the depth that is
@@ -60,6 +57,9 @@ struct WideView {
   double depth_units = 0;
   PickedSlot* picked = nullptr;  ///< may be null
   PlainPaths* plain = nullptr;   ///< KernelFeatures::pilot
+  /// KernelFeatures::lens: the radii of the lens to the right and upwards, and the same divided by
+  /// the distance of the plane in focus. 0 sends all rays through the centre of the lens.
+  std::array<T, 3> lens_right{}, lens_up{}, lens_right_in_view{}, lens_up_in_view{};
 };
 
 /// Traces all samples of `runs`, a run in one lane. Returns soon, with meaningless sums, if

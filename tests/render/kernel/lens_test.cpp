@@ -88,7 +88,7 @@ void expect_same_means(const PixelMeans& a, const PixelMeans& b, const std::stri
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.mean.size(); ++i) {
     const double variance = a.variance[i] + b.variance[i];
-    if (!(variance > 0)) {
+    if (variance < 1e-14) {  // of one colour: rounding decides
       EXPECT_NEAR(a.mean[i], b.mean[i], 1e-5) << what << ", pixel " << i;
       continue;
     }
@@ -243,7 +243,7 @@ TEST(Lens, SpreadsAPointOverTheDiscOfTheThinLensEquation) {
 /// Hypothesis: the distances of the light from the axis have the same mean square with and without
 /// a lens. Limits as above, for the difference of two pictures.
 TEST(Lens, ShowsTheSphereInFocusAsSharplyAsAPinhole) {
-  Scene scene = glowing_point(10, 0.1, 0.0125);
+  Scene scene = glowing_point(10, 0.1, 0.016);
   const Spot pinhole = spot_of(scene);
   scene.camera.aperture = 0.2;
   scene.camera.focus = 10;
@@ -252,7 +252,7 @@ TEST(Lens, ShowsTheSphereInFocusAsSharplyAsAPinhole) {
   EXPECT_NEAR(lens.mean_square, pinhole.mean_square,
               4.5 * square * std::sqrt(2 / (12 * pinhole.hits)) + 1e-4 * square);
   EXPECT_NEAR(lens.hits, pinhole.hits, 4.5 * std::sqrt(2 * pinhole.hits));
-  scene.camera.focus = 11;
+  scene.camera.focus = 20;
   EXPECT_GT(spot_of(scene).mean_square, 1.2 * pinhole.mean_square);
 }
 
