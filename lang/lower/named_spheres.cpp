@@ -1,5 +1,6 @@
 #include "lang/lower/named_spheres.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "lang/schema/schema.hpp"
@@ -34,7 +35,11 @@ void NamedSpheres::add(std::string_view name, NamedSphere sphere) {
   }
   Found& found = wanted->second;
   ++found.count;
-  if (found.spheres.size() < kMaxShown) found.spheres.push_back(std::move(sphere));
+  // A loop places many at one place of the text.
+  const bool is_known = std::ranges::any_of(found.spheres, [&](const NamedSphere& other) {
+    return other.where.file == sphere.where.file && other.where.span == sphere.where.span;
+  });
+  if (!is_known && found.spheres.size() < kMaxShown) found.spheres.push_back(std::move(sphere));
   for (const std::uint32_t contents : contents_) {
     if (contents != kNoContents) names_in_contents_[contents].emplace(name);
   }
