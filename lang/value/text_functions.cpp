@@ -81,9 +81,10 @@ Value evaluate_str(const BuiltinCall& call) {
                      "one character to fill with", to_text(call.options[kFill]));
     return Nothing{};
   }
-  const auto text =
+  Value value =
       digits != nullptr ? fixed_text(call, static_cast<int>(digits->value)) : shortest_text(call);
-  if (!text || width == nullptr) return text ? Value(*text) : Value();
+  const auto* text = get_if<std::string>(&value);
+  if (text == nullptr || width == nullptr) return value;
   return padded(*text, static_cast<std::size_t>(width->value), fill != nullptr ? *fill : " ");
 }
 
