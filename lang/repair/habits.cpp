@@ -159,7 +159,7 @@ constexpr auto kRows = std::to_array<Row>({
     {Callee, "enumerate", {"", "index and element: `for i, x in list { … }`"}},
     {Callee, "map", {"", "a function of every element: `[f(x) for x in list]`"}},
     {Callee, "filter", {"", "elements that fulfil a condition: `[x for x in list if x > 0]`"}},
-    {Callee, "tostring to_string format", {"str"}},
+    {Callee, "tostring toString to_string format", {"str"}},
     {Callee, "rgba", {"rgb"}},
     {Callee, "hsv", {"hsl"}},
     {Callee, "vec3 vector point", {"", kPoint}},

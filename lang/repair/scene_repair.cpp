@@ -43,8 +43,8 @@ void apply(std::vector<Edit> edits, RepairedText& text, TokenList& tokens) {
 
 void repair_spelling(const RepairContext& context) {
   TokenList tokens = scene_tokens(context.text);
-  for (const auto round :
-       {repair_blocks, repair_values, repair_signs, repair_words, repair_statements}) {
+  for (const auto round : {repair_calls, repair_blocks, repair_values, repair_signs, repair_words,
+                           repair_statements}) {
     apply(round(context, tokens), context.text, tokens);
   }
 }

@@ -26,6 +26,8 @@ void repair_structure(const RepairContext& context, bool may_mismatch);
 
 // The rounds of these repairs. Each reports what it finds and returns the edits of the text.
 
+/// Calls that lack their opening parenthesis: `rgb120, 140, 90)`.
+std::vector<Edit> repair_calls(const RepairContext& context, const TokenList& tokens);
 /// Heads of blocks, loops and functions: `for (i in list) {`, `let f(x) = …`.
 std::vector<Edit> repair_blocks(const RepairContext& context, const TokenList& tokens);
 /// Declarations, names and values: `let size: number = 1`, `1, 2, 3` for a point.
