@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -58,10 +59,13 @@ struct CompletionClient {
   explicit CompletionClient(const Client& client)
       : has_snippets(client.can(kItem + "/snippetSupport")),
         has_markdown(client.lists(kItem + "/documentationFormat", "markdown")),
-        has_insert_and_replace(client.can(kItem + "/insertReplaceSupport")) {}
+        has_insert_and_replace(client.can(kItem + "/insertReplaceSupport")),
+        has_default_range(client.lists(kList + "/itemDefaults", "editRange")) {}
 
   inline static const std::string kItem = "/textDocument/completion/completionItem";
+  inline static const std::string kList = "/textDocument/completion/completionList";
   bool has_snippets, has_markdown, has_insert_and_replace;
+  bool has_default_range;  ///< the list may give the range that its items replace
 };
 
 class CompletionJson {
@@ -70,9 +74,16 @@ class CompletionJson {
       : session_(session), text_(text), offset_(offset), client_(session.client()) {}
 
   Json of(const lang::CompletionList& list) {
+    Json json{{"isIncomplete", list.is_incomplete}};
+    if (client_.has_default_range && !list.items.empty()) {
+      default_range_ = list.items.front().replaced;
+      const Json edit = place(*default_range_);
+      json["itemDefaults"] = {{"editRange", edit.contains("range") ? edit.at("range") : edit}};
+    }
     Json items = Json::array();
     for (const lang::CompletionItem& item : list.items) items.push_back(of(item, items.size()));
-    return {{"isIncomplete", list.is_incomplete}, {"items", std::move(items)}};
+    json["items"] = std::move(items);
+    return json;
   }
 
  private:
@@ -80,8 +91,14 @@ class CompletionJson {
     const bool is_snippet = client_.has_snippets && !item.snippet.empty();
     Json json{{"label", item.label},
               {"kind", kind_number(item.kind)},
-              {"sortText", fmt::format("{:04}", index)},
-              {"textEdit", edit(item, is_snippet ? item.snippet : item.text)}};
+              {"sortText", fmt::format("{:04}", index)}};
+    const std::string& text = is_snippet ? item.snippet : item.text;
+    if (item.replaced != default_range_) {
+      json["textEdit"] = place(item.replaced);
+      json["textEdit"]["newText"] = text;
+    } else if (text != item.label) {
+      json["textEditText"] = text;
+    }
     if (is_snippet) json["insertTextFormat"] = 2;
     if (!item.filter.empty()) json["filterText"] = item.filter;
     if (!item.detail.empty()) json["detail"] = item.detail;
@@ -92,13 +109,10 @@ class CompletionJson {
     return json;
   }
 
-  Json edit(const lang::CompletionItem& item, const std::string& text) {
-    if (!client_.has_insert_and_replace || item.replaced.end <= offset_) {
-      return {{"newText", text}, {"range", range(item.replaced)}};
-    }
-    return {{"newText", text},
-            {"insert", range({item.replaced.begin, offset_})},
-            {"replace", range(item.replaced)}};
+  /// An edit of the span, without its text.
+  Json place(lang::Span span) {
+    if (!client_.has_insert_and_replace || span.end <= offset_) return {{"range", range(span)}};
+    return {{"insert", range({span.begin, offset_})}, {"replace", range(span)}};
   }
 
   /// The items have few different ranges.
@@ -112,6 +126,7 @@ class CompletionJson {
   const Text& text_;
   const std::uint32_t offset_;
   const CompletionClient client_;
+  std::optional<lang::Span> default_range_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, Json> ranges_;
 };
 

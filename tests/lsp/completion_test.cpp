@@ -83,6 +83,31 @@ TEST(CompletionMessages, LetTheClientInsertOrReplace) {
   EXPECT_EQ(edit.at("replace").at("end").at("character"), 15);
 }
 
+TEST(CompletionMessages, GiveTheRangeOnceToClientsThatTakeItSo) {
+  const Json list_support{{"itemDefaults", {"commitCharacters", "editRange"}}};
+  Json with_ranges = client_with({{"insertReplaceSupport", true}});
+  with_ranges["textDocument"]["completion"]["completionList"] = list_support;
+  const Json with_range{{"textDocument", {{"completion", {{"completionList", list_support}}}}}};
+  const std::string text = "scene 1\nsphere { ra|dius }";
+
+  TestClient plain(with_range);
+  Json cursor = plain.open_marked("a.scene", text);
+  Json list = plain.result_at(kCompletion, "a.scene", cursor);
+  const Json begin{{"line", 1}, {"character", 9}}, end{{"line", 1}, {"character", 15}};
+  EXPECT_EQ(list.at("itemDefaults").at("editRange"), Json({{"start", begin}, {"end", end}}));
+  EXPECT_FALSE(item_of(list, "radius").contains("textEdit"));
+  EXPECT_EQ(item_of(list, "radius").at("textEditText"), "radius: ");
+
+  TestClient rich(with_ranges);
+  cursor = rich.open_marked("a.scene", text);
+  list = rich.result_at(kCompletion, "a.scene", cursor);
+  EXPECT_EQ(list.at("itemDefaults").at("editRange").at("insert").at("end").at("character"), 11);
+  EXPECT_EQ(list.at("itemDefaults").at("editRange").at("replace").at("end"), end);
+  cursor = rich.open_marked("b.scene", "scene 1\nlet size = 1\nlet other = si|");
+  list = rich.result_at(kCompletion, "b.scene", cursor);
+  EXPECT_FALSE(item_of(list, "size").contains("textEditText")) << "the label is the text";
+}
+
 TEST(CompletionMessages, HaveMarkdownOnlyForClientsThatShowIt) {
   const std::string text = "scene 1\ncamera main { sh| }";
   TestClient plain;
