@@ -61,6 +61,14 @@ void Checks::set_scenes(std::set<fs::path> scenes) {
   wake_.notify_all();
 }
 
+void Checks::set_paused(bool is_paused) {
+  {
+    const std::scoped_lock lock(mutex_);
+    is_paused_ = is_paused;
+  }
+  wake_.notify_all();
+}
+
 void Checks::add(Change change, bool waits_for_keys) {
   const std::scoped_lock lock(mutex_);
   const auto running = scenes_.find(running_);
@@ -81,7 +89,9 @@ void Checks::add(Change change, bool waits_for_keys) {
 void Checks::run() {
   std::unique_lock lock(mutex_);
   while (!is_ending_) {
-    if (Clock::now() < quiet_until_) {
+    if (is_paused_) {
+      wake_.wait(lock);
+    } else if (Clock::now() < quiet_until_) {
       wake_.wait_until(lock, quiet_until_);
     } else if (!changes_.empty()) {
       apply_changes(lock);

@@ -38,6 +38,18 @@ class Checks {
     std::string error = {};
   };
   using OnChecked = std::function<void(const Result&)>;
+  /// While one exists, no check begins: somebody waits for an answer, and a check would take a part
+  /// of the processor from it.
+  class Pause {
+   public:
+    explicit Pause(Checks& checks) : checks_(checks) { checks_.set_paused(true); }
+    ~Pause() { checks_.set_paused(false); }
+    Pause(const Pause&) = delete;
+    Pause& operator=(const Pause&) = delete;
+
+   private:
+    Checks& checks_;
+  };
 
   Checks(const lang::FileSystem& disk, const lang::ProgramOptions& options, Log& log,
          OnChecked on_checked);
@@ -79,6 +91,7 @@ class Checks {
     std::set<std::filesystem::path> reads = {};             ///< by identity, as of the last check
   };
 
+  void set_paused(bool is_paused);
   void add(Change change, bool waits_for_keys);
   void run();
   void apply_changes(std::unique_lock<std::mutex>& lock);
@@ -105,6 +118,7 @@ class Checks {
   std::filesystem::path running_;
   Clock::time_point quiet_until_ = {};
   Clock::duration last_duration_ = {};
+  bool is_paused_ = false;
   bool is_ending_ = false;
   std::thread thread_;
 };

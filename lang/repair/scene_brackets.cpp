@@ -30,7 +30,17 @@ class SceneBrackets : private BracketStack {
   bool is_flush(std::uint32_t brace) const {
     const RepairToken& inside = tokens_[brace + 1];
     return inside.is_first && inside.kind != TokenClass::Close &&
-           inside.indent <= tokens_[brace].indent;
+           inside.indent <= tokens_[brace].indent &&
+           !(holds_properties(brace) && tokens_.begins_statement(brace + 1));
+  }
+
+  /// Whether the brace opens an object that can only contain properties.
+  bool holds_properties(std::uint32_t brace) const {
+    if (brace == 0 || !tokens_.is_name(brace - 1)) return false;
+    std::uint32_t kind = brace - 1;
+    if (!tokens_.may_begin_statement(kind) && kind > 0 && tokens_.is_name(kind - 1)) --kind;
+    return tokens_.may_begin_statement(kind) && !tokens_.is(kind, "group") &&
+           !tokens_.is(kind, "def");
   }
 
   std::uint32_t end_of_statement(std::uint32_t begin) const {

@@ -94,4 +94,35 @@ std::vector<Span> broken_parts(std::string_view text, std::span<const SyntaxNode
   return parts;
 }
 
+std::optional<Span> misplaced_part(std::string_view text, std::span<const SyntaxNode> nodes,
+                                   std::span<const std::uint32_t> misplaced,
+                                   const DiagnosticSink& errors) {
+  std::vector<std::uint32_t> begins(misplaced.begin(), misplaced.end());
+  std::ranges::sort(begins);
+  const std::vector<Statement> statements = statements_of(nodes);
+  auto first = std::ranges::upper_bound(statements, begins.front(), {}, &Statement::begin);
+  if (first == statements.begin() || !errors.not_kept().empty()) return std::nullopt;
+  // The object and the statement before it, which may belong to the mistake.
+  for (int before = 0; before < 2 && first != statements.begin(); ++before) {
+    do {
+      --first;
+    } while (first != statements.begin() && !is_first_of_line(text, first->begin));
+  }
+  const auto end = std::ranges::find_if(begins.begin() + 1, begins.end(), [&](std::uint32_t at) {
+    return is_first_of_line(text, at) && (at == 0 || text[at - 1] == '\n');
+  });
+  if (end == begins.end()) return std::nullopt;
+  // What is reported at the end of the text follows from the missing bracket.
+  const std::size_t text_end = text.find_last_not_of(" \t\r\n") + 1;
+  const auto is_beyond = [&](const Diagnostic& error) {
+    return error.where.span.begin >= *end && error.where.span.begin < text_end;
+  };
+  const Span misplaced_one{begins.front(), *end};
+  const Span rest{*end, static_cast<std::uint32_t>(text.size())};
+  const bool is_mistake_before = !std::ranges::any_of(errors.diagnostics(), is_beyond) &&
+                                 has_pairs(text, misplaced_one) && has_pairs(text, rest);
+  if (!is_mistake_before) return std::nullopt;
+  return Span{first == statements.begin() ? 0 : first->begin, *end};
+}
+
 }  // namespace sdlc::lang

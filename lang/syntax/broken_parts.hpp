@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -19,5 +21,12 @@ namespace sdlc::lang {
 /// bytes of `text`.
 std::vector<Span> broken_parts(std::string_view text, std::span<const SyntaxNode> nodes,
                                const DiagnosticSink& errors);
+
+/// The part of a text in which an object lacks its `}`, so that the statements after it, which
+/// begin at `misplaced`, are in it: from the statement before the object to the first misplaced
+/// one. None if the mistake may reach beyond it.
+std::optional<Span> misplaced_part(std::string_view text, std::span<const SyntaxNode> nodes,
+                                   std::span<const std::uint32_t> misplaced,
+                                   const DiagnosticSink& errors);
 
 }  // namespace sdlc::lang

@@ -25,9 +25,10 @@ struct Reading {
   NodeBuffer<SyntaxNode> nodes;
   std::vector<Comment> comments;
   DiagnosticSink sink;
-  bool has_misplaced = false, is_foreign = false;
+  std::vector<std::uint32_t> misplaced;  ///< TreeBuilder::misplaced
+  bool is_foreign = false;
 
-  bool is_sound() const { return !sink.has_errors() && !has_misplaced; }
+  bool is_sound() const { return !sink.has_errors() && misplaced.empty(); }
 };
 
 /// Converts positions in the repaired text to positions in the file. The value of a literal is read
@@ -62,10 +63,12 @@ Reading read(const SourceFile& file, std::string_view text, const RepairedText* 
   builder.close(0);
   builder.node(0).end = static_cast<std::uint32_t>(text.size());
   Reading reading{builder.take_nodes(), builder.take_comments(), std::move(sink),
-                  builder.has_misplaced, builder.is_foreign};
+                  std::move(builder.misplaced), builder.is_foreign};
   if (repaired != nullptr) move_to_file(reading, file, *repaired);
   return reading;
 }
+
+Span whole(std::string_view text) { return {0, static_cast<std::uint32_t>(text.size())}; }
 
 /// Repairs each part of the text. Afterwards `parts` are where they have moved to.
 template <typename Repair>
@@ -84,33 +87,68 @@ void repair_parts(RepairedText& text, std::vector<Span>& parts, Repair repair) {
   }
 }
 
-/// Reads a text with errors again after repairs: always after those of the spelling, and after
-/// those of the structure if fewer errors remain.
-Reading read_repaired(const SourceFile& file, std::string_view text, Reading reading,
-                      DiagnosticSink& sink) {
-  const StopRequest* stop = sink.stop_request();
-  std::vector<Span> parts = {{0, static_cast<std::uint32_t>(text.size())}};
-  if (!reading.has_misplaced) parts = broken_parts(text, reading.nodes.span(), reading.sink);
+/// What repairs of a text have led to.
+struct Repair {
+  std::optional<Reading> reading;  ///< of the repaired text; none if nothing was repaired
+  DiagnosticSink reports;          ///< of the repairs
+};
+
+/// Reads a text with errors again after repairs of its parts: always after those of the spelling,
+/// and after those of the structure if fewer errors remain.
+Repair repair(const SourceFile& file, std::string_view text, const Reading& first,
+              std::vector<Span> parts, const StopRequest* stop) {
+  Repair result{.reading = std::nullopt, .reports = DiagnosticSink(stop)};
   RepairedText spelled(text);
-  repair_parts(spelled, parts, [&] { repair_spelling({file, spelled, sink}); });
+  repair_parts(spelled, parts, [&] { repair_spelling({file, spelled, result.reports}); });
   if (spelled.is_changed()) {
-    reading = read<grammar::file>(file, spelled.text(), &spelled, stop);
-    if (reading.is_sound() || reading.is_foreign) return reading;
+    result.reading = read<grammar::file>(file, spelled.text(), &spelled, stop);
+    if (result.reading->is_sound() || result.reading->is_foreign) return result;
   }
-  if (reading.has_misplaced) parts = {{0, static_cast<std::uint32_t>(spelled.text().size())}};
+  const Reading& reading = result.reading ? *result.reading : first;
+  const bool has_misplaced = !reading.misplaced.empty();
+  if (has_misplaced && first.misplaced.empty()) parts = {whole(spelled.text())};
   RepairedText repaired = spelled;
   DiagnosticSink repairs(stop);
   repair_parts(repaired, parts, [&] {
-    repair_structure({file, repaired, repairs}, reading.has_misplaced);
+    repair_structure({file, repaired, repairs}, has_misplaced);
   });
   if (repaired.is_changed()) {
     Reading again = read<grammar::file>(file, repaired.text(), &repaired, stop);
     if (again.sink.error_count() < std::max<std::size_t>(reading.sink.error_count(), 1)) {
-      sink.add(repairs);
-      return again;
+      result.reports.add(repairs);
+      result.reading = std::move(again);
     }
   }
-  return reading;
+  return result;
+}
+
+bool is_sound_outside(const Reading& reading, Span part) {
+  const auto is_inside = [&](const Diagnostic& error) {
+    const Span where = error.where.span;
+    return where.begin >= part.begin && where.end <= part.end;
+  };
+  return reading.misplaced.empty() && reading.sink.not_kept().empty() &&
+         std::ranges::all_of(reading.sink.diagnostics(), is_inside);
+}
+
+Reading read_repaired(const SourceFile& file, std::string_view text, Reading first,
+                      DiagnosticSink& sink) {
+  const StopRequest* stop = sink.stop_request();
+  const auto accept = [&](Repair repaired) {
+    sink.add(repaired.reports);
+    return repaired.reading ? std::move(*repaired.reading) : std::move(first);
+  };
+  if (first.misplaced.empty()) {
+    std::vector<Span> parts = broken_parts(text, first.nodes.span(), first.sink);
+    return accept(repair(file, text, first, std::move(parts), stop));
+  }
+  if (const auto part = misplaced_part(text, first.nodes.span(), first.misplaced, first.sink)) {
+    Repair repaired = repair(file, text, first, {*part}, stop);
+    if (repaired.reading && is_sound_outside(*repaired.reading, *part)) {
+      return accept(std::move(repaired));
+    }
+  }
+  return accept(repair(file, text, first, {whole(text)}, stop));
 }
 
 }  // namespace

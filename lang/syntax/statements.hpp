@@ -88,8 +88,8 @@ struct Build<grammar::statement> : pegtl::maybe_nothing {
       if (match_or_rewind<Rule, A, Action, Ctrl>(in, builder)) {
         builder.set_last_statement(before.nodes);
         if (before.in_object && !before.in_group &&
-            builder.node(before.nodes).kind != SyntaxKind::Property) {
-          builder.has_misplaced = builder.has_misplaced || is_shallow(builder, begin);
+            builder.node(before.nodes).kind != SyntaxKind::Property && is_shallow(builder, begin)) {
+          builder.misplaced.push_back(begin);
         }
         return true;
       }

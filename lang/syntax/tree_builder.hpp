@@ -114,8 +114,9 @@ class TreeBuilder {
   bool in_head = false;             ///< in the list of a `for` or the condition of an `if`
   bool has_version = false;         ///< the file began with its version
   bool is_foreign = false;          ///< the text is of another version or format
-  bool has_misplaced = false;       ///< a statement in an object is not indented
   Operator op = Operator::None;     ///< the last one read
+  /// Where the statements in objects begin that are not indented, inner ones first.
+  std::vector<std::uint32_t> misplaced;
 
   static constexpr NodeIndex kNone = 0xFFFFFFFF;
 
