@@ -38,8 +38,8 @@ class Checks {
     std::string error = {};
   };
   using OnChecked = std::function<void(const Result&)>;
-  /// While one exists, no check begins: somebody waits for an answer, and a check would take a part
-  /// of the processor from it.
+  /// While one exists, no check begins: a request is pending, and a check would compete with it for
+  /// the processor.
   class Pause {
    public:
     explicit Pause(Checks& checks) : checks_(checks) { checks_.set_paused(true); }

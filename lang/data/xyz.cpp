@@ -16,7 +16,7 @@ constexpr std::string_view kSpaces = " \t";
 std::string_view trimmed(std::string_view line) {
   const std::size_t first = std::min(line.find_first_not_of(kSpaces), line.size());
   const std::size_t last = line.find_last_not_of(kSpaces);
-  return last == std::string_view::npos ? std::string_view() : line.substr(first, last + 1 - first);
+  return line.substr(first, last == std::string_view::npos ? 0 : last + 1 - first);
 }
 
 std::string count_of_atoms(std::uint64_t count) {

@@ -25,8 +25,7 @@ constexpr auto kKeywords = std::to_array<Keyword>({
     {"assert", "assert condition, \"message\"", "Reports the message if the condition is false."},
     {"for", "for name in list { … }",
      "Places the objects in the block once per element; in brackets, `[value for name in list]` is "
-     "a "
-     "list."},
+     "a list."},
     {"if", kConditional,
      "Chooses one of two values; as a statement, `if condition { … } else { … }` chooses objects."},
     {"then", kConditional, "Precedes the value if the condition is true."},

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -136,7 +137,7 @@ Value Evaluator::evaluate_function(const Code& code, const Expression& e) {
         *this, {.kind = StackEntry::Call, .code = &code, .node = e.node, .name = function.name});
     frame_ = base;
     environment_ = environment;
-    ++calls_;
+    deepest_calls_ = std::max(deepest_calls_, ++calls_);
     // A default may use the parameters before it.
     for (std::size_t i = 0; i < arguments.size(); ++i) {
       if (arguments[i] == kNothing) bind(i, body, function.parameters[i].default_value);

@@ -32,7 +32,10 @@ class StackSegments::Segment {
     void* const memory = mmap(nullptr, bytes + kGuardBytes, PROT_READ | PROT_WRITE,
                               MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
     if (memory == MAP_FAILED) return nullptr;
-    mprotect(memory, kGuardBytes, PROT_NONE);
+    if (mprotect(memory, kGuardBytes, PROT_NONE) != 0) {
+      munmap(memory, bytes + kGuardBytes);
+      return nullptr;
+    }
     return std::unique_ptr<Segment>(new Segment(static_cast<char*>(memory), bytes));
   }
   ~Segment() {

@@ -86,23 +86,18 @@ Value ListValue::operator[](std::size_t i) const {
 }
 
 void ListValue::release(std::vector<Value> values) {
-  // A loop instead of recursive destructors: lists may be nested as deeply as the file is long.
-  std::vector<std::shared_ptr<ListNode>> waiting;
-  const auto take_lists = [&](std::vector<Value>& from) {
-    for (Value& value : from) {
-      auto* row = value.get_if_unshared<RowValue>();
-      auto* list = row != nullptr ? &row->elements : value.get_if_unshared<ListValue>();
-      if (list != nullptr && list->node_ && list->node_.use_count() == 1) {
-        waiting.push_back(std::move(list->node_));
-      }
-    }
-  };
-  take_lists(values);
-  while (!waiting.empty()) {
-    const std::shared_ptr<ListNode> node = std::move(waiting.back());
-    waiting.pop_back();
-    take_lists(node->values);
+  // A loop instead of recursive destructors: lists may be nested as deeply as calls. While it runs,
+  // the lists whose last user goes only add their elements to it.
+  thread_local std::vector<std::vector<Value>>* waiting = nullptr;
+  if (waiting != nullptr) return waiting->push_back(std::move(values));
+  std::vector<std::vector<Value>> nested;
+  waiting = &nested;
+  nested.push_back(std::move(values));
+  while (!nested.empty()) {
+    const std::vector<Value> released = std::move(nested.back());
+    nested.pop_back();
   }
+  waiting = nullptr;
 }
 
 }  // namespace sdlc::lang

@@ -97,7 +97,7 @@ BuiltinWork work_of_sort(const BuiltinCall& call) {
   const std::uint64_t weight = keys == nullptr ? 0 : keys->weight();
   constexpr std::uint64_t kMaxWeight = std::uint64_t{1} << 56;
   return {.steps = std::min(weight, kMaxWeight) * levels,
-          .bytes = size * (sizeof(Value) + 2 * sizeof(Keyed<std::string_view>))};
+          .bytes = size * (sizeof(Value) + 2 * sizeof(Keyed<std::string>))};
 }
 
 /// nullopt if the values are not all a T.
@@ -130,8 +130,7 @@ bool has_units_of_one_kind(const ListValue& list) {
   return true;
 }
 
-/// The elements of the list share the text.
-std::string_view text_of(const std::string& text) { return text; }
+std::string text_of(const std::string& text) { return text; }
 
 template <typename Key>
 Value in_order(const ListValue& list, std::vector<Keyed<Key>> keys) {
@@ -185,8 +184,9 @@ Value evaluate_zip(const BuiltinCall& call) {
     if (size_of(call.arguments[i]) != size_of(call.arguments[0])) return wrong_length(call, i);
   }
   std::vector<Value> rows;
-  rows.reserve(size_of(call.arguments[0]));
-  for (std::size_t row = 0; row < rows.capacity(); ++row) {
+  const std::size_t count = size_of(call.arguments[0]);
+  rows.reserve(count);
+  for (std::size_t row = 0; row < count; ++row) {
     std::vector<Value> values;
     values.reserve(columns);
     bool is_mixed = false;
@@ -283,13 +283,11 @@ constexpr auto kListFunctions = std::to_array<Builtin>({
     {"range", "range(n), range(a, b), range(a, b, step)", 1, 3, evaluate_range, "number", "list",
      "lists",
      "The whole numbers from 0 to `n - 1`, or from `a` in steps of `step` (default 1) before `b`. "
-     "With "
-     "a step, also fractions, lengths, times and angles: `a + i * step` before `b`."},
+     "With a step, also fractions, lengths, times and angles: `a + i * step` before `b`."},
     {"sort", "sort(list), sort(list, keys)", 1, 2, evaluate_sort, "list", "list", "lists",
      "The elements from the smallest to the largest: numbers, angles, or strings by their code "
      "points. With `keys`, a list of as many, the elements are in the order of their keys. "
-     "Elements "
-     "with equal keys keep their order.",
+     "Elements with equal keys keep their order.",
      20, work_of_sort},
     {"reverse", "reverse(list)", 1, 1, evaluate_reverse, "list", "list", "lists",
      "The elements from the last to the first.", 10, work_of_copy},

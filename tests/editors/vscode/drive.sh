@@ -24,6 +24,7 @@ export CHROMIUM=${CHROMIUM:-$(command -v chromium || true)}
 home=$(mktemp -d)
 trap 'rm -rf -- "$home"' EXIT
 export SDLC_SCREENS=${SDLC_SCREENS:-$(mktemp -d)}
+mkdir -p -- "$SDLC_SCREENS"
 "$root/editors/vscode/package.sh" "$home/sdlc-scene.vsix" >"$home/package.log" 2>&1 || {
   cat "$home/package.log" >&2
   die "the extension cannot be packaged"

@@ -112,8 +112,17 @@ TEST(Recursion, StopsOnRequest) {
   EXPECT_EQ(CountedBytes::sum(), before);
 }
 
-/// Where the stack of the machine ends is no place to be slow: each of these loops runs at another
-/// depth, one of them at the end of a segment.
+/// Lists that have two users in each list around them.
+TEST(Recursion, DestroysListsThatShareElements) {
+  run_on_small_stack([] {
+    const std::string text =
+        "fn pair(n) = if n == 0 then [1] else let a = pair(n - 1) in [a, a]\n"
+        "let count = len(pair(9000))\nassert count == 2, \"a pair\"";
+    EXPECT_EQ(errors_of(text), Codes{});
+  });
+}
+
+/// Each of these loops runs at another depth, one of them at the end of a segment.
 TEST(Recursion, LoopsAtAnyDepth) {
   const std::string text =
       "fn id(x) = x\n"
