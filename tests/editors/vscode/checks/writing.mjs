@@ -20,7 +20,7 @@ export const checks = [
   {
     name: 'squiggles follow the text while it is typed',
     async run(bench) {
-      await bench.open('ball.scene', scene(BALL));
+      await bench.open('typed.scene', scene(BALL));
       await bench.goto(5, 1);
       await bench.type('let wrong = lenght((1, 2, 3))');
       await bench.see('.squiggly-error');
@@ -111,10 +111,10 @@ export const checks = [
       await bench.goto(2, 16);
       await bench.press('Control+ ');
       const labels = await completions(bench, 'sqrt');
-      for (const word of ['srgb', 'linear']) {
+      for (const word of ['srgb', 'linear', 'neutral']) {
         if (!labels.includes(word)) throw new Error(`no ${word} in ${labels}`);
       }
-      if (labels.length > 3) throw new Error(`more than words: ${labels}`);
+      if (labels.length > 4) throw new Error(`more than words: ${labels}`);
     },
   },
   {
@@ -161,7 +161,7 @@ export const checks = [
   {
     name: 'a config is checked, once',
     async run(bench) {
-      await bench.open('old.sdlc.json', '{ "image": { "width": 8, "heigth": 8, "color": [1, 2, 3] } }\n');
+      await bench.open('old.sdlc.json', '{ "image": { "width": 8, "heigth": 8, "color": [1, 2, 3] }, "spheres": [] }\n');
       await bench.see('.squiggly-error');
       await bench.command('View: Focus Problems');
       await bench.seeText('.markers-panel .monaco-list-row', 'heigth');
