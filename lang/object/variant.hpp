@@ -103,13 +103,6 @@ class Variant {
     }
   }
 
-  /// The boxed value, mutable, if no other Variant shares it; else null.
-  template <typename T>
-  requires(kIsBoxed<T>) T* get_if_unshared() noexcept {
-    if (index_ != index_of<T>() || box()->uses != 1) return nullptr;
-    return &static_cast<BoxOf<T>*>(box())->value;
-  }
-
  private:
   struct Box {
     std::uint32_t uses = 1;

@@ -21,6 +21,8 @@ class SceneBrackets : private BracketStack {
   }
 
  private:
+  static constexpr std::uint32_t kNone = BracketFault::kNone;
+
   std::uint32_t size() const { return static_cast<std::uint32_t>(tokens_.size()); }
   static bool is_brace(char bracket) { return bracket == '{' || bracket == '}'; }
 
@@ -34,13 +36,20 @@ class SceneBrackets : private BracketStack {
            !(holds_properties(brace) && tokens_.begins_statement(brace + 1));
   }
 
+  /// The kind of the object whose head, a kind and perhaps a name, ends before the token; kNone if
+  /// none does.
+  std::uint32_t kind_before(std::uint32_t i) const {
+    if (i == 0 || !tokens_.is_name(i - 1)) return kNone;
+    if (tokens_.may_begin_statement(i - 1)) return i - 1;
+    const bool has_name = i > 1 && tokens_.is_name(i - 2) && tokens_.is_same_line(i - 1) &&
+                          tokens_.may_begin_statement(i - 2);
+    return has_name ? i - 2 : kNone;
+  }
+
   /// Whether the brace opens an object that can only contain properties.
   bool holds_properties(std::uint32_t brace) const {
-    if (brace == 0 || !tokens_.is_name(brace - 1)) return false;
-    std::uint32_t kind = brace - 1;
-    if (!tokens_.may_begin_statement(kind) && kind > 0 && tokens_.is_name(kind - 1)) --kind;
-    return tokens_.may_begin_statement(kind) && !tokens_.is(kind, "group") &&
-           !tokens_.is(kind, "def");
+    const std::uint32_t kind = kind_before(brace);
+    return kind != kNone && !tokens_.is(kind, "group");
   }
 
   std::uint32_t end_of_statement(std::uint32_t begin) const {
@@ -186,8 +195,6 @@ class SceneBrackets : private BracketStack {
 
   // Headers of blocks, which lack their brace
 
-  static constexpr std::uint32_t kNone = BracketFault::kNone;
-
   void note_header() {
     const RepairToken& token = tokens_[at_];
     if (token.bracket == '{') header_ = kNone;
@@ -208,19 +215,12 @@ class SceneBrackets : private BracketStack {
     const bool has_header = header_ != kNone && header_ != at_ && is_new_line &&
                             tokens_[at_].indent > tokens_[header_].indent;
     const bool may_be_inside = is_new_line || tokens_.is(at_, TokenClass::Label);
-    if (has_header || (may_be_inside && follows_object_head())) {
+    if (has_header || (may_be_inside && kind_before(at_) != kNone)) {
       if (!is_in_parenthesis()) open_missing(at_, '{');
       header_ = kNone;
     } else if (lacks_parenthesis()) {
       open_missing(at_, '(');
     }
-  }
-
-  bool follows_object_head() const {
-    if (!tokens_.is_name(at_ - 1)) return false;
-    if (tokens_.may_begin_statement(at_ - 1)) return true;
-    return at_ > 1 && tokens_.is_name(at_ - 2) && tokens_.is_same_line(at_ - 1) &&
-           tokens_.may_begin_statement(at_ - 2);
   }
 
   /// `diffuse color: red)`, `max 1, 2)` and `fn f x) =`

@@ -3,22 +3,17 @@
 #include <fmt/format.h>
 
 #include "lang/repair/repair_report.hpp"
-#include "lang/text/ascii.hpp"
 #include "lang/text/brackets.hpp"
+#include "lang/token/name_characters.hpp"
 
 namespace sdlc::lang {
 namespace {
-
-bool is_word_character(char c) {
-  return is_ascii_digit(c) || is_ascii_letter(c) || c == '_' || !is_ascii(c);
-}
 
 bool occurs_once(std::string_view text, std::string_view word) {
   int count = 0;
   for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
     const std::size_t end = at + word.size();
-    const bool is_whole = (at == 0 || !is_word_character(text[at - 1])) &&
-                          (end == text.size() || !is_word_character(text[end]));
+    const bool is_whole = (at == 0 || !is_idchar(text[at - 1])) && !is_idchar(char_at(text, end));
     if (is_whole && ++count > 1) return false;
   }
   return true;

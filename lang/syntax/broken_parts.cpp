@@ -108,9 +108,8 @@ std::optional<Span> misplaced_part(std::string_view text, std::span<const Syntax
       --first;
     } while (first != statements.begin() && !is_first_of_line(text, first->begin));
   }
-  const auto end = std::ranges::find_if(begins.begin() + 1, begins.end(), [&](std::uint32_t at) {
-    return is_first_of_line(text, at) && (at == 0 || text[at - 1] == '\n');
-  });
+  const auto end = std::ranges::find_if(begins.begin() + 1, begins.end(),
+                                        [&](std::uint32_t at) { return text[at - 1] == '\n'; });
   if (end == begins.end()) return std::nullopt;
   // What is reported at the end of the text follows from the missing bracket.
   const std::size_t text_end = text.find_last_not_of(" \t\r\n") + 1;

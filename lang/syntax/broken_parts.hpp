@@ -24,7 +24,7 @@ std::vector<Span> broken_parts(std::string_view text, std::span<const SyntaxNode
 
 /// The part of a text in which an object lacks its `}`, so that the statements after it, which
 /// begin at `misplaced`, are in it: from the statement before the object to the first misplaced
-/// one. None if the mistake may reach beyond it.
+/// one. None if the mistake may reach beyond it. Precondition: `misplaced` is not empty.
 std::optional<Span> misplaced_part(std::string_view text, std::span<const SyntaxNode> nodes,
                                    std::span<const std::uint32_t> misplaced,
                                    const DiagnosticSink& errors);

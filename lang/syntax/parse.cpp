@@ -122,6 +122,7 @@ Repair repair(const SourceFile& file, std::string_view text, const Reading& firs
   return result;
 }
 
+/// Whether all errors are in the part of the file.
 bool is_sound_outside(const Reading& reading, Span part) {
   const auto is_inside = [&](const Diagnostic& error) {
     const Span where = error.where.span;
@@ -131,6 +132,7 @@ bool is_sound_outside(const Reading& reading, Span part) {
          std::ranges::all_of(reading.sink.diagnostics(), is_inside);
 }
 
+/// Reads a text with errors again after repairs of the parts with the mistakes.
 Reading read_repaired(const SourceFile& file, std::string_view text, Reading first,
                       DiagnosticSink& sink) {
   const StopRequest* stop = sink.stop_request();
