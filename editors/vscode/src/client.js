@@ -2,7 +2,7 @@
 'use strict';
 
 const vscode = require('vscode');
-const { CloseAction, LanguageClient, RevealOutputChannelOn } = require('vscode-languageclient/node');
+const { CloseAction, ErrorAction, LanguageClient, RevealOutputChannelOn } = require('vscode-languageclient/node');
 const { selector } = require('./selector');
 
 /** The settings as the server takes them: an untrusted workspace is always a sandbox. */
@@ -67,7 +67,7 @@ class Client extends LanguageClient {
       revealOutputChannelOn: RevealOutputChannelOn.Never,
       initializationFailedHandler: () => false,
       errorHandler: {
-        error: (...args) => this.usualHandler.error(...args),
+        error: (...args) => this.#failed(...args),
         closed: () => this.#closed(),
       },
     });
@@ -76,6 +76,13 @@ class Client extends LanguageClient {
       if (!change.affectsConfiguration('sdlc') || !this.isRunning()) return;
       this.sendNotification('workspace/didChangeConfiguration', { settings: { sdlc: settings() } });
     });
+  }
+
+  /** A write fails, not a read, if the server has ended before it is connected. */
+  async #failed(error, message, count) {
+    if (this.#hasStarted) return this.usualHandler.error(error, message, count);
+    this.#fail(error);
+    return { action: ErrorAction.Shutdown, handled: true };
   }
 
   async #closed() {
