@@ -1,8 +1,10 @@
 #include "lang/resolve/builtin_symbols.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "lang/value/builtins.hpp"
@@ -18,6 +20,12 @@ bool comes_before(const BuiltinSymbol& a, const BuiltinSymbol& b) {
   if (a.property != b.property) return std::less<>()(a.property, b.property);
   return a.name < b.name;
 }
+
+struct IsSame {
+  bool operator()(const BuiltinSymbol& a, const BuiltinSymbol& b) const noexcept {
+    return a.kind == b.kind && a.property == b.property && a.name == b.name;
+  }
+};
 
 void add_properties(std::vector<BuiltinSymbol>& all, std::span<const Property> properties) {
   for (const Property& property : properties) {
@@ -53,11 +61,24 @@ std::vector<BuiltinSymbol> make_builtin_symbols() {
   }
   std::ranges::sort(all, comes_before);
   // Constructors may share a table of parameters.
-  const auto is_same = [](const BuiltinSymbol& a, const BuiltinSymbol& b) {
-    return !comes_before(a, b) && !comes_before(b, a);
-  };
-  all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
+  all.erase(std::unique(all.begin(), all.end(), IsSame()), all.end());
   return all;
+}
+
+struct Hash {
+  std::size_t operator()(const BuiltinSymbol& symbol) const noexcept {
+    if (symbol.property != nullptr) return std::hash<const void*>()(symbol.property);
+    return std::hash<std::string_view>()(symbol.name);
+  }
+};
+
+using IndexOfBuiltins = std::unordered_map<BuiltinSymbol, std::uint32_t, Hash, IsSame>;
+
+/// Every use of a built-in name is looked up after each key in an editor.
+IndexOfBuiltins make_index(std::span<const BuiltinSymbol> all) {
+  IndexOfBuiltins index_of;
+  for (std::uint32_t i = 0; i < all.size(); ++i) index_of.emplace(all[i], i);
+  return index_of;
 }
 
 }  // namespace
@@ -68,11 +89,10 @@ std::span<const BuiltinSymbol> builtin_symbols() {
 }
 
 SymbolId find_builtin_symbol(SymbolKind kind, std::string_view name, const Property* property) {
-  const auto all = builtin_symbols();
-  const BuiltinSymbol wanted{kind, name, property};
-  const auto found = std::ranges::lower_bound(all, wanted, comes_before);
-  if (found == all.end() || comes_before(wanted, *found)) return {};
-  return {SymbolId::kBuiltinFile, static_cast<std::uint32_t>(found - all.begin())};
+  static const IndexOfBuiltins index_of = make_index(builtin_symbols());
+  const auto found = index_of.find({kind, name, property});
+  if (found == index_of.end()) return {};
+  return {SymbolId::kBuiltinFile, found->second};
 }
 
 }  // namespace sdlc::lang

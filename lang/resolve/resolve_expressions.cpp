@@ -86,6 +86,7 @@ std::uint32_t Resolver::string(ast::Node node) {
 }
 
 std::uint32_t Resolver::number(ast::Node node) {
+  if (is_recording()) return code_.add_number(node, {});  // names need no values
   const Value value = evaluate_number(node, sink_);
   const auto* scalar = get_if<Scalar>(&value);
   return scalar == nullptr ? code_.add_constant(node, value) : code_.add_number(node, *scalar);
