@@ -38,8 +38,7 @@ class Checks {
     std::string error = {};
   };
   using OnChecked = std::function<void(const Result&)>;
-  /// While one exists, no check begins: a request is pending, and a check would compete with it for
-  /// the processor.
+  /// While one exists, no check begins.
   class Pause {
    public:
     explicit Pause(Checks& checks) : checks_(checks) { checks_.set_paused(true); }

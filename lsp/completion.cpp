@@ -189,7 +189,7 @@ Json signature_json(const lang::Signature& signature, const Client& client) {
 }  // namespace
 
 Json completion(Session& session, const Json& params) {
-  const Checks::Pause pause(session.checks());
+  session.pause_checks();
   const Text text = session.text_of(params);
   const std::uint32_t offset = session.offset(text, params.at("position"));
   const std::string trigger = trigger_of(params);

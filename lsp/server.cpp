@@ -105,6 +105,7 @@ void Server::handle(const Received& received) {
   } catch (const std::exception& error) {
     log_.write(fmt::format("`{}` failed: {}", message.method, error.what()));
   }
+  session_.resume_checks();
 }
 
 void Server::answer(const Received& received) {

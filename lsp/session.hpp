@@ -131,6 +131,10 @@ class Session {
   /// Of the request that is being handled.
   const lang::StopRequest& stop() const noexcept { return *stop_; }
   void set_stop(const lang::StopRequest* stop) noexcept { stop_ = stop; }
+  /// No check begins until the answer has been sent: it would compete for the processor with what
+  /// a user waits for.
+  void pause_checks() { pause_.emplace(checks()); }
+  void resume_checks() { pause_.reset(); }
 
   /// Programs and limits as the settings have them, for this thread.
   lang::ProgramOptions program_options();
@@ -176,6 +180,7 @@ class Session {
   IndexProgress index_progress_;
   FolderIndex index_;
   Checks checks_;
+  std::optional<Checks::Pause> pause_;  // of the request that is being handled
   std::unique_ptr<RenderRuns> renders_;
 };
 

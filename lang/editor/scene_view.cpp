@@ -11,15 +11,26 @@ DiagnosticSink muted_sink(const StopRequest* stop) {
   return sink;
 }
 
+ProgramOptions resolves_later(ProgramOptions options) {
+  options.resolves_later = true;
+  return options;
+}
+
 }  // namespace
 
 SceneView::SceneView(std::shared_ptr<const Document> root, const ProgramOptions& options,
                      const StopRequest* stop)
     : root_(std::move(root)),
-      options_(options),
+      options_(resolves_later(options)),
       ignored_(muted_sink(stop)),
       program_(*root_, options_, ignored_),
       index_(program_, ignored_) {}
+
+Program& SceneView::program() {
+  DiagnosticSink ignored = muted_sink(nullptr);
+  program_.resolve_declarations(ignored);
+  return program_;
+}
 
 std::optional<std::uint32_t> SceneView::find(const std::filesystem::path& path) const {
   const Workspace& workspace = *options_.workspace;

@@ -12,9 +12,8 @@
 
 namespace sdlc::lang {
 
-/// A scene with the files that it imports and includes, loaded and resolved but not evaluated: what
-/// an editor asks about. Its answers are offsets in the texts of `file()`. Used by one thread at a
-/// time.
+/// A scene with the files that it imports and includes, loaded but not evaluated: what an editor
+/// asks about. Its answers are offsets in the texts of `file()`. Used by one thread at a time.
 class SceneView {
  public:
   /// Errors of the scene are ignored: every text has a tree and symbols. `options.workspace` must
@@ -26,7 +25,7 @@ class SceneView {
 
   const Document& root() const noexcept { return *root_; }
   /// For evaluations of values.
-  Program& program() noexcept { return program_; }
+  Program& program();
   const ProgramOptions& options() const noexcept { return options_; }
 
   const SymbolIndex& index() const noexcept { return index_; }

@@ -149,8 +149,17 @@ std::uint32_t Program::add_module(const Document& file, fs::path path, std::uint
   modules_.push_back(std::make_unique<Module>(file, tree));
   modules_[index]->path = std::move(path);
   modules_[index]->parent = parent;
-  Resolver(*this, index, sink).resolve_declarations();
+  collect_declarations(*this, index, sink);
+  unresolved_.push_back(index);
+  // Resolving a body loads the files that it includes.
+  if (!options_.resolves_later || has_include({tree, 0})) resolve_declarations(sink);
   return index;
+}
+
+void Program::resolve_declarations(DiagnosticSink& sink) {
+  for (const std::uint32_t module : std::exchange(unresolved_, {})) {
+    Resolver(*this, module, sink).resolve_declarations();
+  }
 }
 
 void Program::load_all(DiagnosticSink& sink) {

@@ -35,6 +35,8 @@ struct ProgramOptions {
   Workspace* workspace = nullptr;  ///< null: no file except the root can be read
   Limits limits = {};
   bool is_sandboxed = false;  ///< no file outside the root's folder is read
+  /// Names and files are known at once, but nothing has a value before resolve_declarations().
+  bool resolves_later = false;
   std::vector<SetOption> sets = {};
 };
 
@@ -69,6 +71,8 @@ class Program final : public Modules {
   }
   const Limits& limits() const noexcept override { return options_.limits; }
   void load_all(DiagnosticSink& sink) override;
+  /// With `resolves_later`: resolves what has been loaded, before the first evaluation.
+  void resolve_declarations(DiagnosticSink& sink);
   /// Whether no evaluation can include further files.
   bool has_loaded_all() const;
   /// All files that have been loaded except the root, in the order of loading.
@@ -115,6 +119,7 @@ class Program final : public Modules {
   std::optional<Sandbox> sandbox_;
   std::vector<std::unique_ptr<Module>> modules_;
   std::vector<const SourceFile*> configs_;
+  std::vector<std::uint32_t> unresolved_;  ///< modules, each after those that it imports
   std::vector<std::shared_ptr<const Table>> tables_;
   std::size_t bytes_of_tables_ = 0;
   CountedBytes table_bytes_;

@@ -22,7 +22,6 @@ Resolver::Resolver(Modules& modules, std::uint32_t module, DiagnosticSink& sink,
       unknown_(modules, module, {scopes_, functions_, kinds_}, sink) {}
 
 void Resolver::resolve_declarations() {
-  collect_declarations(modules_, index_, sink_);
   std::vector<Uses> of_globals, of_functions;
   for (Global& global : module_.globals) {
     resolve_global(global);

@@ -194,10 +194,13 @@ class RandomEdits : public testing::TestWithParam<int> {
 
   void expect_same_findings(TestClient& client, TestClient& fresh) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (findings_of(client) != findings_of(fresh) && std::chrono::steady_clock::now() < end) {
+    std::string found = findings_of(client), expected = findings_of(fresh);
+    while (found != expected && std::chrono::steady_clock::now() < end) {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      found = findings_of(client);
+      expected = findings_of(fresh);
     }
-    EXPECT_EQ(findings_of(client), findings_of(fresh));
+    EXPECT_EQ(found, expected);
   }
 
   Random random_{static_cast<std::uint32_t>(GetParam())};
