@@ -68,6 +68,47 @@ TEST(LensDisc, IsClearOfAMovingSphereByTheSmallestDistance) {
   EXPECT_LT(lens.clearance({-50, 0, 0}, {100, 0, 0}, 0.01), 0);
 }
 
+/// A grid of times, refined around the smallest distance.
+double nearest_by_search(const LensDisc& lens, Vec3 opening, Vec3 displacement) {
+  double from = 0, to = 1, least = 1e300, best = 0;
+  for (int round = 0; round < 10; ++round) {
+    constexpr int kTimes = 100;
+    for (int i = 0; i <= kTimes; ++i) {
+      const double u = from + (to - from) * i / kTimes;
+      const double distance = lens.nearest(opening + displacement * u);
+      if (distance < least) least = distance, best = u;
+    }
+    const double step = (to - from) / kTimes;
+    from = std::max(0.0, best - step), to = std::min(1.0, best + step);
+  }
+  return least;
+}
+
+TEST(LensDisc, NeverExceedsTheDistanceOfAMovingSphereAndIsTight) {
+  Random random(7);
+  for (int i = 0; i < 2000; ++i) {
+    const LensDisc lens(unit(random.in_box(1) + Vec3{0, 0, 2}), random.between(0.1, 2));
+    const double size = std::pow(10, random.between(-2, 6));
+    const Vec3 passed = random.in_box(3), way = random.in_box(size), opening = passed - way * 0.37;
+    const double found = lens.clearance(opening, way, 0);
+    const double expected = nearest_by_search(lens, opening, way);
+    EXPECT_LE(found, expected);
+    EXPECT_NEAR(found, expected, 1e-11 * expected + 1e-12 * size + 1e-13) << i << ", way " << size;
+  }
+}
+
+TEST(LensContact, IsFoundWhereATinySpherePassesFarAndFast) {
+  const LensDisc lens({0, 0, -1}, 1);
+  const double radius = 1e-6;
+  const auto crosses = [&](Vec3 at, Vec3 way) {
+    return lens.clearance(at - way * 0.618, way, radius) <= 0;
+  };
+  EXPECT_TRUE(crosses({0.3, 0, 0}, {0, 0, 1e7}));
+  EXPECT_TRUE(crosses({0.3, 0.4, 0}, {1e7, 3e6, 1e6}));
+  EXPECT_TRUE(crosses({1 + 1e-7, 0, 0}, {0, 1e7, 0}));     // touches the edge
+  EXPECT_FALSE(crosses({1 + 2e-6, 0, 0}, {0, 1e3, 1e3}));  // beside the edge
+}
+
 TEST(LensContact, IsASurfaceThatCrossesTheDisc) {
   EXPECT_TRUE(touches(with_sphere({1.5, 0, 0}, 1)));    // in the edge
   EXPECT_TRUE(touches(with_sphere({0, 0, 0}, 0.5)));    // in the middle
