@@ -139,30 +139,60 @@ TEST(LensContact, IsNoneForAPinhole) {
   EXPECT_FALSE(touches(scene));
 }
 
-TEST(LensContact, IsFoundInInstances) {
+/// Two small spheres of an instance, which is moved by `translate` along x: they are then there,
+/// and 2 nearer to the lens.
+Scene with_instance(double translate) {
   Scene scene = lens_scene();
   scene.materials.push_back(diffuse({0.5, 0.5, 0.5}));
   scene.prototypes.push_back({.spheres = {{.center = {1, 0, 0}, .radius = 0.25, .material = 0},
                                           {.center = {-1, 0, 0}, .radius = 0.25, .material = 0}},
                               .shifts = {}});
   Instance instance;
-  instance.placement.translate = {2, 0, 0};  // at x = 1 and 3
+  instance.placement.translate = {translate - 1, 0, 0};
   scene.instances = {instance};
+  return scene;
+}
+
+TEST(LensContact, IsFoundInInstances) {
+  Scene scene = with_instance(3);  // at x = 1 and 3
   ASSERT_TRUE(touches(scene));
   EXPECT_FALSE(find_lens_contact(scene, scene.camera)->sphere);
-  scene.instances[0].placement.translate = {2.5, 0, 0};  // at x = 1.5 and 3.5
+  scene = with_instance(3.5);
   EXPECT_FALSE(touches(scene));
   scene.instances[0].shift = {-1, 0, 0};
   EXPECT_TRUE(touches(scene));
 }
 
+TEST(LensContact, IsFoundWhereASphereMovesInsideAnInstance) {
+  Scene scene = with_instance(3.5);
+  scene.prototypes[0].shifts = {Vec3{}, {0, 0, -1}};
+  EXPECT_FALSE(touches(scene));
+  scene.prototypes[0].shifts = {Vec3{}, {-1, 0, 0}};
+  EXPECT_TRUE(touches(scene));
+  scene.instances[0].shift = {1, 0, 0};  // compensates
+  EXPECT_FALSE(touches(scene));
+}
+
 TEST(NearestToLens, IsMeasuredFromTheDisc) {
   Scene scene = with_sphere({0, 0, -10}, 1);
   add_sphere(scene, {8, 0, 0}, 1, diffuse({0.5, 0.5, 0.5}));
-  const auto nearest = find_nearest_to_lens(scene, scene.camera);
+  const auto nearest = find_nearest_to_lens(scene, scene.camera, 7);
   ASSERT_TRUE(nearest);
   EXPECT_EQ(nearest->sphere, 1u);
   EXPECT_NEAR(nearest->distance, 6, 1e-12);
+  EXPECT_FALSE(find_nearest_to_lens(scene, scene.camera, 5.9));
+}
+
+TEST(NearestToLens, MayBeInAnInstance) {
+  Scene scene = with_instance(7);  // at x = 5 and 7
+  add_sphere(scene, {0, 0, -10}, 1, diffuse({0.5, 0.5, 0.5}));
+  const auto nearest = find_nearest_to_lens(scene, scene.camera, 20);
+  ASSERT_TRUE(nearest);
+  EXPECT_FALSE(nearest->sphere);
+  EXPECT_NEAR(nearest->distance, 3.75, 1e-12);
+  EXPECT_FALSE(find_nearest_to_lens(scene, scene.camera, 3.7));
+  scene.instances[0].placement.translate = {99, 0, 0};
+  EXPECT_EQ(find_nearest_to_lens(scene, scene.camera, 20)->sphere, 0u);
 }
 
 /// E grows by the radius of the lens, and distances are those from its nearest point.
