@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -359,6 +360,14 @@ TEST(Lens, MeasuresDepthAlongTheAxisFromItsPlane) {
   for (const auto& features : render_with(scene, settings, {}).features) {
     EXPECT_NEAR(features.depth, 10, 1e-3);
   }
+}
+
+TEST(Lens, IsRefusedWhereItTouchesASurface) {
+  Scene scene = glowing_point(10, 9.8, 1);
+  scene.camera.aperture = 0.1;
+  EXPECT_NO_THROW(render_with(scene, with_samples(1), {}));
+  scene.spheres[0].radius = 10;
+  EXPECT_THROW(render_with(scene, with_samples(1), {}), std::invalid_argument);
 }
 
 TEST(Lens, PicksThroughItsCentre) {
