@@ -1,7 +1,4 @@
 #include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
 
 #include "lang/lint/context.hpp"
 #include "render/math/power_of_two.hpp"
@@ -22,7 +19,7 @@ bool reaches(const render::Sphere& sphere, render::Vec3 shift, const render::Cam
   const double opening = dot(sphere.center - camera.from, axis);
   const double closing = opening + dot(shift, axis);
   return std::max(opening, closing) + sphere.radius >= sharp.from &&
-         std::min(opening, closing) - sphere.radius <= sharp.to;
+         (!sharp.to || std::min(opening, closing) - sphere.radius <= *sharp.to);
 }
 
 /// Instances count by their bounding spheres: what is reported is certain.
@@ -39,11 +36,6 @@ bool has_any(const LintContext& context, const render::Camera& camera,
     const render::Sphere around = placed(instance, {bounds.center, bounds.radius, 0});
     return reaches(around, instance.shift, camera, sharp);
   });
-}
-
-std::string describe(const render::DepthOfField& sharp) {
-  const std::string to = std::isfinite(sharp.to) ? fmt::format("{:.4g}", sharp.to) : "infinity";
-  return fmt::format("{:.4g} to {}", sharp.from, to);
 }
 
 }  // namespace
