@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "render/exactness/camera_view.hpp"
+#include "render/exactness/instance_extremes.hpp"
 #include "render/exactness/lens_disc.hpp"
 #include "render/exactness/precision.hpp"
 #include "tests/support/statistics/random.hpp"
@@ -210,6 +212,40 @@ TEST(LensPrecision, HoldsForEveryOriginOnTheDisc) {
         .value;
   };
   EXPECT_NEAR(hit(lens) / hit(pinhole), 10.0 / 9, 1e-12);
+}
+
+TEST(LensPrecision, LimitsTheSlopeOfRays) {
+  const RenderSettings settings{.width = 100, .height = 100};
+  Scene scene = with_sphere({8, 0, 0}, 1);
+  scene.camera.focus = 0.01;
+  const auto bounds = judge_precision(scene, scene.camera, settings, Precision::Float);
+  EXPECT_EQ(bounds[PrecisionClause::View].value, 200);
+  EXPECT_FALSE(bounds.is_accepted());
+}
+
+/// As from the worst point of the lens, in the unit of the scene.
+InstanceExtremes extremes_of(const Scene& scene) {
+  const CameraView view(scene, scene.camera);
+  InstanceExtremes extremes = extremes_of_instances(scene, view.frame(), view.lens());
+  extremes.extent = view.frame().length_in_scene(extremes.extent);
+  extremes.distance = view.frame().length_in_scene(extremes.distance);
+  return extremes;
+}
+
+TEST(LensPrecision, HoldsForInstancesOutside) {
+  Scene scene = with_instance(7);  // around x = 6, radius 1.25
+  EXPECT_NEAR(extremes_of(scene).extent, 8.25, 1e-12);
+  EXPECT_NEAR(extremes_of(scene).distance, 3.75, 1e-12);
+  scene.camera.aperture = 0;
+  EXPECT_NEAR(extremes_of(scene).extent, 7.25, 1e-12);
+  EXPECT_NEAR(extremes_of(scene).distance, 4.75, 1e-12);
+}
+
+TEST(LensPrecision, HoldsForAnInstanceThatOnlyTheEdgeIsIn) {
+  Scene scene = with_instance(7);  // around x = 6, radius 5.25
+  scene.prototypes[0].spheres[0].center = {0, 5, 0};
+  scene.prototypes[0].spheres[1].center = {0, -5, 0};
+  EXPECT_NEAR(extremes_of(scene).distance, std::hypot(6, 5) - 1 - 0.25, 1e-12);
 }
 
 }  // namespace

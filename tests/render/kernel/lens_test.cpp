@@ -241,6 +241,26 @@ TEST(Lens, SpreadsAPointOverTheDiscOfTheThinLensEquation) {
   }
 }
 
+/// A point that crosses the axis while the shutter is open becomes a line of length m, and each
+/// point of it a disc: the mean squares add up if the point on the lens is independent of the time.
+/// The square of a distance is within 0 and (R + m/2)², so its standard deviation is at most half
+/// of that; limits are 4.5 standard errors.
+TEST(Lens, IsSampledIndependentlyOfTheTime) {
+  const double depth = 10, disc = 0.5 * (1.0 / 10 - 1.0 / 20), own = disc / 16, line = disc;
+  for (const Vec3 way : {Vec3{line, 0, 0}, Vec3{-line, 0, 0}, Vec3{0, line, 0}}) {
+    Scene scene = glowing_point(depth, own * depth, 1.75 * disc);
+    scene.camera.aperture = 1;
+    scene.camera.focus = 20;
+    scene.shifts = {way * depth};
+    scene.spheres[0].center = scene.spheres[0].center - way * (depth / 2);
+    const Spot spot = spot_of(scene);
+    const double expected = (disc * disc + own * own) / 2 + line * line / 12;
+    const double largest = (disc + line / 2) * (disc + line / 2);
+    EXPECT_NEAR(spot.mean_square, expected,
+                4.5 * largest / 2 / std::sqrt(spot.hits) + 0.003 * expected);
+  }
+}
+
 /// Hypothesis: the distances of the light from the axis have the same mean square with and without
 /// a lens. Limits as above, for the difference of two pictures.
 TEST(Lens, ShowsTheSphereInFocusAsSharplyAsAPinhole) {
