@@ -35,6 +35,13 @@ Scene with_motion() {
   return scene;
 }
 
+Scene with_lens() {
+  Scene scene = eight_on_ground();
+  scene.camera.aperture = 0.1;
+  scene.camera.focus = length(scene.camera.at - scene.camera.from);
+  return scene;
+}
+
 Scene with_gradient() {
   Scene scene = eight_on_ground();
   scene.background = {};
@@ -98,6 +105,7 @@ void register_feature_benchmarks() {
       {"emissive",
        with_material({.color = LinearRgb{1}, .parameter = 2, .type = MaterialType::Emissive})},
       {"gradient", with_gradient()},
+      {"lens", with_lens()},
       {"large_ground", eight_on_ground(1e4)},  // which float meets in double
       {"all_but_ground", with_everything()},
   };

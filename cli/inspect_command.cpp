@@ -146,20 +146,27 @@ class InspectJob {
                    judge_precision(scene, scene.camera, lowered.settings, Precision::Double),
                    {},
                    {}});
-    for (PrecisionFigures& figures : all) find_places(figures);
+    find_places(all);
     return all;
   }
 
-  void find_places(PrecisionFigures& figures) {
-    const render::PrecisionBound& bound = figures.bounds[figures.bounds.deciding()];
-    std::vector<std::uint32_t> spheres;
-    if (bound.sphere) spheres.push_back(*bound.sphere);
-    if (bound.other && bound.other != bound.sphere) spheres.push_back(*bound.other);
-    std::vector<std::uint32_t> wanted = spheres;
+  /// All in one evaluation of the scene: the steps of all of them together are limited.
+  void find_places(std::vector<PrecisionFigures>& all) {
+    std::vector<std::uint32_t> wanted;
+    for (PrecisionFigures& figures : all) {
+      const render::PrecisionBound& bound = figures.bounds[figures.bounds.deciding()];
+      if (bound.sphere) figures.deciding.push_back({*bound.sphere});
+      if (bound.other && bound.other != bound.sphere) figures.deciding.push_back({*bound.other});
+      for (const DecidingSphere& one : figures.deciding) wanted.push_back(one.sphere);
+    }
     std::ranges::sort(wanted);
+    wanted.erase(std::ranges::unique(wanted).begin(), wanted.end());
     const std::vector<lang::Origin> origins = compiler_.trace(wanted);
-    for (const std::uint32_t sphere : spheres) {
-      figures.places.push_back(origins[sphere == wanted.front() ? 0 : 1].where);
+    for (PrecisionFigures& figures : all) {
+      for (DecidingSphere& one : figures.deciding) {
+        const auto found = std::ranges::lower_bound(wanted, one.sphere);
+        one.where = origins[static_cast<std::size_t>(found - wanted.begin())].where;
+      }
     }
   }
 

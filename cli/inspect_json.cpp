@@ -1,4 +1,3 @@
-#include <cmath>
 #include <optional>
 
 #include <nlohmann/json.hpp>
@@ -79,7 +78,7 @@ Json lens_json(const render::Camera& camera, int height) {
   if (height <= 0) return json;
   const render::DepthOfField sharp = render::depth_of_field(camera, height, 1);
   json["sharp_from"] = sharp.from;
-  json["sharp_to"] = std::isfinite(sharp.to) ? Json(sharp.to) : Json();
+  json["sharp_to"] = sharp.to ? Json(*sharp.to) : Json();
   json["hyperfocal_distance"] = render::hyperfocal_distance(camera, height, 1);
   return json;
 }
@@ -136,7 +135,9 @@ Json memory_json(const InspectReport& report) {
 }
 
 /// Lines and columns from 1, columns in code points, as in diagnostics.
+/// Null without a file.
 Json location_json(const lang::Location& where) {
+  if (where.file == nullptr) return nullptr;
   const lang::Position position = where.file->position(where.span.begin);
   return {{"file", where.file->name()}, {"line", position.line}, {"column", position.column}};
 }
@@ -148,7 +149,7 @@ Json precisions_json(const InspectReport& report) {
     Json bounds{{"is_accepted", figures.bounds.is_accepted()},
                 {"deciding", name_of(figures.bounds.deciding())}};
     Json places = Json::array();
-    for (const lang::Location& place : figures.places) places.push_back(location_json(place));
+    for (const DecidingSphere& one : figures.deciding) places.push_back(location_json(one.where));
     bounds["locations"] = std::move(places);
     if (figures.precision == render::Precision::Mixed) {
       bounds["exact_spheres"] = figures.exact_spheres;

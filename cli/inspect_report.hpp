@@ -15,13 +15,18 @@
 /// The output of `sdlc inspect`.
 namespace sdlc::cli {
 
+/// A sphere that decides whether a precision is accepted.
+struct DecidingSphere {
+  std::uint32_t sphere = 0;
+  lang::Location where{};  ///< without a file if the search for it would have taken too many steps
+};
+
 /// How close the scene is to the bounds of a precision.
 struct PrecisionFigures {
   render::Precision precision;
   render::PrecisionBounds bounds;
   std::vector<std::uint32_t> exact_spheres;  ///< traced in double; for Mixed only
-  /// The places of the deciding spheres, in the order of their roles.
-  std::vector<lang::Location> places;
+  std::vector<DecidingSphere> deciding;      ///< in the order of their roles
 };
 
 /// Everything about a scene at one frame.

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -137,9 +136,7 @@ std::string describe_lens(const render::Camera& camera, int height) {
                                  format_rounded(camera.focus));
   if (height <= 0) return text;
   const render::DepthOfField sharp = render::depth_of_field(camera, height, 1);
-  const std::string to = std::isfinite(sharp.to) ? "to " + format_rounded(sharp.to) : "on";
-  return text +
-         fmt::format(", sharp from {} {} (blur within a pixel)", format_rounded(sharp.from), to);
+  return text + fmt::format(", sharp from {} (blur within a pixel)", describe(sharp));
 }
 
 void write_camera(const lang::LoweredScene& lowered, Sheet& sheet) {
@@ -224,10 +221,9 @@ std::string describe_bounds(const PrecisionFigures& figures) {
   }
   text += ": " + describe(clause, bound);
   std::vector<std::string> spheres;
-  for (const auto& sphere : {bound.sphere, bound.other}) {
-    if (!sphere || spheres.size() == figures.places.size()) continue;
-    spheres.push_back(fmt::format("sphere {} at {}", *sphere,
-                                  lang::describe_place(figures.places[spheres.size()])));
+  for (const auto& [sphere, where] : figures.deciding) {
+    const std::string place = where.file != nullptr ? " at " + lang::describe_place(where) : "";
+    spheres.push_back(fmt::format("sphere {}{}", sphere, place));
   }
   return spheres.empty() ? text : fmt::format("{} ({})", text, fmt::join(spheres, ", "));
 }

@@ -17,12 +17,14 @@ void check_lens_too_large(LintContext& context) {
     const CheckedCamera& checked = cameras[k];
     if (!checked.camera.has_lens()) continue;
     context.stop_if_requested();
-    const auto nearest = render::find_nearest_to_lens(context.scene(), checked.camera);
+    const auto nearest =
+        render::find_nearest_to_lens(context.scene(), checked.camera, checked.camera.aperture);
     if (!nearest || nearest->distance <= 0) continue;
-    if (checked.camera.aperture <= nearest->distance) continue;
     Finding& finding = context.add(diag::lens_too_large, LintPlace::of(checked.aperture),
                                    fmt::format("{:.4g}", nearest->distance));
-    finding.labels.push_back({LintPlace::of_sphere(nearest->sphere), "this surface"});
+    if (nearest->sphere) {
+      finding.labels.push_back({LintPlace::of_sphere(*nearest->sphere), "this surface"});
+    }
     finding.help.push_back("`aperture` is the diameter of the lens; `5mm` is 0.005");
   }
 }

@@ -14,15 +14,18 @@ struct LensContact {
 };
 
 /// The first sphere that the lens of `camera` meets; nullopt if there is none or no lens. A lens
-/// that is entirely inside a sphere is fine. O(n) time.
+/// that is entirely inside a sphere is fine. O(spheres + instances + spheres of prototypes) time,
+/// plus all spheres of every instance whose bounding sphere meets the lens.
 std::optional<LensContact> find_lens_contact(const Scene& scene, const Camera& camera);
 
-/// The nearest surface of the scene's spheres to the lens of `camera`, without instances.
+/// A surface near the lens of a camera.
 struct NearestToLens {
-  std::uint32_t sphere = 0;
+  std::optional<std::uint32_t> sphere;  ///< as in LensContact
   double distance = 0;  ///< from the nearest point of the disc, while the shutter is open
 };
-/// nullopt without spheres. O(n) time.
-std::optional<NearestToLens> find_nearest_to_lens(const Scene& scene, const Camera& camera);
+/// The nearest surface to the lens of `camera`; nullopt if none is nearer than `within`. The same
+/// time as find_lens_contact(), with the instances whose bounding sphere is nearer than `within`.
+std::optional<NearestToLens> find_nearest_to_lens(const Scene& scene, const Camera& camera,
+                                                  double within);
 
 }  // namespace sdlc::render

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "render/math/vec3.hpp"
@@ -27,33 +26,27 @@ class LensDisc {
   }
 
   /// The smallest distance between the disc and the surface of a sphere while its centre moves from
-  /// `opening` by `displacement`; at most 0 if they meet. Both distances above are convex functions
-  /// of the time: the farthest is largest at an end, and the nearest has one minimum, which is
-  /// found by golden section search.
+  /// `opening` by `displacement`; at most 0 if they meet. Of a moving sphere it is a lower bound,
+  /// which rounding cannot exceed, and exact to 2^-40: no sphere passes the lens unseen.
   double clearance(Vec3 opening, Vec3 displacement, double radius) const noexcept {
-    const Vec3 closing = opening + displacement;
-    const double outside =
-        displacement == Vec3{} ? nearest(opening) : nearest_of_path(opening, displacement);
-    return std::fmax(outside - radius, radius - std::fmax(farthest(opening), farthest(closing)));
+    const bool is_moving = displacement != Vec3{};
+    const double outside = is_moving ? nearest_of_path(opening, displacement) : nearest(opening);
+    // A convex function of the time is largest at an end.
+    const double reach = std::fmax(farthest(opening), farthest(opening + displacement));
+    return std::fmax(outside - radius, radius - reach);
   }
 
  private:
   double height(Vec3 point) const noexcept { return dot(point, axis_); }
   double from_axis(Vec3 point) const noexcept { return length(point - axis_ * height(point)); }
 
-  double nearest_of_path(Vec3 opening, Vec3 displacement) const noexcept {
-    constexpr double kShare = 0.6180339887498949;
-    constexpr int kSteps = 50;  // to 4e-11 of the path
-    const auto at = [&](double u) { return nearest(opening + displacement * u); };
-    double from = 0, to = 1, min = std::fmin(at(0), at(1));
-    for (int i = 0; i < kSteps; ++i) {
-      const double low = to - kShare * (to - from), high = from + kShare * (to - from);
-      const double at_low = at(low), at_high = at(high);
-      min = std::min({min, at_low, at_high});
-      (at_low < at_high ? to : from) = at_low < at_high ? high : low;
-    }
-    return min;
-  }
+  /// A lower bound of the distance from the disc to the points of a path, linear in the time u.
+  struct Bound {
+    double at_opening = 0, slope = 0;
+    double at(double u) const noexcept { return at_opening + slope * u; }
+  };
+  Bound bound_at(Vec3 point, Vec3 opening, Vec3 displacement) const noexcept;
+  double nearest_of_path(Vec3 opening, Vec3 displacement) const noexcept;
 
   Vec3 axis_{0, 0, -1};
   double radius_ = 0;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "render/math/exp2.hpp"
+
 namespace sdlc::render {
 namespace {
 
@@ -83,7 +85,7 @@ std::string describe(const ToneMapping& mapping) {
 }
 
 std::array<std::uint8_t, 3> to_codes8(const ToneMapping& mapping, LinearRgb radiance) noexcept {
-  LinearRgb color = radiance * std::exp2(mapping.exposure);
+  LinearRgb color = radiance * exp2_reproducible(mapping.exposure);
   if (mapping.tone == Tone::Neutral) color = compress_neutrally(color);
   return {to_code8(mapping.tone, color.r), to_code8(mapping.tone, color.g),
           to_code8(mapping.tone, color.b)};

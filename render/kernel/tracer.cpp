@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
+#include "render/exactness/lens_contact.hpp"
 #include "render/exactness/rebase.hpp"
 #include "render/exactness/touching.hpp"
 #include "render/kernel/path_kernel.hpp"
@@ -152,6 +154,9 @@ PixelFeatures Tracer::features_of(const FirstHitSums& sums, std::uint64_t sample
 
 std::unique_ptr<const Tracer> make_tracer(Scene scene, const TracerOptions& options) {
   if (scene.spheres.empty() && scene.instances.empty()) fill_sky(scene);
+  if (find_lens_contact(scene, scene.camera)) {
+    throw std::invalid_argument("the lens touches the surface of a sphere");
+  }
   const Pinhole pinhole(scene.camera);
   const Rebase rebase(scene, options.exact_spheres);
   rebase_to_camera(scene, options.exact_spheres);

@@ -69,9 +69,9 @@ struct TracerOptions {
   std::span<const std::uint32_t> lights{};  ///< the spheres from choose_lights()
 };
 
-/// `scene` is in world coordinates and already checked. A lens touches no surface; a pinhole is on
-/// the surface of at most one sphere, unless the backend allows more. Search::All allows at most
-/// kMaxWideSpheres.
+/// `scene` is in world coordinates and already checked. A pinhole is on the surface of at most one
+/// sphere, unless the backend allows more. Search::All allows at most kMaxWideSpheres. Throws
+/// std::invalid_argument if the lens touches a surface: all camera rays start in one medium.
 std::unique_ptr<const Tracer> make_tracer(Scene scene, const TracerOptions& options);
 
 }  // namespace sdlc::render

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cmath>
-#include <limits>
+#include <optional>
+#include <string>
 
 #include "render/scene/scene.hpp"
 
@@ -10,8 +10,11 @@ namespace sdlc::render {
 /// The range of depths, along the view axis, that a lens shows sharply.
 struct DepthOfField {
   double from = 0;
-  double to = std::numeric_limits<double>::infinity();
+  std::optional<double> to{};  ///< nullopt: everything behind `from` is sharp
 };
+
+/// "1.94 to 2.067", with 4 digits.
+std::string describe(const DepthOfField& sharp);
 
 /// The depths at which the blur of a point is at most `pixels` high, in a picture of `height` rows.
 /// A thin lens of diameter a, focused at f, spreads a point at depth z over a disc of the diameter

@@ -459,5 +459,48 @@ TEST_F(InspectCommand, IsListedAndShowsExamples) {
   EXPECT_THAT(run_shell(folder_.path(), "\"$SDLC\" --help").out, HasSubstr("inspect"));
 }
 
+// The picture is 360 rows of a plane 0.7279 high: a pixel of blur is 0.02022 per metre of the lens.
+TEST_F(InspectCommand, TellsTheDepthsThatALensShowsSharply) {
+  const auto write = [&](const std::string& focus) {
+    write_text(folder_ / "lens.scene",
+               "scene 1\n"
+               "camera { from: (0, 0, 9), at: (0, 0, 0), fov: 40deg, aperture: 0.1, focus: " +
+                   focus + " }\nrender { width: 640 }\n");
+  };
+  write("10");
+  EXPECT_THAT(run("lens.scene").out,
+              HasSubstr("aperture 0.1, focus at 10, sharp from 8.318 to 12.53 (blur within"));
+  const json near = inspect("lens.scene")["camera"]["lens"];
+  EXPECT_NEAR(near["sharp_from"].get<double>(), 8.318, 1e-3);
+  EXPECT_NEAR(near["sharp_to"].get<double>(), 12.535, 1e-3);
+  EXPECT_NEAR(near["hyperfocal_distance"].get<double>(), 49.454, 1e-3);
+  write("60");
+  EXPECT_THAT(run("lens.scene").out, HasSubstr("sharp from 27.11 to infinity (blur within"));
+  EXPECT_TRUE(inspect("lens.scene")["camera"]["lens"]["sharp_to"].is_null());
+}
+
+// The deciding spheres are found by further evaluations, whose steps are limited.
+TEST_F(InspectCommand, NeedsNoMoreStepsThanTheScene) {
+  write_text(folder_ / "many.scene",
+             "scene 1\n"
+             "camera { from: (0, 0, 50), at: (0, 0, 0), fov: 40deg }\n"
+             "let clay = diffuse(color: tan)\n"
+             "sphere { center: (0, -1e5, 0), radius: 99990, material: clay }\n"
+             "for i in range(900) {\n"
+             "  sphere { center: (i / 90 - 5, 0, 0), radius: 0.6 - i / 1e5, material: clay }\n"
+             "}\n");
+  const auto with_steps = [](int steps) {
+    return "many.scene --limit steps=" + std::to_string(steps);
+  };
+  int too_few = 0, enough = 1 << 20;
+  while (enough - too_few > 1) {
+    const int steps = (too_few + enough) / 2;
+    const bool is_enough = run(with_steps(steps)).err.find("E304") == std::string::npos;
+    (is_enough ? enough : too_few) = steps;
+  }
+  EXPECT_THAT(run(with_steps(enough)).out, HasSubstr("sphere 900 at many.scene:6:3"));
+  EXPECT_EQ(inspect(with_steps(enough))["precision_bounds"]["double"]["locations"].size(), 2u);
+}
+
 }  // namespace
 }  // namespace sdlc::test

@@ -1,7 +1,9 @@
 #include "lang/lint/lint.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,6 +11,8 @@
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/lint/context.hpp"
+#include "lang/lint/rules.hpp"
 #include "lang/report/report.hpp"
 #include "lang/source/source.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -79,6 +83,41 @@ TEST(Lint, KnowsManyLocalNamesAndAllowances) {
         i);
   }
   EXPECT_EQ(lint_counts(allowed).warnings, 0u);
+}
+
+/// What a rule about lenses reports if the text's only sphere, at the origin, is in an instance at
+/// `place`.
+std::vector<Finding> findings_of_instance(const DiagnosticInfo& rule, render::Vec3 place) {
+  const Document file("test.scene",
+                      "scene 1\n"
+                      "camera { from: (0, 0, 5), at: (0, 0, 0), fov: 40deg, aperture: 0.5 }\n"
+                      "render { width: 640 }\n"
+                      "sphere { center: (0, 0, 0), radius: 1, material: diffuse(tan) }\n");
+  DiagnosticSink sink;
+  Compiler compiler(file, {}, sink);
+  std::vector<Finding> findings;
+  compiler.check([&](const LoweredScene& plain) {
+    LoweredScene lowered = plain;
+    lowered.scene.prototypes.push_back({.spheres = lowered.scene.spheres, .shifts = {}});
+    lowered.scene.spheres.clear();
+    render::Instance instance;
+    instance.placement.translate = place;
+    lowered.scene.instances = {instance};
+    LintContext context(file, nullptr, compiler, lowered);
+    std::ranges::find(all_rules(), &rule, &Rule::info)->check(context);
+    findings = context.take_findings();
+  });
+  return findings;
+}
+
+TEST(LintOfALens, KnowsTheSpheresOfInstances) {
+  EXPECT_EQ(findings_of_instance(diag::nothing_in_focus, {0, 0, 0}).size(), 0u);
+  EXPECT_EQ(findings_of_instance(diag::nothing_in_focus, {0, 0, -9}).size(), 1u);
+  EXPECT_EQ(findings_of_instance(diag::lens_too_large, {0, 0, 0}).size(), 0u);
+  const auto near = findings_of_instance(diag::lens_too_large, {0, 0, 3.9});
+  ASSERT_EQ(near.size(), 1u);
+  EXPECT_NE(near[0].message.find("is 0.1"), std::string::npos) << near[0].message;
+  EXPECT_TRUE(near[0].labels.empty());
 }
 
 TEST(Allowances, StopOnRequest) {

@@ -33,6 +33,13 @@ TEST(RebaseToCamera, BringsTheExtentBetweenOneAndTwo) {
   EXPECT_LT(extent, 2);
 }
 
+TEST(RebaseToCamera, CountsTheRadiusOfTheLens) {
+  Scene scene = small_scene();
+  scene.camera.aperture = 200;
+  rebase_to_camera(scene);
+  EXPECT_EQ(scene.camera.aperture / 2, 100.0 / 64);  // of an extent of 109.6
+}
+
 TEST(RebaseToCamera, GivesTheSameBitsForEveryPowerOfTwo) {
   Scene expected = small_scene();
   rebase_to_camera(expected);

@@ -117,7 +117,9 @@ TEST(Neutral, KeepsTheHueWhereItDesaturates) {
     const LinearRgb made = compress_neutrally(color * brightness);
     EXPECT_NEAR(hue(made), hue(color), 1e-9) << brightness;
     const double saturation = 1 - made.b / made.r;
-    if (brightness > 1) EXPECT_LT(saturation, last_saturation) << brightness;
+    if (brightness > 1) {
+      EXPECT_LT(saturation, last_saturation) << brightness;
+    }
     last_saturation = saturation;
   }
   EXPECT_LT(last_saturation, 0.01);  // nearly white

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -165,6 +167,23 @@ TEST_P(LensOfAnotherConstruction, HasTheSamePixelsWithAllSamplersAndLights) {
   }
 }
 
+/// Scattered paths rarely find a small lamp: connections to it divide the variance by 3.
+TEST(Lens, IsTracedWithSampledLightsInAllKernels) {
+  Scene scene = blurred_room();
+  scene.background = {.bottom = LinearRgb{}, .top = LinearRgb{}};
+  scene.spheres.back().radius = 0.1;
+  for (const KernelRequest& request : all_requests()) {
+    const auto noise = [&](LightSampling lights) {
+      RenderSettings settings = with_samples(16);
+      settings.light_sampling = lights;
+      const auto means = PixelMeans::of(
+          settings, [&](const RenderSettings& s) { return render_with(scene, s, request); });
+      return std::accumulate(means.variance.begin(), means.variance.end(), 0.0);
+    };
+    EXPECT_LT(noise(LightSampling::On), noise(LightSampling::Off) / 2) << name_of_request(request);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Lens, LensOfAnotherConstruction, testing::Bool(),
                          [](const auto& test) { return test.param ? "Moving" : "Still"; });
 
@@ -237,6 +256,26 @@ TEST(Lens, SpreadsAPointOverTheDiscOfTheThinLensEquation) {
     const double diagonal = std::sqrt(2.0) * 2.5 * disc / 64;
     EXPECT_LT(spot.largest, disc + own + diagonal);
     EXPECT_GT(spot.largest, 0.95 * disc);
+  }
+}
+
+/// A point that crosses the axis while the shutter is open becomes a line of length m, and each
+/// point of it a disc: the mean squares add up if the point on the lens is independent of the time.
+/// The square of a distance is within 0 and (R + m/2)², so its standard deviation is at most half
+/// of that; limits are 4.5 standard errors.
+TEST(Lens, IsSampledIndependentlyOfTheTime) {
+  const double depth = 10, disc = 0.5 * (1.0 / 10 - 1.0 / 20), own = disc / 16, line = disc;
+  for (const Vec3 way : {Vec3{line, 0, 0}, Vec3{-line, 0, 0}, Vec3{0, line, 0}}) {
+    Scene scene = glowing_point(depth, own * depth, 1.75 * disc);
+    scene.camera.aperture = 1;
+    scene.camera.focus = 20;
+    scene.shifts = {way * depth};
+    scene.spheres[0].center = scene.spheres[0].center - way * (depth / 2);
+    const Spot spot = spot_of(scene);
+    const double expected = (disc * disc + own * own) / 2 + line * line / 12;
+    const double largest = (disc + line / 2) * (disc + line / 2);
+    EXPECT_NEAR(spot.mean_square, expected,
+                4.5 * largest / 2 / std::sqrt(spot.hits) + 0.003 * expected);
   }
 }
 
@@ -359,6 +398,14 @@ TEST(Lens, MeasuresDepthAlongTheAxisFromItsPlane) {
   for (const auto& features : render_with(scene, settings, {}).features) {
     EXPECT_NEAR(features.depth, 10, 1e-3);
   }
+}
+
+TEST(Lens, IsRefusedWhereItTouchesASurface) {
+  Scene scene = glowing_point(10, 9.8, 1);
+  scene.camera.aperture = 0.1;
+  EXPECT_NO_THROW(render_with(scene, with_samples(1), {}));
+  scene.spheres[0].radius = 10;
+  EXPECT_THROW(render_with(scene, with_samples(1), {}), std::invalid_argument);
 }
 
 TEST(Lens, PicksThroughItsCentre) {

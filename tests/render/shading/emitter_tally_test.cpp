@@ -96,6 +96,19 @@ TEST(EmitterTally, CountsTheKindsOfPathThatTheSceneMakesPossible) {
               ElementsAre(Reflected, Direct, Caustic));
 }
 
+// The lamp is beside the view of a pinhole, and within the blur of a lens.
+TEST(EmitterTally, CountsWhatOnlyALensShows) {
+  Scene scene = test::beam_scene({0, 0, 4}, {0, 0, 0}, LinearRgb{});
+  scene.camera.plane_height = 0.1;
+  test::add_sphere(scene, {0, 0, 0}, 0.5, test::diffuse(LinearRgb{1}));
+  test::add_sphere(scene, {2, 0, 0}, 1, test::emissive(LinearRgb{1}, 2));
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(scene, {}), kDepth), 1), ElementsAre(Direct));
+  scene.camera.aperture = 2.5;
+  scene.camera.focus = 8;
+  EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(scene, {}), kDepth), 1),
+              ElementsAre(Visible, Direct));
+}
+
 // A lamp that connections have reached a thousand times may cause a caustic that nothing found.
 TEST(EmitterTally, CountsKindsOfPathApart) {
   const std::vector<std::uint32_t> lights{2, 3};
