@@ -95,6 +95,10 @@ std::string describe_error(const render::RenderResult& result) {
   return text;
 }
 
+std::string describe_light_choice(const render::Kernel& kernel) {
+  return kernel.light_choice.empty() ? "" : ", light sampling " + kernel.light_choice;
+}
+
 std::vector<std::string> accuracy_warnings(const render::RenderSettings& settings,
                                            const render::RenderResult& result) {
   std::vector<std::string> warnings;

@@ -19,6 +19,9 @@ std::string describe_samples(const render::RenderResult& result);
 /// depth limit cut; empty if neither is known.
 std::string describe_error(const render::RenderResult& result);
 
+/// ", light sampling on, 12 lights": what "auto" chose; empty without a choice.
+std::string describe_light_choice(const render::Kernel& kernel);
+
 /// Reasons why the picture may be less accurate than stated or requested.
 std::vector<std::string> accuracy_warnings(const render::RenderSettings& settings,
                                            const render::RenderResult& result);

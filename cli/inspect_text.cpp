@@ -205,7 +205,8 @@ void write_picture(const InspectReport& report, Sheet& sheet) {
   sheet.row("picture", fmt::format("{}, {}{}, {}, tone {}", size, has_goal ? "at most " : "",
                                    counted(static_cast<std::size_t>(settings.samples), "sample"),
                                    numbers, describe(report.lowered.output.mapping)));
-  sheet.detail("sampling", choices);
+  const std::string& chosen = report.kernel.light_choice;
+  sheet.detail("sampling", chosen.empty() ? choices : fmt::format("{} ({})", choices, chosen));
   if (has_goal) sheet.detail("until", describe_goals(settings));
   sheet.detail("output",
                report.output ? lang::printable(*report.output) : "no name: `render` needs -o OUT");

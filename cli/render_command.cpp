@@ -225,11 +225,11 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
   const bool is_quiet = options.quiet || options.progress == "none";
   if (!is_quiet && !written.names.empty()) {
     env.err << fmt::format(
-        "{}: {} x {} pixels, {}, {} ({} samples/s){}\n", fmt::join(written.names, ", "),
+        "{}: {} x {} pixels, {}, {} ({} samples/s){}{}\n", fmt::join(written.names, ", "),
         settings.width, settings.height, describe_samples(result),
         format_seconds(result.render_seconds),
         format_count(static_cast<double>(result.camera_samples) / result.render_seconds),
-        describe_error(result));
+        describe_error(result), describe_light_choice(result.kernel));
   }
   const ExitCode of_samples = result.nonfinite_samples == 0 ? ExitCode::Success
                               : is_too_bright               ? ExitCode::Findings

@@ -14,6 +14,6 @@ SDLC_MEMBERS(render::DepthProbe, depth, round, mean, seconds, cut_paths)
 SDLC_MEMBERS(render::PrecisionProbe, round, mean, other_mean, rms_difference, seconds,
              other_seconds)
 SDLC_MEMBERS(render::StudyLedger, plan, reference, points, depths, precisions, precision_bound,
-             other_seconds, spent_seconds, finished_budget_seconds, nonfinite_samples)
+             light_choice, other_seconds, spent_seconds, finished_budget_seconds, nonfinite_samples)
 
 }  // namespace sdlc::cli

@@ -44,6 +44,7 @@ inline constexpr std::tuple kMembers<Measurement>{
     WriteOnly("budget_seconds", &Measurement::budget_seconds),
     WriteOnly("spent_seconds", &Measurement::spent_seconds),
     WriteOnly("other_seconds", &Measurement::other_seconds),
+    WriteOnly("light_choice", &Measurement::light_choice),
     WriteOnly("nonfinite_samples", &Measurement::nonfinite_samples),
     Member("is_complete", &Measurement::is_complete),
     WriteOnly("own", &Measurement::own),

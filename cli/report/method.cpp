@@ -41,6 +41,9 @@ Section method_section(const Report& report) {
                                               : "none was rendered");
   html += fact("The scene's own settings",
                escaped(count_of(measurement.samples, "sample") + ", " + describe(measurement.own)));
+  if (!measurement.light_choice.empty()) {
+    html += fact("Light sampling auto", escaped(measurement.light_choice));
+  }
   html += fact("Size", fmt::format("{} × {} pixels", measurement.width, measurement.height));
   html += fact("Seed", fmt::to_string(measurement.seed));
   html += fact("Threads", fmt::to_string(measurement.threads));

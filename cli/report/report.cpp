@@ -89,6 +89,9 @@ std::string text_report(const Report& report) {
   if (measurement.reference) {
     text += plain_text("reference: " + describe_reference(*measurement.reference)) + "\n";
   }
+  if (!measurement.light_choice.empty()) {
+    text += fmt::format("light sampling auto: {}\n", measurement.light_choice);
+  }
   // The recommendation is last, where it stays visible.
   constexpr std::array kSections{points_section,  depth_section, precision_section,
                                  against_section, callouts,      recommendation_section};

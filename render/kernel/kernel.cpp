@@ -183,7 +183,14 @@ std::string_view name_of(const Kernel& kernel) noexcept {
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request) {
   Kernel kernel = kernel_for(scene, settings, request);
-  if (!kernel.refusal) kernel.lights = lights_for(scene, settings);
+  if (kernel.refusal) return kernel;
+  kernel.lights = lights_for(scene, settings);
+  if (settings.light_sampling == LightSampling::Auto &&
+      !choose_lights(scene, LightSampling::On).empty()) {
+    const std::size_t count = kernel.lights.size();
+    kernel.light_choice =
+        count == 0 ? "off" : "on, " + std::to_string(count) + (count == 1 ? " light" : " lights");
+  }
   return kernel;
 }
 

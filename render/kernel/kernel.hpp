@@ -61,6 +61,8 @@ struct Kernel {
   std::vector<std::uint32_t> exact_spheres;  ///< Mixed only: the spheres that are computed in
                                              ///< double
   std::vector<std::uint32_t> lights;         ///< the spheres from choose_lights()
+  /// What LightSampling::Auto chose, as a clause: "on, 12 lights" or "off"; empty without a choice.
+  std::string light_choice;
   /// How close the scene comes to the limits of the precision; unknown for a refused request.
   PrecisionBounds bounds{};
   std::string precision_reason;  ///< as a clause; empty if `obstacle` or `refusal` is the reason

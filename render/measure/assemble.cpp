@@ -182,6 +182,7 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
                           .spent_seconds = ledger.spent_seconds,
                           .other_seconds = ledger.other_seconds,
                           .reference = ledger.reference,
+                          .light_choice = ledger.light_choice,
                           .goal = options.goal,
                           .nonfinite_samples = ledger.nonfinite_samples};
   if (!ledger.plan) return measurement;

@@ -148,6 +148,7 @@ struct Measurement {
   std::vector<DepthLoss> depths{};     ///< ascending
   bool depths_have_converged = false;  ///< paths deeper than the last entry carry no light
   std::optional<PrecisionDifference> precision{};
+  std::string light_choice{};    ///< what light sampling "auto" chose; empty without a choice
   std::optional<double> goal{};  ///< requested error
   /// The scene with its own settings, if they were measured; without a goal.
   std::optional<Recommendation> as_it_is{};

@@ -51,6 +51,7 @@ Study::Study(const Scene& scene, const RenderSettings& settings, KernelRequest r
     if (row.setting != nullptr) own_.*row.member = settings.*row.setting;
   });
   own_.precision = kernel.precision;
+  ledger_.light_choice = kernel.light_choice;
   // Where float fails, its bound is the reason, not that of double.
   const bool is_forced = kernel.precision == Precision::Double && !request.precision &&
                          !kernel.precision_reason.empty();
@@ -120,7 +121,7 @@ std::vector<Configuration> Study::configurations() const {
   };
   add(&Configuration::sampler,
       own_.sampler == SamplerKind::Sobol ? SamplerKind::Independent : SamplerKind::Sobol);
-  const auto lights = choose_lights(scene_, own_.light_sampling);
+  const auto lights = kernel_of(own_).lights;
   for (const LightSampling other : {LightSampling::On, LightSampling::Off}) {
     if (choose_lights(scene_, other) != lights) add(&Configuration::light_sampling, other);
   }

@@ -49,6 +49,7 @@ struct StudyLedger {
   std::vector<DepthProbe> depths{};
   std::vector<PrecisionProbe> precisions{};
   std::string precision_bound{};  ///< in words
+  std::string light_choice{};     ///< Kernel::light_choice of the scene's own configuration
   double other_seconds = 0;       ///< of a render: reading and writing
   double spent_seconds = 0;
   double finished_budget_seconds = 0;   ///< the largest budget that was used up; 0 if none

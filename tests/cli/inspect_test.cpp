@@ -124,6 +124,7 @@ TEST_F(InspectCommand, ShowsTheSettingsOfThePicture) {
                                      {"error", nullptr},
                                      {"seconds", nullptr},
                                      {"adaptive", false},
+                                     {"sampled_lights", 1},
                                      {"threads", 0},
                                      {"tone", "sqrt"},
                                      {"exposure", 0},
@@ -142,6 +143,7 @@ TEST_F(InspectCommand, ShowsTheGoalsOfTheFlags) {
   EXPECT_EQ(goals["samples"], 1 << 24);
   EXPECT_EQ(goals["sampler"], "independent");
   EXPECT_EQ(goals["light_sampling"], "on");
+  EXPECT_EQ(goals["sampled_lights"], 1);
   EXPECT_EQ(inspect("ring.scene --error 3% --samples 50")["picture"]["samples"], 50);
   const ProgramResult result = run("ring.scene --adaptive");
   EXPECT_EQ(result.exit_code, 2);
@@ -150,7 +152,7 @@ TEST_F(InspectCommand, ShowsTheGoalsOfTheFlags) {
 
 TEST_F(InspectCommand, LaysOutGoalsForPeople) {
   const auto text = [&](const std::string& flags) { return run("ring.scene " + flags).out; };
-  EXPECT_THAT(text(""), HasSubstr("  sampling      sobol, light sampling auto\n  output"));
+  EXPECT_THAT(text(""), HasSubstr("  sampling      sobol, light sampling auto (on, 1 light)\n  output"));
   EXPECT_THAT(text("--error 7% --samples 100"),
               AllOf(HasSubstr("pixels, at most 100 samples, depth"),
                     HasSubstr("  until         an error of 7%\n")));

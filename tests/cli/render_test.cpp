@@ -13,6 +13,7 @@ namespace sdlc::test {
 namespace {
 
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -504,6 +505,27 @@ TEST_F(RenderCommand, GivesTheReasonWhyTheErrorIsUnknown) {
   EXPECT_THAT(run("\"$SDLC\" render room.scene -o a.png").err,
               HasSubstr("warning: the error is unknown: the picture is black and `depth` cut off "
                         "paths, which may find light with a larger one\n"));
+}
+
+TEST_F(RenderCommand, SaysWhatAutomaticLightSamplingChose) {
+  const auto last_line = [&](const std::string& sky, const std::string& lamp,
+                             const std::string& flags) {
+    write_text(
+        folder_ / "lamp.scene",
+        "scene 1\ncamera main { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }\n"
+        "background { color: " +
+            sky +
+            " }\nrender { width: 32, samples: 8 }\n"
+            "sphere { center: (0, -100, 0), radius: 100, material: diffuse(color: gray) }\n" +
+            lamp);
+    return run("\"$SDLC\" render lamp.scene -o a.png " + flags).err;
+  };
+  const std::string lamp =
+      "sphere { center: (0, 8, 0), radius: 0.1, material: emissive(color: white) }\n";
+  EXPECT_THAT(last_line("black", lamp, ""), EndsWith(", light sampling on, 1 light\n"));
+  EXPECT_THAT(last_line("white", lamp, ""), EndsWith(", light sampling off\n"));
+  EXPECT_THAT(last_line("black", lamp, "--light-sampling on"), Not(HasSubstr("light sampling")));
+  EXPECT_THAT(last_line("white", "", ""), Not(HasSubstr("light sampling")));
 }
 
 TEST_F(RenderCommand, RefusesNumbersOutOfRange) {
