@@ -2,12 +2,14 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -85,6 +87,27 @@ double seconds_to(const Make& make) {
   return std::chrono::duration<double>(end - begin).count();
 }
 
+/// A folder that is removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "sdlc-bench-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 /// The time to compile a text that has not been parsed.
 double seconds_to_compile(const lang::SourceFile& file, int spheres) {
   const lang::Document fresh(file.name(), std::string(file.text()));
@@ -130,12 +153,18 @@ void run(const Options& options) {
   const lang::SourceFile json("field.json", field_as_json(spheres));
   const lang::SourceFile scene("field.scene", field_as_scene(spheres));
   const lang::SourceFile loop("loop.scene", loop_as_scene(spheres));
+  const lang::SourceFile lists("lists.scene", comprehension_as_scene(spheres));
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "field.csv") << field_as_csv(spheres);
+  const lang::SourceFile data((folder.path() / "data.scene").string(), data_as_scene());
   const auto seconds = measure_in_turns(
       options.repeats,
       {[&] { return seconds_to([&] { return nlohmann::json::parse(json.text()); }); },
        [&] { return seconds_to_compile(json, spheres); },
        [&] { return seconds_to_compile(scene, spheres); },
-       [&] { return seconds_to_compile(loop, spheres); }});
+       [&] { return seconds_to_compile(loop, spheres); },
+       [&] { return seconds_to_compile(lists, 1); },
+       [&] { return seconds_to_compile(data, spheres); }});
 
   const auto speed = [](const lang::SourceFile& file, double time) {
     return static_cast<double>(file.text().size()) / time / 1e6;
@@ -150,6 +179,10 @@ void run(const Options& options) {
              scene_speed, scene_speed / peer_speed);
   fmt::print("loop to scene          {:8.2f} million spheres/s (at least 2)\n",
              spheres / seconds[3] / 1e6);
+  fmt::print("lists of its values    {:8.2f} times the time of the loop (at most 1)\n",
+             seconds[4] / seconds[3]);
+  fmt::print("rows of a data file    {:8.2f} times the time of the loop (at most 1)\n",
+             seconds[5] / seconds[3]);
   fmt::print("peak memory of JSON    {:8.2f} times the text, itself included (at most 6)\n",
              json_memory);
   fmt::print("peak memory of scene   {:8.2f} times the text, itself included (at most 6)\n",

@@ -126,4 +126,35 @@ std::string loop_as_scene(int spheres) {
       kSceneHead, spheres);
 }
 
+std::string comprehension_as_scene(int spheres) {
+  return fmt::format(
+      "{0}let centers = [(random(i, 1) * 100, i * 0.001, random(i, 2) * 100 - 50)\n"
+      "               for i in range({1})]\n"
+      "let radii = [0.1 + 0.05 * random(i, 3) for i in range({1})]\n"
+      "sphere {{ center: centers[{1} - 1], radius: radii[{1} - 1],\n"
+      "         material: diffuse(color: linear(0.5, 0.5, 0.5)) }}\n",
+      kSceneHead, spheres);
+}
+
+std::string data_as_scene() {
+  return fmt::format(
+      "{}import \"field.csv\" as rows\n"
+      "let mat = diffuse(color: linear(0.5, 0.5, 0.5))\n"
+      "for row in rows {{\n"
+      "  sphere {{ center: (row.x, row.y, row.z), radius: row.radius, material: mat }}\n"
+      "}}\n",
+      kSceneHead);
+}
+
+std::string field_as_csv(int spheres) {
+  std::string text = "x,y,z,radius\n";
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-50, 50), size(0.1, 0.15);
+  for (int i = 0; i < spheres; ++i) {
+    fmt::format_to(std::back_inserter(text), "{:.6g},{:.6g},{:.6g},{:.6g}\n", place(random),
+                   i * 0.001, place(random), size(random));
+  }
+  return text;
+}
+
 }  // namespace sdlc::bench

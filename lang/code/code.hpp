@@ -25,7 +25,7 @@ struct LoopSlots {
 
   std::uint32_t slot;  ///< the first
   bool has_index;
-  std::uint32_t part_count;  ///< 0: the element is not taken apart
+  std::uint32_t part_count;  ///< 0: the element is not destructured
 
   explicit LoopSlots(std::span<const std::uint32_t> operands)
       : slot(operands[0]), has_index(operands[1] != 0), part_count(operands[2]) {}

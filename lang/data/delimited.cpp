@@ -46,12 +46,19 @@ class DelimitedReader {
   }
 
  private:
-  /// Moves to the header: the first line that is neither empty nor a comment.
+  /// Moves to the header: the first line that is neither empty nor a comment, nor `sep=,`, by which
+  /// programs for tables name the separator.
   bool find_header() {
     while (at_ < text_.size()) {
       std::uint32_t next = at_;
       const std::string_view line = take_line(text_, next);
-      if (!is_blank(line) && !line.starts_with('#')) return true;
+      const bool names_separator = line.size() == 5 && line.starts_with("sep=") &&
+                                   std::string_view(",;|\t").find(line.back()) != line.npos;
+      if (names_separator && line.back() != separator_) {
+        report_separator(at_ + 4, line.back());
+        return false;
+      }
+      if (!is_blank(line) && !line.starts_with('#') && !names_separator) return true;
       at_ = next;
     }
     sink_.report(diag::no_header, {&file_, {0, 0}}, "it is empty")
@@ -67,16 +74,19 @@ class DelimitedReader {
     for (const char other : {';', '\t', ',', '|'}) {
       const auto count = std::ranges::count(header, other);
       if (count == 0 || count != std::ranges::count(row, other)) continue;
-      const auto first = at_ + static_cast<std::uint32_t>(header.find(other));
-      auto report = sink_.report(diag::wrong_separator, {&file_, {first, first + 1}},
-                                 name_of(other), name_of(separator_));
-      report.help(fmt::format("save the file with {} between cells{}", name_of(separator_),
-                              other == ';' ? ", and numbers with a decimal point" : ""));
-      if (other == '\t') report.help("a file with tabs has the extension `.tsv`");
-      if (other == ',') report.help("a file with commas has the extension `.csv`");
+      report_separator(at_ + static_cast<std::uint32_t>(header.find(other)), other);
       return false;
     }
     return true;
+  }
+
+  void report_separator(std::uint32_t at, char other) {
+    auto report = sink_.report(diag::wrong_separator, {&file_, {at, at + 1}}, name_of(other),
+                               name_of(separator_));
+    report.help(fmt::format("save the file with {} between cells{}", name_of(separator_),
+                            other == ';' ? ", and numbers with a decimal point" : ""));
+    if (other == '\t') report.help("a file with tabs has the extension `.tsv`");
+    if (other == ',') report.help("a file with commas has the extension `.csv`");
   }
 
   bool read_header() {
@@ -95,7 +105,7 @@ class DelimitedReader {
                             separator_ == '\t' ? std::string_view("\t") : ","));
     }
     if (cells > TableBuilder::kMaxColumns) {
-      table_.report_cell_count(where, cells).help("a data file has at most 10,000 columns");
+      table_.report_columns(where, cells);
     }
     return !are_numbers && cells <= TableBuilder::kMaxColumns && !is_broken_;
   }
@@ -104,7 +114,9 @@ class DelimitedReader {
     std::uint32_t next = at_;
     const std::uint32_t begin = at_;
     if (text_[at_] == '\n' || text_[at_] == ' ' || text_[at_] == '\r' || text_[at_] == '\t') {
-      if (is_blank(take_line(text_, next))) return skip_blank(next);
+      const std::string_view line = take_line(text_, next);
+      const bool has_cells = table_.column_count() > 1 && line.find(separator_) < line.size();
+      if (is_blank(line) && !has_cells) return skip_blank(next);
     }
     report_blank_line();
     is_broken_ = false;
@@ -115,8 +127,7 @@ class DelimitedReader {
     table_.end_row({begin, end_of_row_}, is_broken_);
   }
 
-  /// Blank lines are skipped at the end of the file only. A row of a TSV may begin with a tab: it
-  /// is not blank if other cells follow.
+  /// Blank lines are skipped at the end of the file only. A row of a TSV may consist of tabs.
   void skip_blank(std::uint32_t next) {
     if (!first_blank_) first_blank_ = at_;
     at_ = next;

@@ -13,6 +13,9 @@
 namespace sdlc::lang {
 namespace {
 
+constexpr std::string_view kCommentHelp =
+    "lines that begin with `#` are comments only before the header";
+
 std::string count_of(std::size_t count, std::string_view what) {
   return count == 1 ? fmt::format("1 {}", what) : fmt::format("{} {}s", count, what);
 }
@@ -77,7 +80,31 @@ void TableBuilder::add(const Cell& cell) {
   }
   if (types_[column].type == Type::Unknown) decide_type(column, cell);
   if (types_[column].type == Type::Numbers) return add_number(column, cell);
-  std::get<StringColumn>(columns_[column].cells).add(cell.text);
+  add_string(column, cell);
+}
+
+void TableBuilder::add_string(std::size_t column, const Cell& cell) {
+  auto& cells = std::get<StringColumn>(columns_[column].cells);
+  ColumnType& type = types_[column];
+  if (!cells.is_empty() && !type.has_other_strings) {
+    const bool is_number = !cell.is_quoted && read_number(cell.text).has_value();
+    if (is_number) ++type.numbers;
+    type.has_other_strings = !is_number && cell.text != cells[0];
+  }
+  cells.add(cell.text);
+}
+
+void TableBuilder::check_first_cells() {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const ColumnType& type = types_[i];
+    const Span cell = type.decided_by;
+    const bool is_suspicious = type.type == Type::Strings && !type.has_other_strings &&
+                               type.numbers > 0 &&
+                               !file_.text().substr(cell.begin).starts_with('"');
+    if (!is_suspicious) continue;
+    sink_.report(diag::strings_by_one_cell, location(cell), name_of(i))
+        .help("write a number here, or the text in quotes if the column has strings");
+  }
 }
 
 void TableBuilder::add_number(std::size_t column, const Cell& cell) {
@@ -94,7 +121,7 @@ void TableBuilder::add_number(std::size_t column, const Cell& cell) {
 void TableBuilder::report_wrong_cell(std::size_t column, const Cell& cell) {
   const std::string found = cell.text.empty() ? "this cell is empty"
                             : cell.is_quoted  ? "this cell is in quotes"
-                                              : fmt::format("{} is none", shown(cell.text));
+                                              : fmt::format("{} is not a number", shown(cell.text));
   auto report = sink_.report(diag::wrong_cell, location(cell.where), name_of(column), found);
   if (types_[column].decided_by.size() > 0) {
     report.label(location(types_[column].decided_by),
@@ -103,6 +130,8 @@ void TableBuilder::report_wrong_cell(std::size_t column, const Cell& cell) {
   const std::string lower = lower_case(cell.text);
   if (lower.find("nan") != std::string::npos || lower.find("inf") != std::string::npos) {
     report.help("numbers are finite: leave out the row");
+  } else if (column == 0 && cell.text.starts_with('#')) {
+    report.help(std::string(kCommentHelp));
   } else if (cell.is_quoted && read_number(cell.text)) {
     report.help("a number is written without quotes")
         .unsafe_fix(location(cell.where), std::string(cell.text));
@@ -121,7 +150,12 @@ std::string TableBuilder::name_of(std::size_t column) const {
 DiagnosticBuilder TableBuilder::report_cell_count(Span where, std::size_t cells) {
   return sink_.report(diag::wrong_cell_count, location(where),
                       cells == 0 ? "no cells" : count_of(cells, "cell"),
-                      count_of(columns_.size(), "column"));
+                      "the file has " + count_of(columns_.size(), "column"));
+}
+
+void TableBuilder::report_columns(Span where, std::size_t cells) {
+  sink_.report(diag::wrong_cell_count, location(where), count_of(cells, "cell"),
+               fmt::format("the limit is {} columns", kMaxColumns));
 }
 
 void TableBuilder::end_row(Span row, bool is_broken) {
@@ -133,11 +167,16 @@ void TableBuilder::end_row(Span row, bool is_broken) {
     return;
   }
   auto report = report_cell_count(row, cells);
-  report.help(fmt::format("the cell of column `{}` is missing", name_of(cells)));
+  if (file_.text().substr(row.begin).starts_with('#')) {
+    report.help(std::string(kCommentHelp));
+  } else {
+    report.help(fmt::format("the cell of column `{}` is missing", name_of(cells)));
+  }
 }
 
 std::shared_ptr<const Table> TableBuilder::finish() {
   if (error_count() > 0) return nullptr;
+  check_first_cells();
   for (Column& column : columns_) {
     std::visit([](auto& cells) { cells.shrink_to_fit(); }, column.cells);
   }

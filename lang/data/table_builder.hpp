@@ -51,6 +51,8 @@ class TableBuilder {
   void end_row(Span row, bool is_broken = false);
 
   DiagnosticBuilder report_cell_count(Span where, std::size_t cells);
+  /// Reports a header with more than kMaxColumns cells.
+  void report_columns(Span where, std::size_t cells);
   /// Whether reading goes on: further mistakes would not be shown.
   bool has_too_many_errors() const { return error_count() > kMaxErrors; }
   /// Null if an error has been reported since the construction.
@@ -62,11 +64,17 @@ class TableBuilder {
   struct ColumnType {
     Type type;
     Span decided_by;  ///< the cell of the first row
+    /// Of strings: numbers in the rows after the first, while there is nothing else.
+    std::size_t numbers = 0;
+    bool has_other_strings = false;
   };
 
   std::size_t error_count() const { return sink_.error_count() - earlier_errors_; }
   void decide_type(std::size_t column, const Cell& cell);
   void add_number(std::size_t column, const Cell& cell);
+  void add_string(std::size_t column, const Cell& cell);
+  /// Warns about columns of strings in which all cells but the first are numbers.
+  void check_first_cells();
   void report_wrong_cell(std::size_t column, const Cell& cell);
   std::string name_of(std::size_t column) const;
   Location location(Span where) const noexcept { return {&file_, where}; }

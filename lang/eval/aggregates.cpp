@@ -15,6 +15,7 @@
 #include "lang/source/limits.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "lang/token/name_characters.hpp"
+#include "lang/value/element_type.hpp"
 #include "lang/value/logic.hpp"
 
 // Triples, intervals, lists and rows, and access to their parts.
@@ -81,6 +82,7 @@ Value Evaluator::evaluate_list(const Code& code, const Expression& e) {
     return Nothing{};
   std::vector<Value> values;
   values.reserve(e.count);
+  ElementType type;
   bool has_failed = false, is_mixed = false, are_lists = true;
   for (const std::uint32_t operand : code.operands_of(e)) {
     Value value = evaluate(code, operand);
@@ -88,13 +90,13 @@ Value Evaluator::evaluate_list(const Code& code, const Expression& e) {
     are_lists = are_lists && list != nullptr;
     if (!take_steps(code, e.node, steps_to_compare(value))) return Nothing{};
     has_failed = has_failed || is_nothing(value);
-    is_mixed = is_mixed || (!values.empty() && !are_of_one_type(values.front(), value));
+    is_mixed = is_mixed || !type.admit(value);
     values.push_back(std::move(value));
   }
   if (has_failed) return Nothing{};
   if (!is_mixed) return ListValue(std::move(values));
   if (!are_lists) return RowValue{ListValue(std::move(values))};
-  report_uneven_rows(code, e, values);
+  report_uneven_rows(code, e, ListValue(std::move(values)));
   return Nothing{};
 }
 
@@ -105,27 +107,44 @@ Location Evaluator::place_of_element(const Code& code, std::uint32_t list, std::
   return (element ? *element : written).location();
 }
 
-void Evaluator::report_uneven_rows(const Code& code, const Expression& e,
-                                   std::span<const Value> rows) {
-  const auto operands = code.operands_of(e);
-  const ListValue& first = *elements_of(rows[0]);
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (are_of_one_type(rows[0], rows[i])) continue;
-    const ListValue& row = *elements_of(rows[i]);
-    const auto count = [](const ListValue& list) {
-      return list.size() == 1 ? "1 element" : fmt::format("{} elements", list.size());
-    };
-    if (row.size() != first.size()) {
-      sink_.report(diag::uneven_rows, place(code, operands[i]), i + 1, count(row), count(first))
-          .label(place(code, operands[0]), "row 1");
-    } else if (const auto k = first_difference(first, row)) {
-      const bool are_rows =
-          holds_alternative<RowValue>(row[*k]) && holds_alternative<RowValue>(first[*k]);
-      sink_
-          .report(diag::uneven_rows, place_of_element(code, operands[i], *k), i + 1,
-                  are_rows ? "another row" : describe(row[*k]), describe(first[*k]))
-          .label(place_of_element(code, operands[0], *k), "row 1");
+void Evaluator::report_uneven_rows(const Code& code, const Expression& e, const ListValue& rows) {
+  ElementType type;
+  std::size_t other = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (type.admit(rows[i])) continue;
+    if (are_of_one_type(rows[other], rows[i])) {
+      for (other = 0; are_of_one_type(rows[other], rows[i]);) ++other;
     }
+    report_uneven_row(code, e, rows, other, i);
+  }
+}
+
+void Evaluator::report_uneven_row(const Code& code, const Expression& e, const ListValue& rows,
+                                  std::size_t other, std::size_t i) {
+  const std::uint32_t written = code.operands_of(e)[i], before = code.operands_of(e)[other];
+  const Value value = rows[i], other_value = rows[other];
+  const ListValue &row = *elements_of(value), &other_row = *elements_of(other_value);
+  const auto count = [](const ListValue& list) {
+    return list.size() == 1 ? "1 element" : fmt::format("{} elements", list.size());
+  };
+  const std::string label = fmt::format("row {}", other + 1);
+  if (row.size() != other_row.size()) {
+    sink_
+        .report(diag::uneven_rows, place(code, written), i + 1, count(row), other + 1,
+                count(other_row))
+        .label(place(code, before), label);
+  } else if (const auto k = first_difference(other_row, row)) {
+    const Value element = row[*k], other_element = other_row[*k];
+    const bool are_rows =
+        holds_alternative<RowValue>(element) && holds_alternative<RowValue>(other_element);
+    sink_
+        .report(diag::uneven_rows, place_of_element(code, written, *k), i + 1,
+                are_rows ? "another row" : describe(element), other + 1, describe(other_element))
+        .label(place_of_element(code, before, *k), label);
+  } else {  // only one of them is a list of one type
+    sink_.report(diag::mixed_list, place(code, written), describe(other_value), describe(value))
+        .help("a list of several types is a row; metres and seconds are two types")
+        .label(place(code, before), label);
   }
 }
 
@@ -213,12 +232,13 @@ Value Evaluator::elements_at(const Code& code, const Expression& e, const ListVa
   if (!is_good) return Nothing{};
   std::vector<Value> elements;
   elements.reserve(positions.size());
+  ElementType type;
   bool is_mixed = false;  // some elements of a row
   for (std::size_t i = 0; i < positions.size(); ++i) {
     elements.push_back(element_at(list, positions[i], written));
     if (is_nothing(elements.back())) return Nothing{};
     if (!take_steps(code, e.node, steps_to_compare(elements.back()))) return Nothing{};
-    is_mixed = is_mixed || !are_of_one_type(elements.front(), elements.back());
+    is_mixed = is_mixed || !type.admit(elements.back());
   }
   ListValue chosen(std::move(elements));
   return is_mixed ? Value(RowValue{std::move(chosen)}) : Value(std::move(chosen));

@@ -151,7 +151,7 @@ class Evaluator final : public ChainSource {
     const ListValue* closing = nullptr;  ///< of the shutter; null: the elements do not vary
     bool reads_time = false;
   };
-  /// Gives the names of a loop their values for element i; false if it cannot be taken apart.
+  /// Gives the names of a loop their values for element i; false if it cannot be destructured.
   bool bind_names(const Loop& loop, std::size_t i);
   bool report_wrong_parts(const Loop& loop, const Value& element);
   void run_if(const Code& code, const Statement& statement);
@@ -212,8 +212,11 @@ class Evaluator final : public ChainSource {
   Value evaluate_triple(const Code& code, const Expression& e);
   Value evaluate_interval(const Code& code, const Expression& e);
   Value evaluate_list(const Code& code, const Expression& e);
-  /// Reports the rows of a list that are not like the first.
-  void report_uneven_rows(const Code& code, const Expression& e, std::span<const Value> rows);
+  /// Reports the rows of a list that are not like those before.
+  void report_uneven_rows(const Code& code, const Expression& e, const ListValue& rows);
+  /// Row i, which is not like `other`.
+  void report_uneven_row(const Code& code, const Expression& e, const ListValue& rows,
+                         std::size_t other, std::size_t i);
   Location place_of_element(const Code& code, std::uint32_t list, std::size_t i) const;
   /// A column as written: `.name`, or `["name"]` if `member` is empty.
   struct ColumnName {
@@ -230,6 +233,8 @@ class Evaluator final : public ChainSource {
   bool run_for_clause(Comprehension& list, std::size_t index);
   bool add_element(Comprehension& list);
   bool add_value(Comprehension& list, Value value);
+  /// Reports that the value cannot be an element beside those before; false.
+  bool report_mixed_element(const Comprehension& list, const Value& value);
   /// Room for `count` more elements in a vector of the list.
   template <typename T>
   bool make_room(Comprehension& list, std::vector<T>& elements, std::size_t count);

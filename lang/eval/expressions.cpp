@@ -7,6 +7,7 @@
 #include "lang/eval/evaluator.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/value/arithmetic.hpp"
+#include "lang/value/element_type.hpp"
 #include "lang/value/literals.hpp"
 #include "lang/value/logic.hpp"
 
@@ -184,22 +185,28 @@ Value Evaluator::join(const Code& code, const ListValue& left, const ListValue& 
                       std::uint32_t right_index) {
   if (left.size() == 0) return right;
   if (right.size() == 0) return left;
-  const Value first = left[0], second = right[0];
   const NodeIndex where = node(code, right_index).index();
   const std::uint64_t size = left.size() + right.size();
-  const std::uint64_t to_compare = steps_to_read(second);
-  if (!take_steps(code, where, work::kList + size + to_compare)) return Nothing{};
-  if (!are_of_one_type(first, second)) {
-    sink_.report(diag::mixed_list, place(code, right_index), describe(first), describe(second));
-    return Nothing{};
-  }
-  if (!may_take_memory(code, where, size * sizeof(Value))) return Nothing{};
+  const bool has_room = take_steps(code, where, work::kList + size) &&
+                        may_take_memory(code, where, size * sizeof(Value));
+  if (!has_room) return Nothing{};
   std::vector<Value> values;
   values.reserve(size);
+  ElementType type;
+  bool is_mixed = false;
   for (const ListValue* list : {&left, &right}) {
-    for (std::size_t i = 0; i < list->size(); ++i) values.push_back((*list)[i]);
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      values.push_back((*list)[i]);
+      if (!take_steps(code, where, steps_to_compare(values.back()))) return Nothing{};
+      is_mixed = is_mixed || !type.admit(values.back());
+    }
   }
-  return ListValue(std::move(values));
+  ListValue joined(std::move(values));
+  if (!is_mixed) return joined;
+  const auto [i, k] = *first_conflict(joined);
+  sink_.report(diag::mixed_list, place(code, right_index), describe(joined[i]),
+               describe(joined[k]));
+  return Nothing{};
 }
 
 Value Evaluator::evaluate_power(const Code& code, const Expression& e) {

@@ -8,6 +8,7 @@
 
 #include "lang/eval/evaluator.hpp"
 #include "lang/source/limits.hpp"
+#include "lang/value/element_type.hpp"
 #include "lang/value/logic.hpp"
 
 // The names of loops, and comprehensions.
@@ -70,6 +71,7 @@ struct Evaluator::Comprehension {
   std::vector<double> numbers = {};        ///< the elements while all are numbers of one unit
   Unit unit = Unit::None;
   std::vector<Value> elements = {};  ///< otherwise
+  ElementType type = {};             ///< of the elements
   CountedBytes bytes = {};
 };
 
@@ -162,22 +164,27 @@ bool Evaluator::add_value(Comprehension& list, Value value) {
     const std::size_t room = std::max(list.numbers.capacity(), list.numbers.size() + 1);
     if (!make_room(list, list.elements, room)) return false;
     for (const double number : list.numbers) list.elements.push_back(Scalar{number, list.unit});
+    if (!list.elements.empty()) list.type.admit(list.elements.front());
     list.numbers = {};
   }
-  if (!list.elements.empty() && !are_of_one_type(list.elements.front(), value)) {
-    const Value& first = list.elements.front();
-    auto report = sink_.report(diag::mixed_list, place(list.code, list.value), describe(first),
-                               describe(value));
-    const ListValue *row = elements_of(first), *other = elements_of(value);
-    report.help(row != nullptr && other != nullptr
-                    ? describe_difference(*row, *other)
-                    : fmt::format("the first element is {}", describe(first)));
-    return false;
-  }
+  if (!list.type.admit(value)) return report_mixed_element(list, value);
   const bool is_full = list.elements.size() == list.elements.capacity();
   if (is_full && !make_room(list, list.elements, 1)) return false;
   list.elements.push_back(std::move(value));
   return true;
+}
+
+bool Evaluator::report_mixed_element(const Comprehension& list, const Value& value) {
+  const auto other = std::ranges::find_if_not(
+      list.elements, [&](const Value& element) { return are_of_one_type(element, value); });
+  auto report = sink_.report(diag::mixed_list, place(list.code, list.value), describe(*other),
+                             describe(value));
+  const ListValue *row = elements_of(*other), *other_row = elements_of(value);
+  report.help(
+      row != nullptr && other_row != nullptr
+          ? describe_difference(*row, *other_row)
+          : fmt::format("element {} is {}", other - list.elements.begin(), describe(*other)));
+  return false;
 }
 
 template <typename T>

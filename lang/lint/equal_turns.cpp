@@ -32,8 +32,8 @@ bool has_object(ast::Node body) {
 }  // namespace
 
 /// The body of a `for` has objects and uses no variable of its loop. Expressions have no state, and
-/// `random` is a function of its arguments, so each turn makes the same objects at the same place.
-/// A variable that begins with `_` is meant to be unused.
+/// `random` is a function of its arguments, so every iteration makes the same objects at the same
+/// place. A variable that begins with `_` is meant to be unused.
 void check_equal_turns(LintContext& context) {
   const SyntaxTree& tree = *context.tree();
   const std::span<const Symbol> symbols = context.names().symbols();

@@ -70,8 +70,8 @@ std::optional<double> find_distance(const Object& object, const NamedSpheres& na
     report.label(target->sphere->where,
                  fmt::format("its centre is at {}", to_text(Value(Triple{target->point}))));
   }
-  report.help(
-      fmt::format("along the view axis the distance is {:.4g}, and it must be above 0", distance));
+  report.help(fmt::format("the distance along the view axis is {:.4g}; it must be greater than 0",
+                          distance));
   return std::nullopt;
 }
 

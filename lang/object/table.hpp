@@ -20,6 +20,7 @@ class StringColumn {
     text_ += text;
     ends_.push_back(static_cast<std::uint32_t>(text_.size()));
   }
+  bool is_empty() const noexcept { return ends_.empty(); }
   std::string_view operator[](std::size_t i) const noexcept {
     const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
     return std::string_view(text_).substr(begin, ends_[i] - begin);

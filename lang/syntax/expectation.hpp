@@ -25,7 +25,7 @@ enum class Wanted : std::uint8_t {
   ListEnd,        ///< `,` or `]`
   ClausesEnd,     ///< `]` after the clauses of a list
   IndexEnd,       ///< `]`
-  SecondName,     ///< `,` and another name: one alone is not taken apart
+  SecondName,     ///< `,` and another name: one alone is not destructured
   PatternEnd,     ///< `,` or `)` of the names in a `for`
   SecondOperand,  ///< none: comparisons make no chain
 };

@@ -13,6 +13,7 @@
 #include "lang/value/arithmetic.hpp"
 #include "lang/value/builtin_call.hpp"
 #include "lang/value/builtin_tables.hpp"
+#include "lang/value/element_type.hpp"
 #include "lang/value/logic.hpp"
 
 namespace sdlc::lang {
@@ -117,19 +118,6 @@ std::optional<std::vector<Keyed<Key>>> keys_of(const ListValue& list, Key (*key_
 double number_of(const Scalar& number) { return number.value; }
 double degrees_of(const Angle& angle) { return angle.degrees; }
 
-/// Whether no length is among times, and no time among lengths.
-bool has_units_of_one_kind(const ListValue& list) {
-  Unit unit = Unit::None;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const Value value = list[i];
-    const auto* number = get_if<Scalar>(&value);
-    if (number == nullptr) continue;
-    if (!are_compatible(unit, number->unit)) return false;
-    unit = common_unit(unit, number->unit);
-  }
-  return true;
-}
-
 std::string text_of(const std::string& text) { return text; }
 
 template <typename Key>
@@ -158,9 +146,7 @@ Value evaluate_sort(const BuiltinCall& call) {
     return wrong_argument(call, last, "a list of keys, such as `[f(x) for x in xs]`,");
   }
   if (keys->size() != list->size()) return wrong_length(call, last);
-  if (has_units_of_one_kind(*keys)) {
-    if (auto found = keys_of(*keys, number_of)) return in_order(*list, std::move(*found));
-  }
+  if (auto found = keys_of(*keys, number_of)) return in_order(*list, std::move(*found));
   if (auto found = keys_of(*keys, degrees_of)) return in_order(*list, std::move(*found));
   if (auto found = keys_of(*keys, text_of)) return in_order(*list, std::move(*found));
   return wrong_element(
@@ -189,10 +175,11 @@ Value evaluate_zip(const BuiltinCall& call) {
   for (std::size_t row = 0; row < count; ++row) {
     std::vector<Value> values;
     values.reserve(columns);
+    ElementType type;
     bool is_mixed = false;
     for (std::size_t i = 0; i < columns; ++i) {
       values.push_back((*argument<ListValue>(call, i))[row]);
-      is_mixed = is_mixed || !are_of_one_type(values.front(), values.back());
+      is_mixed = is_mixed || !type.admit(values.back());
     }
     ListValue elements(std::move(values));
     rows.push_back(is_mixed ? Value(RowValue{std::move(elements)}) : Value(std::move(elements)));

@@ -9,16 +9,10 @@
 #include <fmt/format.h>
 
 #include "lang/value/arithmetic.hpp"
+#include "lang/value/element_type.hpp"
 
 namespace sdlc::lang {
 namespace {
-
-std::optional<Unit> unit_of(const Value& value) noexcept {
-  if (const auto* scalar = get_if<Scalar>(&value)) return scalar->unit;
-  if (const auto* triple = get_if<Triple>(&value)) return triple->unit;
-  if (const auto* bounds = get_if<Bounds>(&value)) return bounds->unit;
-  return std::nullopt;
-}
 
 bool are_lists_equal(const ListValue& a, const ListValue& b);
 
@@ -69,37 +63,24 @@ bool compare(const T& a, Operator op, const T& b) noexcept {
   }
 }
 
-bool are_alike(const Value& a, const Value& b) noexcept {
-  if (a.index() != b.index()) return false;
-  const auto left = unit_of(a), right = unit_of(b);
-  return !left || are_compatible(*left, *right);
-}
-
-/// A loop for the same reason.
-bool have_one_shape(const RowValue& a, const RowValue& b) {
-  std::vector<std::pair<ListValue, ListValue>> waiting{{a.elements, b.elements}};
-  while (!waiting.empty()) {
-    const auto [left, right] = std::move(waiting.back());
-    waiting.pop_back();
-    const Table* table = left.table_of_row();
-    if (table != nullptr && table == right.table_of_row()) continue;
-    if (left.size() != right.size()) return false;
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      const Value x = left[i], y = right[i];
-      if (!are_alike(x, y)) return false;
-      const auto* row = get_if<RowValue>(&x);
-      if (row != nullptr) waiting.emplace_back(row->elements, get<RowValue>(y).elements);
-    }
-  }
-  return true;
-}
-
 }  // namespace
+
+Unit unit_of(const Value& value) noexcept {
+  if (const auto* scalar = get_if<Scalar>(&value)) return scalar->unit;
+  if (const auto* triple = get_if<Triple>(&value)) return triple->unit;
+  if (const auto* bounds = get_if<Bounds>(&value)) return bounds->unit;
+  return Unit::None;
+}
+
+bool are_alike(const Value& a, const Value& b) noexcept {
+  return a.index() == b.index() && are_compatible(unit_of(a), unit_of(b));
+}
 
 bool are_of_one_type(const Value& a, const Value& b) {
   if (!are_alike(a, b)) return false;
-  const auto* row = get_if<RowValue>(&a);
-  return row == nullptr || have_one_shape(*row, get<RowValue>(b));
+  if (!holds_alternative<RowValue>(a)) return true;
+  ElementType type;
+  return type.admit(a) && type.admit(b);
 }
 
 std::optional<std::size_t> first_difference(const ListValue& a, const ListValue& b) {
@@ -110,11 +91,21 @@ std::optional<std::size_t> first_difference(const ListValue& a, const ListValue&
   return a.size() == b.size() ? std::nullopt : std::optional(size);
 }
 
+std::optional<std::pair<std::size_t, std::size_t>> first_conflict(const ListValue& values) {
+  ElementType type;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const Value value = values[k];
+    if (type.admit(value)) continue;
+    std::size_t i = 0;
+    while (are_of_one_type(values[i], value)) ++i;
+    return std::pair(i, k);
+  }
+  return std::nullopt;
+}
+
 void report_mixed(const RowValue& row, Location where, DiagnosticSink& sink) {
-  const Value first = row.elements[0];
-  std::size_t other = 1;
-  while (are_of_one_type(first, row.elements[other])) ++other;
-  sink.report(diag::mixed_list, where, describe(first), describe(row.elements[other]))
+  const auto [i, k] = *first_conflict(row.elements);
+  sink.report(diag::mixed_list, where, describe(row.elements[i]), describe(row.elements[k]))
       .help("a list of several types is a row; its elements are used one by one: `row[0]`");
 }
 

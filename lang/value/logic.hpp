@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "lang/ast/ast.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
@@ -17,6 +18,9 @@ constexpr bool are_compatible(Unit a, Unit b) noexcept {
 /// The unit of their sum.
 constexpr Unit common_unit(Unit a, Unit b) noexcept { return a == Unit::None ? b : a; }
 
+/// That of a number, vector or interval; None of other values.
+Unit unit_of(const Value& value) noexcept;
+
 /// Whether two values are equal (-0 is 0); nullopt if their types or units differ.
 std::optional<bool> are_equal(const Value& a, const Value& b);
 
@@ -25,14 +29,20 @@ std::optional<bool> are_equal(const Value& a, const Value& b);
 Value evaluate_comparison(const Value& left, Operator op, const Value& right, Location where,
                           DiagnosticSink& sink);
 
-/// Whether two values can be elements of one list: the same type, and compatible units. Rows are of
-/// one type if they have as many elements and each has the type of its place. Takes time in
-/// proportion to the weight of a row.
+/// Whether two values are of one type, apart from the elements of rows: units are compatible.
+bool are_alike(const Value& a, const Value& b) noexcept;
+
+/// Whether two values can be the elements of a list (see ElementType for more): the same type, and
+/// compatible units. Rows are of one type if they have as many elements and each has the type of
+/// its place. Takes time in proportion to the weight of a row.
 bool are_of_one_type(const Value& a, const Value& b);
 
 /// The first place where the types of two rows differ; the length of the shorter if one lacks
 /// elements; nullopt if they are of one type.
 std::optional<std::size_t> first_difference(const ListValue& a, const ListValue& b);
+
+/// The first two elements, in this order, that cannot be in one list; nullopt if there are none.
+std::optional<std::pair<std::size_t, std::size_t>> first_conflict(const ListValue& values);
 
 /// How two rows of different types differ, as in "the rows have 2 and 3 elements".
 std::string describe_difference(const ListValue& a, const ListValue& b);

@@ -15,7 +15,7 @@ constexpr auto kCurveOption = std::to_array<Property>({
      .default_value = std::string_view("cubic"),
      .default_text = "cubic",
      .words = kEaseCurveNames,
-     .doc = "The way from 0 to 1."},
+     .doc = "The shape of the transition from 0 to 1."},
 });
 
 Value evaluate_smoothstep(const BuiltinCall& call) {

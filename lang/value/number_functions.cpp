@@ -8,6 +8,7 @@
 #include "lang/value/arithmetic.hpp"
 #include "lang/value/builtin_call.hpp"
 #include "lang/value/builtin_tables.hpp"
+#include "lang/value/element_type.hpp"
 #include "lang/value/logic.hpp"
 #include "render/math/color.hpp"
 
@@ -88,17 +89,16 @@ class Operands {
   }
   /// Whether they are numbers of one unit, angles, or vectors if these are allowed, and at least
   /// one; if not, that is reported.
-  bool check(bool takes_vectors) const {
+  bool check(bool takes_vectors) {
     if (call_.arguments.size() == 1 && argument<RowValue>(call_, 0) != nullptr) {
       wrong_argument(call_, 0, kListWanted);
       return false;
     }
-    const Value first = size() > 0 ? (*this)[0] : Value();
     for (std::size_t i = 0; i < size(); ++i) {
       const Value value = (*this)[i];
       const bool is_good = holds_alternative<Scalar>(value) || holds_alternative<Angle>(value) ||
                            (takes_vectors && holds_alternative<Triple>(value));
-      if (is_good && are_of_one_type(first, value)) continue;
+      if (is_good && type_.admit(value)) continue;
       wrong_argument(call_, list_ != nullptr ? 0 : i,
                      takes_vectors ? "numbers of one unit, angles or vectors"
                                    : "numbers of one unit or angles");
@@ -107,10 +107,17 @@ class Operands {
     if (size() == 0) no_result(call_, "an empty list");
     return size() > 0;
   }
+  /// The value with the unit that all of them have in common: the unit of a result must not depend
+  /// on which value wins.
+  Value with_unit(const Value& value) const {
+    const auto* number = get_if<Scalar>(&value);
+    return number != nullptr ? Value(Scalar{number->value, type_.unit()}) : value;
+  }
 
  private:
   const BuiltinCall& call_;
   const ListValue* list_;
+  ElementType type_;
 };
 
 bool is_greater(const Value& a, const Value& b) { return is_less(b, a); }
@@ -122,7 +129,7 @@ double larger(double a, double b) noexcept { return b > a ? b : a; }
 /// by component.
 template <bool (*is_before)(const Value&, const Value&), double (*choose)(double, double) noexcept>
 Value first_of(const BuiltinCall& call) {
-  const Operands values(call);
+  Operands values(call);
   if (!values.check(true)) return Nothing{};
   Value first = values[0];
   const bool is_vector = holds_alternative<Triple>(first);
@@ -133,11 +140,11 @@ Value first_of(const BuiltinCall& call) {
       first = values[i];
     }
   }
-  return first;
+  return values.with_unit(first);
 }
 
 Value evaluate_clamp(const BuiltinCall& call) {
-  const Operands values(call);
+  Operands values(call);
   if (!values.check(true)) return Nothing{};
   const Value x = values[0], low = values[1], high = values[2];
   if (const auto* v = get_if<Triple>(&x)) {
@@ -148,7 +155,7 @@ Value evaluate_clamp(const BuiltinCall& call) {
     return by_component(by_component(*v, a, larger), b, smaller);
   }
   if (is_less(high, low)) return no_result(call, "a `low` above `high`");
-  return is_less(x, low) ? low : is_less(high, x) ? high : x;
+  return values.with_unit(is_less(x, low) ? low : is_less(high, x) ? high : x);
 }
 
 /// fmod computes the quotient bit by bit.
@@ -165,7 +172,7 @@ BuiltinWork work_of_mod(const BuiltinCall& call) {
 }
 
 Value evaluate_mod(const BuiltinCall& call) {
-  const Operands values(call);
+  Operands values(call);
   if (!values.check(false)) return Nothing{};
   const Value a = values[0], b = values[1];
   const auto* number = get_if<Scalar>(&a);
@@ -176,8 +183,7 @@ Value evaluate_mod(const BuiltinCall& call) {
     call.sink.report(diag::division_by_zero, call.where());
     return Nothing{};
   }
-  if (number != nullptr) return Scalar{*result, number->unit};
-  return Angle{*result};
+  return number != nullptr ? values.with_unit(Scalar{*result}) : Angle{*result};
 }
 
 /// `a * (1 - t) + b * t`, where a and b are arguments of the call, one after the other.
@@ -244,7 +250,7 @@ constexpr auto kNumberFunctions = std::to_array<Builtin>({
     {"fract", "fract(x)", 1, 1, keeping_unit<fraction>, "number", "=", "numbers",
      "`x - floor(x)`: the part after the point, from 0 to 1."},
     {"remap", "remap(x, a, b, c, d)", 5, 5, evaluate_remap, "", "", "numbers",
-     "What `x` of `a` … `b` is in `c` … `d`, as in `mix`; beyond the ends it goes on."},
+     "Maps `a` … `b` linearly to `c` … `d`; values outside are extrapolated."},
 });
 
 }  // namespace

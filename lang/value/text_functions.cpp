@@ -18,8 +18,9 @@ constexpr auto kStrOptions = std::to_array<Property>({
      .type = Type::WholeNumber,
      .range = Range::UpToHundred,
      .doc =
-         "Of numbers and angles: so many digits after the point, rounded to the nearest; without "
-         "it, as few as are necessary."},
+         "Of numbers and angles: so many digits after the point, rounded to the nearest, and "
+         "of two equally near to the even one (`round` rounds halves away from 0); without it, as "
+         "few as are necessary."},
     {.name = "width",
      .type = Type::WholeNumber,
      .range = Range::UpToHundred,
