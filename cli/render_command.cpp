@@ -163,20 +163,31 @@ void write_stats(const std::string& path, const std::string& lines, Environment&
 /// The first pass is finished in any case.
 constexpr double kMinSecondsToTrace = 1e-3;
 
-/// The part of a picture's time limit that is left for tracing, after reading and before writing.
-double seconds_to_trace(const render::RenderSettings& settings, std::size_t outputs, double spent) {
-  // PNG, the slowest common format, takes about 60 ns per pixel.
-  constexpr double kSecondsPerPixel = 60e-9, kSecondsPerFile = 0.02;
-  const double pixels = static_cast<double>(settings.width) * settings.height;
-  const double to_write =
-      (pixels * kSecondsPerPixel + kSecondsPerFile) * static_cast<double>(outputs);
-  return std::max(*settings.seconds - spent - to_write, kMinSecondsToTrace);
+/// The seconds to write the picture, as measured with some of its rows: other programs may take
+/// most of the processor.
+double seconds_to_write(const render::Picture& picture, const std::vector<Output>& outputs,
+                        const render::ToneMapping& mapping) {
+  constexpr int kStep = 16;
+  constexpr double kSecondsPerFile = 0.02;
+  render::Picture rows(picture.width, (picture.height + kStep - 1) / kStep);
+  for (int y = 0; y < rows.height; ++y) {
+    for (int x = 0; x < rows.width; ++x) rows.at(x, y) = picture.at(x, kStep * y);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    for (const Output& output : outputs) {
+      render::encode_picture(rows, {.format = output.format, .mapping = mapping});
+    }
+  } catch (const render::IoError&) {  // writing will report it
+  }
+  return kStep * render::seconds_since(start) +
+         kSecondsPerFile * static_cast<double>(outputs.size());
 }
 
 /// Traces with progress; Ctrl-C ends it early. Moves the scene away.
 render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
-                           const RenderOptions& options, RenderStatistics& statistics,
-                           Environment& env) {
+                           const RenderOptions& options, const std::vector<Output>& outputs,
+                           RenderStatistics& statistics, Environment& env) {
   render::RenderMonitor monitor;
   monitor.on_tracing = [&] {
     // For ten million spheres, freed memory of the compiler and the BVH builder would keep 140 MB
@@ -185,6 +196,9 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
     statistics.render_rss_bytes = resident_bytes();  // before the codec allocates its own
     render::preload_image_codec(lowered.settings.seconds ? render::Preload::Now
                                                          : render::Preload::Late);
+  };
+  monitor.seconds_to_finish = [&](const render::Picture& picture) {
+    return seconds_to_write(picture, outputs, lowered.output.mapping);
   };
   const InterruptGuard interrupt(monitor.cancel);
   const ProgressReporter progress(progress_style(options, env), monitor, lowered.settings, env.err);
@@ -376,11 +390,12 @@ class RenderJob {
 
     if (settings.seconds) {
       lowered.settings.seconds =
-          seconds_to_trace(settings, outputs.size(), render::seconds_since(start));
+          std::max(*settings.seconds - render::seconds_since(start), kMinSecondsToTrace);
     }
     // Until here there is nothing to save, and a signal may end the process.
     if (!guard_) guard_.emplace(interrupted_);
-    render::RenderResult result = trace(lowered, std::move(kernel), options_, statistics, env_);
+    render::RenderResult result =
+        trace(lowered, std::move(kernel), options_, outputs, statistics, env_);
     result.build_seconds += choice_seconds;
     if (!result.is_complete) {
       if (result.camera_samples == 0) return conclude(options_, settings, result, {}, env_);

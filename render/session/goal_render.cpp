@@ -48,7 +48,7 @@ bool GoalRender::pass(std::span<const std::uint32_t> samples) {
   const bool is_whole = tracer_.trace_pass(
       film_, [&](std::size_t pixel) { return counts[counts.size() == 1 ? 0 : pixel]; },
       [this] { return is_late(); });
-  is_first_pass_ = false;
+  if (std::exchange(is_first_pass_, false) && deadline_) reserve_time_to_finish();
   if (monitor_.on_pass) monitor_.on_pass(film_);
   if (deadline_) {
     report_progress(std::chrono::duration<double>(Clock::now() - start_).count() /
@@ -67,6 +67,14 @@ std::vector<std::uint32_t> GoalRender::samples_of_film() const {
 
 void GoalRender::report_progress(double share) {
   monitor_.goal_share = std::max(monitor_.goal_share.load(), std::min(share, 1.0));
+}
+
+void GoalRender::reserve_time_to_finish() {
+  const auto begin = Clock::now();
+  estimate();
+  double seconds = seconds_since(begin);
+  if (monitor_.seconds_to_finish) seconds += monitor_.seconds_to_finish(result_.picture);
+  *deadline_ -= std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
 void GoalRender::estimate() {

@@ -44,6 +44,8 @@ class GoalRender {
   std::vector<std::uint32_t> samples_of_film() const;
   bool is_late() const;
   void report_progress(double share);
+  /// Sets the deadline so much earlier as estimating the error and the work of the caller take.
+  void reserve_time_to_finish();
   /// Updates the picture, its error estimate and the numbers of samples.
   void estimate();
 
