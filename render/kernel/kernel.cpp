@@ -185,6 +185,9 @@ Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
   Kernel kernel = kernel_for(scene, settings, request);
   if (kernel.refusal) return kernel;
   kernel.lights = lights_for(scene, settings);
+  if (settings.light_sampling == LightSampling::Caustics && !kernel.lights.empty()) {
+    kernel.casters = choose_casters(scene, kernel.exact_spheres);
+  }
   if (settings.light_sampling == LightSampling::Auto &&
       !choose_lights(scene, LightSampling::On).empty()) {
     const std::size_t count = kernel.lights.size();

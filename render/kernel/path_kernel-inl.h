@@ -20,6 +20,7 @@
 #include <hwy/highway.h>
 
 #include "render/kernel/camera_rays-inl.h"
+#include "render/kernel/caustics-inl.h"
 #include "render/kernel/emitter_counts-inl.h"
 #include "render/kernel/interaction-inl.h"
 #include "render/kernel/lane_runs-inl.h"
@@ -50,7 +51,9 @@ class WidePaths {
         runs_(view, runs),
         emitters_(scene, view.emitters),
         is_observed_(emitters_.is_counting() || view.keeps_first_hits),
-        counts_(counts) {}
+        counts_(counts),
+        interactions_(scene),
+        caustics_(scene, interactions_, tests_, counts) {}
 
   void trace(const std::atomic<bool>& cancel);
 
@@ -90,6 +93,8 @@ class WidePaths {
   HWY_INLINE Ends end_paths(Paths& paths, const Interaction& at, Mask absorbed);
   HWY_INLINE void connect_lights(Paths& paths, const Interaction& at, const Ends& ends,
                                  const LaneSampler<D>& sampler);
+  HWY_INLINE void connect_caustics(Paths& paths, Triple<V> facing,
+                                   const LaneSampler<D>& sampler);
   HWY_INLINE Mask trace_shadow_rays(const Paths& paths, const LightSample& light);
   HWY_INLINE void count_connections(const LightSample& light, Mask visible,
                                     Triple<V> contribution) const;
@@ -103,6 +108,8 @@ class WidePaths {
   const bool is_observed_;
   SphereTests tests_;
   TraceCounts& counts_;
+  const Interactions<T, F> interactions_;
+  const Caustics<T, F> caustics_;
 };
 
 template <typename T, typename F>
@@ -110,7 +117,6 @@ void WidePaths<T, F>::trace(const std::atomic<bool>& cancel) {
   constexpr std::uint32_t kStepsBetweenLooks = 1024;
   constexpr std::uint32_t kVertexStep = kPairIncrement * kVertexPairs;
   const CameraRays<T, F> camera(scene_, view_);
-  const Interactions<T, F> interactions(scene_);
   Paths paths = Paths::begin(runs_.active());
   for (std::uint32_t step = 1; !hn::AllFalse(D(), paths.alive); ++step) {
     if (step % kStepsBetweenLooks == 0 && cancel.load(std::memory_order_relaxed)) return;
@@ -118,7 +124,7 @@ void WidePaths<T, F>::trace(const std::atomic<bool>& cancel) {
     if (!hn::AllFalse(D(), paths.fresh)) camera.start(paths, runs_);
     set_directions(paths);
     Hit hit = intersect(paths);
-    Interaction at = interactions.at(paths, hit);
+    Interaction at = interactions_.at(paths, hit);
     paths.throughput = product(paths.throughput, at.color);
     if constexpr (F::kLights) weigh_emission(paths, hit, at);
 
@@ -127,8 +133,12 @@ void WidePaths<T, F>::trace(const std::atomic<bool>& cancel) {
                          .sample(paths.direction, at.normal, at.cosine, at.surface, sampler);
     paths.next = scattered.direction;
     paths.stream = add_low_32(paths.stream, word(kVertexStep));
-    interactions.depart(paths, hit, at);
+    if constexpr (F::kCaustics) caustics_.follow(paths, hit, at, scattered);
+    interactions_.depart(paths, hit, at);
     Ends ends = end_paths(paths, at, scattered.absorbed);
+    if constexpr (F::kCaustics) {
+      paths.chain = hn::IfThenZeroElse(hn::RebindMask(DU(), ends.all), paths.chain);
+    }
     if (HWY_UNLIKELY(is_observed_)) {  // one branch and plain values: others cost 4 % here
       if (emitters_.is_counting()) {
         emitters_.add_vertices(hn::And(ends.emitted, at.is_hit), hit.index, ends.all, at.surface);
@@ -220,6 +230,9 @@ void WidePaths<T, F>::weigh_emission(Paths& paths, const Hit& hit, const Interac
   if constexpr (F::kPilot) paths.plain_square = mean_square(paths.throughput);
   const Bits leaf = at.by_slot(scene_.lights.leaf_of_slot);
   const Mask has_leaf = hn::RebindMask(d, hn::Ne(leaf, word(kNoLight)));
+  if constexpr (F::kCaustics) {
+    paths.throughput = scaled(paths.throughput, caustics_.weight(paths, hit, at, leaf));
+  }
   const Mask is_light = hn::And(hn::And(at.is_hit, paths.light_sampled), has_leaf);
   if (hn::AllFalse(d, is_light)) return;
   const Triple<V> normal = flipped(paths.normal, hn::And(hit.cosine, hn::SignBit(d)));
@@ -255,6 +268,7 @@ void WidePaths<T, F>::connect_lights(Paths& paths, const Interaction& at, const 
   if constexpr (F::kPilot) view_.plain->choices += hn::CountTrue(d, paths.light_sampled);
   if (hn::AllFalse(d, paths.light_sampled)) return;
   const Triple<V> facing = flipped(at.normal, hn::AndNot(at.cosine, hn::SignBit(d)));
+  if constexpr (F::kCaustics) connect_caustics(paths, facing, sampler);
   LightSample light = Lights(scene_.lights)
                           .sample(paths.light_sampled, {paths.origin, facing, paths.time}, sampler);
   if (hn::AllFalse(d, light.exists)) return;
@@ -267,6 +281,19 @@ void WidePaths<T, F>::connect_lights(Paths& paths, const Interaction& at, const 
   paths.radiance = {add(paths.radiance.x, contribution.x), add(paths.radiance.y, contribution.y),
                     add(paths.radiance.z, contribution.z)};
   if constexpr (F::kPilot) count_connections(light, visible, contribution);
+}
+
+template <typename T, typename F>
+void WidePaths<T, F>::connect_caustics(Paths& paths, Triple<V> facing,
+                                       const LaneSampler<D>& sampler) {
+  const D d;
+  const auto found = caustics_.connect(paths.light_sampled, paths, facing, sampler);
+  if (hn::AllFalse(d, found.exists)) return;
+  const Triple<V> contribution = product(paths.throughput, found.radiance);
+  const auto add = [&](V sum, V term)
+                       HWY_ATTR { return hn::Add(sum, hn::IfThenElseZero(found.exists, term)); };
+  paths.radiance = {add(paths.radiance.x, contribution.x), add(paths.radiance.y, contribution.y),
+                    add(paths.radiance.z, contribution.z)};
 }
 
 /// The lanes whose light is not occluded.
@@ -335,35 +362,42 @@ void trace_runs(const WideScene<T>& scene, const WideView<T>& view, std::span<Pi
   WidePaths<T, F>(scene, view, runs, counts).trace(cancel);
 }
 
-template <typename T, bool kLights, bool kLens, bool kMotion, bool kExactSpheres,
-          bool kInstances = false>
+/// What has source files of its own, and is therefore a template parameter.
+enum class Extra : std::uint8_t { None, Lights, Lens, LensAndLights, Caustics };
+
+/// KernelFeatures::caustics includes the lens.
+template <Extra kExtra, bool motion, bool exact_spheres, bool bvh, bool instances>
+using FeaturesWith = Features<motion, exact_spheres, bvh, instances,
+                              kExtra == Extra::Lights || kExtra >= Extra::LensAndLights, false,
+                              kExtra >= Extra::Lens, kExtra == Extra::Caustics>;
+
+template <typename T, Extra kExtra, bool kMotion, bool kExactSpheres, bool kInstances = false>
 TraceRuns<T>* choose_search(KernelFeatures features) noexcept {
   if constexpr (!kInstances) {
     if (!features.bvh) {
-      return &trace_runs<T, Features<kMotion, kExactSpheres, false, false, kLights, false, kLens>>;
+      return &trace_runs<T, FeaturesWith<kExtra, kMotion, kExactSpheres, false, false>>;
     }
   }
-  return &trace_runs<T, Features<kMotion, kExactSpheres, true, kInstances, kLights, false, kLens>>;
+  return &trace_runs<T, FeaturesWith<kExtra, kMotion, kExactSpheres, true, kInstances>>;
 }
 
-/// `kLights` and `kLens` as in `features`; they are template parameters because their values have
-/// source files of their own.
-template <typename T, bool kLights, bool kLens>
+/// `kExtra` as in `features`.
+template <typename T, Extra kExtra>
 TraceRuns<T>* choose_kernel(KernelFeatures features) noexcept {
   if constexpr (sizeof(T) == 8) {
     if (features.instances) {
-      return features.motion ? choose_search<T, kLights, kLens, true, false, true>(features)
-                             : choose_search<T, kLights, kLens, false, false, true>(features);
+      return features.motion ? choose_search<T, kExtra, true, false, true>(features)
+                             : choose_search<T, kExtra, false, false, true>(features);
     }
   }
   if constexpr (sizeof(T) == 4) {
     if (features.exact_spheres) {
-      return features.motion ? choose_search<T, kLights, kLens, true, true>(features)
-                             : choose_search<T, kLights, kLens, false, true>(features);
+      return features.motion ? choose_search<T, kExtra, true, true>(features)
+                             : choose_search<T, kExtra, false, true>(features);
     }
   }
-  return features.motion ? choose_search<T, kLights, kLens, true, false>(features)
-                         : choose_search<T, kLights, kLens, false, false>(features);
+  return features.motion ? choose_search<T, kExtra, true, false>(features)
+                         : choose_search<T, kExtra, false, false>(features);
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE

@@ -78,6 +78,7 @@ struct KernelFeatures {
   bool lights = false;         ///< WideScene::lights
   bool pilot = false;          ///< WideView::plain; portable, with `bvh` and `lights`
   bool lens = false;           ///< WideView::lens_right and the others; not with `pilot`
+  bool caustics = false;       ///< WideScene::casters; with `lights`, includes `lens`
 };
 /// The kernel with these features.
 template <typename T>

@@ -49,6 +49,18 @@ struct Paths {
   Mask light_sampled;  ///< the ray leaves a surface where a light was sampled
   V plain_square;      ///< KernelFeatures::pilot: see PlainPaths::squares
 
+  // With KernelFeatures::caustics: the path since the last diffuse surface, as long as it meets one
+  // caster only.
+  enum Chain : std::uint32_t { kNone, kInside, kLeft };
+  Bits chain;              ///< a Chain: whether it is inside the caster or has left it
+  Bits caster;             ///< leaf of the caster
+  Triple<V> start;         ///< the point on the diffuse surface
+  Triple<V> start_normal;  ///< on the side of the path
+  V start_cosine;          ///< between normal and scattered ray
+  V impact;                ///< distance of that ray from the centre of the caster, in its radii
+  V chords;                ///< through the caster so far
+  V passed;                ///< the product of reflectances and transmittances
+
   static HWY_INLINE Paths begin(Mask alive) {
     const V zero = hn::Zero(D());
     const Bits none = hn::Zero(hn::RebindToUnsigned<D>());
@@ -68,7 +80,15 @@ struct Paths {
             .order = none,
             .radiance = nowhere,
             .light_sampled = hn::MaskFromVec(zero),
-            .plain_square = zero};
+            .plain_square = zero,
+            .chain = none,
+            .caster = none,
+            .start = nowhere,
+            .start_normal = nowhere,
+            .start_cosine = zero,
+            .impact = zero,
+            .chords = zero,
+            .passed = zero};
   }
 
   HWY_INLINE LaneSampler<D> sampler(SamplerKind kind, Bits mixer) const {

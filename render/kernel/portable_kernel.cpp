@@ -17,12 +17,13 @@ TraceRuns<double>* choose_pilot(bool has_motion) noexcept {
 TraceRuns<double>* portable_kernel(KernelFeatures features) noexcept {
   using namespace HWY_NAMESPACE;
   if (features.pilot) return choose_pilot(features.motion);
+  if (features.caustics) return choose_kernel<double, Extra::Caustics>(features);
   if (features.lens) {
-    return features.lights ? choose_kernel<double, true, true>(features)
-                           : choose_kernel<double, false, true>(features);
+    return features.lights ? choose_kernel<double, Extra::LensAndLights>(features)
+                           : choose_kernel<double, Extra::Lens>(features);
   }
-  return features.lights ? choose_kernel<double, true, false>(features)
-                         : choose_kernel<double, false, false>(features);
+  return features.lights ? choose_kernel<double, Extra::Lights>(features)
+                         : choose_kernel<double, Extra::None>(features);
 }
 
 }  // namespace sdlc::render

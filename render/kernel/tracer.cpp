@@ -78,7 +78,8 @@ class TracerIn final : public Tracer {
   TracerIn(const Scene& rebased, const Rebase& rebase, const Pinhole& pinhole,
            const TracerOptions& options, ChooseKernel<T>& choose)
       : Tracer(rebase, reach_of(rebased, options.exact_spheres)),
-        scene_(rebased, options.search, options.exact_spheres, options.lights),
+        scene_(rebased, options.search, options.exact_spheres, options.lights,
+               options.casters),
         camera_(rebased.camera),
         kernel_(choose(kernel_features(scene_, camera_))),
         pinhole_(pinhole) {}
@@ -131,7 +132,8 @@ class TracerIn final : public Tracer {
             .bvh = scene.search == Search::Bvh,
             .instances = !scene.instances.empty(),
             .lights = scene.lights.nodes > 0,
-            .lens = camera.has_lens()};
+            .lens = camera.has_lens(),
+            .caustics = scene.casters.nodes > 0};
   }
 
   const WideScene<T> scene_;

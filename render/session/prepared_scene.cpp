@@ -17,7 +17,8 @@ PreparedScene::PreparedScene(Kernel kernel, Scene scene, int threads) : kernel_(
                                           .search = kernel_.search,
                                           .exact_spheres = kernel_.exact_spheres,
                                           .near_pairs = kernel_.bounds.near_pairs,
-                                          .lights = kernel_.lights});
+                                          .lights = kernel_.lights,
+                                          .casters = kernel_.casters});
   });
   // For a lattice of touching spheres they are larger than the spheres.
   kernel_.bounds.near_pairs.reset();

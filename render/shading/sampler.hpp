@@ -32,6 +32,10 @@ enum VertexPair : std::uint32_t {
   kChoice,     ///< first: selects one of several events, or the distance in a ball
   kLight,      ///< direction within the cone of an emitter
   kVertexPairs,
+  /// Connections through mirrors and glass. The pairs of vertices do not get this far.
+  kCaster = 0x20000000,  ///< first: selects the caster; second: one of the paths by way of it
+  kCausticLight,         ///< first: selects the light; second: the number of chords
+  kCausticPoint,         ///< the point on the light
 };
 
 /// The step between consecutive samples and words before mixing: 2^32 divided by the golden ratio,
