@@ -163,25 +163,49 @@ void write_stats(const std::string& path, const std::string& lines, Environment&
 /// The first pass is finished in any case.
 constexpr double kMinSecondsToTrace = 1e-3;
 
+/// Every `step`-th row.
+render::Picture rows_of(const render::Picture& picture, int step) {
+  render::Picture rows(picture.width, (picture.height + step - 1) / step);
+  for (int y = 0; y < rows.height; ++y) {
+    for (int x = 0; x < rows.width; ++x) rows.at(x, y) = picture.at(x, step * y);
+  }
+  return rows;
+}
+
+/// The seconds to encode a picture with as many layers as were requested, which do not exist yet.
+double seconds_to_encode(const render::Picture& picture, const Output& output,
+                         const RenderOptions& options, const render::ToneMapping& mapping) {
+  std::vector<render::Layer> layers(options.aovs.channels());
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    layers[i].name = std::to_string(i);
+    for (const render::LinearRgb& pixel : picture.pixels) {
+      layers[i].values.push_back(render::to_float(pixel.g));
+    }
+  }
+  const auto start = render::Clock::now();
+  render::encode_picture(picture, {.format = output.format,
+                                   .mapping = mapping,
+                                   .ppm_text = options.ppm_text,
+                                   .layers = layers});
+  return render::seconds_since(start);
+}
+
 /// The seconds to write the picture, as measured with some of its rows: other programs may take
 /// most of the processor.
 double seconds_to_write(const render::Picture& picture, const std::vector<Output>& outputs,
-                        const render::ToneMapping& mapping) {
+                        const RenderOptions& options, const render::ToneMapping& mapping) {
   constexpr int kStep = 16;
   constexpr double kSecondsPerFile = 0.02;
-  render::Picture rows(picture.width, (picture.height + kStep - 1) / kStep);
-  for (int y = 0; y < rows.height; ++y) {
-    for (int x = 0; x < rows.width; ++x) rows.at(x, y) = picture.at(x, kStep * y);
-  }
-  const auto start = std::chrono::steady_clock::now();
+  const render::Picture rows = rows_of(picture, kStep), row = rows_of(picture, picture.height);
+  double seconds = kSecondsPerFile * static_cast<double>(outputs.size());
   try {
     for (const Output& output : outputs) {
-      render::encode_picture(rows, {.format = output.format, .mapping = mapping});
+      seconds_to_encode(row, output, options, mapping);  // waits for the codec
+      seconds += kStep * seconds_to_encode(rows, output, options, mapping);
     }
   } catch (const render::IoError&) {  // writing will report it
   }
-  return kStep * render::seconds_since(start) +
-         kSecondsPerFile * static_cast<double>(outputs.size());
+  return seconds;
 }
 
 /// Traces with progress; Ctrl-C ends it early. Moves the scene away.
@@ -198,7 +222,7 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
                                                          : render::Preload::Late);
   };
   monitor.seconds_to_finish = [&](const render::Picture& picture) {
-    return seconds_to_write(picture, outputs, lowered.output.mapping);
+    return seconds_to_write(picture, outputs, options, lowered.output.mapping);
   };
   const InterruptGuard interrupt(monitor.cancel);
   const ProgressReporter progress(progress_style(options, env), monitor, lowered.settings, env.err);

@@ -48,7 +48,8 @@ bool GoalRender::pass(std::span<const std::uint32_t> samples) {
   const bool is_whole = tracer_.trace_pass(
       film_, [&](std::size_t pixel) { return counts[counts.size() == 1 ? 0 : pixel]; },
       [this] { return is_late(); });
-  if (std::exchange(is_first_pass_, false) && deadline_) reserve_time_to_finish();
+  is_first_pass_ = false;
+  if (deadline_) reserve_time_to_finish();
   if (monitor_.on_pass) monitor_.on_pass(film_);
   if (deadline_) {
     report_progress(std::chrono::duration<double>(Clock::now() - start_).count() /
@@ -70,7 +71,13 @@ void GoalRender::report_progress(double share) {
 }
 
 void GoalRender::reserve_time_to_finish() {
+  // Late enough for the caller's modules to be loaded, and early enough: a pass with at most four
+  // times as many samples ends before the limit. Only an adaptive one may be longer.
+  constexpr double kShare = 0.125;
   const auto begin = Clock::now();
+  const bool is_soon = seconds_since(start_) < kShare * *settings_.seconds;
+  if (is_time_reserved_ || (is_soon && !settings_.is_adaptive)) return;
+  is_time_reserved_ = true;
   estimate();
   double seconds = seconds_since(begin);
   if (monitor_.seconds_to_finish) seconds += monitor_.seconds_to_finish(result_.picture);

@@ -44,7 +44,8 @@ class GoalRender {
   std::vector<std::uint32_t> samples_of_film() const;
   bool is_late() const;
   void report_progress(double share);
-  /// Sets the deadline so much earlier as estimating the error and the work of the caller take.
+  /// Once, after a pass: sets the deadline so much earlier as estimating the error and the work of
+  /// the caller take.
   void reserve_time_to_finish();
   /// Updates the picture, its error estimate and the numbers of samples.
   void estimate();
@@ -60,6 +61,7 @@ class GoalRender {
   std::vector<PixelSpread> spreads_;
   std::vector<std::uint32_t> targets_;
   bool is_first_pass_ = true;
+  bool is_time_reserved_ = false;
 };
 
 }  // namespace sdlc::render

@@ -29,8 +29,8 @@ struct RenderMonitor {
   std::function<void()> on_tracing;
   /// Called after each pass with the samples so far: once, at the end, if there is no goal.
   std::function<void(const Film& film)> on_pass;
-  /// With a time limit, called once, after the first pass, with the picture so far: the seconds
-  /// that the caller needs after the render. The limit includes them.
+  /// With a time limit, called once, after an early pass, with the picture so far: the seconds that
+  /// the caller needs after the render. The limit includes them.
   std::function<double(const Picture& picture)> seconds_to_finish;
 };
 

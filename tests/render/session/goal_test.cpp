@@ -193,6 +193,27 @@ TEST(GoalForTime, GivesEveryPixelASampleHoweverShortItIs) {
   EXPECT_FALSE(result.error);
 }
 
+TEST(GoalForTime, LeavesTheTimeToFinish) {
+  RenderSettings settings = kSmall;
+  settings.samples = 1 << 24;
+  settings.seconds = 1;
+  int calls = 0, later_passes = 0;
+  bool has_picture = false;
+  RenderMonitor monitor;
+  monitor.seconds_to_finish = [&](const Picture& picture) {
+    ++calls;
+    has_picture = picture.at(20, 15).g > 0;
+    return 2.0;
+  };
+  monitor.on_pass = [&](const Film&) { later_passes += calls; };
+  const RenderResult result = render(choose_kernel(sphere_under_the_sky(), settings),
+                                     sphere_under_the_sky(), settings, monitor);
+  EXPECT_TRUE(result.is_complete);
+  EXPECT_EQ(calls, 1);
+  EXPECT_TRUE(has_picture);
+  EXPECT_EQ(later_passes, 1);  // the one after which it was called
+}
+
 TEST(GoalForTime, CountsTheSamplesOfEachPixel) {
   RenderSettings settings = kSmall;
   settings.width = 400;
