@@ -4,8 +4,13 @@
 find_package(GTest REQUIRED)
 include(GoogleTest)
 
+# Tests are compiled more often than they run, and what takes time is in the modules: -O1 compiles a quarter faster than
+# the -O3 of a release.
+set(SDLC_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+
 # As for modules, with GoogleTest. A program, because libraries are compiled with -fPIC and programs with -fPIE.
 add_executable(sdlc_test_precompiled EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/precompiled.cpp)
+target_compile_options(sdlc_test_precompiled PRIVATE ${SDLC_TEST_OPTIONS})
 target_link_libraries(sdlc_test_precompiled PRIVATE GTest::gmock GTest::gtest GTest::gtest_main)
 target_precompile_headers(sdlc_test_precompiled PRIVATE ${SDLC_PRECOMPILED_HEADERS} <gmock/gmock.h> <gtest/gtest.h>)
 
@@ -16,6 +21,7 @@ function(sdlc_test name)
   endif()
 
   add_executable(${name} ${arg_FILES})
+  target_compile_options(${name} PRIVATE ${SDLC_TEST_OPTIONS})
   target_link_libraries(${name} PRIVATE ${arg_LINKS} GTest::gmock GTest::gtest GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_precompile_headers(${name} REUSE_FROM sdlc_test_precompiled)
