@@ -42,17 +42,28 @@ std::string_view words_of(render::LightPath kind) {
 }
 
 /// The warning that the error is unknown although the replicates agree.
-std::string rare_light(const std::vector<render::RarePath>& rare) {
+std::string rare_light(const render::RenderResult& result) {
+  const std::vector<render::RarePath>& rare = result.rare_paths;
   // On ties the reverse order prefers caustics, the likeliest to be missing.
   const auto weight = [](const render::RarePath& path) {
     return path.paths < render::EmitterTally::kWitnesses ? 3 * path.radiance : path.radiance;
   };
   const auto worst = std::ranges::max_element(rare.rbegin(), rare.rend(), {}, weight);
+  if (!result.kernel.casters.empty() && worst->kind == render::LightPath::Caustic &&
+      worst->paths >= render::EmitterTally::kWitnesses) {
+    return fmt::format(
+        "the error is unknown: {} bright paths by way of mirrors or glass make much of the noise, "
+        "and more may be missing; more samples find them",
+        worst->paths);
+  }
+  const bool is_specular =
+      worst->kind == render::LightPath::Caustic || worst->kind == render::LightPath::Reflected;
+  const bool may_help = is_specular && result.kernel.casters.empty();
   return fmt::format(
       "the error is unknown: {} path{} reached a light {}, so some of its light may be missing in "
-      "the picture; more samples may find it",
+      "the picture; more samples{} may find it",
       worst->paths == 0 ? "no" : fmt::format("only {}", worst->paths), worst->paths > 1 ? "s" : "",
-      words_of(worst->kind));
+      words_of(worst->kind), may_help ? ", or --light-sampling caustics," : "");
 }
 
 /// The warning about an error that no kind of path hides: the picture is black and its paths were
@@ -116,7 +127,7 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
   // With fewer samples the error is not estimated, so nothing can be missing in it.
   const bool has_estimate = result.min_samples >= render::kMinReplicatedSamples;
   if (!result.rare_paths.empty()) {
-    warnings.push_back(rare_light(result.rare_paths));
+    warnings.push_back(rare_light(result));
   } else if (has_estimate && !result.error) {
     warnings.push_back(unknown_error(result.picture));
   }

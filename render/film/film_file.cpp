@@ -21,7 +21,9 @@ FilmError::FilmError(Reason reason, const fs::path& path, const std::string& cau
 std::string difference(const StoredFilm& film, const StoredFilm& expected) {
   std::string of_origin = difference(film.origin, expected.origin);
   if (!of_origin.empty()) return of_origin;
-  if (film.lights != expected.lights) return "other lights are sampled";
+  if (film.lights != expected.lights || film.casters != expected.casters) {
+    return "other lights are sampled";
+  }
   if (film.exact_spheres != expected.exact_spheres) return "other spheres are computed in double";
   if (!std::ranges::equal(film.emitters, expected.emitters, {}, &EmitterCount::enough,
                           &EmitterCount::enough)) {

@@ -19,6 +19,7 @@ struct StoredFilm {
   FilmOrigin origin;
   TraceCounts statistics;
   std::vector<std::uint32_t> lights;         ///< Kernel::lights
+  std::vector<std::uint32_t> casters;        ///< Kernel::casters
   std::vector<std::uint32_t> exact_spheres;  ///< Kernel::exact_spheres
   std::vector<EmitterCount> emitters;        ///< EmitterTally::counts()
   std::vector<std::uint32_t> targets;        ///< samples of each pixel, if adaptive; else empty

@@ -22,8 +22,9 @@ inline constexpr std::string_view kMark = "sdlcfilm";
 inline constexpr std::uint32_t kVersion = 1;
 using Tag = std::array<char, 4>;
 inline constexpr Tag kOrigin{'o', 'r', 'i', 'g'}, kStatistics{'s', 't', 'a', 't'},
-    kLights{'l', 'g', 'h', 't'}, kExact{'e', 'x', 'a', 'c'}, kEmitters{'e', 'm', 'i', 't'},
-    kTargets{'t', 'a', 'r', 'g'}, kFilm{'f', 'i', 'l', 'm'}, kEnd{'e', 'n', 'd', ' '};
+    kLights{'l', 'g', 'h', 't'}, kCasters{'c', 'a', 's', 't'}, kExact{'e', 'x', 'a', 'c'},
+    kEmitters{'e', 'm', 'i', 't'}, kTargets{'t', 'a', 'r', 'g'}, kFilm{'f', 'i', 'l', 'm'},
+    kEnd{'e', 'n', 'd', ' '};
 
 /// A film as it is stored, before the counts by pixel and replicate and then the values of each
 /// sum.

@@ -55,7 +55,8 @@ class Reader {
 
  private:
   static bool is_single(Tag tag) {
-    constexpr std::array kSingle{kOrigin, kStatistics, kLights, kExact, kEmitters, kTargets};
+    constexpr std::array kSingle{kOrigin, kStatistics, kLights, kCasters,
+                                 kExact,  kEmitters,   kTargets};
     return std::ranges::count(kSingle, tag) > 0;
   }
 
@@ -101,6 +102,8 @@ class Reader {
       film_.statistics = take<TraceCounts>();
     } else if (tag == kLights) {
       film_.lights = take_rest<std::uint32_t>();
+    } else if (tag == kCasters) {
+      film_.casters = take_rest<std::uint32_t>();
     } else if (tag == kExact) {
       film_.exact_spheres = take_rest<std::uint32_t>();
     } else if (tag == kEmitters) {

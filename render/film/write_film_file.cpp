@@ -88,6 +88,7 @@ void write_film_file(const std::filesystem::path& path, const StoredFilm& film) 
     write_section(write, kOrigin, std::as_bytes(std::span(origin)));
     write_section(write, kStatistics, bytes_of(film.statistics));
     write_section(write, kLights, std::as_bytes(std::span(film.lights)));
+    write_section(write, kCasters, std::as_bytes(std::span(film.casters)));
     write_section(write, kExact, std::as_bytes(std::span(film.exact_spheres)));
     write_section(write, kEmitters, std::as_bytes(std::span(film.emitters)));
     write_section(write, kTargets, std::as_bytes(std::span(film.targets)));

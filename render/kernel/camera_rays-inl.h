@@ -72,6 +72,10 @@ void CameraRays<T, F>::start(Paths<T>& paths, Runs& runs) const {
   const Triple<V> place =
       plus_scaled(plus_scaled(runs.corner(), spread(d, view_.spread_right), in_pixel.first),
                   spread(d, view_.spread_up), in_pixel.second);
+  if constexpr (F::kCaustics) {
+    paths.in_pixel_x = hn::IfThenElse(paths.fresh, in_pixel.first, paths.in_pixel_x);
+    paths.in_pixel_y = hn::IfThenElse(paths.fresh, in_pixel.second, paths.in_pixel_y);
+  }
   if constexpr (F::kMotion) {
     paths.time = hn::IfThenElse(paths.fresh, sampler.first(kTime), paths.time);
   }

@@ -43,6 +43,8 @@ class EmitterCounts {
   HWY_INLINE bool is_counting() const { return tally_ != nullptr; }
   /// Counts the emitters of `reached`, and adds the surfaces to the paths that have not `ended`.
   void add_vertices(Mask reached, Bits index, Mask ended, Bits surface);
+  /// Counts what paths by way of casters contribute, as the root mean square over channels.
+  void add_contributions(Mask found, hn::Vec<D> radiance);
   /// Counts lights that shadow rays reached.
   void add_connections(Mask visible, Bits index) {
     count(visible, index, [](std::size_t) { return LightPath::Direct; });
@@ -77,6 +79,15 @@ void EmitterCounts<T, kInstances>::add_vertices(Mask reached, Bits index, Mask e
   const auto is_diffuse = hn::RebindMask(du, Bsdf<T>::is_diffuse(surface));
   const Bits next = hn::IfThenElse(is_diffuse, after_diffuse, after_specular);
   hn::Store(hn::IfThenElse(hn::RebindMask(du, ended), hn::Zero(du), next), du, history_.data());
+}
+
+template <typename T, bool kInstances>
+void EmitterCounts<T, kInstances>::add_contributions(Mask found, hn::Vec<D> radiance) {
+  alignas(64) std::array<T, kLanes> of_lanes;
+  hn::Store(radiance, D(), of_lanes.data());
+  for (std::uint32_t lanes = bits_of(D(), found); lanes != 0; lanes &= lanes - 1) {
+    tally_->count_contribution(of_lanes[static_cast<std::size_t>(std::countr_zero(lanes))]);
+  }
 }
 
 template <typename T, bool kInstances>

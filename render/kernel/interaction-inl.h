@@ -68,6 +68,10 @@ class Interactions {
 
   HWY_INLINE Interaction<T> at(const Paths<T>& paths, const Hit<T>& hit) const;
   HWY_INLINE void depart(Paths<T>& paths, const Hit<T>& hit, const Interaction<T>& at) const;
+  /// Reads WideScene::bsdf for the spheres in these slots.
+  HWY_INLINE TableReader<D> optics_of(Bits slot) const {
+    return optics_reader(material_reader(TableReader<D>(slot, scene_.slots)));
+  }
 
  private:
   HWY_INLINE TableReader<D> material_reader(const TableReader<D>& by_slot) const {

@@ -136,27 +136,73 @@ Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
   return kernel;
 }
 
-/// The emitters that diffuse surfaces sample. The geometric choice decides if the pilot found
-/// hardly any light: light in one corner of the picture may be what matters.
-std::vector<std::uint32_t> lights_for(const Scene& scene, const RenderSettings& settings) {
-  std::vector<std::uint32_t> chosen = choose_lights(scene, settings.light_sampling);
+/// What connections are made to, and by way of what.
+struct Connections {
+  std::vector<std::uint32_t> lights, casters;
+};
+
+/// Whether a light is so small, as seen from a caster, that scattering hardly ever finds it.
+bool is_hard_to_find(const Scene& scene, const Connections& of) {
+  constexpr double kSmallAngle = 1.0 / 30;  // of the light's radius
+  constexpr std::size_t kMaxPairs = 4096;
+  if (of.lights.size() * of.casters.size() > kMaxPairs) return false;
+  for (const std::uint32_t caster : of.casters) {
+    for (const std::uint32_t light : of.lights) {
+      const Sphere& from = scene.spheres[caster];
+      const Sphere& to = scene.spheres[light];
+      const double distance = moderate_length(to.center - from.center);
+      if (distance > from.radius + to.radius && to.radius < kSmallAngle * distance) return true;
+    }
+  }
+  return false;
+}
+
+/// The connections of LightSampling::Auto. Geometry decides if the pilot found hardly any light:
+/// light in one corner of the picture may be what matters.
+Connections connections_by_pilot(const Scene& scene, const RenderSettings& settings,
+                                 const Connections& all) {
+  constexpr std::uint64_t kEnough = 30;
+  constexpr double kTie = 0.8;  // casters are left out unless they save this much
+  std::vector<std::uint32_t> chosen = choose_lights(scene, LightSampling::Auto);
+  const LightPilot of_all = run_light_pilot(scene, settings, all.lights, all.casters);
+  const auto with_casters = [&](std::vector<std::uint32_t> lights) {
+    return is_hard_to_find(scene, {lights, all.casters}) ? Connections{lights, all.casters}
+                                                         : Connections{lights, {}};
+  };
+  if (of_all.connections < kEnough) return with_casters(std::move(chosen));
+  LightPilot::Cost of_chosen;
+  if (!chosen.empty() && chosen.size() < all.lights.size()) {
+    of_chosen = run_light_pilot(scene, settings, chosen, {}).direct;
+  }
+  const double direct = std::min(of_all.direct.product(), of_chosen.product());
+  const double best = std::min(direct, 1.0);
+  if (of_all.caustics < kEnough && best < 1) {
+    const Connections found = with_casters(all.lights);
+    if (!found.casters.empty()) return found;
+  } else if (of_all.with_casters.product() < kTie * best) {
+    return all;
+  }
+  if (best >= 1) return {};
+  return {of_chosen.product() < of_all.direct.product() ? chosen : all.lights, {}};
+}
+
+Connections connections_for(const Scene& scene, const RenderSettings& settings,
+                            std::span<const std::uint32_t> exact_spheres) {
+  if (settings.light_sampling != LightSampling::Auto) {
+    Connections all{choose_lights(scene, settings.light_sampling), {}};
+    if (settings.light_sampling == LightSampling::Caustics && !all.lights.empty()) {
+      all.casters = choose_casters(scene, exact_spheres);
+    }
+    return all;
+  }
   constexpr std::size_t kMaxPilotSpheres = 1 << 17;  // building the BVH twice takes time
-  if (settings.light_sampling != LightSampling::Auto || !scene.instances.empty() ||
-      scene.spheres.size() > kMaxPilotSpheres) {
-    return chosen;
+  if (!scene.instances.empty() || scene.spheres.size() > kMaxPilotSpheres) {
+    return {choose_lights(scene, LightSampling::Auto), {}};
   }
-  std::vector<std::uint32_t> all = choose_lights(scene, LightSampling::On);
-  if (all.empty()) return all;
-  constexpr std::uint64_t kEnoughConnections = 30;
-  const LightPilot of_all = run_light_pilot(scene, settings, all);
-  if (of_all.connections < kEnoughConnections) return chosen;
-  LightPilot of_chosen;
-  if (!chosen.empty() && chosen.size() < all.size()) {
-    of_chosen = run_light_pilot(scene, settings, chosen);
-  }
-  const auto cost = [](const LightPilot& pilot) { return pilot.variance * pilot.work; };
-  if (std::min(cost(of_all), cost(of_chosen)) >= 1) return {};
-  return cost(of_chosen) < cost(of_all) ? chosen : all;
+  Connections all{choose_lights(scene, LightSampling::On), {}};
+  if (all.lights.empty()) return all;
+  all.casters = choose_casters(scene, exact_spheres);
+  return connections_by_pilot(scene, settings, all);
 }
 
 }  // namespace
@@ -184,12 +230,15 @@ Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request) {
   Kernel kernel = kernel_for(scene, settings, request);
   if (kernel.refusal) return kernel;
-  kernel.lights = lights_for(scene, settings);
+  Connections connections = connections_for(scene, settings, kernel.exact_spheres);
+  kernel.lights = std::move(connections.lights);
+  kernel.casters = std::move(connections.casters);
   if (settings.light_sampling == LightSampling::Auto &&
       !choose_lights(scene, LightSampling::On).empty()) {
     const std::size_t count = kernel.lights.size();
+    const std::string lights = std::to_string(count) + (count == 1 ? " light" : " lights");
     kernel.light_choice =
-        count == 0 ? "off" : "on, " + std::to_string(count) + (count == 1 ? " light" : " lights");
+        count == 0 ? "off" : (kernel.casters.empty() ? "on, " : "caustics, ") + lights;
   }
   return kernel;
 }

@@ -61,6 +61,7 @@ struct Kernel {
   std::vector<std::uint32_t> exact_spheres;  ///< Mixed only: the spheres that are computed in
                                              ///< double
   std::vector<std::uint32_t> lights;         ///< the spheres from choose_lights()
+  std::vector<std::uint32_t> casters;        ///< the spheres from choose_casters()
   /// What LightSampling::Auto chose, as a clause: "on, 12 lights" or "off"; empty without a choice.
   std::string light_choice;
   /// How close the scene comes to the limits of the precision; unknown for a refused request.

@@ -49,8 +49,8 @@ constexpr std::uint32_t kSamples = 8;
 /// Traces kSamples runs of one sample for each of kPixels pixels. All pass through the centre of a
 /// lens: the average over the picture hardly depends on blur.
 TraceCounts trace(Scene scene, const RenderSettings& settings,
-                  std::span<const std::uint32_t> lights, PlainPaths& plain,
-                  std::vector<PixelRun>& runs) {
+                  std::span<const std::uint32_t> lights, std::span<const std::uint32_t> casters,
+                  PlainPaths& plain, std::vector<PixelRun>& runs) {
   constexpr int kMaxDepth = 32;  // contributions beyond this depth are negligible
   const Pinhole pinhole(scene.camera);
   const double width = settings.width, height = settings.height;
@@ -67,7 +67,7 @@ TraceCounts trace(Scene scene, const RenderSettings& settings,
   const Vec3 right = pinhole.across() / width, up = pinhole.upwards() / height;
   rebase_to_camera(scene);
   part_touching(scene, Precision::Double, {});
-  const WideScene<double> wide(scene, Search::Bvh, {}, lights);
+  const WideScene<double> wide(scene, Search::Bvh, {}, lights, casters);
   WideView<double> view;
   view.width = kPixels;
   view.max_depth = static_cast<std::uint32_t>(std::min(settings.depth, kMaxDepth));
@@ -76,8 +76,11 @@ TraceCounts trace(Scene scene, const RenderSettings& settings,
   view.sampler = SamplerKind::Independent;
   view.plain = &plain;
   TraceCounts counts;
-  const KernelFeatures features{
-      .motion = wide.has_motion, .bvh = true, .lights = true, .pilot = true};
+  const KernelFeatures features{.motion = wide.has_motion,
+                                .bvh = true,
+                                .lights = true,
+                                .pilot = true,
+                                .caustics = wide.casters.nodes > 0};
   portable_kernel(features)(wide, view, runs, counts, std::atomic<bool>{false});
   return counts;
 }
@@ -87,11 +90,12 @@ double mean_square(LinearRgb c) noexcept { return (c.r * c.r + c.g * c.g + c.b *
 }  // namespace
 
 LightPilot run_light_pilot(Scene scene, const RenderSettings& settings,
-                           std::span<const std::uint32_t> lights) {
+                           std::span<const std::uint32_t> lights,
+                           std::span<const std::uint32_t> casters) {
   normalize_light(scene);
   PlainPaths plain;
   std::vector<PixelRun> runs;
-  const TraceCounts counts = trace(std::move(scene), settings, lights, plain, runs);
+  const TraceCounts counts = trace(std::move(scene), settings, lights, casters, plain, runs);
   double variance = 0, squared_mean = 0;  // sums over pixels
   for (std::size_t first = 0; first < runs.size(); first += kSamples) {
     LinearRgb sum;
@@ -105,17 +109,29 @@ LightPilot run_light_pilot(Scene scene, const RenderSettings& settings,
     squared_mean += mean_square(sum) / (kSamples * kSamples) - of_pixel / kSamples;
   }
   const double plain_variance = plain.squares / kSamples - squared_mean;
-  const auto plain_rays = static_cast<double>(counts.rays - plain.shadow_rays);
+  const std::uint64_t connecting_rays = plain.shadow_rays + plain.caustic_rays;
+  const auto plain_rays = static_cast<double>(counts.rays - connecting_rays);
+  const auto choices = static_cast<double>(plain.choices);
   // Fitted to ten scenes of 1 to 180 lights with the wide kernel; predicts its times to within 20
   // %.
   constexpr double kCostOfStep = 0.45;  // of one level of the light tree, relative to a ray
+  constexpr double kCostOfBeams = 6;    // of Beams, relative to a ray
   const double steps = kCostOfStep * static_cast<double>(std::bit_width(lights.size()));
-  LightPilot pilot;
-  pilot.connections = plain.connections;
-  pilot.work =
-      1 + (static_cast<double>(plain.shadow_rays) + static_cast<double>(plain.choices) * steps) /
-              plain_rays;
-  if (plain_variance > 0 && variance > 0) pilot.variance = variance / plain_variance;
+  const double work = 1 + (static_cast<double>(plain.shadow_rays) + choices * steps) / plain_rays;
+  LightPilot pilot{.direct = {.variance = 1, .work = work},
+                   .with_casters = {.variance = 1, .work = work},
+                   .connections = plain.connections,
+                   .caustics = plain.caustics};
+  if (!casters.empty()) {
+    const double of_casters = kCostOfStep * static_cast<double>(std::bit_width(casters.size()));
+    pilot.with_casters.work +=
+        (static_cast<double>(plain.caustic_rays) + choices * (of_casters + kCostOfBeams)) /
+        plain_rays;
+  }
+  if (plain_variance > 0 && variance > 0) {
+    pilot.with_casters.variance = variance / plain_variance;
+    pilot.direct.variance = (variance + plain.squares_without_caustics / kSamples) / plain_variance;
+  }
   return pilot;
 }
 

@@ -31,7 +31,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// KernelFeatures of a kernel.
 template <bool motion, bool exact_spheres, bool bvh, bool instances, bool lights,
-          bool pilot = false, bool lens = false>
+          bool pilot = false, bool lens = false, bool caustics = false>
 struct Features {
   static constexpr bool kMotion = motion;
   static constexpr bool kExactSpheres = exact_spheres;
@@ -40,6 +40,7 @@ struct Features {
   static constexpr bool kLights = lights;
   static constexpr bool kPilot = pilot;  // with kLights
   static constexpr bool kLens = lens;
+  static constexpr bool kCaustics = caustics;  // with kLights
 };
 
 template <typename T, bool kMotion>

@@ -20,6 +20,7 @@
 #include <hwy/highway.h>
 
 #include "render/kernel/camera_rays-inl.h"
+#include "render/kernel/caustics-inl.h"
 #include "render/kernel/emitter_counts-inl.h"
 #include "render/kernel/interaction-inl.h"
 #include "render/kernel/lane_runs-inl.h"
@@ -50,7 +51,9 @@ class WidePaths {
         runs_(view, runs),
         emitters_(scene, view.emitters),
         is_observed_(emitters_.is_counting() || view.keeps_first_hits),
-        counts_(counts) {}
+        counts_(counts),
+        interactions_(scene),
+        caustics_(scene, view, interactions_, tests_, counts) {}
 
   void trace(const std::atomic<bool>& cancel);
 
@@ -86,10 +89,12 @@ class WidePaths {
   /// `throughput`: of camera rays, so that it is the colour of the surface.
   HWY_NOINLINE void add_first_hits(Mask first, V distance, Bits index, Triple<V> direction,
                                    Triple<V> normal, Triple<V> throughput) const;
-  HWY_INLINE void weigh_emission(Paths& paths, const Hit& hit, const Interaction& at) const;
+  HWY_INLINE Mask weigh_emission(Paths& paths, const Hit& hit, const Interaction& at) const;
   HWY_INLINE Ends end_paths(Paths& paths, const Interaction& at, Mask absorbed);
   HWY_INLINE void connect_lights(Paths& paths, const Interaction& at, const Ends& ends,
                                  const LaneSampler<D>& sampler);
+  using CausticConnection = typename Caustics<T, F>::Connection;
+  HWY_INLINE void add_connection(Paths& paths, const CausticConnection& found);
   HWY_INLINE Mask trace_shadow_rays(const Paths& paths, const LightSample& light);
   HWY_INLINE void count_connections(const LightSample& light, Mask visible,
                                     Triple<V> contribution) const;
@@ -103,6 +108,8 @@ class WidePaths {
   const bool is_observed_;
   SphereTests tests_;
   TraceCounts& counts_;
+  const Interactions<T, F> interactions_;
+  Caustics<T, F> caustics_;
 };
 
 template <typename T, typename F>
@@ -110,28 +117,40 @@ void WidePaths<T, F>::trace(const std::atomic<bool>& cancel) {
   constexpr std::uint32_t kStepsBetweenLooks = 1024;
   constexpr std::uint32_t kVertexStep = kPairIncrement * kVertexPairs;
   const CameraRays<T, F> camera(scene_, view_);
-  const Interactions<T, F> interactions(scene_);
   Paths paths = Paths::begin(runs_.active());
   for (std::uint32_t step = 1; !hn::AllFalse(D(), paths.alive); ++step) {
     if (step % kStepsBetweenLooks == 0 && cancel.load(std::memory_order_relaxed)) return;
 
-    if (!hn::AllFalse(D(), paths.fresh)) camera.start(paths, runs_);
+    if (!hn::AllFalse(D(), paths.fresh)) {
+      camera.start(paths, runs_);
+      if constexpr (F::kCaustics) add_connection(paths, caustics_.connect_to_camera(paths, runs_));
+    }
     set_directions(paths);
     Hit hit = intersect(paths);
-    Interaction at = interactions.at(paths, hit);
+    Interaction at = interactions_.at(paths, hit);
     paths.throughput = product(paths.throughput, at.color);
-    if constexpr (F::kLights) weigh_emission(paths, hit, at);
+    Mask is_connected = hn::MaskFromVec(hn::Zero(D()));
+    if constexpr (F::kLights) is_connected = weigh_emission(paths, hit, at);
 
     const LaneSampler<D> sampler = paths.sampler(view_.sampler, runs_.mixer());
     auto scattered = Bsdf<T>(scene_.bsdf, at.by_optics)
                          .sample(paths.direction, at.normal, at.cosine, at.surface, sampler);
     paths.next = scattered.direction;
     paths.stream = add_low_32(paths.stream, word(kVertexStep));
-    interactions.depart(paths, hit, at);
+    if constexpr (F::kCaustics) caustics_.follow(paths, hit, at, scattered);
+    interactions_.depart(paths, hit, at);
     Ends ends = end_paths(paths, at, scattered.absorbed);
+    if constexpr (F::kCaustics) {
+      paths.chain = hn::IfThenZeroElse(hn::RebindMask(DU(), ends.all), paths.chain);
+    }
     if (HWY_UNLIKELY(is_observed_)) {  // one branch and plain values: others cost 4 % here
       if (emitters_.is_counting()) {
-        emitters_.add_vertices(hn::And(ends.emitted, at.is_hit), hit.index, ends.all, at.surface);
+        const Mask emitted = hn::And(ends.emitted, at.is_hit);
+        emitters_.add_vertices(hn::AndNot(is_connected, emitted), hit.index, ends.all, at.surface);
+        if constexpr (F::kCaustics) {
+          emitters_.add_contributions(hn::And(is_connected, emitted),
+                                      hn::Sqrt(mean_square(paths.throughput)));
+        }
       }
       if (view_.keeps_first_hits) {
         const Mask is_first =
@@ -213,15 +232,26 @@ void WidePaths<T, F>::add_first_hits(Mask first, V distance, Bits index, Triple<
 }
 
 /// Multiple importance sampling: emission is weighted where its light was also sampled at the
-/// surface that the ray leaves.
+/// surface that the ray leaves. Returns the paths that Caustics finds, too.
 template <typename T, typename F>
-void WidePaths<T, F>::weigh_emission(Paths& paths, const Hit& hit, const Interaction& at) const {
+auto WidePaths<T, F>::weigh_emission(Paths& paths, const Hit& hit, const Interaction& at) const
+    -> Mask {
   const D d;
   if constexpr (F::kPilot) paths.plain_square = mean_square(paths.throughput);
   const Bits leaf = at.by_slot(scene_.lights.leaf_of_slot);
   const Mask has_leaf = hn::RebindMask(d, hn::Ne(leaf, word(kNoLight)));
+  Mask is_connected = hn::MaskFromVec(hn::Zero(d));
+  if constexpr (F::kCaustics) {
+    const V weight = caustics_.weight(paths, at, leaf);
+    paths.throughput = scaled(paths.throughput, weight);
+    is_connected = hn::Lt(weight, set(1));
+    if constexpr (F::kPilot) {
+      paths.plain_square = hn::Mul(paths.plain_square, weight);
+      paths.plain_caustic_square = hn::Mul(paths.plain_square, hn::Sub(set(1), weight));
+    }
+  }
   const Mask is_light = hn::And(hn::And(at.is_hit, paths.light_sampled), has_leaf);
-  if (hn::AllFalse(d, is_light)) return;
+  if (hn::AllFalse(d, is_light)) return is_connected;
   const Triple<V> normal = flipped(paths.normal, hn::And(hit.cosine, hn::SignBit(d)));
   const V weight = hn::IfThenElse(
       is_light,
@@ -230,6 +260,7 @@ void WidePaths<T, F>::weigh_emission(Paths& paths, const Hit& hit, const Interac
       set(1));
   paths.throughput = scaled(paths.throughput, weight);
   if constexpr (F::kPilot) paths.plain_square = hn::Mul(paths.plain_square, weight);
+  return is_connected;
 }
 
 template <typename T, typename F>
@@ -255,6 +286,9 @@ void WidePaths<T, F>::connect_lights(Paths& paths, const Interaction& at, const 
   if constexpr (F::kPilot) view_.plain->choices += hn::CountTrue(d, paths.light_sampled);
   if (hn::AllFalse(d, paths.light_sampled)) return;
   const Triple<V> facing = flipped(at.normal, hn::AndNot(at.cosine, hn::SignBit(d)));
+  if constexpr (F::kCaustics) {
+    add_connection(paths, caustics_.connect(paths.light_sampled, paths, facing, sampler));
+  }
   LightSample light = Lights(scene_.lights)
                           .sample(paths.light_sampled, {paths.origin, facing, paths.time}, sampler);
   if (hn::AllFalse(d, light.exists)) return;
@@ -267,6 +301,29 @@ void WidePaths<T, F>::connect_lights(Paths& paths, const Interaction& at, const 
   paths.radiance = {add(paths.radiance.x, contribution.x), add(paths.radiance.y, contribution.y),
                     add(paths.radiance.z, contribution.z)};
   if constexpr (F::kPilot) count_connections(light, visible, contribution);
+}
+
+template <typename T, typename F>
+void WidePaths<T, F>::add_connection(Paths& paths, const CausticConnection& found) {
+  const D d;
+  if (hn::AllFalse(d, found.exists)) return;
+  const Triple<V> contribution = product(paths.throughput, found.radiance);
+  const auto add = [&](V sum, V term)
+                       HWY_ATTR { return hn::Add(sum, hn::IfThenElseZero(found.exists, term)); };
+  paths.radiance = {add(paths.radiance.x, contribution.x), add(paths.radiance.y, contribution.y),
+                    add(paths.radiance.z, contribution.z)};
+  if (HWY_UNLIKELY(emitters_.is_counting())) {
+    emitters_.add_connections(found.exists, found.slot);
+    emitters_.add_contributions(found.exists, hn::Sqrt(mean_square(contribution)));
+  }
+  if constexpr (F::kPilot) {
+    PlainPaths& plain = *view_.plain;
+    plain.caustics += hn::CountTrue(d, found.exists);
+    const V square = hn::Div(mean_square(contribution), found.weight);
+    plain.squares += sum_of(found.exists, square);
+    plain.squares_without_caustics +=
+        sum_of(found.exists, hn::Mul(square, hn::Sub(set(1), found.weight)));
+  }
 }
 
 /// The lanes whose light is not occluded.
@@ -312,7 +369,11 @@ void WidePaths<T, F>::accumulate(Paths& paths, const Ends& ends) {
   }
   if constexpr (F::kPilot) {
     contributes = hn::AndNot(paths.fresh, contributes);
-    view_.plain->squares += sum_of(hn::AndNot(paths.fresh, ends.emitted), paths.plain_square);
+    const Mask emitted = hn::AndNot(paths.fresh, ends.emitted);
+    view_.plain->squares += sum_of(emitted, paths.plain_square);
+    if constexpr (F::kCaustics) {
+      view_.plain->squares_without_caustics += sum_of(emitted, paths.plain_caustic_square);
+    }
   }
   runs_.add(finite_only(contributes, contribution), contribution);
 }
@@ -335,35 +396,42 @@ void trace_runs(const WideScene<T>& scene, const WideView<T>& view, std::span<Pi
   WidePaths<T, F>(scene, view, runs, counts).trace(cancel);
 }
 
-template <typename T, bool kLights, bool kLens, bool kMotion, bool kExactSpheres,
-          bool kInstances = false>
+/// What has source files of its own, and is therefore a template parameter.
+enum class Extra : std::uint8_t { None, Lights, Lens, LensAndLights, Caustics };
+
+/// KernelFeatures::caustics includes the lens.
+template <Extra kExtra, bool motion, bool exact_spheres, bool bvh, bool instances>
+using FeaturesWith = Features<motion, exact_spheres, bvh, instances,
+                              kExtra == Extra::Lights || kExtra >= Extra::LensAndLights, false,
+                              kExtra >= Extra::Lens, kExtra == Extra::Caustics>;
+
+template <typename T, Extra kExtra, bool kMotion, bool kExactSpheres, bool kInstances = false>
 TraceRuns<T>* choose_search(KernelFeatures features) noexcept {
   if constexpr (!kInstances) {
     if (!features.bvh) {
-      return &trace_runs<T, Features<kMotion, kExactSpheres, false, false, kLights, false, kLens>>;
+      return &trace_runs<T, FeaturesWith<kExtra, kMotion, kExactSpheres, false, false>>;
     }
   }
-  return &trace_runs<T, Features<kMotion, kExactSpheres, true, kInstances, kLights, false, kLens>>;
+  return &trace_runs<T, FeaturesWith<kExtra, kMotion, kExactSpheres, true, kInstances>>;
 }
 
-/// `kLights` and `kLens` as in `features`; they are template parameters because their values have
-/// source files of their own.
-template <typename T, bool kLights, bool kLens>
+/// `kExtra` as in `features`.
+template <typename T, Extra kExtra>
 TraceRuns<T>* choose_kernel(KernelFeatures features) noexcept {
   if constexpr (sizeof(T) == 8) {
     if (features.instances) {
-      return features.motion ? choose_search<T, kLights, kLens, true, false, true>(features)
-                             : choose_search<T, kLights, kLens, false, false, true>(features);
+      return features.motion ? choose_search<T, kExtra, true, false, true>(features)
+                             : choose_search<T, kExtra, false, false, true>(features);
     }
   }
   if constexpr (sizeof(T) == 4) {
     if (features.exact_spheres) {
-      return features.motion ? choose_search<T, kLights, kLens, true, true>(features)
-                             : choose_search<T, kLights, kLens, false, true>(features);
+      return features.motion ? choose_search<T, kExtra, true, true>(features)
+                             : choose_search<T, kExtra, false, true>(features);
     }
   }
-  return features.motion ? choose_search<T, kLights, kLens, true, false>(features)
-                         : choose_search<T, kLights, kLens, false, false>(features);
+  return features.motion ? choose_search<T, kExtra, true, false>(features)
+                         : choose_search<T, kExtra, false, false>(features);
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE

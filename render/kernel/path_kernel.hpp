@@ -28,6 +28,13 @@ struct PlainPaths {
   std::uint64_t shadow_rays = 0;
   std::uint64_t connections = 0;  ///< shadow rays that reached their light
   std::uint64_t choices = 0;      ///< surfaces at which a light was chosen
+
+  /// What paths without the connections of Caustics would add to the sum of the squared
+  /// contributions: connections and scattered rays count as v² (1 − w) / w, with v their weighted
+  /// contribution and w the weight of scattered rays in the balance heuristic.
+  double squares_without_caustics = 0;
+  std::uint64_t caustics = 0;      ///< connections of Caustics that reached their light
+  std::uint64_t caustic_rays = 0;  ///< on the way there
 };
 
 /// The first hit of the last camera ray, in the tables of a WideScene.
@@ -38,10 +45,23 @@ struct PickedSlot {
   double distance = 0;    ///< in the rebased scene
 };
 
+/// The image of a light by way of a caster, seen from the camera.
+struct Glint {
+  struct Place {
+    double x = 0, y = 0;
+  };
+  /// The outline of a part of the picture that contains the image, from 0 to 1, from the lower left
+  /// corner.
+  std::array<Place, 64> outline{};
+  std::uint32_t caster = 0, light = 0;  ///< leaves of WideScene::casters and lights; in Glints the
+                                        ///< spheres
+  std::uint32_t chords = 0;             ///< as in SphereSweep
+};
+
 /// What all pixels of a picture share.
 template <typename T>
 struct WideView {
-  std::uint64_t width = 0, seed = 0;
+  std::uint64_t width = 0, height = 0, seed = 0;
   std::uint32_t max_depth = 1;
   /// In the image plane at distance 1, from the camera: the upper left corner of the picture, and
   /// the sides of a pixel.
@@ -55,8 +75,9 @@ struct WideView {
   bool keeps_first_hits = false;
   std::array<T, 3> forward{};
   double depth_units = 0;
-  PickedSlot* picked = nullptr;  ///< may be null
-  PlainPaths* plain = nullptr;   ///< KernelFeatures::pilot
+  PickedSlot* picked = nullptr;     ///< may be null
+  PlainPaths* plain = nullptr;      ///< KernelFeatures::pilot
+  std::span<const Glint> glints{};  ///< KernelFeatures::caustics
   /// KernelFeatures::lens: the radii of the lens to the right and upwards, and the same divided by
   /// the distance of the plane in focus. 0 sends all rays through the centre of the lens.
   std::array<T, 3> lens_right{}, lens_up{}, lens_right_in_view{}, lens_up_in_view{};
@@ -78,6 +99,7 @@ struct KernelFeatures {
   bool lights = false;         ///< WideScene::lights
   bool pilot = false;          ///< WideView::plain; portable, with `bvh` and `lights`
   bool lens = false;           ///< WideView::lens_right and the others; not with `pilot`
+  bool caustics = false;       ///< WideScene::casters; with `lights`, includes `lens`
 };
 /// The kernel with these features.
 template <typename T>

@@ -9,8 +9,8 @@ HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
 TraceRuns<double>* kernel_with_lens(double /*type*/, KernelFeatures features) noexcept {
-  return features.lights ? choose_kernel<double, true, true>(features)
-                         : choose_kernel<double, false, true>(features);
+  return features.lights ? choose_kernel<double, Extra::LensAndLights>(features)
+                         : choose_kernel<double, Extra::Lens>(features);
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE

@@ -9,8 +9,8 @@ HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
 TraceRuns<float>* kernel_with_lens(float /*type*/, KernelFeatures features) noexcept {
-  return features.lights ? choose_kernel<float, true, true>(features)
-                         : choose_kernel<float, false, true>(features);
+  return features.lights ? choose_kernel<float, Extra::LensAndLights>(features)
+                         : choose_kernel<float, Extra::Lens>(features);
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE

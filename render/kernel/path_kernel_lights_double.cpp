@@ -9,7 +9,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
 TraceRuns<double>* kernel_with_lights(double /*type*/, KernelFeatures features) noexcept {
-  return choose_kernel<double, true, false>(features);
+  return choose_kernel<double, Extra::Lights>(features);
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE

@@ -9,7 +9,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sdlc::render::HWY_NAMESPACE {
 
 TraceRuns<float>* kernel_with_lights(float /*type*/, KernelFeatures features) noexcept {
-  return choose_kernel<float, true, false>(features);
+  return choose_kernel<float, Extra::Lights>(features);
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE

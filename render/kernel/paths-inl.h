@@ -49,6 +49,20 @@ struct Paths {
   Mask light_sampled;  ///< the ray leaves a surface where a light was sampled
   V plain_square;      ///< KernelFeatures::pilot: see PlainPaths::squares
 
+  // With KernelFeatures::caustics: the path since the camera or the last diffuse surface, as long
+  // as it meets one caster only.
+  enum Chain : std::uint32_t { kNone, kAtCamera, kInside, kLeft };
+  Bits chain;  ///< a Chain: whether it is still before, inside or behind the caster
+  Mask is_from_camera;
+  V in_pixel_x, in_pixel_y;  ///< the place of the camera ray, from the lower left corner
+  Triple<V> start;           ///< the point on the diffuse surface
+  Triple<V> start_normal;    ///< on the side of the path
+  Triple<V> start_direction;
+  Bits caster;             ///< leaf of the caster
+  V chords;                ///< through the caster so far
+  V passed;                ///< the product of reflectances and transmittances
+  V plain_caustic_square;  ///< KernelFeatures::pilot: see PlainPaths::squares_without_caustics
+
   static HWY_INLINE Paths begin(Mask alive) {
     const V zero = hn::Zero(D());
     const Bits none = hn::Zero(hn::RebindToUnsigned<D>());
@@ -68,7 +82,18 @@ struct Paths {
             .order = none,
             .radiance = nowhere,
             .light_sampled = hn::MaskFromVec(zero),
-            .plain_square = zero};
+            .plain_square = zero,
+            .chain = none,
+            .is_from_camera = hn::MaskFromVec(zero),
+            .in_pixel_x = zero,
+            .in_pixel_y = zero,
+            .start = nowhere,
+            .start_normal = nowhere,
+            .start_direction = nowhere,
+            .caster = none,
+            .chords = zero,
+            .passed = zero,
+            .plain_caustic_square = zero};
   }
 
   HWY_INLINE LaneSampler<D> sampler(SamplerKind kind, Bits mixer) const {

@@ -1,9 +1,11 @@
 #include "render/kernel/tracer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "render/exactness/lens_contact.hpp"
 #include "render/exactness/rebase.hpp"
@@ -23,6 +25,7 @@ template <typename T>
 WideView<T> view_of(const Pinhole& pinhole, const RenderSettings& settings,
                     EmitterTally* emitters) {
   WideView<T> view{.width = static_cast<std::uint64_t>(settings.width),
+                   .height = static_cast<std::uint64_t>(settings.height),
                    .seed = settings.seed,
                    .max_depth = static_cast<std::uint32_t>(settings.depth),
                    .corner = pinhole.place(0, 1),
@@ -78,10 +81,11 @@ class TracerIn final : public Tracer {
   TracerIn(const Scene& rebased, const Rebase& rebase, const Pinhole& pinhole,
            const TracerOptions& options, ChooseKernel<T>& choose)
       : Tracer(rebase, reach_of(rebased, options.exact_spheres)),
-        scene_(rebased, options.search, options.exact_spheres, options.lights),
+        scene_(rebased, options.search, options.exact_spheres, options.lights, options.casters),
         camera_(rebased.camera),
         kernel_(choose(kernel_features(scene_, camera_))),
-        pinhole_(pinhole) {}
+        pinhole_(pinhole),
+        glints_(in_leaves(options.glints)) {}
 
   bool trace(const RenderSettings& settings, EmitterTally* emitters, std::span<PixelRun> runs,
              TraceCounts& counts, const std::atomic<bool>& cancel) const override {
@@ -122,7 +126,22 @@ class TracerIn final : public Tracer {
     view.keeps_first_hits = !runs.empty() && runs.front().first_hits != nullptr;
     view.forward = rounded<T>(pinhole_.place(0.5, 0.5));
     view.depth_units = depth_units();
+    if (!settings.is_centred()) view.glints = glints_;
     return view;
+  }
+
+  /// Replaces spheres by leaves.
+  std::vector<Glint> in_leaves(std::span<const Glint> of_spheres) const {
+    std::vector<Glint> glints(of_spheres.begin(), of_spheres.end());
+    const auto leaf_of = [&](const WideLights<T>& lights, std::uint32_t sphere) {
+      const auto slot = std::ranges::find(scene_.index_in_scene, sphere);
+      return lights.leaf_of_slot[static_cast<std::size_t>(slot - scene_.index_in_scene.begin())];
+    };
+    for (Glint& glint : glints) {
+      glint.caster = leaf_of(scene_.casters, glint.caster);
+      glint.light = leaf_of(scene_.lights, glint.light);
+    }
+    return glints;
   }
 
   static KernelFeatures kernel_features(const WideScene<T>& scene, const Camera& camera) {
@@ -131,13 +150,15 @@ class TracerIn final : public Tracer {
             .bvh = scene.search == Search::Bvh,
             .instances = !scene.instances.empty(),
             .lights = scene.lights.nodes > 0,
-            .lens = camera.has_lens()};
+            .lens = camera.has_lens(),
+            .caustics = scene.casters.nodes > 0};
   }
 
   const WideScene<T> scene_;
   const Camera camera_;
   TraceRuns<T>* const kernel_;
   const Pinhole pinhole_;
+  const std::vector<Glint> glints_;
 };
 
 }  // namespace

@@ -66,7 +66,9 @@ struct TracerOptions {
   std::span<const std::uint32_t> exact_spheres{};
   /// PrecisionBounds::near_pairs, if known.
   std::optional<std::span<const SpherePair>> near_pairs{};
-  std::span<const std::uint32_t> lights{};  ///< the spheres from choose_lights()
+  std::span<const std::uint32_t> lights{};   ///< the spheres from choose_lights()
+  std::span<const std::uint32_t> casters{};  ///< the spheres from choose_casters()
+  std::span<const Glint> glints{};           ///< Glints::images of those
 };
 
 /// `scene` is in world coordinates and already checked. A pinhole is on the surface of at most one

@@ -47,7 +47,8 @@ std::vector<std::uint32_t> without(std::size_t spheres, std::span<const std::uin
 template <typename T>
 WideScene<T>::WideScene(const Scene& scene, Search search_for_hits,
                         std::span<const std::uint32_t> spheres_in_double,
-                        std::span<const std::uint32_t> sampled_lights)
+                        std::span<const std::uint32_t> sampled_lights,
+                        std::span<const std::uint32_t> sampled_casters)
     : search(search_for_hits),
       exact_spheres(spheres_in_double.size()),
       has_motion(render::has_motion(scene)) {
@@ -64,6 +65,7 @@ WideScene<T>::WideScene(const Scene& scene, Search search_for_hits,
   std::vector<Part> parts;
   if (!scene.instances.empty()) parts = add_hierarchies(scene, bounds);
   lights = WideLights<T>(Lights(scene, sampled_lights), order, slots);
+  casters = WideLights<T>(Lights::casters(scene, sampled_casters), order, slots);
   make_room_for_spheres();
   add_spheres(scene.spheres, scene.shifts, order, 0, Place::World);
   if (search == Search::Bvh) {
@@ -237,7 +239,7 @@ void WideScene<T>::add_optics(std::size_t row, const Optics& of) {
 template <typename T>
 std::size_t WideScene<T>::memory_bytes() const noexcept {
   std::size_t bytes = bvh.nodes.capacity() * sizeof(typename WideBvh<T>::Node) +
-                      instances.memory_bytes() + lights.memory_bytes() +
+                      instances.memory_bytes() + lights.memory_bytes() + casters.memory_bytes() +
                       index_in_scene.capacity() * sizeof(std::uint32_t);
   for (const IndexTable* table : {&material, &optics, &bsdf.surface}) {
     bytes += table->capacity() * sizeof(std::uint32_t);

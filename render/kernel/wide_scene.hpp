@@ -40,10 +40,11 @@ struct WideScene {
   /// `scene` is rebased.
   /// Search::All allows at most kMaxWideSpheres spheres and no instances; instances require double.
   /// `exact_spheres`: the spheres to compute in double, at most kMaxExactSpheres; only if T is
-  /// float. `sampled_lights`: the spheres from choose_lights().
+  /// float. `sampled_lights`: the spheres from choose_lights(); `casters`: from choose_casters().
   explicit WideScene(const Scene& scene, Search search,
                      std::span<const std::uint32_t> exact_spheres = {},
-                     std::span<const std::uint32_t> sampled_lights = {});
+                     std::span<const std::uint32_t> sampled_lights = {},
+                     std::span<const std::uint32_t> sampled_casters = {});
 
   // Tables by slot, padded to whole vectors. Slots of spheres in double come last; the others are
   // in scene order, or in the order of the BVH with empty slots.
@@ -66,6 +67,7 @@ struct WideScene {
   /// their bounding spheres come last. Empty without instances.
   InstanceTable instances;
   WideLights<T> lights;
+  WideLights<T> casters;        ///< mirrors and glass through which lights are sampled
   std::size_t slots = 0;        ///< of all spheres, including empty slots
   std::size_t first_exact = 0;  ///< slots from here on hold spheres in double
   std::size_t materials = 0;    ///< rows of the tables by material

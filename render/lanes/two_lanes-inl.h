@@ -75,6 +75,18 @@ HWY_INLINE Vec2<T> GatherIndex(TwoLanes<T> /*d*/, const T* base, Vec2<Index> ind
   return {typename Vec2<T>::Raw{base[index.raw[0]], base[index.raw[1]]}};
 }
 template <typename T>
+HWY_INLINE Vec2<T> Floor(Vec2<T> v) {
+  return {typename Vec2<T>::Raw{std::floor(v.raw[0]), std::floor(v.raw[1])}};
+}
+template <typename T>
+HWY_INLINE Vec2<T> Asin(TwoLanes<T> /*d*/, Vec2<T> v) {
+  return {typename Vec2<T>::Raw{std::asin(v.raw[0]), std::asin(v.raw[1])}};
+}
+template <typename T>
+HWY_INLINE Vec2<T> Atan(TwoLanes<T> /*d*/, Vec2<T> v) {
+  return {typename Vec2<T>::Raw{std::atan(v.raw[0]), std::atan(v.raw[1])}};
+}
+template <typename T>
 HWY_INLINE T GetLane(Vec2<T> v) {
   return v.raw[0];
 }
@@ -200,6 +212,10 @@ HWY_INLINE Mask2<T> AndNot(Mask2<T> a, Mask2<T> b) {
 template <typename T>
 HWY_INLINE Mask2<T> Or(Mask2<T> a, Mask2<T> b) {
   return {a.raw | b.raw};
+}
+template <typename T>
+HWY_INLINE Mask2<T> Xor(Mask2<T> a, Mask2<T> b) {
+  return {a.raw ^ b.raw};
 }
 template <typename T>
 HWY_INLINE Mask2<T> Not(Mask2<T> m) {

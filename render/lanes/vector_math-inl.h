@@ -30,6 +30,11 @@ template <typename V>
 HWY_INLINE V dot(Triple<V> a, Triple<V> b) {
   return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
 }
+template <typename V>
+HWY_INLINE Triple<V> cross(Triple<V> a, Triple<V> b) {
+  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
 /// a + b · s
 template <typename V>
 HWY_INLINE Triple<V> plus_scaled(Triple<V> a, Triple<V> b, V s) {
@@ -208,6 +213,25 @@ HWY_INLINE void point_on_circle(V turn, V radius, V& x, V& y) {
   const V folded = hn::IfThenElse(hn::Gt(size, quarter), hn::Sub(hn::CopySign(half, u), u), u);
   x = hn::Mul(radius, sine_of_quarter_turn(hn::Sub(quarter, size)));
   y = hn::Mul(radius, sine_of_quarter_turn(folded));
+}
+
+/// The direction at an angle to `axis`, given by its cosine and the square of its sine, and at
+/// `turn` around it.
+template <typename V>
+HWY_INLINE Triple<V> around(Triple<V> axis, V cosine, V sine_squared, V turn) {
+  const hn::DFromV<V> d;
+  const V one = hn::Set(d, hn::TFromV<V>{1});
+  // Two perpendicular directions by Duff et al., "Building an orthonormal basis, revisited", 2017.
+  const Triple<V> z = axis;
+  const V sign = hn::CopySign(one, z.z);
+  const V a = hn::Neg(hn::Div(one, hn::Add(sign, z.z)));
+  const V b = hn::Mul(hn::Mul(z.x, z.y), a);
+  const Triple<V> x{hn::MulAdd(hn::Mul(sign, z.x), hn::Mul(z.x, a), one), hn::Mul(sign, b),
+                    hn::Neg(hn::Mul(sign, z.x))};
+  const Triple<V> y{b, hn::MulAdd(hn::Mul(z.y, z.y), a, sign), hn::Neg(z.y)};
+  V along_x, along_y;
+  point_on_circle(turn, hn::Sqrt(sine_squared), along_x, along_y);
+  return plus_scaled(plus_scaled(scaled(z, cosine), x, along_x), y, along_y);
 }
 
 /// ∛x for x in [0, 1]; 0 below 2^-126.

@@ -121,9 +121,16 @@ std::vector<Configuration> Study::configurations() const {
   };
   add(&Configuration::sampler,
       own_.sampler == SamplerKind::Sobol ? SamplerKind::Independent : SamplerKind::Sobol);
-  const auto lights = kernel_of(own_).lights;
+  const Kernel kernel = kernel_of(own_);
   for (const LightSampling other : {LightSampling::On, LightSampling::Off}) {
-    if (choose_lights(scene_, other) != lights) add(&Configuration::light_sampling, other);
+    if (choose_lights(scene_, other) != kernel.lights || !kernel.casters.empty()) {
+      add(&Configuration::light_sampling, other);
+    }
+  }
+  const bool has_light = !choose_lights(scene_, LightSampling::On).empty();
+  if (has_light && kernel.casters.empty() &&
+      !choose_casters(scene_, kernel.exact_spheres).empty()) {
+    add(&Configuration::light_sampling, LightSampling::Caustics);
   }
   add(&Configuration::precision,
       own_.precision == Precision::Double ? Precision::Float : Precision::Double);
@@ -190,7 +197,8 @@ void Study::make_plan() {
   request.reference_configuration.sampler = SamplerKind::Sobol;
   // Sampled lights are not missed.
   if (!choose_lights(scene_, LightSampling::On).empty()) {
-    request.reference_configuration.light_sampling = LightSampling::On;
+    request.reference_configuration.light_sampling =
+        kernel_of(own_).casters.empty() ? LightSampling::On : LightSampling::Caustics;
   }
   ledger_.plan = plan_study(request);
   // The trials extrapolate from a few pixels. One render at the planned size corrects them.

@@ -100,6 +100,7 @@ enum class LightSampling : std::uint8_t {
   Auto,  ///< for emitters where it is expected to pay off
   On,    ///< for all emitters
   Off,
+  Caustics,  ///< for all emitters, also by way of mirrors and glass
 };
 
 /// The max camera paths per pixel if there is a goal and no explicit limit.

@@ -21,8 +21,8 @@ template <>
 inline constexpr auto kWords<SamplerKind> = std::to_array<std::string_view>({"sobol",
                                                                              "independent"});
 template <>
-inline constexpr auto kWords<LightSampling> = std::to_array<std::string_view>({"auto", "on",
-                                                                               "off"});
+inline constexpr auto kWords<LightSampling> = std::to_array<std::string_view>({
+    "auto", "on", "off", "caustics"});
 template <>
 inline constexpr auto kWords<Precision> = std::to_array<std::string_view>({"float", "mixed",
                                                                            "double"});

@@ -25,6 +25,28 @@ std::uint64_t ErrorGoal::first_samples() const noexcept {
   return std::min(kFirst, max_samples_);
 }
 
+ErrorEstimate ErrorGoal::settled(std::uint64_t samples, const ErrorEstimate& estimate) {
+  constexpr std::uint64_t kSettled = 4;
+  const auto square = [](double v) { return v * v; };
+  if (!passes_.empty() && passes_.back().samples == samples) passes_.pop_back();
+  passes_.push_back({.samples = samples,
+                     .from = square(estimate.interval.from),
+                     .to = square(estimate.interval.to)});
+  double count = 0, from = 0, to = 0;
+  for (const Pass& pass : passes_) {
+    if (pass.samples * kSettled < samples) continue;
+    // As with independent samples. With Sobol' points the error falls faster.
+    const double fall = static_cast<double>(pass.samples) / static_cast<double>(samples);
+    count += 1;
+    from += pass.from * fall;
+    to += pass.to * fall;
+  }
+  ErrorEstimate settled = estimate;
+  settled.interval = {std::min(estimate.interval.from, std::sqrt(from / count)),
+                      std::max(estimate.interval.to, std::sqrt(to / count))};
+  return settled;
+}
+
 std::optional<std::uint64_t> ErrorGoal::next_samples(std::uint64_t samples,
                                                      const ErrorEstimate& estimate) {
   is_reached_ = samples >= kMinReplicatedSamples && estimate.interval.to <= error_;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "render/session/error_estimate.hpp"
 
@@ -24,6 +25,12 @@ class ErrorGoal {
   /// The minimum for any goal: with fewer samples all replicates may miss the same highlight.
   std::uint64_t first_samples() const noexcept;
 
+  /// The estimate to go by after a pass: its interval also contains the one whose ends, squared,
+  /// are averages over this pass and the earlier ones with at least a quarter of its samples, as
+  /// they would be with its number of samples. Where a few pixels have most of the error, a single
+  /// estimate is too small by chance now and then, and the first such pass would end the render.
+  ErrorEstimate settled(std::uint64_t samples, const ErrorEstimate& estimate);
+
   /// Returns the samples per pixel to reach with the next pass, given the samples so far and the
   /// estimate from them; nullopt once the goal or the maximum is reached. A pass adds at most a
   /// quarter, and less where the slope of the error so far says that less is enough.
@@ -32,8 +39,14 @@ class ErrorGoal {
   bool is_reached() const noexcept { return is_reached_; }
 
  private:
+  struct Pass {
+    std::uint64_t samples;
+    double from, to;  // squares of the ends of the interval
+  };
+
   double error_;
   std::uint64_t max_samples_;
+  std::vector<Pass> passes_;
   bool is_reached_ = false;
   // The exponent with which the error falls. The initial value lies between independent samples
   // (-0.5) and the best case of Sobol' points.

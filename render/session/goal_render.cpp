@@ -9,7 +9,6 @@
 #include <tbb/parallel_for.h>
 
 #include "render/session/adaptive_samples.hpp"
-#include "render/session/error_goal.hpp"
 
 namespace sdlc::render {
 
@@ -99,6 +98,9 @@ void GoalRender::estimate() {
                     });
   result_.error.reset();
   if (is_known) result_.error = estimate_error(result_.picture, spreads_);
+  if (goal_ && result_.error) {
+    result_.error = goal_->settled(result_.min_samples, *result_.error);
+  }
 }
 
 void GoalRender::run() {
@@ -124,27 +126,22 @@ void GoalRender::run() {
 
 void GoalRender::run_uniform() {
   const auto max_samples = static_cast<std::uint64_t>(settings_.samples);
-  ErrorGoal goal(settings_.error.value_or(0), max_samples);
+  if (settings_.error) goal_.emplace(*settings_.error, max_samples);
   // With only a time limit the first pass is as short as possible, and is finished.
-  std::optional<std::uint64_t> samples = settings_.error ? goal.first_samples() : 1;
+  std::optional<std::uint64_t> samples = goal_ ? goal_->first_samples() : 1;
   samples = std::max(*samples, film_.sample_counts().min);
   while (samples) {
     const auto of_pixel = static_cast<std::uint32_t>(*samples);
     if (!pass(std::span(&of_pixel, 1))) return;
-    if (settings_.error) {
+    if (goal_) {
       estimate();
       if (!result_.error) return;
       const double to_go = *settings_.error / result_.error->interval.to;
       report_progress(to_go * to_go);
       const std::uint64_t now = *samples;
-      samples = goal.next_samples(now, *result_.error);
-      if (goal.is_reached() && has_unseen_error(result_, emitters_)) {
-        // Limited: a kind of path may be occluded everywhere.
-        constexpr std::uint64_t kMaxBlindSamples = 1024;
-        const std::uint64_t next =
-            std::min({2 * now, std::max(now, kMaxBlindSamples), max_samples});
-        if (next <= now) return;
-        samples = next;
+      samples = goal_->next_samples(now, *result_.error);
+      if (goal_->is_reached() && has_unseen_error(result_, emitters_)) {
+        samples = samples_to_see(now);
       }
     } else if (*samples >= max_samples) {
       return;
@@ -157,6 +154,18 @@ void GoalRender::run_uniform() {
       samples = std::min(next, max_samples);
     }
   }
+}
+
+std::optional<std::uint64_t> GoalRender::samples_to_see(std::uint64_t now) const {
+  // Limited, because a kind of path that was never found may be occluded everywhere.
+  constexpr std::uint64_t kMaxBlindSamples = 1024;
+  const bool is_blind = std::ranges::any_of(
+      emitters_.rare(), [](const RarePath& path) { return path.paths < EmitterTally::kWitnesses; });
+  std::uint64_t next = is_blind ? std::min(2 * now, std::max(now, kMaxBlindSamples))
+                                : now + std::max<std::uint64_t>(now / 4, kReplicates);
+  next = std::min(next, static_cast<std::uint64_t>(settings_.samples));
+  if (next <= now) return std::nullopt;
+  return next;
 }
 
 void GoalRender::run_adaptive() {

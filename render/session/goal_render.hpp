@@ -9,6 +9,7 @@
 
 #include "render/film/film.hpp"
 #include "render/math/clock.hpp"
+#include "render/session/error_goal.hpp"
 #include "render/session/picture_tracer.hpp"
 #include "render/session/render.hpp"
 #include "render/shading/emitter_tally.hpp"
@@ -38,6 +39,8 @@ class GoalRender {
   /// was the last pass because of the time limit or cancellation.
   bool pass(std::span<const std::uint32_t> samples);
   void run_uniform();
+  /// The samples of the next pass if rare paths hide the error; nullopt if that has no sense.
+  std::optional<std::uint64_t> samples_to_see(std::uint64_t now) const;
   void run_adaptive();
   /// Begins with these samples of each pixel, of which there may be more already.
   void run_adaptive(std::vector<std::uint32_t> samples);
@@ -58,6 +61,7 @@ class GoalRender {
   std::optional<Clock::time_point> deadline_;
   Clock::time_point start_;
   Film& film_;
+  std::optional<ErrorGoal> goal_;
   std::vector<PixelSpread> spreads_;
   std::vector<std::uint32_t> targets_;
   bool is_first_pass_ = true;

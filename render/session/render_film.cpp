@@ -121,6 +121,7 @@ StoredFilm new_film(const PreparedScene& scene, std::uint64_t digest, std::strin
   return {.origin = origin_of(scene, digest, std::move(program), settings),
           .statistics = {},
           .lights = kernel.lights,
+          .casters = kernel.casters,
           .exact_spheres = kernel.exact_spheres,
           .emitters = EmitterTally(scene.emitters(), settings.depth).counts(),
           .targets = {},

@@ -37,6 +37,13 @@ class Bsdf {
   struct Sample {
     Triple<V> direction;  ///< of any length; undefined where the path ends
     Mask absorbed;
+    Mask reflected;  ///< kRefracts: not refracted
+    V reflectance;   ///< kRefracts: the probability of reflection
+  };
+  /// What happens to light at the boundary of glass.
+  struct Boundary {
+    Triple<V> refracted;
+    V reflectance;  ///< 1 for total reflection
   };
 
   HWY_INLINE Bsdf(const OpticsColumns<T>& columns, const TableReader<D>& read_optics)
@@ -53,12 +60,11 @@ class Bsdf {
 
   HWY_INLINE Sample sample(Triple<V> direction, Triple<V> outward, V cosine, Bits surface,
                            const LaneSampler<D>& sampler) const;
+  /// `facing`: the normal on the side of the ray; `cosine` as for sample().
+  HWY_INLINE Boundary boundary(Triple<V> direction, Triple<V> facing, V cosine, Bits surface) const;
 
  private:
   static HWY_INLINE V set(double v) { return hn::Set(D(), static_cast<T>(v)); }
-
-  HWY_INLINE Triple<V> refract(Triple<V> direction, Triple<V> facing, Triple<V> mirrored, V cosine,
-                               Bits surface, V choice) const;
 
   const OpticsColumns<T>& columns_;
   const TableReader<D>& read_;
@@ -84,7 +90,9 @@ HWY_INLINE auto Bsdf<T>::sample(Triple<V> direction, Triple<V> outward, V cosine
                  hn::Add(facing.z, on_sphere.z)};
   const Mask mirrors = has(surface, kMirrors), refracts = has(surface, kRefracts);
   Mask absorbed = hn::MaskFromVec(hn::Zero(d));
-  if (hn::AllFalse(d, hn::Or(mirrors, refracts))) return {next, absorbed};
+  Mask reflected = refracts;
+  V reflectance = one;
+  if (hn::AllFalse(d, hn::Or(mirrors, refracts))) return {next, absorbed, reflected, reflectance};
 
   const Triple<V> mirrored = minus_scaled(direction, outward, hn::Add(cosine, cosine));
   if (!hn::AllFalse(d, mirrors)) {
@@ -97,17 +105,17 @@ HWY_INLINE auto Bsdf<T>::sample(Triple<V> direction, Triple<V> outward, V cosine
     next = choose(mirrors, spread_out, next);
   }
   if (!hn::AllFalse(d, refracts)) {
-    const Triple<V> onwards =
-        refract(direction, facing, mirrored, cosine, surface, sampler.first(kChoice));
-    next = choose(refracts, onwards, next);
+    const Boundary glass = boundary(direction, facing, cosine, surface);
+    reflectance = glass.reflectance;
+    reflected = hn::Lt(sampler.first(kChoice), reflectance);
+    next = choose(refracts, choose(reflected, mirrored, glass.refracted), next);
   }
-  return {next, absorbed};
+  return {next, absorbed, reflected, reflectance};
 }
 
-/// Refracts, or reflects if `choice` is below the reflectance of Fresnel's term.
 template <typename T>
-HWY_INLINE auto Bsdf<T>::refract(Triple<V> direction, Triple<V> facing, Triple<V> mirrored,
-                                 V cosine, Bits surface, V choice) const -> Triple<V> {
+HWY_INLINE auto Bsdf<T>::boundary(Triple<V> direction, Triple<V> facing, V cosine,
+                                  Bits surface) const -> Boundary {
   const D d;
   const V one = set(1), zero = hn::Zero(d);
   const V eta = hn::IfThenElse(hn::Gt(cosine, zero), read_(columns_.first), read_(columns_.second));
@@ -121,10 +129,10 @@ HWY_INLINE auto Bsdf<T>::refract(Triple<V> direction, Triple<V> facing, Triple<V
     const V exact = fresnel_exact_lanes(incident, hn::Sqrt(hn::Max(beyond_squared, zero)), eta);
     share = hn::IfThenElse(has(surface, kIsExact), exact, share);
   }
-  const Mask reflects = hn::Or(hn::Lt(beyond_squared, zero), hn::Lt(choice, share));
+  share = hn::IfThenElse(hn::Lt(beyond_squared, zero), one, share);
   const Triple<V> bent = scaled(plus_scaled(direction, facing, incident), eta);
   const V depth = hn::Sqrt(hn::Abs(hn::Sub(one, dot(bent, bent))));
-  return choose(reflects, mirrored, minus_scaled(bent, facing, depth));
+  return {minus_scaled(bent, facing, depth), share};
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "render/exactness/near_pairs.hpp"
 #include "render/exactness/rebase.hpp"
 #include "render/math/color.hpp"
 #include "render/math/vec3.hpp"
@@ -129,8 +130,23 @@ std::vector<std::uint32_t> chosen_by_geometry(const Scene& scene,
 std::vector<std::uint32_t> choose_lights(const Scene& scene, LightSampling sampling) {
   if (sampling == LightSampling::Off) return {};
   std::vector<std::uint32_t> emitters = emitters_of(scene);
-  if (sampling == LightSampling::On || emitters.empty()) return emitters;
+  if (sampling != LightSampling::Auto || emitters.empty()) return emitters;
   return chosen_by_geometry(scene, emitters);
+}
+
+std::vector<std::uint32_t> choose_casters(const Scene& scene,
+                                          std::span<const std::uint32_t> excluded) {
+  std::vector<std::uint32_t> casters;
+  for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
+    const Material& material = scene.materials[scene.spheres[i].material];
+    const bool is_mirror = material.type == MaterialType::Specular && material.parameter == 0;
+    const bool is_glass = material.type == MaterialType::Transmissive && material.parameter > 1;
+    if ((is_mirror || is_glass) && scene.spheres[i].radius > 0 && !is_black(material.color) &&
+        !contains(excluded, i)) {
+      casters.push_back(i);
+    }
+  }
+  return casters;
 }
 
 }  // namespace sdlc::render

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/scene/scene.hpp"
@@ -20,5 +21,11 @@ namespace sdlc::render {
 /// since its gradient, edges and interreflection are of that order. Otherwise connections cost more
 /// time than they save.
 std::vector<std::uint32_t> choose_lights(const Scene& scene, LightSampling sampling);
+
+/// The spheres by way of which lights are sampled with LightSampling::Caustics, as ascending
+/// indices: smooth mirrors, and glass denser than its surroundings. Never those of prototypes and
+/// `excluded`, which is sorted.
+std::vector<std::uint32_t> choose_casters(const Scene& scene,
+                                          std::span<const std::uint32_t> excluded);
 
 }  // namespace sdlc::render

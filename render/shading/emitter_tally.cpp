@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "render/exactness/rebase.hpp"
+#include "render/math/interval.hpp"
 #include "render/math/vec3.hpp"
 #include "render/shading/choose_lights.hpp"
 #include "render/shading/pinhole.hpp"
@@ -30,15 +31,16 @@ double root_mean_square(LinearRgb c) noexcept {
 /// Whether some surface scatters so that light continues.
 struct Surfaces {
   bool diffuse = false;
-  bool specular = false;  // mirrors or glass
+  std::size_t specular = 0;  // mirrors and glass
 
   explicit Surfaces(const Scene& scene) {
     const auto add = [&](const Sphere& sphere) {
       const Material& material = scene.materials[sphere.material];
       if (sphere.radius <= 0 || is_black(material.color)) return;
       diffuse |= material.type == MaterialType::Diffuse;
-      specular |=
+      const bool is_specular =
           material.type == MaterialType::Specular || material.type == MaterialType::Transmissive;
+      specular += is_specular ? 1 : 0;
     };
     std::ranges::for_each(scene.spheres, add);
     for (const Prototype& prototype : scene.prototypes) {
@@ -78,6 +80,52 @@ class ViewPyramid {
   double lens_radius_, focus_;
 };
 
+/// A sphere of a rebased scene, during its motion.
+struct Moving {
+  Sphere sphere;
+  Vec3 shift;
+};
+Moving moving(const Scene& scene, const Rebase& rebase, std::uint32_t i) {
+  return {.sphere = rebase.sphere(scene.spheres[i]),
+          .shift = scene.shifts.empty() ? Vec3{} : rebase.shift(scene.shifts[i])};
+}
+
+/// The least and the greatest distance of the centres.
+Interval distances(const Moving& a, const Moving& b) {
+  const Vec3 apart = b.sphere.center - a.sphere.center, shift = b.shift - a.shift;
+  const double way = length_squared(shift);
+  const double when = way > 0 ? std::clamp(-dot(apart, shift) / way, 0.0, 1.0) : 0;
+  return {moderate_length(apart + shift * when),
+          std::fmax(moderate_length(apart), moderate_length(apart + shift))};
+}
+
+// Spheres that touch may be rounded so that they overlap.
+constexpr double kTouching = 1 - 1e-6;
+
+/// Whether each other sphere is always outside of this one, or around it.
+bool is_clear(const Scene& scene, const Rebase& rebase, std::uint32_t sphere) {
+  if (!scene.instances.empty()) return false;
+  const Moving it = moving(scene, rebase, sphere);
+  for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
+    if (i == sphere || scene.spheres[i].radius <= 0) continue;
+    const Moving other = moving(scene, rebase, i);
+    const Interval apart = distances(it, other);
+    const double radius = it.sphere.radius * kTouching;
+    const bool is_outside = apart.from >= radius + other.sphere.radius * kTouching;
+    if (!is_outside && apart.to + radius > other.sphere.radius) return false;
+  }
+  return true;
+}
+
+/// Whether Beams by way of a caster are always known: the light is its own diameter away, and large
+/// enough for rounded directions.
+bool has_beams(const Moving& caster, const Moving& light) {
+  constexpr double kSmallest = 2e-5;
+  const Interval apart = distances(caster, light);
+  return apart.from > caster.sphere.radius + 2 * light.sphere.radius &&
+         light.sphere.radius > kSmallest * apart.to;
+}
+
 /// The 95 % upper confidence limit for the mean of a Poisson distribution after n events, by the
 /// Wilson-Hilferty approximation of the χ² distribution (1931).
 double poisson_limit(double n) noexcept {
@@ -89,13 +137,14 @@ double poisson_limit(double n) noexcept {
 
 }  // namespace
 
-EmitterClasses::EmitterClasses(const Scene& scene, std::span<const std::uint32_t> lights)
+EmitterClasses::EmitterClasses(const Scene& scene, std::span<const std::uint32_t> lights,
+                               std::span<const std::uint32_t> casters, bool has_all_glints)
     : emitters(choose_lights(scene, LightSampling::On)), of_spheres(scene.spheres.size(), kNone) {
   const Surfaces surfaces(scene);
   // Without scattering surfaces every path is a camera ray, and unlit spheres are plain pixels.
-  if (!surfaces.diffuse && !surfaces.specular && emitters.empty()) return;
+  if (!surfaces.diffuse && surfaces.specular == 0 && emitters.empty()) return;
 
-  double brightest = 0;
+  has_casters = !casters.empty();
   for (const Material& material : scene.materials) {
     brightest = std::fmax(brightest, root_mean_square(radiance_of(material)));
   }
@@ -106,6 +155,8 @@ EmitterClasses::EmitterClasses(const Scene& scene, std::span<const std::uint32_t
   class_of_octave.fill(kNone);
   const Rebase rebase(scene);
   const ViewPyramid view(scene.camera, rebase);
+  const bool has_lone_caster =
+      casters.size() == 1 && surfaces.specular == 1 && is_clear(scene, rebase, casters[0]);
   for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
     const double radiance =
         root_mean_square(radiance_of(scene.materials[scene.spheres[i].material]));
@@ -123,12 +174,19 @@ EmitterClasses::EmitterClasses(const Scene& scene, std::span<const std::uint32_t
     const Sphere sphere = rebase.sphere(scene.spheres[i]);
     const Vec3 shift = scene.shifts.empty() ? Vec3{} : rebase.shift(scene.shifts[i]);
     // A bounding sphere of the sphere's whole motion.
-    c.kinds[index_of(LightPath::Visible)] |=
-        view.may_show(sphere.center + shift / 2, sphere.radius + moderate_length(shift) / 2);
-    c.kinds[index_of(LightPath::Reflected)] = surfaces.specular;
+    if (view.may_show(sphere.center + shift / 2, sphere.radius + moderate_length(shift) / 2)) {
+      c.add(LightPath::Visible, Chance::Possible);
+    }
     // Each connection contributes little, and its noise shows up in the replicates.
-    c.kinds[index_of(LightPath::Direct)] = surfaces.diffuse && !is_sampled;
-    c.kinds[index_of(LightPath::Caustic)] = surfaces.diffuse && surfaces.specular;
+    if (surfaces.diffuse && !is_sampled) c.add(LightPath::Direct, Chance::Possible);
+    if (surfaces.specular == 0) continue;
+    const bool is_connected =
+        is_sampled && has_lone_caster &&
+        has_beams(moving(scene, rebase, casters[0]), moving(scene, rebase, i));
+    c.add(LightPath::Reflected,
+          is_connected && has_all_glints ? Chance::Unexpected : Chance::Possible);
+    if (!surfaces.diffuse) continue;
+    c.add(LightPath::Caustic, is_connected ? Chance::Unexpected : Chance::Possible);
   }
 }
 
@@ -141,6 +199,10 @@ EmitterTally::EmitterTally(const EmitterClasses& classes, int max_depth)
   for (std::size_t i = 0; i < found_.size(); ++i) {
     for (std::size_t kind = 0; kind < kLightPaths; ++kind) open_ += counts(i, kind) ? 1 : 0;
   }
+  if (classes.has_casters) {
+    octaves_ = std::vector<Count>(kOctaves);
+    open_ += kOctaves;
+  }
   if (classes.emitters.empty()) return;
   paths_ = std::vector<Count>(classes.of_spheres.size());
   for (Count& paths : paths_) paths.store(kEnough, std::memory_order_relaxed);
@@ -151,12 +213,19 @@ EmitterTally::EmitterTally(const EmitterClasses& classes, int max_depth)
 template <typename Tally, typename Visit>
 void EmitterTally::for_each_count(Tally& tally, Visit visit) {
   for (auto& paths : tally.paths_) visit(paths, kEnough, tally.scarce_);
+  for (auto& paths : tally.octaves_) visit(paths, kEnough, tally.open_);
   for (std::size_t i = 0; i < tally.found_.size(); ++i) {
     for (std::size_t kind = 0; kind < kLightPaths; ++kind) {
       if (!tally.counts(i, kind)) continue;
       visit(tally.found_[i][kind], witnesses(static_cast<LightPath>(kind)), tally.open_);
     }
   }
+}
+
+void EmitterTally::count_contribution(double radiance) noexcept {
+  if (octaves_.empty() || !(radiance > 0)) return;
+  const double below = std::log2(classes_.brightest / radiance);
+  add(octaves_[static_cast<std::size_t>(std::clamp(below, 0.0, kOctaves - 1.0))], kEnough, open_);
 }
 
 std::vector<EmitterCount> EmitterTally::counts() const {
@@ -192,11 +261,31 @@ std::vector<RarePath> EmitterTally::rare() const {
       const std::uint8_t paths = found_[i][kind].load(std::memory_order_relaxed);
       const auto path = static_cast<LightPath>(kind);
       if (!counts(i, kind) || paths >= witnesses(path)) continue;
+      const bool is_unexpected =
+          classes_.classes[i].kinds[kind] == EmitterClasses::Chance::Unexpected;
+      if (is_unexpected && paths == 0) continue;
       rare.push_back({.kind = path,
                       .paths = paths,
                       .sphere = classes_.classes[i].sphere,
                       .radiance = classes_.classes[i].radiance});
     }
+  }
+  constexpr double kMeanSquare = 7.0 / 12;  // in an octave up to 1
+  std::uint32_t contributions = 0;
+  double squares = 0;
+  for (std::size_t octave = 0; octave < octaves_.size(); ++octave) {
+    const std::uint8_t paths = octaves_[octave].load(std::memory_order_relaxed);
+    if (paths == 0 || paths >= kEnough) continue;
+    contributions += paths;
+    const double radiance = std::ldexp(classes_.brightest, -static_cast<int>(octave));
+    squares += kMeanSquare * poisson_limit(paths) * radiance * radiance;
+  }
+  if (contributions > 0) {
+    // As if one path might be missing.
+    rare.push_back({.kind = LightPath::Caustic,
+                    .paths = std::max<std::uint32_t>(contributions, kWitnesses),
+                    .sphere = classes_.classes.front().sphere,
+                    .radiance = std::sqrt(squares)});
   }
   return rare;
 }

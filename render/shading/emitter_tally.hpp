@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -26,13 +27,13 @@ struct EmitterCount {
   friend bool operator==(const EmitterCount&, const EmitterCount&) = default;
 };
 
-/// How a path reaches an emitter. In Heckbert's notation, with E the eye, L the light, D a diffuse
-/// and S any other scattering:
+/// How a path reaches an emitter by scattering, or by a connection that ends there. In Heckbert's
+/// notation, with E the eye, L the light, D a diffuse and S any other scattering:
 enum class LightPath : std::uint8_t {
   Visible,    ///< EL
   Reflected,  ///< E S+ L
   Direct,     ///< E … D L, by scattering or by a connection
-  Caustic,    ///< E … D S+ L: connections cannot find it
+  Caustic,    ///< E … D S+ L
 };
 inline constexpr std::size_t kLightPaths = 4;
 constexpr std::size_t index_of(LightPath kind) noexcept { return static_cast<std::size_t>(kind); }
@@ -50,7 +51,7 @@ constexpr LightPath light_path(PathHistory history) noexcept {
 }
 
 /// A kind of path that is possible in the scene but was found too rarely (EmitterTally) for the
-/// replicates to show its noise.
+/// replicates to show its noise; or all contributions by way of casters that are rarely so large.
 struct RarePath {
   LightPath kind;
   std::uint32_t paths;   ///< found so far
@@ -63,19 +64,35 @@ struct RarePath {
 struct EmitterClasses {
   static constexpr std::uint8_t kNone = 0xFF;
 
+  /// Whether paths of a kind are found by scattering, at any depth.
+  enum class Chance : std::uint8_t {
+    Impossible,
+    Unexpected,  ///< connections find all that matter, as far as is known
+    Possible,
+  };
   struct Class {
-    std::uint32_t sphere = 0;               ///< the first of the class
-    double radiance = 0;                    ///< of the brightest
-    std::array<bool, kLightPaths> kinds{};  ///< that are possible in the scene, at any depth
+    std::uint32_t sphere = 0;  ///< the first of the class
+    double radiance = 0;       ///< of the brightest
+    std::array<Chance, kLightPaths> kinds{};
+
+    void add(LightPath kind, Chance chance) noexcept {
+      kinds[index_of(kind)] = std::max(kinds[index_of(kind)], chance);
+    }
   };
 
+  double brightest = 0;      ///< radiance of all emitters: root mean square over channels
+  bool has_casters = false;  ///< connections are made by way of mirrors and glass
   std::vector<std::uint32_t> emitters;  ///< the emissive spheres
   std::vector<Class> classes;
   std::vector<std::uint8_t> of_spheres;  ///< the class of each sphere, or kNone
 
   EmitterClasses() = default;
   /// `lights`: the spheres from choose_lights(), for which Direct paths are found by connections.
-  EmitterClasses(const Scene& scene, std::span<const std::uint32_t> lights);
+  /// `casters`: from choose_casters(); connections find all Caustic paths but those by way of
+  /// several spheres, and those near or inside of the caster. `has_all_glints`:
+  /// Glints::are_complete; the same for Reflected paths.
+  EmitterClasses(const Scene& scene, std::span<const std::uint32_t> lights,
+                 std::span<const std::uint32_t> casters = {}, bool has_all_glints = false);
 };
 
 /// Counts the paths that reach emitters, up to the numbers that matter. Any thread may count;
@@ -89,6 +106,9 @@ class EmitterTally {
   /// to cover the rest: with n paths of equal weight its upper end is 1 + 3.2/√n times their
   /// squares.
   static constexpr std::uint8_t kWitnesses = 2;
+  /// Contributions of paths by way of casters are counted by octave, below the radiance of the
+  /// brightest emitter. With fewer than kEnough in an octave, their noise is not known.
+  static constexpr std::size_t kOctaves = 64;
   /// Where camera rays reach a light, directly or by mirrors and glass, Sobol' points spread evenly
   /// over the pixel. Each replicate may then hit a light smaller than a pixel equally often, and
   /// still be off by one path. After this many paths that error cannot go unnoticed.
@@ -110,6 +130,10 @@ class EmitterTally {
     if (of == EmitterClasses::kNone || !counts(of, index_of(kind))) return;
     add(found_[of][index_of(kind)], witnesses(kind), open_);
   }
+
+  /// Records what a path by way of a caster contributes to its pixel, a radiance. Precondition:
+  /// is_counting() was true.
+  void count_contribution(double radiance) noexcept;
 
   /// All counts. Those of two tallies of the same arguments can be added, each up to its `enough`.
   std::vector<EmitterCount> counts() const;
@@ -142,7 +166,8 @@ class EmitterTally {
   static void for_each_count(Tally& tally, Visit visit);
   /// Whether paths of this kind to this class are counted.
   bool counts(std::size_t of, std::size_t kind) const noexcept {
-    return classes_.classes[of].kinds[kind] && is_deep_enough_[kind];
+    return classes_.classes[of].kinds[kind] != EmitterClasses::Chance::Impossible &&
+           is_deep_enough_[kind];
   }
 
   const EmitterClasses& classes_;
@@ -150,6 +175,7 @@ class EmitterTally {
   std::vector<Count> paths_;  // kEnough for non-emitters; empty if there are no emitters
   std::atomic<std::size_t> scarce_{0};
 
+  std::vector<Count> octaves_;                         // of contributions; empty without casters
   std::vector<std::array<Count, kLightPaths>> found_;  // by class
   std::atomic<std::size_t> open_{0};  // number of (class, kind) pairs with too few paths
 };

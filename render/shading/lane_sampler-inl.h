@@ -119,8 +119,7 @@ class LaneSampler {
  private:
   HWY_INLINE Bits word(std::uint32_t pair, std::uint32_t i) const {
     const hn::RebindToUnsigned<D> du;
-    const std::uint32_t offset =
-        pair * kPairIncrement + (i + 1) * kWordIncrement;
+    const std::uint32_t offset = pair * kPairIncrement + (i + 1) * kWordIncrement;
     return mix_lanes(add_low_32(start_, hn::Set(du, offset)), mixer_);
   }
   /// The words have random high bits; a key needs random low bits, too.

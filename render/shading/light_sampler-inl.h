@@ -63,11 +63,17 @@ class LightSampler {
   /// The weight of scattered rays that hit the light of a leaf, for the lanes of `is_light`.
   HWY_INLINE V bsdf_weight(Mask is_light, Bits leaf, const Place& at, V cosine) const;
 
- private:
   struct Choice {
     Bits leaf;
-    V probability;  // 0: no light
+    V probability;  ///< 0: no light
   };
+  /// Chooses a light by what it may send to a place, with the random numbers of `pair`.
+  HWY_INLINE Choice choose_leaf(Mask wanted, const Place& at, const LaneSampler<D>& sampler,
+                                std::uint32_t pair) const;
+  /// The probability of that, for the lanes of `is_light`; 0 if the leaf is never chosen.
+  HWY_INLINE V probability(Mask is_light, Bits leaf, const Place& at) const;
+
+ private:
   struct Children {
     V share_left, share_right;
     Mask any;  // at least one may be chosen
@@ -85,7 +91,6 @@ class LightSampler {
 
   HWY_INLINE V importance(Bits node, const Place& at) const;
   HWY_INLINE Children children(Bits left, const Place& at) const;
-  HWY_INLINE Choice choose_leaf(Mask wanted, const Place& at, const LaneSampler<D>& sampler) const;
   HWY_INLINE Cone cone(const TableReader<D>& read, const Place& at) const;
   static HWY_INLINE V balance_heuristic(V probability, const Cone& cone, V cosine);
 
@@ -122,14 +127,15 @@ auto LightSampler<T, kMotion>::children(Bits left, const Place& at) const -> Chi
 
 template <typename T, bool kMotion>
 auto LightSampler<T, kMotion>::choose_leaf(Mask wanted, const Place& at,
-                                           const LaneSampler<D>& sampler) const -> Choice {
+                                           const LaneSampler<D>& sampler, std::uint32_t pair) const
+    -> Choice {
   const D d;
   const DU du;
-  V u = sampler.first(kChoice);
+  V u = sampler.first(pair);
   V probability = hn::IfThenElseZero(wanted, set(1));
   Bits node = word(1);
   for (int level = 0; level < lights_.levels; ++level) {
-    if (level == LightTree::kLevelsPerNumber) u = sampler.pair(kChoice).second;
+    if (level == LightTree::kLevelsPerNumber) u = sampler.pair(pair).second;
     const Bits left = hn::Add(node, node);
     Children shares = children(left, at);
     const Mask goes_left = hn::Lt(u, shares.share_left);
@@ -175,7 +181,7 @@ auto LightSampler<T, kMotion>::sample(Mask wanted, const Place& at,
                                       const LaneSampler<D>& sampler) const -> Sample {
   const D d;
   const V one = set(1), zero = hn::Zero(d);
-  Choice chosen = choose_leaf(wanted, at, sampler);
+  Choice chosen = choose_leaf(wanted, at, sampler, kChoice);
   const TableReader<D> read(chosen.leaf, lights_.leaves);
   Cone seen = cone(read, at);
 
@@ -183,18 +189,8 @@ auto LightSampler<T, kMotion>::sample(Mask wanted, const Place& at,
   const V below = hn::Mul(height, seen.height);
   const V cosine = hn::Sub(one, below);
   const V sine_squared = hn::Mul(below, hn::Sub(set(2), below));
-  // With z as the axis; two perpendicular directions by Duff et al., "Building an orthonormal
-  // basis, revisited", 2017.
-  const Triple<V> z = scaled(seen.to_center, hn::Div(one, seen.distance));
-  const V sign = hn::CopySign(one, z.z);
-  const V a = hn::Neg(hn::Div(one, hn::Add(sign, z.z)));
-  const V b = hn::Mul(hn::Mul(z.x, z.y), a);
-  const Triple<V> x{hn::MulAdd(hn::Mul(sign, z.x), hn::Mul(z.x, a), one), hn::Mul(sign, b),
-                    hn::Neg(hn::Mul(sign, z.x))};
-  const Triple<V> y{b, hn::MulAdd(hn::Mul(z.y, z.y), a, sign), hn::Neg(z.y)};
-  V along_x, along_y;
-  point_on_circle(turn, hn::Sqrt(sine_squared), along_x, along_y);
-  const Triple<V> direction = plus_scaled(plus_scaled(scaled(z, cosine), x, along_x), y, along_y);
+  const Triple<V> axis = scaled(seen.to_center, hn::Div(one, seen.distance));
+  const Triple<V> direction = around(axis, cosine, sine_squared, turn);
   const V across_squared = hn::Mul(hn::Mul(seen.distance, seen.distance), sine_squared);
   const V half_chord = hn::Sqrt(hn::Max(hn::Sub(seen.radius_squared, across_squared), zero));
 
@@ -210,13 +206,11 @@ auto LightSampler<T, kMotion>::sample(Mask wanted, const Place& at,
 }
 
 template <typename T, bool kMotion>
-auto LightSampler<T, kMotion>::bsdf_weight(Mask is_light, Bits leaf, const Place& at,
-                                           V cosine) const -> V {
+auto LightSampler<T, kMotion>::probability(Mask is_light, Bits leaf, const Place& at) const -> V {
   const D d;
   const DU du;
-  const V one = set(1);
   leaf = hn::IfThenElseZero(hn::RebindMask(du, is_light), leaf);
-  V probability = one;
+  V probability = set(1);
   Bits node = word(1);
   for (int level = lights_.levels - 1; level >= 0; --level) {
     const Bits left = hn::Add(node, node);
@@ -227,9 +221,18 @@ auto LightSampler<T, kMotion>::bsdf_weight(Mask is_light, Bits leaf, const Place
     probability = hn::IfThenElseZero(shares.any, hn::Mul(probability, share));
     node = hn::Add(left, side);
   }
+  return probability;
+}
+
+template <typename T, bool kMotion>
+auto LightSampler<T, kMotion>::bsdf_weight(Mask is_light, Bits leaf, const Place& at,
+                                           V cosine) const -> V {
+  const D d;
+  leaf = hn::IfThenElseZero(hn::RebindMask(DU(), is_light), leaf);
+  const V chosen = probability(is_light, leaf, at);
   Cone seen = cone(TableReader<D>(leaf, lights_.leaves), at);
-  const Mask is_sampled = hn::And(seen.exists, hn::Gt(probability, hn::Zero(d)));
-  return hn::IfThenElse(is_sampled, balance_heuristic(probability, seen, cosine), one);
+  const Mask is_sampled = hn::And(seen.exists, hn::Gt(chosen, hn::Zero(d)));
+  return hn::IfThenElse(is_sampled, balance_heuristic(chosen, seen, cosine), set(1));
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE

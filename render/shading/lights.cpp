@@ -13,44 +13,66 @@ double bounded_brightness(LinearRgb radiance) noexcept {
   return std::fmin(radiance.r / 3 + radiance.g / 3 + radiance.b / 3, kBrightest);
 }
 
+Light light(const Scene& scene, std::uint32_t i, LinearRgb radiance) {
+  const Sphere& sphere = scene.spheres[i];
+  return {.center = sphere.center,
+          .shift = scene.shifts.empty() ? Vec3{} : scene.shifts[i],
+          .radius = sphere.radius,
+          .radiance = radiance,
+          .sphere = i};
+}
+
 }  // namespace
 
 Lights::Lights(const Scene& scene, std::span<const std::uint32_t> spheres) {
   if (spheres.empty()) return;
-  std::vector<LightSphere> tree_lights;
-  tree_lights.reserve(spheres.size());
+  std::vector<Light> lights;
+  lights.reserve(spheres.size());
   double brightest = 0;
   for (const std::uint32_t i : spheres) {
     const Material& material = scene.materials[scene.spheres[i].material];
-    brightest = std::fmax(brightest, bounded_brightness(material.color * material.parameter));
+    lights.push_back(light(scene, i, material.color * material.parameter));
+    brightest = std::fmax(brightest, bounded_brightness(lights.back().radiance));
   }
-  const auto light = [&](std::uint32_t i) {
-    const Sphere& sphere = scene.spheres[i];
-    const Material& material = scene.materials[sphere.material];
-    return Light{.center = sphere.center,
-                 .shift = scene.shifts.empty() ? Vec3{} : scene.shifts[i],
-                 .radius = sphere.radius,
-                 .radiance = material.color * material.parameter,
-                 .sphere = i};
-  };
+  std::vector<double> powers;
+  powers.reserve(spheres.size());
+  for (const Light& of : lights) {
+    powers.push_back(bounded_brightness(of.radiance) / brightest * of.radius * of.radius);
+  }
+  *this = Lights(lights, powers);
+}
+
+Lights Lights::casters(const Scene& scene, std::span<const std::uint32_t> spheres) {
+  if (spheres.empty()) return {};
+  std::vector<Light> casters;
+  std::vector<double> areas;
   for (const std::uint32_t i : spheres) {
-    const Light of = light(i);
-    tree_lights.push_back(
-        {.center = of.center,
-         .shift = of.shift,
-         .radius = of.radius,
-         .power = bounded_brightness(of.radiance) / brightest * of.radius * of.radius});
+    casters.push_back(light(scene, i, scene.materials[scene.spheres[i].material].color));
+    areas.push_back(casters.back().radius * casters.back().radius);
   }
-  tree_ = LightTree(tree_lights);
+  return {casters, areas};
+}
+
+Lights::Lights(const std::vector<Light>& lights, std::span<const double> powers) {
+  std::vector<LightSphere> of_tree;
+  of_tree.reserve(lights.size());
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    of_tree.push_back({.center = lights[i].center,
+                       .shift = lights[i].shift,
+                       .radius = lights[i].radius,
+                       .power = powers[i]});
+  }
+  tree_ = LightTree(of_tree);
   leaves_.reserve(tree_.lights_of_leaves().size());
-  leaves_of_spheres_.reserve(spheres.size());
+  leaves_of_spheres_.reserve(lights.size());
   for (const std::uint32_t index : tree_.lights_of_leaves()) {
     if (index == kNoLight) {
       leaves_.emplace_back();
       continue;
     }
-    leaves_of_spheres_.emplace_back(spheres[index], static_cast<std::uint32_t>(leaves_.size()));
-    leaves_.push_back(light(spheres[index]));
+    const auto leaf = static_cast<std::uint32_t>(leaves_.size());
+    leaves_of_spheres_.emplace_back(lights[index].sphere, leaf);
+    leaves_.push_back(lights[index]);
   }
   std::ranges::sort(leaves_of_spheres_);
 }

@@ -31,6 +31,9 @@ class Lights {
   Lights() = default;
   /// `scene` is rebased; `spheres` are its emissive spheres from choose_lights().
   Lights(const Scene& scene, std::span<const std::uint32_t> spheres);
+  /// Spheres from choose_casters(), which pass on the light of others: their colour takes the place
+  /// of radiance, their area that of power.
+  static Lights casters(const Scene& scene, std::span<const std::uint32_t> spheres);
 
   bool empty() const noexcept { return leaves_.empty(); }
   const LightTree& tree() const noexcept { return tree_; }
@@ -41,6 +44,9 @@ class Lights {
   std::uint32_t leaf_of(std::uint32_t sphere) const noexcept;
 
  private:
+  /// `powers`: of `lights`, relative to each other.
+  Lights(const std::vector<Light>& lights, std::span<const double> powers);
+
   LightTree tree_;
   std::vector<Light> leaves_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> leaves_of_spheres_;  // sorted

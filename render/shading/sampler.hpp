@@ -32,6 +32,13 @@ enum VertexPair : std::uint32_t {
   kChoice,     ///< first: selects one of several events, or the distance in a ball
   kLight,      ///< direction within the cone of an emitter
   kVertexPairs,
+  /// Connections by way of mirrors and glass. The pairs of vertices do not get this far.
+  kCaster = 0x20000000,  ///< selects the caster
+  kCausticLight,         ///< first: selects the light; second: the number of chords
+  kBeam,                 ///< first: selects the beam
+  kCausticDirection,     ///< in the beam
+  kGlint,                ///< first: selects an image of a light in the pixel
+  kGlintPlace,           ///< in that image
 };
 
 /// The step between consecutive samples and words before mixing: 2^32 divided by the golden ratio,

@@ -182,6 +182,42 @@ TEST(RarePaths, MakeIntervalsLongerNotWrong) {
   EXPECT_GE(calibration.share(calibration.means_inside), 0.93);
 }
 
+/// A mirror with the image of a lamp, which is much smaller than the pixel that has it.
+Scene glint() {
+  Scene scene = beam_scene({0, 3, 8}, {0, 0.8, 0}, LinearRgb{});
+  scene.camera.aspect = 1.6;
+  scene.camera.plane_height = 0.63;
+  add_sphere(scene, {0, -1000, 0}, 1000, diffuse(LinearRgb{0.8}));
+  add_sphere(scene, {0, 1, 0}, 1, specular(LinearRgb{0.9}, 0));
+  add_sphere(scene, {3, 4, 1}, 0.01, emissive(LinearRgb{1}, 10000));
+  return scene;
+}
+
+// One pixel has most of the error: the replicates agree by chance in one picture of about thirty,
+// and a render with a goal looks at many. Of 200 pictures, 95 % covered, fewer than 180 have a
+// probability of .2 %. Without ErrorGoal::settled 164 are.
+TEST(RarePaths, AreInTheIntervalWhereAGoalEnds) {
+  const Scene scene = glint();
+  RenderSettings settings = kTiny;
+  settings.width /= 2;
+  settings.height /= 2;
+  settings.light_sampling = LightSampling::Caustics;
+  settings.samples = 1 << 17;
+  settings.seed = 1'000'000;
+  const RenderResult truth = rendered(scene, settings);
+  settings.samples = 1 << 20;
+  settings.error = 0.05;
+  Calibration calibration;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    settings.seed = seed;
+    const RenderResult result = rendered(scene, settings);
+    EXPECT_TRUE(result.has_reached_error);
+    calibration.add(result, *settings.error, truth);
+  }
+  EXPECT_GE(calibration.errors_inside, 180);
+  EXPECT_GE(calibration.met, 180);
+}
+
 // A goal that was reached with N samples gives the picture of N samples.
 TEST(Goal, GivesThePictureOfAsManySamples) {
   RenderSettings settings = kTiny;
@@ -196,7 +232,9 @@ TEST(Goal, GivesThePictureOfAsManySamples) {
   const RenderResult by_samples = rendered(settings);
   EXPECT_EQ(by_goal.picture.pixels, by_samples.picture.pixels);
   EXPECT_EQ(by_goal.error->relative_error, by_samples.error->relative_error);
-  EXPECT_EQ(by_goal.error->interval, by_samples.error->interval);
+  // The interval of a goal allows for stopping (ErrorGoal::settled).
+  EXPECT_LE(by_goal.error->interval.from, by_samples.error->interval.from);
+  EXPECT_GE(by_goal.error->interval.to, by_samples.error->interval.to);
 }
 
 // Bias below 3 standard errors; intervals cover the truth in at least 93 % of 400 pictures (if 95 %

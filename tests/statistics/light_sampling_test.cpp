@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -28,16 +27,6 @@ constexpr int kDepths[]{2, 3, 5, 16};
 Estimate with_lights(const Scene& scene, int depth, std::uint64_t samples = 1 << 16) {
   return radiance_along_axis(
       scene, {.depth = depth, .samples = samples, .seed = 11, .light_sampling = LightSampling::On});
-}
-
-testing::AssertionResult agree(const Estimate& a, const Estimate& b, double significance) {
-  const LinearRgb variance =
-      a.standard_error * a.standard_error + b.standard_error * b.standard_error;
-  const Estimate difference{
-      .mean = a.mean - b.mean,
-      .standard_error = {std::sqrt(variance.r), std::sqrt(variance.g), std::sqrt(variance.b)},
-      .samples = std::min(a.samples, b.samples)};
-  return agrees(difference, kBlack, significance);
 }
 
 /// A gray ground, seen at the origin, under a dim sky; its color makes many bounces matter.

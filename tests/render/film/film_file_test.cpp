@@ -41,6 +41,7 @@ StoredFilm example(std::uint32_t first_sample = 0, std::uint32_t end_sample = 0x
                                .program = "sdlc 1.0"},
                     .statistics = {.rays = 12345, .truncated_paths = 6, .nonfinite_samples = 1},
                     .lights = {1, 5},
+                    .casters = {2},
                     .exact_spheres = {7},
                     .emitters = {{.paths = 3, .enough = 30}, {.paths = 200, .enough = 255}},
                     .targets = totals,
@@ -54,6 +55,7 @@ void expect_equal(const StoredFilm& film, const StoredFilm& expected) {
   EXPECT_EQ(film.origin, expected.origin);
   EXPECT_EQ(film.statistics, expected.statistics);
   EXPECT_EQ(film.lights, expected.lights);
+  EXPECT_EQ(film.casters, expected.casters);
   EXPECT_EQ(film.exact_spheres, expected.exact_spheres);
   EXPECT_EQ(film.emitters, expected.emitters);
   EXPECT_EQ(film.targets, expected.targets);
@@ -248,6 +250,7 @@ TEST_F(FilmFile, RefusesToAddAnotherPicture) {
   EXPECT_THAT(refusal([](StoredFilm& film) { film.origin.program = "sdlc 0.9"; }),
               HasSubstr("its program is sdlc 0.9, not sdlc 1.0"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.lights.clear(); }), HasSubstr("lights"));
+  EXPECT_THAT(refusal([](StoredFilm& film) { film.casters = {3}; }), HasSubstr("lights"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.exact_spheres = {8}; }), HasSubstr("in double"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.emitters.clear(); }), HasSubstr("emitters"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.targets.clear(); }), HasSubstr("samples"));

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -122,14 +123,15 @@ Scene caustic(const Material& ball, double lamp_radius) {
   return scene;
 }
 
-// Connections carry no information about light through glass, which they cannot find.
+// Connections to lights carry no information about light through glass, which they cannot find.
 TEST(GoalForTheError, IsNotReachedWhereNoPathFoundACaustic) {
   const Scene scenes[] = {caustic(test::transmissive(LinearRgb{1}, 1.5), 0.01),
                           caustic(test::transmissive(LinearRgb{0.8}, 1.3), 0.005),
                           caustic(test::specular(LinearRgb{1}, 0.02), 0.03),
                           caustic(test::specular(LinearRgb{0.9}, 0), 0.01)};
   for (const Scene& scene : scenes) {
-    RenderSettings settings{.width = 96, .height = 54, .samples = 256};
+    RenderSettings settings{
+        .width = 96, .height = 54, .samples = 256, .light_sampling = LightSampling::On};
     settings.error = 0.02;
     const RenderResult result = rendered(scene, settings);
     EXPECT_EQ(result.sampled_lights, 1u);
@@ -141,6 +143,60 @@ TEST(GoalForTheError, IsNotReachedWhereNoPathFoundACaustic) {
     settings.samples = 64;
     EXPECT_FALSE(rendered(scene, settings).error);
   }
+}
+
+// Directions in float are too coarse for the beams of such a lamp.
+TEST(GoalForTheError, IsNotReachedWhereConnectionsCannotFindTheCaustic) {
+  RenderSettings settings{
+      .width = 96, .height = 54, .samples = 256, .light_sampling = LightSampling::Caustics};
+  settings.error = 0.02;
+  Scene scene = caustic(test::transmissive(LinearRgb{1}, 1.5), 1e-5);
+  scene.materials.back().parameter = 2e10;
+  const RenderResult result = rendered(scene, settings);
+  EXPECT_EQ(result.kernel.casters.size(), 1u);
+  EXPECT_FALSE(result.has_reached_error);
+}
+
+/// The root mean square of the difference, divided by the mean of `b`.
+double relative_difference(const Picture& a, const Picture& b) {
+  double squares = 0, sum = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const LinearRgb d = a.pixels[i] - b.pixels[i];
+    squares += (d.r * d.r + d.g * d.g + d.b * d.b) / 3;
+    sum += (b.pixels[i].r + b.pixels[i].g + b.pixels[i].b) / 3;
+  }
+  const auto pixels = static_cast<double>(a.pixels.size());
+  return std::sqrt(squares / pixels) / (sum / pixels);
+}
+
+// Against a picture of another seed with four times as many samples, whose own error is included:
+// the goal plus a quarter of its square.
+TEST(GoalForTheError, IsReachedWhereConnectionsFindTheCaustic) {
+  Scene glass = caustic(test::transmissive(LinearRgb{1}, 1.5), 0.1);
+  glass.materials.back().parameter = 200;
+  for (const Scene& scene : {glass, caustic(test::specular(LinearRgb{0.9}, 0), 0.01)}) {
+    RenderSettings settings{
+        .width = 32, .height = 18, .samples = 1 << 20, .light_sampling = LightSampling::Caustics};
+    settings.error = 0.1;
+    const RenderResult result = rendered(scene, settings);
+    ASSERT_TRUE(result.has_reached_error);
+    settings.error.reset();
+    settings.samples = static_cast<int>(4 * result.max_samples);
+    settings.seed = 99;
+    EXPECT_LT(relative_difference(result.picture, rendered(scene, settings).picture),
+              0.1 * std::sqrt(1.25));
+  }
+}
+
+TEST(LightSamplingAuto, ConnectsByWayOfGlassWhereNothingElseFindsTheLight) {
+  const RenderSettings settings{.width = 32, .height = 18, .samples = 8};
+  const auto choice = [&](const Scene& scene) {
+    return rendered(scene, settings).kernel.light_choice;
+  };
+  EXPECT_EQ(choice(caustic(test::transmissive(LinearRgb{1}, 1.5), 0.01)), "caustics, 1 light");
+  EXPECT_EQ(choice(caustic(test::specular(LinearRgb{0.9}, 0), 0.01)), "caustics, 1 light");
+  EXPECT_EQ(choice(caustic(test::specular(LinearRgb{0.9}, 0.02), 0.01)), "on, 1 light");
+  EXPECT_EQ(choice(caustic(test::diffuse(LinearRgb{0.9}), 0.01)), "on, 1 light");
 }
 
 TEST(GoalForTheError, IsReachedWhereTheCausticWasFound) {

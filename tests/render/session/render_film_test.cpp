@@ -104,12 +104,15 @@ std::vector<Case> cases() {
   const auto add = [&](const std::string& name, const KernelRequest& kernel,
                        bool has_instances = false) {
     for (const SamplerKind sampler : {SamplerKind::Sobol, SamplerKind::Independent}) {
-      for (const LightSampling lights : {LightSampling::On, LightSampling::Off}) {
+      for (const LightSampling lights :
+           {LightSampling::On, LightSampling::Off, LightSampling::Caustics}) {
         Case one{name, kernel, settings, has_instances};
         one.settings.sampler = sampler;
         one.settings.light_sampling = lights;
         one.name += sampler == SamplerKind::Sobol ? "_sobol" : "_independent";
-        one.name += lights == LightSampling::On ? "_lights" : "";
+        if (lights != LightSampling::Off) {
+          one.name += lights == LightSampling::On ? "_lights" : "_caustics";
+        }
         for (const int samples : {5, 700, 1024}) {
           one.settings.samples = samples;
           cases.push_back(one);

@@ -125,6 +125,53 @@ TEST(EmitterTally, CountsKindsOfPathApart) {
   EXPECT_THAT(rare_kinds(tally, 3), IsEmpty());
 }
 
+/// The kinds of path to sphere 3 that are rare before any path was found, with one ball as caster.
+std::vector<LightPath> rare_with_caster(const Scene& scene, bool has_all_glints) {
+  const std::vector<std::uint32_t> lights{2, 3}, casters{1};
+  return rare_kinds(EmitterTally(EmitterClasses(scene, lights, casters, has_all_glints), kDepth),
+                    3);
+}
+
+TEST(EmitterTally, CountsOnlyTheSpecularPathsThatConnectionsCannotFind) {
+  Scene scene = lights_around(test::transmissive(LinearRgb{1}, 1.5));
+  EXPECT_THAT(rare_with_caster(scene, true), ElementsAre(Visible));
+  EXPECT_THAT(rare_with_caster(scene, false), ElementsAre(Visible, Reflected));
+  // A second ball: light comes by way of both.
+  Scene with_two = scene;
+  test::add_sphere(with_two, {3, 3, 0}, 1, test::specular(LinearRgb{1}, 0));
+  EXPECT_THAT(rare_with_caster(with_two, true), ElementsAre(Visible, Reflected, Caustic));
+  // Something in the glass, and a lamp there.
+  Scene with_core = scene;
+  test::add_sphere(with_core, {0, 3, 0}, 0.5, test::diffuse(LinearRgb{1}));
+  EXPECT_THAT(rare_with_caster(with_core, true), ElementsAre(Visible, Reflected, Caustic));
+  Scene with_lamp = scene;
+  with_lamp.spheres[3] = {.center = {0, 3, 0.5}, .radius = 0.1, .material = 3};
+  EXPECT_THAT(rare_with_caster(with_lamp, true), ElementsAre(Reflected, Caustic));
+  // A lamp that moves into it.
+  Scene moving = scene;
+  moving.shifts.assign(moving.spheres.size(), Vec3{});
+  moving.shifts[3] = {0, 3, 18};
+  EXPECT_THAT(rare_with_caster(moving, false), ElementsAre(Visible, Reflected, Caustic));
+}
+
+// A path that no connection could have found shows that there are others.
+TEST(EmitterTally, ReportsPathsThatWereNotExpected) {
+  const std::vector<std::uint32_t> lights{2, 3}, casters{1};
+  const EmitterClasses classes(lights_around(test::transmissive(LinearRgb{1}, 1.5)), lights,
+                               casters, true);
+  EmitterTally tally(classes, kDepth);
+  count(tally, 3, 255, Visible);
+  EXPECT_THAT(rare_kinds(tally, 3), IsEmpty());
+  EXPECT_TRUE(tally.is_counting());
+  count(tally, 3, 1, Caustic);
+  EXPECT_THAT(rare_kinds(tally, 3), ElementsAre(Caustic));
+  EmitterTally restored(classes, kDepth);
+  restored.restore(tally.counts());
+  EXPECT_THAT(rare_kinds(restored, 3), ElementsAre(Caustic));
+  count(tally, 3, 1, Caustic);
+  EXPECT_THAT(rare_kinds(tally, 3), IsEmpty());
+}
+
 TEST(LightPath, IsNamedAfterWhatThePathMet) {
   EXPECT_EQ(light_path({}), Visible);
   EXPECT_EQ(light_path({.has_scattered = true}), Reflected);

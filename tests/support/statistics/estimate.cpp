@@ -45,4 +45,14 @@ testing::AssertionResult agrees(const Estimate& estimate, render::LinearRgb expe
   return testing::AssertionSuccess();
 }
 
+testing::AssertionResult agree(const Estimate& a, const Estimate& b, double significance) {
+  const render::LinearRgb variance =
+      a.standard_error * a.standard_error + b.standard_error * b.standard_error;
+  const Estimate difference{
+      .mean = a.mean - b.mean,
+      .standard_error = {std::sqrt(variance.r), std::sqrt(variance.g), std::sqrt(variance.b)},
+      .samples = std::min(a.samples, b.samples)};
+  return agrees(difference, render::LinearRgb{}, significance);
+}
+
 }  // namespace sdlc::test

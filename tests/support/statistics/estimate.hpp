@@ -37,4 +37,7 @@ class EstimateBuilder {
 testing::AssertionResult agrees(const Estimate& estimate, render::LinearRgb expected,
                                 double significance = 1e-4);
 
+/// The same for H0 "both have the same expectation". They are independent.
+testing::AssertionResult agree(const Estimate& a, const Estimate& b, double significance);
+
 }  // namespace sdlc::test
