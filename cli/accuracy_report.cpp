@@ -58,7 +58,8 @@ std::string rare_light(const render::RenderResult& result) {
   }
   const bool is_specular =
       worst->kind == render::LightPath::Caustic || worst->kind == render::LightPath::Reflected;
-  const bool may_help = is_specular && result.kernel.casters.empty();
+  const bool may_help =
+      is_specular && result.kernel.casters.empty() && result.kernel.may_have_casters;
   return fmt::format(
       "the error is unknown: {} path{} reached a light {}, so some of its light may be missing in "
       "the picture; more samples{} may find it",

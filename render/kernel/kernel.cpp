@@ -231,6 +231,8 @@ Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
   Kernel kernel = kernel_for(scene, settings, request);
   if (kernel.refusal) return kernel;
   Connections connections = connections_for(scene, settings, kernel.exact_spheres);
+  kernel.may_have_casters = !choose_lights(scene, LightSampling::On).empty() &&
+                            !choose_casters(scene, kernel.exact_spheres).empty();
   kernel.lights = std::move(connections.lights);
   kernel.casters = std::move(connections.casters);
   if (settings.light_sampling == LightSampling::Auto &&

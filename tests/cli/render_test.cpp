@@ -528,6 +528,27 @@ TEST_F(RenderCommand, SaysWhatAutomaticLightSamplingChose) {
   EXPECT_THAT(last_line("white", "", ""), Not(HasSubstr("light sampling")));
 }
 
+// Connections by way of rough metal are not made.
+TEST_F(RenderCommand, SuggestsCausticsWhereTheyFindTheLightThatIsMissing) {
+  const auto warnings = [&](const std::string& material, const std::string& flags) {
+    write_text(folder_ / "caustic.scene",
+               "scene 1\ncamera main { from: (0, 2.5, 7), at: (0, 0.7, 0), fov: 35deg }\n"
+               "background { color: black }\nrender { width: 32, samples: 32 }\n"
+               "sphere { center: (0, -1000, 0), radius: 1000, material: diffuse(color: gray) }\n"
+               "sphere { center: (0, 1, 0), radius: 1, material: " +
+                   material +
+                   " }\n"
+                   "sphere { center: (2.5, 3.5, 1), radius: 0.01, "
+                   "material: emissive(color: white, intensity: 13500) }\n");
+    return run("\"$SDLC\" render caustic.scene -o a.png " + flags).err;
+  };
+  const char* hint = "more samples, or --light-sampling caustics, may find it";
+  EXPECT_THAT(warnings("transmissive(ior: 1.5)", "--light-sampling on"), HasSubstr(hint));
+  const std::string rough = warnings("specular(color: white, fuzz: 0.02)", "");
+  EXPECT_THAT(rough, HasSubstr("the error is unknown"));
+  EXPECT_THAT(rough, Not(HasSubstr("caustics,")));
+}
+
 TEST_F(RenderCommand, RefusesNumbersOutOfRange) {
   for (const char* flags : {"--width 0", "--samples -1", "--depth 0", "--samples 1.5",
                             "--threads -2", "--seed -1", "--width 99999999999"}) {
