@@ -67,6 +67,14 @@ std::string rare_light(const render::RenderResult& result) {
       words_of(worst->kind), may_help ? ", or --light-sampling caustics," : "");
 }
 
+/// Why the picture of a render with --denoise is as it was.
+std::string_view why_plain(const render::RenderResult& result) {
+  if (result.min_samples < render::kMinReplicatedSamples) {
+    return "that takes at least 8 samples per pixel";
+  }
+  return result.error ? "that would not lower its error" : "its error would be unknown";
+}
+
 /// The warning about an error that no kind of path hides: the picture is black and its paths were
 /// cut off, or squares of the radiance are beyond the range of numbers.
 std::string unknown_error(const render::Picture& picture) {
@@ -95,8 +103,11 @@ std::string describe_samples(const render::RenderResult& result) {
 std::string describe_error(const render::RenderResult& result) {
   std::string text;
   if (result.error) {
-    text += fmt::format(", error {} % ({} to {} %)", percent(result.error->relative_error),
-                        percent(result.error->interval.from), percent(result.error->interval.to));
+    const std::string before =
+        result.plain_error ? percent(result.plain_error->relative_error) + " % → " : "";
+    text +=
+        fmt::format(", error {}{} % ({} to {} %)", before, percent(result.error->relative_error),
+                    percent(result.error->interval.from), percent(result.error->interval.to));
   } else if (result.min_samples >= render::kMinReplicatedSamples) {
     text += ", error unknown";
   }
@@ -132,6 +143,10 @@ std::vector<std::string> accuracy_warnings(const render::RenderSettings& setting
   } else if (has_estimate && !result.error) {
     warnings.push_back(unknown_error(result.picture));
   }
+  const bool has_noise = !result.error || result.error->relative_error > 0;
+  if (settings.is_denoised && !result.plain_error && has_noise) {
+    warnings.push_back(fmt::format("the picture is not denoised: {}", why_plain(result)));
+  }
   if (has_estimate && !result.scarce_emitters.empty()) {
     warnings.push_back(scarce_light(settings, result.scarce_emitters));
   }
@@ -155,6 +170,7 @@ std::vector<std::pair<std::string, std::string>> picture_metadata(
   if (mapping && mapping->exposure != 0) {
     entries.emplace_back("sdlc:exposure", fmt::to_string(mapping->exposure));
   }
+  if (result.plain_error) entries.emplace_back("sdlc:denoised", "true");
   if (result.error) {
     entries.emplace_back("sdlc:relative_error", fmt::to_string(result.error->relative_error));
     entries.emplace_back(

@@ -52,6 +52,10 @@ void check_aovs(const Aovs& aovs, const std::vector<Output>& outputs,
         "--aov: only .exr files can store additional channels, and there is no .exr output; add "
         "one, such as -o picture.exr");
   }
+  if (aovs.variance && settings.is_denoised) {
+    throw UsageError(
+        "--aov: `variance` is that of the picture that is not denoised; omit it or --denoise");
+  }
   const auto min_samples = static_cast<int>(render::kMinReplicatedSamples);
   if (aovs.variance && settings.samples < min_samples) {
     throw UsageError(

@@ -114,6 +114,7 @@ Json picture_json(const InspectReport& report) {
   json.update({{"error", number_or_null(settings.error)},
                {"seconds", number_or_null(settings.seconds)},
                {"adaptive", settings.is_adaptive},
+               {"denoised", settings.is_denoised},
                {"sampled_lights", report.kernel.lights.size()},
                {"threads", settings.threads},
                {"tone", name_of(report.lowered.output.mapping.tone)},

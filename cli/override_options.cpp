@@ -99,6 +99,9 @@ void add_goals(Command& command, lang::Overrides& overrides) {
       "max number");
   command.add_flag("--adaptive", overrides.is_adaptive,
                    "More samples where there is more noise; needs a requested error");
+  command.add_flag("--denoise", overrides.is_denoised,
+                   "Filter the picture where that lowers its error, which is measured; --error and "
+                   "--time are then for the filtered picture");
 }
 
 }  // namespace
@@ -117,6 +120,11 @@ void add_override_options(Command& command, lang::Overrides& overrides) {
 }
 
 void check_goals(const lang::Overrides& overrides, const lang::LoweredScene& lowered) {
+  if (overrides.is_adaptive && overrides.is_denoised) {
+    throw UsageError(
+        "--adaptive and --denoise exclude each other: --adaptive chooses the samples for the error "
+        "of the picture that is not denoised");
+  }
   const bool is_plain = !lowered.camera;
   if (!overrides.is_adaptive || lowered.settings.error || is_plain) return;
   throw UsageError(

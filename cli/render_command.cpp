@@ -43,6 +43,7 @@
 #include "render/math/clock.hpp"
 #include "render/parallel/threads.hpp"
 #include "render/scene/instances.hpp"
+#include "render/session/picture_denoiser.hpp"
 #include "render/session/render.hpp"
 
 namespace sdlc::cli {
@@ -73,10 +74,11 @@ void check_memory(const render::RenderSettings& settings, const render::Aovs& ao
   // The picture, its 32-bit copy, the encoded file, and the error estimates.
   std::size_t pixel_bytes =
       sizeof(render::LinearRgb) + 2 * 3 * sizeof(float) + sizeof(render::PixelSpread);
-  if (settings.has_goal()) {  // the film; a goal may be reached with few samples
+  if (settings.has_goal() || settings.is_denoised) {  // the film; a goal may need few samples
     pixel_bytes +=
         render::Film::bytes_per_pixel(render::kMinReplicatedSamples, channels_of(settings));
   }
+  if (settings.is_denoised) pixel_bytes += render::PictureDenoiser::kBytesPerPixel;
   const std::size_t bytes = pixels * pixel_bytes + aov_bytes(aovs, pixels);
   if (bytes > physical_memory_bytes()) throw std::bad_alloc();
 }

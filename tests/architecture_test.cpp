@@ -102,11 +102,11 @@ TEST(Architecture, TheRendererKnowsNothingOfTheLanguage) {
 TEST(Architecture, EachLibraryIsUsedInOnePlace) {
   const std::map<std::string, std::vector<std::string>> users{
       {"<tbb/",
-       {"render/compare", "render/exactness", "render/hierarchy", "render/kernel",
+       {"render/compare", "render/denoise", "render/exactness", "render/hierarchy", "render/kernel",
         "render/parallel", "render/session"}},
       {"<OpenImageIO/", {"render/image/openimageio"}},
       {"<CLI/", {"cli"}},
-      {"<hwy/", {"render/kernel", "render/lanes", "render/shading"}},
+      {"<hwy/", {"render/denoise", "render/kernel", "render/lanes", "render/shading"}},
       {"<tao/", {"grammar", "lang/json", "lang/syntax", "lang/token"}},
   };
   for (const char* area : {"grammar", "lang", "render", "cli"}) {

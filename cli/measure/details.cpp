@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/report/figures.hpp"
 #include "render/compare/color_map.hpp"
@@ -23,8 +22,8 @@ constexpr const char* kReferenceKey = "reference";
 
 /// A file name for the details of a picture.
 std::string key_of(const render::Configuration& configuration, int samples) {
-  std::string key =
-      fmt::format("{}-samples-{}", fmt::join(render::parts_of(configuration), "-"), samples);
+  std::string key = fmt::format("{}-samples-{}",
+                                render::join_parts(render::parts_of(configuration), "-"), samples);
   std::ranges::replace(key, ' ', '-');
   return key;
 }

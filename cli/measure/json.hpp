@@ -124,7 +124,9 @@ void read_value(const Json& json, const std::string& name, Range range, std::vec
 template <>
 inline constexpr auto kMembers<render::Configuration> = std::apply(
     [](const auto&... settings) {
-      return std::tuple{Member(settings.name, settings.member, Range{1})...};
+      return std::tuple{Member(
+          settings.name, settings.member, Range{1},
+          settings.name == render::kDenoise.name ? Presence::Optional : Presence::Required)...};
     },
     render::kConfigurationSettings);
 

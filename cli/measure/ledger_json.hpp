@@ -7,7 +7,8 @@
 namespace sdlc::cli {
 
 SDLC_MEMBERS(render::StudyTask, kind, configuration, samples, round)
-SDLC_MEMBERS(render::ConfigurationCost, configuration, build_seconds, seconds_per_sample, refusal)
+SDLC_MEMBERS(render::ConfigurationCost, configuration, build_seconds, seconds_per_sample,
+             seconds_per_pixel, refusal)
 SDLC_MEMBERS(render::StudyPlan, width, height, costs, reference_configuration, reference_samples,
              depths, probe_samples, tasks)
 SDLC_MEMBERS(render::DepthProbe, depth, round, mean, seconds, cut_paths)

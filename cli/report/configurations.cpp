@@ -3,7 +3,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/report/report.hpp"
 #include "render/measure/configuration.hpp"
@@ -29,6 +28,10 @@ std::string render_flags(const render::Measurement& measurement,
   std::string flags = fmt::format("--samples {}", samples);
   render::for_each_configuration_setting([&](const auto& setting) {
     const auto value = wanted.*setting.member;
+    if constexpr (std::is_same_v<decltype(value), const bool>) {
+      if (value) flags += fmt::format(" {}", render::flag_of(setting.name));
+      return;
+    }
     if (value == own.*setting.member && !std::ranges::count(given.of_configuration, setting.name))
       return;
     flags += fmt::format(" {} {}", render::flag_of(setting.name), render::shown(value));
@@ -56,8 +59,8 @@ std::string describe_configuration(const render::Measurement& measurement,
         });
     if (!is_shared) distinct.push_back(parts[i]);
   }
-  return distinct.empty() ? render::describe(configuration)
-                          : fmt::format("{}", fmt::join(distinct, ", "));
+  const std::string text = render::join_parts(distinct);
+  return text.empty() ? render::describe(configuration) : text;
 }
 
 }  // namespace sdlc::cli

@@ -28,6 +28,7 @@ struct Overrides {
   std::optional<std::uint64_t> seed = {};  ///< 64 bits; a property has only 53
   std::optional<double> seconds = {};      ///< replaces the scene's `error` and `samples`
   bool is_adaptive = false;
+  bool is_denoised = false;
   bool names_output = false;  ///< the scene's `output` is not used
   Instancing instancing = Instancing::Auto;
 

@@ -52,6 +52,7 @@ void lower_goals(const WantedSettings& wanted, LoweredScene& lowered) {
   const bool is_by_flag = flags.has(kError) || flags.seconds;
   settings.error = is_by_flag ? flags.get<double>(kError) : wanted.render.get<double>(kError);
   settings.seconds = flags.seconds;
+  settings.is_denoised = flags.is_denoised;
   settings.is_adaptive = flags.is_adaptive && settings.error;
   // The scene's samples limit only its own goal, and only if they are written.
   const bool takes_samples =

@@ -85,7 +85,7 @@ LinearRgb Film::mean(std::size_t pixel) const noexcept {
 std::array<LinearRgb, kReplicates> Film::means(std::size_t pixel) const noexcept {
   std::array<LinearRgb, kReplicates> means;
   for (std::uint32_t i = 0; i < kReplicates; ++i) {
-    means[i] = sum(slot(pixel, i)).total() / static_cast<double>(count(pixel, i));
+    means[i] = mean(pixel, i);
   }
   return means;
 }

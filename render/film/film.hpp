@@ -101,6 +101,10 @@ class Film {
   FirstHitSums& first_hits(std::size_t pixel) noexcept { return first_hits_[pixel]; }
   /// Black if there is no sample.
   LinearRgb mean(std::size_t pixel) const noexcept;
+  /// Of one replicate. Precondition: it has a sample.
+  LinearRgb mean(std::size_t pixel, std::uint32_t replicate) const noexcept {
+    return sum(pixel, replicate).total() / static_cast<double>(count(pixel, replicate));
+  }
   /// Precondition: each replicate has a sample.
   PixelSpread spread(std::size_t pixel) const noexcept;
   /// Per-channel estimates of the variance of the pixel's mean.

@@ -8,15 +8,17 @@
 #include <hwy/detect_targets.h>
 
 // The kernels of each instruction set are in path_kernel.cpp, path_kernel_lights_*.cpp and
-// portable_kernel.cpp.
+// portable_kernel.cpp, the filters in render/denoise.
 #define SDLC_DECLARE_KERNELS(target)                                            \
   namespace target {                                                            \
   TraceRuns<float>* kernel_for(float type, KernelFeatures features) noexcept;   \
   TraceRuns<double>* kernel_for(double type, KernelFeatures features) noexcept; \
+  CrossFilter filter_tile;                                                      \
   }
 #define SDLC_CHOOSE_KERNELS(target)                                                           \
   .kernel_in_float = [](KernelFeatures of) noexcept { return target::kernel_for(0.0F, of); }, \
-  .kernel_in_double = [](KernelFeatures of) noexcept { return target::kernel_for(0.0, of); }
+  .kernel_in_double = [](KernelFeatures of) noexcept { return target::kernel_for(0.0, of); }, \
+  .filter = target::filter_tile
 
 namespace sdlc::render {
 
@@ -65,6 +67,7 @@ constexpr std::array kBackends {
           .allows_camera_on_surfaces = true,
           .is_available = always,
           .kernel_in_double = portable_kernel,
+          .filter = portable_filter,
           .cost_in_double = {.all = 120, .per_sphere = 1.5, .bvh = 190, .per_level = 4}},
 #if HWY_TARGETS & HWY_SSE4
       Backend{.name = "sse4",

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "render/denoise/cross_filter.hpp"
 #include "render/kernel/path_kernel.hpp"
 #include "render/scene/scene.hpp"
 
@@ -19,7 +20,8 @@ struct SearchCost {
 };
 
 /// The kernels, built for one instruction set. Backends exist once, so their addresses identify
-/// them. The only other code that depends on instruction sets is that of the kernels themselves.
+/// them. The only other code that depends on instruction sets is that of the kernels, and of
+/// render/denoise.
 struct Backend {
   std::string_view name;
   std::size_t vector_bytes = 0;
@@ -31,6 +33,7 @@ struct Backend {
   bool (*is_available)() noexcept = nullptr;  ///< on this machine
   ChooseKernel<float>* kernel_in_float = nullptr;
   ChooseKernel<double>* kernel_in_double = nullptr;
+  CrossFilter* filter = nullptr;
   SearchCost cost_in_float{}, cost_in_double{};
 
   std::size_t lanes(Precision precision) const noexcept {

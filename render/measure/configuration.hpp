@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -15,6 +16,7 @@ struct Configuration {
   LightSampling light_sampling = LightSampling::Auto;
   Precision precision = Precision::Float;  ///< that is taken; Mixed counts as asked for by Float
   int depth = 16;
+  bool is_denoised = false;
 
   friend bool operator==(const Configuration&, const Configuration&) = default;
 };
@@ -35,7 +37,8 @@ inline constexpr std::tuple kConfigurationSettings{
     ConfigurationSetting(kSampler, &Configuration::sampler),
     ConfigurationSetting(kLightSampling, &Configuration::light_sampling),
     ConfigurationSetting("precision", &Configuration::precision),
-    ConfigurationSetting(kDepth, &Configuration::depth)};
+    ConfigurationSetting(kDepth, &Configuration::depth),
+    ConfigurationSetting(kDenoise, &Configuration::is_denoised)};
 
 /// Calls `visit(setting)` with each row of kConfigurationSettings.
 template <typename Visitor>
@@ -43,9 +46,11 @@ constexpr void for_each_configuration_setting(Visitor&& visit) {
   std::apply([&](const auto&... settings) { (visit(settings), ...); }, kConfigurationSettings);
 }
 
-/// "sobol", "light sampling on", "float", "depth 16".
+/// One per setting: "sobol", "light sampling on", "float", "depth 16", "denoised". Empty without a
+/// filter.
 std::vector<std::string> parts_of(const Configuration& configuration);
-/// The parts, with commas between them.
+/// The parts that are not empty, with separators between them.
+std::string join_parts(std::span<const std::string> parts, std::string_view separator = ", ");
 std::string describe(const Configuration& configuration);
 
 }  // namespace sdlc::render

@@ -170,7 +170,8 @@ double StudyPlan::seconds_of(const StudyTask& task) const {
   const double pixels = static_cast<double>(width) * height;
   const auto render = [&](const Configuration& configuration) {
     const ConfigurationCost& cost = cost_of(configuration);
-    return cost.build_seconds + cost.seconds_per_sample * pixels * task.samples;
+    return cost.build_seconds +
+           (cost.seconds_per_sample * task.samples + cost.seconds_per_pixel) * pixels;
   };
   switch (task.kind) {
     case StudyTask::Kind::Reference:

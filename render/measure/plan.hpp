@@ -16,6 +16,7 @@ struct ConfigurationCost {
   Configuration configuration{};
   double build_seconds = 0;
   double seconds_per_sample = 0;  ///< per pixel
+  double seconds_per_pixel = 0;   ///< besides, for denoising
   std::string refusal{};          ///< why it cannot be rendered; it is then excluded from the plan
 };
 

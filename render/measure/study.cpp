@@ -134,6 +134,7 @@ std::vector<Configuration> Study::configurations() const {
   }
   add(&Configuration::precision,
       own_.precision == Precision::Double ? Precision::Float : Precision::Double);
+  add(&Configuration::is_denoised, !own_.is_denoised);
   if (own_.depth > 2) add(&Configuration::depth, own_.depth / 2);
   if (own_.depth <= 64) add(&Configuration::depth, 2 * own_.depth);
   return configurations;
@@ -158,8 +159,10 @@ ConfigurationCost Study::try_configuration(const Configuration& configuration) {
   }
   const RenderResult result = render_once(settings, configuration);
   cost.build_seconds = result.build_seconds;
-  cost.seconds_per_sample = result.render_seconds / (static_cast<double>(settings.width) *
-                                                     settings.height * settings.samples);
+  const double pixels = static_cast<double>(settings.width) * settings.height;
+  cost.seconds_per_pixel = result.denoise_seconds / pixels;
+  cost.seconds_per_sample =
+      (result.render_seconds - result.denoise_seconds) / (pixels * settings.samples);
   return cost;
 }
 
@@ -176,6 +179,8 @@ ConfigurationCost Study::guess_configuration(const Configuration& configuration,
   if (configuration.precision == Precision::Double && own_.precision != Precision::Double) {
     cost.seconds_per_sample *= kOfDouble;
   }
+  constexpr double kOfDenoising = 20e-6;
+  if (configuration.is_denoised) cost.seconds_per_pixel = kOfDenoising;
   return cost;
 }
 
@@ -195,6 +200,7 @@ void Study::make_plan() {
   }
   request.reference_configuration = own_;
   request.reference_configuration.sampler = SamplerKind::Sobol;
+  request.reference_configuration.is_denoised = false;
   // Sampled lights are not missed.
   if (!choose_lights(scene_, LightSampling::On).empty()) {
     request.reference_configuration.light_sampling =

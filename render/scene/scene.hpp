@@ -125,6 +125,7 @@ struct RenderSettings {
   /// Stop this many seconds after render() was called; above 0.
   std::optional<double> seconds{};
   bool is_adaptive = false;     ///< with `error`: more samples for noisier pixels
+  bool is_denoised = false;     ///< filter the picture where that lowers its error
   bool keeps_variance = false;  ///< keep it per pixel, in RenderResult::variance and spreads
   bool keeps_first_hits =
       false;  ///< average the first hits of each pixel, in RenderResult::features

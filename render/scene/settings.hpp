@@ -21,8 +21,8 @@ template <>
 inline constexpr auto kWords<SamplerKind> = std::to_array<std::string_view>({"sobol",
                                                                              "independent"});
 template <>
-inline constexpr auto kWords<LightSampling> = std::to_array<std::string_view>({
-    "auto", "on", "off", "caustics"});
+inline constexpr auto kWords<LightSampling> = std::to_array<std::string_view>({"auto", "on", "off",
+                                                                               "caustics"});
 template <>
 inline constexpr auto kWords<Precision> = std::to_array<std::string_view>({"float", "mixed",
                                                                            "double"});
@@ -69,6 +69,9 @@ inline constexpr Setting kSeed{"seed", "seed", &RenderSettings::seed};
 inline constexpr Setting kSampler{"sampler", "", &RenderSettings::sampler};
 inline constexpr Setting kLightSampling{"light_sampling", "light sampling",
                                         &RenderSettings::light_sampling};
+
+/// Not of kSettings, as it changes no path.
+inline constexpr Setting kDenoise{"denoise", "", &RenderSettings::is_denoised};
 
 /// The settings that decide on paths and are read, set and reported like any other. Those that need
 /// more than that (size, samples and goals, threads) are not here.

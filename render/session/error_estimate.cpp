@@ -50,4 +50,23 @@ std::optional<ErrorEstimate> estimate_error(const Picture& picture,
   return estimate;
 }
 
+std::optional<ErrorEstimate> estimate_error(const ErrorEstimate& plain,
+                                            std::span<const DenoisedError> errors) {
+  double sum = 0;
+  PooledVariance of_sum;
+  for (const DenoisedError& error : errors) {
+    sum += error.squared_error;
+    of_sum.add(error.variance);
+  }
+  const double half_width = of_sum.half_width();
+  if (!std::isfinite(sum + half_width)) return std::nullopt;
+  const auto relative = [&](double squares) {
+    return std::sqrt(std::max(0.0, squares) / (3 * static_cast<double>(errors.size())));
+  };
+  ErrorEstimate estimate = plain;
+  estimate.relative_error = relative(sum);
+  estimate.interval = {relative(sum - half_width), relative(sum + half_width)};
+  return estimate;
+}
+
 }  // namespace sdlc::render

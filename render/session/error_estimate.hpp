@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "render/denoise/denoise.hpp"
 #include "render/film/film.hpp"
 #include "render/image/picture.hpp"
 #include "render/math/interval.hpp"
@@ -34,5 +35,10 @@ struct ErrorEstimate {
 /// Returns nullopt where squares of the radiance overflow (from 1e150) or underflow (below 1e-140).
 std::optional<ErrorEstimate> estimate_error(const Picture& picture,
                                             std::span<const PixelSpread> spreads);
+
+/// The error of a denoised picture whose error was `plain` before. The mean radiance stays that of
+/// the plain picture: a filter may change it. Returns nullopt if squares overflow.
+std::optional<ErrorEstimate> estimate_error(const ErrorEstimate& plain,
+                                            std::span<const DenoisedError> errors);
 
 }  // namespace sdlc::render

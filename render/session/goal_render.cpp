@@ -76,6 +76,7 @@ void GoalRender::reserve_time_to_finish() {
   const auto begin = Clock::now();
   const bool is_soon = seconds_since(start_) < kShare * *settings_.seconds;
   if (is_time_reserved_ || (is_soon && !settings_.is_adaptive)) return;
+  if (denoiser_ != nullptr && film_.sample_counts().min < kMinReplicatedSamples) return;
   is_time_reserved_ = true;
   estimate();
   double seconds = seconds_since(begin);
@@ -97,8 +98,11 @@ void GoalRender::estimate() {
                       }
                     });
   result_.error.reset();
+  result_.plain_error.reset();
   if (is_known) result_.error = estimate_error(result_.picture, spreads_);
-  if (goal_ && result_.error) {
+  if (denoiser_ != nullptr && result_.error) denoiser_->denoise(film_, spreads_, result_);
+  // A filter leaves no few pixels with most of the error.
+  if (goal_ && result_.error && !result_.plain_error) {
     result_.error = goal_->settled(result_.min_samples, *result_.error);
   }
 }

@@ -10,6 +10,7 @@
 #include "render/film/film.hpp"
 #include "render/math/clock.hpp"
 #include "render/session/error_goal.hpp"
+#include "render/session/picture_denoiser.hpp"
 #include "render/session/picture_tracer.hpp"
 #include "render/session/render.hpp"
 #include "render/shading/emitter_tally.hpp"
@@ -29,6 +30,8 @@ class GoalRender {
 
   /// Goes on with a render that had these targets().
   void resume(std::vector<std::uint32_t> targets) { targets_ = std::move(targets); }
+  /// Goals are those of the denoised picture. Keeps a reference.
+  void denoise_with(const PictureDenoiser& denoiser) { denoiser_ = &denoiser; }
   void run();
   /// The samples of each pixel, as planned by an adaptive render: a cancelled pass has not reached
   /// all of them. Empty before the first such pass.
@@ -62,6 +65,7 @@ class GoalRender {
   Clock::time_point start_;
   Film& film_;
   std::optional<ErrorGoal> goal_;
+  const PictureDenoiser* denoiser_ = nullptr;
   std::vector<PixelSpread> spreads_;
   std::vector<std::uint32_t> targets_;
   bool is_first_pass_ = true;

@@ -12,6 +12,7 @@
 #include "render/math/clock.hpp"
 #include "render/parallel/workers.hpp"
 #include "render/session/goal_render.hpp"
+#include "render/session/picture_denoiser.hpp"
 #include "render/session/picture_tracer.hpp"
 #include "render/session/render_film.hpp"
 #include "render/shading/emitter_tally.hpp"
@@ -19,9 +20,10 @@
 namespace sdlc::render {
 namespace {
 
-/// Renders without a goal. `film` may be null.
+/// Renders without a goal. `film` may be null if `denoiser` is.
 void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderSettings& settings,
-                    const RenderMonitor& monitor, Film* film, RenderResult& result) {
+                    const RenderMonitor& monitor, const PictureDenoiser* denoiser, Film* film,
+                    RenderResult& result) {
   const auto samples = static_cast<std::uint64_t>(settings.samples);
   const FilmExtent extent = extent_of(settings);
   const bool has_replicates = extent.replicates > 1;
@@ -57,6 +59,7 @@ void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderS
   if (monitor.cancel.load()) return;  // some pixels have no sample
   result.min_samples = counts.min;
   if (has_replicates) result.error = estimate_error(result.picture, spreads);
+  if (denoiser != nullptr && result.error) denoiser->denoise(*film, spreads, result);
   if (settings.keeps_variance) result.spreads = std::move(spreads);
 }
 
@@ -66,6 +69,14 @@ bool is_cut_to_black(const RenderResult& result, std::uint64_t truncated_paths) 
   return result.error && result.error->mean == 0 && truncated_paths > 0;
 }
 
+/// Makes the picture what it was before it was denoised, if it was.
+void restore_plain(const RenderSettings& settings, const Film* film, RenderResult& result) {
+  if (!result.plain_error) return;
+  for (std::size_t i = 0; i < film->size(); ++i) result.picture.pixels[i] = film->mean(i);
+  result.error = std::exchange(result.plain_error, std::nullopt);
+  result.has_reached_error = settings.error && result.error->interval.to <= *settings.error;
+}
+
 /// RenderSettings::seconds counts from `start`. `film` may be null.
 RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
                           const RenderSettings& settings, RenderMonitor& monitor,
@@ -73,7 +84,7 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
   if (stored != nullptr) check_origin(scene, settings, *stored);
   Film* film = stored != nullptr ? &film_of({.extent = extent_of(settings)}, *stored) : nullptr;
   std::optional<Film> own;
-  if (film == nullptr && (settings.has_goal() || monitor.on_pass)) {
+  if (film == nullptr && (settings.has_goal() || settings.is_denoised || monitor.on_pass)) {
     film = &own.emplace(extent_of(settings), channels_of(settings));
   }
   RenderResult result;
@@ -90,8 +101,14 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
   const auto render_start = Clock::now();
   PictureTracer pictures(scene.tracer(), settings, emitters, result.threads, monitor);
   workers.run([&] {
+    std::optional<PictureDenoiser> denoiser;
+    if (settings.is_denoised) {
+      denoiser.emplace(scene, settings, result.threads, monitor);
+      result.denoise_seconds = seconds_since(render_start);
+    }
     if (settings.has_goal()) {
       GoalRender goal(pictures, settings, emitters, start, monitor, *film, result);
+      if (denoiser) goal.denoise_with(*denoiser);
       if (stored != nullptr) goal.resume(std::move(stored->targets));
       goal.run();
       if (stored != nullptr) stored->targets = goal.targets();
@@ -102,12 +119,15 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
         }
       }
     } else {
-      render_at_once(pictures, scene.tracer(), settings, monitor, film, result);
+      render_at_once(pictures, scene.tracer(), settings, monitor, denoiser ? &*denoiser : nullptr,
+                     film, result);
       if (monitor.on_pass) monitor.on_pass(*film);
     }
   });
   result.render_seconds = seconds_since(render_start);
   result.is_complete = !monitor.cancel.load();
+  if (!result.is_complete || has_unseen_error(result, emitters))
+    restore_plain(settings, film, result);
   if (!result.is_complete) result.error.reset();
   const TraceCounts counts = pictures.counts();
   const std::uint64_t truncated_before = stored != nullptr ? stored->statistics.truncated_paths : 0;

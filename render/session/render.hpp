@@ -52,6 +52,8 @@ struct RenderResult {
   /// add more than half of the interval's upper end (unseen_error()), and for a black picture of
   /// which paths were cut off.
   std::optional<ErrorEstimate> error{};
+  /// The error of the picture before it was denoised; nullopt if it was not.
+  std::optional<ErrorEstimate> plain_error{};
   Picture variance;                  ///< variance of each pixel's mean, if requested and known
   std::vector<PixelSpread> spreads;  ///< the same per pixel, channels combined
   /// By pixel, if requested; that of a pixel without samples is PixelFeatures{}.
@@ -62,9 +64,10 @@ struct RenderResult {
   std::vector<ReachedEmitter> scarce_emitters;
   /// Kinds of path that were found too rarely for the error to be known; empty if it is known.
   std::vector<RarePath> rare_paths;
-  std::size_t bvh_bytes = 0;  ///< 0 without a BVH
-  double build_seconds = 0;   ///< PreparedScene::build_seconds()
-  double render_seconds = 0;  ///< tracing only
+  std::size_t bvh_bytes = 0;   ///< 0 without a BVH
+  double build_seconds = 0;    ///< PreparedScene::build_seconds()
+  double render_seconds = 0;   ///< tracing and denoising
+  double denoise_seconds = 0;  ///< the part of them for denoising
 };
 
 /// Renders the scene tile by tile on all threads. With a goal it runs passes over the whole picture

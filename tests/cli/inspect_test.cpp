@@ -124,6 +124,7 @@ TEST_F(InspectCommand, ShowsTheSettingsOfThePicture) {
                                      {"error", nullptr},
                                      {"seconds", nullptr},
                                      {"adaptive", false},
+                                     {"denoised", false},
                                      {"sampled_lights", 1},
                                      {"threads", 0},
                                      {"tone", "sqrt"},

@@ -66,7 +66,7 @@ TEST_F(Measure, WritesATableAndFiles) {
 
   const std::string csv = content_of(folder_ / "a.csv");
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), measured["points"].size() + 1);
-  EXPECT_TRUE(csv.starts_with("samples,sampler,light_sampling,precision,depth,seconds,"));
+  EXPECT_TRUE(csv.starts_with("samples,sampler,light_sampling,precision,depth,denoise,seconds,"));
 
   const std::string page = content_of(folder_ / "a.html");
   EXPECT_THAT(page, HasSubstr("data:image/png;base64,"));

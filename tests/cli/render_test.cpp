@@ -12,6 +12,7 @@
 namespace sdlc::test {
 namespace {
 
+using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -474,6 +475,61 @@ render { width: 8, samples: 8, error: 5% }
 )");
   EXPECT_EQ(run("\"$SDLC\" render goal.scene --adaptive").exit_code, 0);
   EXPECT_EQ(run("\"$SDLC\" render goal.scene --adaptive --time 10s").exit_code, 2);
+}
+
+/// A lamp that lights a ground, with much noise.
+constexpr const char* kLampOverGround = R"(scene 1
+camera main { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }
+background { color: rgb(20%, 20%, 20%) }
+render { width: 80, height: 60, samples: 16, light_sampling: off }
+sphere { center: (0, -100, 0), radius: 100, material: diffuse(white) }
+sphere { center: (0, 2.5, 0), radius: 0.6, material: emissive(color: white, intensity: 5) }
+)";
+
+TEST_F(RenderCommand, StatesTheErrorBeforeAndAfterDenoising) {
+  write_text(folder_ / "lamp.scene", kLampOverGround);
+  const ProgramResult plain = run("\"$SDLC\" render lamp.scene -o plain.png --stats plain.json");
+  const ProgramResult result =
+      run("\"$SDLC\" render lamp.scene --denoise -o denoised.png --stats denoised.json");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, ContainsRegex("error [0-9.]+ % → [0-9.]+ % \\([0-9.]+ to [0-9.]+ %\\)"));
+  EXPECT_THAT(result.err, Not(HasSubstr("warning")));
+  const auto before = nlohmann::json::parse(content_of(folder_ / "plain.json"));
+  const auto after = nlohmann::json::parse(content_of(folder_ / "denoised.json"));
+  EXPECT_EQ(before["denoised"], false);
+  EXPECT_EQ(after["denoised"], true);
+  EXPECT_EQ(before["plain_relative_error"], before["relative_error"]);
+  EXPECT_EQ(after["plain_relative_error"], before["relative_error"]);
+  EXPECT_LT(after["relative_error"], before["relative_error"]);
+  EXPECT_NE(content_of(folder_ / "denoised.png"), content_of(folder_ / "plain.png"));
+}
+
+TEST_F(RenderCommand, SaysWhyAPictureIsNotDenoised) {
+  write_text(folder_ / "lamp.scene", kLampOverGround);
+  const auto warning = [&](const std::string& flags) {
+    const ProgramResult result = run("\"$SDLC\" render lamp.scene -o a.png --denoise " + flags);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.err, Not(HasSubstr("→")));
+    return result.err;
+  };
+  EXPECT_THAT(warning("--samples 7"), HasSubstr("warning: the picture is not denoised: that takes "
+                                                "at least 8 samples per pixel\n"));
+  EXPECT_THAT(warning("--width 1 --height 1"),
+              HasSubstr("warning: the picture is not denoised: its error would be unknown\n"));
+  EXPECT_THAT(warning("--width 4 --height 3 --samples 4096"),
+              HasSubstr("warning: the picture is not denoised: that would not lower its error\n"));
+}
+
+TEST_F(RenderCommand, RefusesToDenoiseWhereTheErrorIsOfThePlainPicture) {
+  const auto refusal = [&](const std::string& flags) {
+    const ProgramResult result = run("\"$SDLC\" render ball.scene --denoise " + flags);
+    EXPECT_EQ(result.exit_code, 2) << flags;
+    return result.err;
+  };
+  EXPECT_THAT(refusal("--error 1% --adaptive"),
+              HasSubstr("--adaptive and --denoise exclude each other"));
+  EXPECT_THAT(refusal("-o a.exr --aov variance"),
+              HasSubstr("--aov: `variance` is that of the picture that is not denoised"));
 }
 
 TEST_F(RenderCommand, WarnsOfSamplesThatCannotReachTheError) {

@@ -33,6 +33,7 @@ TEST(RenderFlags, SayWhatDiffersFromTheScenesOwn) {
       {own,
        {.sampler = Independent, .light_sampling = On, .precision = Double, .depth = 4},
        "--samples 64 --sampler independent --light-sampling on --precision double --depth 4"},
+      {own, {.is_denoised = true}, "--samples 64 --denoise"},
   };
   for (const auto& [of, configuration, flags] : cases) {
     render::Measurement measurement;
@@ -47,6 +48,8 @@ TEST(DescribeConfiguration, NamesAllOfIt) {
             "sobol, light sampling on, float, depth 16");
   EXPECT_EQ(describe(Configuration{.sampler = Independent, .precision = Mixed, .depth = 4}),
             "independent, light sampling auto, mixed, depth 4");
+  EXPECT_EQ(describe(Configuration{.depth = 4, .is_denoised = true}),
+            "sobol, light sampling auto, float, depth 4, denoised");
 }
 
 TEST(DescribeConfiguration, AmongOthersLeavesOutWhatAllShare) {
@@ -62,6 +65,9 @@ TEST(DescribeConfiguration, AmongOthersLeavesOutWhatAllShare) {
   add({.sampler = Sobol, .depth = 4});
   EXPECT_EQ(describe_configuration(measurement, measurement.series[2].configuration),
             "sobol, depth 4");
+  add({.sampler = Sobol, .depth = 4, .is_denoised = true});
+  EXPECT_EQ(describe_configuration(measurement, measurement.series[3].configuration),
+            "sobol, depth 4, denoised");
 }
 
 }  // namespace

@@ -39,7 +39,10 @@ TEST(MeasurementData, IsReadBackForAComparison) {
 TEST(MeasurementData, IsReadFromVersionsThatDidNotWriteRays) {
   const render::Measurement measurement = sample_measurement();
   json report = json::parse(to_json(sample_report(measurement)));
-  for (json& point : report["points"]) point.erase("rays");
+  for (json& point : report["points"]) {
+    point.erase("rays");
+    point.erase("denoise");
+  }
   EXPECT_EQ(read_measurement(report.dump()).measurement.points.size(), measurement.points.size());
 }
 
@@ -50,15 +53,15 @@ TEST(MeasurementData, HasTheSameFiguresInCsv) {
   std::string names, first;
   std::getline(csv, names);
   std::getline(csv, first);
-  EXPECT_EQ(
-      names,
-      "samples,sampler,light_sampling,precision,depth,seconds,seconds_from,seconds_to,timings,"
-      "samples_per_second,rays_per_second,relative_error,relative_error_from,"
-      "relative_error_to,relative_error_spread,rmse,relative_mse,relative_mse_trimmed,psnr,"
-      "flip,max_difference,max_difference_x,max_difference_y,cut_paths,scarce_emitters,"
-      "standing,rays\r");
+  EXPECT_EQ(names,
+            "samples,sampler,light_sampling,precision,depth,denoise,seconds,seconds_from,seconds_"
+            "to,timings,"
+            "samples_per_second,rays_per_second,relative_error,relative_error_from,"
+            "relative_error_to,relative_error_spread,rmse,relative_mse,relative_mse_trimmed,psnr,"
+            "flip,max_difference,max_difference_x,max_difference_y,cut_paths,scarce_emitters,"
+            "standing,rays\r");
   EXPECT_EQ(std::ranges::count(first, ','), std::ranges::count(names, ','));
-  EXPECT_THAT(first, testing::StartsWith("4,sobol,auto,float,16,0.1"));
+  EXPECT_THAT(first, testing::StartsWith("4,sobol,auto,float,16,false,0.1"));
   EXPECT_THAT(first, testing::HasSubstr(",,0.28953"));  // JSON and CSV have no infinity
   EXPECT_THAT(first, testing::EndsWith(",211,97,0.0004,0,front,0\r"));
 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "render/session/render.hpp"
+#include "tests/render/session/relative_difference.hpp"
 #include "tests/support/statistics/scenes.hpp"
 
 namespace sdlc::render {
@@ -157,18 +158,6 @@ TEST(GoalForTheError, IsNotReachedWhereConnectionsCannotFindTheCaustic) {
   EXPECT_FALSE(result.has_reached_error);
 }
 
-/// The root mean square of the difference, divided by the mean of `b`.
-double relative_difference(const Picture& a, const Picture& b) {
-  double squares = 0, sum = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const LinearRgb d = a.pixels[i] - b.pixels[i];
-    squares += (d.r * d.r + d.g * d.g + d.b * d.b) / 3;
-    sum += (b.pixels[i].r + b.pixels[i].g + b.pixels[i].b) / 3;
-  }
-  const auto pixels = static_cast<double>(a.pixels.size());
-  return std::sqrt(squares / pixels) / (sum / pixels);
-}
-
 // Against a picture of another seed with four times as many samples, whose own error is included:
 // the goal plus a quarter of its square.
 TEST(GoalForTheError, IsReachedWhereConnectionsFindTheCaustic) {
@@ -183,7 +172,7 @@ TEST(GoalForTheError, IsReachedWhereConnectionsFindTheCaustic) {
     settings.error.reset();
     settings.samples = static_cast<int>(4 * result.max_samples);
     settings.seed = 99;
-    EXPECT_LT(relative_difference(result.picture, rendered(scene, settings).picture),
+    EXPECT_LT(test::relative_difference(result.picture, rendered(scene, settings).picture),
               0.1 * std::sqrt(1.25));
   }
 }
