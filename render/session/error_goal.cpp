@@ -27,12 +27,15 @@ std::uint64_t ErrorGoal::first_samples() const noexcept {
 
 ErrorEstimate ErrorGoal::settled(std::uint64_t samples, const ErrorEstimate& estimate) {
   constexpr std::uint64_t kSettled = 4;
+  constexpr double kHeavy = 2;
   const auto square = [](double v) { return v * v; };
   if (!passes_.empty() && passes_.back().samples == samples) passes_.pop_back();
   passes_.push_back({.samples = samples,
                      .from = square(estimate.interval.from),
-                     .to = square(estimate.interval.to)});
+                     .to = square(estimate.interval.to),
+                     .estimate = square(estimate.relative_error)});
   double count = 0, from = 0, to = 0;
+  bool is_heavy = false;
   for (const Pass& pass : passes_) {
     if (pass.samples * kSettled < samples) continue;
     // As with independent samples. With Sobol' points the error falls faster.
@@ -40,7 +43,9 @@ ErrorEstimate ErrorGoal::settled(std::uint64_t samples, const ErrorEstimate& est
     count += 1;
     from += pass.from * fall;
     to += pass.to * fall;
+    is_heavy = is_heavy || pass.to > kHeavy * pass.estimate;
   }
+  if (!is_heavy) return estimate;
   ErrorEstimate settled = estimate;
   settled.interval = {std::min(estimate.interval.from, std::sqrt(from / count)),
                       std::max(estimate.interval.to, std::sqrt(to / count))};

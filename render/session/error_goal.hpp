@@ -25,10 +25,12 @@ class ErrorGoal {
   /// The minimum for any goal: with fewer samples all replicates may miss the same highlight.
   std::uint64_t first_samples() const noexcept;
 
-  /// The estimate to go by after a pass: its interval also contains the one whose ends, squared,
-  /// are averages over this pass and the earlier ones with at least a quarter of its samples, as
-  /// they would be with its number of samples. Where a few pixels have most of the error, a single
+  /// The estimate to go by after a pass. Where a few pixels have most of the error, a single
   /// estimate is too small by chance now and then, and the first such pass would end the render.
+  /// There the interval also contains the one whose ends, squared, are averages over this pass and
+  /// the earlier ones with at least a quarter of its samples, as they would be with its number of
+  /// samples. Such pixels show in wide intervals: in one of these passes the square of the upper
+  /// end is more than twice that of the error.
   ErrorEstimate settled(std::uint64_t samples, const ErrorEstimate& estimate);
 
   /// Returns the samples per pixel to reach with the next pass, given the samples so far and the
@@ -41,7 +43,7 @@ class ErrorGoal {
  private:
   struct Pass {
     std::uint64_t samples;
-    double from, to;  // squares of the ends of the interval
+    double from, to, estimate;  // squares
   };
 
   double error_;

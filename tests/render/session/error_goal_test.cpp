@@ -80,5 +80,23 @@ TEST(ErrorGoal, IsReachedByTheUpperEndOfTheInterval) {
   EXPECT_TRUE(goal.is_reached());
 }
 
+TEST(ErrorGoal, SettlesOnlyWhereAPassHadAWideInterval) {
+  ErrorEstimate estimate;
+  estimate.relative_error = 0.1;
+  const auto with_interval = [&](double from, double to) {
+    estimate.interval = {from, to};
+    return estimate;
+  };
+  ErrorGoal many_pixels(0.01, 1 << 24), few_pixels(0.01, 1 << 24);
+  many_pixels.settled(64, with_interval(0.08, 0.13));
+  EXPECT_EQ(many_pixels.settled(128, with_interval(0.095, 0.105)).interval.to, 0.105);
+  few_pixels.settled(64, with_interval(0, 0.3));
+  const ErrorEstimate settled = few_pixels.settled(128, with_interval(0.095, 0.105));
+  EXPECT_DOUBLE_EQ(settled.interval.to, std::sqrt((0.3 * 0.3 / 2 + 0.105 * 0.105) / 2));
+  EXPECT_DOUBLE_EQ(settled.interval.from, std::sqrt(0.095 * 0.095 / 2));
+  // That pass has less than a quarter of the samples.
+  EXPECT_EQ(few_pixels.settled(513, with_interval(0.095, 0.105)).interval.to, 0.105);
+}
+
 }  // namespace
 }  // namespace sdlc::render
