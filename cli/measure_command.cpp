@@ -62,6 +62,7 @@ struct MeasureOptions {
   std::string format = "human";
   std::string against;
   std::string work;
+  bool sweeps_threads = false;
   bool quiet = false;
   render::GivenFlags given;
 };
@@ -69,9 +70,9 @@ struct MeasureOptions {
 /// The flags of this command line that a render of the same picture needs too.
 render::GivenFlags given_flags(const Command& command) {
   // Flags about measuring, and those that a recommendation contains itself.
-  static constexpr std::array<std::string_view, 11> kOwn{
-      "--help", "--format", "--color",   "--output", "--budget",        "--against",
-      "--work", "--quiet",  "--samples", "--error",  "--stdin-filename"};
+  static constexpr std::array<std::string_view, 12> kOwn{
+      "--help", "--format", "--color",   "--output", "--budget",         "--against",
+      "--work", "--quiet",  "--samples", "--error",  "--stdin-filename", "--threads-sweep"};
   const std::vector<GivenFlag> flags = command.given_flags();
   std::vector<std::string> configuration_flags;
   render::GivenFlags given;
@@ -218,7 +219,8 @@ class MeasureJob {
       env_.err << "interrupted; the measurement was finished\n";
       code = graver(ExitCode::Interrupted, code);
     }
-    return ledger_.nonfinite_samples > 0 ? ExitCode::Defect : code;
+    const bool have_same = std::ranges::all_of(ledger_.threads, &render::ThreadProbe::is_same);
+    return ledger_.nonfinite_samples > 0 || !have_same ? ExitCode::Defect : code;
   }
 
  private:
@@ -287,6 +289,7 @@ class MeasureJob {
         {"height", settings.height},
         {"samples", settings.samples},
         {"threads", settings.threads},
+        {"threads_sweep", options_.sweeps_threads},
         {"tone", name_of(lowered.output.mapping.tone)},
         {"exposure", lowered.output.mapping.exposure},
         {"precision", request_.precision ? std::string(name_of(*request_.precision)) : "auto"}};
@@ -333,7 +336,9 @@ class MeasureJob {
   }
 
   render::StudyOptions study_options(const render::RenderSettings& settings) const {
-    render::StudyOptions options{.budget_seconds = options_.budget_seconds, .goal = settings.error};
+    render::StudyOptions options{.budget_seconds = options_.budget_seconds,
+                                 .goal = settings.error,
+                                 .sweeps_threads = options_.sweeps_threads};
     // Errors are only comparable at the size of the earlier measurement.
     if (earlier_) options.size = {earlier_->measurement.width, earlier_->measurement.height};
     return options;
@@ -462,6 +467,8 @@ void add_measure_command(Command& program, Dispatcher& dispatcher) {
                    "Compare with this earlier report (.json); exit status 1 if worse");
   command.add_text("--work", options->work,
                    "Save all results in this folder, so that the same command can resume");
+  command.add_flag("--threads-sweep", options->sweeps_threads,
+                   "Also measure the time with 1, 2, 3, 4, 6 … threads, up to --threads");
   add_whole_number(
       command, "--frame", {.highest = static_cast<std::uint64_t>(lang::kMaxWholeNumber)},
       [options](std::uint64_t frame) { options->frame = static_cast<int>(frame); },
@@ -473,6 +480,7 @@ void add_measure_command(Command& program, Dispatcher& dispatcher) {
       "Examples:\n"
       "  sdlc measure ball.scene\n"
       "  sdlc measure ball.scene --budget 5min -o ball.html -o ball.json\n"
+      "  sdlc measure ball.scene --threads-sweep\n"
       "  sdlc measure ball.scene --error 1% --format json | jq '.recommendations[].flags'\n"
       "  sdlc measure ball.scene --budget 1h --work ball.work -o ball.html   # Ctrl-C, and again\n"
       "  sdlc measure ball.scene -o new.json --against old.json\n\n"

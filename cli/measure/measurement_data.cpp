@@ -18,6 +18,7 @@ SDLC_MEMBERS(render::Series, configuration, points, slope)
 SDLC_MEMBERS(render::DepthLoss, depth, loss, relative_seconds, cut_paths)
 SDLC_MEMBERS(render::PrecisionDifference, taken, other, bound, refusal, mean_difference,
              rms_difference, relative_seconds)
+SDLC_MEMBERS(render::ThreadScaling, threads, seconds, speed_up)
 SDLC_MEMBERS(render::Recommendation, goal, samples, configuration, is_measured, relative_error,
              seconds, flags, is_main)
 SDLC_MEMBERS(render::LeftOut, configuration, samples, reason)
@@ -54,6 +55,9 @@ inline constexpr std::tuple kMembers<Measurement>{
     WriteOnly("depths", &Measurement::depths),
     WriteOnly("depths_have_converged", &Measurement::depths_have_converged),
     WriteOnly("precision", &Measurement::precision),
+    WriteOnly("thread_scaling", &Measurement::thread_scaling),
+    WriteOnly("thread_scaling_samples", &Measurement::thread_scaling_samples),
+    WriteOnly("thread_pictures_are_same", &Measurement::thread_pictures_are_same),
     WriteOnly("as_it_is", &Measurement::as_it_is),
     WriteOnly("recommendations", &Measurement::recommendations),
     WriteOnly("left_out", &Measurement::left_out)};

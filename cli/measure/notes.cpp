@@ -14,6 +14,9 @@ std::vector<std::string> notes_of(const render::Measurement& measurement) {
     notes.push_back(fmt::format("{} samples were not finite and were left out: a bug in sdlc.",
                                 measurement.nonfinite_samples));
   }
+  if (!measurement.thread_pictures_are_same) {
+    notes.emplace_back("Pictures differ between numbers of threads: a bug in sdlc.");
+  }
   if (!measurement.is_complete) {
     notes.emplace_back("interrupted: some planned renders are missing.");
   }

@@ -23,6 +23,7 @@ constexpr std::array kParts{
     Part{"charts", "Error and render time", error_charts_section},
     Part{"depth", "Depth", depth_section},
     Part{"precision", "Precision", precision_section},
+    Part{"threads", "Threads", threads_section},
     Part{"pictures", "Pictures", pictures_section},
     Part{"renders", "All renders", points_section},
     Part{"against", "Comparison with an earlier measurement", against_section},
@@ -93,8 +94,9 @@ std::string text_report(const Report& report) {
     text += fmt::format("light sampling auto: {}\n", measurement.light_choice);
   }
   // The recommendation is last, where it stays visible.
-  constexpr std::array kSections{points_section,  depth_section, precision_section,
-                                 against_section, callouts,      recommendation_section};
+  constexpr std::array kSections{points_section,        depth_section,   precision_section,
+                                 threads_section,       against_section, callouts,
+                                 recommendation_section};
   for (const auto& section : kSections) {
     if (const std::string part = section(report).text(); !part.empty()) text += "\n" + part;
   }

@@ -33,6 +33,7 @@ Section recommendation_section(const Report& report);
 Section error_charts_section(const Report& report);
 Section depth_section(const Report& report);
 Section precision_section(const Report& report);
+Section threads_section(const Report& report);
 Section points_section(const Report& report);
 Section pictures_section(const Report& report);
 Section against_section(const Report& report);

@@ -87,6 +87,32 @@ std::optional<PrecisionDifference> precision_of(const StudyLedger& ledger) {
   return difference;
 }
 
+std::vector<ThreadScaling> thread_scaling_of(const StudyLedger& ledger) {
+  std::vector<std::vector<double>> timings;
+  for (const int threads : ledger.plan->thread_counts) {
+    std::vector<double>& of_count = timings.emplace_back();
+    for (const ThreadProbe& probe : ledger.threads) {
+      if (probe.threads == threads) of_count.push_back(probe.seconds);
+    }
+    if (of_count.empty()) return {};
+  }
+  const NoiseOfTime noise(timings);
+  std::vector<ThreadScaling> scaling;
+  for (std::size_t i = 0; i < timings.size(); ++i) {
+    // Rounds are complete, so that those of one round can be compared.
+    std::vector<double> logarithms;
+    for (std::size_t round = 0; round < timings[i].size(); ++round) {
+      logarithms.push_back(std::log(timings[0][round] / timings[i][round]));
+    }
+    const auto [speed_up, interval] = mean_of(logarithms);
+    scaling.push_back(
+        {.threads = ledger.plan->thread_counts[i],
+         .seconds = noise.typical(timings[i]),
+         .speed_up = {std::exp(speed_up), {std::exp(interval.from), std::exp(interval.to)}}});
+  }
+  return scaling;
+}
+
 /// The planned points that are missing, and the configurations that cannot be rendered.
 std::vector<LeftOut> left_out_of(const StudyLedger& ledger, const std::vector<Point>& points,
                                  int own_samples) {
@@ -203,6 +229,11 @@ Measurement measurement_of(const StudyLedger& ledger, const RenderSettings& sett
   measurement.depths = losses_of(ledger, measurement.own.depth);
   measurement.depths_have_converged = depths_have_converged(ledger.depths);
   measurement.precision = precision_of(ledger);
+  measurement.thread_scaling = thread_scaling_of(ledger);
+  measurement.thread_pictures_are_same = std::ranges::all_of(ledger.threads, &ThreadProbe::is_same);
+  for (const StudyTask& task : ledger.plan->tasks) {
+    if (task.kind == StudyTask::Kind::Threads) measurement.thread_scaling_samples = task.samples;
+  }
   measurement.left_out = left_out_of(ledger, points, settings.samples);
 
   if (const Point* own = find_point(points, measurement.own, settings.samples)) {

@@ -94,6 +94,13 @@ struct PrecisionDifference {
   std::string bound{};          ///< the deciding criterion, in words
 };
 
+/// The time of the same render with a number of threads.
+struct ThreadScaling {
+  int threads = 0;
+  Measured seconds{};   ///< building and tracing, the median
+  Measured speed_up{};  ///< over one thread
+};
+
 /// The reference that all pictures are compared with.
 struct Reference {
   Configuration configuration{};
@@ -148,6 +155,9 @@ struct Measurement {
   std::vector<DepthLoss> depths{};     ///< ascending
   bool depths_have_converged = false;  ///< paths deeper than the last entry carry no light
   std::optional<PrecisionDifference> precision{};
+  std::vector<ThreadScaling> thread_scaling{};  ///< ascending; empty if it was not requested
+  int thread_scaling_samples = 0;               ///< of its renders
+  bool thread_pictures_are_same = true;         ///< byte for byte; false is a defect
   std::string light_choice{};    ///< what light sampling "auto" chose; empty without a choice
   std::optional<double> goal{};  ///< requested error
   /// The scene with its own settings, if they were measured; without a goal.

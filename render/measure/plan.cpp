@@ -22,6 +22,9 @@ constexpr double kComparingSeconds = 1.5e-6;
 /// recommended renders.
 constexpr double kPlannedShare = 0.85;
 
+/// The share of the budget for renders with different numbers of threads.
+constexpr double kThreadsShare = 0.2;
+
 /// 2, 4, 8, … up to twice the scene's own depth, plus that depth.
 std::vector<int> depths_around(int own) {
   constexpr int kMaxDepth = 128;
@@ -135,6 +138,27 @@ double total_seconds(const StudyPlan& plan) {
   return seconds;
 }
 
+/// Adds renders with each number of threads, first of all: with as many samples as `seconds` allow,
+/// at least the fewest.
+void add_threads(StudyPlan& plan, const std::vector<int>& counts, double seconds) {
+  if (counts.empty()) return;
+  plan.thread_counts = counts;
+  StudyTask task{.kind = StudyTask::Kind::Threads,
+                 .configuration = plan.costs.front().configuration,
+                 .samples = kFirstSamples};
+  const auto fits = [&](int samples) {
+    task.samples = samples;
+    return kThreadRounds * plan.seconds_of(task) <= seconds;
+  };
+  int samples = kFirstSamples;
+  while (samples < kMaxLadderEnd && fits(2 * samples)) samples *= 2;
+  task.samples = samples;
+  for (int round = kThreadRounds; round-- > 0;) {
+    task.round = round;
+    plan.tasks.insert(plan.tasks.begin(), task);
+  }
+}
+
 /// The part of the time that does not depend on the picture's size.
 double building_seconds(StudyPlan plan) {
   plan.width = plan.height = 0;
@@ -183,6 +207,13 @@ double StudyPlan::seconds_of(const StudyTask& task) const {
       constexpr double kOther = 2;  // usual slowdown of double
       return (1 + kOther) * render(costs.front().configuration);
     }
+    case StudyTask::Kind::Threads: {
+      double seconds = 0;
+      for (const int threads : thread_counts) {
+        seconds += render(task.configuration) * thread_counts.back() / threads;
+      }
+      return seconds;
+    }
   }
   return 0;
 }
@@ -199,12 +230,26 @@ std::string describe(const StudyTask& task) {
       return fmt::format("depths, {} of {}", task.round + 1, kProbeSeeds);
     case StudyTask::Kind::Precisions:
       return fmt::format("precisions, {} of {}", task.round + 1, kProbeSeeds);
+    case StudyTask::Kind::Threads:
+      return fmt::format("numbers of threads, {} of {}", task.round + 1, kThreadRounds);
   }
   return {};
 }
 
+std::vector<int> thread_counts_up_to(int most) {
+  std::vector<int> counts;
+  for (int power = 1; power < most; power *= 2) {
+    counts.push_back(power);
+    if (power > 1 && 3 * (power / 2) < most) counts.push_back(3 * (power / 2));
+  }
+  counts.push_back(most);
+  return counts;
+}
+
 StudyPlan plan_study(const StudyRequest& request) {
-  const double seconds = kPlannedShare * request.budget_seconds;
+  const double for_threads =
+      request.thread_counts.empty() ? 0 : kThreadsShare * request.budget_seconds;
+  const double seconds = kPlannedShare * request.budget_seconds - for_threads;
   const RenderSettings& settings = request.settings;
   Extent extent = Extent::Full;
   const auto build = [&](double scale, int max_samples) {
@@ -248,6 +293,7 @@ StudyPlan plan_study(const StudyRequest& request) {
     reference.samples /= 2;
     plan.reference_samples /= 2;
   }
+  add_threads(plan, request.thread_counts, for_threads);
   return plan;
 }
 

@@ -24,22 +24,23 @@ struct ConfigurationCost {
 struct StudyTask {
   enum class Kind : std::uint8_t {
     Reference,
-    Point,      ///< a picture that is compared with the reference and timed
-    Repeat,     ///< repetition of a point, for its time only
-    Depths,     ///< all depths with one seed
-    Precisions  ///< both precisions with one seed
+    Point,       ///< a picture that is compared with the reference and timed
+    Repeat,      ///< repetition of a point, for its time only
+    Depths,      ///< all depths with one seed
+    Precisions,  ///< both precisions with one seed
+    Threads      ///< a picture with each number of threads
   };
   Kind kind = Kind::Point;
   Configuration configuration{};
   int samples = 0;
-  int round = 0;  ///< Repeat: from 1; Depths, Precisions: index of the seed
+  int round = 0;  ///< Repeat: from 1; Depths, Precisions: index of the seed; Threads: from 0
 
   friend bool operator==(const StudyTask&, const StudyTask&) = default;
 };
 
 template <>
-inline constexpr auto kWords<StudyTask::Kind> =
-    std::to_array<std::string_view>({"reference", "point", "repeat", "depths", "precisions"});
+inline constexpr auto kWords<StudyTask::Kind> = std::to_array<std::string_view>(
+    {"reference", "point", "repeat", "depths", "precisions", "threads"});
 
 /// "64 samples, sobol, light sampling auto, float, depth 16", "depths, 1 of 4".
 std::string describe(const StudyTask& task);
@@ -53,6 +54,7 @@ struct StudyPlan {
   std::vector<int> depths{};  ///< ascending, including the scene's own; the first probe may add
                               ///< some
   int probe_samples = 0;      ///< for the pictures of Depths and Precisions
+  std::vector<int> thread_counts{};  ///< ascending, from 1 on; empty: not to be measured
   std::vector<StudyTask> tasks{};
 
   const ConfigurationCost& cost_of(const Configuration& configuration) const;
@@ -63,6 +65,11 @@ struct StudyPlan {
 
 /// The number of seeds for Depths and Precisions.
 inline constexpr int kProbeSeeds = 4;
+/// How often each number of threads is timed.
+inline constexpr int kThreadRounds = 5;
+
+/// 1, 2, 3, 4, 6, 8, 12, … and `most`.
+std::vector<int> thread_counts_up_to(int most);
 
 /// The input of plan_study().
 struct StudyRequest {
@@ -71,6 +78,7 @@ struct StudyRequest {
   std::vector<ConfigurationCost> costs{};  ///< the scene's own configuration first
   Configuration reference_configuration{};
   double budget_seconds = 0;
+  std::vector<int> thread_counts{};  ///< StudyPlan::thread_counts
   /// A fixed size, for comparison with another measurement.
   std::optional<std::array<int, 2>> size{};
 };

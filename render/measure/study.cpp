@@ -11,6 +11,7 @@
 #include "render/compare/flip.hpp"
 #include "render/math/clock.hpp"
 #include "render/measure/trade.hpp"
+#include "render/parallel/threads.hpp"
 #include "render/shading/choose_lights.hpp"
 
 namespace sdlc::render {
@@ -187,6 +188,9 @@ ConfigurationCost Study::guess_configuration(const Configuration& configuration,
 void Study::make_plan() {
   StudyRequest request{
       .settings = settings_, .budget_seconds = options_.budget_seconds, .size = options_.size};
+  if (options_.sweeps_threads) {
+    request.thread_counts = thread_counts_up_to(thread_count(settings_.threads));
+  }
   // The first render of a process is slower than later ones, so run it twice. If one trial alone
   // takes a good part of the time, guess the others.
   ConfigurationCost own = try_configuration(own_);
@@ -259,6 +263,7 @@ bool Study::is_done(const StudyTask& task) const {
       return static_cast<std::size_t>(std::ranges::count_if(ledger_.depths, of_round)) ==
              ledger_.plan->depths.size();
     case StudyTask::Kind::Precisions: return std::ranges::any_of(ledger_.precisions, of_round);
+    case StudyTask::Kind::Threads: return std::ranges::any_of(ledger_.threads, of_round);
   }
   return false;
 }
@@ -378,6 +383,29 @@ bool Study::run_precisions(const StudyTask& task) {
   return true;
 }
 
+bool Study::run_threads(const StudyTask& task) {
+  // Up and down in turn, so that a drift of the machine cancels.
+  std::vector<int> counts = ledger_.plan->thread_counts;
+  if (task.round % 2 == 1) std::ranges::reverse(counts);
+  std::vector<ThreadProbe> probes;
+  std::optional<Picture> first;
+  for (const int threads : counts) {
+    prepared_.clear();  // each build takes these threads, too
+    RenderSettings settings = settings_of(task.configuration, task.samples, settings_.seed);
+    settings.threads = threads;
+    RenderResult result = render_once(settings, task.configuration);
+    if (!result.is_complete) return false;
+    if (!first) first = result.picture;
+    probes.push_back({.threads = threads,
+                      .round = task.round,
+                      .seconds = seconds_of(result),
+                      .is_same = result.picture.pixels == first->pixels});
+  }
+  prepared_.clear();
+  ledger_.threads.insert(ledger_.threads.end(), probes.begin(), probes.end());
+  return true;
+}
+
 bool Study::run_task(const StudyTask& task) {
   switch (task.kind) {
     case StudyTask::Kind::Reference: return run_reference(task);
@@ -385,6 +413,7 @@ bool Study::run_task(const StudyTask& task) {
     case StudyTask::Kind::Repeat: return run_point(task);
     case StudyTask::Kind::Depths: return run_depths(task);
     case StudyTask::Kind::Precisions: return run_precisions(task);
+    case StudyTask::Kind::Threads: return run_threads(task);
   }
   return false;
 }

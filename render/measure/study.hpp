@@ -41,6 +41,14 @@ struct PrecisionProbe {
   double seconds = 0, other_seconds = 0;
 };
 
+/// A render with a number of threads.
+struct ThreadProbe {
+  int threads = 0;
+  int round = 0;
+  double seconds = 0;
+  bool is_same = false;  ///< its picture is, byte for byte, that of the first probe of the round
+};
+
 /// The results of a study so far, sufficient to resume it.
 struct StudyLedger {
   std::optional<StudyPlan> plan{};
@@ -48,6 +56,7 @@ struct StudyLedger {
   std::vector<Point> points{};  ///< as rendered, without the conclusions from all of them
   std::vector<DepthProbe> depths{};
   std::vector<PrecisionProbe> precisions{};
+  std::vector<ThreadProbe> threads{};
   std::string precision_bound{};  ///< in words
   std::string light_choice{};     ///< Kernel::light_choice of the scene's own configuration
   double other_seconds = 0;       ///< of a render: reading and writing
@@ -74,6 +83,7 @@ struct StudyOptions {
   double budget_seconds = 60;
   std::optional<double> goal{};              ///< an error that always gets a recommendation
   std::optional<std::array<int, 2>> size{};  ///< StudyRequest::size
+  bool sweeps_threads = false;               ///< whether numbers of threads are compared
 };
 
 /// Renders a scene with many configurations, each as `render` would, and measures them.
@@ -119,6 +129,7 @@ class Study {
   bool run_point(const StudyTask& task);
   bool run_depths(const StudyTask& task);
   bool run_precisions(const StudyTask& task);
+  bool run_threads(const StudyTask& task);
   /// Runs a task, with notifications before and after.
   bool run_and_account(const StudyTask& task);
   /// Renders recommended settings that were not measured, if there is time.

@@ -77,6 +77,22 @@ TEST_F(Measure, WritesATableAndFiles) {
   }
 }
 
+TEST_F(Measure, TimesNumbersOfThreads) {
+  const ProgramResult result = run("--threads-sweep --threads 3 -o a.json -o a.html --quiet");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("samples with numbers of threads"));
+  EXPECT_THAT(result.out, HasSubstr("All of these pictures are the same, byte for byte."));
+  EXPECT_THAT(result.out, HasSubstr("--threads 3"));
+  EXPECT_THAT(result.out, Not(HasSubstr("--threads-sweep")));
+  const json scaling = report("a.json")["thread_scaling"];
+  ASSERT_EQ(scaling.size(), 3u);
+  EXPECT_EQ(scaling[0]["speed_up"], 1);
+  EXPECT_EQ(scaling[2]["threads"], 3);
+  EXPECT_THAT(content_of(folder_ / "a.html"), HasSubstr("Speed-up against threads"));
+  run("-o without.json --quiet");
+  EXPECT_EQ(report("without.json")["thread_scaling"], json::array());
+}
+
 /// The names of all fields, at any depth, except those that identify the machine.
 void collect_names(const json& value, std::set<std::string>& names) {
   for (const auto& [name, field] : value.items()) {
@@ -87,7 +103,7 @@ void collect_names(const json& value, std::set<std::string>& names) {
 
 TEST_F(Measure, HasNoFieldThatItsPageDoesNotName) {
   ASSERT_EQ(run("-o old.json --quiet").exit_code, 0);
-  run("--against old.json -o a.json --quiet");
+  run("--threads-sweep --against old.json -o a.json --quiet");
   std::set<std::string> names;
   collect_names(report("a.json"), names);
   ASSERT_GT(names.size(), 50u);

@@ -42,6 +42,7 @@ StudyLedger full_ledger() {
       .reference_samples = 512,
       .depths = {2, 7},
       .probe_samples = 8,
+      .thread_counts = {1, 3},
       .tasks = {{.kind = render::StudyTask::Kind::Reference,
                  .configuration = configuration,
                  .samples = 512},
@@ -78,6 +79,7 @@ StudyLedger full_ledger() {
                                .rms_difference = 1e-3,
                                .seconds = 0.4,
                                .other_seconds = 0.8});
+  ledger.threads.push_back({.threads = 3, .round = 1, .seconds = 0.7, .is_same = true});
   return ledger;
 }
 
@@ -85,8 +87,9 @@ TEST(LedgerJson, ComesBackWithEveryBit) {
   const Json json = value_json(full_ledger());
   const std::string text = json.dump();
   EXPECT_EQ(value_json(read_ledger(parse_json(text))).dump(), text);
-  for (const char* value : {"independent", "mixed", "0.3333333333333333", "1000003", "0.70001",
-                            "\"a \\\"bound\\\"\"", "blue", "-0.5", "\"repeat\"", "500"}) {
+  for (const char* value :
+       {"independent", "mixed", "0.3333333333333333", "1000003", "0.70001", "\"a \\\"bound\\\"\"",
+        "blue", "-0.5", "\"repeat\"", "500", "\"thread_counts\":[1,3]", "\"is_same\":true"}) {
     EXPECT_NE(text.find(value), std::string::npos) << value;
   }
 }

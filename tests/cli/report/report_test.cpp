@@ -235,9 +235,24 @@ TEST(HtmlReport, HasTheFiguresOfEachRender) {
 }
 
 TEST(HtmlReport, DrawsEachRenderInBothCharts) {
-  const Measurement measurement = sample_measurement();
+  Measurement measurement = sample_measurement();
+  measurement.thread_scaling.clear();
   const std::string page = html_report(bare_report(measurement));
   EXPECT_EQ(all_matches(page, "<g class=\"(point) ").size(), 2 * measurement.points.size());
+}
+
+TEST(HtmlReport, DrawsTheSpeedUpBesideTheIdeal) {
+  Measurement measurement = sample_measurement();
+  const std::string page = html_report(bare_report(measurement));
+  EXPECT_EQ(all_matches(page, "<g class=\"(point) ").size(),
+            2 * (measurement.points.size() + measurement.thread_scaling.size()));
+  EXPECT_THAT(page, HasSubstr("<h2 id=\"threads-heading\">Threads</h2>"));
+  EXPECT_THAT(page, HasSubstr("Renders of 128 samples with numbers of threads"));
+  EXPECT_THAT(page, HasSubstr("byte for byte"));
+  measurement.thread_pictures_are_same = false;
+  EXPECT_THAT(html_report(bare_report(measurement)), Not(HasSubstr("byte for byte")));
+  measurement.thread_scaling.clear();
+  EXPECT_THAT(html_report(bare_report(measurement)), Not(HasSubstr("threads-heading")));
 }
 
 TEST(HtmlReport, EscapesAllThatComesFromOutside) {

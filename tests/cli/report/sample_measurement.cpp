@@ -163,6 +163,13 @@ render::Measurement sample_measurement() {
       .rms_difference = 0.0021,
       .relative_seconds = 1.83,
       .bound = "a hit is off by 0.0021 of the smallest radius, where 0.01 is allowed"};
+  for (const int threads : {1, 2, 3, 4, 6, 8}) {
+    const double speed_up = threads / (1 + 0.03 * (threads - 1));
+    measurement.thread_scaling.push_back({.threads = threads,
+                                          .seconds = around(4.2 / speed_up, 0.03),
+                                          .speed_up = around(speed_up, threads > 1 ? 0.02 : 0)});
+  }
+  measurement.thread_scaling_samples = 128;
   measurement.recommendations = {{.goal = 0.05,
                                   .configuration = measurement.own,
                                   .samples = 48,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +53,27 @@ TEST(StudyPlan, FitsIntoItsBudgetAndUsesIt) {
     EXPECT_GE(seconds_of(plan), 0.3 * budget);
     EXPECT_EQ(plan.width, 1000);
   }
+}
+
+TEST(StudyPlan, TimesNumbersOfThreadsFirstIfThatIsRequested) {
+  EXPECT_EQ(render::thread_counts_up_to(1), (std::vector{1}));
+  EXPECT_EQ(render::thread_counts_up_to(2), (std::vector{1, 2}));
+  EXPECT_EQ(render::thread_counts_up_to(7), (std::vector{1, 2, 3, 4, 6, 7}));
+  EXPECT_EQ(render::thread_counts_up_to(16), (std::vector{1, 2, 3, 4, 6, 8, 12, 16}));
+  StudyRequest sweep = request(600);
+  sweep.thread_counts = {1, 2, 4};
+  const StudyPlan plan = plan_study(sweep);
+  EXPECT_LE(seconds_of(plan), 600);
+  double seconds = 0;
+  for (int round = 0; round < render::kThreadRounds; ++round) {
+    const StudyTask& task = plan.tasks[static_cast<std::size_t>(round)];
+    EXPECT_EQ(task.kind, Kind::Threads);
+    EXPECT_EQ(task.round, round);
+    seconds += plan.seconds_of(task);
+  }
+  EXPECT_GE(seconds, 0.1 * 600);
+  EXPECT_LE(seconds, 0.2 * 600);
+  EXPECT_EQ(plan.tasks[render::kThreadRounds].kind, Kind::Reference);
 }
 
 TEST(StudyPlan, TakesMoreSamplesWithMoreTime) {

@@ -112,6 +112,35 @@ TEST_F(StudyTest, TellsWhatDepthsLose) {
   }
 }
 
+TEST_F(StudyTest, TimesNumbersOfThreadsOnce) {
+  StudyLedger ledger = short_ledger();
+  ledger.plan->thread_counts = {1, 3};
+  ledger.plan->tasks.clear();
+  for (int round = 0; round < render::kThreadRounds; ++round) {
+    ledger.plan->tasks.push_back({.kind = render::StudyTask::Kind::Threads,
+                                  .configuration = ledger.plan->costs.front().configuration,
+                                  .samples = 8,
+                                  .round = round});
+  }
+  run(ledger, 2);
+  EXPECT_EQ(ledger.threads.size(), 2u * 2);
+  run(ledger);
+  EXPECT_EQ(ledger.threads.size(), 2u * render::kThreadRounds);
+  EXPECT_EQ(ledger.threads[0].threads, 1);
+  EXPECT_EQ(ledger.threads[2].threads, 3) << "every second round begins with the most";
+  const Measurement result = measurement(ledger);
+  EXPECT_TRUE(result.thread_pictures_are_same);
+  EXPECT_EQ(result.thread_scaling_samples, 8);
+  ASSERT_EQ(result.thread_scaling.size(), 2u);
+  EXPECT_EQ(result.thread_scaling[0].speed_up.value, 1);
+  const render::ThreadScaling& three = result.thread_scaling[1];
+  EXPECT_EQ(three.threads, 3);
+  EXPECT_GT(three.seconds.value, 0);
+  EXPECT_LT(three.speed_up.interval.from, three.speed_up.value);
+  ledger.threads[3].is_same = false;
+  EXPECT_FALSE(measurement(ledger).thread_pictures_are_same);
+}
+
 /// Of a round, with its radiance at each depth.
 std::vector<render::DepthProbe> probes(std::vector<std::pair<int, double>> means, double cut) {
   std::vector<render::DepthProbe> all;
