@@ -36,8 +36,8 @@ std::string_view words_of(render::LightPath kind) {
   switch (kind) {
     case render::LightPath::Visible: return "directly from the camera";
     case render::LightPath::Reflected: return "from the camera through mirrors or glass";
-    case render::LightPath::Direct: return "from a diffuse surface";
-    default: return "from a diffuse surface through mirrors or glass (a caustic)";
+    case render::LightPath::Direct: return "from a diffuse or rough surface";
+    default: return "from a diffuse or rough surface through mirrors or glass (a caustic)";
   }
 }
 

@@ -79,6 +79,9 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"has_reached_error", result.has_reached_error},
       {"adaptive", settings.is_adaptive},
       {"truncated_paths", result.truncated_paths},
+      {"light_choice", result.kernel.light_choice.empty()
+                           ? nlohmann::ordered_json()
+                           : nlohmann::ordered_json(result.kernel.light_choice)},
       {"sampled_lights", result.sampled_lights},
       {"scarce_emitters", result.scarce_emitters.size()},
       {"nonfinite_samples", result.nonfinite_samples},

@@ -75,8 +75,7 @@ class Marks : private RepairRound {
     const bool follows_value = tokens_.is(before, TokenClass::Value) ||
                                tokens_.is_bracket(before, ')') || tokens_.is_bracket(before, ']');
     const auto is_joint = [&](std::size_t i) {
-      return tokens_.is_word(i) &&
-             (is_one_of(tokens_.written(i), kJoints) || tokens_.is(i, "let"));
+      return tokens_.is_word(i) && (is_one_of(tokens_.written(i), kJoints) || tokens_.is(i, "let"));
     };
     if (!follows_value || is_joint(before) || is_joint(i_)) return false;
     if (tokens_.is(i_, TokenClass::Label)) return true;

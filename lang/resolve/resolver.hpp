@@ -37,8 +37,8 @@ class Resolver {
   Resolver(Modules& modules, std::uint32_t module, DiagnosticSink& sink,
            SymbolRecorder* recorder = nullptr);
 
-  /// Resolves the declarations of the file's top level, which collect_declarations() has found, into
-  /// its Module.
+  /// Resolves the declarations of the file's top level, which collect_declarations() has found,
+  /// into its Module.
   void resolve_declarations();
   /// Resolves another statement of the top level into `code`. Returns its index there, or kNothing.
   std::uint32_t resolve_statement(ast::Node statement, Code& code);

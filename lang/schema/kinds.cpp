@@ -115,9 +115,9 @@ constexpr auto kRenderProperties = std::to_array<Property>({
            "Source of the random numbers; sobol: a low-discrepancy sequence, with less noise"
            " for as many samples; independent: independent numbers."),
     choice("light_sampling", render::kWords<render::LightSampling>, "auto",
-           "Whether diffuse surfaces sample lights directly, which reduces noise where lights are"
-           " small; caustics: also by way of smooth mirrors and glass; auto: what pays. Changes the"
-           " noise only."),
+           "Whether diffuse surfaces and rough metal sample lights directly, which reduces noise"
+           " where lights are small; caustics: also by way of smooth mirrors and glass; auto: what"
+           " pays. Changes the noise only."),
     optional("error", Type::Number, Range::PositiveFraction,
              "The relative error of the picture to reach, such as `1%`: the root mean square of the"
              " linear error over pixels and channels, divided by the mean linear radiance."),

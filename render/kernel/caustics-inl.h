@@ -337,12 +337,13 @@ void Caustics<T, F>::follow(Paths& paths, const Hit& hit, const Interaction& at,
   const DU du;
   const V one = set(1);
   const Mask is_open = hn::RebindMask(d, hn::Ne(paths.chain, hn::Zero(du)));
-  if (hn::AllFalse(d, hn::Or(paths.light_sampled, is_open))) return;
+  const Mask left_diffuse = paths.left_diffuse();
+  if (hn::AllFalse(d, hn::Or(left_diffuse, is_open))) return;
 
   const Bits leaf = at.by_slot(scene_.casters.leaf_of_slot);
   const Mask is_caster = hn::And(at.is_hit, hn::RebindMask(d, hn::Ne(leaf, word(kNoLight))));
   const Mask at_camera = is(paths.chain, word(Paths::kAtCamera));
-  const Mask enters = hn::And(is_caster, hn::Or(paths.light_sampled, at_camera));
+  const Mask enters = hn::And(is_caster, hn::Or(left_diffuse, at_camera));
   const Mask inside =
       hn::And(hn::And(is_caster, is(paths.chain, word(Paths::kInside))), is(leaf, paths.caster));
   const Mask mirrors = Bsdf<T>::has(at.surface, kMirrors);

@@ -53,7 +53,7 @@ class EmitterCounts {
  private:
   using Word = hn::TFromD<DU>;
   static constexpr std::size_t kLanes = hn::MaxLanes(D());
-  enum : Word { kHasScattered = 1, kHasMetDiffuse = 2, kLeavesDiffuse = 4 };  // PathHistory
+  enum : Word { kHasScattered = 1, kHasMetWide = 2, kLeavesWide = 4 };  // PathHistory
 
   template <typename KindOf>
   void count(Mask mask, Bits index, const KindOf& kind_of);
@@ -69,15 +69,15 @@ void EmitterCounts<T, kInstances>::add_vertices(Mask reached, Bits index, Mask e
   const DU du;
   count(reached, index, [&](std::size_t lane) {
     return light_path({.has_scattered = (history_[lane] & kHasScattered) != 0,
-                       .has_met_diffuse = (history_[lane] & kHasMetDiffuse) != 0,
-                       .leaves_diffuse = (history_[lane] & kLeavesDiffuse) != 0});
+                       .has_met_wide = (history_[lane] & kHasMetWide) != 0,
+                       .leaves_wide = (history_[lane] & kLeavesWide) != 0});
   });
   const auto word = [](Word v) HWY_ATTR { return hn::Set(DU(), v); };
   const Bits history = hn::Load(du, history_.data());
-  const Bits after_diffuse = word(kHasScattered | kHasMetDiffuse | kLeavesDiffuse);
-  const Bits after_specular = hn::Or(hn::And(history, word(kHasMetDiffuse)), word(kHasScattered));
-  const auto is_diffuse = hn::RebindMask(du, Bsdf<T>::is_diffuse(surface));
-  const Bits next = hn::IfThenElse(is_diffuse, after_diffuse, after_specular);
+  const Bits after_wide = word(kHasScattered | kHasMetWide | kLeavesWide);
+  const Bits after_narrow = hn::Or(hn::And(history, word(kHasMetWide)), word(kHasScattered));
+  const auto is_wide = hn::RebindMask(du, Bsdf<T>::is_wide(surface));
+  const Bits next = hn::IfThenElse(is_wide, after_wide, after_narrow);
   hn::Store(hn::IfThenElse(hn::RebindMask(du, ended), hn::Zero(du), next), du, history_.data());
 }
 

@@ -43,7 +43,7 @@ void normalize_light(Scene& scene) {
   }
 }
 
-constexpr std::size_t kPixels = 256;
+constexpr std::size_t kPixels = 1024;
 constexpr std::uint32_t kSamples = 8;
 
 /// Traces kSamples runs of one sample for each of kPixels pixels. All pass through the centre of a

@@ -23,7 +23,7 @@ struct LightPilot {
   std::uint64_t caustics = 0;     ///< those by way of casters
 };
 
-/// Traces 2048 paths with connections to `lights`, also by way of `casters`; the paths are always
+/// Traces 8192 paths with connections to `lights`, also by way of `casters`; the paths are always
 /// the same, and so is the kernel, portable_kernel, on every machine. Light that scattering almost
 /// never finds is included, because the result of plain paths is computed from connections too
 /// (PlainPaths). The scene must have no instances; it is copied and gets its own BVH.

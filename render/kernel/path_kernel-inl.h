@@ -73,7 +73,8 @@ class WidePaths {
 
   struct Ends {
     Mask emitted;  // on an emitter or in the sky
-    Mask all;      // also absorbed and truncated paths
+    Mask exhausted;
+    Mask all;  // also absorbed paths
   };
 
   static HWY_INLINE V set(double v) { return hn::Set(D(), static_cast<T>(v)); }
@@ -93,6 +94,8 @@ class WidePaths {
   HWY_INLINE Ends end_paths(Paths& paths, const Interaction& at, Mask absorbed);
   HWY_INLINE void connect_lights(Paths& paths, const Interaction& at, const Ends& ends,
                                  const LaneSampler<D>& sampler);
+  HWY_INLINE LightSample sample_light(Paths& paths, const Interaction& at, Mask connects,
+                                      Triple<V> facing, const LaneSampler<D>& sampler) const;
   using CausticConnection = typename Caustics<T, F>::Connection;
   HWY_INLINE void add_connection(Paths& paths, const CausticConnection& found);
   HWY_INLINE Mask trace_shadow_rays(const Paths& paths, const LightSample& light);
@@ -253,10 +256,12 @@ auto WidePaths<T, F>::weigh_emission(Paths& paths, const Hit& hit, const Interac
   const Mask is_light = hn::And(hn::And(at.is_hit, paths.light_sampled), has_leaf);
   if (hn::AllFalse(d, is_light)) return is_connected;
   const Triple<V> normal = flipped(paths.normal, hn::And(hit.cosine, hn::SignBit(d)));
+  const V scattering =
+      hn::IfThenElse(paths.left_diffuse(), hn::Abs(hit.cosine), paths.metal_density);
   const V weight = hn::IfThenElse(
       is_light,
       Lights(scene_.lights)
-          .bsdf_weight(is_light, leaf, {paths.origin, normal, paths.time}, hn::Abs(hit.cosine)),
+          .bsdf_weight(is_light, leaf, {paths.origin, normal, paths.time}, scattering),
       set(1));
   paths.throughput = scaled(paths.throughput, weight);
   if constexpr (F::kPilot) paths.plain_square = hn::Mul(paths.plain_square, weight);
@@ -273,34 +278,66 @@ auto WidePaths<T, F>::end_paths(Paths& paths, const Interaction& at, Mask absorb
   const Mask exhausted = hn::And(paths.alive, is_last);
   const Mask ended = hn::Or(emitted, hn::And(paths.alive, absorbed));
   counts_.truncated_paths += hn::CountTrue(d, hn::AndNot(ended, exhausted));
-  return {.emitted = emitted, .all = hn::Or(ended, exhausted)};
+  return {.emitted = emitted, .exhausted = exhausted, .all = hn::Or(ended, exhausted)};
 }
 
-/// Next event estimation: adds the radiance of one sampled light at each diffuse surface.
+/// Next event estimation: adds the radiance of one sampled light at each surface that is diffuse
+/// or rough metal, where the scattered ray may have been absorbed.
 template <typename T, typename F>
 void WidePaths<T, F>::connect_lights(Paths& paths, const Interaction& at, const Ends& ends,
                                      const LaneSampler<D>& sampler) {
   const D d;
   const Mask is_diffuse = hn::And(at.is_hit, Bsdf<T>::is_diffuse(at.surface));
-  paths.light_sampled = hn::And(hn::AndNot(ends.all, paths.alive), is_diffuse);
-  if constexpr (F::kPilot) view_.plain->choices += hn::CountTrue(d, paths.light_sampled);
-  if (hn::AllFalse(d, paths.light_sampled)) return;
+  const Mask is_sampled = hn::Or(is_diffuse, Bsdf<T>::has(at.surface, kIsRough));
+  const Mask connects = hn::And(hn::AndNot(ends.exhausted, paths.alive), is_sampled);
+  paths.light_sampled = hn::AndNot(ends.all, connects);
+  if constexpr (F::kPilot) view_.plain->choices += hn::CountTrue(d, connects);
+  if (hn::AllFalse(d, connects)) return;
   const Triple<V> facing = flipped(at.normal, hn::AndNot(at.cosine, hn::SignBit(d)));
   if constexpr (F::kCaustics) {
-    add_connection(paths, caustics_.connect(paths.light_sampled, paths, facing, sampler));
+    const Mask starts = hn::And(connects, is_diffuse);
+    add_connection(paths, caustics_.connect(starts, paths, facing, sampler));
   }
-  LightSample light = Lights(scene_.lights)
-                          .sample(paths.light_sampled, {paths.origin, facing, paths.time}, sampler);
+  LightSample light = sample_light(paths, at, connects, facing, sampler);
   if (hn::AllFalse(d, light.exists)) return;
 
   const Mask visible = trace_shadow_rays(paths, light);
-  if (HWY_UNLIKELY(emitters_.is_counting())) emitters_.add_connections(visible, light.slot);
+  if (HWY_UNLIKELY(emitters_.is_counting())) {
+    emitters_.add_connections(hn::And(visible, Bsdf<T>::is_wide(at.surface)), light.slot);
+  }
   const Triple<V> contribution = product(paths.throughput, light.radiance);
   const auto add = [&](V sum, V term)
                        HWY_ATTR { return hn::Add(sum, hn::IfThenElseZero(visible, term)); };
   paths.radiance = {add(paths.radiance.x, contribution.x), add(paths.radiance.y, contribution.y),
                     add(paths.radiance.z, contribution.z)};
   if constexpr (F::kPilot) count_connections(light, visible, contribution);
+}
+
+/// Sets Paths::metal_density, too.
+template <typename T, typename F>
+auto WidePaths<T, F>::sample_light(Paths& paths, const Interaction& at, Mask connects,
+                                   Triple<V> facing, const LaneSampler<D>& sampler) const
+    -> LightSample {
+  const D d;
+  const typename Lights::Place place{paths.origin, facing, paths.time};
+  paths.metal_density = hn::Zero(d);
+  const Mask is_metal = hn::And(connects, Bsdf<T>::has(at.surface, kIsRough));
+  if (hn::AllFalse(d, is_metal)) {
+    return Lights(scene_.lights)
+        .sample(connects, place, sampler, [](Triple<V>, V cosine) HWY_ATTR { return cosine; });
+  }
+  const Bsdf<T> bsdf(scene_.bsdf, at.by_optics);
+  const Triple<V> mirrored =
+      minus_scaled(paths.direction, at.normal, hn::Add(at.cosine, at.cosine));
+  const auto scattering = [&](Triple<V> direction, V cosine) HWY_ATTR {
+    return hn::IfThenElse(is_metal, bsdf.metal_density(mirrored, direction), cosine);
+  };
+  const V length = hn::Sqrt(dot(paths.next, paths.next));
+  const Triple<V> next = scaled(paths.next, hn::Div(set(1), length));
+  // At the edge of the ball it may be 0, which stands for diffuse surfaces.
+  const V density = hn::Max(bsdf.metal_density(mirrored, next), set(1e-30));
+  paths.metal_density = hn::IfThenElseZero(is_metal, density);
+  return Lights(scene_.lights).sample(connects, place, sampler, scattering);
 }
 
 template <typename T, typename F>

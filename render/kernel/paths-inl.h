@@ -47,6 +47,7 @@ struct Paths {
   // With KernelFeatures::lights.
   Triple<V> radiance;  ///< from light connections so far
   Mask light_sampled;  ///< the ray leaves a surface where a light was sampled
+  V metal_density;     ///< Bsdf::metal_density of the ray if that surface is metal, otherwise 0
   V plain_square;      ///< KernelFeatures::pilot: see PlainPaths::squares
 
   // With KernelFeatures::caustics: the path since the camera or the last diffuse surface, as long
@@ -82,6 +83,7 @@ struct Paths {
             .order = none,
             .radiance = nowhere,
             .light_sampled = hn::MaskFromVec(zero),
+            .metal_density = zero,
             .plain_square = zero,
             .chain = none,
             .is_from_camera = hn::MaskFromVec(zero),
@@ -94,6 +96,11 @@ struct Paths {
             .chords = zero,
             .passed = zero,
             .plain_caustic_square = zero};
+  }
+
+  /// The ray leaves a diffuse surface where a light was sampled.
+  HWY_INLINE Mask left_diffuse() const {
+    return hn::And(light_sampled, hn::Eq(metal_density, hn::Zero(D())));
   }
 
   HWY_INLINE LaneSampler<D> sampler(SamplerKind kind, Bits mixer) const {

@@ -457,6 +457,7 @@ void Study::run(std::optional<ReferencePicture> reference) {
   if (options_.budget_seconds <= ledger_.finished_budget_seconds) return;
   run_recommended();
   run_longer();
+  run_again();
   if (monitor_.cancel.load()) return;
   ledger_.finished_budget_seconds = options_.budget_seconds;
   account();
@@ -476,6 +477,27 @@ void Study::run_longer() {
     const bool is_known = max_samples > 0 && 2 * samples <= ledger_.plan->reference_samples;
     if (!is_known || 1.2 * expected_seconds(task) > seconds_left()) return;
     if (!run_and_account(task)) return;
+  }
+}
+
+void Study::run_again() {
+  constexpr std::size_t kTimings = 5;
+  constexpr double kUnused = 0.1;
+  while (!monitor_.cancel.load() && seconds_left() > kUnused * options_.budget_seconds) {
+    const Point* next = nullptr;
+    StudyTask task;
+    for (const Point& point : ledger_.points) {
+      const StudyTask repeat{.kind = StudyTask::Kind::Repeat,
+                             .configuration = point.configuration,
+                             .samples = point.samples,
+                             .round = static_cast<int>(point.timings.size())};
+      const bool is_next = next == nullptr || point.timings.size() < next->timings.size();
+      if (!is_next || point.timings.size() >= kTimings) continue;
+      if (1.2 * expected_seconds(repeat) > seconds_left()) continue;
+      next = &point;
+      task = repeat;
+    }
+    if (next == nullptr || !run_and_account(task)) return;
   }
 }
 

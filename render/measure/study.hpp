@@ -136,6 +136,8 @@ class Study {
   void run_recommended();
   /// Doubles the max samples of the scene's own configuration while there is time.
   void run_longer();
+  /// Repeats points, those with the fewest timings first, until 90 % of the budget is used.
+  void run_again();
   void notify(const std::string& what) const;
   /// Predicted from the trials, corrected by their error so far: they know little about small
   /// caches, or about parts of the picture unlike the others.

@@ -94,8 +94,8 @@ enum class SamplerKind : std::uint8_t {
   Independent,  ///< independent numbers: the baseline for comparisons
 };
 
-/// Whether diffuse surfaces sample emitters directly (next event estimation). Expectations do not
-/// change.
+/// Whether diffuse surfaces and rough metal sample emitters directly (next event estimation).
+/// Expectations do not change.
 enum class LightSampling : std::uint8_t {
   Auto,  ///< for emitters where it is expected to pay off
   On,    ///< for all emitters

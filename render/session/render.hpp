@@ -59,7 +59,7 @@ struct RenderResult {
   /// By pixel, if requested; that of a pixel without samples is PixelFeatures{}.
   std::vector<PixelFeatures> features;
   std::vector<std::uint32_t> samples_of_pixels;  ///< empty if all pixels have the same number
-  std::uint32_t sampled_lights = 0;              ///< emitters that diffuse surfaces sample directly
+  std::uint32_t sampled_lights = 0;              ///< emitters that surfaces sample directly
   /// Emitters that fewer than EmitterTally::kEnough paths reached: their light may be missing.
   std::vector<ReachedEmitter> scarce_emitters;
   /// Kinds of path that were found too rarely for the error to be known; empty if it is known.

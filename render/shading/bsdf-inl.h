@@ -58,10 +58,19 @@ class Bsdf {
     return hn::RebindMask(D(), hn::Eq(hn::And(surface, others), hn::Zero(DU())));
   }
 
+  /// is_wide() of the material.
+  static HWY_INLINE Mask is_wide(Bits surface) {
+    return hn::Or(is_diffuse(surface), has(surface, kIsWide));
+  }
+
   HWY_INLINE Sample sample(Triple<V> direction, Triple<V> outward, V cosine, Bits surface,
                            const LaneSampler<D>& sampler) const;
   /// `facing`: the normal on the side of the ray; `cosine` as for sample().
   HWY_INLINE Boundary boundary(Triple<V> direction, Triple<V> facing, V cosine, Bits surface) const;
+  /// π times the probability density, per solid angle, of scattering at fuzzy metal from the
+  /// mirrored direction to `next`, both of length 1; absorbed directions included. For diffuse
+  /// surfaces the same quantity is the cosine.
+  HWY_INLINE V metal_density(Triple<V> mirrored, Triple<V> next) const;
 
  private:
   static HWY_INLINE V set(double v) { return hn::Set(D(), static_cast<T>(v)); }
@@ -111,6 +120,28 @@ HWY_INLINE auto Bsdf<T>::sample(Triple<V> direction, Triple<V> outward, V cosine
     next = choose(refracts, choose(reflected, mirrored, glass.refracted), next);
   }
   return {next, absorbed, reflected, reflectance};
+}
+
+/// Directions are those of points in a ball of radius b around a · mirrored. A direction has the
+/// density ∫ r² dr along its chord of the ball, divided by the volume.
+template <typename T>
+HWY_INLINE auto Bsdf<T>::metal_density(Triple<V> mirrored, Triple<V> next) const -> V {
+  const D d;
+  const V zero = hn::Zero(d), one = set(1);
+  const V a = read_(columns_.first), b = read_(columns_.second);
+  const Triple<V> apart = minus(next, mirrored);
+  const V squared = dot(apart, apart);  // accurate for small angles, unlike 1 − cos²
+  const V along = hn::Mul(a, hn::NegMulAdd(set(0.5), squared, one));
+  const V sine_squared = hn::Mul(squared, hn::NegMulAdd(set(0.25), squared, one));
+  const V half_squared = hn::NegMulAdd(hn::Mul(a, a), sine_squared, hn::Mul(b, b));
+  const V half = hn::Sqrt(hn::Max(half_squared, zero));
+  const V end = hn::Add(along, half);
+  // The chord starts at the origin if the ball contains it.
+  const V through = hn::Mul(hn::Add(half, half), hn::MulAdd(hn::Mul(set(3), along), along,
+                                                           hn::Mul(half, half)));
+  const V cubes = hn::IfThenElse(hn::Lt(a, one), hn::Mul(hn::Mul(end, end), end), through);
+  const V density = hn::Div(cubes, hn::Mul(hn::Mul(set(4), b), hn::Mul(b, b)));
+  return hn::IfThenElseZero(hn::And(hn::Gt(half_squared, zero), hn::Gt(end, zero)), density);
 }
 
 template <typename T>

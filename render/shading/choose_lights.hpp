@@ -8,7 +8,7 @@
 
 namespace sdlc::render {
 
-/// The emissive spheres that diffuse surfaces sample directly (next event estimation), as ascending
+/// The emissive spheres that surfaces sample directly (next event estimation), as ascending
 /// indices. LightSampling::On: all that emit light and can be hit. Spheres of prototypes are never
 /// included.
 ///

@@ -8,6 +8,7 @@
 #include "render/math/interval.hpp"
 #include "render/math/vec3.hpp"
 #include "render/shading/choose_lights.hpp"
+#include "render/shading/optics.hpp"
 #include "render/shading/pinhole.hpp"
 
 namespace sdlc::render {
@@ -30,17 +31,19 @@ double root_mean_square(LinearRgb c) noexcept {
 
 /// Whether some surface scatters so that light continues.
 struct Surfaces {
-  bool diffuse = false;
+  bool wide = false;  // is_wide()
+  bool wide_metal = false;
   std::size_t specular = 0;  // mirrors and glass
 
   explicit Surfaces(const Scene& scene) {
     const auto add = [&](const Sphere& sphere) {
       const Material& material = scene.materials[sphere.material];
       if (sphere.radius <= 0 || is_black(material.color)) return;
-      diffuse |= material.type == MaterialType::Diffuse;
+      wide |= is_wide(material);
+      wide_metal |= is_wide(material) && material.type == MaterialType::Specular;
       const bool is_specular =
           material.type == MaterialType::Specular || material.type == MaterialType::Transmissive;
-      specular += is_specular ? 1 : 0;
+      specular += is_specular && !is_wide(material) ? 1 : 0;
     };
     std::ranges::for_each(scene.spheres, add);
     for (const Prototype& prototype : scene.prototypes) {
@@ -142,7 +145,7 @@ EmitterClasses::EmitterClasses(const Scene& scene, std::span<const std::uint32_t
     : emitters(choose_lights(scene, LightSampling::On)), of_spheres(scene.spheres.size(), kNone) {
   const Surfaces surfaces(scene);
   // Without scattering surfaces every path is a camera ray, and unlit spheres are plain pixels.
-  if (!surfaces.diffuse && surfaces.specular == 0 && emitters.empty()) return;
+  if (!surfaces.wide && surfaces.specular == 0 && emitters.empty()) return;
 
   has_casters = !casters.empty();
   for (const Material& material : scene.materials) {
@@ -155,8 +158,9 @@ EmitterClasses::EmitterClasses(const Scene& scene, std::span<const std::uint32_t
   class_of_octave.fill(kNone);
   const Rebase rebase(scene);
   const ViewPyramid view(scene.camera, rebase);
-  const bool has_lone_caster =
-      casters.size() == 1 && surfaces.specular == 1 && is_clear(scene, rebase, casters[0]);
+  // No connections by way of the caster start at metal.
+  const bool has_lone_caster = casters.size() == 1 && surfaces.specular == 1 &&
+                               !surfaces.wide_metal && is_clear(scene, rebase, casters[0]);
   for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
     const double radiance =
         root_mean_square(radiance_of(scene.materials[scene.spheres[i].material]));
@@ -178,14 +182,14 @@ EmitterClasses::EmitterClasses(const Scene& scene, std::span<const std::uint32_t
       c.add(LightPath::Visible, Chance::Possible);
     }
     // Each connection contributes little, and its noise shows up in the replicates.
-    if (surfaces.diffuse && !is_sampled) c.add(LightPath::Direct, Chance::Possible);
+    if (surfaces.wide && !is_sampled) c.add(LightPath::Direct, Chance::Possible);
     if (surfaces.specular == 0) continue;
     const bool is_connected =
         is_sampled && has_lone_caster &&
         has_beams(moving(scene, rebase, casters[0]), moving(scene, rebase, i));
     c.add(LightPath::Reflected,
           is_connected && has_all_glints ? Chance::Unexpected : Chance::Possible);
-    if (!surfaces.diffuse) continue;
+    if (!surfaces.wide) continue;
     c.add(LightPath::Caustic, is_connected ? Chance::Unexpected : Chance::Possible);
   }
 }

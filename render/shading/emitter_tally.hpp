@@ -28,7 +28,7 @@ struct EmitterCount {
 };
 
 /// How a path reaches an emitter by scattering, or by a connection that ends there. In Heckbert's
-/// notation, with E the eye, L the light, D a diffuse and S any other scattering:
+/// notation, with E the eye, L the light, D a wide scattering (is_wide) and S any other:
 enum class LightPath : std::uint8_t {
   Visible,    ///< EL
   Reflected,  ///< E S+ L
@@ -41,13 +41,13 @@ constexpr std::size_t index_of(LightPath kind) noexcept { return static_cast<std
 /// What a path hit before it reached an emitter.
 struct PathHistory {
   bool has_scattered = false;
-  bool has_met_diffuse = false;
-  bool leaves_diffuse = false;  ///< the last scattering was diffuse
+  bool has_met_wide = false;  ///< is_wide()
+  bool leaves_wide = false;   ///< the last scattering was wide
 };
 constexpr LightPath light_path(PathHistory history) noexcept {
   if (!history.has_scattered) return LightPath::Visible;
-  if (!history.has_met_diffuse) return LightPath::Reflected;
-  return history.leaves_diffuse ? LightPath::Direct : LightPath::Caustic;
+  if (!history.has_met_wide) return LightPath::Reflected;
+  return history.leaves_wide ? LightPath::Direct : LightPath::Caustic;
 }
 
 /// A kind of path that is possible in the scene but was found too rarely (EmitterTally) for the

@@ -1,4 +1,4 @@
-// Next event estimation for diffuse surfaces. Compiled once per instruction set, so it has no
+// Next event estimation. Compiled once per instruction set, so it has no
 // include guard but Highway's.
 // clang-format off
 #if defined(SDLC_RENDER_SHADING_LIGHT_SAMPLER_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -41,7 +41,7 @@ class LightSampler {
   using Bits = hn::Vec<DU>;
   using Mask = hn::Mask<D>;
 
-  /// A point on a diffuse surface. `normal` is on the side from which the path came.
+  /// A point on a surface. `normal` is on the side from which the path came.
   struct Place {
     Triple<V> x, normal;
     V time;
@@ -58,10 +58,14 @@ class LightSampler {
 
   explicit HWY_INLINE LightSampler(const WideLights<T>& lights) : lights_(lights) {}
 
-  /// For the lanes of `wanted`.
-  HWY_INLINE Sample sample(Mask wanted, const Place& at, const LaneSampler<D>& sampler) const;
+  /// For the lanes of `wanted`. `scattering(direction, cosine)` is π times the density with which
+  /// the surface scatters into a direction; the cosine is that to the normal.
+  template <typename Density>
+  HWY_INLINE Sample sample(Mask wanted, const Place& at, const LaneSampler<D>& sampler,
+                           const Density& scattering) const;
   /// The weight of scattered rays that hit the light of a leaf, for the lanes of `is_light`.
-  HWY_INLINE V bsdf_weight(Mask is_light, Bits leaf, const Place& at, V cosine) const;
+  /// `scattering`: π times the density of their direction.
+  HWY_INLINE V bsdf_weight(Mask is_light, Bits leaf, const Place& at, V scattering) const;
 
   struct Choice {
     Bits leaf;
@@ -92,7 +96,7 @@ class LightSampler {
   HWY_INLINE V importance(Bits node, const Place& at) const;
   HWY_INLINE Children children(Bits left, const Place& at) const;
   HWY_INLINE Cone cone(const TableReader<D>& read, const Place& at) const;
-  static HWY_INLINE V balance_heuristic(V probability, const Cone& cone, V cosine);
+  static HWY_INLINE V balance_heuristic(V probability, const Cone& cone, V scattering);
 
   const WideLights<T>& lights_;
 };
@@ -164,21 +168,22 @@ auto LightSampler<T, kMotion>::cone(const TableReader<D>& read, const Place& at)
 }
 
 /// The balance heuristic (Veach, "Robust Monte Carlo methods for light transport simulation", 1997,
-/// 9.2.2) for diffuse scattering versus sampling the light (chosen with this probability, with a
-/// direction in its cone): cos/π divided by the sum of cos/π and probability over solid angle. A
-/// scattered ray that hits the light has this weight. A connection also counts as its radiance
-/// times this: the weight of its own technique times cos/π over its own density is the same number.
-/// `cosine` is between direction and normal. Valid if there is a cone and the probability is above
-/// 0.
+/// 9.2.2) for scattering versus sampling the light (chosen with this probability, with a direction
+/// in its cone): the density of scattering divided by the sum of it and probability over solid
+/// angle. A scattered ray that hits the light has this weight. A connection also counts as its
+/// radiance times this: the weight of its own technique times the density of scattering over its
+/// own is the same number. Valid if there is a cone and the probability is above 0.
 template <typename T, bool kMotion>
-auto LightSampler<T, kMotion>::balance_heuristic(V probability, const Cone& cone, V cosine) -> V {
-  const V scattered = hn::Mul(hn::Add(cone.height, cone.height), cosine);
+auto LightSampler<T, kMotion>::balance_heuristic(V probability, const Cone& cone, V scattering)
+    -> V {
+  const V scattered = hn::Mul(hn::Add(cone.height, cone.height), scattering);
   return hn::Div(scattered, hn::Add(probability, scattered));
 }
 
 template <typename T, bool kMotion>
-auto LightSampler<T, kMotion>::sample(Mask wanted, const Place& at,
-                                      const LaneSampler<D>& sampler) const -> Sample {
+template <typename Density>
+auto LightSampler<T, kMotion>::sample(Mask wanted, const Place& at, const LaneSampler<D>& sampler,
+                                      const Density& scattering) const -> Sample {
   const D d;
   const V one = set(1), zero = hn::Zero(d);
   Choice chosen = choose_leaf(wanted, at, sampler, kChoice);
@@ -195,8 +200,10 @@ auto LightSampler<T, kMotion>::sample(Mask wanted, const Place& at,
   const V half_chord = hn::Sqrt(hn::Max(hn::Sub(seen.radius_squared, across_squared), zero));
 
   const V to_normal = dot(direction, at.normal);
-  const V weight = balance_heuristic(chosen.probability, seen, to_normal);
-  const Mask is_above = hn::And(seen.exists, hn::Gt(to_normal, zero));
+  const V scattered = scattering(direction, to_normal);
+  const V weight = balance_heuristic(chosen.probability, seen, scattered);
+  const Mask is_above = hn::And(hn::And(seen.exists, hn::Gt(to_normal, zero)),
+                                hn::Gt(scattered, zero));
   return {.exists = hn::And(hn::Gt(chosen.probability, zero), is_above),
           .direction = direction,
           .distance = hn::MulSub(seen.distance, cosine, half_chord),
@@ -226,13 +233,13 @@ auto LightSampler<T, kMotion>::probability(Mask is_light, Bits leaf, const Place
 
 template <typename T, bool kMotion>
 auto LightSampler<T, kMotion>::bsdf_weight(Mask is_light, Bits leaf, const Place& at,
-                                           V cosine) const -> V {
+                                           V scattering) const -> V {
   const D d;
   leaf = hn::IfThenElseZero(hn::RebindMask(DU(), is_light), leaf);
   const V chosen = probability(is_light, leaf, at);
   Cone seen = cone(TableReader<D>(leaf, lights_.leaves), at);
   const Mask is_sampled = hn::And(seen.exists, hn::Gt(chosen, hn::Zero(d)));
-  return hn::IfThenElse(is_sampled, balance_heuristic(chosen, seen, cosine), set(1));
+  return hn::IfThenElse(is_sampled, balance_heuristic(chosen, seen, scattering), set(1));
 }
 
 }  // namespace sdlc::render::HWY_NAMESPACE

@@ -11,7 +11,10 @@ constexpr std::uint32_t kNoRow = 0xFFFFFFFF;
 std::uint32_t surface_bits(const Material& material) noexcept {
   switch (material.type) {
     case MaterialType::Diffuse: return 0;
-    case MaterialType::Specular: return material.parameter > 0 ? kMirrors | kIsFuzzy : kMirrors;
+    case MaterialType::Specular:
+      return kMirrors | (material.parameter > 0 ? kIsFuzzy : 0u) |
+             (material.parameter >= kRoughFuzz ? kIsRough : 0u) |
+             (is_wide(material) ? kIsWide : 0u);
     case MaterialType::Transmissive:
       return material.fresnel == Fresnel::Exact ? kRefracts | kIsExact : kRefracts;
     default: return kEndsPath;

@@ -15,7 +15,20 @@ enum SurfaceBit : std::uint32_t {
   kIsFuzzy = 4,   ///< specular, perturbed within a ball
   kRefracts = 8,  ///< transmissive
   kIsExact = 16,  ///< transmissive with Fresnel's equations instead of Schlick's approximation
+  kIsRough = 32,  ///< specular, at least kRoughFuzz: lights are sampled
+  kIsWide = 64,   ///< specular, is_wide()
 };
+
+/// With less fuzz, a light that is sampled is hardly ever in a direction of scattering.
+inline constexpr double kRoughFuzz = 0.01;
+
+/// Whether a surface scatters from one direction into many, so that a path through it is like one
+/// through a diffuse surface: into a cone of half angle asin(1/4) or more.
+constexpr bool is_wide(const Material& material) noexcept {
+  constexpr double kWideFuzz = 0.25;
+  return material.type == MaterialType::Diffuse ||
+         (material.type == MaterialType::Specular && material.parameter >= kWideFuzz);
+}
 
 /// The properties of a material except its colour.
 struct Optics {

@@ -122,6 +122,22 @@ Scene three_thousand() {
   return scene;
 }
 
+/// Seen from the side, so that much is absorbed and the mirrored direction passes the lamps.
+Scene on_metal(double fuzz) {
+  Scene scene = beam_scene({0, 1, 2}, {0, 0, 0}, {0.1, 0.05, 0.2});
+  add_sphere(scene, {0, -100, 0}, 100, specular({0.8, 0.7, 0.9}, fuzz));
+  add_sphere(scene, {0.2, 1.3, -2}, 0.3, emissive({1, 0.8, 0.5}, 10));
+  add_sphere(scene, {-0.5, 0.3, -2}, 0.4, emissive({0.2, 0.8, 1}, 5));
+  add_sphere(scene, {0.1, 0.6, -0.8}, 0.2, diffuse({0.5, 0.8, 0.3}));
+  return scene;
+}
+
+Scene moving_over_metal() {
+  Scene scene = on_metal(0.6);
+  scene.shifts = {Vec3{}, {0.5, -1, 0.2}, {0.3, -0.5, 0}, {0, 0.5, 0}};
+  return scene;
+}
+
 TEST(LightSampling, HasTheExpectationOfPlainPathsAtEveryDepth) {
   const std::vector<std::pair<const char*, Scene>> scenes{
       {"behind glass", behind_glass()},
@@ -133,7 +149,13 @@ TEST(LightSampling, HasTheExpectationOfPlainPathsAtEveryDepth) {
       {"both sides of a shell", both_sides_of_a_shell()},
       {"camera on a surface", camera_on_a_surface()},
       {"at the horizon", at_the_horizon()},
-      {"three thousand", three_thousand()}};
+      {"three thousand", three_thousand()},
+      {"slightly fuzzy metal", on_metal(0.01)},
+      {"brushed metal", on_metal(0.2)},
+      {"wide metal", on_metal(0.6)},
+      {"the widest metal", on_metal(1)},
+      {"fuzz above 1", on_metal(2.5)},
+      {"moving over metal", moving_over_metal()}};
   const double significance = 1e-4 / static_cast<double>(scenes.size() * std::size(kDepths));
   for (const auto& [name, scene] : scenes) {
     for (const int depth : kDepths) {
@@ -179,6 +201,26 @@ TEST(LightSampling, LightsADiffuseSurfaceByTheInverseSquareLawWithLittleNoise) {
     EXPECT_TRUE(agrees(estimate, LinearRgb{expected}, 1e-4 / 5)) << "radius " << radius;
     // Of one sample; that of plain paths is about d / radius times the mean.
     EXPECT_LT(estimate.standard_error.g * 256, (radius < 1 ? 0.15 : 0.6) * expected) << radius;
+  }
+}
+
+TEST(LightSampling, LightsMetalWithLittleNoise) {
+  // A lamp in the mirrored direction of the ray, much smaller than what the metal scatters into.
+  for (const double fuzz : {0.05, 0.35, 1.0}) {
+    const double radius = 1e-3, d = 2, l = 1e6;
+    Scene scene = beam_scene({0, 3, 2}, {0, 0, 0}, kBlack);
+    add_sphere(scene, {0, -1000, 0}, 1000, specular(LinearRgb{0.7}, fuzz));
+    const double axis = std::atan2(3, 2);
+    add_sphere(scene, {0, d * std::sin(axis), -d * std::cos(axis)}, radius, emissive(kWhite, l));
+    // The density of the mirrored direction times the solid angle of the lamp.
+    const double end = 1 + fuzz, start = 1 - fuzz;
+    const double density = (end * end * end - start * start * start) / (4 * fuzz * fuzz * fuzz);
+    const double expected = 0.7 * l * density * (radius / d) * (radius / d);
+    const Estimate estimate = with_lights(scene, 2);
+    // The density varies over the lamp by some (radius / d / fuzz)².
+    const double varies = 3 * std::pow(radius / d / fuzz, 2) * expected;
+    EXPECT_NEAR(estimate.mean.g, expected, varies) << fuzz;
+    EXPECT_LT(estimate.standard_error.g * 256, 0.02 * expected) << fuzz;  // of one sample
   }
 }
 

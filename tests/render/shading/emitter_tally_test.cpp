@@ -88,6 +88,13 @@ TEST(EmitterTally, CountsTheKindsOfPathThatTheSceneMakesPossible) {
               ElementsAre(Visible, Reflected, Direct, Caustic));
   EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(glass, {}), 2), 3),
               ElementsAre(Visible, Reflected, Direct));
+  // Wide metal is like a diffuse surface.
+  const auto of_ball = [](double fuzz) {
+    const Scene metal = lights_around(test::specular(LinearRgb{1}, fuzz));
+    return rare_kinds(EmitterTally(EmitterClasses(metal, {}), kDepth), 3);
+  };
+  EXPECT_THAT(of_ball(0.25), ElementsAre(Visible, Direct));
+  EXPECT_THAT(of_ball(0.24), ElementsAre(Visible, Reflected, Direct, Caustic));
   // Connections find sampled lights.
   const std::vector<std::uint32_t> lights{2, 3};
   EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(glass, lights), kDepth), 3),
@@ -140,6 +147,10 @@ TEST(EmitterTally, CountsOnlyTheSpecularPathsThatConnectionsCannotFind) {
   Scene with_two = scene;
   test::add_sphere(with_two, {3, 3, 0}, 1, test::specular(LinearRgb{1}, 0));
   EXPECT_THAT(rare_with_caster(with_two, true), ElementsAre(Visible, Reflected, Caustic));
+  // From wide metal no connection is made by way of the ball.
+  Scene with_metal = scene;
+  test::add_sphere(with_metal, {3, 3, 0}, 1, test::specular(LinearRgb{1}, 0.5));
+  EXPECT_THAT(rare_with_caster(with_metal, true), ElementsAre(Visible, Reflected, Caustic));
   // Something in the glass, and a lamp there.
   Scene with_core = scene;
   test::add_sphere(with_core, {0, 3, 0}, 0.5, test::diffuse(LinearRgb{1}));

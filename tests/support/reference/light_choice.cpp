@@ -65,21 +65,23 @@ std::optional<Connection> connect(const Lights& lights, const LitPlace& at, Unif
   if (!(cone.height > 0)) return std::nullopt;
   const LightDirection way = sample_cone(cone, light.radius, direction);
   const double cosine = dot(way.direction, at.normal);
-  if (!(cosine > 0)) return std::nullopt;
+  const double scattering = at.scattering(way.direction, cosine);
+  if (!(cosine > 0 && scattering > 0)) return std::nullopt;
   return Connection{
       .direction = way.direction,
       .distance = way.distance,
-      .radiance = light.radiance * scattering_weight(chosen.probability, cone, cosine),
+      .radiance = light.radiance * scattering_weight(chosen.probability, cone, scattering),
       .sphere = light.sphere};
 }
 
 double weight_of_hit(const Lights& lights, std::uint32_t sphere, const LitPlace& at,
-                     double cosine) noexcept {
+                     Vec3 direction) noexcept {
   const std::uint32_t leaf = lights.leaf_of(sphere);
   if (leaf == kNoLight) return 1;
   const Light& light = lights.leaves()[leaf];
   return scattering_weight(probability_of(lights.tree(), leaf, at.x, at.normal),
-                           light_cone(light.center_at(at.u) - at.x, light.radius), cosine);
+                           light_cone(light.center_at(at.u) - at.x, light.radius),
+                           at.scattering(direction, std::fabs(dot(direction, at.normal))));
 }
 
 }  // namespace sdlc::test::reference

@@ -7,6 +7,7 @@
 #include "render/math/vec3.hpp"
 #include "render/shading/lights.hpp"
 #include "tests/support/reference/path_sampler.hpp"
+#include "tests/support/reference/scatter.hpp"
 
 namespace sdlc::test::reference {
 
@@ -22,10 +23,17 @@ LightChoice choose_light(const LightTree& tree, Vec3 x, Vec3 normal, UniformPair
 /// LightChoice::probability of a leaf.
 double probability_of(const LightTree& tree, std::uint32_t leaf, Vec3 x, Vec3 normal) noexcept;
 
-/// A point on a diffuse surface. `normal` is on the side from which the path came.
+/// A point on a diffuse surface or metal. `normal` is on the side from which the path came.
 struct LitPlace {
   Vec3 x, normal;
-  double u = 0;  ///< time within the shutter
+  double u = 0;     ///< time within the shutter
+  Vec3 mirrored;    ///< by metal, of length 1
+  double fuzz = 0;  ///< of metal; 0: diffuse
+
+  /// π times the density of scattering into a direction; `cosine` is that to the normal.
+  double scattering(Vec3 direction, double cosine) const noexcept {
+    return fuzz > 0 ? metal_density(mirrored, fuzz, direction) : cosine;
+  }
 };
 /// A shadow ray towards a light.
 struct Connection {
@@ -37,8 +45,8 @@ struct Connection {
 /// nullopt if no light can be visible.
 std::optional<Connection> connect(const Lights& lights, const LitPlace& at, UniformPair choice,
                                   UniformPair direction) noexcept;
-/// The weight of a ray scattered there, with `cosine` to the normal, that hits the sphere.
+/// The weight of a ray scattered there into a direction that hits the sphere.
 double weight_of_hit(const Lights& lights, std::uint32_t sphere, const LitPlace& at,
-                     double cosine) noexcept;
+                     Vec3 direction) noexcept;
 
 }  // namespace sdlc::test::reference

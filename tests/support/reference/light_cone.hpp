@@ -59,14 +59,14 @@ inline LightDirection sample_cone(const LightCone& cone, double radius,
 }
 
 /// The balance heuristic (Veach, "Robust Monte Carlo methods for light transport simulation", 1997,
-/// 9.2.2) for diffuse scattering versus sampling the light (chosen with this probability, with a
-/// direction in its cone): cos/π divided by the sum of cos/π and probability over solid angle. A
-/// scattered ray that hits the light has this weight. A connection also counts as its radiance
-/// times this: the weight of its own technique times cos/π over its own density is the same number.
-/// `cosine` is between direction and normal, not negative.
-inline double scattering_weight(double probability, const LightCone& cone, double cosine) noexcept {
+/// 9.2.2) for scattering, with a density times π of `scattering`, versus sampling the light (chosen
+/// with this probability, with a direction in its cone). A scattered ray that hits the light has
+/// this weight. A connection also counts as its radiance times this: the weight of its own
+/// technique times the density of scattering over its own is the same number.
+inline double scattering_weight(double probability, const LightCone& cone,
+                                double scattering) noexcept {
   if (!(probability > 0 && cone.height > 0)) return 1;
-  const double scattered = 2 * cone.height * cosine;
+  const double scattered = 2 * cone.height * scattering;
   return scattered / (probability + scattered);
 }
 

@@ -14,6 +14,7 @@
 #include "render/exactness/touching.hpp"
 #include "render/film/film.hpp"
 #include "render/shading/lights.hpp"
+#include "render/shading/optics.hpp"
 #include "render/shading/pinhole.hpp"
 #include "render/shading/sampler.hpp"
 #include "tests/support/reference/intersect.hpp"
@@ -171,22 +172,22 @@ class PathTracer {
     if (emitters_.is_counting()) emitters_.count(sphere, kind);
   }
 
-  /// Next event estimation for the diffuse surface point at the origin of `ray`.
-  LinearRgb direct_light(const Ray& ray, const Departure& departure, Vec3 facing,
+  /// Next event estimation for a surface point.
+  LinearRgb direct_light(const LitPlace& place, const Departure& departure,
                          const PathSampler& sampler, int vertex, LinearRgb beta) {
     const VertexSampler random(sampler, vertex);
-    const auto connection = connect(lights_, {.x = ray.origin, .normal = facing, .u = ray.u},
-                                    random(kChoice), random(kLight));
+    const auto connection = connect(lights_, place, random(kChoice), random(kLight));
     if (!connection) return LinearRgb{};
     ++result_.rays;
     Departure met;
-    const Hit hit =
-        intersect({.origin = ray.origin, .direction = connection->direction, .u = ray.u},
-                  std::span(&departure, 1), met);
+    const Hit hit = intersect({.origin = place.x, .direction = connection->direction, .u = place.u},
+                              std::span(&departure, 1), met);
     // If the ray hits or just misses the light's own surface, rounding decides; both count as
     // visible.
     if (hit.t < connection->distance && hit.sphere != connection->sphere) return LinearRgb{};
-    count_reached(connection->sphere, LightPath::Direct);
+    if (is_wide(material_of(departure.sphere))) {
+      count_reached(connection->sphere, LightPath::Direct);
+    }
     return beta * connection->radiance;
   }
 
@@ -194,8 +195,8 @@ class PathTracer {
     LinearRgb beta{1};   // throughput of the path so far
     LinearRgb gathered;  // radiance from connections to lights
     std::vector<Departure> left = camera_surfaces_;
-    Vec3 facing;
-    bool left_diffuse = false;  // the previous surface was diffuse, and a light was sampled there
+    LitPlace place;
+    bool light_sampled = false;  // at `place`, the previous surface
     PathHistory history;
     for (int depth = 0; depth < settings_.depth; ++depth) {
       ++result_.rays;
@@ -211,43 +212,47 @@ class PathTracer {
       if (material.type == MaterialType::Emissive) {
         count_reached(hit.sphere, light_path(history));
         const LinearRgb arriving = beta * (material.color * material.parameter);
-        if (!left_diffuse) return gathered + arriving;
-        const double cosine = std::fabs(dot(ray.direction, facing));
-        return gathered + arriving * weight_of_hit(lights_, hit.sphere,
-                                                   {.x = ray.origin, .normal = facing, .u = ray.u},
-                                                   cosine);
+        if (!light_sampled) return gathered + arriving;
+        return gathered + arriving * weight_of_hit(lights_, hit.sphere, place, ray.direction);
       }
 
       const Vec3 at = center(hit.sphere, ray.u);
       const Vec3 outward = hit.sphere == departure.sphere
                                ? rehit_normal(ray.direction, departure.normal)
                                : unit((ray.origin - at) + ray.direction * hit.t);
-      facing = dot(ray.direction, outward) > 0 ? -outward : outward;
+      const Vec3 facing = dot(ray.direction, outward) > 0 ? -outward : outward;
       const VertexSampler vertex(sampler, depth);
+      const bool is_metal = material.type == MaterialType::Specular;
+      place = {.x = at + outward * scene_.spheres[hit.sphere].radius,
+               .normal = facing,
+               .u = ray.u,
+               .mirrored = reflect(ray.direction, facing),
+               .fuzz = is_metal ? material.parameter : 0};
       Vec3 direction;
+      bool is_absorbed = false;
       switch (material.type) {
         case MaterialType::Diffuse: direction = scatter_diffuse(facing, vertex); break;
         case MaterialType::Specular:
-          if (!scatter_specular(ray.direction, facing, material.parameter, vertex, direction)) {
-            return gathered;
-          }
+          is_absorbed =
+              !scatter_specular(ray.direction, facing, material.parameter, vertex, direction);
           break;
         default:
           direction = scatter_transmissive(ray.direction, outward, material.parameter,
                                            material.fresnel, vertex);
       }
       beta *= material.color;
-      ray.origin = at + outward * scene_.spheres[hit.sphere].radius;
+      ray.origin = place.x;
       ray.direction = direction;
       left = {{.sphere = hit.sphere, .normal = outward}};
-      const bool is_diffuse = material.type == MaterialType::Diffuse;
       history = {.has_scattered = true,
-                 .has_met_diffuse = history.has_met_diffuse || is_diffuse,
-                 .leaves_diffuse = is_diffuse};
-      left_diffuse = is_diffuse && !lights_.empty();
-      if (left_diffuse && depth + 1 < settings_.depth) {
-        gathered += direct_light(ray, left.front(), facing, sampler, depth, beta);
+                 .has_met_wide = history.has_met_wide || is_wide(material),
+                 .leaves_wide = is_wide(material)};
+      const bool is_rough = is_metal && material.parameter >= kRoughFuzz;
+      light_sampled = !lights_.empty() && (is_rough || material.type == MaterialType::Diffuse);
+      if (light_sampled && depth + 1 < settings_.depth) {
+        gathered += direct_light(place, left.front(), sampler, depth, beta);
       }
+      if (is_absorbed) return gathered;
     }
     ++result_.truncated_paths;
     return gathered;

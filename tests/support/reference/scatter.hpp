@@ -70,6 +70,19 @@ inline bool scatter_specular(Vec3 direction, Vec3 facing, double fuzz, const Ver
   return true;
 }
 
+/// π times the density of the directions that scatter_specular() gives, absorbed ones included.
+/// They are those of points in a ball of radius `fuzz` around `mirrored`; a direction has the
+/// density ∫ r² dr along its chord of the ball, divided by the volume.
+inline double metal_density(Vec3 mirrored, double fuzz, Vec3 direction) noexcept {
+  const double cosine = dot(mirrored, direction), sine = length(cross(mirrored, direction));
+  if (!(sine < fuzz)) return 0;
+  const double half_chord = std::sqrt((fuzz - sine) * (fuzz + sine));
+  const double end = cosine + half_chord, start = std::fmax(cosine - half_chord, 0);
+  if (!(end > 0)) return 0;
+  const double cubes = (end - start) * (end * end + end * start + start * start);
+  return cubes / 4 / (fuzz * fuzz * fuzz);
+}
+
 /// Reflects with the probability of the Fresnel term, otherwise refracts by Snell's law. `outward`
 /// is the sphere's outward normal; `ior` the index inside divided by the one outside.
 inline Vec3 scatter_transmissive(Vec3 direction, Vec3 outward, double ior, Fresnel fresnel,
