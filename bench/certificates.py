@@ -58,7 +58,7 @@ def main():
     parser.add_argument("--goal", default="5%")
     parser.add_argument("--samples", type=int, default=16384)
     parser.add_argument("--truth", type=int, default=1 << 20)
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     scenes = arguments.scenes or sorted((pathlib.Path(__file__).parent / "certificates").glob("*.scene"))
     print("| scene | auto | certified | held | true error | largest / upper end |")
     print("| --- | --- | --- | --- | --- | --- |")

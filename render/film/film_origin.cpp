@@ -26,6 +26,7 @@ void for_each_member(Origin& origin, Visit visit) {
   visit("replicates", origin.replicates);
   visit("first_hits", origin.has_first_hits);
   visit("precision", origin.precision);
+  visit("lights_at_metal", origin.samples_at_metal);
   visit("arithmetic", origin.arithmetic);
   visit("program", origin.program);
 }

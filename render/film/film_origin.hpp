@@ -19,6 +19,7 @@ struct FilmOrigin {
   std::uint32_t replicates = 0;  ///< FilmExtent::replicates of all films
   bool has_first_hits = false;   ///< RenderSettings::keeps_first_hits
   Precision precision = Precision::Double;
+  bool samples_at_metal = false;  ///< Kernel::samples_at_metal
   /// "fused" or "separate": how products are rounded before they are added (Backend::is_fused).
   std::string arithmetic;
   /// The version of the program.

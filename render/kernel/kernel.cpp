@@ -139,6 +139,7 @@ Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
 /// What connections are made to, and by way of what.
 struct Connections {
   std::vector<std::uint32_t> lights, casters;
+  bool at_metal = false;  // from rough metal, too
 };
 
 /// Whether a light is so small, as seen from a caster, that scattering hardly ever finds it.
@@ -166,30 +167,34 @@ Connections connections_by_pilot(const Scene& scene, const RenderSettings& setti
   std::vector<std::uint32_t> chosen = choose_lights(scene, LightSampling::Auto);
   const LightPilot of_all = run_light_pilot(scene, settings, all.lights, all.casters);
   const auto with_casters = [&](std::vector<std::uint32_t> lights) {
-    return is_hard_to_find(scene, {lights, all.casters}) ? Connections{lights, all.casters}
-                                                         : Connections{lights, {}};
+    Connections found{std::move(lights), all.casters, of_all.samples_at_metal};
+    if (!is_hard_to_find(scene, found)) found.casters.clear();
+    return found;
   };
   if (of_all.connections < kEnough) return with_casters(std::move(chosen));
-  LightPilot::Cost of_chosen;
+  LightPilot of_chosen;
   if (!chosen.empty() && chosen.size() < all.lights.size()) {
-    of_chosen = run_light_pilot(scene, settings, chosen, {}).direct;
+    of_chosen = run_light_pilot(scene, settings, chosen, {});
   }
-  const double direct = std::min(of_all.direct.product(), of_chosen.product());
+  const double direct = std::min(of_all.direct.product(), of_chosen.direct.product());
   const double best = std::min(direct, 1.0);
   if (of_all.caustics < kEnough && best < 1) {
     const Connections found = with_casters(all.lights);
     if (!found.casters.empty()) return found;
   } else if (of_all.with_casters.product() < kTie * best) {
-    return all;
+    return {all.lights, all.casters, of_all.samples_at_metal};
   }
   if (best >= 1) return {};
-  return {of_chosen.product() < of_all.direct.product() ? chosen : all.lights, {}};
+  if (of_chosen.direct.product() < of_all.direct.product()) {
+    return {std::move(chosen), {}, of_chosen.samples_at_metal};
+  }
+  return {all.lights, {}, of_all.samples_at_metal};
 }
 
 Connections connections_for(const Scene& scene, const RenderSettings& settings,
                             std::span<const std::uint32_t> exact_spheres) {
   if (settings.light_sampling != LightSampling::Auto) {
-    Connections all{choose_lights(scene, settings.light_sampling), {}};
+    Connections all{choose_lights(scene, settings.light_sampling), {}, has_rough_metal(scene)};
     if (settings.light_sampling == LightSampling::Caustics && !all.lights.empty()) {
       all.casters = choose_casters(scene, exact_spheres);
     }
@@ -197,7 +202,9 @@ Connections connections_for(const Scene& scene, const RenderSettings& settings,
   }
   constexpr std::size_t kMaxPilotSpheres = 1 << 17;  // building the BVH twice takes time
   if (!scene.instances.empty() || scene.spheres.size() > kMaxPilotSpheres) {
-    return {choose_lights(scene, LightSampling::Auto), {}};
+    Connections by_geometry{choose_lights(scene, LightSampling::Auto), {}};
+    by_geometry.at_metal = is_metal_rough_for(scene, by_geometry.lights);
+    return by_geometry;
   }
   Connections all{choose_lights(scene, LightSampling::On), {}};
   if (all.lights.empty()) return all;
@@ -235,12 +242,14 @@ Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                             !choose_casters(scene, kernel.exact_spheres).empty();
   kernel.lights = std::move(connections.lights);
   kernel.casters = std::move(connections.casters);
+  kernel.samples_at_metal = connections.at_metal && !kernel.lights.empty();
   if (settings.light_sampling == LightSampling::Auto &&
       !choose_lights(scene, LightSampling::On).empty()) {
     const std::size_t count = kernel.lights.size();
     const std::string lights = std::to_string(count) + (count == 1 ? " light" : " lights");
     kernel.light_choice =
         count == 0 ? "off" : (kernel.casters.empty() ? "on, " : "caustics, ") + lights;
+    if (kernel.samples_at_metal) kernel.light_choice += ", also at metal";
   }
   return kernel;
 }

@@ -62,6 +62,7 @@ struct Kernel {
                                              ///< double
   std::vector<std::uint32_t> lights;         ///< the spheres from choose_lights()
   std::vector<std::uint32_t> casters;        ///< the spheres from choose_casters()
+  bool samples_at_metal = false;             ///< rough metal samples `lights`, too
   bool may_have_casters = false;             ///< LightSampling::Caustics would choose some
   /// What LightSampling::Auto chose, as a clause: "on, 12 lights" or "off"; empty without a choice.
   std::string light_choice;

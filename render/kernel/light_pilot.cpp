@@ -13,6 +13,7 @@
 #include "render/film/pixel_run.hpp"
 #include "render/kernel/path_kernel.hpp"
 #include "render/kernel/wide_scene.hpp"
+#include "render/shading/choose_lights.hpp"
 #include "render/shading/pinhole.hpp"
 
 namespace sdlc::render {
@@ -67,7 +68,7 @@ TraceCounts trace(Scene scene, const RenderSettings& settings,
   const Vec3 right = pinhole.across() / width, up = pinhole.upwards() / height;
   rebase_to_camera(scene);
   part_touching(scene, Precision::Double, {});
-  const WideScene<double> wide(scene, Search::Bvh, {}, lights, casters);
+  const WideScene<double> wide(scene, Search::Bvh, {}, lights, casters, true);
   WideView<double> view;
   view.width = kPixels;
   view.max_depth = static_cast<std::uint32_t>(std::min(settings.depth, kMaxDepth));
@@ -92,6 +93,7 @@ double mean_square(LinearRgb c) noexcept { return (c.r * c.r + c.g * c.g + c.b *
 LightPilot run_light_pilot(Scene scene, const RenderSettings& settings,
                            std::span<const std::uint32_t> lights,
                            std::span<const std::uint32_t> casters) {
+  const bool at_metal = is_metal_rough_for(scene, lights);
   normalize_light(scene);
   PlainPaths plain;
   std::vector<PixelRun> runs;
@@ -109,28 +111,45 @@ LightPilot run_light_pilot(Scene scene, const RenderSettings& settings,
     squared_mean += mean_square(sum) / (kSamples * kSamples) - of_pixel / kSamples;
   }
   const double plain_variance = plain.squares / kSamples - squared_mean;
-  const std::uint64_t connecting_rays = plain.shadow_rays + plain.caustic_rays;
-  const auto plain_rays = static_cast<double>(counts.rays - connecting_rays);
-  const auto choices = static_cast<double>(plain.choices);
+  const auto plain_rays = static_cast<double>(counts.rays - plain.shadow_rays - plain.caustic_rays);
   // Fitted to ten scenes of 1 to 180 lights with the wide kernel; predicts its times to within 20
   // %.
-  constexpr double kCostOfStep = 0.45;  // of one level of the light tree, relative to a ray
+  constexpr double kCostOfStep = 0.45;  // of one level of a light tree, relative to a ray
   constexpr double kCostOfBeams = 6;    // of Beams, relative to a ray
-  const double steps = kCostOfStep * static_cast<double>(std::bit_width(lights.size()));
-  const double work = 1 + (static_cast<double>(plain.shadow_rays) + choices * steps) / plain_rays;
-  LightPilot pilot{.direct = {.variance = 1, .work = work},
-                   .with_casters = {.variance = 1, .work = work},
+  const auto steps = [](std::size_t leaves) {
+    return kCostOfStep * static_cast<double>(std::bit_width(leaves));
+  };
+  const auto work_of = [&](std::uint64_t rays, std::uint64_t choices, double of_choice) {
+    return (static_cast<double>(rays) + static_cast<double>(choices) * of_choice) / plain_rays;
+  };
+  LightPilot pilot{.direct = {},
+                   .with_casters = {},
                    .connections = plain.connections,
                    .caustics = plain.caustics};
+  LightPilot::Cost& direct = pilot.direct;
+  direct.work = 1 + work_of(plain.shadow_rays, plain.choices, steps(lights.size()));
+  const bool is_known = plain_variance > 0 && variance > 0;
+  const auto relative = [&](double squares) { return is_known ? squares / plain_variance : 0; };
+  const double of_caustics = relative(plain.squares_without_caustics / kSamples);
+  if (is_known) direct.variance = relative(variance) + of_caustics;
+
+  // Sobol' points integrate what metal scatters better than the independent points of the pilot:
+  // predictions above this one turned out to be losses.
+  constexpr double kMetalPays = 0.6;
+  constexpr std::uint64_t kEnough = 30;
+  const LightPilot::Cost without_metal{
+      .variance = direct.variance + relative(plain.squares_without_metal / kSamples),
+      .work = direct.work -
+              work_of(plain.metal_shadow_rays, plain.metal_choices, steps(lights.size()))};
+  pilot.samples_at_metal = plain.metal_connections < kEnough
+                               ? at_metal
+                               : direct.product() < kMetalPays * without_metal.product();
+  if (!pilot.samples_at_metal) direct = without_metal;
+  pilot.with_casters = direct;
   if (!casters.empty()) {
-    const double of_casters = kCostOfStep * static_cast<double>(std::bit_width(casters.size()));
-    pilot.with_casters.work +=
-        (static_cast<double>(plain.caustic_rays) + choices * (of_casters + kCostOfBeams)) /
-        plain_rays;
-  }
-  if (plain_variance > 0 && variance > 0) {
-    pilot.with_casters.variance = variance / plain_variance;
-    pilot.direct.variance = (variance + plain.squares_without_caustics / kSamples) / plain_variance;
+    pilot.with_casters.variance -= of_caustics;
+    pilot.with_casters.work += work_of(plain.caustic_rays, plain.choices - plain.metal_choices,
+                                       steps(casters.size()) + kCostOfBeams);
   }
   return pilot;
 }

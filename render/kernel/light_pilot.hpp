@@ -16,6 +16,9 @@ struct LightPilot {
 
     double product() const noexcept { return variance * work; }
   };
+  /// Whether connections from rough metal pay; by is_metal_rough_for() if there are few. Those that
+  /// do not are left out of the costs.
+  bool samples_at_metal = true;
   Cost direct;                    ///< without casters
   Cost with_casters;              ///< with them
   std::uint64_t connections = 0;  ///< unoccluded ones; the estimates are unreliable if there are

@@ -100,7 +100,7 @@ class WidePaths {
   HWY_INLINE void add_connection(Paths& paths, const CausticConnection& found);
   HWY_INLINE Mask trace_shadow_rays(const Paths& paths, const LightSample& light);
   HWY_INLINE void count_connections(const LightSample& light, Mask visible,
-                                    Triple<V> contribution) const;
+                                    Triple<V> contribution, Mask is_diffuse) const;
   HWY_INLINE void accumulate(Paths& paths, const Ends& ends);
   HWY_INLINE Mask finite_only(Mask mask, Triple<V> contribution);
 
@@ -240,7 +240,10 @@ template <typename T, typename F>
 auto WidePaths<T, F>::weigh_emission(Paths& paths, const Hit& hit, const Interaction& at) const
     -> Mask {
   const D d;
-  if constexpr (F::kPilot) paths.plain_square = mean_square(paths.throughput);
+  if constexpr (F::kPilot) {
+    paths.plain_square = mean_square(paths.throughput);
+    paths.plain_metal_square = hn::Zero(d);
+  }
   const Bits leaf = at.by_slot(scene_.lights.leaf_of_slot);
   const Mask has_leaf = hn::RebindMask(d, hn::Ne(leaf, word(kNoLight)));
   Mask is_connected = hn::MaskFromVec(hn::Zero(d));
@@ -264,7 +267,12 @@ auto WidePaths<T, F>::weigh_emission(Paths& paths, const Hit& hit, const Interac
           .bsdf_weight(is_light, leaf, {paths.origin, normal, paths.time}, scattering),
       set(1));
   paths.throughput = scaled(paths.throughput, weight);
-  if constexpr (F::kPilot) paths.plain_square = hn::Mul(paths.plain_square, weight);
+  if constexpr (F::kPilot) {
+    paths.plain_square = hn::Mul(paths.plain_square, weight);
+    const Mask left_metal = hn::AndNot(paths.left_diffuse(), is_light);
+    paths.plain_metal_square = hn::IfThenElseZero(
+        left_metal, hn::Mul(paths.plain_square, hn::Sub(set(1), weight)));
+  }
   return is_connected;
 }
 
@@ -291,7 +299,10 @@ void WidePaths<T, F>::connect_lights(Paths& paths, const Interaction& at, const 
   const Mask is_sampled = hn::Or(is_diffuse, Bsdf<T>::has(at.surface, kIsRough));
   const Mask connects = hn::And(hn::AndNot(ends.exhausted, paths.alive), is_sampled);
   paths.light_sampled = hn::AndNot(ends.all, connects);
-  if constexpr (F::kPilot) view_.plain->choices += hn::CountTrue(d, connects);
+  if constexpr (F::kPilot) {
+    view_.plain->choices += hn::CountTrue(d, connects);
+    view_.plain->metal_choices += hn::CountTrue(d, hn::AndNot(is_diffuse, connects));
+  }
   if (hn::AllFalse(d, connects)) return;
   const Triple<V> facing = flipped(at.normal, hn::AndNot(at.cosine, hn::SignBit(d)));
   if constexpr (F::kCaustics) {
@@ -310,7 +321,7 @@ void WidePaths<T, F>::connect_lights(Paths& paths, const Interaction& at, const 
                        HWY_ATTR { return hn::Add(sum, hn::IfThenElseZero(visible, term)); };
   paths.radiance = {add(paths.radiance.x, contribution.x), add(paths.radiance.y, contribution.y),
                     add(paths.radiance.z, contribution.z)};
-  if constexpr (F::kPilot) count_connections(light, visible, contribution);
+  if constexpr (F::kPilot) count_connections(light, visible, contribution, is_diffuse);
 }
 
 /// Sets Paths::metal_density, too.
@@ -380,13 +391,18 @@ auto WidePaths<T, F>::trace_shadow_rays(const Paths& paths, const LightSample& l
 
 template <typename T, typename F>
 void WidePaths<T, F>::count_connections(const LightSample& light, Mask visible,
-                                        Triple<V> contribution) const {
+                                        Triple<V> contribution, Mask is_diffuse) const {
   const D d;
   PlainPaths& plain = *view_.plain;
   plain.shadow_rays += hn::CountTrue(d, light.exists);
   plain.connections += hn::CountTrue(d, visible);
   const Mask weighs = hn::And(visible, hn::Gt(light.bsdf_weight, hn::Zero(d)));
-  plain.squares += sum_of(weighs, hn::Div(mean_square(contribution), light.bsdf_weight));
+  const V square = hn::Div(mean_square(contribution), light.bsdf_weight);
+  plain.squares += sum_of(weighs, square);
+  plain.metal_shadow_rays += hn::CountTrue(d, hn::AndNot(is_diffuse, light.exists));
+  plain.metal_connections += hn::CountTrue(d, hn::AndNot(is_diffuse, visible));
+  plain.squares_without_metal += sum_of(hn::AndNot(is_diffuse, weighs),
+                                        hn::Mul(square, hn::Sub(set(1), light.bsdf_weight)));
 }
 
 /// Adds the contributions of the paths that ended.
@@ -408,6 +424,7 @@ void WidePaths<T, F>::accumulate(Paths& paths, const Ends& ends) {
     contributes = hn::AndNot(paths.fresh, contributes);
     const Mask emitted = hn::AndNot(paths.fresh, ends.emitted);
     view_.plain->squares += sum_of(emitted, paths.plain_square);
+    view_.plain->squares_without_metal += sum_of(emitted, paths.plain_metal_square);
     if constexpr (F::kCaustics) {
       view_.plain->squares_without_caustics += sum_of(emitted, paths.plain_caustic_square);
     }

@@ -35,6 +35,10 @@ struct PlainPaths {
   double squares_without_caustics = 0;
   std::uint64_t caustics = 0;      ///< connections of Caustics that reached their light
   std::uint64_t caustic_rays = 0;  ///< on the way there
+
+  /// The same for the connections from rough metal.
+  double squares_without_metal = 0;
+  std::uint64_t metal_choices = 0, metal_shadow_rays = 0, metal_connections = 0;
 };
 
 /// The first hit of the last camera ray, in the tables of a WideScene.

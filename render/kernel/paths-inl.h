@@ -49,6 +49,7 @@ struct Paths {
   Mask light_sampled;  ///< the ray leaves a surface where a light was sampled
   V metal_density;     ///< Bsdf::metal_density of the ray if that surface is metal, otherwise 0
   V plain_square;      ///< KernelFeatures::pilot: see PlainPaths::squares
+  V plain_metal_square;  ///< and PlainPaths::squares_without_metal
 
   // With KernelFeatures::caustics: the path since the camera or the last diffuse surface, as long
   // as it meets one caster only.
@@ -85,6 +86,7 @@ struct Paths {
             .light_sampled = hn::MaskFromVec(zero),
             .metal_density = zero,
             .plain_square = zero,
+            .plain_metal_square = zero,
             .chain = none,
             .is_from_camera = hn::MaskFromVec(zero),
             .in_pixel_x = zero,

@@ -81,7 +81,8 @@ class TracerIn final : public Tracer {
   TracerIn(const Scene& rebased, const Rebase& rebase, const Pinhole& pinhole,
            const TracerOptions& options, ChooseKernel<T>& choose)
       : Tracer(rebase, reach_of(rebased, options.exact_spheres)),
-        scene_(rebased, options.search, options.exact_spheres, options.lights, options.casters),
+        scene_(rebased, options.search, options.exact_spheres, options.lights, options.casters,
+               options.samples_at_metal),
         camera_(rebased.camera),
         kernel_(choose(kernel_features(scene_, camera_))),
         pinhole_(pinhole),

@@ -69,6 +69,7 @@ struct TracerOptions {
   std::span<const std::uint32_t> lights{};   ///< the spheres from choose_lights()
   std::span<const std::uint32_t> casters{};  ///< the spheres from choose_casters()
   std::span<const Glint> glints{};           ///< Glints::images of those
+  bool samples_at_metal = false;             ///< Kernel::samples_at_metal
 };
 
 /// `scene` is in world coordinates and already checked. A pinhole is on the surface of at most one

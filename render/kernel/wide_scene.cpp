@@ -48,8 +48,9 @@ template <typename T>
 WideScene<T>::WideScene(const Scene& scene, Search search_for_hits,
                         std::span<const std::uint32_t> spheres_in_double,
                         std::span<const std::uint32_t> sampled_lights,
-                        std::span<const std::uint32_t> sampled_casters)
-    : search(search_for_hits),
+                        std::span<const std::uint32_t> sampled_casters, bool at_metal)
+    : samples_at_metal(at_metal),
+      search(search_for_hits),
       exact_spheres(spheres_in_double.size()),
       has_motion(render::has_motion(scene)) {
   std::vector<std::uint32_t> order = without(scene.spheres.size(), spheres_in_double);
@@ -222,7 +223,8 @@ constexpr double kLargestIndex = 1e300;
 
 template <typename T>
 void WideScene<T>::add_optics(std::size_t row, const Optics& of) {
-  bsdf.surface[row] = of.surface;
+  const std::uint32_t unused = samples_at_metal ? 0 : kIsRough | kIsWide;
+  bsdf.surface[row] = of.surface & ~unused;
   const double p = of.parameter;
   if ((of.surface & kMirrors) != 0) {
     bsdf.first[row] = static_cast<T>(p > 1 ? 1 / p : 1);

@@ -41,10 +41,11 @@ struct WideScene {
   /// Search::All allows at most kMaxWideSpheres spheres and no instances; instances require double.
   /// `exact_spheres`: the spheres to compute in double, at most kMaxExactSpheres; only if T is
   /// float. `sampled_lights`: the spheres from choose_lights(); `casters`: from choose_casters().
+  /// `at_metal`: Kernel::samples_at_metal.
   explicit WideScene(const Scene& scene, Search search,
                      std::span<const std::uint32_t> exact_spheres = {},
                      std::span<const std::uint32_t> sampled_lights = {},
-                     std::span<const std::uint32_t> sampled_casters = {});
+                     std::span<const std::uint32_t> sampled_casters = {}, bool at_metal = false);
 
   // Tables by slot, padded to whole vectors. Slots of spheres in double come last; the others are
   // in scene order, or in the order of the BVH with empty slots.
@@ -61,6 +62,7 @@ struct WideScene {
 
   OpticsColumns<T> bsdf;  ///< by optics, which many materials share, or by slot with Search::All
 
+  bool samples_at_metal = false;  ///< otherwise no surface has the bits kIsRough and kIsWide
   Search search = Search::All;
   WideBvh<T> bvh;  ///< its slots are moved to index_in_scene
   /// In `bvh`, nodes and slots of prototypes follow those of the world; the BVH of instances and

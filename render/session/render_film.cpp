@@ -39,6 +39,7 @@ FilmOrigin origin_of(const PreparedScene& scene, std::uint64_t digest, std::stri
           .replicates = extent_of(settings).replicates,
           .has_first_hits = settings.keeps_first_hits,
           .precision = kernel.precision,
+          .samples_at_metal = kernel.samples_at_metal,
           .arithmetic = kernel.backend->is_fused ? "fused" : "separate",
           .program = std::move(program)};
 }

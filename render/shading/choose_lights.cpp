@@ -9,6 +9,7 @@
 #include "render/exactness/rebase.hpp"
 #include "render/math/color.hpp"
 #include "render/math/vec3.hpp"
+#include "render/shading/optics.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -132,6 +133,26 @@ std::vector<std::uint32_t> choose_lights(const Scene& scene, LightSampling sampl
   std::vector<std::uint32_t> emitters = emitters_of(scene);
   if (sampling != LightSampling::Auto || emitters.empty()) return emitters;
   return chosen_by_geometry(scene, emitters);
+}
+
+bool has_rough_metal(const Scene& scene) noexcept {
+  return std::ranges::any_of(scene.materials, is_rough);
+}
+
+bool is_metal_rough_for(const Scene& scene, std::span<const std::uint32_t> lights) {
+  constexpr double kShare = 0.85;  // of the cone in which metal scatters
+  std::size_t pairs = 0;
+  for (const Sphere& metal : scene.spheres) {
+    const Material& material = scene.materials[metal.material];
+    if (!is_rough(material) || metal.radius <= 0) continue;
+    for (const std::uint32_t i : lights) {
+      if (++pairs > kMaxPairs) return true;
+      const Sphere& light = scene.spheres[i];
+      const double distance = moderate_length(light.center - metal.center) - metal.radius;
+      if (light.radius < kShare * material.parameter * distance) return true;
+    }
+  }
+  return false;
 }
 
 std::vector<std::uint32_t> choose_casters(const Scene& scene,

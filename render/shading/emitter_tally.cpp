@@ -35,15 +35,16 @@ struct Surfaces {
   bool wide_metal = false;
   std::size_t specular = 0;  // mirrors and glass
 
-  explicit Surfaces(const Scene& scene) {
+  Surfaces(const Scene& scene, bool has_wide_metal) {
     const auto add = [&](const Sphere& sphere) {
       const Material& material = scene.materials[sphere.material];
       if (sphere.radius <= 0 || is_black(material.color)) return;
-      wide |= is_wide(material);
-      wide_metal |= is_wide(material) && material.type == MaterialType::Specular;
-      const bool is_specular =
-          material.type == MaterialType::Specular || material.type == MaterialType::Transmissive;
-      specular += is_specular && !is_wide(material) ? 1 : 0;
+      const bool is_metal = material.type == MaterialType::Specular;
+      const bool scatters_widely = is_wide(material) && (has_wide_metal || !is_metal);
+      wide |= scatters_widely;
+      wide_metal |= scatters_widely && is_metal;
+      const bool is_specular = is_metal || material.type == MaterialType::Transmissive;
+      specular += is_specular && !scatters_widely ? 1 : 0;
     };
     std::ranges::for_each(scene.spheres, add);
     for (const Prototype& prototype : scene.prototypes) {
@@ -141,9 +142,10 @@ double poisson_limit(double n) noexcept {
 }  // namespace
 
 EmitterClasses::EmitterClasses(const Scene& scene, std::span<const std::uint32_t> lights,
-                               std::span<const std::uint32_t> casters, bool has_all_glints)
+                               std::span<const std::uint32_t> casters, bool has_all_glints,
+                               bool samples_at_metal)
     : emitters(choose_lights(scene, LightSampling::On)), of_spheres(scene.spheres.size(), kNone) {
-  const Surfaces surfaces(scene);
+  const Surfaces surfaces(scene, samples_at_metal);
   // Without scattering surfaces every path is a camera ray, and unlit spheres are plain pixels.
   if (!surfaces.wide && surfaces.specular == 0 && emitters.empty()) return;
 

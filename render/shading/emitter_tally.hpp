@@ -90,9 +90,11 @@ struct EmitterClasses {
   /// `lights`: the spheres from choose_lights(), for which Direct paths are found by connections.
   /// `casters`: from choose_casters(); connections find all Caustic paths but those by way of
   /// several spheres, and those near or inside of the caster. `has_all_glints`:
-  /// Glints::are_complete; the same for Reflected paths.
+  /// Glints::are_complete; the same for Reflected paths. `samples_at_metal`: connections to lights
+  /// are also made from rough metal; only then is_wide() metal counts as wide.
   EmitterClasses(const Scene& scene, std::span<const std::uint32_t> lights,
-                 std::span<const std::uint32_t> casters = {}, bool has_all_glints = false);
+                 std::span<const std::uint32_t> casters = {}, bool has_all_glints = false,
+                 bool samples_at_metal = false);
 };
 
 /// Counts the paths that reach emitters, up to the numbers that matter. Any thread may count;

@@ -13,8 +13,7 @@ std::uint32_t surface_bits(const Material& material) noexcept {
     case MaterialType::Diffuse: return 0;
     case MaterialType::Specular:
       return kMirrors | (material.parameter > 0 ? kIsFuzzy : 0u) |
-             (material.parameter >= kRoughFuzz ? kIsRough : 0u) |
-             (is_wide(material) ? kIsWide : 0u);
+             (is_rough(material) ? kIsRough : 0u) | (is_wide(material) ? kIsWide : 0u);
     case MaterialType::Transmissive:
       return material.fresnel == Fresnel::Exact ? kRefracts | kIsExact : kRefracts;
     default: return kEndsPath;

@@ -15,12 +15,16 @@ enum SurfaceBit : std::uint32_t {
   kIsFuzzy = 4,   ///< specular, perturbed within a ball
   kRefracts = 8,  ///< transmissive
   kIsExact = 16,  ///< transmissive with Fresnel's equations instead of Schlick's approximation
-  kIsRough = 32,  ///< specular, at least kRoughFuzz: lights are sampled
+  kIsRough = 32,  ///< specular, is_rough()
   kIsWide = 64,   ///< specular, is_wide()
 };
 
-/// With less fuzz, a light that is sampled is hardly ever in a direction of scattering.
-inline constexpr double kRoughFuzz = 0.01;
+/// Whether a surface is metal so fuzzy that a light that is sampled may be in a direction of
+/// scattering.
+constexpr bool is_rough(const Material& material) noexcept {
+  constexpr double kRoughFuzz = 0.01;
+  return material.type == MaterialType::Specular && material.parameter >= kRoughFuzz;
+}
 
 /// Whether a surface scatters from one direction into many, so that a path through it is like one
 /// through a diffuse surface: into a cone of half angle asin(1/4) or more.

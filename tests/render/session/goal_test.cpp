@@ -177,14 +177,18 @@ TEST(GoalForTheError, IsReachedWhereConnectionsFindTheCaustic) {
   }
 }
 
-TEST(LightSamplingAuto, ConnectsByWayOfGlassWhereNothingElseFindsTheLight) {
+TEST(LightSamplingAuto, SamplesLightsWhereNothingElseFindsThem) {
   const RenderSettings settings{.width = 32, .height = 18, .samples = 8};
   const auto choice = [&](const Scene& scene) {
     return rendered(scene, settings).kernel.light_choice;
   };
   EXPECT_EQ(choice(caustic(test::transmissive(LinearRgb{1}, 1.5), 0.01)), "caustics, 1 light");
   EXPECT_EQ(choice(caustic(test::specular(LinearRgb{0.9}, 0), 0.01)), "caustics, 1 light");
-  EXPECT_EQ(choice(caustic(test::specular(LinearRgb{0.9}, 0.02), 0.01)), "on, 1 light");
+  EXPECT_EQ(choice(caustic(test::specular(LinearRgb{0.9}, 0.02), 0.01)),
+            "on, 1 light, also at metal");
+  EXPECT_EQ(choice(caustic(test::specular(LinearRgb{0.9}, 0.02), 0.1)), "on, 1 light");
+  EXPECT_EQ(choice(caustic(test::specular(LinearRgb{0.9}, 0.5), 0.1)),
+            "on, 1 light, also at metal");
   EXPECT_EQ(choice(caustic(test::diffuse(LinearRgb{0.9}), 0.01)), "on, 1 light");
 }
 

@@ -88,13 +88,15 @@ TEST(EmitterTally, CountsTheKindsOfPathThatTheSceneMakesPossible) {
               ElementsAre(Visible, Reflected, Direct, Caustic));
   EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(glass, {}), 2), 3),
               ElementsAre(Visible, Reflected, Direct));
-  // Wide metal is like a diffuse surface.
-  const auto of_ball = [](double fuzz) {
+  // Wide metal at which lights are sampled is like a diffuse surface.
+  const auto of_ball = [](double fuzz, bool samples_at_metal) {
     const Scene metal = lights_around(test::specular(LinearRgb{1}, fuzz));
-    return rare_kinds(EmitterTally(EmitterClasses(metal, {}), kDepth), 3);
+    const EmitterClasses classes(metal, {}, {}, false, samples_at_metal);
+    return rare_kinds(EmitterTally(classes, kDepth), 3);
   };
-  EXPECT_THAT(of_ball(0.25), ElementsAre(Visible, Direct));
-  EXPECT_THAT(of_ball(0.24), ElementsAre(Visible, Reflected, Direct, Caustic));
+  EXPECT_THAT(of_ball(0.25, true), ElementsAre(Visible, Direct));
+  EXPECT_THAT(of_ball(0.24, true), ElementsAre(Visible, Reflected, Direct, Caustic));
+  EXPECT_THAT(of_ball(0.25, false), ElementsAre(Visible, Reflected, Direct, Caustic));
   // Connections find sampled lights.
   const std::vector<std::uint32_t> lights{2, 3};
   EXPECT_THAT(rare_kinds(EmitterTally(EmitterClasses(glass, lights), kDepth), 3),
@@ -133,10 +135,11 @@ TEST(EmitterTally, CountsKindsOfPathApart) {
 }
 
 /// The kinds of path to sphere 3 that are rare before any path was found, with one ball as caster.
-std::vector<LightPath> rare_with_caster(const Scene& scene, bool has_all_glints) {
+std::vector<LightPath> rare_with_caster(const Scene& scene, bool has_all_glints,
+                                        bool samples_at_metal = false) {
   const std::vector<std::uint32_t> lights{2, 3}, casters{1};
-  return rare_kinds(EmitterTally(EmitterClasses(scene, lights, casters, has_all_glints), kDepth),
-                    3);
+  const EmitterClasses classes(scene, lights, casters, has_all_glints, samples_at_metal);
+  return rare_kinds(EmitterTally(classes, kDepth), 3);
 }
 
 TEST(EmitterTally, CountsOnlyTheSpecularPathsThatConnectionsCannotFind) {
@@ -150,7 +153,7 @@ TEST(EmitterTally, CountsOnlyTheSpecularPathsThatConnectionsCannotFind) {
   // From wide metal no connection is made by way of the ball.
   Scene with_metal = scene;
   test::add_sphere(with_metal, {3, 3, 0}, 1, test::specular(LinearRgb{1}, 0.5));
-  EXPECT_THAT(rare_with_caster(with_metal, true), ElementsAre(Visible, Reflected, Caustic));
+  EXPECT_THAT(rare_with_caster(with_metal, true, true), ElementsAre(Visible, Reflected, Caustic));
   // Something in the glass, and a lamp there.
   Scene with_core = scene;
   test::add_sphere(with_core, {0, 3, 0}, 0.5, test::diffuse(LinearRgb{1}));

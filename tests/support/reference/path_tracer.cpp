@@ -168,6 +168,11 @@ class PathTracer {
     return scene_.materials[scene_.spheres[sphere].material];
   }
 
+  bool scatters_widely(const Material& material) const {
+    const bool is_sampled = result_.kernel.samples_at_metal;
+    return is_wide(material) && (is_sampled || material.type != MaterialType::Specular);
+  }
+
   void count_reached(std::uint32_t sphere, LightPath kind) {
     if (emitters_.is_counting()) emitters_.count(sphere, kind);
   }
@@ -185,7 +190,7 @@ class PathTracer {
     // If the ray hits or just misses the light's own surface, rounding decides; both count as
     // visible.
     if (hit.t < connection->distance && hit.sphere != connection->sphere) return LinearRgb{};
-    if (is_wide(material_of(departure.sphere))) {
+    if (scatters_widely(material_of(departure.sphere))) {
       count_reached(connection->sphere, LightPath::Direct);
     }
     return beta * connection->radiance;
@@ -245,10 +250,10 @@ class PathTracer {
       ray.direction = direction;
       left = {{.sphere = hit.sphere, .normal = outward}};
       history = {.has_scattered = true,
-                 .has_met_wide = history.has_met_wide || is_wide(material),
-                 .leaves_wide = is_wide(material)};
-      const bool is_rough = is_metal && material.parameter >= kRoughFuzz;
-      light_sampled = !lights_.empty() && (is_rough || material.type == MaterialType::Diffuse);
+                 .has_met_wide = history.has_met_wide || scatters_widely(material),
+                 .leaves_wide = scatters_widely(material)};
+      const bool samples_metal = result_.kernel.samples_at_metal && is_rough(material);
+      light_sampled = !lights_.empty() && (samples_metal || material.type == MaterialType::Diffuse);
       if (light_sampled && depth + 1 < settings_.depth) {
         gathered += direct_light(place, left.front(), sampler, depth, beta);
       }
@@ -284,7 +289,8 @@ render::RenderResult render_by_reference(const render::Scene& scene,
     result.features.assign(result.picture.pixels.size(), {.normal = {}, .depth = 0, .albedo = {}});
   }
   result.sampled_lights = static_cast<std::uint32_t>(result.kernel.lights.size());
-  const render::EmitterClasses classes(scene, result.kernel.lights);
+  const render::EmitterClasses classes(scene, result.kernel.lights, {}, false,
+                                       result.kernel.samples_at_metal);
   render::EmitterTally emitters(classes, settings.depth);
   reference::PathTracer tracer(scene, settings, result.kernel.lights, result, emitters);
   for (std::size_t i = 0; i < result.picture.pixels.size(); ++i) {
