@@ -164,7 +164,7 @@ class Caustics {
   }
   HWY_INLINE Caster caster(Bits leaf, V time) const;
   HWY_INLINE Light light(Bits leaf, V time) const;
-  HWY_INLINE Bits choose_light(V u) const;
+  HWY_INLINE Bits choose_light(V u, V of_lower_levels) const;
   static HWY_INLINE V choose_chords(V u, V index);
   static HWY_INLINE V chance_of_chords(V chords, V index);
   static HWY_INLINE Beams<T> beams(Triple<V> x, const Caster& by, const Light& light, V chords) {
@@ -220,10 +220,11 @@ auto Caustics<T, F>::light(Bits leaf, V time) const -> Light {
 
 /// By power alone, because the light may come to the caster from any side.
 template <typename T, typename F>
-auto Caustics<T, F>::choose_light(V u) const -> Bits {
+auto Caustics<T, F>::choose_light(V u, V of_lower_levels) const -> Bits {
   const WideLights<T>& lights = scene_.lights;
   Bits node = word(1);
   for (int level = 0; level < lights.levels; ++level) {
+    if (level == LightTree::kLevelsPerNumber) u = of_lower_levels;
     const Bits left = hn::Add(node, node);
     const V of_left = TableReader<D>(left, lights.nodes)(lights.node_power);
     const V of_both = TableReader<D>(node, lights.nodes)(lights.node_power);
@@ -385,11 +386,11 @@ auto Caustics<T, F>::connect(Mask wanted, const Paths& paths, Triple<V> facing,
   const auto chosen = Lights(scene_.casters).choose_leaf(wanted, x, sampler, kCaster);
   const auto [of_light, of_chords] = sampler.pair(kCausticLight);
   const auto [height, turn] = sampler.pair(kCausticDirection);
-  const V of_beam = sampler.first(kBeam);
+  const auto [of_beam, of_lower_levels] = sampler.pair(kBeam);
 
   Mask active = hn::And(wanted, hn::Gt(chosen.probability, zero));
   const Caster by = caster(hn::IfThenElseZero(hn::RebindMask(du, active), chosen.leaf), paths.time);
-  const Light light = this->light(choose_light(of_light), paths.time);
+  const Light light = this->light(choose_light(of_light, of_lower_levels), paths.time);
   const V chords = choose_chords(of_chords, by.index);
   active = hn::And(active, hn::Lt(chords, set(kMaxChords + 0.5)));
   active = hn::And(active, hn::Le(hn::Add(chords, set(2)), number(paths.depth_left)));

@@ -41,7 +41,7 @@ class LaneGlints {
   /// Whether there are any in the pixel, which is from now on that of the lane.
   bool start(std::size_t lane, std::uint64_t pixel) {
     if (pixel != pixels_[lane]) find(lane, pixel);
-    return counts_[lane] > 0;
+    return !in_pixels_[lane].empty();
   }
 
   struct Sample {
@@ -50,7 +50,7 @@ class LaneGlints {
   };
   /// Chooses a glint in the lane's pixel, and a place in it, by three random numbers from 0 to 1.
   Sample sample(std::size_t lane, T choice, T across, T up) const {
-    const auto count = counts_[lane];
+    const std::size_t count = in_pixels_[lane].size();
     const auto rank = std::min(static_cast<std::size_t>(choice * static_cast<T>(count)), count - 1);
     const InPixel& of = in_pixels_[lane][rank];
     return {of.glint, of.left + across * (of.right - of.left),
@@ -60,18 +60,17 @@ class LaneGlints {
   T density(std::size_t lane, std::uint32_t caster, std::uint32_t light, std::uint32_t chords, T x,
             T y) const {
     T density = 0;
-    for (const InPixel& of : std::span(in_pixels_[lane]).first(counts_[lane])) {
+    for (const InPixel& of : in_pixels_[lane]) {
       const Glint& glint = *of.glint;
       if (glint.caster != caster || glint.light != light || glint.chords != chords) continue;
       if (x < of.left || x > of.right || y < of.bottom || y > of.top) continue;
       density += 1 / ((of.right - of.left) * (of.top - of.bottom));
     }
-    return density / static_cast<T>(counts_[lane]);
+    return density / static_cast<T>(in_pixels_[lane].size());
   }
 
  private:
   static constexpr std::size_t kLanes = hwy::HWY_NAMESPACE::MaxLanes(Lanes<T>());
-  static constexpr std::size_t kMaxInPixel = 8;
 
   struct InPixel {
     const Glint* glint;
@@ -83,8 +82,7 @@ class LaneGlints {
   std::span<const Glint> glints_;
   std::uint64_t width_, height_;
   std::array<std::uint64_t, kLanes> pixels_;
-  std::array<std::size_t, kLanes> counts_{};
-  std::array<std::array<InPixel, kMaxInPixel>, kLanes> in_pixels_{};
+  std::array<std::vector<InPixel>, kLanes> in_pixels_;
 };
 
 template <typename T>
@@ -92,7 +90,7 @@ void LaneGlints<T>::find(std::size_t lane, std::uint64_t pixel) {
   // Larger parts are found by samples of the whole pixel.
   constexpr double kLargest = 0.25;
   pixels_[lane] = pixel;
-  std::size_t& count = counts_[lane] = 0;
+  in_pixels_[lane].clear();
   const auto width = static_cast<double>(width_), height = static_cast<double>(height_);
   const auto x = static_cast<double>(pixel % width_);
   const auto y = height - 1 - static_cast<double>(pixel / width_);
@@ -102,11 +100,11 @@ void LaneGlints<T>::find(std::size_t lane, std::uint64_t pixel) {
       outline.push_back({at.x * width - x, at.y * height - y});
     }
     const std::optional<Rectangle> part = part_in_pixel(std::move(outline));
-    if (!part || count == kMaxInPixel) continue;
+    if (!part) continue;
     const InPixel in_pixel{&glint, static_cast<T>(part->left), static_cast<T>(part->right),
                            static_cast<T>(part->bottom), static_cast<T>(part->top)};
     const T area = (in_pixel.right - in_pixel.left) * (in_pixel.top - in_pixel.bottom);
-    if (area > 0 && area < kLargest) in_pixels_[lane][count++] = in_pixel;
+    if (area > 0 && area < kLargest) in_pixels_[lane].push_back(in_pixel);
   }
 }
 

@@ -36,27 +36,35 @@ std::optional<Glint::Place> place_of(const Pinhole& camera, const Triple<V>& at)
       .y = dot(on_plane, camera.upwards()) / length_squared(camera.upwards()) + 0.5};
 }
 
-/// The share of the outline's bounding rectangle that is inside; 0 if all of it is outside of the
-/// picture.
-double share_inside(std::span<const Glint::Place> outline) {
+struct Extent {
+  Glint::Place low, high;  // the corners of the bounding rectangle
   double area = 0;
-  Glint::Place low = outline[0], high = outline[0];
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Glint::Place a = outline[i], b = outline[(i + 1) % outline.size()];
-    area += (a.x * b.y - a.y * b.x) / 2;
-    low = {std::min(low.x, a.x), std::min(low.y, a.y)};
-    high = {std::max(high.x, a.x), std::max(high.y, a.y)};
+
+  explicit Extent(std::span<const Glint::Place> outline) : low(outline[0]), high(outline[0]) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Glint::Place a = outline[i], b = outline[(i + 1) % outline.size()];
+      area += (a.x * b.y - a.y * b.x) / 2;
+      low = {std::min(low.x, a.x), std::min(low.y, a.y)};
+      high = {std::max(high.x, a.x), std::max(high.y, a.y)};
+    }
+    area = std::fabs(area);
   }
-  if (high.x <= 0 || low.x >= 1 || high.y <= 0 || low.y >= 1) return 0;
-  return std::fabs(area) / ((high.x - low.x) * (high.y - low.y));
-}
+
+  bool is_in_picture() const noexcept { return high.x > 0 && low.x < 1 && high.y > 0 && low.y < 1; }
+  /// Whether its samples are spread evenly: it is neither a thin arc nor smaller than the digits of
+  /// places in float.
+  bool is_sampled_well() const noexcept {
+    constexpr double kMinShare = 1.0 / 16, kMinSize = 1e-7;
+    const double width = high.x - low.x, height = high.y - low.y;
+    return std::min(width, height) > kMinSize && area > kMinShare * width * height;
+  }
+};
 
 /// Adds the images of a light by way of a caster, with this number of chords. Returns whether it
-/// knows all of them, and they are not thin arcs.
+/// knows all of them, and they are sampled well.
 bool add_images(const Pinhole& camera, const Beams<double>& beams, const Glint& chain,
                 std::vector<Glint>& images) {
   if (hn::AllFalse(D(), beams.is_known())) return false;
-  constexpr double kLeastShare = 1.0 / 16;
   bool are_complete = true;
   for (double rank = 0; rank < hn::GetLane(beams.count()); ++rank) {
     const auto beam = beams.beam(lanes(rank));
@@ -78,9 +86,9 @@ bool add_images(const Pinhole& camera, const Beams<double>& beams, const Glint& 
     if (behind == image.outline.size()) continue;
     are_complete &= behind == 0 && hn::GetLane(beam.solid_angle) > 0;
     if (behind > 0) continue;
-    const double share = share_inside(image.outline);
-    if (share == 0) continue;
-    are_complete &= share > kLeastShare;
+    const Extent extent(image.outline);
+    if (!extent.is_in_picture()) continue;
+    are_complete &= extent.is_sampled_well();
     images.push_back(image);
   }
   return are_complete;

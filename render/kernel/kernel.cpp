@@ -162,7 +162,6 @@ bool is_hard_to_find(const Scene& scene, const Connections& of) {
 /// light in one corner of the picture may be what matters.
 Connections connections_by_pilot(const Scene& scene, const RenderSettings& settings,
                                  const Connections& all) {
-  constexpr std::uint64_t kEnough = 30;
   constexpr double kTie = 0.8;  // casters are left out unless they save this much
   std::vector<std::uint32_t> chosen = choose_lights(scene, LightSampling::Auto);
   const LightPilot of_all = run_light_pilot(scene, settings, all.lights, all.casters);
@@ -171,14 +170,14 @@ Connections connections_by_pilot(const Scene& scene, const RenderSettings& setti
     if (!is_hard_to_find(scene, found)) found.casters.clear();
     return found;
   };
-  if (of_all.connections < kEnough) return with_casters(std::move(chosen));
+  if (of_all.connections < kMinConnections) return with_casters(std::move(chosen));
   LightPilot of_chosen;
   if (!chosen.empty() && chosen.size() < all.lights.size()) {
     of_chosen = run_light_pilot(scene, settings, chosen, {});
   }
   const double direct = std::min(of_all.direct.product(), of_chosen.direct.product());
   const double best = std::min(direct, 1.0);
-  if (of_all.caustics < kEnough && best < 1) {
+  if (of_all.caustics < kMinConnections) {
     const Connections found = with_casters(all.lights);
     if (!found.casters.empty()) return found;
   } else if (of_all.with_casters.product() < kTie * best) {

@@ -64,7 +64,8 @@ struct Kernel {
   std::vector<std::uint32_t> casters;        ///< the spheres from choose_casters()
   bool samples_at_metal = false;             ///< rough metal samples `lights`, too
   bool may_have_casters = false;             ///< LightSampling::Caustics would choose some
-  /// What LightSampling::Auto chose, as a clause: "on, 12 lights" or "off"; empty without a choice.
+  /// What LightSampling::Auto chose, as a clause: "off", "on, 12 lights, also at metal",
+  /// "caustics, 1 light"; empty without a choice.
   std::string light_choice;
   /// How close the scene comes to the limits of the precision; unknown for a refused request.
   PrecisionBounds bounds{};

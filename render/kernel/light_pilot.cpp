@@ -112,8 +112,8 @@ LightPilot run_light_pilot(Scene scene, const RenderSettings& settings,
   }
   const double plain_variance = plain.squares / kSamples - squared_mean;
   const auto plain_rays = static_cast<double>(counts.rays - plain.shadow_rays - plain.caustic_rays);
-  // Fitted to ten scenes of 1 to 180 lights with the wide kernel; predicts its times to within 20
-  // %.
+  // Fitted to ten scenes of 1 to 180 lights with the wide kernel, whose times it predicts to within
+  // 20 %.
   constexpr double kCostOfStep = 0.45;  // of one level of a light tree, relative to a ray
   constexpr double kCostOfBeams = 6;    // of Beams, relative to a ray
   const auto steps = [](std::size_t leaves) {
@@ -133,15 +133,14 @@ LightPilot run_light_pilot(Scene scene, const RenderSettings& settings,
   const double of_caustics = relative(plain.squares_without_caustics / kSamples);
   if (is_known) direct.variance = relative(variance) + of_caustics;
 
-  // Sobol' points integrate what metal scatters better than the independent points of the pilot:
-  // predictions above this one turned out to be losses.
+  // The independent points of the pilot overestimate the gain at metal; above this ratio
+  // connections lost time.
   constexpr double kMetalPays = 0.6;
-  constexpr std::uint64_t kEnough = 30;
   const LightPilot::Cost without_metal{
       .variance = direct.variance + relative(plain.squares_without_metal / kSamples),
       .work = direct.work -
               work_of(plain.metal_shadow_rays, plain.metal_choices, steps(lights.size()))};
-  pilot.samples_at_metal = plain.metal_connections < kEnough
+  pilot.samples_at_metal = plain.metal_connections < kMinConnections
                                ? at_metal
                                : direct.product() < kMetalPays * without_metal.product();
   if (!pilot.samples_at_metal) direct = without_metal;

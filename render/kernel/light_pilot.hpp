@@ -7,6 +7,9 @@
 
 namespace sdlc::render {
 
+/// With fewer connections of a technique, its estimated value is unreliable.
+inline constexpr std::uint64_t kMinConnections = 30;
+
 /// The estimated value of connections to lights, relative to plain paths. Connections pay off if
 /// variance × work < 1.
 struct LightPilot {
@@ -21,8 +24,7 @@ struct LightPilot {
   bool samples_at_metal = true;
   Cost direct;                    ///< without casters
   Cost with_casters;              ///< with them
-  std::uint64_t connections = 0;  ///< unoccluded ones; the estimates are unreliable if there are
-                                  ///< few
+  std::uint64_t connections = 0;  ///< unoccluded ones
   std::uint64_t caustics = 0;     ///< those by way of casters
 };
 

@@ -313,14 +313,9 @@ void WidePaths<T, F>::connect_lights(Paths& paths, const Interaction& at, const 
   if (hn::AllFalse(d, light.exists)) return;
 
   const Mask visible = trace_shadow_rays(paths, light);
-  if (HWY_UNLIKELY(emitters_.is_counting())) {
-    emitters_.add_connections(hn::And(visible, Bsdf<T>::is_wide(at.surface)), light.slot);
-  }
+  if (HWY_UNLIKELY(emitters_.is_counting())) emitters_.add_connections(visible, light.slot);
   const Triple<V> contribution = product(paths.throughput, light.radiance);
-  const auto add = [&](V sum, V term)
-                       HWY_ATTR { return hn::Add(sum, hn::IfThenElseZero(visible, term)); };
-  paths.radiance = {add(paths.radiance.x, contribution.x), add(paths.radiance.y, contribution.y),
-                    add(paths.radiance.z, contribution.z)};
+  paths.add_radiance(visible, contribution);
   if constexpr (F::kPilot) count_connections(light, visible, contribution, is_diffuse);
 }
 
@@ -356,10 +351,7 @@ void WidePaths<T, F>::add_connection(Paths& paths, const CausticConnection& foun
   const D d;
   if (hn::AllFalse(d, found.exists)) return;
   const Triple<V> contribution = product(paths.throughput, found.radiance);
-  const auto add = [&](V sum, V term)
-                       HWY_ATTR { return hn::Add(sum, hn::IfThenElseZero(found.exists, term)); };
-  paths.radiance = {add(paths.radiance.x, contribution.x), add(paths.radiance.y, contribution.y),
-                    add(paths.radiance.z, contribution.z)};
+  paths.add_radiance(found.exists, contribution);
   if (HWY_UNLIKELY(emitters_.is_counting())) {
     emitters_.add_connections(found.exists, found.slot);
     emitters_.add_contributions(found.exists, hn::Sqrt(mean_square(contribution)));

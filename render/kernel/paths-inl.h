@@ -105,6 +105,13 @@ struct Paths {
     return hn::And(light_sampled, hn::Eq(metal_density, hn::Zero(D())));
   }
 
+  HWY_INLINE void add_radiance(Mask mask, Triple<V> contribution) {
+    const auto add = [&](V sum, V term)
+                         HWY_ATTR { return hn::Add(sum, hn::IfThenElseZero(mask, term)); };
+    radiance = {add(radiance.x, contribution.x), add(radiance.y, contribution.y),
+                add(radiance.z, contribution.z)};
+  }
+
   HWY_INLINE LaneSampler<D> sampler(SamplerKind kind, Bits mixer) const {
     return {kind, stream, mixer, order};
   }

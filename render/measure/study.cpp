@@ -124,7 +124,11 @@ std::vector<Configuration> Study::configurations() const {
       own_.sampler == SamplerKind::Sobol ? SamplerKind::Independent : SamplerKind::Sobol);
   const Kernel kernel = kernel_of(own_);
   for (const LightSampling other : {LightSampling::On, LightSampling::Off}) {
-    if (choose_lights(scene_, other) != kernel.lights || !kernel.casters.empty()) {
+    Configuration with_other = own_;
+    with_other.light_sampling = other;
+    const Kernel of_other = kernel_of(with_other);
+    if (of_other.lights != kernel.lights || of_other.casters != kernel.casters ||
+        of_other.samples_at_metal != kernel.samples_at_metal) {
       add(&Configuration::light_sampling, other);
     }
   }
@@ -175,8 +179,11 @@ ConfigurationCost Study::guess_configuration(const Configuration& configuration,
   cost.configuration.precision = kernel.precision;
   if (kernel.refusal) cost.refusal = describe(kernel.refusal->obstacle);
   // Upper bounds for usual scenes.
-  constexpr double kOfLights = 2, kOfDouble = 2;
+  constexpr double kOfLights = 2, kOfCaustics = 8, kOfDouble = 2;
   if (configuration.light_sampling == LightSampling::On) cost.seconds_per_sample *= kOfLights;
+  if (configuration.light_sampling == LightSampling::Caustics) {
+    cost.seconds_per_sample *= kOfCaustics;
+  }
   if (configuration.precision == Precision::Double && own_.precision != Precision::Double) {
     cost.seconds_per_sample *= kOfDouble;
   }

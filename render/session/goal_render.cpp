@@ -101,8 +101,7 @@ void GoalRender::estimate() {
   result_.plain_error.reset();
   if (is_known) result_.error = estimate_error(result_.picture, spreads_);
   if (denoiser_ != nullptr && result_.error) denoiser_->denoise(film_, spreads_, result_);
-  // A filter leaves no few pixels with most of the error.
-  if (goal_ && result_.error && !result_.plain_error) {
+  if (goal_ && result_.error) {
     result_.error = goal_->settled(result_.min_samples, *result_.error);
   }
 }

@@ -69,12 +69,13 @@ bool is_cut_to_black(const RenderResult& result, std::uint64_t truncated_paths) 
   return result.error && result.error->mean == 0 && truncated_paths > 0;
 }
 
-/// Makes the picture what it was before it was denoised, if it was.
-void restore_plain(const RenderSettings& settings, const Film* film, RenderResult& result) {
+/// Makes the picture what it was before it was denoised, if it was. Then no goal is reached:
+/// ErrorGoal did not go by the plain picture.
+void restore_plain(const Film* film, RenderResult& result) {
   if (!result.plain_error) return;
   for (std::size_t i = 0; i < film->size(); ++i) result.picture.pixels[i] = film->mean(i);
   result.error = std::exchange(result.plain_error, std::nullopt);
-  result.has_reached_error = settings.error && result.error->interval.to <= *settings.error;
+  result.has_reached_error = false;
 }
 
 /// RenderSettings::seconds counts from `start`. `film` may be null.
@@ -126,8 +127,7 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
   });
   result.render_seconds = seconds_since(render_start);
   result.is_complete = !monitor.cancel.load();
-  if (!result.is_complete || has_unseen_error(result, emitters))
-    restore_plain(settings, film, result);
+  if (!result.is_complete || has_unseen_error(result, emitters)) restore_plain(film, result);
   if (!result.is_complete) result.error.reset();
   const TraceCounts counts = pictures.counts();
   const std::uint64_t truncated_before = stored != nullptr ? stored->statistics.truncated_paths : 0;

@@ -58,7 +58,7 @@ class Bsdf {
     return hn::RebindMask(D(), hn::Eq(hn::And(surface, others), hn::Zero(DU())));
   }
 
-  /// is_wide() of the material.
+  /// Diffuse, or wide metal that samples lights.
   static HWY_INLINE Mask is_wide(Bits surface) {
     return hn::Or(is_diffuse(surface), has(surface, kIsWide));
   }

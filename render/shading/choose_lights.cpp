@@ -148,7 +148,8 @@ bool is_metal_rough_for(const Scene& scene, std::span<const std::uint32_t> light
     for (const std::uint32_t i : lights) {
       if (++pairs > kMaxPairs) return true;
       const Sphere& light = scene.spheres[i];
-      const double distance = moderate_length(light.center - metal.center) - metal.radius;
+      const double distance =
+          std::fabs(moderate_length(light.center - metal.center) - metal.radius);
       if (light.radius < kShare * material.parameter * distance) return true;
     }
   }

@@ -22,10 +22,11 @@ namespace sdlc::render {
 /// time than they save.
 std::vector<std::uint32_t> choose_lights(const Scene& scene, LightSampling sampling);
 
+/// Whether some material is_rough().
 bool has_rough_metal(const Scene& scene) noexcept;
 
 /// Whether some rough metal scatters so widely, compared with the size of a light as seen from
-/// there, that it hardly finds the light. Metal of prototypes is not looked at.
+/// there, that it hardly finds the light. Metal of prototypes is ignored.
 bool is_metal_rough_for(const Scene& scene, std::span<const std::uint32_t> lights);
 
 /// The spheres by way of which lights are sampled with LightSampling::Caustics, as ascending

@@ -287,7 +287,7 @@ std::vector<RarePath> EmitterTally::rare() const {
     squares += kMeanSquare * poisson_limit(paths) * radiance * radiance;
   }
   if (contributions > 0) {
-    // As if one path might be missing.
+    // One error of the size of all octaves with few paths: their standard deviation.
     rare.push_back({.kind = LightPath::Caustic,
                     .paths = std::max<std::uint32_t>(contributions, kWitnesses),
                     .sphere = classes_.classes.front().sphere,

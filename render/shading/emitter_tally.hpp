@@ -28,7 +28,8 @@ struct EmitterCount {
 };
 
 /// How a path reaches an emitter by scattering, or by a connection that ends there. In Heckbert's
-/// notation, with E the eye, L the light, D a wide scattering (is_wide) and S any other:
+/// notation, with E the eye, L the light, D scattering at diffuse surfaces and at wide metal that
+/// samples lights, and S any other:
 enum class LightPath : std::uint8_t {
   Visible,    ///< EL
   Reflected,  ///< E S+ L
@@ -41,7 +42,7 @@ constexpr std::size_t index_of(LightPath kind) noexcept { return static_cast<std
 /// What a path hit before it reached an emitter.
 struct PathHistory {
   bool has_scattered = false;
-  bool has_met_wide = false;  ///< is_wide()
+  bool has_met_wide = false;  ///< diffuse, or wide metal that samples lights
   bool leaves_wide = false;   ///< the last scattering was wide
 };
 constexpr LightPath light_path(PathHistory history) noexcept {
@@ -179,7 +180,7 @@ class EmitterTally {
 
   std::vector<Count> octaves_;                         // of contributions; empty without casters
   std::vector<std::array<Count, kLightPaths>> found_;  // by class
-  std::atomic<std::size_t> open_{0};  // number of (class, kind) pairs with too few paths
+  std::atomic<std::size_t> open_{0};  // (class, kind) pairs and octaves with too few paths
 };
 
 /// A 95 % upper limit for the relative error that rare paths may add to a picture, although their

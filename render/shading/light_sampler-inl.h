@@ -26,7 +26,7 @@ namespace sdlc::render::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// From this sin² of the half angle on, the light fills half the sky or contains the point:
+/// From this sin² of the half angle on, the light fills two thirds of the sky or contains the point:
 /// scattering finds it anyway.
 inline constexpr double kLargestLightSine2 = 0.9;
 

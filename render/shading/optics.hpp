@@ -19,8 +19,7 @@ enum SurfaceBit : std::uint32_t {
   kIsWide = 64,   ///< specular, is_wide()
 };
 
-/// Whether a surface is metal so fuzzy that a light that is sampled may be in a direction of
-/// scattering.
+/// Whether a surface is metal that is fuzzy enough for connections to lights.
 constexpr bool is_rough(const Material& material) noexcept {
   constexpr double kRoughFuzz = 0.01;
   return material.type == MaterialType::Specular && material.parameter >= kRoughFuzz;

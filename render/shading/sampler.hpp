@@ -29,7 +29,7 @@ enum CameraPair : std::uint32_t {
 };
 enum VertexPair : std::uint32_t {
   kDirection,  ///< scattered direction: height on the sphere and azimuth
-  kChoice,     ///< first: selects one of several events, or the distance in a ball
+  kChoice,     ///< selects one of several events or the distance in a ball, and the light
   kLight,      ///< direction within the cone of an emitter
   kVertexPairs,
   /// Connections by way of mirrors and glass. The pairs of vertices do not get this far.

@@ -153,10 +153,8 @@ TEST_F(InspectCommand, ShowsTheGoalsOfTheFlags) {
 
 TEST_F(InspectCommand, LaysOutGoalsForPeople) {
   const auto text = [&](const std::string& flags) { return run("ring.scene " + flags).out; };
-  EXPECT_THAT(
-      text(""),
-      HasSubstr(
-          "  sampling      sobol, light sampling auto (on, 1 light)\n  output"));
+  EXPECT_THAT(text(""),
+              HasSubstr("  sampling      sobol, light sampling auto (on, 1 light)\n  output"));
   EXPECT_THAT(text("--error 7% --samples 100"),
               AllOf(HasSubstr("pixels, at most 100 samples, depth"),
                     HasSubstr("  until         an error of 7%\n")));

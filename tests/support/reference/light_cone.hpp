@@ -13,8 +13,8 @@ namespace sdlc::test::reference {
 
 using namespace render;  // NOLINT
 
-/// From this sin² of the half angle on, the light fills half the sky or contains the point:
-/// scattering finds it anyway.
+/// From this sin² of the half angle on, the light fills two thirds of the sky or contains the
+/// point: scattering finds it anyway.
 inline constexpr double kLargestLightSine2 = 0.9;
 
 struct LightCone {

@@ -190,9 +190,7 @@ class PathTracer {
     // If the ray hits or just misses the light's own surface, rounding decides; both count as
     // visible.
     if (hit.t < connection->distance && hit.sphere != connection->sphere) return LinearRgb{};
-    if (scatters_widely(material_of(departure.sphere))) {
-      count_reached(connection->sphere, LightPath::Direct);
-    }
+    count_reached(connection->sphere, LightPath::Direct);
     return beta * connection->radiance;
   }
 
