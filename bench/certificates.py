@@ -14,6 +14,7 @@ relative to the upper end of its interval.
 import argparse
 import concurrent.futures
 import json
+import os
 import pathlib
 import statistics
 import subprocess
@@ -44,7 +45,7 @@ def check(arguments, scene, folder):
 
     of_truth = render(truth, 1_000_000, arguments.truth, "--light-sampling", "caustics")["relative_error"]
     of_truth = f"{of_truth:.2%}" if of_truth else "unknown"
-    with concurrent.futures.ThreadPoolExecutor() as pool:
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         pictures = list(pool.map(certificate, range(1, arguments.seeds + 1)))
     certified = [(interval, error) for _, interval, error in pictures if interval]
     held = sum(low <= error <= high for (low, high), error in certified)

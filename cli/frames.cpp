@@ -1,5 +1,6 @@
 #include "cli/frames.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 
@@ -17,10 +18,7 @@ std::optional<int> take_number(std::string_view& text) {
   return number;
 }
 
-}  // namespace
-
-std::optional<FrameRange> parse_frames(const std::string& text) {
-  std::string_view rest = text;
+std::optional<FrameRange> parse_range(std::string_view rest) {
   const auto first = take_number(rest);
   if (!first) return std::nullopt;
   FrameRange range{.first = *first, .last = *first};
@@ -29,7 +27,7 @@ std::optional<FrameRange> parse_frames(const std::string& text) {
     const auto last = take_number(rest);
     if (!last || *last < range.first) return std::nullopt;
     range.last = *last;
-    if (rest.starts_with('x')) {
+    if (rest.starts_with('x') || rest.starts_with(':')) {
       rest.remove_prefix(1);
       const auto step = take_number(rest);
       if (!step || *step < 1) return std::nullopt;
@@ -39,12 +37,42 @@ std::optional<FrameRange> parse_frames(const std::string& text) {
   return rest.empty() ? std::optional(range) : std::nullopt;
 }
 
-std::vector<int> frames_of(const FrameRange& range) {
-  std::vector<int> frames;
-  for (std::int64_t frame = range.first; frame <= range.last; frame += range.step) {
-    frames.push_back(static_cast<int>(frame));
+}  // namespace
+
+std::optional<std::vector<FrameRange>> parse_frames(const std::string& text) {
+  std::vector<FrameRange> ranges;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const auto range = parse_range(std::string_view(text).substr(at, end - at));
+    if (!range) return std::nullopt;
+    ranges.push_back(*range);
+    at = end + 1;
   }
+  return ranges;
+}
+
+std::vector<int> frames_of(const std::vector<FrameRange>& ranges) {
+  std::vector<int> frames;
+  for (const FrameRange& range : ranges) {
+    for (std::int64_t frame = range.first; frame <= range.last; frame += range.step) {
+      frames.push_back(static_cast<int>(frame));
+    }
+  }
+  std::ranges::sort(frames);
+  const auto repeated = std::ranges::unique(frames);
+  frames.erase(repeated.begin(), repeated.end());
   return frames;
+}
+
+std::string describe_frames(const std::vector<int>& frames) {
+  std::string text;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const std::size_t first = i;
+    while (i + 1 < frames.size() && frames[i + 1] == frames[i] + 1) ++i;
+    text += fmt::format("{}{}", first > 0 ? "," : "", frames[first]);
+    if (i > first) text += fmt::format("-{}", frames[i]);
+  }
+  return text;
 }
 
 std::int64_t frame_count(const FrameRange& range) {

@@ -12,11 +12,15 @@ struct FrameRange {
   int first = 0, last = 0, step = 1;
 };
 
-/// Parses `7`, `1-24` or `1-24x2`; nullopt if the text is none of these.
-std::optional<FrameRange> parse_frames(const std::string& text);
+/// Parses `7`, `1-24`, `1-24x2`, or several with commas between them; nullopt if the text is none
+/// of these. `1-24:2` is another spelling of `1-24x2` (Open Job Description).
+std::optional<std::vector<FrameRange>> parse_frames(const std::string& text);
 
-/// The numbers of the frames to render, ascending.
-std::vector<int> frames_of(const FrameRange& range);
+/// The numbers of all frames, ascending, each once.
+std::vector<int> frames_of(const std::vector<FrameRange>& ranges);
+
+/// The same as text, as parse_frames() reads it: `1-3,5`. `frames` ascend.
+std::string describe_frames(const std::vector<int>& frames);
 
 /// The number of frames.
 std::int64_t frame_count(const FrameRange& range);

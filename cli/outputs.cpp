@@ -52,14 +52,28 @@ fs::path output_file(const std::string& name) {
   return name == kStandardStream ? "/dev/stdout" : name;
 }
 
+/// The name with each placeholder replaced by that of the scene.
+std::string named(std::string name, const std::string& input) {
+  const std::string stem = fs::path(input).stem().string();
+  const std::string_view mark = kNameMark;
+  if (stem.empty() && name.find(mark) != std::string::npos) {
+    throw UsageError("{name} in an output's name requires --stdin-filename NAME");
+  }
+  for (std::size_t at = 0; (at = name.find(mark, at)) != std::string::npos; at += stem.size()) {
+    name.replace(at, mark.size(), stem);
+  }
+  return name;
+}
+
 std::vector<Output> name_outputs(const OutputRequest& request, std::optional<int> frame) {
   std::vector<Output> outputs;
-  for (const std::string& name : request.pictures) {
-    if (name == kStandardStream) {
+  for (const std::string& given : request.pictures) {
+    if (given == kStandardStream) {
       outputs.push_back({.path = "standard output", .is_stdout = true});
-    } else {
-      outputs.push_back({.path = numbered(name, frame), .format = picture_format(name, "write")});
+      continue;
     }
+    const std::string name = named(given, request.input);
+    outputs.push_back({.path = numbered(name, frame), .format = picture_format(name, "write")});
   }
   if (!outputs.empty()) return outputs;
   const auto name = default_picture(request.of_scene, request.input, frame);
@@ -179,9 +193,23 @@ void check_names(const OutputRequest& request) {
     }
   }
   for (const auto& frame : frames) check_partial_names(name_outputs(request, frame), all);
+  if (request.earlier == nullptr || request.all_frames.empty()) return;
+  for (const auto& frame : frames) {
+    for (const Output& output : name_outputs(request, frame)) {
+      request.earlier->add(output.is_stdout ? kStandardStream : output.path.string());
+    }
+  }
 }
 
 }  // namespace
+
+bool are_written(const OutputRequest& request) {
+  if (request.pictures.empty() && request.of_scene.empty() && request.input.empty()) return false;
+  return std::ranges::all_of(name_outputs(request, request.frame), [](const Output& output) {
+    std::error_code error;
+    return !output.is_stdout && fs::is_regular_file(output.path, error);
+  });
+}
 
 std::vector<Output> plan_outputs(const OutputRequest& request) {
   check_names(request);

@@ -25,18 +25,22 @@ struct Output {
   bool may_make_folders = false;  ///< named by the scene, so its folder may be created
 };
 
+class OutputSet;
+
 /// The output settings of the command line and the scene.
 struct OutputRequest {
   std::vector<std::string> pictures;  ///< from the command line
   std::string of_scene;               ///< from the scene; used if the command line has none
   std::string input;            ///< otherwise its stem names the picture; empty for standard input
-  std::string stats;            ///< from --stats; empty for none
+  std::string stats{};          ///< from --stats; empty for none
   bool keeps_existing = false;  ///< --no-clobber
   int width = 0, height = 0;    ///< of the picture
   std::optional<int> frame = {};  ///< replaces #### in names
   /// All frames that will be rendered, if this is the first of several.
   std::vector<std::optional<int>> all_frames = {};
   std::vector<std::string> inputs = {};  ///< input files, which must not be replaced
+  /// Those of the scenes before; those of all_frames are added. May be null.
+  OutputSet* earlier = nullptr;
   /// The folder that must contain the picture unless the command line names it.
   const lang::Sandbox* sandbox = nullptr;
 };
@@ -81,6 +85,12 @@ class InputSet {
  private:
   std::set<std::pair<dev_t, ino_t>> files_;
 };
+
+/// The placeholder for the name of the scene, without folder and extension, in file names.
+inline constexpr const char* kNameMark = "{name}";
+
+/// Whether all files of the request are there. Does not look at names that only the scene knows.
+bool are_written(const OutputRequest& request);
 
 /// Decides which files are written, and reports foreseeable failures before anything is rendered.
 /// Changes nothing. Throws UsageError and render::IoError.

@@ -1,8 +1,5 @@
 #include "cli/program.hpp"
 
-#include <exception>
-#include <filesystem>
-#include <new>
 #include <ranges>
 #include <string>
 #include <string_view>
@@ -12,9 +9,8 @@
 
 #include "cli/command_line.hpp"
 #include "cli/dispatcher.hpp"
-#include "cli/usage_error.hpp"
+#include "cli/report_failure.hpp"
 #include "cli/version.hpp"
-#include "lang/text/display_width.hpp"
 #include "render/image/io_error.hpp"
 #include "render/kernel/backend.hpp"
 #include "render/parallel/threads.hpp"
@@ -90,27 +86,11 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
 
 ExitCode run_program(std::span<const std::string> arguments, Environment& env) {
   env.arguments = arguments;
-  try {
+  return report_failure(env, [&] {
     const ExitCode code = parse_and_run(arguments, env);
     if (!env.out.flush()) throw render::IoError("write", "standard output", "the write failed");
     return code;
-  } catch (const UsageError& error) {
-    env.err << fmt::format("error: {}\n", error.what());
-    return ExitCode::Usage;
-  } catch (const render::IoError& error) {
-    env.err << fmt::format("error: {}\n", lang::printable(error.what()));
-    return ExitCode::Usage;
-  } catch (const std::filesystem::filesystem_error& error) {
-    env.err << fmt::format("error: {}\n", lang::printable(error.what()));
-    return ExitCode::Usage;
-  } catch (const std::bad_alloc&) {
-    env.err << "error: not enough memory for this scene and picture\n";
-    return ExitCode::Usage;
-  } catch (const std::exception& error) {
-    if (render::is_thread_shortage(error)) throw;
-    env.err << fmt::format("error: a defect in sdlc: {}\n", error.what());
-    return ExitCode::Defect;
-  }
+  });
 }
 
 }  // namespace sdlc::cli

@@ -1,11 +1,14 @@
 #include "cli/progress.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/numbers/format_numbers.hpp"
+#include "render/math/clock.hpp"
 
 namespace sdlc::cli {
 
@@ -15,13 +18,14 @@ std::uint64_t total_samples(const render::RenderSettings& settings) {
 }
 
 ProgressReporter::ProgressReporter(ProgressStyle style, const render::RenderMonitor& monitor,
-                                   const render::RenderSettings& settings, std::ostream& err)
+                                   const render::RenderSettings& settings, std::ostream& err,
+                                   ProgressPart part)
     : style_(style),
       monitor_(monitor),
       has_goal_(settings.has_goal()),
       total_(static_cast<double>(total_samples(settings))),
       err_(err),
-      next_seconds_(style == ProgressStyle::Json ? 1 : 10) {
+      part_(std::move(part)) {
   if (style_ == ProgressStyle::None) return;
   try {
     thread_ = std::thread([this] { run(); });
@@ -42,22 +46,24 @@ ProgressReporter::~ProgressReporter() {
 }
 
 void ProgressReporter::run() {
-  const auto start = std::chrono::steady_clock::now();
   std::unique_lock lock(mutex_);
-  while (!wake_.wait_for(lock, std::chrono::milliseconds(100), [&] { return is_done_; })) {
-    report(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
+  while (!wake_.wait_for(lock, std::chrono::milliseconds(100), [&] { return is_done_; })) report();
 }
 
-void ProgressReporter::report(double seconds) {
+void ProgressReporter::report() {
+  constexpr double kPlainSeconds = 10;
+  ProgressSchedule& schedule = *part_.schedule;
+  const double seconds = render::seconds_since(schedule.start);
   const auto samples = static_cast<double>(monitor_.samples_done.load());
-  const double fraction = has_goal_ ? monitor_.goal_share.load() : samples / total_;
-  const double rays_per_second = static_cast<double>(monitor_.rays_done.load()) / seconds;
+  const double of_part = has_goal_ ? monitor_.goal_share.load() : samples / total_;
+  const double rays_per_second =
+      static_cast<double>(monitor_.rays_done.load()) / render::seconds_since(start_);
+  const double fraction = part_.before + part_.share * of_part;
   const double left = fraction > 0 ? seconds * (1 - fraction) / fraction : HUGE_VAL;
 
   if (style_ == ProgressStyle::Json) {
-    if (seconds < next_seconds_) return;
-    next_seconds_ += 1;
+    if (seconds < schedule.next_seconds) return;
+    schedule.next_seconds = seconds + 1;
     err_ << fmt::format(R"({{"fraction": {:.4f}, "samples": {:.0f}, "rays_per_second": {:.0f}, )"
                         R"("seconds": {:.1f}, "eta_seconds": {}}})",
                         fraction, samples, rays_per_second, seconds,
@@ -65,17 +71,18 @@ void ProgressReporter::report(double seconds) {
          << std::endl;
     return;
   }
-  const std::string text =
-      fmt::format("{:5.1f} %  {} samples  {} rays/s  {}", 100 * fraction, format_count(samples),
-                  format_count(rays_per_second),
-                  std::isfinite(left) ? format_seconds(left) + " left" : std::string());
+  const std::string text = fmt::format(
+      "{:5.1f} %  {}{}{} samples  {} rays/s  {}", 100 * fraction, part_.label,
+      part_.label.empty() ? "" : "  ", format_count(samples), format_count(rays_per_second),
+      std::isfinite(left) ? format_seconds(left) + " left" : std::string());
   if (style_ == ProgressStyle::Line) {
     err_ << '\r' << text << "\x1b[K" << std::flush;
     has_line_ = true;
-  } else if (fraction >= next_fraction_ && seconds >= next_seconds_) {
+  } else if (fraction >= schedule.next_fraction &&
+             seconds >= std::max(schedule.next_seconds, kPlainSeconds)) {
     err_ << text << std::endl;
-    next_fraction_ = fraction + 0.05;
-    next_seconds_ = seconds + 10;
+    schedule.next_fraction = fraction + 0.05;
+    schedule.next_seconds = seconds + kPlainSeconds;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <ostream>
 #include <string>
@@ -17,28 +18,44 @@ enum class ProgressStyle : std::uint8_t { None, Line, Plain, Json };
 /// Over all pixels, without a goal.
 std::uint64_t total_samples(const render::RenderSettings& settings);
 
+/// When progress was and will be reported, over all that a command renders.
+struct ProgressSchedule {
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  double next_fraction = 0.05;  ///< for Plain
+  double next_seconds = 1;      ///< since the start, for Plain and Json
+};
+
+/// The place of a render among all that a command renders.
+struct ProgressPart {
+  double before = 0;    ///< the share of all work that is done before it
+  double share = 1;     ///< its own share
+  std::string label{};  ///< such as "frame 3 of 24"; empty if it is the only one
+  std::shared_ptr<ProgressSchedule> schedule = std::make_shared<ProgressSchedule>();
+};
+
 /// Reports the progress of a render, on its own thread, until it is destroyed. Line rewrites one
 /// line of a terminal ten times per second; Plain adds a line every 10 seconds or 5 %, whichever is
 /// later; Json an object per second.
 class ProgressReporter {
  public:
   ProgressReporter(ProgressStyle style, const render::RenderMonitor& monitor,
-                   const render::RenderSettings& settings, std::ostream& err);
+                   const render::RenderSettings& settings, std::ostream& err,
+                   ProgressPart part = {});
   ~ProgressReporter();
   ProgressReporter(const ProgressReporter&) = delete;
   ProgressReporter& operator=(const ProgressReporter&) = delete;
 
  private:
   void run();
-  void report(double seconds);
+  void report();
 
   ProgressStyle style_;
   const render::RenderMonitor& monitor_;
   bool has_goal_;  // and the number of samples is unknown
   double total_;
   std::ostream& err_;
-  double next_fraction_ = 0.05;  // for Plain
-  double next_seconds_ = 0;      // for Plain and Json
+  ProgressPart part_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool has_line_ = false;
 
   std::mutex mutex_;

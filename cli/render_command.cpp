@@ -25,6 +25,7 @@
 #include "cli/outputs.hpp"
 #include "cli/override_options.hpp"
 #include "cli/progress.hpp"
+#include "cli/report_failure.hpp"
 #include "cli/scene_figures.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/statistics.hpp"
@@ -54,16 +55,19 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 4> kProgressWords{"auto", "plain", "json", "none"};
 
 struct RenderOptions {
-  SceneOptions scene;
+  std::vector<std::string> files;
+  SceneOptions scene;  ///< of the file that is being rendered
   std::vector<std::string> outputs;
   lang::Overrides overrides;
   render::KernelRequest kernel;
   render::Aovs aovs;
-  std::optional<FrameRange> frames;
+  std::optional<std::vector<FrameRange>> frames;
   std::string progress = "auto";
   std::string stats;
   bool ppm_text = false;
   bool keeps_existing = false;  // --no-clobber
+  bool skips_existing = false;
+  bool fails_fast = false;
   bool quiet = false;
 };
 
@@ -213,7 +217,7 @@ double seconds_to_write(const render::Picture& picture, const std::vector<Output
 /// Traces with progress; Ctrl-C ends it early. Moves the scene away.
 render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
                            const RenderOptions& options, const std::vector<Output>& outputs,
-                           RenderStatistics& statistics, Environment& env) {
+                           ProgressPart part, RenderStatistics& statistics, Environment& env) {
   render::RenderMonitor monitor;
   monitor.on_tracing = [&] {
     // For ten million spheres, freed memory of the compiler and the BVH builder would keep 140 MB
@@ -227,7 +231,8 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
     return seconds_to_write(picture, outputs, options, lowered.output.mapping);
   };
   const InterruptGuard interrupt(monitor.cancel);
-  const ProgressReporter progress(progress_style(options, env), monitor, lowered.settings, env.err);
+  const ProgressReporter progress(progress_style(options, env), monitor, lowered.settings, env.err,
+                                  std::move(part));
   return render::render(std::move(kernel), std::move(lowered.scene), lowered.settings, monitor);
 }
 
@@ -277,25 +282,67 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
   return graver(of_samples, written.code);
 }
 
+/// What the scenes of one command share.
+struct RenderRun {
+  std::size_t files = 1, files_before = 0;
+  OutputSet outputs;
+  std::string stats;  ///< of the pictures so far, one per line
+  bool has_stats_file = false;
+  std::shared_ptr<ProgressSchedule> schedule = std::make_shared<ProgressSchedule>();
+  std::atomic<bool> interrupted{false};
+  std::optional<InterruptGuard> guard;
+};
+
 /// The pictures of one scene: one, or one for each frame.
 class RenderJob {
  public:
-  RenderJob(const RenderOptions& options, Environment& env) : options_(options), env_(env) {}
+  RenderJob(const RenderOptions& options, RenderRun& run, Environment& env)
+      : options_(options), run_(run), env_(env) {}
 
   ExitCode run() {
     source_ = read_scene(options_.scene, env_);
     read_seconds_ = render::seconds_since(start_);
     compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
     choose_frames();
+    // Errors that do not depend on the frame.
+    const bool is_broken = sink_.has_errors();
     ExitCode code = ExitCode::Success;
-    for (std::size_t i = 0; i < frames_.size(); ++i) {
-      if (code != ExitCode::Success || interrupted_.load()) break;
-      code = render_frame(frames_[i], i + 1 == frames_.size());
+    for (std::size_t i = 0; i < frames_.size() && !run_.interrupted.load(); ++i) {
+      const ExitCode of_frame = render_or_skip(i);
+      code = graver(code, of_frame);
+      if (of_frame == ExitCode::Success) continue;
+      if (of_frame == ExitCode::Interrupted || options_.fails_fast || is_broken) break;
+      if (frames_[i]) failed_.push_back(*frames_[i]);
     }
-    return interrupted_.load() && finished_ > 0 ? report_interrupted(code) : code;
+    report_frames();
+    return run_.interrupted.load() && finished_ > 0 ? report_interrupted(code) : code;
   }
 
  private:
+  ExitCode render_or_skip(std::size_t i) {
+    const bool is_last = i + 1 == frames_.size();
+    if (options_.skips_existing && !options_.outputs.empty() &&
+        are_written(output_request("", frames_[i]))) {
+      ++skipped_;
+      return ExitCode::Success;
+    }
+    if (frames_.size() == 1) return render_frame(i, is_last);
+    return report_failure(env_, [&] { return render_frame(i, is_last); });
+  }
+
+  /// Reports frames that were skipped or failed.
+  void report_frames() const {
+    if (skipped_ > 0 && !options_.quiet) {
+      env_.err << (frames_.size() == 1 ? std::string("the picture is there already\n")
+                                       : fmt::format("{} of {} frames were there already\n",
+                                                     skipped_, frames_.size()));
+    }
+    if (!failed_.empty() && frames_.size() > 1) {
+      env_.err << fmt::format("error: {} of {} frames failed: {}\n", failed_.size(), frames_.size(),
+                              describe_frames(failed_));
+    }
+  }
+
   /// Reports an interruption after a finished picture.
   ExitCode report_interrupted(ExitCode code) {
     if (code == ExitCode::Interrupted)
@@ -319,13 +366,31 @@ class RenderJob {
     }
     const FrameRange all{
         .first = animation->first, .last = animation->last, .step = animation->step};
-    for (const int frame : frames_of(options_.frames.value_or(all))) frames_.emplace_back(frame);
+    for (const int frame : frames_of(options_.frames.value_or(std::vector{all}))) {
+      frames_.emplace_back(frame);
+    }
     if (frames_.size() == 1) return;
     for (const std::string& output : options_.outputs) {
       if (has_frame_mark(output)) continue;
       throw UsageError(fmt::format("{} frames cannot all be written to `{}`; put {} in its name",
                                    frames_.size(), lang::printable(output), kFrameMark));
     }
+  }
+
+  ProgressPart progress_part(std::size_t frame) const {
+    const auto frames = static_cast<double>(frames_.size()),
+               files = static_cast<double>(run_.files);
+    const double before = static_cast<double>(frame) / frames;
+    ProgressPart part{.before = (static_cast<double>(run_.files_before) + before) / files,
+                      .share = 1 / (frames * files),
+                      .schedule = run_.schedule};
+    if (run_.files > 1)
+      part.label = fmt::format("scene {} of {}", run_.files_before + 1, run_.files);
+    if (frames_.size() > 1) {
+      part.label += fmt::format("{}frame {} of {}", part.label.empty() ? "" : ", ", frame + 1,
+                                frames_.size());
+    }
+    return part;
   }
 
   /// A frame's scene, and its kernel.
@@ -345,12 +410,15 @@ class RenderJob {
     render::Kernel kernel;
     if (lowered) kernel = choose_kernel(options_.kernel, overrides, *lowered, *compiler_);
     const double choice_seconds = render::seconds_since(choice_start);
-    const bool is_first = frame == frames_.front();
+    const bool is_first = !std::exchange(has_compiled_, true);
     if (is_first || !sink_.diagnostics().empty()) {
       print_findings(select_unallowed(sink_), options_.scene.diagnostics, env_.err,
                      env_.err_is_terminal, env_);
     }
-    if (!lowered) return std::nullopt;
+    if (!lowered) {
+      sink_.clear();
+      return std::nullopt;
+    }
     check_goals(overrides, *lowered);
     sink_.clear();
     statistics.scene = source_->name();
@@ -365,42 +433,53 @@ class RenderJob {
                         .choice_seconds = choice_seconds};
   }
 
-  OutputRequest output_request(const lang::LoweredScene& lowered, std::optional<int> frame) const {
+  OutputRequest output_request(const std::string& of_scene, std::optional<int> frame) const {
     OutputRequest request{.pictures = options_.outputs,
-                          .of_scene = lowered.output.output,
+                          .of_scene = of_scene,
                           .input = options_.scene.given_name(),
-                          .stats = options_.stats,
-                          .keeps_existing = options_.keeps_existing,
-                          .width = lowered.settings.width,
-                          .height = lowered.settings.height};
+                          .keeps_existing = options_.keeps_existing};
     request.frame = frame;
     request.inputs = inputs_;
-    if (frame == frames_.front()) {
-      request.all_frames = frames_;
-    } else {
-      request.stats.clear();  // the file of earlier frames exists by now
-    }
     if (sandbox_) request.sandbox = &*sandbox_;
     return request;
   }
 
+  /// Decides about the outputs of a frame. The first one checks the names of all.
+  std::vector<Output> plan_frame(const lang::LoweredScene& lowered, std::optional<int> frame) {
+    OutputRequest request = output_request(lowered.output.output, frame);
+    request.width = lowered.settings.width;
+    request.height = lowered.settings.height;
+    request.earlier = &run_.outputs;
+    if (!has_planned_) request.all_frames = frames_;
+    // Later the file of earlier pictures exists.
+    if (!run_.has_stats_file) request.stats = options_.stats;
+    std::vector<Output> outputs = plan_outputs(request);
+    has_planned_ = run_.has_stats_file = true;
+    return outputs;
+  }
+
   /// Called before text and tree are freed.
   void find_inputs(const lang::LoweredScene& lowered) {
-    inputs_ = {options_.scene.file};
+    inputs_ = options_.files;
     for (const fs::path& part : compiler_->dependencies()) inputs_.push_back(part.string());
     if (!options_.scene.reading.is_sandboxed) return;
     // The default folder is ours, but the file in it may be a link made by the scene's author.
     sandbox_.emplace(env_.workspace, lowered.output.output.empty() ? "" : options_.scene.name());
   }
 
-  ExitCode render_frame(std::optional<int> frame, bool is_last) {
-    const auto start = frame == frames_.front() ? start_ : std::chrono::steady_clock::now();
+  ExitCode render_frame(std::size_t index, bool is_last) {
+    const std::optional<int> frame = frames_[index];
+    const auto start = has_compiled_ ? std::chrono::steady_clock::now() : start_;
     RenderStatistics statistics;
     std::optional<LoweredFrame> lowered_frame = lower(frame, statistics);
     if (!lowered_frame) return ExitCode::Findings;
     auto& [lowered, kernel, choice_seconds] = *lowered_frame;
-    if (interrupted_.load()) return ExitCode::Success;  // between two frames
+    if (run_.interrupted.load()) return ExitCode::Success;  // between two frames
     find_inputs(lowered);
+    if (options_.skips_existing && are_written(output_request(lowered.output.output, frame))) {
+      ++skipped_;
+      return ExitCode::Success;
+    }
     if (is_last) {  // free text and tree before tracing
       compiler_.reset();
       source_.reset();
@@ -409,7 +488,7 @@ class RenderJob {
     lowered.settings.keeps_variance = options_.aovs.variance;
     lowered.settings.keeps_first_hits = options_.aovs.has_features();
     const render::RenderSettings settings = lowered.settings;
-    const std::vector<Output> outputs = plan_outputs(output_request(lowered, frame));
+    const std::vector<Output> outputs = plan_frame(lowered, frame);
     check_aovs(options_.aovs, outputs, settings);
     check_memory(settings, options_.aovs);
     check_not_refused(kernel);
@@ -419,9 +498,9 @@ class RenderJob {
           std::max(*settings.seconds - render::seconds_since(start), kMinSecondsToTrace);
     }
     // Until here there is nothing to save, and a signal may end the process.
-    if (!guard_) guard_.emplace(interrupted_);
-    render::RenderResult result =
-        trace(lowered, std::move(kernel), options_, outputs, statistics, env_);
+    if (!run_.guard) run_.guard.emplace(run_.interrupted);
+    render::RenderResult result = trace(lowered, std::move(kernel), options_, outputs,
+                                        progress_part(index), statistics, env_);
     result.build_seconds += choice_seconds;
     if (!result.is_complete) {
       if (result.camera_samples == 0) return conclude(options_, settings, result, {}, env_);
@@ -433,9 +512,9 @@ class RenderJob {
     Written written = write_pictures(outputs, options_, lowered, result, layers, env_);
     statistics.write_seconds = render::seconds_since(write_start);
     if (!options_.stats.empty()) {
-      stats_ += to_json(statistics, result) + "\n";
-      if (options_.stats != kStandardStream || is_last) {
-        try_to_write(written.code, env_, [&] { write_stats(options_.stats, stats_, env_); });
+      run_.stats += to_json(statistics, result) + "\n";
+      if (options_.stats != kStandardStream) {
+        try_to_write(written.code, env_, [&] { write_stats(options_.stats, run_.stats, env_); });
       }
     }
     if (result.is_complete && written.code == ExitCode::Success) ++finished_;
@@ -443,6 +522,7 @@ class RenderJob {
   }
 
   const RenderOptions& options_;
+  RenderRun& run_;
   Environment& env_;
   lang::DiagnosticSink sink_;
   std::shared_ptr<const lang::Document> source_;
@@ -450,24 +530,72 @@ class RenderJob {
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::vector<std::optional<int>> frames_;  // nullopt for a scene without an animation
   double read_seconds_ = 0;
-  std::string stats_;  // of the frames so far, one per line
+  bool has_compiled_ = false;
+  bool has_planned_ = false;
   std::vector<std::string> inputs_;
   std::optional<lang::Sandbox> sandbox_;
-  std::size_t finished_ = 0;  // frames
-  std::atomic<bool> interrupted_{false};
-  std::optional<InterruptGuard> guard_;
+  std::size_t finished_ = 0, skipped_ = 0;  // frames
+  std::vector<int> failed_;
 };
 
-ExitCode run_render(const RenderOptions& options, Environment& env) {
-  return RenderJob(options, env).run();
+/// Refuses what cannot be meant for several scenes.
+void check_several(const RenderOptions& options) {
+  for (const std::string& output : options.outputs) {
+    if (output.find(kNameMark) != std::string::npos) continue;
+    throw UsageError(fmt::format("{} scenes cannot all be written to `{}`; put {} in its name",
+                                 options.files.size(), lang::printable(output), kNameMark));
+  }
+  if (std::ranges::count(options.files, kStandardStream) > 1) {
+    throw UsageError("standard input holds only one scene");
+  }
+}
+
+ExitCode render_files(RenderOptions& options, RenderRun& run, Environment& env) {
+  if (run.files == 1) {
+    options.scene.file = options.files.front();
+    return RenderJob(options, run, env).run();
+  }
+  check_several(options);
+  ExitCode code = ExitCode::Success;
+  std::vector<std::string> failed;
+  for (const std::string& file : options.files) {
+    options.scene.file = file;
+    const ExitCode of_file =
+        report_failure(env, [&] { return RenderJob(options, run, env).run(); });
+    code = graver(code, of_file);
+    ++run.files_before;
+    if (of_file == ExitCode::Interrupted || run.interrupted.load()) break;
+    if (of_file == ExitCode::Success) continue;
+    failed.push_back(lang::printable(options.scene.name()));
+    if (options.fails_fast) break;
+  }
+  if (!failed.empty()) {
+    env.err << fmt::format("error: {} of {} scenes failed: {}\n", failed.size(), run.files,
+                           fmt::join(failed, ", "));
+  }
+  return code;
+}
+
+ExitCode run_render(RenderOptions& options, Environment& env) {
+  RenderRun run;
+  run.files = options.files.size();
+  ExitCode code = render_files(options, run, env);
+  if (options.stats == kStandardStream && !run.stats.empty()) {
+    try_to_write(code, env, [&] { write_stats(options.stats, run.stats, env); });
+  }
+  return code;
 }
 
 }  // namespace
 
 void add_render_command(Command& program, Dispatcher& dispatcher) {
   auto options = std::make_shared<RenderOptions>();
-  Command command = program.add_command("render", "Render a .scene or a .json config to a picture");
-  add_scene_options(command, options->scene);
+  Command command =
+      program.add_command("render", "Render .scene files and .json configs to pictures");
+  command.add_texts("FILE", options->files, "The scenes; `-` reads standard input").required();
+  add_set_option(command, options->scene.sets);
+  add_reading_options(command, options->scene.reading);
+  add_diagnostics_options(command, options->scene.diagnostics);
   command.add_repeated(
       "-o,--output", options->outputs,
       "A picture to write, by its extension (may be repeated; `-`: PNG to standard "
@@ -476,7 +604,14 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
   add_kernel_options(command, options->kernel);
   add_aov_option(command, options->aovs);
   command.add_flag("--ppm-text", options->ppm_text, "Write PPM as decimal numbers");
-  command.add_flag("--no-clobber,!--overwrite", options->keeps_existing, "Refuse to replace files");
+  const Option no_clobber = command.add_flag("--no-clobber,!--overwrite", options->keeps_existing,
+                                             "Refuse to replace files");
+  command
+      .add_flag("--skip-existing", options->skips_existing,
+                "Render only pictures whose files are not there")
+      .excludes(no_clobber);
+  command.add_flag("--fail-fast", options->fails_fast,
+                   "End at the first scene or frame that fails; default: render the others");
   command.add_text("--progress", options->progress, "Format of the progress on standard error")
       .one_of(kProgressWords);
   command.add_text("--stats", options->stats,
@@ -488,13 +623,14 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
           [options](const std::string& text) {
             options->frames = parse_frames(text);
             if (options->frames) return;
-            throw ArgumentError("--frames",
-                                fmt::format("takes A, A-B or A-BxS with whole numbers, A at most "
-                                            "B, not `{}`",
-                                            lang::printable(text)));
+            throw ArgumentError(
+                "--frames",
+                fmt::format("takes A, A-B or A-BxS, separated by commas, with whole numbers, A at "
+                            "most B, not `{}`",
+                            lang::printable(text)));
           },
           "The frames to render, every S-th from A to B; default: those of the scene's animation")
-      .type_name("A-B[xS]");
+      .type_name("A-B[xS][,...]");
   command.footer(
       "Examples:\n"
       "  sdlc render ball.scene\n"
@@ -504,9 +640,12 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
       "  sdlc render ball.scene --time 10s --samples 4096\n"
       "  sdlc render ball.scene -o ball.exr --aov normal,depth,albedo\n"
       "  cat ball.scene | sdlc render - -o - > ball.png\n"
-      "  sdlc render ring.scene --set count=200 --frames 1-24 -o ring.####.png\n"
+      "  sdlc render ring.scene --set count=200 --frames 1-24,48 -o ring.####.png\n"
+      "  sdlc render scenes/*.scene -o out/{name}.png --skip-existing\n"
       "\n"
-      "#### in an output's name is replaced by the frame number.\n"
+      "#### in an output's name is replaced by the frame number, {name} by the scene's name "
+      "without\n"
+      "folder and extension.\n"
       "png jpg tiff webp ppm gif hold 8-bit codes after the scene's tone curve; exr and hdr hold "
       "linear\n"
       "radiance. --width or --height alone keeps the aspect, both together set a new one. Ctrl-C "

@@ -64,6 +64,7 @@ DiagnosticBuilder DiagnosticSink::add(const DiagnosticInfo& info, Location where
       fmt::format("{} {} {} {} ", info.code, static_cast<const void*>(where.file), where.span.begin,
                   where.span.end);
   const std::hash<std::string_view> hash;
+  has_errors_ |= info.severity == Severity::Error;
   // Past this many, duplicates are no longer detected.
   constexpr std::size_t kMaxDistinct = 1'000'000;
   if (seen_.size() < kMaxDistinct && !seen_.insert(hash(place) * 31 + hash(message)).second) {
@@ -99,12 +100,14 @@ void DiagnosticSink::add(const DiagnosticSink& other) {
   for (const auto& [info, count] : other.not_kept()) {
     not_kept_[info] += count;
     (info->severity == Severity::Error ? errors_ : warnings_) += count;
+    has_errors_ |= info->severity == Severity::Error;
   }
 }
 
 void DiagnosticSink::clear() {
   diagnostics_.clear();
   not_kept_.clear();
+  has_errors_ = false;
   errors_ = warnings_ = 0;
 }
 

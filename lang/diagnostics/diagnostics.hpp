@@ -187,10 +187,11 @@ class DiagnosticSink {
   void set_muted(bool is_muted) noexcept { is_muted_ = is_muted; }
   bool is_muted() const noexcept { return is_muted_; }
 
-  /// Empties the sink. Repetitions of earlier diagnostics are still dropped.
+  /// Empties the sink. Repetitions of earlier diagnostics are still dropped; those of errors count
+  /// for has_errors().
   void clear();
 
-  bool has_errors() const noexcept { return errors_ > 0; }
+  bool has_errors() const noexcept { return has_errors_; }
   /// Errors reported, including those not kept.
   std::size_t error_count() const noexcept { return errors_; }
   /// Warnings reported, including those not kept.
@@ -214,6 +215,7 @@ class DiagnosticSink {
   std::unordered_set<std::size_t> seen_;  // hashes: messages may be long, and many
   const ChainSource* chain_ = nullptr;
   bool is_muted_ = false;
+  bool has_errors_ = false;
   std::size_t errors_ = 0, warnings_ = 0;
   std::map<const DiagnosticInfo*, std::size_t> not_kept_;
   const StopRequest* stop_ = nullptr;

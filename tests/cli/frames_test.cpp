@@ -1,5 +1,7 @@
 #include "cli/frames.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -19,8 +21,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::vector<int> frames(const std::string& text) {
-  const auto range = cli::parse_frames(text);
-  return range ? cli::frames_of(*range) : std::vector<int>();
+  const auto ranges = cli::parse_frames(text);
+  return ranges ? cli::frames_of(*ranges) : std::vector<int>();
 }
 
 TEST(Frames, AreOneARangeOrEverySoManyOfIt) {
@@ -36,10 +38,26 @@ TEST(Frames, AreOneARangeOrEverySoManyOfIt) {
   EXPECT_THAT(frames("0-2147483647x2147483647"), ElementsAre(0, 2147483647));
 }
 
+TEST(Frames, AreAListOfRanges) {
+  EXPECT_THAT(frames("1-3,5,7-20x6,100"), ElementsAre(1, 2, 3, 5, 7, 13, 19, 100));
+  EXPECT_THAT(frames("5,1-3,2-4"), ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_THAT(frames("1-8:3"), ElementsAre(1, 4, 7));
+  for (const char* text : {"1,", ",1", "1,,2", ",", "1;2", "1, 2", "1-3,x"}) {
+    EXPECT_FALSE(cli::parse_frames(text)) << "`" << text << "`";
+  }
+}
+
+TEST(Frames, AreDescribedAsTheyAreWritten) {
+  for (const char* text : {"7", "1-2", "1-3,5,7-8,100", "0,2,4"}) {
+    EXPECT_EQ(cli::describe_frames(frames(text)), text);
+  }
+  EXPECT_EQ(cli::describe_frames({}), "");
+}
+
 TEST(Frames, AreNothingElse) {
   for (const char* text :
        {"",      " ",      "a",       "1-",    "-1",   "1-2-3", "4-1",        "1-4x",
-        "1-4x0", "1-4x-1", "1-4x2x2", "1 - 4", "1..4", "1,2",   "1.5",        "1-4.5",
+        "1-4x0", "1-4x-1", "1-4x2x2", "1 - 4", "1..4", "1:2",   "1.5",        "1-4.5",
         " 1",    "1 ",     "+1",      "1-+4",  "0x10", "7x2",   "2147483648", "1-99999999999",
         "x2"}) {
     EXPECT_FALSE(cli::parse_frames(text)) << "`" << text << "`";
@@ -91,7 +109,7 @@ TEST_F(FramesFlag, ChoosesFrames) {
 }
 
 TEST_F(FramesFlag, RefusesWhatIsNoRange) {
-  for (const char* text : {"''", "a", "1-", "4-1", "1-4x0", "1..4", "-1", "1,2"}) {
+  for (const char* text : {"''", "a", "1-", "4-1", "1-4x0", "1..4", "-1", "1,"}) {
     const ProgramResult result = render("film.scene --frames " + std::string(text));
     EXPECT_EQ(result.exit_code, 2) << text;
     EXPECT_THAT(result.err, HasSubstr("--frames")) << text;
@@ -203,6 +221,92 @@ TEST_F(FramesFlag, ProtectsEveryFrameWithNoClobber) {
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("film.0003.png"));
   EXPECT_EQ(content_of(folder_ / "film.0003.png"), "mine");
+}
+
+TEST_F(FramesFlag, SkipsPicturesThatAreThere) {
+  write_text(folder_ / "film.0003.png", "mine");
+  const ProgramResult result =
+      run_shell(folder_.path(), "\"$SDLC\" render film.scene --skip-existing --color never");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, HasSubstr("1 of 3 frames were there already\n"));
+  EXPECT_EQ(content_of(folder_ / "film.0003.png"), "mine");
+  EXPECT_THAT(names(),
+              ElementsAre("film.0001.png", "film.0003.png", "film.0005.png", "film.scene"));
+  EXPECT_EQ(render("film.scene --skip-existing -o film.####.png -o film.####.exr").exit_code, 0);
+  EXPECT_NE(content_of(folder_ / "film.0003.png"), "mine") << "the other picture was not there";
+  EXPECT_EQ(render("film.scene --skip-existing --no-clobber").exit_code, 2);
+}
+
+TEST_F(FramesFlag, GoesOnAfterAFrameThatFails) {
+  std::string film = kFilm;
+  film += "assert time != 1.5s, \"not now\"\n";
+  write_text(folder_ / "film.scene", film);
+  const ProgramResult result = render("film.scene");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("error[E231]: not now"));
+  EXPECT_THAT(result.err, HasSubstr("error: 1 of 3 frames failed: 3\n"));
+  EXPECT_THAT(names(), ElementsAre("film.0001.png", "film.0005.png", "film.scene"));
+  std::filesystem::remove(folder_ / "film.0001.png");
+  std::filesystem::remove(folder_ / "film.0005.png");
+  EXPECT_EQ(render("film.scene --fail-fast").exit_code, 1);
+  EXPECT_THAT(names(), ElementsAre("film.0001.png", "film.scene"));
+}
+
+TEST_F(FramesFlag, ReportsTheSameErrorOfSeveralFramesOnce) {
+  std::string film = kFilm;
+  film += "sphere { center: (0, 5, 0), radius: 1 }\n";
+  write_text(folder_ / "film.scene", film);
+  const ProgramResult result = render("film.scene --format concise");
+  EXPECT_EQ(result.exit_code, 1);
+  const std::size_t first = result.err.find("E235");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(result.err.find("E235", first + 1), std::string::npos) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("error: 3 of 3 frames failed: 1,3,5\n"));
+}
+
+class SeveralScenes : public FramesFlag {
+ protected:
+  SeveralScenes() {
+    for (const char* name : {"a.scene", "b.scene"}) {
+      write_text(folder_ / name,
+                 "scene 1\ncamera main { from: (0, 0, 9), at: (0, 0, 0), fov: 40deg }\n"
+                 "render { width: 8, samples: 1 }\n");
+    }
+    std::filesystem::remove(folder_ / "film.scene");
+  }
+};
+
+TEST_F(SeveralScenes, AreRenderedOneAfterTheOther) {
+  const ProgramResult result = render("a.scene b.scene --stats -");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(names(), ElementsAre("a.png", "a.scene", "b.png", "b.scene"));
+  EXPECT_EQ(std::ranges::count(result.out, '\n'), 2) << result.out;
+  EXPECT_EQ(render("a.scene b.scene -o 'out-{name}.ppm' --stats s.jsonl").exit_code, 0);
+  EXPECT_THAT(names(), ElementsAre("a.png", "a.scene", "b.png", "b.scene", "out-a.ppm", "out-b.ppm",
+                                   "s.jsonl"));
+}
+
+TEST_F(SeveralScenes, DoNotStopEachOther) {
+  write_text(folder_ / "bad.scene", "scene 1\nsphere {");
+  const ProgramResult result = render("missing.scene bad.scene a.scene");
+  EXPECT_EQ(result.exit_code, 2) << "a file cannot be read";
+  EXPECT_THAT(result.err, HasSubstr("error: 2 of 3 scenes failed: missing.scene, bad.scene\n"));
+  EXPECT_THAT(names(), ElementsAre("a.png", "a.scene", "b.scene", "bad.scene"));
+  std::filesystem::remove(folder_ / "a.png");
+  EXPECT_EQ(render("bad.scene a.scene --fail-fast").exit_code, 1);
+  EXPECT_THAT(names(), ElementsAre("a.scene", "b.scene", "bad.scene"));
+}
+
+TEST_F(SeveralScenes, NeverShareAPicture) {
+  EXPECT_THAT(render("a.scene b.scene -o x.png").err, HasSubstr("put {name} in its name"));
+  EXPECT_THAT(names(), ElementsAre("a.scene", "b.scene"));
+  std::filesystem::create_directory(folder_ / "more");
+  std::filesystem::copy(folder_ / "a.scene", folder_ / "more/a.scene");
+  const ProgramResult result = render("a.scene more/a.scene");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("two outputs go to `a.png`"));
+  EXPECT_EQ(render("a.scene b.scene -o '{name}.scene.png' -o b.scene").exit_code, 2);
+  EXPECT_THAT(content_of(folder_ / "b.scene"), HasSubstr("scene 1"));
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+#include "cli/report_failure.hpp"
+
+#include <exception>
+#include <filesystem>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "cli/usage_error.hpp"
+#include "lang/text/display_width.hpp"
+#include "render/image/io_error.hpp"
+#include "render/parallel/threads.hpp"
+
+namespace sdlc::cli {
+
+ExitCode report_failure(Environment& env, const std::function<ExitCode()>& run) {
+  try {
+    return run();
+  } catch (const UsageError& error) {
+    env.err << fmt::format("error: {}\n", error.what());
+    return ExitCode::Usage;
+  } catch (const render::IoError& error) {
+    env.err << fmt::format("error: {}\n", lang::printable(error.what()));
+    return ExitCode::Usage;
+  } catch (const std::filesystem::filesystem_error& error) {
+    env.err << fmt::format("error: {}\n", lang::printable(error.what()));
+    return ExitCode::Usage;
+  } catch (const std::bad_alloc&) {
+    env.err << "error: not enough memory for this scene and picture\n";
+    return ExitCode::Usage;
+  } catch (const std::exception& error) {
+    if (render::is_thread_shortage(error)) throw;
+    env.err << fmt::format("error: a defect in sdlc: {}\n", error.what());
+    return ExitCode::Defect;
+  }
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <functional>
+
+#include "cli/environment.hpp"
+#include "cli/exit_code.hpp"
+
+namespace sdlc::cli {
+
+/// Returns the status of `run`. Exceptions become messages on env.err, except if a thread could not
+/// be started (render::is_thread_shortage).
+ExitCode report_failure(Environment& env, const std::function<ExitCode()>& run);
+
+}  // namespace sdlc::cli
