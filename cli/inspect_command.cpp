@@ -12,6 +12,7 @@
 #include "cli/dispatcher.hpp"
 #include "cli/inspect_report.hpp"
 #include "cli/kernel_options.hpp"
+#include "cli/make_rule.hpp"
 #include "cli/outputs.hpp"
 #include "cli/override_options.hpp"
 #include "cli/scene_figures.hpp"
@@ -34,6 +35,7 @@ struct InspectOptions {
   render::KernelRequest kernel;
   std::optional<int> frame;
   bool wants_files = false;           // --deps
+  std::vector<std::string> targets;   // of --deps
   std::vector<std::uint32_t> traced;  // --where
 
   bool is_json() const { return scene.diagnostics.format == "json"; }
@@ -51,6 +53,7 @@ class InspectJob {
 
   ExitCode run() {
     if (options_.wants_files) return print_files();
+    if (!options_.targets.empty()) throw UsageError("--target requires --deps");
     const std::optional<lang::Animation> animation = compiler_.animation();
     if (options_.frame && !animation && !sink_.has_errors()) {
       throw UsageError("--frame: the scene has no `animation`, so all frames are the same");
@@ -93,7 +96,9 @@ class InspectJob {
     // Standard input counts as a file only if it has a name.
     const std::string scene = options_.scene.given_name();
     if (!scene.empty()) names.insert(names.begin(), scene);
-    if (options_.is_json()) {
+    if (!options_.targets.empty()) {
+      env_.out << make_rule(options_.targets, names);
+    } else if (options_.is_json()) {
       env_.out << to_json(names);
     } else {
       for (const std::string& name : names) {
@@ -224,6 +229,11 @@ void add_inspect_command(Command& program, Dispatcher& dispatcher) {
       command.add_flag("--deps", options->wants_files,
                        "Only list the files that the scene reads, one per line, the scene first");
   command
+      .add_repeated("--target", options->targets,
+                    "With --deps: print a dependency file of Make and Ninja, in which this file "
+                    "depends on those that the scene reads (may be repeated)")
+      .type_name("FILE");
+  command
       .add_repeated(
           "--where",
           [options](const std::vector<std::string>& texts) {
@@ -247,6 +257,7 @@ void add_inspect_command(Command& program, Dispatcher& dispatcher) {
       "  sdlc inspect ring.scene --set count=200 --frame 12\n"
       "  sdlc inspect ring.scene --where 17\n"
       "  sdlc inspect ring.scene --deps\n"
+      "  sdlc inspect ring.scene --deps --target ring.png > ring.d\n"
       "  sdlc inspect ring.scene --format json | jq .memory.total_bytes\n\n"
       "A scene with errors is reported without its invalid parts, with exit status 1. Nothing is "
       "rendered or\nwritten. docs/inspect.md explains the figures and the JSON fields.");

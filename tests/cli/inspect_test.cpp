@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -346,6 +347,44 @@ TEST_F(InspectCommand, ListsTheFilesThatASceneReads) {
   EXPECT_EQ(inspect("ring.scene")["dependencies"],
             (json{"library/materials.scene", "library/lamp.scene"}));
   EXPECT_EQ(run("config.json --deps").out, "config.json\n");
+}
+
+TEST_F(InspectCommand, WritesDependencyFiles) {
+  EXPECT_EQ(run("ring.scene --deps --target ring.png --target ring.exr").out,
+            "ring.png ring.exr: \\\n  ring.scene \\\n  library/materials.scene \\\n"
+            "  library/lamp.scene\n\nlibrary/materials.scene:\n\nlibrary/lamp.scene:\n");
+  EXPECT_THAT(run("ring.scene --target ring.png").err, HasSubstr("--target requires --deps"));
+  EXPECT_EQ(run("ring.scene --deps --target 'a\nb.png'").exit_code, 2);
+}
+
+TEST_F(InspectCommand, WritesDependencyFilesThatMakeAndNinjaRead) {
+  if (run_shell(folder_.path(), "command -v make && command -v ninja").exit_code != 0) {
+    GTEST_SKIP() << "needs make and ninja";
+  }
+  std::filesystem::create_directory(folder_ / "w");
+  const std::filesystem::path work = folder_ / "w";
+  write_text(work / "my ring.scene", "scene 1\nimport \"li b#$.scene\" as lib\n");
+  write_text(work / "li b#$.scene", "scene 1\nlet a = 1\n");
+  write_text(work / "Makefile",
+             "out.txt:\n\t@echo made > out.txt\n\t@echo rebuilt\n"
+             "\t@\"$(SDLC)\" inspect 'my ring.scene' --deps --target out.txt > out.d\n"
+             "-include out.d\n");
+  write_text(work / "build.ninja",
+             "rule picture\n  command = echo made > $out && \"$$SDLC\" inspect 'my ring.scene' "
+             "--deps --target $out > $out.d\n  depfile = $out.d\n"
+             "build picture.txt: picture\n");
+  const auto output_of = [&](const std::string& command) {
+    const ProgramResult result = run_shell(work, "export SDLC; " + command);
+    EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+    return result.out;
+  };
+  const std::string touch = "sleep 1; touch 'li b#$.scene'; ";
+  EXPECT_THAT(output_of("make"), HasSubstr("rebuilt"));
+  EXPECT_THAT(output_of("make"), HasSubstr("up to date"));
+  EXPECT_THAT(output_of("ninja"), HasSubstr("[1/1]"));
+  EXPECT_THAT(output_of("ninja"), HasSubstr("no work to do"));
+  EXPECT_THAT(output_of(touch + "make"), HasSubstr("rebuilt"));
+  EXPECT_THAT(output_of("ninja"), HasSubstr("[1/1]"));
 }
 
 TEST_F(InspectCommand, ListsFilesThatOnlyOtherValuesRead) {

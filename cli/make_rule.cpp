@@ -1,0 +1,46 @@
+#include "cli/make_rule.hpp"
+
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "cli/usage_error.hpp"
+#include "lang/text/display_width.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+/// The name as gcc -M writes it: a blank or # after a backslash, with the backslashes before a
+/// blank doubled, and $$ for a $.
+std::string escaped(const std::string& name) {
+  std::string text;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i];
+    if (c == '\n' || c == '\r') {
+      throw UsageError(fmt::format("`{}` has a line break, and cannot be in a dependency file",
+                                   lang::printable(name)));
+    }
+    if (c == ' ' || c == '\t') {
+      for (std::size_t k = i; k > 0 && name[k - 1] == '\\'; --k) text += '\\';
+    }
+    if (c == ' ' || c == '\t' || c == '#') text += '\\';
+    if (c == '$') text += '$';
+    text += c;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string make_rule(const std::vector<std::string>& targets,
+                      const std::vector<std::string>& files) {
+  std::string rule;
+  for (const std::string& target : targets) rule += (rule.empty() ? "" : " ") + escaped(target);
+  rule += ':';
+  for (const std::string& file : files) rule += " \\\n  " + escaped(file);
+  rule += '\n';
+  for (std::size_t i = 1; i < files.size(); ++i) rule += "\n" + escaped(files[i]) + ":\n";
+  return rule;
+}
+
+}  // namespace sdlc::cli
