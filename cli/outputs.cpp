@@ -52,9 +52,28 @@ fs::path output_file(const std::string& name) {
   return name == kStandardStream ? "/dev/stdout" : name;
 }
 
-/// The name with each placeholder replaced by that of the scene.
-std::string named(std::string name, const std::string& input) {
-  const std::string stem = fs::path(input).stem().string();
+std::vector<Output> name_outputs(const OutputRequest& request, std::optional<int> frame) {
+  std::vector<Output> outputs;
+  for (const std::string& given : request.pictures) {
+    if (given == kStandardStream) {
+      outputs.push_back({.path = "standard output", .is_stdout = true});
+      continue;
+    }
+    const std::string name = name_of_scene(given, request.input);
+    outputs.push_back({.path = numbered(name, frame), .format = picture_format(name, "write")});
+  }
+  if (!outputs.empty() || request.has_videos) return outputs;
+  const auto name = default_picture(request.of_scene, request.input, frame);
+  if (!name) throw UsageError("a scene from `-` requires -o OUT or --stdin-filename NAME");
+  return {{.path = *name,
+           .format = picture_format(*name, "write"),
+           .may_make_folders = !request.of_scene.empty()}};
+}
+
+}  // namespace
+
+std::string name_of_scene(std::string name, const std::string& scene) {
+  const std::string stem = fs::path(scene).stem().string();
   const std::string_view mark = kNameMark;
   if (stem.empty() && name.find(mark) != std::string::npos) {
     throw UsageError("{name} in an output's name requires --stdin-filename NAME");
@@ -65,24 +84,6 @@ std::string named(std::string name, const std::string& input) {
   return name;
 }
 
-std::vector<Output> name_outputs(const OutputRequest& request, std::optional<int> frame) {
-  std::vector<Output> outputs;
-  for (const std::string& given : request.pictures) {
-    if (given == kStandardStream) {
-      outputs.push_back({.path = "standard output", .is_stdout = true});
-      continue;
-    }
-    const std::string name = named(given, request.input);
-    outputs.push_back({.path = numbered(name, frame), .format = picture_format(name, "write")});
-  }
-  if (!outputs.empty()) return outputs;
-  const auto name = default_picture(request.of_scene, request.input, frame);
-  if (!name) throw UsageError("a scene from `-` requires -o OUT or --stdin-filename NAME");
-  return {{.path = *name,
-           .format = picture_format(*name, "write"),
-           .may_make_folders = !request.of_scene.empty()}};
-}
-
 void check_absent(const fs::path& path) {
   std::error_code error;
   // A dangling link also exists.
@@ -90,8 +91,6 @@ void check_absent(const fs::path& path) {
     throw render::IoError("write", path, "the file exists and --no-clobber was given");
   }
 }
-
-}  // namespace
 
 render::ImageFormat picture_format(const fs::path& path, const std::string& action) {
   if (const auto format = render::image_format_of(path)) return *format;

@@ -30,6 +30,7 @@ class OutputSet;
 /// The output settings of the command line and the scene.
 struct OutputRequest {
   std::vector<std::string> pictures;  ///< from the command line
+  bool has_videos = false;            ///< so that it need not have pictures
   std::string of_scene;               ///< from the scene; used if the command line has none
   std::string input;            ///< otherwise its stem names the picture; empty for standard input
   std::string stats{};          ///< from --stats; empty for none
@@ -88,6 +89,13 @@ class InputSet {
 
 /// The placeholder for the name of the scene, without folder and extension, in file names.
 inline constexpr const char* kNameMark = "{name}";
+
+/// The name with each kNameMark replaced by the stem of the scene's name. Throws UsageError if the
+/// scene has none.
+std::string name_of_scene(std::string name, const std::string& scene);
+
+/// Throws IoError if the file exists: --no-clobber.
+void check_absent(const std::filesystem::path& path);
 
 /// Whether all files of the request are there. Does not look at names that only the scene knows.
 bool are_written(const OutputRequest& request);

@@ -31,6 +31,8 @@
 #include "cli/statistics.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
+#include "cli/video.hpp"
+#include "cli/whole_number.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/lower/lowered_scene.hpp"
@@ -68,6 +70,7 @@ struct RenderOptions {
   bool keeps_existing = false;  // --no-clobber
   bool skips_existing = false;
   bool fails_fast = false;
+  int crf = 18;  // VideoSettings::crf
   bool quiet = false;
 };
 
@@ -304,6 +307,7 @@ class RenderJob {
     read_seconds_ = render::seconds_since(start_);
     compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
     choose_frames();
+    check_videos();
     // Errors that do not depend on the frame.
     const bool is_broken = sink_.has_errors();
     ExitCode code = ExitCode::Success;
@@ -315,18 +319,20 @@ class RenderJob {
       if (frames_[i]) failed_.push_back(*frames_[i]);
     }
     report_frames();
+    code = graver(code, finish_videos());
     return run_.interrupted.load() && finished_ > 0 ? report_interrupted(code) : code;
   }
 
  private:
   ExitCode render_or_skip(std::size_t i) {
     const bool is_last = i + 1 == frames_.size();
-    if (options_.skips_existing && !options_.outputs.empty() &&
+    if (options_.skips_existing && videos_.empty() && !options_.outputs.empty() &&
         are_written(output_request("", frames_[i]))) {
       ++skipped_;
       return ExitCode::Success;
     }
-    if (frames_.size() == 1) return render_frame(i, is_last);
+    // What makes the first frame fail before it is traced would make all fail.
+    if (!has_planned_) return render_frame(i, is_last);
     return report_failure(env_, [&] { return render_frame(i, is_last); });
   }
 
@@ -362,6 +368,7 @@ class RenderJob {
     }
     if (!animation) {
       frames_ = {std::nullopt};
+      choose_videos();
       return;
     }
     const FrameRange all{
@@ -369,12 +376,83 @@ class RenderJob {
     for (const int frame : frames_of(options_.frames.value_or(std::vector{all}))) {
       frames_.emplace_back(frame);
     }
+    choose_videos();
+    frames_per_second_ = animation->fps;
     if (frames_.size() == 1) return;
-    for (const std::string& output : options_.outputs) {
+    frames_per_second_ /= *frames_[1] - *frames_[0];
+    for (const std::string& output : pictures_) {
       if (has_frame_mark(output)) continue;
       throw UsageError(fmt::format("{} frames cannot all be written to `{}`; put {} in its name",
                                    frames_.size(), lang::printable(output), kFrameMark));
     }
+  }
+
+  /// Divides the outputs into videos of all frames and pictures of one.
+  void choose_videos() {
+    for (const std::string& output : options_.outputs) {
+      const std::optional<VideoFormat> format = video_format_of(output);
+      const bool is_video =
+          format && !has_frame_mark(output) && (is_only_video(*format) || frames_.size() > 1);
+      if (!is_video) {
+        pictures_.push_back(output);
+        continue;
+      }
+      if (!frames_.front() && !sink_.has_errors()) {
+        throw UsageError(fmt::format("`{}` is a video, but the scene has no `animation`",
+                                     lang::printable(output)));
+      }
+      videos_.push_back({.path = name_of_scene(output, options_.scene.given_name()),
+                         .format = *format,
+                         .writer = nullptr});
+    }
+  }
+
+  /// Foreseeable failures of videos, before the first frame.
+  void check_videos() {
+    const InputSet inputs(options_.files);
+    for (const Video& video : videos_) {
+      check_ffmpeg(video.path);
+      inputs.check_not_in(video.path);
+      run_.outputs.add(video.path);
+      render::check_writable(video.path);
+      if (options_.keeps_existing) check_absent(video.path);
+    }
+  }
+
+  void add_to_videos(const render::Picture& picture, const render::ToneMapping& mapping) {
+    if (videos_.empty()) return;
+    const std::vector<std::byte> frame =
+        render::encode_picture(picture, {.format = render::ImageFormat::Ppm, .mapping = mapping});
+    for (Video& video : videos_) {
+      if (!video.writer) {
+        video.writer =
+            std::make_unique<VideoWriter>(video.path, video.format,
+                                          VideoSettings{.width = picture.width,
+                                                        .height = picture.height,
+                                                        .frames_per_second = frames_per_second_,
+                                                        .crf = options_.crf});
+      }
+      video.writer->add(frame);
+    }
+  }
+
+  /// Puts the videos in their places if they have all frames.
+  ExitCode finish_videos() {
+    ExitCode code = ExitCode::Success;
+    for (Video& video : videos_) {
+      if (finished_ == frames_.size()) {
+        try_to_write(code, env_, [&] { video.writer->finish(); });
+        if (code == ExitCode::Success && !options_.quiet && options_.progress != "none") {
+          env_.err << fmt::format("{}: {} frames, {} per second\n", lang::printable(video.path),
+                                  frames_.size(), frames_per_second_);
+        }
+      } else {
+        env_.err << fmt::format("error: `{}` was not written, because it has {} of {} frames\n",
+                                lang::printable(video.path), finished_, frames_.size());
+      }
+      video.writer.reset();
+    }
+    return code;
   }
 
   ProgressPart progress_part(std::size_t frame) const {
@@ -434,7 +512,8 @@ class RenderJob {
   }
 
   OutputRequest output_request(const std::string& of_scene, std::optional<int> frame) const {
-    OutputRequest request{.pictures = options_.outputs,
+    OutputRequest request{.pictures = pictures_,
+                          .has_videos = !videos_.empty(),
                           .of_scene = of_scene,
                           .input = options_.scene.given_name(),
                           .keeps_existing = options_.keeps_existing};
@@ -476,7 +555,8 @@ class RenderJob {
     auto& [lowered, kernel, choice_seconds] = *lowered_frame;
     if (run_.interrupted.load()) return ExitCode::Success;  // between two frames
     find_inputs(lowered);
-    if (options_.skips_existing && are_written(output_request(lowered.output.output, frame))) {
+    if (options_.skips_existing && videos_.empty() &&
+        are_written(output_request(lowered.output.output, frame))) {
       ++skipped_;
       return ExitCode::Success;
     }
@@ -510,6 +590,10 @@ class RenderJob {
         picture_layers(options_.aovs, settings, result, env_.err);
     const auto write_start = std::chrono::steady_clock::now();
     Written written = write_pictures(outputs, options_, lowered, result, layers, env_);
+    if (result.is_complete) {
+      try_to_write(written.code, env_,
+                   [&] { add_to_videos(result.picture, lowered.output.mapping); });
+    }
     statistics.write_seconds = render::seconds_since(write_start);
     if (!options_.stats.empty()) {
       run_.stats += to_json(statistics, result) + "\n";
@@ -529,6 +613,14 @@ class RenderJob {
   std::optional<lang::Compiler> compiler_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::vector<std::optional<int>> frames_;  // nullopt for a scene without an animation
+  std::vector<std::string> pictures_;       // the outputs that are not videos
+  struct Video {
+    std::string path;
+    VideoFormat format;
+    std::unique_ptr<VideoWriter> writer;  // from the first frame on
+  };
+  std::vector<Video> videos_;
+  double frames_per_second_ = 24;
   double read_seconds_ = 0;
   bool has_compiled_ = false;
   bool has_planned_ = false;
@@ -603,6 +695,10 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
   add_override_options(command, options->overrides);
   add_kernel_options(command, options->kernel);
   add_aov_option(command, options->aovs);
+  add_whole_number(
+      command, "--crf", {.highest = 51},
+      [options](std::uint64_t crf) { options->crf = static_cast<int>(crf); },
+      "Quality of mp4, mkv and webm: the constant rate factor, 0 is the best (18)");
   command.add_flag("--ppm-text", options->ppm_text, "Write PPM as decimal numbers");
   const Option no_clobber = command.add_flag("--no-clobber,!--overwrite", options->keeps_existing,
                                              "Refuse to replace files");
@@ -641,11 +737,14 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
       "  sdlc render ball.scene -o ball.exr --aov normal,depth,albedo\n"
       "  cat ball.scene | sdlc render - -o - > ball.png\n"
       "  sdlc render ring.scene --set count=200 --frames 1-24,48 -o ring.####.png\n"
+      "  sdlc render ring.scene -o ring.mp4\n"
       "  sdlc render scenes/*.scene -o out/{name}.png --skip-existing\n"
       "\n"
       "#### in an output's name is replaced by the frame number, {name} by the scene's name "
       "without\n"
-      "folder and extension.\n"
+      "folder and extension. mp4 webm mkv apng, and gif and webp without ####, hold all frames; "
+      "they "
+      "need\nffmpeg.\n"
       "png jpg tiff webp ppm gif hold 8-bit codes after the scene's tone curve; exr and hdr hold "
       "linear\n"
       "radiance. --width or --height alone keeps the aspect, both together set a new one. Ctrl-C "
