@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/usage_error.hpp"
+
 namespace sdlc::cli {
 namespace {
 
@@ -52,6 +54,12 @@ std::optional<std::vector<FrameRange>> parse_frames(const std::string& text) {
 }
 
 std::vector<int> frames_of(const std::vector<FrameRange>& ranges) {
+  std::int64_t count = 0;
+  for (const FrameRange& range : ranges) count += frame_count(range);
+  if (count > kMaxFrames) {
+    throw UsageError(fmt::format(
+        "{} frames are more than {}; choose some with --frames A-B", count, kMaxFrames));
+  }
   std::vector<int> frames;
   for (const FrameRange& range : ranges) {
     for (std::int64_t frame = range.first; frame <= range.last; frame += range.step) {

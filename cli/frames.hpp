@@ -16,7 +16,11 @@ struct FrameRange {
 /// of these. `1-24:2` is another spelling of `1-24x2` (Open Job Description).
 std::optional<std::vector<FrameRange>> parse_frames(const std::string& text);
 
-/// The numbers of all frames, ascending, each once.
+/// The most frames of one command.
+inline constexpr std::int64_t kMaxFrames = 1'000'000;
+
+/// The numbers of all frames, ascending, each once. Throws UsageError if the ranges have more than
+/// kMaxFrames.
 std::vector<int> frames_of(const std::vector<FrameRange>& ranges);
 
 /// The same as text, as parse_frames() reads it: `1-3,5`. `frames` ascend.

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/usage_error.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -45,6 +46,12 @@ TEST(Frames, AreAListOfRanges) {
   for (const char* text : {"1,", ",1", "1,,2", ",", "1;2", "1, 2", "1-3,x"}) {
     EXPECT_FALSE(cli::parse_frames(text)) << "`" << text << "`";
   }
+}
+
+TEST(Frames, AreNotMoreThanAMillion) {
+  EXPECT_EQ(frames("1-1000000").size(), 1'000'000u);
+  EXPECT_THROW(frames("0-1000000"), cli::UsageError);
+  EXPECT_THROW(frames("0-2147483647,0-2147483647"), cli::UsageError);
 }
 
 TEST(Frames, AreDescribedAsTheyAreWritten) {
