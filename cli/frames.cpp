@@ -57,8 +57,8 @@ std::vector<int> frames_of(const std::vector<FrameRange>& ranges) {
   std::int64_t count = 0;
   for (const FrameRange& range : ranges) count += frame_count(range);
   if (count > kMaxFrames) {
-    throw UsageError(fmt::format(
-        "{} frames are more than {}; choose some with --frames A-B", count, kMaxFrames));
+    throw UsageError(fmt::format("{} frames are more than {}; choose some with --frames A-B", count,
+                                 kMaxFrames));
   }
   std::vector<int> frames;
   for (const FrameRange& range : ranges) {

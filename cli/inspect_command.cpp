@@ -97,6 +97,8 @@ class InspectJob {
     const std::string scene = options_.scene.given_name();
     if (!scene.empty()) names.insert(names.begin(), scene);
     if (!options_.targets.empty()) {
+      // Files that could not be read would be missing.
+      if (sink_.has_errors()) return ExitCode::Findings;
       env_.out << make_rule(options_.targets, names);
     } else if (options_.is_json()) {
       env_.out << to_json(names);

@@ -11,8 +11,9 @@ namespace sdlc::cli {
 namespace {
 
 /// The name as gcc -M writes it: a blank or # after a backslash, with the backslashes before a
-/// blank doubled, and $$ for a $.
+/// blank doubled, and $$ for a $. Also a colon, which gcc leaves, and Make would stop at.
 std::string escaped(const std::string& name) {
+  if (name.empty()) throw UsageError("the name of a file in a dependency file is empty");
   std::string text;
   for (std::size_t i = 0; i < name.size(); ++i) {
     const char c = name[i];
@@ -23,7 +24,7 @@ std::string escaped(const std::string& name) {
     if (c == ' ' || c == '\t') {
       for (std::size_t k = i; k > 0 && name[k - 1] == '\\'; --k) text += '\\';
     }
-    if (c == ' ' || c == '\t' || c == '#') text += '\\';
+    if (c == ' ' || c == '\t' || c == '#' || c == ':') text += '\\';
     if (c == '$') text += '$';
     text += c;
   }

@@ -191,7 +191,16 @@ void check_names(const OutputRequest& request) {
       all.add(output.path.string());
     }
   }
-  for (const auto& frame : frames) check_partial_names(name_outputs(request, frame), all);
+  for (const auto& frame : frames) {
+    const std::vector<Output> outputs = name_outputs(request, frame);
+    check_partial_names(outputs, all);
+    if (!request.keeps_existing) continue;
+    for (const Output& output : outputs) {
+      if (output.is_stdout) continue;
+      check_absent(output.path);
+      check_absent(partial_name(output.path));
+    }
+  }
   if (request.earlier == nullptr || request.all_frames.empty()) return;
   for (const auto& frame : frames) {
     for (const Output& output : name_outputs(request, frame)) {
@@ -206,7 +215,8 @@ bool are_written(const OutputRequest& request) {
   if (request.pictures.empty() && request.of_scene.empty() && request.input.empty()) return false;
   return std::ranges::all_of(name_outputs(request, request.frame), [](const Output& output) {
     std::error_code error;
-    return !output.is_stdout && fs::is_regular_file(output.path, error);
+    if (output.is_stdout || !fs::is_regular_file(output.path, error)) return false;
+    return fs::file_size(output.path, error) > 0 && !error;
   });
 }
 
@@ -221,9 +231,6 @@ std::vector<Output> plan_outputs(const OutputRequest& request) {
     } else {
       render::check_writable(output.path);
     }
-    if (!request.keeps_existing) continue;
-    check_absent(output.path);
-    check_absent(partial_name(output.path));
   }
   if (!request.stats.empty() && request.stats != kStandardStream) {
     render::check_writable(request.stats);

@@ -97,7 +97,8 @@ std::string name_of_scene(std::string name, const std::string& scene);
 /// Throws IoError if the file exists: --no-clobber.
 void check_absent(const std::filesystem::path& path);
 
-/// Whether all files of the request are there. Does not look at names that only the scene knows.
+/// Whether all files of the request are there, and not empty. Does not look at names that only the
+/// scene knows.
 bool are_written(const OutputRequest& request);
 
 /// Decides which files are written, and reports foreseeable failures before anything is rendered.

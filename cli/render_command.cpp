@@ -315,8 +315,9 @@ class RenderJob {
       const ExitCode of_frame = render_or_skip(i);
       code = graver(code, of_frame);
       if (of_frame == ExitCode::Success) continue;
-      if (of_frame == ExitCode::Interrupted || options_.fails_fast || is_broken) break;
+      if (of_frame == ExitCode::Interrupted) break;
       if (frames_[i]) failed_.push_back(*frames_[i]);
+      if (options_.fails_fast || is_broken) break;
     }
     report_frames();
     code = graver(code, finish_videos());
@@ -339,7 +340,8 @@ class RenderJob {
   /// Reports frames that were skipped or failed.
   void report_frames() const {
     if (skipped_ > 0 && !options_.quiet) {
-      env_.err << (frames_.size() == 1 ? std::string("the picture is there already\n")
+      env_.err << (frames_.size() == 1 ? fmt::format("the picture of `{}` is there already\n",
+                                                     lang::printable(options_.scene.name()))
                                        : fmt::format("{} of {} frames were there already\n",
                                                      skipped_, frames_.size()));
     }
@@ -376,6 +378,7 @@ class RenderJob {
     for (const int frame : frames_of(options_.frames.value_or(std::vector{all}))) {
       frames_.emplace_back(frame);
     }
+    warn_of_frames_outside(*animation);
     choose_videos();
     frames_per_second_ = animation->fps;
     if (frames_.size() == 1) return;
@@ -385,6 +388,17 @@ class RenderJob {
       throw UsageError(fmt::format("{} frames cannot all be written to `{}`; put {} in its name",
                                    frames_.size(), lang::printable(output), kFrameMark));
     }
+  }
+
+  void warn_of_frames_outside(const lang::Animation& animation) {
+    std::vector<int> outside;
+    for (const std::optional<int> frame : frames_) {
+      if (*frame < animation.first || *frame > animation.last) outside.push_back(*frame);
+    }
+    if (outside.empty()) return;
+    env_.err << fmt::format("warning: --frames: {} {} outside of the animation, {} to {}\n",
+                            describe_frames(outside), outside.size() == 1 ? "is" : "are",
+                            animation.first, animation.last);
   }
 
   /// Divides the outputs into videos of all frames and pictures of one.
@@ -634,6 +648,10 @@ class RenderJob {
 void check_several(const RenderOptions& options) {
   for (const std::string& output : options.outputs) {
     if (output.find(kNameMark) != std::string::npos) continue;
+    if (output == kStandardStream) {
+      throw UsageError(
+          fmt::format("{} scenes cannot all be written to standard output", options.files.size()));
+    }
     throw UsageError(fmt::format("{} scenes cannot all be written to `{}`; put {} in its name",
                                  options.files.size(), lang::printable(output), kNameMark));
   }
@@ -710,8 +728,9 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
                    "End at the first scene or frame that fails; default: render the others");
   command.add_text("--progress", options->progress, "Format of the progress on standard error")
       .one_of(kProgressWords);
-  command.add_text("--stats", options->stats,
-                   "Write statistics to this file, as JSON; `-`: standard output");
+  command.add_text(
+      "--stats", options->stats,
+      "Write statistics to this file, as JSON, a line for each picture; `-`: standard output");
   command.add_flag("--quiet", options->quiet, "Only diagnostics on standard error");
   command
       .add_text(

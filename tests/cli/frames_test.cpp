@@ -228,6 +228,13 @@ TEST_F(FramesFlag, ProtectsEveryFrameWithNoClobber) {
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("film.0003.png"));
   EXPECT_EQ(content_of(folder_ / "film.0003.png"), "mine");
+  EXPECT_THAT(names(), ElementsAre("film.0003.png", "film.scene")) << "known before the first";
+}
+
+TEST_F(FramesFlag, WarnsOfFramesOutsideOfTheAnimation) {
+  EXPECT_EQ(render("film.scene --frames 1-5").err, "");
+  EXPECT_EQ(render("film.scene --frames 0-7x7,2").err,
+            "warning: --frames: 0,7 are outside of the animation, 1 to 5\n");
 }
 
 TEST_F(FramesFlag, SkipsPicturesThatAreThere) {
@@ -239,6 +246,9 @@ TEST_F(FramesFlag, SkipsPicturesThatAreThere) {
   EXPECT_EQ(content_of(folder_ / "film.0003.png"), "mine");
   EXPECT_THAT(names(),
               ElementsAre("film.0001.png", "film.0003.png", "film.0005.png", "film.scene"));
+  write_text(folder_ / "film.0005.png", "");
+  EXPECT_EQ(render("film.scene --skip-existing").exit_code, 0);
+  EXPECT_NE(content_of(folder_ / "film.0005.png"), "") << "an empty file is no picture";
   EXPECT_EQ(render("film.scene --skip-existing -o film.####.png -o film.####.exr").exit_code, 0);
   EXPECT_NE(content_of(folder_ / "film.0003.png"), "mine") << "the other picture was not there";
   EXPECT_EQ(render("film.scene --skip-existing --no-clobber").exit_code, 2);

@@ -355,6 +355,12 @@ TEST_F(InspectCommand, WritesDependencyFiles) {
             "  library/lamp.scene\n\nlibrary/materials.scene:\n\nlibrary/lamp.scene:\n");
   EXPECT_THAT(run("ring.scene --target ring.png").err, HasSubstr("--target requires --deps"));
   EXPECT_EQ(run("ring.scene --deps --target 'a\nb.png'").exit_code, 2);
+  EXPECT_EQ(run("ring.scene --deps --target ''").exit_code, 2);
+  EXPECT_THAT(run("ring.scene --deps --target 'a:b.png'").out, HasSubstr("a\\:b.png: "));
+  write_text(folder_ / "bad.scene", "scene 1\ninclude \"missing.scene\"\n");
+  const ProgramResult bad = run("bad.scene --deps --target bad.png");
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_EQ(bad.out, "") << "the missing file would not be in it";
 }
 
 TEST_F(InspectCommand, WritesDependencyFilesThatMakeAndNinjaRead) {
@@ -363,8 +369,8 @@ TEST_F(InspectCommand, WritesDependencyFilesThatMakeAndNinjaRead) {
   }
   std::filesystem::create_directory(folder_ / "w");
   const std::filesystem::path work = folder_ / "w";
-  write_text(work / "my ring.scene", "scene 1\nimport \"li b#$.scene\" as lib\n");
-  write_text(work / "li b#$.scene", "scene 1\nlet a = 1\n");
+  write_text(work / "my ring.scene", "scene 1\nimport \"li b:#$.scene\" as lib\n");
+  write_text(work / "li b:#$.scene", "scene 1\nlet a = 1\n");
   write_text(work / "Makefile",
              "out.txt:\n\t@echo made > out.txt\n\t@echo rebuilt\n"
              "\t@\"$(SDLC)\" inspect 'my ring.scene' --deps --target out.txt > out.d\n"
@@ -378,7 +384,7 @@ TEST_F(InspectCommand, WritesDependencyFilesThatMakeAndNinjaRead) {
     EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
     return result.out;
   };
-  const std::string touch = "sleep 1; touch 'li b#$.scene'; ";
+  const std::string touch = "sleep 1; touch 'li b:#$.scene'; ";
   EXPECT_THAT(output_of("make"), HasSubstr("rebuilt"));
   EXPECT_THAT(output_of("make"), HasSubstr("up to date"));
   EXPECT_THAT(output_of("ninja"), HasSubstr("[1/1]"));
