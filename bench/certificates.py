@@ -33,8 +33,8 @@ def check(arguments, scene, folder):
     program, truth = arguments.program, folder / "truth.exr"
 
     def render(picture, seed, samples, *options):
-        return run(program, "render", scene, "-o", picture, "--seed", seed, "--samples", samples, "--stats", "-", "--quiet",
-                   *options)
+        return run(program, "render", scene, "-o", picture, "--seed", seed, "--samples", samples, "--stats", "-",
+                   "--quiet", *options)
 
     def certificate(seed):
         picture = folder / f"{seed}.exr"

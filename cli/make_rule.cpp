@@ -10,8 +10,9 @@
 namespace sdlc::cli {
 namespace {
 
-/// The name as gcc -M writes it: a blank or # after a backslash, with the backslashes before a
-/// blank doubled, and $$ for a $. Also a colon, which gcc leaves, and Make would stop at.
+/// The name as gcc -M writes it: a backslash before a space or #, the backslashes before a space
+/// doubled, and $$ for a $. A colon, which gcc leaves as it is, also gets one: Make would stop
+/// there.
 std::string escaped(const std::string& name) {
   if (name.empty()) throw UsageError("the name of a file in a dependency file is empty");
   std::string text;
