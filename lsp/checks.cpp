@@ -211,10 +211,10 @@ bool Checks::use_findings(const fs::path& scene, std::chrono::milliseconds patie
     return !changes_.empty() || (found != scenes_.end() && found->second.is_due);
   };
   while (true) {
-    {
-      const std::unique_lock work(work_, 5ms);
+    // A check that has ended still holds `work_` while its result is published.
+    if (const std::unique_lock work(work_, 5ms); work.owns_lock()) {
       std::unique_lock lock(mutex_);
-      const auto found = work.owns_lock() ? present() : nullptr;
+      const auto found = present();
       if (found == nullptr && !will_come()) return false;
       lock.unlock();
       if (found != nullptr) {

@@ -81,7 +81,8 @@ class Actions {
 
   Json list() {
     // Whoever asks may wait for the check. A light bulb is asked for again after it.
-    const milliseconds patience(wish_.asks_for(kQuickFix) || wish_.asks_for(kFixAll) ? 2000 : 0);
+    const bool waits = wish_.asks_for(kQuickFix) || wish_.asks_for(kFixAll);
+    const milliseconds patience = waits ? session_.server_options().patience : milliseconds(0);
     session_.checks().use_findings(session_.scene_of(text_.identity), patience, session_.stop(),
                                    [this](const CheckedScene& scene) { add(scene); });
     return std::move(actions_);

@@ -11,14 +11,8 @@ namespace sdlc::lsp {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-constexpr std::chrono::seconds kPatience{5};
-
-}  // namespace
-
 bool wait_for_index(const Session& session) {
-  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  const auto deadline = std::chrono::steady_clock::now() + session.server_options().patience;
   while (!session.index().is_complete()) {
     if (std::chrono::steady_clock::now() > deadline) return false;
     lang::stop_if_requested(&session.stop());

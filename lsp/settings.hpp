@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct ServerOptions {
   bool is_sandboxed = false;               ///< a client cannot turn it off
   std::string version = {};                ///< of sdlc
   std::string program = "/proc/self/exe";  ///< renders: `sdlc` itself
+  /// How long a request waits for findings or for the folders to be read. Then it is answered
+  /// without them.
+  std::chrono::milliseconds patience{5000};
 };
 
 /// The section `sdlc` of the editor's settings. A missing or wrong value is the default.

@@ -47,7 +47,7 @@ TEST(CodeActions, FixAndAllowFindings) {
       "scene 1\n" + kCamera + "sphere { center: (0, 0, 0), radius: |0, material: unlit(red) }\n";
   const Json at = client.open_marked("a.scene", text);
   const Json actions = actions_in(client, "a.scene", empty_range(at));
-  EXPECT_THAT(titles(actions), ElementsAre("Allow W402 here", "Explain W402"));
+  ASSERT_THAT(titles(actions), ElementsAre("Allow W402 here", "Explain W402"));
   EXPECT_EQ(actions[0].at("kind"), "quickfix");
   EXPECT_EQ(
       after(client, "a.scene", actions[0]),
@@ -72,7 +72,7 @@ TEST(CodeActions, FixTheSameMistakeInTheWholeFileOnce) {
   client.open("a.scene", "scene 1\nsphere { radus: 1 }\nsphere { radus: 2 }\n");
   const Json actions = actions_in(client, "a.scene", everywhere(), {{"only", {"quickfix"}}});
   const std::string title = "Replace all `radus` with `radius` in this file (2 places)";
-  EXPECT_THAT(titles(actions),
+  ASSERT_THAT(titles(actions),
               ElementsAre("Replace `radus` with `radius`", title, "Replace `radus` with `radius`"));
   EXPECT_EQ(after(client, "a.scene", actions[1]),
             "scene 1\nsphere { radius: 1 }\nsphere { radius: 2 }\n");

@@ -47,7 +47,8 @@ TestClient::TestClient(Json capabilities, Json settings, const lsp::ServerOption
   notify("initialized", Json::object());
 }
 
-void TestClient::start(const lsp::ServerOptions& options) {
+void TestClient::start(lsp::ServerOptions options) {
+  options.patience = patience();
   serving_ = std::thread([this, options] {
     lsp::Server server(server_in_, server_out_, log_, options);
     const bool is_well = server.run();

@@ -96,7 +96,7 @@ class TestClient {
   static std::string apply_edits(std::string text, const Json& edits);
 
  private:
-  void start(const lsp::ServerOptions& options);
+  void start(lsp::ServerOptions options);
   void read_messages();
   template <typename T>
   T wait(const std::function<std::optional<T>()>& find, std::string_view what);
