@@ -45,7 +45,7 @@ void check_aovs(const Aovs& aovs, const std::vector<Output>& outputs,
                 const render::RenderSettings& settings) {
   if (!aovs.any()) return;
   const auto is_exr = [](const Output& output) {
-    return !output.is_stdout && output.format == render::ImageFormat::Exr;
+    return output.is_film || (!output.is_stdout && output.format == render::ImageFormat::Exr);
   };
   if (std::ranges::none_of(outputs, is_exr)) {
     throw UsageError(

@@ -32,6 +32,7 @@ void add_inspect_command(Command& program, Dispatcher& dispatcher);
 void add_lint_command(Command& program, Dispatcher& dispatcher);
 void add_lsp_command(Command& program, Dispatcher& dispatcher);
 void add_measure_command(Command& program, Dispatcher& dispatcher);
+void add_merge_command(Command& program, Dispatcher& dispatcher);
 void add_render_command(Command& program, Dispatcher& dispatcher);
 void add_schema_command(Command& program, Dispatcher& dispatcher);
 

@@ -27,6 +27,7 @@
 #include "cli/outputs.hpp"
 #include "cli/override_options.hpp"
 #include "cli/report/report.hpp"
+#include "cli/report_failure.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/shell_quote.hpp"
 #include "cli/usage_error.hpp"
@@ -400,7 +401,7 @@ class MeasureJob {
         written_.push_back(lang::printable(name.string()));
       } catch (const render::IoError& error) {  // the other files may be writable
         env_.err << fmt::format("error: {}\n", lang::printable(error.what()));
-        code = ExitCode::Usage;
+        code = graver(code, exit_code_of(error));
       }
     }
     if (is_complete || options_.outputs.empty()) env_.out << text_of(options_.format);

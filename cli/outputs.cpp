@@ -60,7 +60,9 @@ std::vector<Output> name_outputs(const OutputRequest& request, std::optional<int
       continue;
     }
     const std::string name = name_of_scene(given, request.input);
-    outputs.push_back({.path = numbered(name, frame), .format = picture_format(name, "write")});
+    Output& output = outputs.emplace_back(Output{.path = numbered(name, frame)});
+    output.is_film = is_film_name(name);
+    if (!output.is_film) output.format = picture_format(name, "write");
   }
   if (!outputs.empty() || request.has_videos) return outputs;
   const auto name = default_picture(request.of_scene, request.input, frame);
@@ -91,6 +93,8 @@ void check_absent(const fs::path& path) {
     throw render::IoError("write", path, "the file exists and --no-clobber was given");
   }
 }
+
+bool is_film_name(const fs::path& path) { return path.extension() == ".film"; }
 
 render::ImageFormat picture_format(const fs::path& path, const std::string& action) {
   if (const auto format = render::image_format_of(path)) return *format;
@@ -160,7 +164,7 @@ void check_sandbox(const OutputRequest& request, const fs::path& name) {
 void check_partial_names(const std::vector<Output>& outputs, const OutputSet& all) {
   OutputSet partial;  // of one frame: at most one is interrupted
   for (const Output& output : outputs) {
-    if (output.is_stdout) continue;
+    if (output.is_stdout || output.is_film) continue;
     const std::string name = partial_name(output.path).string();
     all.check_not_in(name);
     partial.add(name);
@@ -184,7 +188,8 @@ void check_names(const OutputRequest& request) {
         all.add(kStandardStream);
         continue;
       }
-      for (const fs::path& name : {output.path, partial_name(output.path)}) {
+      const fs::path partial = output.is_film ? output.path : partial_name(output.path);
+      for (const fs::path& name : {output.path, partial}) {
         check_sandbox(request, name);  // first: the next line follows links
         inputs.check_not_in(name.string());
       }
@@ -198,7 +203,7 @@ void check_names(const OutputRequest& request) {
     for (const Output& output : outputs) {
       if (output.is_stdout) continue;
       check_absent(output.path);
-      check_absent(partial_name(output.path));
+      if (!output.is_film) check_absent(partial_name(output.path));
     }
   }
   if (request.earlier == nullptr || request.all_frames.empty()) return;
@@ -224,7 +229,9 @@ std::vector<Output> plan_outputs(const OutputRequest& request) {
   check_names(request);
   const std::vector<Output> outputs = name_outputs(request, request.frame);
   for (const Output& output : outputs) {
-    render::check_picture_size(request.width, request.height, output.format, output.path);
+    if (!output.is_film) {
+      render::check_picture_size(request.width, request.height, output.format, output.path);
+    }
     if (output.is_stdout) continue;
     if (output.may_make_folders) {
       render::check_creatable(output.path);

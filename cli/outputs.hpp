@@ -17,10 +17,11 @@ namespace sdlc::cli {
 /// The name of standard output (and input) on the command line.
 inline constexpr const char* kStandardStream = "-";
 
-/// A picture file to write.
+/// A picture or film to write.
 struct Output {
   std::filesystem::path path;
   render::ImageFormat format = render::ImageFormat::Png;
+  bool is_film = false;           ///< has no format
   bool is_stdout = false;         ///< write to standard output instead, as PNG
   bool may_make_folders = false;  ///< named by the scene, so its folder may be created
 };
@@ -45,6 +46,8 @@ struct OutputRequest {
   /// The folder that must contain the picture unless the command line names it.
   const lang::Sandbox* sandbox = nullptr;
 };
+
+bool is_film_name(const std::filesystem::path& path);
 
 /// The format that the extension names. Throws IoError, whose message begins "cannot ACTION", with
 /// a suggested extension.

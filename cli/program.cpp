@@ -57,6 +57,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
   add_lsp_command(program, dispatcher);
   add_measure_command(program, dispatcher);
   add_compare_command(program, dispatcher);
+  add_merge_command(program, dispatcher);
   add_explain_command(program, dispatcher);
   add_schema_command(program, dispatcher);
 

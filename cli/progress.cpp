@@ -23,7 +23,7 @@ ProgressReporter::ProgressReporter(ProgressStyle style, const render::RenderMoni
     : style_(style),
       monitor_(monitor),
       has_goal_(settings.has_goal()),
-      total_(static_cast<double>(total_samples(settings))),
+      total_(static_cast<double>(part.samples.value_or(total_samples(settings)))),
       err_(err),
       part_(std::move(part)) {
   if (style_ == ProgressStyle::None) return;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <thread>
@@ -27,9 +28,10 @@ struct ProgressSchedule {
 
 /// The place of a render among all that a command renders.
 struct ProgressPart {
-  double before = 0;    ///< the share of all work that is done before it
-  double share = 1;     ///< its own share
-  std::string label{};  ///< such as "frame 3 of 24"; empty if it is the only one
+  double before = 0;                       ///< the share of all work that is done before it
+  double share = 1;                        ///< its own share
+  std::string label{};                     ///< such as "frame 3 of 24"; empty if it is the only one
+  std::optional<std::uint64_t> samples{};  ///< to trace, if not total_samples()
   std::shared_ptr<ProgressSchedule> schedule = std::make_shared<ProgressSchedule>();
 };
 

@@ -8,10 +8,15 @@
 
 #include "cli/usage_error.hpp"
 #include "lang/text/display_width.hpp"
+#include "render/film/film_file.hpp"
 #include "render/image/io_error.hpp"
 #include "render/parallel/threads.hpp"
 
 namespace sdlc::cli {
+
+ExitCode exit_code_of(const render::IoError& error) noexcept {
+  return error.may_pass() ? ExitCode::TryAgain : ExitCode::Usage;
+}
 
 ExitCode report_failure(Environment& env, const std::function<ExitCode()>& run) {
   try {
@@ -21,7 +26,10 @@ ExitCode report_failure(Environment& env, const std::function<ExitCode()>& run) 
     return ExitCode::Usage;
   } catch (const render::IoError& error) {
     env.err << fmt::format("error: {}\n", lang::printable(error.what()));
-    return ExitCode::Usage;
+    return exit_code_of(error);
+  } catch (const render::FilmError& error) {
+    env.err << fmt::format("error: {}\n", lang::printable(error.what()));
+    return ExitCode::Findings;
   } catch (const std::filesystem::filesystem_error& error) {
     env.err << fmt::format("error: {}\n", lang::printable(error.what()));
     return ExitCode::Usage;

@@ -4,8 +4,12 @@
 
 #include "cli/environment.hpp"
 #include "cli/exit_code.hpp"
+#include "render/image/io_error.hpp"
 
 namespace sdlc::cli {
+
+/// TryAgain if the disk was full.
+ExitCode exit_code_of(const render::IoError& error) noexcept;
 
 /// Returns the status of `run`. Exceptions become messages on env.err, except if a thread could not
 /// be started (render::is_thread_shortage).

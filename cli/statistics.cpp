@@ -86,6 +86,15 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       {"scarce_emitters", result.scarce_emitters.size()},
       {"nonfinite_samples", result.nonfinite_samples},
   });
+  if (statistics.is_merged) {
+    for (const char* name :
+         {"threads", "instruction_set", "precision_bound", "kernel", "parse_seconds",
+          "lower_seconds", "build_seconds", "render_seconds", "denoise_seconds", "write_seconds",
+          "samples_per_second", "rays_per_second", "peak_rss_bytes", "render_rss_bytes",
+          "bvh_bytes"}) {
+      json[name] = nullptr;
+    }
+  }
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

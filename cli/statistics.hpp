@@ -12,6 +12,7 @@ namespace sdlc::cli {
 
 /// Data about one picture for `render --stats`, in addition to the counts of the render.
 struct RenderStatistics {
+  bool is_merged = false;     ///< from films: what one machine measured is null
   std::string scene;          ///< the file, as the user named it
   std::uint64_t spheres = 0;  ///< those of instances among them
   std::size_t instances = 0;

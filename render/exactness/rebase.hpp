@@ -20,6 +20,8 @@ class CameraFrame {
   Vec3 size(Vec3 v) const noexcept { return {size(v.x), size(v.y), size(v.z)}; }
   /// Converts a length of this frame to the scene's unit.
   double length_in_scene(double v) const noexcept { return v / second_ / first_; }
+  /// The unit of this frame is the scene's divided by this power of two.
+  int exponent() const noexcept { return std::ilogb(first_) + std::ilogb(second_); }
   /// The vector from the camera to a point.
   Vec3 place(Vec3 v) const noexcept { return size(v) - origin_; }
 
@@ -42,6 +44,10 @@ class Rebase {
   /// Converts a length of the rebased scene to the original unit; may overflow.
   double length_in_scene(double v) const noexcept {
     return frame_.length_in_scene(v / second_ / first_);
+  }
+  /// The unit of the rebased scene is the original one divided by this power of two.
+  int exponent() const noexcept {
+    return frame_.exponent() + std::ilogb(first_) + std::ilogb(second_);
   }
   /// The instance for the prototype after center_prototype(); `bounds` is the prototype's bounding
   /// sphere before that.

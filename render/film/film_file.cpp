@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,13 +33,29 @@ std::string difference(const StoredFilm& film, const StoredFilm& expected) {
   return {};
 }
 
+std::vector<std::uint32_t> missing_shards(const StoredFilm& film) {
+  std::vector<std::uint32_t> missing;
+  for (std::uint32_t shard = 1; shard <= film.record.shards; ++shard) {
+    if (!std::ranges::binary_search(film.shards, shard)) missing.push_back(shard);
+  }
+  return missing;
+}
+
 void add_film(StoredFilm& into, const StoredFilm& film, const fs::path& path) {
   const auto foreign = [&](const std::string& cause) {
     throw FilmError(Reason::Foreign, path, "the film is of another picture: " + cause);
   };
   const std::string other = difference(film, into);
   if (!other.empty()) foreign(other);
+  const std::string other_record = difference(film.record, into.record);
+  if (!other_record.empty()) foreign(other_record);
   if (film.targets != into.targets) foreign("its pixels have other numbers of samples");
+  std::vector<std::uint32_t> shards;
+  std::ranges::set_intersection(film.shards, into.shards, std::back_inserter(shards));
+  if (!shards.empty()) {
+    throw FilmError(Reason::Doubled, path,
+                    "another film has shard " + std::to_string(shards.front()) + ", too");
+  }
   std::vector<const Film*> all;
   for (const Film& each : into.films) all.push_back(&each);
   for (const Film& each : film.films) all.push_back(&each);
@@ -52,6 +69,8 @@ void add_film(StoredFilm& into, const StoredFilm& film, const fs::path& path) {
                         std::to_string(doubled.sample()) + " of the pixel at (" +
                         std::to_string(x) + ", " + std::to_string(y) + ")");
   }
+  std::ranges::set_union(film.shards, into.shards, std::back_inserter(shards));
+  into.shards = std::move(shards);
   into.statistics += film.statistics;
   for (std::size_t i = 0; i < into.emitters.size(); ++i) {
     EmitterCount& count = into.emitters[i];

@@ -8,6 +8,8 @@
 
 #include "render/film/film.hpp"
 #include "render/film/film_origin.hpp"
+#include "render/film/goal_pass.hpp"
+#include "render/film/picture_record.hpp"
 #include "render/film/trace_counts.hpp"
 #include "render/shading/emitter_tally.hpp"
 
@@ -17,17 +19,25 @@ namespace sdlc::render {
 /// Films of one picture with all that a render needs to go on.
 struct StoredFilm {
   FilmOrigin origin;
+  PictureRecord record;
+  /// Those that are finished, from 1 to PictureRecord::shards, ascending.
+  std::vector<std::uint32_t> shards;
   TraceCounts statistics;
   std::vector<std::uint32_t> lights;         ///< Kernel::lights
   std::vector<std::uint32_t> casters;        ///< Kernel::casters
   std::vector<std::uint32_t> exact_spheres;  ///< Kernel::exact_spheres
+  EmitterClasses emitter_classes;            ///< without the classes of spheres
   std::vector<EmitterCount> emitters;        ///< EmitterTally::counts()
   std::vector<std::uint32_t> targets;        ///< samples of each pixel, if adaptive; else empty
+  std::vector<GoalPass> passes;              ///< ErrorGoal::passes()
   std::vector<Film> films;
 };
 
-/// The first difference in scene or settings, as a clause; empty if there is none.
+/// The first difference in what samples depend on, as a clause; empty if there is none.
 std::string difference(const StoredFilm& film, const StoredFilm& expected);
+
+/// The shards that the film lacks or has in part.
+std::vector<std::uint32_t> missing_shards(const StoredFilm& film);
 
 /// A film file that cannot be used. The message begins with the path.
 class FilmError : public std::runtime_error {
@@ -53,6 +63,8 @@ void write_film_file(const std::filesystem::path& path, const StoredFilm& film);
 
 /// Throws IoError or FilmError.
 StoredFilm read_film_file(const std::filesystem::path& path);
+/// Reads only the beginning of the file.
+PictureRecord read_film_record(const std::filesystem::path& path);
 
 /// Adds the samples of a film file to those of `into`. Throws FilmError, and leaves `into` as it
 /// was, if the film is of another picture or has samples that `into` has.

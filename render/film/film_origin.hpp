@@ -4,13 +4,14 @@
 #include <string>
 #include <string_view>
 
+#include "render/scene/digest.hpp"
 #include "render/scene/scene.hpp"
 
 namespace sdlc::render {
 
 /// What the samples of a film depend on. Films can be joined if their origins are equal.
 struct FilmOrigin {
-  std::uint64_t scene = 0;  ///< digest_of() the scene
+  SceneDigest scene;
   std::uint32_t width = 0, height = 0;
   std::uint32_t depth = 0;
   std::uint64_t seed = 0;
@@ -33,7 +34,8 @@ std::string text_of(const FilmOrigin& origin);
 /// Reads text_of(). Returns false if it is not such a text.
 bool read_text(std::string_view text, FilmOrigin& origin);
 
-/// The first member that differs, such as "its depth is 8, not 16"; empty if none does.
+/// The first member that differs, such as "its depth is 8, not 16" or "it differs in `camera`";
+/// empty if none does.
 std::string difference(const FilmOrigin& origin, const FilmOrigin& expected);
 
 }  // namespace sdlc::render

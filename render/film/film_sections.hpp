@@ -24,7 +24,8 @@ using Tag = std::array<char, 4>;
 inline constexpr Tag kOrigin{'o', 'r', 'i', 'g'}, kStatistics{'s', 't', 'a', 't'},
     kLights{'l', 'g', 'h', 't'}, kCasters{'c', 'a', 's', 't'}, kExact{'e', 'x', 'a', 'c'},
     kEmitters{'e', 'm', 'i', 't'}, kTargets{'t', 'a', 'r', 'g'}, kFilm{'f', 'i', 'l', 'm'},
-    kEnd{'e', 'n', 'd', ' '};
+    kRecord{'p', 'i', 'c', 't'}, kShards{'s', 'h', 'r', 'd'}, kClasses{'c', 'l', 'a', 's'},
+    kPasses{'p', 'a', 's', 's'}, kEnd{'e', 'n', 'd', ' '};
 
 /// A film as it is stored, before the counts by pixel and replicate and then the values of each
 /// sum.
@@ -34,6 +35,20 @@ struct StoredExtent {
   std::uint64_t has_first_hits;  ///< 0 or 1; the sums then follow those of colours, by pixel
 };
 static_assert(std::has_unique_object_representations_v<StoredExtent>);
+
+/// EmitterClasses as they are stored, before their classes and then their emitters.
+struct StoredClasses {
+  double brightest;
+  std::uint32_t has_casters;  ///< 0 or 1
+  std::uint32_t classes;
+  std::uint64_t spheres;
+};
+struct StoredClass {
+  double radiance;
+  std::uint32_t sphere;
+  std::array<EmitterClasses::Chance, kLightPaths> kinds;
+};
+static_assert(sizeof(StoredClasses) == 24 && sizeof(StoredClass) == 16, "no padding");
 
 /// Calls `visit(pixel, replicate)` in the order of the file.
 template <typename Visit>
@@ -47,7 +62,9 @@ void for_each_sum(const Film& film, Visit visit) {
 template <typename T>
 concept Plain = std::is_arithmetic_v<T> || std::is_same_v<T, std::byte> || std::is_same_v<T, Tag> ||
     std::is_same_v<T, StoredExtent> || std::is_same_v<T, TraceCounts> ||
-    std::is_same_v<T, EmitterCount> || std::is_same_v<T, FirstHitSums>;
+    std::is_same_v<T, EmitterCount> || std::is_same_v<T, FirstHitSums> ||
+    std::is_same_v<T, StoredClasses> || std::is_same_v<T, StoredClass> ||
+    std::is_same_v<T, GoalPass>;
 
 template <Plain T>
 std::span<const std::byte> bytes_of(const T& value) {

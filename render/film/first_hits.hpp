@@ -90,4 +90,13 @@ struct PixelFeatures {
   friend bool operator==(const PixelFeatures&, const PixelFeatures&) = default;
 };
 
+/// The features of a pixel that has `samples` samples; PixelFeatures{} without any. A depth of 1 in
+/// the sums is 2^`depth_exponent` in the scene (Tracer::depth_exponent()).
+inline PixelFeatures features_of(const FirstHitSums& sums, std::uint64_t samples,
+                                 int depth_exponent) noexcept {
+  if (samples == 0) return {};
+  const double depth = sums.hits() > 0 ? std::ldexp(sums.mean_depth(), depth_exponent) : kNoDepth;
+  return {.normal = sums.mean_normal(samples), .depth = depth, .albedo = sums.mean_albedo(samples)};
+}
+
 }  // namespace sdlc::render

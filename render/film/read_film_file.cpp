@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -33,6 +34,17 @@ class Reader {
     if (!file_) throw IoError("read", path, std::generic_category().message(errno));
   }
 
+  PictureRecord read_record() {
+    read_head();
+    for (Tag tag{}; tag != kRecord;) {
+      tag = begin_section();
+      if (tag == kEnd) damaged("a section is missing");
+      read_section(tag);
+      end_section();
+    }
+    return std::move(film_.record);
+  }
+
   StoredFilm run() {
     read_head();
     std::vector<Tag> known;  // the sections so far
@@ -46,7 +58,7 @@ class Reader {
       end_section();
     }
     if (left_ > 0) damaged("bytes follow the end");
-    for (const Tag tag : {kOrigin, kStatistics}) {
+    for (const Tag tag : {kOrigin, kRecord, kStatistics, kClasses}) {
       if (std::ranges::count(known, tag) == 0) damaged("a section is missing");
     }
     check_films();
@@ -55,8 +67,8 @@ class Reader {
 
  private:
   static bool is_single(Tag tag) {
-    constexpr std::array kSingle{kOrigin, kStatistics, kLights, kCasters,
-                                 kExact,  kEmitters,   kTargets};
+    constexpr std::array kSingle{kOrigin, kRecord,  kShards,   kStatistics, kLights, kCasters,
+                                 kExact,  kClasses, kEmitters, kTargets,    kPasses};
     return std::ranges::count(kSingle, tag) > 0;
   }
 
@@ -97,8 +109,14 @@ class Reader {
   }
 
   void read_section(Tag tag) {
-    if (tag == kOrigin) return read_origin();
-    if (tag == kStatistics) {
+    if (tag == kOrigin) return read_record(film_.origin);
+    if (tag == kRecord) return read_record(film_.record);
+    if (tag == kClasses) return read_classes();
+    if (tag == kShards) {
+      film_.shards = take_rest<std::uint32_t>();
+    } else if (tag == kPasses) {
+      film_.passes = take_rest<GoalPass>();
+    } else if (tag == kStatistics) {
       film_.statistics = take<TraceCounts>();
     } else if (tag == kLights) {
       film_.lights = take_rest<std::uint32_t>();
@@ -118,7 +136,7 @@ class Reader {
   }
 
   /// Whether the films are of the picture of the origin.
-  void check_films() const {
+  void check_films() {
     const FilmOrigin& origin = film_.origin;
     const std::uint64_t pixels = std::uint64_t{origin.width} * origin.height;
     constexpr std::uint32_t kMax = std::numeric_limits<std::int32_t>::max();
@@ -126,6 +144,12 @@ class Reader {
                     origin.depth > 0 && origin.depth <= kMax &&
                     (origin.replicates == 1 || origin.replicates == kReplicates) &&
                     (film_.targets.empty() || film_.targets.size() == pixels);
+    const std::uint32_t shards = film_.record.shards;
+    is_sound =
+        is_sound && shards >= 1 && shards <= kMaxShards &&
+        std::ranges::is_sorted(film_.shards, std::ranges::less_equal()) &&
+        std::ranges::all_of(film_.shards, [&](std::uint32_t i) { return i >= 1 && i <= shards; }) &&
+        has_sound_emitters();
     for (const EmitterCount& count : film_.emitters) {
       is_sound = is_sound && count.paths <= count.enough;
     }
@@ -145,11 +169,41 @@ class Reader {
     }
   }
 
-  void read_origin() {
+  template <typename Record>
+  void read_record(Record& record) {
     const std::vector<char> text = take_rest<char>();
-    if (!read_text(std::string_view(text.data(), text.size()), film_.origin)) {
-      damaged("its origin cannot be read");
+    if (!read_text(std::string_view(text.data(), text.size()), record)) {
+      damaged("its description cannot be read");
     }
+  }
+
+  void read_classes() {
+    const auto stored = take<StoredClasses>();
+    EmitterClasses& emitters = film_.emitter_classes;
+    emitters.brightest = stored.brightest;
+    emitters.has_casters = stored.has_casters != 0;
+    if (stored.classes > section_ / sizeof(StoredClass)) damaged("a film cannot be read");
+    for (std::uint32_t i = 0; i < stored.classes; ++i) {
+      const auto each = take<StoredClass>();
+      emitters.classes.push_back(
+          {.sphere = each.sphere, .radiance = each.radiance, .kinds = each.kinds});
+    }
+    emitters.emitters = take_rest<std::uint32_t>();
+    spheres_ = stored.spheres;
+  }
+
+  /// Whether the counts of emitters are those of its classes; gives them the number of spheres.
+  bool has_sound_emitters() {
+    EmitterClasses& emitters = film_.emitter_classes;
+    // A count for each sphere, so that there are not more than bytes.
+    const bool is_small = emitters.emitters.empty() || spheres_ <= film_.emitters.size();
+    const bool are_spheres = std::ranges::all_of(
+        emitters.emitters, [&](std::uint32_t sphere) { return sphere < spheres_; });
+    if (!is_small || !are_spheres) return false;
+    emitters.of_spheres.assign(emitters.emitters.empty() ? 0 : spheres_, EmitterClasses::kNone);
+    const auto depth = static_cast<int>(film_.origin.depth);
+    return std::ranges::equal(EmitterTally(emitters, depth).counts(), film_.emitters, {},
+                              &EmitterCount::enough, &EmitterCount::enough);
   }
 
   void read_film() {
@@ -220,11 +274,14 @@ class Reader {
   std::uint64_t left_ = 0;                                   // bytes of the file
   std::uint64_t section_ = kMark.size() + sizeof(kVersion);  // bytes of the section
   Fnv1a hash_;                                               // of the section
+  std::uint64_t spheres_ = 0;                                // of the scene
   StoredFilm film_;
 };
 
 }  // namespace
 
 StoredFilm read_film_file(const fs::path& path) { return Reader(path).run(); }
+
+PictureRecord read_film_record(const fs::path& path) { return Reader(path).read_record(); }
 
 }  // namespace sdlc::render

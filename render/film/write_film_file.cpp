@@ -78,20 +78,41 @@ void write_film(const WritePiece& write, const Film& film) {
   section.end();
 }
 
+void write_classes(const WritePiece& write, const EmitterClasses& emitters) {
+  const StoredClasses stored{.brightest = emitters.brightest,
+                             .has_casters = emitters.has_casters ? 1u : 0u,
+                             .classes = static_cast<std::uint32_t>(emitters.classes.size()),
+                             .spheres = emitters.of_spheres.size()};
+  const auto ids = std::as_bytes(std::span(emitters.emitters));
+  SectionWriter section(write, kClasses,
+                        sizeof(stored) + stored.classes * sizeof(StoredClass) + ids.size());
+  section.add(bytes_of(stored));
+  for (const EmitterClasses::Class& each : emitters.classes) {
+    section.add(bytes_of(
+        StoredClass{.radiance = each.radiance, .sphere = each.sphere, .kinds = each.kinds}));
+  }
+  section.add(ids);
+  section.end();
+}
+
 }  // namespace
 
 void write_film_file(const std::filesystem::path& path, const StoredFilm& film) {
-  const std::string origin = text_of(film.origin);
+  const std::string origin = text_of(film.origin), record = text_of(film.record);
   write_file_atomically(path, [&](const WritePiece& write) {
     write(std::as_bytes(std::span(kMark)));
     write(bytes_of(kVersion));
     write_section(write, kOrigin, std::as_bytes(std::span(origin)));
+    write_section(write, kRecord, std::as_bytes(std::span(record)));
+    write_section(write, kShards, std::as_bytes(std::span(film.shards)));
     write_section(write, kStatistics, bytes_of(film.statistics));
     write_section(write, kLights, std::as_bytes(std::span(film.lights)));
     write_section(write, kCasters, std::as_bytes(std::span(film.casters)));
     write_section(write, kExact, std::as_bytes(std::span(film.exact_spheres)));
+    write_classes(write, film.emitter_classes);
     write_section(write, kEmitters, std::as_bytes(std::span(film.emitters)));
     write_section(write, kTargets, std::as_bytes(std::span(film.targets)));
+    write_section(write, kPasses, std::as_bytes(std::span(film.passes)));
     for (const Film& each : film.films) write_film(write, each);
     write_section(write, kEnd, {});
   });

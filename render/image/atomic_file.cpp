@@ -50,7 +50,7 @@ std::array<UnfinishedPath, 32> unfinished_paths;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler reads it");
 
 [[noreturn]] void throw_write_error(const fs::path& path, int error) {
-  throw IoError("write", path, std::generic_category().message(error));
+  throw IoError("write", path, std::error_code(error, std::generic_category()));
 }
 
 /// Owns a file descriptor.

@@ -126,7 +126,7 @@ class TracerIn final : public Tracer {
     WideView<T> view = view_of<T>(pinhole_, settings, emitters);
     view.keeps_first_hits = !runs.empty() && runs.front().first_hits != nullptr;
     view.forward = rounded<T>(pinhole_.place(0.5, 0.5));
-    view.depth_units = depth_units();
+    view.depth_units = std::ldexp(1.0, units_exponent());
     if (!settings.is_centred()) view.glints = glints_;
     return view;
   }
@@ -165,14 +165,7 @@ class TracerIn final : public Tracer {
 }  // namespace
 
 Tracer::Tracer(const Rebase& rebase, double reach) noexcept
-    : rebase_(rebase), depth_units_(std::ldexp(1.0, 94 - std::ilogb(reach))) {}
-
-PixelFeatures Tracer::features_of(const FirstHitSums& sums, std::uint64_t samples) const noexcept {
-  if (samples == 0) return {};
-  const double depth =
-      sums.hits() > 0 ? rebase_.length_in_scene(sums.mean_depth() / depth_units_) : kNoDepth;
-  return {.normal = sums.mean_normal(samples), .depth = depth, .albedo = sums.mean_albedo(samples)};
-}
+    : rebase_(rebase), units_exponent_(94 - std::ilogb(reach)) {}
 
 std::unique_ptr<const Tracer> make_tracer(Scene scene, const TracerOptions& options) {
   if (scene.spheres.empty() && scene.instances.empty()) fill_sky(scene);

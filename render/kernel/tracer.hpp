@@ -42,20 +42,20 @@ class Tracer {
   /// background.
   virtual std::optional<PickedSphere> pick(const RenderSettings& settings,
                                            std::uint64_t pixel) const = 0;
-  /// The features of a pixel that has `samples` samples; PixelFeatures{} without any.
-  PixelFeatures features_of(const FirstHitSums& sums, std::uint64_t samples) const noexcept;
+  /// For features_of().
+  int depth_exponent() const noexcept { return -units_exponent_ - rebase_.exponent(); }
   virtual std::size_t memory_bytes() const noexcept = 0;  ///< of tables and BVH
 
  protected:
   /// `reach`: an upper limit for distances in the rebased scene.
   Tracer(const Rebase& rebase, double reach) noexcept;
 
-  double depth_units() const noexcept { return depth_units_; }
+  int units_exponent() const noexcept { return units_exponent_; }
   const Rebase& rebase() const noexcept { return rebase_; }
 
  private:
   Rebase rebase_;
-  double depth_units_;  // of FirstHitSums, for a distance of 1 in the rebased scene
+  int units_exponent_;  // 2^this units of FirstHitSums are a distance of 1 in the rebased scene
 };
 
 struct TracerOptions {

@@ -11,7 +11,7 @@
 namespace sdlc::render {
 namespace {
 
-class Digest {
+class Hash {
  public:
   void add(std::uint64_t word) {
     for (int i = 0; i < 8; ++i) hash_.add_byte(static_cast<std::uint8_t>(word >> 8 * i));
@@ -32,41 +32,73 @@ class Digest {
   Fnv1a hash_;
 };
 
+void add_motion_and_instances(const Scene& scene, Hash& hash) {
+  for (const Vec3 shift : scene.shifts) hash.add(shift);
+  for (const Prototype& prototype : scene.prototypes) {
+    hash.add(prototype.spheres);
+    for (const Vec3 shift : prototype.shifts) hash.add(shift);
+  }
+  for (const Instance& instance : scene.instances) {
+    hash.add(std::uint64_t{instance.prototype});
+    const Placement& placement = instance.placement;
+    for (const Vec3 v : {placement.x, placement.y, placement.z, placement.translate}) hash.add(v);
+    hash.add(placement.scale);
+    hash.add(instance.shift);
+  }
+}
+
+void add(const std::vector<Material>& materials, Hash& hash) {
+  for (const Material& material : materials) {
+    hash.add(material.color);
+    hash.add(material.parameter);
+    hash.add(static_cast<std::uint64_t>(material.type) * 2 +
+             static_cast<std::uint64_t>(material.fresnel));
+  }
+}
+
+void add(const Camera& camera, Hash& hash) {
+  for (const Vec3 v : {camera.from, camera.at, camera.up}) hash.add(v);
+  hash.add(camera.plane_height);
+  hash.add(camera.aspect);
+  if (camera.has_lens()) {
+    hash.add(camera.aperture);
+    hash.add(camera.focus);
+  }
+}
+
+void add(const Background& background, Hash& hash) {
+  hash.add(background.bottom);
+  hash.add(background.top);
+}
+
+template <typename Add>
+Digest digest(Add add) {
+  Hash hash;
+  add(hash);
+  return Digest{hash.value()};
+}
+
 }  // namespace
 
 std::uint64_t digest_of(const Scene& scene) {
-  Digest digest;
-  digest.add(scene.spheres);
-  for (const Material& material : scene.materials) {
-    digest.add(material.color);
-    digest.add(material.parameter);
-    digest.add(static_cast<std::uint64_t>(material.type) * 2 +
-               static_cast<std::uint64_t>(material.fresnel));
-  }
-  for (const Vec3 shift : scene.shifts) digest.add(shift);
-  for (const Prototype& prototype : scene.prototypes) {
-    digest.add(prototype.spheres);
-    for (const Vec3 shift : prototype.shifts) digest.add(shift);
-  }
-  for (const Instance& instance : scene.instances) {
-    digest.add(std::uint64_t{instance.prototype});
-    const Placement& placement = instance.placement;
-    for (const Vec3 v : {placement.x, placement.y, placement.z, placement.translate}) digest.add(v);
-    digest.add(placement.scale);
-    digest.add(instance.shift);
-  }
-  digest.add(scene.camera.from);
-  digest.add(scene.camera.at);
-  digest.add(scene.camera.up);
-  digest.add(scene.camera.plane_height);
-  digest.add(scene.camera.aspect);
-  if (scene.camera.has_lens()) {
-    digest.add(scene.camera.aperture);
-    digest.add(scene.camera.focus);
-  }
-  digest.add(scene.background.bottom);
-  digest.add(scene.background.top);
-  return digest.value();
+  Hash hash;
+  hash.add(scene.spheres);
+  add(scene.materials, hash);
+  add_motion_and_instances(scene, hash);
+  add(scene.camera, hash);
+  add(scene.background, hash);
+  return hash.value();
+}
+
+SceneDigest digest_of_parts(const Scene& scene) {
+  const auto add_spheres = [&](Hash& hash) {
+    hash.add(scene.spheres);
+    add_motion_and_instances(scene, hash);
+  };
+  return {.spheres = digest(add_spheres),
+          .materials = digest([&](Hash& hash) { add(scene.materials, hash); }),
+          .camera = digest([&](Hash& hash) { add(scene.camera, hash); }),
+          .background = digest([&](Hash& hash) { add(scene.background, hash); })};
 }
 
 }  // namespace sdlc::render

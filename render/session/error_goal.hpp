@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <utility>
 #include <vector>
 
+#include "render/film/goal_pass.hpp"
 #include "render/session/error_estimate.hpp"
 
 namespace sdlc::render {
@@ -22,8 +23,15 @@ class ErrorGoal {
   /// most `error`.
   ErrorGoal(double error, std::uint64_t max_samples) : error_(error), max_samples_(max_samples) {}
 
+  /// The passes so far; restore() goes on after them.
+  const std::vector<GoalPass>& passes() const noexcept { return passes_; }
+  void restore(std::vector<GoalPass> passes) { passes_ = std::move(passes); }
+
   /// The minimum for any goal: with fewer samples all replicates may miss the same highlight.
   std::uint64_t first_samples() const noexcept;
+  /// The samples per pixel to reach with a pass after `samples`: an eighth more. The steps do not
+  /// depend on the goal, so that a render that is resumed with a lower one goes on like a new one.
+  std::uint64_t samples_after(std::uint64_t samples) const noexcept;
 
   /// The estimate to go by after a pass. Where a few pixels have most of the error, a single
   /// estimate is too small by chance now and then, and the first such pass would end the render.
@@ -33,28 +41,20 @@ class ErrorGoal {
   /// end is more than twice that of the error.
   ErrorEstimate settled(std::uint64_t samples, const ErrorEstimate& estimate);
 
-  /// Returns the samples per pixel to reach with the next pass, given the samples so far and the
-  /// estimate from them; nullopt once the goal or the maximum is reached. A pass adds at most a
-  /// quarter, and less where the slope of the error so far says that less is enough.
-  std::optional<std::uint64_t> next_samples(std::uint64_t samples, const ErrorEstimate& estimate);
+  bool is_reached(const ErrorEstimate& estimate) const noexcept {
+    return estimate.interval.to <= error_;
+  }
 
-  bool is_reached() const noexcept { return is_reached_; }
+  /// Records whether rare kinds of path may hide the error of the last pass.
+  void set_blind(bool is_blind) noexcept;
+  /// Whether that was so in the last pass, or in one before it with as many samples up to a factor
+  /// of 2: with a look after each pass, one of them would miss it by chance.
+  bool is_blind() const noexcept;
 
  private:
-  struct Pass {
-    std::uint64_t samples;
-    double from, to, estimate;  // squares
-  };
-
   double error_;
   std::uint64_t max_samples_;
-  std::vector<Pass> passes_;
-  bool is_reached_ = false;
-  // The exponent with which the error falls. The initial value lies between independent samples
-  // (-0.5) and the best case of Sobol' points.
-  double slope_ = -0.6;
-  std::uint64_t earlier_samples_ = 0;
-  double earlier_error_ = 0;
+  std::vector<GoalPass> passes_;
 };
 
 }  // namespace sdlc::render

@@ -29,9 +29,17 @@ GoalRender::GoalRender(PictureTracer& tracer, const RenderSettings& settings,
       result_(result),
       start_(start),
       film_(film) {
+  if (settings.error && !settings.is_adaptive) {
+    goal_.emplace(*settings.error, static_cast<std::uint64_t>(settings.samples));
+  }
   if (!settings.seconds) return;
   deadline_ = start + std::chrono::duration_cast<Clock::duration>(
                           std::chrono::duration<double>(std::min(*settings.seconds, 1e9)));
+}
+
+void GoalRender::resume(std::vector<std::uint32_t> targets, std::vector<GoalPass> passes) {
+  targets_ = std::move(targets);
+  if (goal_) goal_->restore(std::move(passes));
 }
 
 bool GoalRender::is_late() const {
@@ -129,10 +137,10 @@ void GoalRender::run() {
 
 void GoalRender::run_uniform() {
   const auto max_samples = static_cast<std::uint64_t>(settings_.samples);
-  if (settings_.error) goal_.emplace(*settings_.error, max_samples);
   // With only a time limit the first pass is as short as possible, and is finished.
   std::optional<std::uint64_t> samples = goal_ ? goal_->first_samples() : 1;
-  samples = std::max(*samples, film_.sample_counts().min);
+  // A pass that was cancelled is finished before it is judged.
+  samples = std::max(*samples, film_.sample_counts().max);
   while (samples) {
     const auto of_pixel = static_cast<std::uint32_t>(*samples);
     if (!pass(std::span(&of_pixel, 1))) return;
@@ -141,11 +149,11 @@ void GoalRender::run_uniform() {
       if (!result_.error) return;
       const double to_go = *settings_.error / result_.error->interval.to;
       report_progress(to_go * to_go);
-      const std::uint64_t now = *samples;
-      samples = goal_->next_samples(now, *result_.error);
-      if (goal_->is_reached() && has_unseen_error(result_, emitters_)) {
-        samples = samples_to_see(now);
-      }
+      goal_->set_blind(has_unseen_error(result_, emitters_));
+      const bool is_done =
+          goal_->is_reached(*result_.error) && !(goal_->is_blind() && may_see_more(*samples));
+      if (is_done || *samples >= max_samples) return;
+      samples = goal_->samples_after(*samples);
     } else if (*samples >= max_samples) {
       return;
     } else {
@@ -159,16 +167,13 @@ void GoalRender::run_uniform() {
   }
 }
 
-std::optional<std::uint64_t> GoalRender::samples_to_see(std::uint64_t now) const {
+bool GoalRender::may_see_more(std::uint64_t samples) const {
   // Limited, because a kind of path that was never found may be occluded everywhere.
   constexpr std::uint64_t kMaxBlindSamples = 1024;
-  const bool is_blind = std::ranges::any_of(
-      emitters_.rare(), [](const RarePath& path) { return path.paths < EmitterTally::kWitnesses; });
-  std::uint64_t next = is_blind ? std::min(2 * now, std::max(now, kMaxBlindSamples))
-                                : now + std::max<std::uint64_t>(now / 4, kReplicates);
-  next = std::min(next, static_cast<std::uint64_t>(settings_.samples));
-  if (next <= now) return std::nullopt;
-  return next;
+  return samples < kMaxBlindSamples ||
+         std::ranges::none_of(emitters_.rare(), [](const RarePath& path) {
+           return path.paths < EmitterTally::kWitnesses;
+         });
 }
 
 void GoalRender::run_adaptive() {

@@ -28,22 +28,23 @@ class GoalRender {
   GoalRender(PictureTracer& tracer, const RenderSettings& settings, const EmitterTally& emitters,
              Clock::time_point start, RenderMonitor& monitor, Film& film, RenderResult& result);
 
-  /// Goes on with a render that had these targets().
-  void resume(std::vector<std::uint32_t> targets) { targets_ = std::move(targets); }
+  /// Goes on with a render that had these targets() and passes().
+  void resume(std::vector<std::uint32_t> targets, std::vector<GoalPass> passes);
   /// Goals are those of the denoised picture. Keeps a reference.
   void denoise_with(const PictureDenoiser& denoiser) { denoiser_ = &denoiser; }
   void run();
   /// The samples of each pixel, as planned by an adaptive render: a cancelled pass has not reached
   /// all of them. Empty before the first such pass.
   const std::vector<std::uint32_t>& targets() const noexcept { return targets_; }
+  std::vector<GoalPass> passes() const { return goal_ ? goal_->passes() : std::vector<GoalPass>(); }
 
  private:
   /// Brings the pixels to these samples, or all of them to the only element. Returns false if it
   /// was the last pass because of the time limit or cancellation.
   bool pass(std::span<const std::uint32_t> samples);
   void run_uniform();
-  /// The samples of the next pass if rare paths hide the error; nullopt if that has no sense.
-  std::optional<std::uint64_t> samples_to_see(std::uint64_t now) const;
+  /// Whether more samples may show the noise of rare paths that hide the error.
+  bool may_see_more(std::uint64_t samples) const;
   void run_adaptive();
   /// Begins with these samples of each pixel, of which there may be more already.
   void run_adaptive(std::vector<std::uint32_t> samples);

@@ -41,7 +41,8 @@ PictureDenoiser::PictureDenoiser(const PreparedScene& scene, const RenderSetting
                        [&](const Film& tile, std::size_t begin, std::size_t end) {
                          for (std::size_t i = begin; i < end; ++i) {
                            features_[tile.extent().first_pixel + i] =
-                               scene.tracer().features_of(tile.first_hits(i), tile.samples(i));
+                               features_of(tile.first_hits(i), tile.samples(i),
+                                           scene.tracer().depth_exponent());
                          }
                        });
   monitor.samples_done = 0;

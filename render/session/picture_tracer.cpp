@@ -1,8 +1,10 @@
 #include "render/session/picture_tracer.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -23,6 +25,13 @@ PictureTracer::PictureTracer(const Tracer& tracer, const RenderSettings& setting
       emitters_(emitters),
       threads_(threads),
       monitor_(monitor) {}
+
+void PictureTracer::pause_every(double seconds, std::function<void()> on_pause) {
+  on_pause_ = std::move(on_pause);
+  pause_interval_ =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  next_pause_ = Clock::now() + pause_interval_;
+}
 
 std::size_t PictureTracer::pixels_per_tile(std::size_t pixels,
                                            std::uint64_t samples) const noexcept {
@@ -55,6 +64,8 @@ void PictureTracer::for_each_tile(
 bool PictureTracer::trace_tile(Film& film, std::size_t begin, std::size_t end, const Target& target,
                                const IsLate& is_late) {
   const std::size_t max_blocks = std::max<std::size_t>(1, kRunsPerBatch / (end - begin));
+  static constexpr std::atomic<bool> kNever{false};
+  const std::atomic<bool>& cancel = finishes_tiles_ ? kNever : monitor_.cancel;
   thread_local std::vector<PixelRun> runs;  // thread_local, so that its memory is mapped once
   OpenPixels pixels(film, begin, end, target);
   TraceCounts total;
@@ -66,7 +77,7 @@ bool PictureTracer::trace_tile(Film& film, std::size_t begin, std::size_t end, c
     is_whole = runs.empty();
     if (is_whole || is_late()) break;
     TraceCounts counts;
-    is_kept = tracer_.trace(settings_, &emitters_, runs, counts, monitor_.cancel);
+    is_kept = tracer_.trace(settings_, &emitters_, runs, counts, cancel);
     if (!is_kept) break;
     std::uint64_t samples = 0;
     for (const PixelRun& run : runs) {
@@ -92,7 +103,6 @@ bool PictureTracer::trace_tile(Film& film, std::size_t begin, std::size_t end, c
 
 bool PictureTracer::trace_pass(Film& film, const Target& target, const IsLate& is_late,
                                const OnTile& on_tile) {
-  std::atomic<bool> is_whole{true};
   // Only the size of tiles depends on what pixels lack: looking at all of a large picture would
   // take as long as some of the first passes.
   constexpr std::size_t kPixelsToLookAt = 4096;
@@ -108,14 +118,26 @@ bool PictureTracer::trace_pass(Film& film, const Target& target, const IsLate& i
   constexpr std::uint64_t kSmaller = 8;
   const std::size_t tile =
       pixels_per_tile(film.size(), settings_.seconds ? kSmaller * added : added);
-  for_each_tile(film.size(), tile, [&](std::size_t begin, std::size_t end) {
-    if (!trace_tile(film, begin, end, target, is_late)) {
-      is_whole = false;
-    } else if (on_tile) {
-      on_tile(film, begin, end);
-    }
-  });
-  return is_whole && !monitor_.cancel.load();
+  std::atomic<bool> is_whole{true}, is_paused{false};
+  do {
+    is_whole = true;
+    is_paused = false;
+    const std::uint64_t samples_before = samples_.load();
+    for_each_tile(film.size(), tile, [&](std::size_t begin, std::size_t end) {
+      const bool is_due = Clock::now() >= next_pause_ && samples_.load() > samples_before;
+      if (is_paused.load() || is_due) {
+        is_paused = true;
+      } else if (!trace_tile(film, begin, end, target, is_late)) {
+        is_whole = false;
+      } else if (on_tile) {
+        on_tile(film, begin, end);
+      }
+    });
+    if (!is_paused.load()) break;
+    on_pause_();
+    next_pause_ = Clock::now() + pause_interval_;
+  } while (!monitor_.cancel.load());
+  return is_whole && !is_paused.load() && !monitor_.cancel.load();
 }
 
 void PictureTracer::trace_tiles(const FilmExtent& extent, const ReplicateCounts& target,

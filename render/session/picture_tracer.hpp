@@ -9,6 +9,7 @@
 #include "render/film/film.hpp"
 #include "render/image/picture.hpp"
 #include "render/kernel/tracer.hpp"
+#include "render/math/clock.hpp"
 #include "render/session/render.hpp"
 #include "render/shading/emitter_tally.hpp"
 
@@ -23,6 +24,11 @@ class PictureTracer {
                 int threads, RenderMonitor& monitor);
 
   /// The number of samples that a pixel shall have in each replicate.
+  /// From now on tiles are finished, and cancellation drops no samples.
+  void finish_tiles() noexcept { finishes_tiles_ = true; }
+  /// From now on passes pause every `seconds`, and call `on_pause` while nothing is traced.
+  void pause_every(double seconds, std::function<void()> on_pause);
+
   using Target = std::function<ReplicateCounts(std::size_t pixel)>;
   using IsLate = std::function<bool()>;
   /// Called when the pixels [begin, end) of a film have reached their targets, on the thread that
@@ -59,6 +65,10 @@ class PictureTracer {
   EmitterTally& emitters_;
   int threads_;
   RenderMonitor& monitor_;
+  bool finishes_tiles_ = false;
+  std::function<void()> on_pause_;
+  Clock::duration pause_interval_{};
+  Clock::time_point next_pause_ = Clock::time_point::max();
   std::atomic<std::uint64_t> samples_{0};
   std::atomic<std::uint64_t> rays_{0};
   std::atomic<std::uint64_t> truncated_{0};

@@ -11,6 +11,7 @@
 #include "render/film/film.hpp"
 #include "render/math/clock.hpp"
 #include "render/parallel/workers.hpp"
+#include "render/session/film_keeper.hpp"
 #include "render/session/goal_render.hpp"
 #include "render/session/picture_denoiser.hpp"
 #include "render/session/picture_tracer.hpp"
@@ -42,7 +43,8 @@ void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderS
       if (!spreads.empty()) spreads[pixel] = tile.spread(i);
       if (!result.variance.pixels.empty()) result.variance.pixels[pixel] = tile.variance(i);
       if (settings.keeps_first_hits) {
-        result.features[pixel] = tracer.features_of(tile.first_hits(i), tile.samples(i));
+        result.features[pixel] =
+            features_of(tile.first_hits(i), tile.samples(i), tracer.depth_exponent());
       }
     }
   };
@@ -65,8 +67,15 @@ void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderS
 
 /// Whether no path found light and some were cut off: then nothing is known of the error, which is
 /// relative to the light.
-bool is_cut_to_black(const RenderResult& result, std::uint64_t truncated_paths) {
-  return result.error && result.error->mean == 0 && truncated_paths > 0;
+bool is_cut_to_black(const RenderResult& result) {
+  return result.error && result.error->mean == 0 && result.truncated_paths > 0;
+}
+
+/// The samples of all pixels.
+std::uint64_t samples_of(const Film& film) {
+  std::uint64_t samples = 0;
+  for (std::size_t i = 0; i < film.size(); ++i) samples += film.samples(i);
+  return samples;
 }
 
 /// Makes the picture what it was before it was denoised, if it was. Then no goal is reached:
@@ -96,6 +105,7 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
   Workers workers(settings.threads);
   result.threads = workers.count();
   EmitterTally emitters(scene.emitters(), settings.depth);
+  const TraceCounts before = stored != nullptr ? stored->statistics : TraceCounts{};
   if (stored != nullptr) emitters.restore(stored->emitters);
   if (monitor.on_tracing) monitor.on_tracing();
 
@@ -110,18 +120,28 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
     if (settings.has_goal()) {
       GoalRender goal(pictures, settings, emitters, start, monitor, *film, result);
       if (denoiser) goal.denoise_with(*denoiser);
-      if (stored != nullptr) goal.resume(std::move(stored->targets));
+      std::optional<FilmKeeper> keeper;
+      if (stored != nullptr) {
+        goal.resume(std::move(stored->targets), std::move(stored->passes));
+        keeper.emplace(pictures, emitters, monitor, *stored, [&] {
+          stored->targets = goal.targets();
+          stored->passes = goal.passes();
+        });
+      }
       goal.run();
-      if (stored != nullptr) stored->targets = goal.targets();
+      if (keeper) keeper->keep();
       if (settings.keeps_first_hits) {
         for (std::size_t i = 0; i < film->size(); ++i) {
           result.features.push_back(
-              scene.tracer().features_of(film->first_hits(i), film->samples(i)));
+              features_of(film->first_hits(i), film->samples(i), scene.tracer().depth_exponent()));
         }
       }
     } else {
+      std::optional<FilmKeeper> keeper;
+      if (stored != nullptr) keeper.emplace(pictures, emitters, monitor, *stored);
       render_at_once(pictures, scene.tracer(), settings, monitor, denoiser ? &*denoiser : nullptr,
                      film, result);
+      if (keeper) keeper->keep();
       if (monitor.on_pass) monitor.on_pass(*film);
     }
   });
@@ -129,27 +149,32 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
   result.is_complete = !monitor.cancel.load();
   if (!result.is_complete || has_unseen_error(result, emitters)) restore_plain(film, result);
   if (!result.is_complete) result.error.reset();
-  const TraceCounts counts = pictures.counts();
-  const std::uint64_t truncated_before = stored != nullptr ? stored->statistics.truncated_paths : 0;
-  if (is_cut_to_black(result, counts.truncated_paths + truncated_before) ||
-      has_unseen_error(result, emitters)) {
-    result.rare_paths = emitters.rare();
-    result.error.reset();
-    result.has_reached_error = false;
-  }
-  result.camera_samples = pictures.samples();
-  result.rays = counts.rays;
-  result.truncated_paths = counts.truncated_paths;
-  result.nonfinite_samples = counts.nonfinite_samples;
-  result.scarce_emitters = emitters.scarce();
-  if (stored != nullptr) {
-    store(pictures, emitters, *stored);
-  }
-  result.sampled_lights = static_cast<std::uint32_t>(result.kernel.lights.size());
+  result.new_samples = pictures.samples();
+  result.camera_samples = stored != nullptr ? samples_of(*film) : pictures.samples();
+  TraceCounts counts = before;
+  counts += pictures.counts();
+  put_counts(counts, result);
+  check_error(emitters, result);
   return result;
 }
 
 }  // namespace
+
+void put_counts(const TraceCounts& counts, RenderResult& result) noexcept {
+  result.rays = counts.rays;
+  result.truncated_paths = counts.truncated_paths;
+  result.nonfinite_samples = counts.nonfinite_samples;
+}
+
+void check_error(const EmitterTally& emitters, RenderResult& result) {
+  if (is_cut_to_black(result) || has_unseen_error(result, emitters)) {
+    result.rare_paths = emitters.rare();
+    result.error.reset();
+    result.has_reached_error = false;
+  }
+  result.scarce_emitters = emitters.scarce();
+  result.sampled_lights = static_cast<std::uint32_t>(result.kernel.lights.size());
+}
 
 FilmExtent extent_of(const RenderSettings& settings) noexcept {
   const bool has_replicates =

@@ -9,6 +9,7 @@
 
 #include "render/film/film.hpp"
 #include "render/film/film_file.hpp"
+#include "render/film/trace_counts.hpp"
 #include "render/image/picture.hpp"
 #include "render/kernel/kernel.hpp"
 #include "render/scene/scene.hpp"
@@ -20,7 +21,8 @@ namespace sdlc::render {
 
 /// Progress of a render for other threads, and a means to cancel it.
 struct RenderMonitor {
-  std::atomic<bool> cancel{false};  ///< set to end the render within milliseconds
+  /// Set to end the render within milliseconds, or after the present tiles if it has a film.
+  std::atomic<bool> cancel{false};
   std::atomic<std::uint64_t> samples_done{0};
   std::atomic<std::uint64_t> rays_done{0};
   /// For a render with a goal: the progress towards it after the last pass, from 0 to 1.
@@ -32,6 +34,10 @@ struct RenderMonitor {
   /// With a time limit, called once, after an early pass, with the picture so far: the seconds that
   /// the caller needs after the render. The limit includes them.
   std::function<double(const Picture& picture)> seconds_to_finish;
+  /// With a film: called every `checkpoint_seconds` of a render, between tiles. A render that goes
+  /// on from the film gives the same bytes as this one.
+  double checkpoint_seconds = 60;
+  std::function<void(const StoredFilm& film)> on_checkpoint;
 };
 
 /// A picture with statistics about its render.
@@ -40,7 +46,8 @@ struct RenderResult {
   bool is_complete = false;  ///< false after a cancelled render
   Kernel kernel;             ///< without its near pairs
   int threads = 0;           ///< the requested number, with 0 replaced by all hardware threads
-  std::uint64_t camera_samples = 0;
+  std::uint64_t camera_samples = 0;  ///< of the picture
+  std::uint64_t new_samples = 0;     ///< those of them that this render has traced
   std::uint64_t rays = 0;
   std::uint64_t truncated_paths = 0;
   std::uint64_t nonfinite_samples = 0;  ///< excluded from their pixel's sum; not 0 indicates a
@@ -69,6 +76,12 @@ struct RenderResult {
   double render_seconds = 0;   ///< tracing and denoising
   double denoise_seconds = 0;  ///< the part of them for denoising
 };
+
+void put_counts(const TraceCounts& counts, RenderResult& result) noexcept;
+
+/// Drops the error of a complete picture if rare kinds of path, or paths that were cut off, may
+/// hide more. Sets what is known of emitters.
+void check_error(const EmitterTally& emitters, RenderResult& result);
 
 /// Renders the scene tile by tile on all threads. With a goal it runs passes over the whole picture
 /// until a goal or the max number of samples is reached; the time limit may leave some pixels with

@@ -21,9 +21,13 @@ struct FilmPart {
   std::uint32_t end_sample = std::numeric_limits<std::uint32_t>::max();
 };
 
-/// A film without samples, for renders with these settings. `digest`: digest_of() the scene that
-/// was prepared. `program`: its name and version.
-StoredFilm new_film(const PreparedScene& scene, std::uint64_t digest, std::string program,
+/// How many samples a part has in each replicate of a pixel with `samples` samples.
+ReplicateCounts counts_in(const FilmPart& part, std::uint64_t samples);
+
+/// A film without samples, for renders with these settings. `digest`: digest_of_parts() of the
+/// scene that was prepared. `program`: its name and version. The caller adds to the record what
+/// settings and kernel do not say.
+StoredFilm new_film(const PreparedScene& scene, const SceneDigest& digest, std::string program,
                     const RenderSettings& settings);
 
 /// Throws std::invalid_argument if the film is not of these settings and this kernel. The scene and
@@ -34,10 +38,6 @@ void check_origin(const PreparedScene& scene, const RenderSettings& settings,
 /// sample, and is added if there is none. Throws std::invalid_argument if another film has some of
 /// its samples.
 Film& film_of(const FilmPart& part, StoredFilm& stored);
-/// Adds the counts of a render. If it dropped samples, emitters are as before: too few paths are
-/// counted then, so that no error is called known that is not.
-void store(const PictureTracer& pictures, const EmitterTally& emitters, StoredFilm& stored);
-
 /// Adds to `stored` the samples of a part that it lacks. Each pixel of the picture has the same
 /// number of `samples`, or there is one number per pixel; the goals of `settings` are ignored. A
 /// film with the extent of the part, or of some of its pixels, is continued; otherwise one is
@@ -48,8 +48,11 @@ void store(const PictureTracer& pictures, const EmitterTally& emitters, StoredFi
 bool render_part(const PreparedScene& scene, const RenderSettings& settings, RenderMonitor& monitor,
                  const FilmPart& part, std::span<const std::uint32_t> samples, StoredFilm& stored);
 
-/// The picture of the films' samples; black where a pixel has none. Throws std::invalid_argument if
-/// a film does not begin with the first sample.
-Picture picture_of(const StoredFilm& stored);
+/// The result of a render with these samples, as render() would return it. Without all samples it
+/// is not complete: pixels have the mean of those that are there, and are black without any.
+/// Nothing is denoised.
+RenderResult result_of(const StoredFilm& stored);
+/// The settings with which result_of() was rendered.
+RenderSettings settings_of(const StoredFilm& stored);
 
 }  // namespace sdlc::render

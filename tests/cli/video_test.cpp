@@ -1,5 +1,3 @@
-#include "cli/video.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/video_writer.hpp"
 #include "render/image/image.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -27,25 +27,48 @@ constexpr std::uint32_t kBlock = SampleSum::kBlock;
 
 StoredFilm example(std::uint32_t first_sample = 0, std::uint32_t end_sample = 0xFFFFFFC0) {
   const std::vector<std::uint32_t> totals{8, 700, 4 * 256, 0, 12, 1000};
-  StoredFilm stored{.origin = {.scene = 0xFEDCBA9876543210,
-                               .width = 3,
-                               .height = 2,
-                               .depth = 16,
-                               .seed = 0xFFFFFFFFFFFFFFFF,
-                               .sampler = SamplerKind::Independent,
-                               .is_centred = false,
-                               .replicates = kReplicates,
-                               .has_first_hits = true,
-                               .precision = Precision::Mixed,
-                               .arithmetic = "fused",
-                               .program = "sdlc 1.0"},
-                    .statistics = {.rays = 12345, .truncated_paths = 6, .nonfinite_samples = 1},
-                    .lights = {1, 5},
-                    .casters = {2},
-                    .exact_spheres = {7},
-                    .emitters = {{.paths = 3, .enough = 30}, {.paths = 200, .enough = 255}},
-                    .targets = totals,
-                    .films = {}};
+  const EmitterClasses::Class lamps{
+      .sphere = 1, .radiance = 0.1, .kinds = {EmitterClasses::Chance::Possible}};
+  EmitterClasses classes;
+  classes.brightest = 0.1;
+  classes.emitters = {1};
+  classes.classes = {lamps};
+  classes.of_spheres.assign(2, EmitterClasses::kNone);
+  StoredFilm stored{
+      .origin = {.scene = {.spheres = Digest{0xFEDCBA9876543210}},
+                 .width = 3,
+                 .height = 2,
+                 .depth = 16,
+                 .seed = 0xFFFFFFFFFFFFFFFF,
+                 .sampler = SamplerKind::Independent,
+                 .is_centred = false,
+                 .replicates = kReplicates,
+                 .has_first_hits = true,
+                 .precision = Precision::Mixed,
+                 .arithmetic = "fused",
+                 .program = "sdlc 1.0"},
+      .record = {.scene = "a b.scene",
+                 .frame = -3,
+                 .spheres = 2,
+                 .features = "emissive motion",
+                 .samples = 1000,
+                 .error = 0.1,
+                 .light_choice = "on, 1 light",
+                 .exposure = 1.0 / 3,
+                 .shards = 8,
+                 .cut = ShardCut::Tiles},
+      .shards = {first_sample == 0 ? 2u : 8u},
+      .statistics = {.rays = 12345, .truncated_paths = 6, .nonfinite_samples = 1},
+      .lights = {1, 5},
+      .casters = {2},
+      .exact_spheres = {7},
+      .emitter_classes = classes,
+      .emitters = {{.paths = 30, .enough = 30},
+                   {.paths = 3, .enough = 30},
+                   {.paths = 200, .enough = 255}},
+      .targets = totals,
+      .passes = {{.samples = 32, .from = 0.1, .to = 0.3, .estimate = 0.2, .is_blind = 1}},
+      .films = {}};
   stored.films.push_back(
       traced_film({.pixels = 6, .first_sample = first_sample}, totals, end_sample));
   return stored;
@@ -53,6 +76,10 @@ StoredFilm example(std::uint32_t first_sample = 0, std::uint32_t end_sample = 0x
 
 void expect_equal(const StoredFilm& film, const StoredFilm& expected) {
   EXPECT_EQ(film.origin, expected.origin);
+  EXPECT_EQ(film.record, expected.record);
+  EXPECT_EQ(film.shards, expected.shards);
+  EXPECT_EQ(film.emitter_classes.emitters, expected.emitter_classes.emitters);
+  EXPECT_EQ(film.passes.size(), expected.passes.size());
   EXPECT_EQ(film.statistics, expected.statistics);
   EXPECT_EQ(film.lights, expected.lights);
   EXPECT_EQ(film.casters, expected.casters);
@@ -145,8 +172,12 @@ TEST_F(FilmFile, IsRefusedIfItsNumbersAreImpossible) {
               film.origin.replicates = 3;
             }),
             Reason::Damaged);
-  EXPECT_EQ(refusal([](StoredFilm& film) { film.emitters.push_back({.paths = 9, .enough = 8}); }),
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.emitters[1].paths = 31; }), Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.emitters.pop_back(); }), Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.emitter_classes.emitters = {2}; }),
             Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.shards = {9}; }), Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.record.shards = 0xFFFFFFFF; }), Reason::Damaged);
 }
 
 TEST_F(FilmFile, IsRefusedIfItIsCutOrLonger) {
@@ -200,6 +231,11 @@ TEST_F(FilmFile, AsksForNoMoreMemoryThanItHasBytes) {
   EXPECT_EQ(refusal_of(bytes.substr(0, 12) + huge + std::string(100, ' ')), Reason::Damaged);
 }
 
+TEST_F(FilmFile, HasARecordThatIsReadAlone) {
+  write_film_file(path(), example());
+  EXPECT_EQ(read_film_record(path()), example().record);
+}
+
 TEST_F(FilmFile, MustExist) {
   EXPECT_THROW(read_film_file(path("missing.film")), IoError);
   EXPECT_THROW(read_film_file(folder_.path()), IoError);
@@ -211,7 +247,9 @@ TEST_F(FilmFile, AddsTheSamplesOfAnother) {
   add_film(whole, example(2 * kBlock), "b.film");
   StoredFilm expected = example();
   expected.statistics = {.rays = 24690, .truncated_paths = 12, .nonfinite_samples = 2};
-  expected.emitters = {{.paths = 6, .enough = 30}, {.paths = 255, .enough = 255}};
+  expected.emitters = {
+      {.paths = 30, .enough = 30}, {.paths = 6, .enough = 30}, {.paths = 255, .enough = 255}};
+  expected.shards = {2, 8};
   expect_equal(whole, expected);
 }
 
@@ -244,7 +282,8 @@ TEST_F(FilmFile, RefusesToAddAnotherPicture) {
   EXPECT_EQ(refusal([](StoredFilm&) {}), "");
   EXPECT_EQ(refusal([](StoredFilm& film) { film.origin.depth = 8; }),
             "`b.film`: the film is of another picture: its depth is 8, not 16");
-  EXPECT_THAT(refusal([](StoredFilm& film) { film.origin.scene = 1; }), HasSubstr("its scene is"));
+  EXPECT_THAT(refusal([](StoredFilm& film) { film.origin.scene.camera = Digest{1}; }),
+              HasSubstr("it differs in `camera`"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.origin.sampler = SamplerKind::Sobol; }),
               HasSubstr("its sampler is sobol, not independent"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.origin.program = "sdlc 0.9"; }),
@@ -254,6 +293,31 @@ TEST_F(FilmFile, RefusesToAddAnotherPicture) {
   EXPECT_THAT(refusal([](StoredFilm& film) { film.exact_spheres = {8}; }), HasSubstr("in double"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.emitters.clear(); }), HasSubstr("emitters"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.targets.clear(); }), HasSubstr("samples"));
+  EXPECT_THAT(refusal([](StoredFilm& film) { film.record.frame.reset(); }),
+              HasSubstr("its frame is -, not -3"));
+  EXPECT_THAT(refusal([](StoredFilm& film) { film.record.exposure = 1; }),
+              HasSubstr("its exposure is 1, not 0.3333333333333333"));
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.record.scene = "c.scene"; }), "");
+}
+
+TEST_F(FilmFile, RefusesToAddAShardTwice) {
+  StoredFilm film = example(0, 2 * kBlock), again = example(2 * kBlock);
+  again.shards = {2};
+  try {
+    add_film(film, again, "b.film");
+    FAIL() << "not refused";
+  } catch (const FilmError& error) {
+    EXPECT_EQ(error.reason(), Reason::Doubled);
+    EXPECT_STREQ(error.what(), "`b.film`: another film has shard 2, too");
+  }
+}
+
+TEST_F(FilmFile, KnowsTheShardsThatItLacks) {
+  StoredFilm film = example();
+  EXPECT_THAT(missing_shards(film), testing::ElementsAre(1, 3, 4, 5, 6, 7, 8));
+  film.record.shards = 1;
+  film.shards = {1};
+  EXPECT_THAT(missing_shards(film), testing::IsEmpty());
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "render/session/error_goal.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
+#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -17,29 +18,27 @@ ErrorEstimate error_of(double samples, double of_one, double slope) {
   return estimate;
 }
 
-/// The samples of all passes.
-std::vector<std::uint64_t> passes(ErrorGoal& goal, double of_one, double slope) {
-  std::vector<std::uint64_t> all;
-  std::optional<std::uint64_t> samples = goal.first_samples();
-  while (samples) {
-    all.push_back(*samples);
-    const auto n = static_cast<double>(*samples);
-    samples = goal.next_samples(*samples, error_of(n, of_one, slope));
+constexpr std::uint64_t kMost = 1 << 24;
+
+/// The samples of all passes until the goal is reached.
+std::vector<std::uint64_t> passes(const ErrorGoal& goal, double slope) {
+  std::vector<std::uint64_t> all{goal.first_samples()};
+  while (!goal.is_reached(error_of(static_cast<double>(all.back()), 1, slope))) {
+    const std::uint64_t next = goal.samples_after(all.back());
+    if (next == all.back()) break;
+    all.push_back(next);
   }
   return all;
 }
 
-TEST(ErrorGoal, IsReachedWithHardlyMoreSamplesThanItTakes) {
+TEST(ErrorGoal, IsReachedWithAnEighthMoreSamplesThanItTakesAtMost) {
   for (const double slope : {-0.5, -0.57, -0.75}) {
     for (const double error : {0.1, 0.01, 0.003}) {
-      ErrorGoal goal(error, 1 << 24);
-      const std::vector<std::uint64_t> all = passes(goal, 1, slope);
-      EXPECT_TRUE(goal.is_reached());
+      const ErrorGoal goal(error, kMost);
+      const auto spent = static_cast<double>(passes(goal, slope).back());
+      EXPECT_TRUE(goal.is_reached(error_of(spent, 1, slope)));
       const double needed = std::pow(error / 1.02, 1 / slope);
-      const auto first = static_cast<double>(goal.first_samples());
-      EXPECT_GE(static_cast<double>(all.back()), std::min(needed, first));
-      EXPECT_LE(static_cast<double>(all.back()), std::max(first, 1.1 * needed + 4))
-          << error << ", slope " << slope;
+      EXPECT_LE(spent, std::max(32.0, 1.125 * needed + 4)) << error << ", slope " << slope;
     }
   }
 }
@@ -50,34 +49,53 @@ TEST(ErrorGoal, FallsWithAPowerOfTheSamples) {
   EXPECT_EQ(usual_growth(1), 1);
 }
 
-TEST(ErrorGoal, AddsAQuarterAtMostInWholeReplicates) {
-  ErrorGoal goal(1e-3, 1 << 24);
-  const std::vector<std::uint64_t> all = passes(goal, 1, -0.5);
-  ASSERT_GT(all.size(), 20u);
+TEST(ErrorGoal, AddsAnEighthAtMostInWholeReplicates) {
+  const std::vector<std::uint64_t> all = passes(ErrorGoal(1e-3, kMost), -0.5);
+  ASSERT_GT(all.size(), 40u);
   for (std::size_t i = 1; i < all.size(); ++i) {
     EXPECT_GT(all[i], all[i - 1]);
-    EXPECT_LE(all[i], all[i - 1] + std::max<std::uint64_t>(4, all[i - 1] / 4 + 3));
+    EXPECT_LE(all[i], all[i - 1] + std::max<std::uint64_t>(4, all[i - 1] / 8));
     EXPECT_EQ(all[i] % 4, 0u);
+  }
+}
+
+// So a render that is resumed with another goal has the passes of a new one.
+TEST(ErrorGoal, TakesStepsThatDependNeitherOnTheGoalNorOnTheMaximum) {
+  const std::vector<std::uint64_t> all = passes(ErrorGoal(1e-3, kMost), -0.5);
+  for (const double error : {0.1, 0.02, 0.005}) {
+    const std::vector<std::uint64_t> few = passes(ErrorGoal(error, 3000), -0.5);
+    ASSERT_LT(few.size(), all.size());
+    for (std::size_t i = 0; i + 1 < few.size(); ++i) EXPECT_EQ(few[i], all[i]);
+    // Also after a pass that a maximum cut short.
+    EXPECT_EQ(ErrorGoal(error, kMost).samples_after(all[few.size()] - 1), all[few.size()]);
   }
 }
 
 TEST(ErrorGoal, EndsWithTheMostSamples) {
   for (const std::uint64_t most : {1u, 7u, 16u, 99u}) {
-    ErrorGoal goal(1e-9, most);
-    EXPECT_EQ(passes(goal, 1, -0.5).back(), most);
-    EXPECT_FALSE(goal.is_reached());
+    EXPECT_EQ(passes(ErrorGoal(1e-9, most), -0.5).back(), most);
   }
 }
 
 TEST(ErrorGoal, IsReachedByTheUpperEndOfTheInterval) {
-  ErrorGoal goal(0.1, 1 << 24);
+  const ErrorGoal goal(0.1, kMost);
   ErrorEstimate estimate;
   estimate.relative_error = 0.099;
   estimate.interval = {0.097, 0.1001};
-  EXPECT_TRUE(goal.next_samples(64, estimate));
+  EXPECT_FALSE(goal.is_reached(estimate));
   estimate.interval.to = 0.1;
-  EXPECT_FALSE(goal.next_samples(64, estimate));
-  EXPECT_TRUE(goal.is_reached());
+  EXPECT_TRUE(goal.is_reached(estimate));
+}
+
+TEST(ErrorGoal, ForgetsAPassThatWasCutShort) {
+  ErrorEstimate wide, narrow;
+  wide.relative_error = narrow.relative_error = 0.1;
+  wide.interval = {0, 0.3};
+  narrow.interval = {0.095, 0.105};
+  ErrorGoal goal(0.01, kMost), resumed(0.01, kMost);
+  EXPECT_GT(goal.settled(77, wide).interval.to, 0.29);
+  resumed.restore(goal.passes());
+  EXPECT_EQ(resumed.settled(80, narrow).interval.to, 0.105);
 }
 
 TEST(ErrorGoal, SettlesOnlyWhereAPassHadAWideInterval) {
@@ -96,6 +114,20 @@ TEST(ErrorGoal, SettlesOnlyWhereAPassHadAWideInterval) {
   EXPECT_DOUBLE_EQ(settled.interval.from, std::sqrt(0.095 * 0.095 / 2));
   // That pass has less than a quarter of the samples.
   EXPECT_EQ(few_pixels.settled(513, with_interval(0.095, 0.105)).interval.to, 0.105);
+}
+
+TEST(ErrorGoal, IsBlindForTheRestOfAnOctave) {
+  ErrorGoal goal(0.01, kMost);
+  ErrorEstimate estimate;
+  std::vector<std::uint64_t> blind;
+  for (std::uint64_t samples = goal.first_samples(); samples < 300;
+       samples = goal.samples_after(samples)) {
+    goal.settled(samples, estimate);
+    goal.set_blind(samples == 40 || samples == 132);
+    if (goal.is_blind()) blind.push_back(samples);
+  }
+  EXPECT_EQ(blind, (std::vector<std::uint64_t>{40, 44, 48, 52, 56, 60, 132, 148, 164, 184, 204, 228,
+                                               252}));
 }
 
 }  // namespace

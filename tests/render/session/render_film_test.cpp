@@ -180,24 +180,35 @@ TEST_P(FilmParts, GiveTheBytesOfARenderAtOnceHoweverItWasCut) {
   std::minstd_rand random = random_of(GetParam());
   const std::uint32_t replicates =
       settings.samples < static_cast<int>(kMinReplicatedSamples) ? 1 : kReplicates;
-  StoredFilm whole = new_film(prepared, digest_of(scene), "sdlc", settings);
+  StoredFilm whole = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
   for (const FilmPart& part :
        random_parts(random, expected.picture.pixels.size(), replicates, 1 + random() / 1024 % 9)) {
-    StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
+    StoredFilm film = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
     EXPECT_TRUE(render_part(prepared, settings, monitor, part, samples, film));
     add_film(whole, film, "part");
   }
   ASSERT_EQ(whole.films.size(), 1u);
-  EXPECT_EQ(bytes_of(picture_of(whole)), bytes_of(expected.picture));
+  const RenderResult merged = result_of(whole);
+  EXPECT_EQ(bytes_of(merged.picture), bytes_of(expected.picture));
+  EXPECT_TRUE(merged.features == expected.features);
+  EXPECT_EQ(merged.samples_of_pixels, expected.samples_of_pixels);
+  EXPECT_EQ(merged.scarce_emitters, expected.scarce_emitters);
+  EXPECT_EQ(merged.rare_paths.size(), expected.rare_paths.size());
+  EXPECT_EQ(merged.camera_samples, expected.camera_samples);
+  ASSERT_EQ(merged.error.has_value(), expected.error.has_value());
+  if (merged.error) {
+    EXPECT_EQ(merged.error->relative_error, expected.error->relative_error);
+    EXPECT_EQ(merged.error->interval.to, expected.error->interval.to);
+  }
   EXPECT_EQ(whole.statistics.rays, expected.rays);
   EXPECT_EQ(whole.statistics.truncated_paths, expected.truncated_paths);
   for (std::size_t i = 0; i < expected.features.size(); ++i) {
     const Film& film = whole.films[0];
-    ASSERT_EQ(prepared.tracer().features_of(film.first_hits(i), film.samples(i)),
+    ASSERT_EQ(features_of(film.first_hits(i), film.samples(i), prepared.tracer().depth_exponent()),
               expected.features[i]);
   }
 
-  StoredFilm at_once = new_film(prepared, digest_of(scene), "sdlc", settings);
+  StoredFilm at_once = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
   const FilmPart all{
       .extent = {.pixels = expected.picture.pixels.size(), .replicates = replicates}};
   EXPECT_TRUE(render_part(prepared, settings, monitor, all, samples, at_once));
@@ -216,7 +227,7 @@ TEST(RenderFilm, GoesOnWithMoreSamples) {
   const Scene scene = room();
   const PreparedScene prepared = prepare(scene, settings);
   const FilmPart all{.extent = {.pixels = 600}};
-  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
+  StoredFilm film = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
   RenderMonitor monitor;
   for (const std::uint32_t samples : {200u, 201u, 900u}) {
     EXPECT_TRUE(render_part(prepared, settings, monitor, all, std::span(&samples, 1), film));
@@ -225,7 +236,7 @@ TEST(RenderFilm, GoesOnWithMoreSamples) {
   EXPECT_EQ(monitor.samples_done.load(), 600u * 900);
   RenderMonitor again;
   const RenderResult expected = render(prepared, settings, again);
-  EXPECT_EQ(bytes_of(picture_of(film)), bytes_of(expected.picture));
+  EXPECT_EQ(bytes_of(result_of(film).picture), bytes_of(expected.picture));
   EXPECT_EQ(film.statistics.rays, expected.rays);
 }
 
@@ -235,13 +246,13 @@ TEST(RenderFilm, GoesOnAfterACancelledRender) {
   const PreparedScene prepared = prepare(scene, settings);
   const FilmPart all{.extent = {.pixels = 600}};
   const std::uint32_t samples = 900;
-  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
+  StoredFilm film = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
   RenderMonitor cancelled, monitor;
   cancelled.cancel = true;
   EXPECT_FALSE(render_part(prepared, settings, cancelled, all, std::span(&samples, 1), film));
   EXPECT_TRUE(render_part(prepared, settings, monitor, all, std::span(&samples, 1), film));
   const RenderResult expected = render(prepared, settings, monitor);
-  EXPECT_EQ(bytes_of(picture_of(film)), bytes_of(expected.picture));
+  EXPECT_EQ(bytes_of(result_of(film).picture), bytes_of(expected.picture));
 }
 
 /// Cancels a render whenever it has traced some samples, and starts it again, until it is complete.
@@ -256,7 +267,7 @@ RenderResult render_in_pieces(const PreparedScene& prepared, const RenderSetting
       cancelled.cancel = true;
     });
     result = render(prepared, settings, cancelled, &film);
-    samples += result.camera_samples;
+    samples += result.new_samples;
   }
   return result;
 }
@@ -270,20 +281,20 @@ TEST(RenderFilm, HasTheSameContentAfterItWasCancelledAndContinued) {
   for (const RenderSettings& settings : {many_tiles, one_tile}) {
     const Scene scene = room();
     const PreparedScene prepared = prepare(scene, settings);
-    StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
-    StoredFilm at_once = new_film(prepared, digest_of(scene), "sdlc", settings);
+    StoredFilm film = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
+    StoredFilm at_once = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
     RenderMonitor monitor;
     render(prepared, settings, monitor, &at_once);
     std::uint64_t samples = 0;
     render_in_pieces(prepared, settings, film, samples);
     const std::size_t pixels = extent_of(settings).pixels;
     EXPECT_EQ(samples, pixels * static_cast<std::uint64_t>(settings.samples));
-    EXPECT_TRUE(bytes_of(picture_of(film)) == bytes_of(picture_of(at_once)));
+    EXPECT_TRUE(bytes_of(result_of(film).picture) == bytes_of(result_of(at_once).picture));
     EXPECT_EQ(film.statistics, at_once.statistics);
     for (std::size_t i = 0; i < pixels; ++i) {
       const Film &a = film.films[0], &b = at_once.films[0];
-      ASSERT_EQ(prepared.tracer().features_of(a.first_hits(i), a.samples(i)),
-                prepared.tracer().features_of(b.first_hits(i), b.samples(i)));
+      ASSERT_EQ(features_of(a.first_hits(i), a.samples(i), prepared.tracer().depth_exponent()),
+                features_of(b.first_hits(i), b.samples(i), prepared.tracer().depth_exponent()));
     }
   }
 }
@@ -293,7 +304,7 @@ TEST(RenderFilm, HasTheSamePassesAfterAnAdaptiveRenderWasCancelled) {
       .width = 30, .height = 20, .samples = 4000, .depth = 8, .error = 0.015, .is_adaptive = true};
   const Scene scene = room(1);
   const PreparedScene prepared = prepare(scene, settings);
-  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
+  StoredFilm film = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
   RenderMonitor monitor;
   const RenderResult expected = render(prepared, settings, monitor);
   std::uint64_t samples = 0;
@@ -307,7 +318,7 @@ TEST(RenderFilm, KnowsTheSameOfAPictureThatIsFinished) {
   RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
   const Scene scene = room();
   const PreparedScene prepared = prepare(scene, settings);
-  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
+  StoredFilm film = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
   RenderMonitor monitor;
   const RenderResult first = render(prepared, settings, monitor, &film);
   const RenderResult again = render(prepared, settings, monitor, &film);
@@ -321,7 +332,7 @@ TEST(RenderFilm, KnowsTheSameOfAPictureThatIsFinished) {
 TEST(RenderFilm, IsRefusedByOtherScenesAndSettings) {
   RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
   const PreparedScene prepared = prepare(room(), settings);
-  StoredFilm film = new_film(prepared, 1, "sdlc", settings);
+  StoredFilm film = new_film(prepared, {}, "sdlc", settings);
   RenderMonitor monitor;
   settings.seed = 5;
   EXPECT_THROW(render(prepared, settings, monitor, &film), std::invalid_argument);
@@ -337,7 +348,7 @@ RenderResult continued(const RenderSettings& first, const RenderSettings& settin
                        RenderMonitor& monitor) {
   const Scene scene = room(1);
   const PreparedScene prepared = prepare(scene, settings);
-  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", first);
+  StoredFilm film = new_film(prepared, digest_of_parts(scene), "sdlc", first);
   render(prepared, first, monitor, &film);
   return render(prepared, settings, monitor, &film);
 }
@@ -352,7 +363,8 @@ TEST(RenderFilm, IsContinuedByARenderWithoutAGoal) {
   };
   const RenderResult result = continued(first, settings, monitor);
   EXPECT_EQ(passes, 2);
-  EXPECT_EQ(result.camera_samples, 600u * (300 - 70));
+  EXPECT_EQ(result.new_samples, 600u * (300 - 70));
+  EXPECT_EQ(result.camera_samples, 600u * 300);
   const RenderResult expected = render(room(1), settings, again);
   EXPECT_EQ(bytes_of(result.picture), bytes_of(expected.picture));
   EXPECT_EQ(result.error->relative_error, expected.error->relative_error);
@@ -375,11 +387,58 @@ TEST(RenderFilm, IsContinuedTowardsAnError) {
     EXPECT_LE(result.error->interval.to, 0.015);
     EXPECT_EQ(result.samples_of_pixels.empty(), !is_adaptive);
     if (is_adaptive) continue;
-    // The same number of samples at once gives the same picture.
-    settings.error.reset();
-    settings.samples = static_cast<int>(result.max_samples);
     RenderMonitor again;
-    EXPECT_EQ(bytes_of(result.picture), bytes_of(render(room(1), settings, again).picture));
+    const RenderResult at_once = render(room(1), settings, again);
+    EXPECT_EQ(result.max_samples, at_once.max_samples);
+    EXPECT_EQ(bytes_of(result.picture), bytes_of(at_once.picture));
+    EXPECT_EQ(result.error->interval.to, at_once.error->interval.to);
+  }
+}
+
+/// Renders with a checkpoint after every tile or so; goes on from each as a new process would, and
+/// expects the same result.
+void expect_same_from_checkpoints(const RenderSettings& settings) {
+  const Scene scene = room(1);
+  const PreparedScene prepared = prepare(scene, settings);
+  const test::TemporaryFolder folder;
+  int checkpoints = 0;
+  RenderMonitor monitor;
+  monitor.checkpoint_seconds = 0;
+  monitor.on_checkpoint = [&](const StoredFilm& film) {
+    constexpr int kEvery = 7, kMost = 100;
+    if (checkpoints++ % kEvery != 0 || checkpoints > kMost) return;
+    write_film_file(folder / std::to_string(checkpoints), film);
+  };
+  StoredFilm film = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
+  const RenderResult expected = render(prepared, settings, monitor, &film);
+  ASSERT_GT(checkpoints, 10);
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    StoredFilm resumed = read_film_file(entry.path());
+    RenderMonitor again;
+    const RenderResult result = render(prepared, settings, again, &resumed);
+    EXPECT_TRUE(bytes_of(result.picture) == bytes_of(expected.picture)) << entry.path();
+    EXPECT_EQ(result.rays, expected.rays);
+    EXPECT_EQ(result.camera_samples, expected.camera_samples);
+    EXPECT_EQ(result.truncated_paths, expected.truncated_paths);
+    EXPECT_EQ(result.scarce_emitters, expected.scarce_emitters);
+    EXPECT_EQ(resumed.emitters, film.emitters);
+    ASSERT_TRUE(result.error && expected.error);
+    EXPECT_EQ(result.error->interval.to, expected.error->interval.to);
+  }
+}
+
+TEST(RenderFilm, HasTheSameResultFromEveryCheckpoint) {
+  expect_same_from_checkpoints({.width = 60, .height = 40, .samples = 500, .depth = 8});
+}
+
+TEST(RenderFilm, HasTheSameResultFromEveryCheckpointOfARenderTowardsAnError) {
+  for (const bool is_adaptive : {false, true}) {
+    expect_same_from_checkpoints({.width = 60,
+                                  .height = 40,
+                                  .samples = 4000,
+                                  .depth = 8,
+                                  .error = 0.02,
+                                  .is_adaptive = is_adaptive});
   }
 }
 
@@ -392,12 +451,12 @@ TEST(RenderFilm, TakesOnlyThePixelsOfACrop) {
   for (std::size_t y = 5; y < 8; ++y) {
     for (std::size_t x = 10; x < 15; ++x) samples[30 * y + x] = 64;
   }
-  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
+  StoredFilm film = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
   RenderMonitor monitor;
   const FilmPart rows{.extent = {.first_pixel = 30 * 5, .pixels = 30 * 3}};
   EXPECT_TRUE(render_part(prepared, settings, monitor, rows, samples, film));
   EXPECT_EQ(monitor.samples_done.load(), 15u * 64);
-  const Picture crop = picture_of(film), whole = render(prepared, settings, monitor).picture;
+  const Picture crop = result_of(film).picture, whole = render(prepared, settings, monitor).picture;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     EXPECT_EQ(crop.pixels[i], samples[i] > 0 ? whole.pixels[i] : LinearRgb{}) << i;
   }
@@ -408,7 +467,7 @@ TEST(RenderFilm, IsContinuedFromPartsOfThePicture) {
       .width = 30, .height = 20, .samples = 900, .depth = 8, .keeps_first_hits = true};
   const Scene scene = room();
   const PreparedScene prepared = prepare(scene, settings);
-  StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
+  StoredFilm film = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
   RenderMonitor monitor;
   std::uint32_t samples = 900;
   const FilmPart top{.extent = {.pixels = 100}};
@@ -432,15 +491,15 @@ TEST(RenderFilm, HasTheOriginOfItsPicture) {
   RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
   const Scene scene = room();
   const PreparedScene prepared = prepare(scene, settings);
-  const StoredFilm film = new_film(prepared, digest_of(scene), "sdlc", settings);
+  const StoredFilm film = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
   settings.depth = 9;
-  EXPECT_NE(new_film(prepared, digest_of(scene), "sdlc", settings).origin, film.origin);
+  EXPECT_NE(new_film(prepared, digest_of_parts(scene), "sdlc", settings).origin, film.origin);
   settings.depth = 8;
   settings.samples = 128;  // a render may go on
-  EXPECT_EQ(new_film(prepared, digest_of(scene), "sdlc", settings).origin, film.origin);
+  EXPECT_EQ(new_film(prepared, digest_of_parts(scene), "sdlc", settings).origin, film.origin);
   Scene other = scene;
   other.spheres[0].radius = 99;
-  EXPECT_NE(new_film(prepared, digest_of(other), "sdlc", settings).origin, film.origin);
+  EXPECT_NE(new_film(prepared, digest_of_parts(other), "sdlc", settings).origin, film.origin);
 }
 
 }  // namespace

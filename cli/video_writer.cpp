@@ -1,4 +1,4 @@
-#include "cli/video.hpp"
+#include "cli/video_writer.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,180 @@
+#include "cli/film_job.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/version.hpp"
+#include "lang/text/display_width.hpp"
+#include "render/film/film.hpp"
+#include "render/image/io_error.hpp"
+#include "render/math/clock.hpp"
+#include "render/parallel/threads.hpp"
+#include "render/session/shards.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+render::StoredFilm new_film(const render::PreparedScene& scene, const render::SceneDigest& digest,
+                            const render::RenderSettings& settings,
+                            const render::PictureRecord& record, const FilmRequest& request) {
+  render::StoredFilm film =
+      render::new_film(scene, digest, fmt::format("sdlc {}", kVersion), settings);
+  film.record.scene = record.scene;
+  film.record.frame = record.frame;
+  film.record.spheres = record.spheres;
+  film.record.instances = record.instances;
+  film.record.features = record.features;
+  film.record.tone = record.tone;
+  film.record.exposure = record.exposure;
+  if (request.shard) {
+    film.record.shards = request.shard->count;
+    film.record.cut = request.cut;
+  }
+  return film;
+}
+
+std::uint64_t samples_in(const render::StoredFilm& stored) {
+  std::uint64_t samples = 0;
+  for (const render::Film& film : stored.films) {
+    for (std::size_t i = 0; i < film.size(); ++i) samples += film.samples(i);
+  }
+  return samples;
+}
+
+/// Why a render with the record `wanted` cannot go on from the film, as a clause; empty if it can.
+std::string obstacle(const render::StoredFilm& film, const render::StoredFilm& wanted,
+                     const render::FilmPart& part) {
+  std::string other = difference(film, wanted);
+  if (!other.empty()) return other;
+  const render::PictureRecord &has = film.record, &wants = wanted.record;
+  const bool is_whole = missing_shards(film).empty();
+  if (wants.shards == 1 && has.shards > 1 && !is_whole) return "it has only some of its shards";
+  if (wants.shards > 1 && (has.shards != wants.shards || has.cut != wants.cut)) {
+    return "it is divided into other shards";
+  }
+  if (wants.shards > 1 && has.samples != wants.samples) {
+    return fmt::format("its shards are those of {} samples, not {}", has.samples, wants.samples);
+  }
+  std::uint64_t most = 0;
+  for (const render::Film& each : film.films) {
+    if (wants.shards > 1 && each.extent() != part.extent) return "it is another shard";
+    if (each.size() > 0) most = std::max(most, each.sample_counts().max);
+  }
+  if (most > static_cast<std::uint64_t>(wants.samples)) {
+    return fmt::format("it has {} samples per pixel, more than {}", most, wants.samples);
+  }
+  if (!film.targets.empty() && has.error != wants.error) {
+    return fmt::format("its samples were distributed for --error {}%", 100 * has.error);
+  }
+  return {};
+}
+
+}  // namespace
+
+FilmJob::FilmJob(FilmRequest request, render::Kernel kernel, render::Scene scene,
+                 const render::RenderSettings& settings, const render::PictureRecord& record)
+    : request_(std::move(request)),
+      settings_(settings),
+      digest_(digest_of_parts(scene)),
+      scene_(std::move(kernel), std::move(scene), settings.threads),
+      film_(new_film(scene_, digest_, settings, record, request_)),
+      part_(request_.shard ? render::shard(settings, request_.cut, request_.shard->index,
+                                           request_.shard->count)
+                           : render::FilmPart{.extent = extent_of(settings)}) {
+  if (request_.checkpoint.empty() && !request_.outputs.empty()) {
+    request_.checkpoint = request_.outputs.front();
+  }
+  if (request_.resumes) resume();
+}
+
+void FilmJob::resume() {
+  std::error_code error;
+  if (!fs::exists(request_.checkpoint, error)) return;
+  render::StoredFilm earlier = render::read_film_file(request_.checkpoint);
+  const std::string other = obstacle(earlier, film_, part_);
+  if (!other.empty()) {
+    throw render::FilmError(
+        render::FilmError::Reason::Foreign, request_.checkpoint,
+        "the render cannot go on from this film: " + other + "; omit --resume to begin again");
+  }
+  film_.statistics = earlier.statistics;
+  film_.emitters = std::move(earlier.emitters);
+  film_.targets = std::move(earlier.targets);
+  // Whether a goal is reached was decided for another picture.
+  if (earlier.record.is_denoised == film_.record.is_denoised) {
+    film_.passes = std::move(earlier.passes);
+  }
+  film_.films = std::move(earlier.films);
+}
+
+std::string FilmJob::name_of_shard() const {
+  return fmt::format("shard {} of {} of the {}", request_.shard->index, request_.shard->count,
+                     name_of(request_.cut));
+}
+
+std::uint64_t FilmJob::samples_to_trace() const noexcept {
+  const std::uint64_t all = samples(), present = samples_in(film_);
+  return all - std::min(all, present);
+}
+
+render::RenderResult FilmJob::render(render::RenderMonitor& monitor, Environment& env) {
+  if (request_.checkpoint_seconds) {
+    monitor.checkpoint_seconds = *request_.checkpoint_seconds;
+    monitor.on_checkpoint = [&](const render::StoredFilm& film) {
+      try {
+        write_film_file(request_.checkpoint, film);
+      } catch (const render::IoError& error) {  // the next one may succeed
+        env.err << fmt::format("warning: {}\n", lang::printable(error.what())) << std::flush;
+      }
+    };
+  }
+  if (settings_.seconds) {
+    // Building counts.
+    settings_.seconds = std::max(*settings_.seconds - scene_.build_seconds(), 1e-3);
+  }
+  return request_.shard ? render_shard(monitor)
+                        : render::render(scene_, settings_, monitor, &film_);
+}
+
+render::RenderResult FilmJob::render_shard(render::RenderMonitor& monitor) {
+  const auto samples = static_cast<std::uint32_t>(settings_.samples);
+  const std::uint64_t before = samples_in(film_);
+  const auto start = render::Clock::now();
+  render::RenderResult result;
+  result.is_complete =
+      render_part(scene_, settings_, monitor, part_, std::span(&samples, 1), film_);
+  result.render_seconds = render::seconds_since(start);
+  result.build_seconds = scene_.build_seconds();
+  result.bvh_bytes = scene_.memory_bytes();
+  result.kernel = scene_.kernel();
+  result.threads = render::wanted_threads(settings_.threads);
+  result.camera_samples = samples_in(film_);
+  result.new_samples = result.camera_samples - before;
+  put_counts(film_.statistics, result);
+  return result;
+}
+
+std::vector<std::string> FilmJob::finish(bool is_complete, bool is_picture_written) {
+  std::vector<std::string> names;
+  if (is_complete) film_.shards = {request_.shard ? request_.shard->index : 1};
+  std::vector<fs::path> paths = request_.outputs;
+  if (paths.empty()) {
+    if (is_picture_written) {
+      fs::remove(request_.checkpoint);
+      return names;
+    }
+    paths = {request_.checkpoint};
+  }
+  for (const fs::path& path : paths) {
+    write_film_file(path, film_);
+    names.push_back(lang::printable(path.string()));
+  }
+  return names;
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,601 @@
+#include "cli/render_job.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/accuracy_report.hpp"
+#include "cli/aov_option.hpp"
+#include "cli/diagnostics_output.hpp"
+#include "cli/film_job.hpp"
+#include "cli/frames.hpp"
+#include "cli/kernel_options.hpp"
+#include "cli/numbers/format_numbers.hpp"
+#include "cli/override_options.hpp"
+#include "cli/picture_outputs.hpp"
+#include "cli/report_failure.hpp"
+#include "cli/scene_figures.hpp"
+#include "cli/statistics.hpp"
+#include "cli/usage_error.hpp"
+#include "cli/videos.hpp"
+#include "lang/allowances/allowances.hpp"
+#include "lang/compile/compile.hpp"
+#include "lang/lower/lowered_scene.hpp"
+#include "lang/source/sandbox.hpp"
+#include "lang/text/display_width.hpp"
+#include "render/film/film.hpp"
+#include "render/image/atomic_file.hpp"
+#include "render/image/image.hpp"
+#include "render/math/clock.hpp"
+#include "render/parallel/threads.hpp"
+#include "render/scene/instances.hpp"
+#include "render/session/picture_denoiser.hpp"
+#include "render/session/render.hpp"
+#include "render/session/shards.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Rejects a picture that does not fit into memory, before it is allocated.
+void check_memory(const render::RenderSettings& settings, const render::Aovs& aovs, bool has_film) {
+  const auto pixels =
+      static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+  // The picture, its 32-bit copy, the encoded file, and the error estimates.
+  std::size_t pixel_bytes =
+      sizeof(render::LinearRgb) + 2 * 3 * sizeof(float) + sizeof(render::PixelSpread);
+  if (settings.has_goal() || settings.is_denoised || has_film) {
+    // A goal may need few samples.
+    const auto samples = settings.has_goal() ? render::kMinReplicatedSamples
+                                             : static_cast<std::uint64_t>(settings.samples);
+    pixel_bytes += render::Film::bytes_per_pixel(samples, channels_of(settings));
+  }
+  if (settings.is_denoised) pixel_bytes += render::PictureDenoiser::kBytesPerPixel;
+  const std::size_t bytes = pixels * pixel_bytes + aov_bytes(aovs, pixels);
+  if (bytes > physical_memory_bytes()) throw std::bad_alloc();
+}
+
+PictureForm picture_form(const RenderOptions& options, const lang::LoweredScene& lowered) {
+  return {.mapping = lowered.output.mapping, .ppm_text = options.ppm_text};
+}
+
+ProgressStyle progress_style(const RenderOptions& options, const Environment& env) {
+  if (options.quiet || options.progress == "none") return ProgressStyle::None;
+  if (options.progress == "json") return ProgressStyle::Json;
+  if (options.progress == "plain" || !env.err_is_terminal) return ProgressStyle::Plain;
+  return ProgressStyle::Line;
+}
+
+/// The first pass is finished in any case.
+constexpr double kMinSecondsToTrace = 1e-3;
+
+/// Traces with progress; Ctrl-C ends it early. Moves the scene away. `film` may be null.
+render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
+                           const RenderOptions& options, const std::vector<Output>& outputs,
+                           FilmJob* film, ProgressPart part, RenderStatistics& statistics,
+                           Environment& env) {
+  render::RenderMonitor monitor;
+  monitor.on_tracing = [&] {
+    // For ten million spheres, freed memory of the compiler and the BVH builder would keep 140 MB
+    // resident during tracing.
+    release_freed_memory();
+    statistics.render_rss_bytes = resident_bytes();  // before the codec allocates its own
+    render::preload_image_codec(lowered.settings.seconds ? render::Preload::Now
+                                                         : render::Preload::Late);
+  };
+  monitor.seconds_to_finish = [&](const render::Picture& picture) {
+    return seconds_to_write(picture, outputs, picture_form(options, lowered),
+                            options.aovs.channels());
+  };
+  const InterruptGuard interrupt(monitor.cancel);
+  if (film != nullptr) part.samples = film->samples_to_trace();
+  const ProgressReporter progress(progress_style(options, env), monitor, lowered.settings, env.err,
+                                  std::move(part));
+  if (film != nullptr) return film->render(monitor, env);
+  return render::render(std::move(kernel), std::move(lowered.scene), lowered.settings, monitor);
+}
+
+/// What an interrupted render has left, as clauses.
+std::string describe_saved(const Written& written) {
+  std::vector<std::string> saved;
+  if (!written.names.empty()) {
+    saved.push_back(
+        fmt::format("the partial picture was {} {}",
+                    written.names.front() == kStandardOutput ? "written to" : "saved as",
+                    fmt::join(written.names, ", ")));
+  }
+  if (!written.films.empty()) {
+    saved.push_back(fmt::format("--resume goes on from {}", written.films.front()));
+  }
+  return saved.empty() ? "nothing was saved" : fmt::to_string(fmt::join(saved, "; "));
+}
+
+/// "512 samples, 1.2 s (…)": what was rendered.
+std::string describe_render(const render::RenderResult& result, const FilmJob* film) {
+  const std::string rate =
+      fmt::format("{} ({} samples/s)", format_seconds(result.render_seconds),
+                  format_count(static_cast<double>(result.new_samples) / result.render_seconds));
+  if (film != nullptr && film->is_shard()) {
+    return fmt::format("{}, {} samples, {}", film->name_of_shard(),
+                       format_count(static_cast<double>(result.camera_samples)), rate);
+  }
+  return fmt::format("{}, {}{}{}", describe_samples(result), rate, describe_error(result),
+                     describe_light_choice(result.kernel));
+}
+
+/// Prints the final line and returns the status of the command. `film` may be null.
+ExitCode conclude(const RenderOptions& options, const render::RenderSettings& settings,
+                  const render::RenderResult& result, const FilmJob* film, const Written& written,
+                  Environment& env) {
+  // The scene is at fault, with a warning about it (W501).
+  const bool is_too_bright = result.kernel.bounds[render::PrecisionClause::Radiance].share > 1;
+  if (result.nonfinite_samples > 0) {
+    env.err << fmt::format("error: {} samples are not finite and were left out{}\n",
+                           result.nonfinite_samples,
+                           is_too_bright ? ": colors or intensities are beyond the precision" : "");
+  }
+  if (!result.is_complete) {
+    const std::uint64_t total = film != nullptr ? film->samples() : total_samples(settings);
+    const std::string of =
+        settings.has_goal() ? "" : fmt::format(" of {}", format_count(static_cast<double>(total)));
+    env.err << fmt::format("interrupted after {}{} samples; {}\n",
+                           format_count(static_cast<double>(result.camera_samples)), of,
+                           describe_saved(written));
+    return graver(ExitCode::Interrupted, written.code);
+  }
+  if (film == nullptr || !film->is_shard()) {
+    for (const std::string& warning : accuracy_warnings(settings, result)) {
+      env.err << "warning: " << warning << "\n";
+    }
+  }
+  if (const int wanted = render::wanted_threads(settings.threads); result.threads < wanted) {
+    env.err << fmt::format("warning: {} of {} threads could be started\n", result.threads, wanted);
+  }
+  const bool is_quiet = options.quiet || options.progress == "none";
+  std::vector<std::string> names = written.names;
+  names.insert(names.end(), written.films.begin(), written.films.end());
+  if (!is_quiet && !names.empty()) {
+    env.err << fmt::format("{}: {} x {} pixels, {}\n", fmt::join(names, ", "), settings.width,
+                           settings.height, describe_render(result, film));
+  }
+  const ExitCode of_samples = result.nonfinite_samples == 0 ? ExitCode::Success
+                              : is_too_bright               ? ExitCode::Findings
+                                                            : ExitCode::Defect;
+  return graver(of_samples, written.code);
+}
+
+/// The pictures of one scene: one, or one for each frame.
+class RenderJob {
+ public:
+  RenderJob(const RenderOptions& options, RenderRun& run, Environment& env)
+      : options_(options), run_(run), env_(env) {}
+
+  ExitCode run() {
+    source_ = read_scene(options_.scene, env_);
+    read_seconds_ = render::seconds_since(start_);
+    compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
+    choose_frames();
+    // Errors that do not depend on the frame.
+    const bool is_broken = sink_.has_errors();
+    ExitCode code = ExitCode::Success;
+    for (std::size_t i = 0; i < frames_.size() && !run_.interrupted.load(); ++i) {
+      const ExitCode of_frame = render_or_skip(i);
+      code = graver(code, of_frame);
+      if (of_frame == ExitCode::Success) continue;
+      if (of_frame == ExitCode::Interrupted) break;
+      if (frames_[i]) failed_.push_back(*frames_[i]);
+      if (options_.fails_fast || is_broken) break;
+    }
+    report_frames();
+    const bool is_quiet = options_.quiet || options_.progress == "none";
+    code = graver(code, videos_.finish(finished_, is_quiet, env_));
+    return run_.interrupted.load() && finished_ > 0 ? report_interrupted(code) : code;
+  }
+
+ private:
+  ExitCode render_or_skip(std::size_t i) {
+    const bool is_last = i + 1 == frames_.size();
+    if (options_.skips_existing && videos_.empty() && !options_.outputs.empty() &&
+        are_written(output_request("", frames_[i]))) {
+      ++skipped_;
+      return ExitCode::Success;
+    }
+    // What makes the first frame fail before it is traced would make all fail.
+    if (!has_planned_) return render_frame(i, is_last);
+    return report_failure(env_, [&] { return render_frame(i, is_last); });
+  }
+
+  /// Reports frames that were skipped or failed.
+  void report_frames() const {
+    if (skipped_ > 0 && !options_.quiet) {
+      env_.err << (frames_.size() == 1 ? fmt::format("the picture of `{}` is there already\n",
+                                                     lang::printable(options_.scene.name()))
+                                       : fmt::format("{} of {} frames were there already\n",
+                                                     skipped_, frames_.size()));
+    }
+    if (!failed_.empty() && frames_.size() > 1) {
+      env_.err << fmt::format("error: {} of {} frames failed: {}\n", failed_.size(), frames_.size(),
+                              describe_frames(failed_));
+    }
+  }
+
+  /// Reports an interruption after a finished picture.
+  ExitCode report_interrupted(ExitCode code) {
+    if (code == ExitCode::Interrupted)
+      return code;  // interrupted within a picture, which has been
+                    // reported
+    env_.err << fmt::format("interrupted; {}\n", frames_.size() == 1
+                                                     ? "the picture was finished"
+                                                     : fmt::format("{} of {} frames were finished",
+                                                                   finished_, frames_.size()));
+    return graver(ExitCode::Interrupted, code);
+  }
+
+  void choose_frames() {
+    const std::optional<lang::Animation> animation = compiler_->animation();
+    if (!animation && options_.frames && !sink_.has_errors()) {
+      throw UsageError("--frames: the scene has no `animation`, so all frames are the same");
+    }
+    if (!animation) {
+      frames_ = {std::nullopt};
+      choose_videos(0);
+      return;
+    }
+    const FrameRange all{
+        .first = animation->first, .last = animation->last, .step = animation->step};
+    for (const int frame : frames_of(options_.frames.value_or(std::vector{all}))) {
+      frames_.emplace_back(frame);
+    }
+    warn_of_frames_outside(*animation);
+    take_shard_of_frames();
+    const int step = frames_.size() > 1 ? *frames_[1] - *frames_[0] : 1;
+    choose_videos(animation->fps / step);
+    if (frames_.size() == 1) return;
+    for (const std::string& output : pictures_) {
+      if (has_frame_mark(output)) continue;
+      throw UsageError(fmt::format("{} frames cannot all be written to `{}`; put {} in its name",
+                                   frames_.size(), lang::printable(output), kFrameMark));
+    }
+  }
+
+  /// Whether --shard divides the frames.
+  bool are_frames_divided() const {
+    if (!options_.shard || frames_.empty() || !frames_.front()) return false;
+    if (options_.shard_by) return *options_.shard_by == ShardBy::Frames;
+    return frames_.size() >= options_.shard->count;
+  }
+
+  void take_shard_of_frames() {
+    if (!are_frames_divided()) return;
+    const auto [index, count] = *options_.shard;
+    const auto cut = [&](std::size_t i) {
+      return frames_.begin() + static_cast<std::ptrdiff_t>(frames_.size() * i / count);
+    };
+    frames_ = {cut(index - 1), cut(index)};
+    is_shard_of_frames_ = true;
+    if (!frames_.empty()) return;
+    throw UsageError(fmt::format("--shard: there are fewer frames than {} shards", count));
+  }
+
+  /// What a shard has if it is not some of the frames.
+  render::ShardCut choose_cut(const render::RenderSettings& settings) const {
+    using render::ShardCut;
+    const std::uint32_t count = options_.shard->count;
+    const auto is_possible = [&](ShardCut cut) { return max_shards(settings, cut) >= count; };
+    if (options_.shard_by == ShardBy::Frames) {
+      throw UsageError("--shard-by frames: the scene has no `animation`");
+    }
+    ShardCut cut = is_possible(ShardCut::Samples) ? ShardCut::Samples : ShardCut::Tiles;
+    if (options_.shard_by) {
+      cut = *options_.shard_by == ShardBy::Samples ? ShardCut::Samples : ShardCut::Tiles;
+    }
+    if (is_possible(cut)) return cut;
+    throw UsageError(fmt::format(
+        "--shard: {} can be divided into at most {} shards{}",
+        cut == ShardCut::Samples ? fmt::format("{} samples", settings.samples)
+                                 : fmt::format("{} x {} pixels", settings.width, settings.height),
+        max_shards(settings, cut),
+        cut == ShardCut::Samples && is_possible(ShardCut::Tiles) ? "; use --shard-by tiles" : ""));
+  }
+
+  /// Divides the outputs into videos of all frames and pictures of one.
+  void choose_videos(double frames_per_second) {
+    pictures_ = options_.outputs;
+    std::vector<std::string> names = Videos::take_from(pictures_, frames_.size());
+    if (!names.empty() && !frames_.front() && !sink_.has_errors()) {
+      throw UsageError(fmt::format("`{}` is a video, but the scene has no `animation`",
+                                   lang::printable(names.front())));
+    }
+    for (std::string& name : names) name = name_of_scene(name, options_.scene.given_name());
+    videos_ =
+        Videos(names, {.count = frames_.size(), .per_second = frames_per_second}, options_.crf);
+    videos_.check(InputSet(options_.files), run_.outputs, options_.keeps_existing);
+  }
+
+  void warn_of_frames_outside(const lang::Animation& animation) {
+    std::vector<int> outside;
+    for (const std::optional<int> frame : frames_) {
+      if (*frame < animation.first || *frame > animation.last) outside.push_back(*frame);
+    }
+    if (outside.empty()) return;
+    env_.err << fmt::format("warning: --frames: {} {} outside of the animation, {} to {}\n",
+                            describe_frames(outside), outside.size() == 1 ? "is" : "are",
+                            animation.first, animation.last);
+  }
+
+  static render::PictureRecord record_of(const lang::LoweredScene& lowered,
+                                         std::optional<int> frame,
+                                         const RenderStatistics& statistics) {
+    render::PictureRecord record;
+    record.scene = lang::printable(statistics.scene);
+    record.frame = frame;
+    record.spheres = statistics.spheres;
+    record.instances = statistics.instances;
+    record.features = fmt::to_string(fmt::join(statistics.features, " "));
+    record.tone = lowered.output.mapping.tone;
+    record.exposure = lowered.output.mapping.exposure;
+    return record;
+  }
+
+  ProgressPart progress_part(std::size_t frame) const {
+    const auto frames = static_cast<double>(frames_.size()),
+               files = static_cast<double>(run_.files);
+    const double before = static_cast<double>(frame) / frames;
+    ProgressPart part{.before = (static_cast<double>(run_.files_before) + before) / files,
+                      .share = 1 / (frames * files),
+                      .schedule = run_.schedule};
+    if (run_.files > 1)
+      part.label = fmt::format("scene {} of {}", run_.files_before + 1, run_.files);
+    if (frames_.size() > 1) {
+      part.label += fmt::format("{}frame {} of {}", part.label.empty() ? "" : ", ", frame + 1,
+                                frames_.size());
+    }
+    return part;
+  }
+
+  /// A frame's scene, and its kernel.
+  struct LoweredFrame {
+    lang::LoweredScene lowered;
+    render::Kernel kernel;  ///< may be refused
+    double choice_seconds = 0;
+  };
+
+  /// Compiles the scene at this frame and prints its new diagnostics; nullopt if it has errors.
+  std::optional<LoweredFrame> lower(std::optional<int> frame, RenderStatistics& statistics) {
+    lang::Overrides overrides = options_.overrides;
+    overrides.instancing = instancing_for(options_.kernel, overrides);
+    overrides.names_output = !options_.outputs.empty();
+    auto lowered = compiler_->lower(overrides, frame);
+    const auto choice_start = std::chrono::steady_clock::now();
+    render::Kernel kernel;
+    if (lowered) kernel = choose_kernel(options_.kernel, overrides, *lowered, *compiler_);
+    const double choice_seconds = render::seconds_since(choice_start);
+    const bool is_first = !std::exchange(has_compiled_, true);
+    if (is_first || !sink_.diagnostics().empty()) {
+      print_findings(select_unallowed(sink_), options_.scene.diagnostics, env_.err,
+                     env_.err_is_terminal, env_);
+    }
+    if (!lowered) {
+      sink_.clear();
+      return std::nullopt;
+    }
+    check_goals(overrides, *lowered);
+    sink_.clear();
+    statistics.scene = source_->name();
+    statistics.compile = compiler_->times();
+    if (is_first) statistics.compile.parse_seconds += read_seconds_;
+    statistics.settings = lowered->settings;
+    statistics.spheres = render::count_spheres(lowered->scene);
+    statistics.instances = lowered->scene.instances.size();
+    statistics.features = required_features(lowered->scene, count_materials(lowered->scene));
+    return LoweredFrame{.lowered = *std::move(lowered),
+                        .kernel = std::move(kernel),
+                        .choice_seconds = choice_seconds};
+  }
+
+  OutputRequest output_request(const std::string& of_scene, std::optional<int> frame) const {
+    OutputRequest request{.pictures = pictures_,
+                          .has_videos = !videos_.empty(),
+                          .of_scene = of_scene,
+                          .input = options_.scene.given_name(),
+                          .keeps_existing = options_.keeps_existing};
+    request.frame = frame;
+    request.inputs = inputs_;
+    if (sandbox_) request.sandbox = &*sandbox_;
+    return request;
+  }
+
+  /// Decides about the outputs of a frame. The first one checks the names of all.
+  std::vector<Output> plan_frame(const lang::LoweredScene& lowered, std::optional<int> frame) {
+    OutputRequest request = output_request(lowered.output.output, frame);
+    request.width = lowered.settings.width;
+    request.height = lowered.settings.height;
+    request.earlier = &run_.outputs;
+    if (!has_planned_) request.all_frames = frames_;
+    // Later the file of earlier pictures exists.
+    if (!run_.has_stats_file) request.stats = options_.stats;
+    std::vector<Output> outputs = plan_outputs(request);
+    has_planned_ = run_.has_stats_file = true;
+    return outputs;
+  }
+
+  /// Called before text and tree are freed.
+  void find_inputs(const lang::LoweredScene& lowered) {
+    inputs_ = options_.files;
+    for (const fs::path& part : compiler_->dependencies()) inputs_.push_back(part.string());
+    if (!options_.scene.reading.is_sandboxed) return;
+    // The default folder is ours, but the file in it may be a link made by the scene's author.
+    sandbox_.emplace(env_.workspace, lowered.output.output.empty() ? "" : options_.scene.name());
+  }
+
+  /// Whether the render is a shard of one picture.
+  bool is_part() const { return options_.shard && !is_shard_of_frames_; }
+
+  void check_shard(const std::vector<Output>& outputs,
+                   const render::RenderSettings& settings) const {
+    if (settings.has_goal()) {
+      throw UsageError(fmt::format(
+          "--shard: --{} decides on the whole picture, which a shard does not have; use --samples",
+          settings.error ? "error" : "time"));
+    }
+    if (settings.is_denoised) {
+      throw UsageError("--shard: --denoise needs the whole picture, which a shard does not have");
+    }
+    for (const Output& output : outputs) {
+      if (output.is_film) continue;
+      throw UsageError(fmt::format(
+          "a shard of a picture is a film: use -o NAME.film instead of `{}`, and `sdlc merge`",
+          lang::printable(output.path.string())));
+    }
+  }
+
+  /// What films the render has; nullopt if none.
+  std::optional<FilmRequest> film_request(const std::vector<Output>& outputs,
+                                          const render::RenderSettings& settings) const {
+    FilmRequest request{.outputs = {},
+                        .checkpoint = {},
+                        .checkpoint_seconds = options_.checkpoint_seconds,
+                        .resumes = options_.resumes,
+                        .shard = {}};
+    if (is_part()) {
+      check_shard(outputs, settings);
+      request.shard = options_.shard;
+      request.cut = choose_cut(settings);
+    }
+    for (const Output& output : outputs) {
+      if (output.is_film) request.outputs.push_back(output.path);
+    }
+    const bool has_checkpoint = options_.checkpoint_seconds || options_.resumes;
+    if (!request.outputs.empty()) {
+      request.checkpoint = request.outputs.front();
+      return request;
+    }
+    if (!has_checkpoint) return std::nullopt;
+    const auto named = std::ranges::find(outputs, false, &Output::is_stdout);
+    if (named == outputs.end()) {
+      throw UsageError("--checkpoint and --resume require a file to write, such as -o NAME.png");
+    }
+    request.checkpoint = fs::path(named->path).replace_extension(".film");
+    std::error_code error;
+    if (!options_.resumes && fs::exists(request.checkpoint, error)) {
+      throw UsageError(
+          fmt::format("`{}` exists; use --resume to go on from it, or remove it to begin again",
+                      lang::printable(request.checkpoint.string())));
+    }
+    return request;
+  }
+
+  /// Writes the films after the pictures.
+  void finish_film(FilmJob& film, bool is_complete, Written& written) {
+    const bool is_picture_written = is_complete && written.code == ExitCode::Success;
+    try_to_write(written.code, env_,
+                 [&] { written.films = film.finish(is_complete, is_picture_written); });
+  }
+
+  ExitCode render_frame(std::size_t index, bool is_last) {
+    const std::optional<int> frame = frames_[index];
+    const auto start = has_compiled_ ? std::chrono::steady_clock::now() : start_;
+    RenderStatistics statistics;
+    std::optional<LoweredFrame> lowered_frame = lower(frame, statistics);
+    if (!lowered_frame) return ExitCode::Findings;
+    auto& [lowered, kernel, choice_seconds] = *lowered_frame;
+    if (run_.interrupted.load()) return ExitCode::Success;  // between two frames
+    find_inputs(lowered);
+    if (options_.skips_existing && videos_.empty() &&
+        are_written(output_request(lowered.output.output, frame))) {
+      ++skipped_;
+      return ExitCode::Success;
+    }
+    if (is_last) {  // free text and tree before tracing
+      compiler_.reset();
+      source_.reset();
+    }
+
+    lowered.settings.keeps_variance = options_.aovs.variance;
+    lowered.settings.keeps_first_hits = options_.aovs.has_features();
+    const render::RenderSettings settings = lowered.settings;
+    const std::vector<Output> outputs = plan_frame(lowered, frame);
+    check_aovs(options_.aovs, outputs, settings);
+    const std::optional<FilmRequest> request = film_request(outputs, settings);
+    check_memory(settings, options_.aovs, request.has_value());
+    check_not_refused(kernel);
+
+    if (settings.seconds) {
+      lowered.settings.seconds =
+          std::max(*settings.seconds - render::seconds_since(start), kMinSecondsToTrace);
+    }
+    // Until here there is nothing to save, and a signal may end the process.
+    if (!run_.guard) run_.guard.emplace(run_.interrupted);
+    std::optional<render::ParentFolders> folders;
+    std::optional<FilmJob> film;
+    if (request) {
+      if (outputs.front().may_make_folders) folders.emplace(request->checkpoint);
+      film.emplace(*request, std::move(kernel), std::move(lowered.scene), lowered.settings,
+                   record_of(lowered, frame, statistics));
+    }
+    render::RenderResult result =
+        trace(lowered, std::move(kernel), options_, outputs, film ? &*film : nullptr,
+              progress_part(index), statistics, env_);
+    result.build_seconds += choice_seconds;
+    if (!result.is_complete) {
+      if (result.camera_samples == 0)
+        return conclude(options_, settings, result, nullptr, {}, env_);
+      env_.err << "interrupted; saving the partial picture" << std::endl;
+    }
+    const auto write_start = std::chrono::steady_clock::now();
+    Written written;
+    if (!is_part()) {
+      const std::vector<render::Layer> layers =
+          picture_layers(options_.aovs, settings, result, env_.err);
+      written =
+          write_pictures(outputs, picture_form(options_, lowered), settings, result, layers, env_);
+    }
+    if (film) finish_film(*film, result.is_complete, written);
+    if (result.is_complete) {
+      try_to_write(written.code, env_,
+                   [&] { videos_.add(result.picture, lowered.output.mapping); });
+    }
+    statistics.write_seconds = render::seconds_since(write_start);
+    if (!options_.stats.empty()) {
+      run_.stats += to_json(statistics, result) + "\n";
+      if (options_.stats != kStandardStream) {
+        try_to_write(written.code, env_, [&] { write_stats(options_.stats, run_.stats, env_); });
+      }
+    }
+    if (result.is_complete && written.code == ExitCode::Success) ++finished_;
+    return conclude(options_, settings, result, film ? &*film : nullptr, written, env_);
+  }
+
+  const RenderOptions& options_;
+  RenderRun& run_;
+  Environment& env_;
+  lang::DiagnosticSink sink_;
+  std::shared_ptr<const lang::Document> source_;
+  std::optional<lang::Compiler> compiler_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::vector<std::optional<int>> frames_;  // nullopt for a scene without an animation
+  std::vector<std::string> pictures_;       // the outputs that are not videos
+  Videos videos_;
+  double read_seconds_ = 0;
+  bool has_compiled_ = false;
+  bool has_planned_ = false;
+  bool is_shard_of_frames_ = false;
+  std::vector<std::string> inputs_;
+  std::optional<lang::Sandbox> sandbox_;
+  std::size_t finished_ = 0, skipped_ = 0;  // frames
+  std::vector<int> failed_;
+};
+
+}  // namespace
+
+ExitCode render_scene(const RenderOptions& options, RenderRun& run, Environment& env) {
+  return RenderJob(options, run, env).run();
+}
+
+}  // namespace sdlc::cli

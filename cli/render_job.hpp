@@ -1,0 +1,33 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/environment.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/outputs.hpp"
+#include "cli/progress.hpp"
+#include "cli/render_options.hpp"
+
+namespace sdlc::cli {
+
+/// What the scenes of one command share.
+struct RenderRun {
+  std::size_t files = 1, files_before = 0;
+  OutputSet outputs;
+  std::string stats;  ///< of the pictures so far, one per line
+  bool has_stats_file = false;
+  std::shared_ptr<ProgressSchedule> schedule = std::make_shared<ProgressSchedule>();
+  std::atomic<bool> interrupted{false};
+  std::optional<InterruptGuard> guard;
+};
+
+/// Renders the pictures of RenderOptions::scene: one, or one for each frame. Throws what
+/// report_failure() reports if nothing can be rendered.
+ExitCode render_scene(const RenderOptions& options, RenderRun& run, Environment& env);
+
+}  // namespace sdlc::cli

@@ -1,0 +1,82 @@
+#include "cli/videos.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "cli/frames.hpp"
+#include "cli/picture_outputs.hpp"
+#include "lang/text/display_width.hpp"
+#include "render/image/atomic_file.hpp"
+
+namespace sdlc::cli {
+
+std::vector<std::string> Videos::take_from(std::vector<std::string>& outputs, std::size_t frames) {
+  const auto is_video = [frames](const std::string& output) {
+    const std::optional<VideoFormat> format = video_format_of(output);
+    return format && !has_frame_mark(output) && (is_only_video(*format) || frames > 1);
+  };
+  const auto videos =
+      std::ranges::stable_partition(outputs, [&](const auto& output) { return !is_video(output); });
+  std::vector<std::string> names(videos.begin(), videos.end());
+  outputs.erase(videos.begin(), videos.end());
+  return names;
+}
+
+Videos::Videos(const std::vector<std::string>& names, VideoFrames frames, int crf)
+    : frames_(frames), crf_(crf) {
+  for (const std::string& name : names) {
+    videos_.push_back({.path = name, .format = *video_format_of(name), .writer = nullptr});
+  }
+}
+
+void Videos::check(const InputSet& inputs, OutputSet& outputs, bool keeps_existing) const {
+  for (const Video& video : videos_) {
+    check_ffmpeg(video.path);
+    inputs.check_not_in(video.path);
+    outputs.add(video.path);
+    render::check_writable(video.path);
+    if (keeps_existing) check_absent(video.path);
+  }
+}
+
+void Videos::add(const render::Picture& picture, const render::ToneMapping& mapping) {
+  if (empty()) return;
+  const std::vector<std::byte> frame =
+      render::encode_picture(picture, {.format = render::ImageFormat::Ppm, .mapping = mapping});
+  for (Video& video : videos_) {
+    if (!video.writer) {
+      video.writer =
+          std::make_unique<VideoWriter>(video.path, video.format,
+                                        VideoSettings{.width = picture.width,
+                                                      .height = picture.height,
+                                                      .frames_per_second = frames_.per_second,
+                                                      .crf = crf_});
+    }
+    video.writer->add(frame);
+  }
+}
+
+ExitCode Videos::finish(std::size_t finished, bool is_quiet, Environment& env) {
+  ExitCode code = ExitCode::Success;
+  for (Video& video : videos_) {
+    const std::string shown = lang::printable(video.path);
+    if (finished == frames_.count) {
+      try_to_write(code, env, [&] {
+        video.writer->finish();
+        if (is_quiet) return;
+        env.err << fmt::format("{}: {} frames, {} per second\n", shown, frames_.count,
+                               frames_.per_second);
+      });
+    } else {
+      env.err << fmt::format("error: `{}` was not written, because it has {} of {} frames\n", shown,
+                             finished, frames_.count);
+    }
+    video.writer.reset();
+  }
+  return code;
+}
+
+}  // namespace sdlc::cli
