@@ -10,6 +10,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/dispatcher.hpp"
+#include "cli/inspect_film.hpp"
 #include "cli/inspect_report.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/make_rule.hpp"
@@ -219,8 +220,9 @@ class InspectJob {
 
 void add_inspect_command(Command& program, Dispatcher& dispatcher) {
   auto options = std::make_shared<InspectOptions>();
-  Command command =
-      program.add_command("inspect", "Show what a scene contains and requires, without rendering");
+  Command command = program.add_command(
+      "inspect",
+      "Show what a scene contains and requires, or what a film holds, without rendering");
   add_scene_options(command, options->scene);
   command.option("--format").description("Format of diagnostics; json: also of the report");
   add_whole_number(
@@ -259,11 +261,16 @@ void add_inspect_command(Command& program, Dispatcher& dispatcher) {
       "  sdlc inspect ring.scene --set count=200 --frame 12\n"
       "  sdlc inspect ring.scene --where 17\n"
       "  sdlc inspect ring.scene --deps\n"
+      "  sdlc inspect part1.film\n"
       "  sdlc inspect ring.scene --deps --target ring.png > ring.d\n"
       "  sdlc inspect ring.scene --format json | jq .memory.total_bytes\n\n"
       "A scene with errors is reported without its invalid parts, with exit status 1. Nothing is "
       "rendered or\nwritten. docs/inspect.md explains the figures and the JSON fields.");
-  dispatcher.on(command, [options](Environment& env) { return InspectJob(*options, env).run(); });
+  dispatcher.on(command, [options](Environment& env) {
+    if (!is_film_name(options->scene.file)) return InspectJob(*options, env).run();
+    env.out << inspect_film(options->scene.file, options->is_json());
+    return ExitCode::Success;
+  });
 }
 
 }  // namespace sdlc::cli

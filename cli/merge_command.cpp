@@ -125,8 +125,8 @@ class MergeJob {
                           .of_scene = {},
                           .input = film_->record.scene,
                           .keeps_existing = options_.keeps_existing,
-                          .width = settings.width,
-                          .height = settings.height};
+                          .width = settings.window().width,
+                          .height = settings.window().height};
     request.frame = frame_;
     request.all_frames = {frame_};
     request.inputs = options_.films;
@@ -206,8 +206,8 @@ class MergeJob {
     names.insert(names.end(), written.films.begin(), written.films.end());
     if (options_.quiet || names.empty()) return;
     env_.err << fmt::format(
-        "{}: {} x {} pixels{}{}\n", fmt::join(names, ", "), settings.width, settings.height,
-        description_.empty() ? "" : ", " + description_,
+        "{}: {} x {} pixels{}{}\n", fmt::join(names, ", "), settings.window().width,
+        settings.window().height, description_.empty() ? "" : ", " + description_,
         shards_ == 1 ? "" : fmt::format(", {} of {} shards", shards_ - missing.size(), shards_));
   }
 

@@ -6,6 +6,7 @@
 #include "cli/accuracy_report.hpp"
 #include "cli/version.hpp"
 #include "render/image/atomic_file.hpp"
+#include "render/image/enlarge.hpp"
 #include "render/math/clock.hpp"
 
 namespace sdlc::cli {
@@ -18,11 +19,20 @@ render::WriteOptions write_options(const Output& output, const PictureForm& form
                                    const render::RenderResult& result) {
   std::optional<render::ToneMapping> mapping;
   if (!describe(output.format).is_linear) mapping = form.mapping;
+  render::PixelWindow whole;
+  if (settings.crop) {
+    whole = {.x = -settings.crop->x * form.zoom,
+             .y = -settings.crop->y * form.zoom,
+             .width = settings.width * form.zoom,
+             .height = settings.height * form.zoom};
+  }
   return {.format = output.format,
           .mapping = form.mapping,
           .ppm_text = form.ppm_text,
           .metadata = {.software = fmt::format("sdlc {}", kVersion),
-                       .entries = picture_metadata(settings, result, mapping)}};
+                       .entries = picture_metadata(settings, result, mapping)},
+          .whole = whole,
+          .layers = {}};
 }
 
 void write_to_stdout(const render::Picture& picture, const render::WriteOptions& options,
@@ -66,6 +76,17 @@ Written write_pictures(const std::vector<Output>& outputs, const PictureForm& fo
                        const render::RenderSettings& settings, const render::RenderResult& result,
                        std::span<const render::Layer> layers, Environment& env) {
   Written written;
+  const int width = result.picture.width;
+  std::optional<render::Picture> large;
+  std::vector<render::Layer> large_layers;
+  if (form.zoom > 1) {
+    large = enlarged(result.picture, form.zoom);
+    for (const render::Layer& layer : layers) {
+      large_layers.push_back(enlarged(layer, width, form.zoom));
+    }
+    layers = large_layers;
+  }
+  const render::Picture& picture = large ? *large : result.picture;
   for (const Output& output : outputs) {
     if (output.is_film) continue;
     render::WriteOptions write = write_options(output, form, settings, result);
@@ -73,12 +94,12 @@ Written write_pictures(const std::vector<Output>& outputs, const PictureForm& fo
     fs::path path = output.path;
     try_to_write(written.code, env, [&] {
       if (output.is_stdout) {
-        write_to_stdout(result.picture, write, env);
+        write_to_stdout(picture, write, env);
       } else {
         if (!result.is_complete) path = partial_name(path);
         std::optional<render::ParentFolders> folders;
         if (output.may_make_folders) folders.emplace(path);
-        render::write_picture(path, result.picture, write);
+        render::write_picture(path, picture, write);
       }
       written.names.push_back(lang::printable(path.string()));
     });
@@ -98,7 +119,8 @@ double seconds_to_write(const render::Picture& picture, const std::vector<Output
                         const PictureForm& form, std::size_t channels) {
   constexpr int kStep = 16;
   constexpr double kSecondsPerFile = 0.02;
-  const render::Picture rows = rows_of(picture, kStep), row = rows_of(picture, picture.height);
+  const render::Picture rows = enlarged(rows_of(picture, kStep), form.zoom),
+                        row = enlarged(rows_of(picture, picture.height), form.zoom);
   double seconds = kSecondsPerFile * static_cast<double>(outputs.size());
   try {
     for (const Output& output : outputs) {

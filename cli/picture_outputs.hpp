@@ -23,6 +23,7 @@ namespace sdlc::cli {
 struct PictureForm {
   render::ToneMapping mapping = {};
   bool ppm_text = false;
+  int zoom = 1;  ///< each pixel is written as zoom × zoom
 };
 
 inline constexpr std::string_view kStandardOutput = "standard output";

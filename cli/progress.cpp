@@ -13,8 +13,7 @@
 namespace sdlc::cli {
 
 std::uint64_t total_samples(const render::RenderSettings& settings) {
-  return static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height) *
-         static_cast<std::uint64_t>(settings.samples);
+  return settings.window().pixels() * static_cast<std::uint64_t>(settings.samples);
 }
 
 ProgressReporter::ProgressReporter(ProgressStyle style, const render::RenderMonitor& monitor,

@@ -76,6 +76,8 @@ ExitCode run_render(RenderOptions& options, Environment& env) {
   ExitCode code = render_files(options, run, env);
   if (options.stats == kStandardStream && !run.stats.empty()) {
     try_to_write(code, env, [&] { write_stats(options.stats, run.stats, env); });
+  } else if (run.is_stats_file_behind) {
+    try_to_write(code, env, [&] { write_stats_so_far(options, run, env); });
   }
   return code;
 }
@@ -97,6 +99,11 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
   add_override_options(command, options->overrides);
   add_kernel_options(command, options->kernel);
   add_aov_option(command, options->aovs);
+  add_crop_option(command, options->crop);
+  add_whole_number(
+      command, "--zoom", {.lowest = 1, .highest = 1000},
+      [options](std::uint64_t zoom) { options->zoom = static_cast<int>(zoom); },
+      "Write each pixel as N x N pixels");
   add_shard_options(command, options->shard, options->shard_by);
   command
       .add_text(
@@ -153,6 +160,7 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
       "  cat ball.scene | sdlc render - -o - > ball.png\n"
       "  sdlc render ring.scene --set count=200 --frames 1-24,48 -o ring.####.png\n"
       "  sdlc render ring.scene -o ring.mp4\n"
+      "  sdlc render ball.scene --crop 40%,40%,20%,20% --zoom 8 -o detail.png\n"
       "  sdlc render scenes/*.scene -o out/{name}.png --skip-existing\n"
       "  sdlc render ball.scene --samples 65536 --checkpoint 60s --resume\n"
       "  sdlc render ball.scene --samples 4096 --shard 2/8 -o part2.film\n"

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <filesystem>
+#include <future>
+#include <memory>
+#include <sstream>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -30,6 +35,7 @@
 #include "lang/text/display_width.hpp"
 #include "render/film/film.hpp"
 #include "render/image/atomic_file.hpp"
+#include "render/image/enlarge.hpp"
 #include "render/image/image.hpp"
 #include "render/math/clock.hpp"
 #include "render/parallel/threads.hpp"
@@ -44,9 +50,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Rejects a picture that does not fit into memory, before it is allocated.
-void check_memory(const render::RenderSettings& settings, const render::Aovs& aovs, bool has_film) {
-  const auto pixels =
-      static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+void check_memory(const render::RenderSettings& settings, const render::Aovs& aovs, bool has_film,
+                  int zoom) {
+  const std::size_t pixels = settings.window().pixels();
   // The picture, its 32-bit copy, the encoded file, and the error estimates.
   std::size_t pixel_bytes =
       sizeof(render::LinearRgb) + 2 * 3 * sizeof(float) + sizeof(render::PixelSpread);
@@ -57,12 +63,17 @@ void check_memory(const render::RenderSettings& settings, const render::Aovs& ao
     pixel_bytes += render::Film::bytes_per_pixel(samples, channels_of(settings));
   }
   if (settings.is_denoised) pixel_bytes += render::PictureDenoiser::kBytesPerPixel;
-  const std::size_t bytes = pixels * pixel_bytes + aov_bytes(aovs, pixels);
+  std::size_t bytes = pixels * pixel_bytes + aov_bytes(aovs, pixels);
+  if (zoom > 1) {  // copies
+    const std::size_t large =
+        pixels * static_cast<std::size_t>(zoom) * static_cast<std::size_t>(zoom);
+    bytes += large * (sizeof(render::LinearRgb) + 2 * 3 * sizeof(float)) + aov_bytes(aovs, large);
+  }
   if (bytes > physical_memory_bytes()) throw std::bad_alloc();
 }
 
 PictureForm picture_form(const RenderOptions& options, const lang::LoweredScene& lowered) {
-  return {.mapping = lowered.output.mapping, .ppm_text = options.ppm_text};
+  return {.mapping = lowered.output.mapping, .ppm_text = options.ppm_text, .zoom = options.zoom};
 }
 
 ProgressStyle progress_style(const RenderOptions& options, const Environment& env) {
@@ -161,8 +172,9 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
   std::vector<std::string> names = written.names;
   names.insert(names.end(), written.films.begin(), written.films.end());
   if (!is_quiet && !names.empty()) {
-    env.err << fmt::format("{}: {} x {} pixels, {}\n", fmt::join(names, ", "), settings.width,
-                           settings.height, describe_render(result, film));
+    env.err << fmt::format("{}: {} x {} pixels, {}\n", fmt::join(names, ", "),
+                           settings.window().width, settings.window().height,
+                           describe_render(result, film));
   }
   const ExitCode of_samples = result.nonfinite_samples == 0 ? ExitCode::Success
                               : is_too_bright               ? ExitCode::Findings
@@ -186,12 +198,16 @@ class RenderJob {
     ExitCode code = ExitCode::Success;
     for (std::size_t i = 0; i < frames_.size() && !run_.interrupted.load(); ++i) {
       const ExitCode of_frame = render_or_skip(i);
-      code = graver(code, of_frame);
-      if (of_frame == ExitCode::Success) continue;
-      if (of_frame == ExitCode::Interrupted) break;
-      if (frames_[i]) failed_.push_back(*frames_[i]);
-      if (options_.fails_fast || is_broken) break;
+      if (of_frame == ExitCode::Interrupted) {
+        code = graver(code, of_frame);
+        break;
+      }
+      code = graver(code, note_frame(i, of_frame));
+      code = graver(code, finish_frames(kMaxPendingFrames));
+      if (!failed_.empty() && (options_.fails_fast || is_broken)) break;
     }
+    code = graver(code, finish_frames(0));
+    std::ranges::sort(failed_);
     report_frames();
     const bool is_quiet = options_.quiet || options_.progress == "none";
     code = graver(code, videos_.finish(finished_, is_quiet, env_));
@@ -199,6 +215,79 @@ class RenderJob {
   }
 
  private:
+  // So that waiting for the disk overlaps.
+  static constexpr std::size_t kMaxPendingFrames = 8;
+  static constexpr std::size_t kMaxPendingPixels = std::size_t{1} << 20;
+
+  /// A frame whose pictures are written while the next ones are rendered.
+  struct PendingFrame {
+    std::size_t index = 0;
+    std::vector<Output> outputs = {};
+    PictureForm form = {};
+    render::RenderSettings settings = {};
+    render::RenderResult result = {};
+    RenderStatistics statistics = {};
+    std::ostringstream messages = {};
+    std::future<ExitCode> code = {};  // last: it uses the others
+  };
+
+  ExitCode note_frame(std::size_t index, ExitCode code) {
+    if (code != ExitCode::Success) failed_.push_back(frames_[index].value_or(0));
+    return code;
+  }
+
+  /// Waits until at most `most` frames are pending, in their order.
+  ExitCode finish_frames(std::size_t most) {
+    ExitCode code = ExitCode::Success;
+    while (pending_.size() > most) {
+      PendingFrame& frame = *pending_.front();
+      const ExitCode of_frame = frame.code.get();
+      env_.err << frame.messages.str() << std::flush;
+      if (of_frame == ExitCode::Success) ++finished_;
+      code = graver(code, note_frame(frame.index, of_frame));
+      code = graver(code, add_statistics(frame.statistics, frame.result));
+      pending_.pop_front();
+    }
+    return code;
+  }
+
+  /// Writes the pictures of a complete frame, and prints its last line.
+  ExitCode write_frame(PendingFrame& frame, Environment& env) const {
+    const std::vector<render::Layer> layers =
+        picture_layers(options_.aovs, frame.settings, frame.result, env.err);
+    const auto start = std::chrono::steady_clock::now();
+    const Written written =
+        write_pictures(frame.outputs, frame.form, frame.settings, frame.result, layers, env);
+    frame.statistics.write_seconds += render::seconds_since(start);
+    return conclude(options_, frame.settings, frame.result, nullptr, written, env);
+  }
+
+  void write_later(std::unique_ptr<PendingFrame> pending) {
+    PendingFrame& frame = *pending_.emplace_back(std::move(pending));
+    const auto write = [this, &frame] {
+      Environment of_frame{.workspace = env_.workspace, .out = env_.out, .err = frame.messages};
+      return report_failure(of_frame, [&] { return write_frame(frame, of_frame); });
+    };
+    try {
+      frame.code = std::async(std::launch::async, write);
+    } catch (const std::system_error&) {  // no thread: when it is waited for
+      frame.code = std::async(std::launch::deferred, write);
+    }
+  }
+
+  /// Appends a line to --stats.
+  ExitCode add_statistics(const RenderStatistics& statistics, const render::RenderResult& result) {
+    ExitCode code = ExitCode::Success;
+    if (options_.stats.empty()) return code;
+    run_.stats += to_json(statistics, result) + "\n";
+    run_.is_stats_file_behind = true;
+    // All of it each time: for films of thousands of short frames, once a second.
+    if (render::seconds_since(run_.stats_written) > 1) {
+      try_to_write(code, env_, [&] { write_stats_so_far(options_, run_, env_); });
+    }
+    return code;
+  }
+
   ExitCode render_or_skip(std::size_t i) {
     const bool is_last = i + 1 == frames_.size();
     if (options_.skips_existing && videos_.empty() && !options_.outputs.empty() &&
@@ -298,8 +387,9 @@ class RenderJob {
     if (is_possible(cut)) return cut;
     throw UsageError(fmt::format(
         "--shard: {} can be divided into at most {} shards{}",
-        cut == ShardCut::Samples ? fmt::format("{} samples", settings.samples)
-                                 : fmt::format("{} x {} pixels", settings.width, settings.height),
+        cut == ShardCut::Samples
+            ? fmt::format("{} samples", settings.samples)
+            : fmt::format("{} x {} pixels", settings.window().width, settings.window().height),
         max_shards(settings, cut),
         cut == ShardCut::Samples && is_possible(ShardCut::Tiles) ? "; use --shard-by tiles" : ""));
   }
@@ -414,8 +504,8 @@ class RenderJob {
   /// Decides about the outputs of a frame. The first one checks the names of all.
   std::vector<Output> plan_frame(const lang::LoweredScene& lowered, std::optional<int> frame) {
     OutputRequest request = output_request(lowered.output.output, frame);
-    request.width = lowered.settings.width;
-    request.height = lowered.settings.height;
+    request.width = lowered.settings.window().width * options_.zoom;
+    request.height = lowered.settings.window().height * options_.zoom;
     request.earlier = &run_.outputs;
     if (!has_planned_) request.all_frames = frames_;
     // Later the file of earlier pictures exists.
@@ -517,13 +607,17 @@ class RenderJob {
       source_.reset();
     }
 
+    if (options_.crop) {
+      lowered.settings.crop =
+          options_.crop->window(lowered.settings.width, lowered.settings.height);
+    }
     lowered.settings.keeps_variance = options_.aovs.variance;
     lowered.settings.keeps_first_hits = options_.aovs.has_features();
     const render::RenderSettings settings = lowered.settings;
     const std::vector<Output> outputs = plan_frame(lowered, frame);
     check_aovs(options_.aovs, outputs, settings);
     const std::optional<FilmRequest> request = film_request(outputs, settings);
-    check_memory(settings, options_.aovs, request.has_value());
+    check_memory(settings, options_.aovs, request.has_value(), options_.zoom);
     check_not_refused(kernel);
 
     if (settings.seconds) {
@@ -550,6 +644,27 @@ class RenderJob {
     }
     const auto write_start = std::chrono::steady_clock::now();
     Written written;
+    if (result.is_complete) {
+      try_to_write(written.code, env_, [&] {
+        videos_.add(enlarged(result.picture, options_.zoom), lowered.output.mapping);
+      });
+    }
+    const std::size_t pixels =
+        result.picture.pixels.size() * static_cast<std::size_t>(options_.zoom * options_.zoom);
+    const bool is_to_stdout = std::ranges::any_of(outputs, &Output::is_stdout);
+    if (frames_.size() > 1 && result.is_complete && !film && !is_to_stdout &&
+        written.code == ExitCode::Success && pixels <= kMaxPendingPixels) {
+      statistics.write_seconds = render::seconds_since(write_start);
+      auto pending = std::make_unique<PendingFrame>();
+      pending->index = index;
+      pending->outputs = outputs;
+      pending->form = picture_form(options_, lowered);
+      pending->settings = settings;
+      pending->result = std::move(result);
+      pending->statistics = std::move(statistics);
+      write_later(std::move(pending));
+      return ExitCode::Success;
+    }
     if (!is_part()) {
       const std::vector<render::Layer> layers =
           picture_layers(options_.aovs, settings, result, env_.err);
@@ -557,17 +672,8 @@ class RenderJob {
           write_pictures(outputs, picture_form(options_, lowered), settings, result, layers, env_);
     }
     if (film) finish_film(*film, result.is_complete, written);
-    if (result.is_complete) {
-      try_to_write(written.code, env_,
-                   [&] { videos_.add(result.picture, lowered.output.mapping); });
-    }
     statistics.write_seconds = render::seconds_since(write_start);
-    if (!options_.stats.empty()) {
-      run_.stats += to_json(statistics, result) + "\n";
-      if (options_.stats != kStandardStream) {
-        try_to_write(written.code, env_, [&] { write_stats(options_.stats, run_.stats, env_); });
-      }
-    }
+    written.code = graver(written.code, add_statistics(statistics, result));
     if (result.is_complete && written.code == ExitCode::Success) ++finished_;
     return conclude(options_, settings, result, film ? &*film : nullptr, written, env_);
   }
@@ -589,10 +695,18 @@ class RenderJob {
   std::vector<std::string> inputs_;
   std::optional<lang::Sandbox> sandbox_;
   std::size_t finished_ = 0, skipped_ = 0;  // frames
+  std::deque<std::unique_ptr<PendingFrame>> pending_;
   std::vector<int> failed_;
 };
 
 }  // namespace
+
+void write_stats_so_far(const RenderOptions& options, RenderRun& run, Environment& env) {
+  run.stats_written = render::Clock::now();
+  if (options.stats == kStandardStream) return;
+  write_stats(options.stats, run.stats, env);
+  run.is_stats_file_behind = false;
+}
 
 ExitCode render_scene(const RenderOptions& options, RenderRun& run, Environment& env) {
   return RenderJob(options, run, env).run();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/crop_option.hpp"
 #include "cli/frames.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/shard_option.hpp"
@@ -26,6 +27,8 @@ struct RenderOptions {
   std::string progress = "auto";
   std::string stats;
   bool ppm_text = false;
+  std::optional<Crop> crop;
+  int zoom = 1;  ///< PictureForm::zoom
   std::optional<Shard> shard;
   std::optional<ShardBy> shard_by;
   std::optional<double> checkpoint_seconds;

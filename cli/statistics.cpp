@@ -26,7 +26,8 @@ nlohmann::ordered_json interval_or_null(const std::optional<render::ErrorEstimat
 nlohmann::ordered_json mean_samples(const render::RenderResult& result,
                                     const render::RenderSettings& settings) {
   if (result.min_samples == result.max_samples) return result.max_samples;
-  return static_cast<double>(result.camera_samples) / settings.width / settings.height;
+  return static_cast<double>(result.camera_samples) /
+         static_cast<double>(settings.window().pixels());
 }
 
 }  // namespace

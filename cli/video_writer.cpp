@@ -73,8 +73,9 @@ std::vector<std::string> ffmpeg_arguments(VideoFormat format, const VideoSetting
   const auto add = [&](std::initializer_list<std::string> words) {
     arguments.insert(arguments.end(), words);
   };
-  add({"-nostdin", "-loglevel", "error", "-f", "image2pipe", "-framerate",
-       fmt::format("{}", settings.frames_per_second), "-c:v", "ppm", "-i", "pipe:0"});
+  add({"-nostdin", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-video_size",
+       fmt::format("{}x{}", settings.width, settings.height), "-framerate",
+       fmt::format("{}", settings.frames_per_second), "-i", "pipe:0"});
   if (row_of(format).shares_colors) {
     const int right = settings.width % 2, bottom = settings.height % 2;
     std::string filter;

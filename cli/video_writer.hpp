@@ -30,10 +30,10 @@ struct VideoSettings {
   int crf = 18;
 };
 
-/// The arguments of ffmpeg, without the program's name: it reads PPM files from standard input, one
-/// after the other. Colours are converted to BT.709 and tagged so, with the limited range of video;
-/// GIF, WebP and APNG hold RGB. An odd side gets one more row or column, a copy of the last,
-/// because H.264 and VP9 share colours among 2 × 2 pixels.
+/// The arguments of ffmpeg, without the program's name: it reads frames as VideoWriter::add() has
+/// them from standard input. Colours are converted to BT.709 and tagged so, with the limited range
+/// of video; GIF, WebP and APNG hold RGB. An odd side gets one more row or column, a copy of the
+/// last, because H.264 and VP9 share colours among 2 × 2 pixels.
 std::vector<std::string> ffmpeg_arguments(VideoFormat format, const VideoSettings& settings,
                                           const std::filesystem::path& file);
 
@@ -50,7 +50,8 @@ class VideoWriter {
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
-  /// `frame`: a PPM file. Waits if ffmpeg is slower. Throws IoError if it has ended.
+  /// `frame`: the codes of red, green and blue of each pixel, row by row from the top. Waits if
+  /// ffmpeg is slower. Throws IoError if it has ended.
   void add(std::span<const std::byte> frame);
   /// Throws IoError if ffmpeg fails or the file cannot be put in its place.
   void finish();

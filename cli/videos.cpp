@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -44,8 +45,9 @@ void Videos::check(const InputSet& inputs, OutputSet& outputs, bool keeps_existi
 
 void Videos::add(const render::Picture& picture, const render::ToneMapping& mapping) {
   if (empty()) return;
-  const std::vector<std::byte> frame =
+  const std::vector<std::byte> file =
       render::encode_picture(picture, {.format = render::ImageFormat::Ppm, .mapping = mapping});
+  const auto codes = std::span(file).last(3 * picture.pixels.size());  // without the header
   for (Video& video : videos_) {
     if (!video.writer) {
       video.writer =
@@ -55,7 +57,7 @@ void Videos::add(const render::Picture& picture, const render::ToneMapping& mapp
                                                       .frames_per_second = frames_.per_second,
                                                       .crf = crf_});
     }
-    video.writer->add(frame);
+    video.writer->add(codes);
   }
 }
 

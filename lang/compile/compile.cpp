@@ -135,7 +135,7 @@ Compiler::~Compiler() = default;
 
 std::optional<Animation> Compiler::animation() {
   if (program_ && !knows_animation_) {
-    animation_ = Evaluation(*program_, {}, sink_).animation();
+    animation_ = Evaluation(*program_, {.time_free = &time_free_}, sink_).animation();
     knows_animation_ = true;
   }
   return animation_;
@@ -148,7 +148,9 @@ std::uint64_t Compiler::read(ObjectSink& objects, DiagnosticSink& sink,
     return 0;
   }
   const auto camera = overrides_.word(render_property::kCamera);
-  Evaluation evaluation(*program_, {.frame = frame_, .camera = camera, .steps = steps}, sink);
+  Evaluation evaluation(
+      *program_, {.frame = frame_, .camera = camera, .steps = steps, .time_free = &time_free_},
+      sink);
   evaluation.run(objects);
   return evaluation.steps();
 }

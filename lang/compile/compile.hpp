@@ -118,6 +118,7 @@ class Compiler {
   ProgramOptions options_;
   DiagnosticSink& sink_;
   std::unique_ptr<Program> program_;  ///< null for a config
+  TimeFreeValues time_free_;
   std::optional<Animation> animation_;
   bool knows_animation_ = false;
   std::set<ToldPrecision> told_precision_;  ///< warnings of earlier frames

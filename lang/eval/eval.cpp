@@ -4,6 +4,9 @@
 
 namespace sdlc::lang {
 
+TimeFreeValues::TimeFreeValues() = default;
+TimeFreeValues::~TimeFreeValues() = default;
+
 Evaluation::Evaluation(Program& program, const EvaluationOptions& options, DiagnosticSink& sink)
     : evaluator_(std::make_unique<Evaluator>(program, options, sink)) {}
 

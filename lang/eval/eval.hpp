@@ -19,10 +19,26 @@ struct Animation {
   Location where;  ///< of the word `animation`
 };
 
+/// The values of the top level that do not depend on the time, for the other frames of a program
+/// with the same settings. Empty until an evaluation has found them without a diagnostic.
+class TimeFreeValues {
+ public:
+  TimeFreeValues();
+  ~TimeFreeValues();
+  TimeFreeValues(const TimeFreeValues&) = delete;
+  TimeFreeValues& operator=(const TimeFreeValues&) = delete;
+
+ private:
+  friend class Evaluator;
+  struct Content;
+  std::unique_ptr<Content> content_;
+};
+
 struct EvaluationOptions {
   std::optional<int> frame = {};            ///< default: the first of the animation
   std::optional<std::string> camera = {};   ///< overrides `camera` of `render`
   std::optional<std::uint64_t> steps = {};  ///< overrides the program's limit
+  TimeFreeValues* time_free = nullptr;      ///< used and filled; may be null
 };
 
 /// The evaluation of a program at one frame, with the shutter of one camera. It passes checked

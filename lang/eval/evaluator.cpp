@@ -44,7 +44,7 @@ Evaluator::Evaluator(Program& program, const EvaluationOptions& options, Diagnos
 Evaluator::Evaluator(Program& program, const EvaluationOptions& options, DiagnosticSink& sink)
     : Evaluator(program, options, sink, OnDemand{}) {
   find_settings();
-  evaluate_all_globals(Globals::TimeFree);
+  evaluate_or_take_time_free_globals();
   find_animation();
   if (animation_) {
     const double time = options_.frame.value_or(animation_->first) / animation_->fps;

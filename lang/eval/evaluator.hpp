@@ -52,6 +52,7 @@ class Evaluator final : public ChainSource {
 
  private:
   friend class SingleValues;
+  friend struct TimeFreeValues::Content;
 
   /// A value at the opening of the shutter and, if it varies, at the closing.
   struct Varying {
@@ -129,6 +130,8 @@ class Evaluator final : public ChainSource {
   /// Evaluates the globals of a module, after those of its imports, unless that is done.
   void evaluate_globals(std::uint32_t module, Globals which);
   void evaluate_all_globals(Globals which);
+  /// Those that do not depend on the time, or what another frame has kept of them.
+  void evaluate_or_take_time_free_globals();
   Varying evaluate_global(std::uint32_t module, std::uint32_t index);
   /// The value of --set if there is one, else `value`, that of the declaration.
   Varying with_setting(std::uint32_t index, Varying value);
@@ -398,6 +401,12 @@ class Evaluator::Nested {
 
  private:
   Evaluator& evaluator_;
+};
+
+struct TimeFreeValues::Content {
+  std::vector<std::vector<Evaluator::Varying>> globals;  // by module
+  std::vector<bool> done;
+  std::uint64_t steps;
 };
 
 }  // namespace sdlc::lang

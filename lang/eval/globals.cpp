@@ -1,3 +1,4 @@
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,28 @@ void Evaluator::evaluate_all_globals(Globals which) {
   for (std::uint32_t module = 0; module < program_.module_count(); ++module) {
     evaluate_globals(module, which);
   }
+}
+
+void Evaluator::evaluate_or_take_time_free_globals() {
+  std::unique_ptr<TimeFreeValues::Content> none;
+  auto& kept = options_.time_free != nullptr ? options_.time_free->content_ : none;
+  std::vector<bool>& done = globals_done_[static_cast<std::size_t>(Globals::TimeFree)];
+  if (kept) {
+    globals_ = kept->globals;
+    done = kept->done;
+    steps_ += kept->steps;
+    // Files that were included since.
+    for (std::uint32_t module = 0; module < program_.module_count(); ++module) {
+      evaluate_globals(module, Globals::TimeFree);
+    }
+    return;
+  }
+  const std::size_t diagnostics = sink_.diagnostics().size();
+  evaluate_all_globals(Globals::TimeFree);
+  if (options_.time_free == nullptr || has_given_up_ || sink_.is_muted()) return;
+  if (sink_.diagnostics().size() != diagnostics) return;
+  kept = std::make_unique<TimeFreeValues::Content>(
+      TimeFreeValues::Content{.globals = globals_, .done = done, .steps = steps_});
 }
 
 void Evaluator::evaluate_globals(std::uint32_t module, Globals which) {

@@ -62,8 +62,10 @@ void add_film(StoredFilm& into, const StoredFilm& film, const fs::path& path) {
   try {
     into.films = merge_films(std::move(all));
   } catch (const DoubledSample& doubled) {
-    const std::uint64_t x = doubled.pixel() % into.origin.width;
-    const std::uint64_t y = doubled.pixel() / into.origin.width;
+    const PixelWindow& crop = into.origin.crop;
+    const auto row = static_cast<std::uint64_t>(crop.width);
+    const std::uint64_t x = static_cast<std::uint64_t>(crop.x) + doubled.pixel() % row;
+    const std::uint64_t y = static_cast<std::uint64_t>(crop.y) + doubled.pixel() / row;
     throw FilmError(Reason::Doubled, path,
                     "the film has samples that another one has: sample " +
                         std::to_string(doubled.sample()) + " of the pixel at (" +

@@ -12,6 +12,10 @@ constexpr auto kMembers = [](auto& origin, auto visit) {
   visit("background", origin.scene.background);
   visit("width", origin.width);
   visit("height", origin.height);
+  visit("crop_x", origin.crop.x);
+  visit("crop_y", origin.crop.y);
+  visit("crop_width", origin.crop.width);
+  visit("crop_height", origin.crop.height);
   visit("depth", origin.depth);
   visit("seed", origin.seed);
   visit("sampler", origin.sampler);

@@ -13,6 +13,7 @@ namespace sdlc::render {
 struct FilmOrigin {
   SceneDigest scene;
   std::uint32_t width = 0, height = 0;
+  PixelWindow crop;  ///< RenderSettings::window(); the pixels of the films are those of it
   std::uint32_t depth = 0;
   std::uint64_t seed = 0;
   SamplerKind sampler = SamplerKind::Sobol;

@@ -138,10 +138,13 @@ class Reader {
   /// Whether the films are of the picture of the origin.
   void check_films() {
     const FilmOrigin& origin = film_.origin;
-    const std::uint64_t pixels = std::uint64_t{origin.width} * origin.height;
+    const PixelWindow& crop = origin.crop;
+    const std::uint64_t pixels = crop.width > 0 && crop.height > 0 ? crop.pixels() : 0;
     constexpr std::uint32_t kMax = std::numeric_limits<std::int32_t>::max();
-    bool is_sound = pixels > 0 && origin.width <= kMax && origin.height <= kMax &&
-                    origin.depth > 0 && origin.depth <= kMax &&
+    bool is_sound = pixels > 0 && origin.width <= kMax && origin.height <= kMax && crop.x >= 0 &&
+                    crop.y >= 0 && std::int64_t{crop.x} + crop.width <= origin.width &&
+                    std::int64_t{crop.y} + crop.height <= origin.height && origin.depth > 0 &&
+                    origin.depth <= kMax &&
                     (origin.replicates == 1 || origin.replicates == kReplicates) &&
                     (film_.targets.empty() || film_.targets.size() == pixels);
     const std::uint32_t shards = film_.record.shards;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/image/image_format.hpp"
+#include "render/math/pixel_window.hpp"
 
 namespace sdlc::render {
 
@@ -24,6 +25,7 @@ struct EncodeRequest {
   ImageFormat format = ImageFormat::Png;
   int width = 0;
   int height = 0;
+  PixelWindow display = {};  ///< EXR only: the whole picture, relative to this part
   std::span<const std::uint8_t> codes = {};
   std::span<const float> radiance = {};
   std::span<const EncodeChannel> channels = {};  ///< EXR only, in addition to `radiance`
@@ -31,13 +33,6 @@ struct EncodeRequest {
   bool ppm_text = false;      ///< PPM as decimal numbers (P3), not bytes (P6)
   std::string software = {};  ///< empty: not written
   std::span<const std::pair<std::string, std::string>> metadata = {};
-};
-
-/// A rectangle of pixels; (x, y) is its top left corner.
-struct PixelWindow {
-  int x = 0, y = 0, width = 0, height = 0;
-
-  friend bool operator==(const PixelWindow&, const PixelWindow&) = default;
 };
 
 /// The first picture of a file: rows from the top, one value per channel and pixel, in units of

@@ -82,6 +82,7 @@ std::vector<std::byte> encode_picture(const Picture& picture, const WriteOptions
   EncodeRequest request{.format = options.format,
                         .width = picture.width,
                         .height = picture.height,
+                        .display = options.whole,
                         .is_srgb = tone == Tone::Srgb || tone == Tone::Neutral,
                         .ppm_text = options.ppm_text,
                         .software = options.metadata.software,

@@ -12,6 +12,7 @@
 #include "render/image/layer.hpp"
 #include "render/image/picture.hpp"
 #include "render/image/tone.hpp"
+#include "render/math/pixel_window.hpp"
 
 namespace sdlc::render {
 
@@ -29,6 +30,9 @@ struct WriteOptions {
   ToneMapping mapping = {};  ///< for formats that are not linear
   bool ppm_text = false;     ///< PPM as decimal numbers (P3), not bytes (P6)
   Metadata metadata = {};
+  /// If this is a part of a picture: the whole one, relative to it, so that x and y are at most 0.
+  /// EXR files store both as data window and display window; the other formats ignore it.
+  PixelWindow whole = {};
   /// Further channels; only EXR supports them, the other formats ignore them. Borrowed; the names
   /// must be unique and differ from R, G and B.
   std::span<const Layer> layers = {};

@@ -6,6 +6,7 @@
 
 #include "render/math/color.hpp"
 #include "render/math/interval.hpp"
+#include "render/math/pixel_window.hpp"
 #include "render/math/placement.hpp"
 #include "render/math/vec3.hpp"
 
@@ -129,7 +130,13 @@ struct RenderSettings {
   bool keeps_variance = false;  ///< keep it per pixel, in RenderResult::variance and spreads
   bool keeps_first_hits =
       false;  ///< average the first hits of each pixel, in RenderResult::features
+  /// A part of the picture: only it is rendered, with the pixels that it has in the whole.
+  std::optional<PixelWindow> crop{};
 
+  /// The pixels that are rendered.
+  PixelWindow window() const noexcept {
+    return crop.value_or(PixelWindow{.x = 0, .y = 0, .width = width, .height = height});
+  }
   bool has_goal() const noexcept { return error || seconds; }
   /// With one sample per pixel, it goes through the pixel's centre.
   bool is_centred() const noexcept { return samples == 1 && !has_goal(); }

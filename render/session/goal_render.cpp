@@ -127,7 +127,7 @@ void GoalRender::run() {
     result_.samples_of_pixels = samples_of_film();
   }
   if (settings_.keeps_variance && result_.error) {
-    result_.variance = Picture(settings_.width, settings_.height);
+    result_.variance = Picture(settings_.window().width, settings_.window().height);
     for (std::size_t i = 0; i < film_.size(); ++i) {
       result_.variance.pixels[i] = film_.variance(i);
     }
@@ -190,7 +190,7 @@ void GoalRender::run_adaptive() {
   // goal.
   const double width = result_.error->relative_error / result_.error->interval.to;
   std::vector<std::uint32_t> samples =
-      adaptive_samples(spreads_, *result_.error, settings_.width, *settings_.error * width,
+      adaptive_samples(spreads_, *result_.error, settings_.window().width, *settings_.error * width,
                        settings_.sampler, pilot, max_samples);
   run_adaptive(std::move(samples));
 }

@@ -31,7 +31,9 @@ RenderSettings feature_settings(const RenderSettings& settings) {
 
 PictureDenoiser::PictureDenoiser(const PreparedScene& scene, const RenderSettings& settings,
                                  int threads, RenderMonitor& monitor)
-    : filter_(scene.kernel().backend->filter), width_(settings.width), height_(settings.height) {
+    : filter_(scene.kernel().backend->filter),
+      width_(settings.window().width),
+      height_(settings.window().height) {
   const RenderSettings of_features = feature_settings(settings);
   EmitterTally emitters(scene.emitters(), of_features.depth);
   PictureTracer pictures(scene.tracer(), of_features, emitters, threads, monitor);

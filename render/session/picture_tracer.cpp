@@ -61,6 +61,23 @@ void PictureTracer::for_each_tile(
       tbb::simple_partitioner{});
 }
 
+bool PictureTracer::trace(std::vector<PixelRun>& runs, TraceCounts& counts,
+                          const std::atomic<bool>& cancel) {
+  if (!settings_.crop) return tracer_.trace(settings_, &emitters_, runs, counts, cancel);
+  // Films have the pixels of the crop, tracers those of the whole picture.
+  const auto row = static_cast<std::uint64_t>(settings_.crop->width),
+             whole_row = static_cast<std::uint64_t>(settings_.width),
+             first = static_cast<std::uint64_t>(settings_.crop->y) * whole_row +
+                     static_cast<std::uint64_t>(settings_.crop->x);
+  thread_local std::vector<std::uint64_t> pixels;
+  pixels.clear();
+  for (const PixelRun& run : runs) pixels.push_back(run.pixel);
+  for (PixelRun& run : runs) run.pixel = first + run.pixel / row * whole_row + run.pixel % row;
+  const bool is_kept = tracer_.trace(settings_, &emitters_, runs, counts, cancel);
+  for (std::size_t i = 0; i < runs.size(); ++i) runs[i].pixel = pixels[i];
+  return is_kept;
+}
+
 bool PictureTracer::trace_tile(Film& film, std::size_t begin, std::size_t end, const Target& target,
                                const IsLate& is_late) {
   const std::size_t max_blocks = std::max<std::size_t>(1, kRunsPerBatch / (end - begin));
@@ -77,7 +94,7 @@ bool PictureTracer::trace_tile(Film& film, std::size_t begin, std::size_t end, c
     is_whole = runs.empty();
     if (is_whole || is_late()) break;
     TraceCounts counts;
-    is_kept = tracer_.trace(settings_, &emitters_, runs, counts, cancel);
+    is_kept = trace(runs, counts, cancel);
     if (!is_kept) break;
     std::uint64_t samples = 0;
     for (const PixelRun& run : runs) {

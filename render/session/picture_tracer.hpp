@@ -54,6 +54,7 @@ class PictureTracer {
   bool has_dropped() const noexcept { return has_dropped_; }
 
  private:
+  bool trace(std::vector<PixelRun>& runs, TraceCounts& counts, const std::atomic<bool>& cancel);
   bool trace_tile(Film& film, std::size_t begin, std::size_t end, const Target& target,
                   const IsLate& is_late);
   void for_each_tile(std::size_t pixels, std::size_t pixels_per_tile,

@@ -33,7 +33,7 @@ void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderS
                                      : ReplicateCounts{static_cast<std::uint32_t>(samples)};
   std::vector<PixelSpread> spreads(has_replicates ? extent.pixels : 0);
   if (has_replicates && settings.keeps_variance) {
-    result.variance = Picture(settings.width, settings.height);
+    result.variance = Picture(settings.window().width, settings.window().height);
   }
   if (settings.keeps_first_hits) result.features.resize(extent.pixels);
   const auto take_tile = [&](const Film& tile, std::size_t begin, std::size_t end) {
@@ -98,7 +98,7 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
     film = &own.emplace(extent_of(settings), channels_of(settings));
   }
   RenderResult result;
-  result.picture = Picture(settings.width, settings.height);
+  result.picture = Picture(settings.window().width, settings.window().height);
   result.kernel = scene.kernel();
   result.build_seconds = scene.build_seconds();
   result.bvh_bytes = scene.memory_bytes();
@@ -179,9 +179,7 @@ void check_error(const EmitterTally& emitters, RenderResult& result) {
 FilmExtent extent_of(const RenderSettings& settings) noexcept {
   const bool has_replicates =
       settings.has_goal() || settings.samples >= static_cast<int>(kMinReplicatedSamples);
-  return {.pixels =
-              static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height),
-          .replicates = has_replicates ? kReplicates : 1};
+  return {.pixels = settings.window().pixels(), .replicates = has_replicates ? kReplicates : 1};
 }
 
 Channels channels_of(const RenderSettings& settings) noexcept {

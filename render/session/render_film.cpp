@@ -22,6 +22,7 @@ FilmOrigin origin_of(const PreparedScene& scene, const SceneDigest& digest, std:
   return {.scene = digest,
           .width = static_cast<std::uint32_t>(settings.width),
           .height = static_cast<std::uint32_t>(settings.height),
+          .crop = settings.window(),
           .depth = static_cast<std::uint32_t>(settings.depth),
           .seed = settings.seed,
           .sampler = settings.sampler,
@@ -203,6 +204,7 @@ RenderSettings settings_of(const StoredFilm& stored) {
                           .height = static_cast<int>(origin.height),
                           .samples = record.samples,
                           .depth = static_cast<int>(origin.depth)};
+  if (origin.crop != settings.window()) settings.crop = origin.crop;
   settings.seed = origin.seed;
   settings.sampler = origin.sampler;
   settings.light_sampling = record.light_sampling;
@@ -216,7 +218,7 @@ RenderSettings settings_of(const StoredFilm& stored) {
 RenderResult result_of(const StoredFilm& stored) {
   const RenderSettings settings = settings_of(stored);
   RenderResult result;
-  result.picture = Picture(settings.width, settings.height);
+  result.picture = Picture(settings.window().width, settings.window().height);
   result.kernel.precision = stored.origin.precision;
   result.kernel.lights = stored.lights;
   result.kernel.casters = stored.casters;
@@ -238,7 +240,7 @@ RenderResult result_of(const StoredFilm& stored) {
   result.min_samples = counts.min;
   result.max_samples = counts.max;
   const bool is_known = film.extent().replicates > 1 && counts.min >= kMinReplicatedSamples;
-  if (is_known) result.variance = Picture(settings.width, settings.height);
+  if (is_known) result.variance = Picture(settings.window().width, settings.window().height);
   for (std::size_t i = 0; i < pixels; ++i) {
     result.camera_samples += film.samples(i);
     result.picture.pixels[i] = film.mean(i);

@@ -211,5 +211,41 @@ TEST_F(AovCommand, SavesWhatIsKnownOfAnInterruptedPicture) {
   EXPECT_THAT(names("a.partial.exr"), UnorderedElementsAre("R", "G", "B", "Z"));
 }
 
+TEST_F(AovCommand, OfACropAreThoseOfTheWholePictureInADataWindow) {
+  EXPECT_EQ(render("--width 40 -o whole.exr --aov depth").exit_code, 0);
+  EXPECT_EQ(render("--width 40 --crop 10,5,20,10 -o part.exr --aov depth").exit_code, 0);
+  EXPECT_EQ(render("--width 40 --crop 25%,5,50%,10 --zoom 3 -o large.exr -o large.png --aov depth")
+                .exit_code,
+            0);
+  const auto input = OIIO::ImageInput::open((folder_ / "part.exr").string());
+  ASSERT_TRUE(input);
+  const OIIO::ImageSpec& spec = input->spec();
+  const std::vector<int> windows{spec.x,      spec.y,      spec.width,      spec.height,
+                                 spec.full_x, spec.full_y, spec.full_width, spec.full_height};
+  const int height = OIIO::ImageInput::open((folder_ / "whole.exr").string())->spec().height;
+  EXPECT_THAT(windows, ElementsAre(10, 5, 20, 10, 0, 0, 40, height));
+  const auto whole = exr_channels(folder_ / "whole.exr"), part = exr_channels(folder_ / "part.exr"),
+             large = exr_channels(folder_ / "large.exr");
+  for (const char* name : {"R", "G", "B", "Z"}) {
+    for (std::size_t y = 0; y < 10; ++y) {
+      for (std::size_t x = 0; x < 20; ++x) {
+        const float value = whole.at(name)[(y + 5) * 40 + x + 10];
+        ASSERT_EQ(part.at(name)[y * 20 + x], value);
+        ASSERT_EQ(large.at(name)[(3 * y + 2) * 60 + 3 * x + 1], value);
+      }
+    }
+  }
+  EXPECT_EQ(render::read_picture(folder_ / "large.png").width, 60);
+}
+
+TEST_F(AovCommand, OfACropThatIsNotInsideAreRefused) {
+  for (const char* crop : {"0,0,0,5", "50%,0,60%,10%", "0,0,100000,1", "1,2,3", "1,2,3,4,5",
+                           "a,0,1,1", "-1,0,2,2", "0,0,1%,1%", "1,2,3,4,", ""}) {
+    const ProgramResult result = render(std::string("--width 40 -o a.png --crop=") + crop);
+    EXPECT_EQ(result.exit_code, 2) << crop;
+    EXPECT_THAT(result.err, HasSubstr("--crop")) << crop;
+  }
+}
+
 }  // namespace
 }  // namespace sdlc::test

@@ -159,6 +159,21 @@ TEST_F(FilmCommand, MergesFrameByFrame) {
   expect_same("a.0003.png", "m.0003.png");
 }
 
+TEST_F(FilmCommand, IsInspected) {
+  succeed("render film.scene --frames 2 --samples 16 --shard 2/3 --shard-by tiles -o a.film");
+  const Json film = Json::parse(sdlc("inspect a.film --format json").out);
+  EXPECT_EQ(film.at("frame"), 2);
+  EXPECT_EQ(film.at("scene"), "film.scene");
+  EXPECT_EQ(film.at("finished_shards"), Json({2}));
+  EXPECT_EQ(film.at("missing_shards"), Json({1, 3}));
+  EXPECT_EQ(film.at("camera_samples"), 48 * 32 / 3 * 16);
+  const ProgramResult text = sdlc("inspect a.film");
+  EXPECT_THAT(text.out, HasSubstr("shards      1 of 3 of the tiles: 2\n"));
+  EXPECT_THAT(text.out, HasSubstr("film.scene, frame 2\n"));
+  write("b.film", "no film");
+  EXPECT_THAT(failure(1, "inspect b.film"), HasSubstr("not a film"));
+}
+
 TEST_F(FilmCommand, DividesFramesAmongShards) {
   succeed("render film.scene --samples 8 -o a.####.png");
   for (const char* shard : {"1", "2", "3"}) {

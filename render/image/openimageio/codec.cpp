@@ -50,6 +50,14 @@ ImageSpec spec_of(const EncodeRequest& request) {
   for (std::size_t i = 0; i < request.channels.size(); ++i) {
     spec.channelnames[3 + i] = request.channels[i].name;
   }
+  if (request.format == ImageFormat::Exr && request.display.pixels() > 0) {
+    // The display window begins at (0, 0).
+    spec.x = -request.display.x;
+    spec.y = -request.display.y;
+    spec.full_x = spec.full_y = 0;
+    spec.full_width = request.display.width;
+    spec.full_height = request.display.height;
+  }
   if (!request.software.empty()) spec.attribute("Software", request.software);
   for (const auto& [key, value] : request.metadata) spec.attribute(key, value);
   switch (request.format) {

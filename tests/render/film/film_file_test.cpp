@@ -167,6 +167,8 @@ TEST_F(FilmFile, IsRefusedIfItsNumbersAreImpossible) {
   };
   EXPECT_EQ(refusal([](StoredFilm& film) { film.origin.width = 0x80000000; }), Reason::Damaged);
   EXPECT_EQ(refusal([](StoredFilm& film) { film.origin.depth = 0; }), Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.origin.crop.x = 1; }), Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.origin.crop.width = -3; }), Reason::Damaged);
   EXPECT_EQ(refusal([](StoredFilm& film) {
               film.films.clear();
               film.origin.replicates = 3;

@@ -126,8 +126,8 @@ TEST(ErrorGoal, IsBlindForTheRestOfAnOctave) {
     goal.set_blind(samples == 40 || samples == 132);
     if (goal.is_blind()) blind.push_back(samples);
   }
-  EXPECT_EQ(blind, (std::vector<std::uint64_t>{40, 44, 48, 52, 56, 60, 132, 148, 164, 184, 204, 228,
-                                               252}));
+  const std::vector<std::uint64_t> rest{40, 44, 48, 52, 56, 60, 132, 148, 164, 184, 204, 228};
+  EXPECT_EQ(blind, rest);
 }
 
 }  // namespace

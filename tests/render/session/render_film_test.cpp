@@ -442,6 +442,62 @@ TEST(RenderFilm, HasTheSameResultFromEveryCheckpointOfARenderTowardsAnError) {
   }
 }
 
+/// The pixels of a window of a picture.
+Picture part_of(const Picture& whole, const PixelWindow& window) {
+  Picture part(window.width, window.height);
+  for (int y = 0; y < window.height; ++y) {
+    for (int x = 0; x < window.width; ++x) part.at(x, y) = whole.at(window.x + x, window.y + y);
+  }
+  return part;
+}
+
+TEST(Crop, HasThePixelsOfTheWholePicture) {
+  const RenderSettings plain{.width = 30, .height = 20, .samples = 20, .depth = 8};
+  RenderSettings caustics = plain, independent = plain, few = plain;
+  caustics.light_sampling = LightSampling::Caustics;
+  independent.sampler = SamplerKind::Independent;
+  few.samples = 3;
+  std::minstd_rand random(7);
+  const auto below = [&](int end) { return static_cast<int>(random() / 1024) % end; };
+  for (const RenderSettings& settings : {plain, caustics, independent, few}) {
+    for (const bool has_lens : {false, true}) {
+      Scene scene = room_with_instances(0.1);
+      if (settings.light_sampling == LightSampling::Caustics) scene.instances.clear();
+      if (has_lens) scene.camera.aperture = 0.2, scene.camera.focus = 3;
+      const PreparedScene prepared = prepare(scene, settings);
+      RenderMonitor monitor;
+      const RenderResult whole = render(prepared, settings, monitor);
+      for (int i = 0; i < 4; ++i) {
+        RenderSettings cropped = settings;
+        const int x = below(30), y = below(20);
+        cropped.crop = {.x = x, .y = y, .width = 1 + below(30 - x), .height = 1 + below(20 - y)};
+        const RenderResult part = render(prepared, cropped, monitor);
+        EXPECT_TRUE(bytes_of(part.picture) == bytes_of(part_of(whole.picture, *cropped.crop)));
+        EXPECT_EQ(part.error.has_value(), settings.samples >= 8);
+        EXPECT_EQ(part.camera_samples,
+                  cropped.crop->pixels() * static_cast<std::uint64_t>(settings.samples));
+      }
+    }
+  }
+}
+
+TEST(Crop, IsWhatAGoalAndAFilterAreFor) {
+  RenderSettings settings{
+      .width = 60, .height = 40, .samples = 4000, .depth = 8, .error = 0.05, .is_denoised = true};
+  settings.crop = {.x = 10, .y = 5, .width = 32, .height = 24};
+  const Scene scene = room(1);
+  const PreparedScene prepared = prepare(scene, settings);
+  StoredFilm film = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
+  RenderMonitor monitor;
+  const RenderResult result = render(prepared, settings, monitor, &film);
+  EXPECT_TRUE(result.has_reached_error);
+  EXPECT_EQ(result.picture.pixels.size(), 32u * 24);
+  EXPECT_EQ(settings_of(film).crop, settings.crop);
+  RenderSettings other = settings;
+  other.crop->x = 11;
+  EXPECT_THROW(render(prepared, other, monitor, &film), std::invalid_argument);
+}
+
 TEST(RenderFilm, TakesOnlyThePixelsOfACrop) {
   const RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
   const Scene scene = room();
