@@ -89,13 +89,20 @@ class InspectJob {
     return names;
   }
 
-  ExitCode print_files() {
-    compiler_.read_all_files();
-    print_new_diagnostics();
+  /// The files on disk that the scene reads, the scene first.
+  std::vector<std::string> files() const {
+    if (options_.scene.pack) return {options_.scene.disk_file()};
     std::vector<std::string> names = dependencies();
     // Standard input counts as a file only if it has a name.
     const std::string scene = options_.scene.given_name();
     if (!scene.empty()) names.insert(names.begin(), scene);
+    return names;
+  }
+
+  ExitCode print_files() {
+    compiler_.read_all_files();
+    print_new_diagnostics();
+    std::vector<std::string> names = files();
     if (!options_.targets.empty()) {
       // Files that could not be read would be missing.
       if (sink_.has_errors()) return ExitCode::Findings;
@@ -263,7 +270,10 @@ void add_inspect_command(Command& program, Dispatcher& dispatcher) {
       "  sdlc inspect ring.scene --format json | jq .memory.total_bytes\n\n"
       "A scene with errors is reported without its invalid parts, with exit status 1. Nothing is "
       "rendered or\nwritten. docs/inspect.md explains the figures and the JSON fields.");
-  dispatcher.on(command, [options](Environment& env) { return InspectJob(*options, env).run(); });
+  dispatcher.on(command, [options](Environment& env) {
+    enter_pack(options->scene, env);
+    return InspectJob(*options, env).run();
+  });
 }
 
 }  // namespace sdlc::cli
