@@ -128,10 +128,10 @@ void add_pack_command(Command& program, Dispatcher& dispatcher) {
       "  sdlc pack rooms/ball.scene -o farm/ball.sdlc.zip\n"
       "  sdlc render ball.sdlc.zip\n"
       "\n"
-      "render, inspect, lint and measure read a pack in the place of its scene, and no other file. "
-      "A scene with\nerrors, or with an import by an absolute path, is not packed, with exit "
-      "status "
-      "1. docs/pack.md describes the\nformat.");
+      "render, inspect, lint, measure and convert read a pack in the place of its scene, and no "
+      "other "
+      "file. A scene\nwith errors, or with an import by an absolute path, is not packed, with exit "
+      "status 1. docs/pack.md describes\nthe format.");
   dispatcher.on(command, [options](Environment& env) { return PackJob(*options, env).run(); });
 }
 

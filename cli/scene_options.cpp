@@ -102,8 +102,8 @@ std::shared_ptr<const lang::Document> read_document(const std::string& path,
   if (!document) throw render::IoError("read", name, error.message());
   if (lang::is_zip(document->text())) {
     throw render::IoError("read", name,
-                          "it is a ZIP archive; render, inspect, lint and measure read packs, by "
-                          "the name of the file");
+                          "it is a ZIP archive; render, inspect, lint, measure and convert read "
+                          "packs, by the name of the file");
   }
   return document;
 }

@@ -174,6 +174,16 @@ TEST_F(PackCommand, IsInspectedAndMeasured) {
   succeed("measure ball.sdlc.zip --budget 1s --width 16 --quiet");
 }
 
+TEST_F(PackCommand, IsConvertedToAConfigBesideIt) {
+  succeed("convert rooms/ball.scene --tone sqrt -o expected.json --quiet");
+  pack_and_remove();
+  fs::create_directories(folder_ / "packs");
+  fs::rename(folder_ / "ball.sdlc.zip", folder_ / "packs/ball.sdlc.zip");
+  succeed("convert packs/ball.sdlc.zip --tone sqrt --quiet");
+  EXPECT_EQ(content("packs/ball.json"), content("expected.json"));
+  EXPECT_NE(content("expected.json"), "");
+}
+
 TEST_F(PackCommand, TakesParams) {
   write("rooms/ball.scene",
         std::string("scene 1\nparam r = 1\n") + kCamera +
@@ -302,8 +312,7 @@ TEST_F(PackCommand, CountsLimits) {
 TEST_F(PackCommand, OtherCommandsSayWhatReadsPacks) {
   pack_and_remove();
   for (const char* arguments :
-       {"fmt ball.sdlc.zip", "convert ball.sdlc.zip", "pack ball.sdlc.zip -o b.zip",
-        "render - -o a.png < ball.sdlc.zip"}) {
+       {"fmt ball.sdlc.zip", "pack ball.sdlc.zip -o b.zip", "render - -o a.png < ball.sdlc.zip"}) {
     EXPECT_THAT(failure(2, arguments), HasSubstr("it is a ZIP archive")) << arguments;
   }
   EXPECT_THAT(failure(2, "lint --fix ball.sdlc.zip"), HasSubstr("it is a pack"));
