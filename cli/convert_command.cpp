@@ -19,6 +19,7 @@
 #include "cli/outputs.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/scene_options.hpp"
+#include "cli/scene_pack.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
 #include "lang/allowances/allowances.hpp"
@@ -130,10 +131,13 @@ class ConvertJob {
   }
 
   void convert(const Input& input) {
-    const std::string shown =
-        input.name == kStandardStream ? stdin_name(options_.reading) : input.name;
+    pack_ = open_pack(input.name, options_.reading.limits, env_.workspace);
+    const std::string shown = input.name == kStandardStream ? stdin_name(options_.reading)
+                              : pack_                       ? pack_->scene()
+                                                            : input.name;
     const auto document =
-        read_document(input.name, shown, env_, options_.reading.limits.any_file());
+        pack_ ? pack_->read_scene()
+              : read_document(input.name, shown, env_, options_.reading.limits.any_file());
     const lang::Document& file = *document;
     if (name_of(file.format()) == options_.to) {
       if (!input.folder)
@@ -166,6 +170,7 @@ class ConvertJob {
   std::optional<std::string> convert(const lang::Document& file) {
     lang::DiagnosticSink sink;
     lang::ProgramOptions program = program_options(options_.reading, env_);
+    if (pack_) pack_->confine(program);
     program.sets = options_.sets;
     lang::Conversion conversion(file, program, sink);
     std::optional<std::string> text = conversion.run(options_.conversion);
@@ -187,7 +192,9 @@ class ConvertJob {
     if (is_stdin && options_.output.empty()) return std::nullopt;
     if (!options_.output.empty() && !writes_folder_) return options_.output;
 
-    const fs::path path = is_stdin ? fs::path(stdin_name(options_.reading)) : fs::path(input.name);
+    fs::path path = is_stdin ? fs::path(stdin_name(options_.reading)) : fs::path(input.name);
+    // Beside the pack.
+    if (pack_) path.replace_filename(fs::path(pack_->scene()).filename());
     fs::path name = path;
     if (writes_folder_) {
       name = fs::path(options_.output) /
@@ -232,6 +239,7 @@ class ConvertJob {
   bool writes_folder_ = false;
   std::unique_ptr<lang::DiagnosticWriter> writer_;
   lang::DiagnosticCounts counts_;
+  std::shared_ptr<ScenePack> pack_;  // of the file that is being converted
   std::set<std::string> targets_;
   InputSet read_;
   std::size_t converted_ = 0;

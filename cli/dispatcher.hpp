@@ -33,6 +33,7 @@ void add_lint_command(Command& program, Dispatcher& dispatcher);
 void add_lsp_command(Command& program, Dispatcher& dispatcher);
 void add_measure_command(Command& program, Dispatcher& dispatcher);
 void add_merge_command(Command& program, Dispatcher& dispatcher);
+void add_pack_command(Command& program, Dispatcher& dispatcher);
 void add_render_command(Command& program, Dispatcher& dispatcher);
 void add_schema_command(Command& program, Dispatcher& dispatcher);
 

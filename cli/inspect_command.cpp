@@ -90,13 +90,20 @@ class InspectJob {
     return names;
   }
 
-  ExitCode print_files() {
-    compiler_.read_all_files();
-    print_new_diagnostics();
+  /// The files on disk that the scene reads, the scene first.
+  std::vector<std::string> files() const {
+    if (options_.scene.pack) return {options_.scene.disk_file()};
     std::vector<std::string> names = dependencies();
     // Standard input counts as a file only if it has a name.
     const std::string scene = options_.scene.given_name();
     if (!scene.empty()) names.insert(names.begin(), scene);
+    return names;
+  }
+
+  ExitCode print_files() {
+    compiler_.read_all_files();
+    print_new_diagnostics();
+    std::vector<std::string> names = files();
     if (!options_.targets.empty()) {
       // Files that could not be read would be missing.
       if (sink_.has_errors()) return ExitCode::Findings;
@@ -267,9 +274,12 @@ void add_inspect_command(Command& program, Dispatcher& dispatcher) {
       "A scene with errors is reported without its invalid parts, with exit status 1. Nothing is "
       "rendered or\nwritten. docs/inspect.md explains the figures and the JSON fields.");
   dispatcher.on(command, [options](Environment& env) {
-    if (!is_film_name(options->scene.file)) return InspectJob(*options, env).run();
-    env.out << inspect_film(options->scene.file, options->is_json());
-    return ExitCode::Success;
+    if (is_film_name(options->scene.file)) {
+      env.out << inspect_film(options->scene.file, options->is_json());
+      return ExitCode::Success;
+    }
+    enter_pack(options->scene, env);
+    return InspectJob(*options, env).run();
   });
 }
 

@@ -22,6 +22,7 @@
 #include "cli/outputs.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/scene_options.hpp"
+#include "cli/scene_pack.hpp"
 #include "cli/unified_diff.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
@@ -64,10 +65,8 @@ std::string plural(std::size_t count, std::string_view noun) {
 /// One file and its findings.
 class Linted final : public lang::CheckedText {
  public:
-  Linted(std::shared_ptr<const lang::Document> document, const LintOptions& options,
-         const Environment& env)
-      : document_(std::move(document)),
-        compiler_(*document_, program_options(options.reading, env), sink_) {
+  Linted(std::shared_ptr<const lang::Document> document, const lang::ProgramOptions& program)
+      : document_(std::move(document)), compiler_(*document_, program, sink_) {
     lang::lint(compiler_, *document_, sink_);
   }
 
@@ -146,7 +145,9 @@ class LintJob {
 
   std::unique_ptr<Linted> linted(const std::string& name,
                                  std::shared_ptr<const lang::Document> document) {
-    auto result = std::make_unique<Linted>(std::move(document), options_, env_);
+    lang::ProgramOptions program = program_options(options_.reading, env_);
+    if (pack_) pack_->confine(program);
+    auto result = std::make_unique<Linted>(std::move(document), program);
     using Kind = std::pair<const lang::DiagnosticInfo*, const lang::SourceFile*>;
     const auto is_wanted =
         [this, scene = shown_name(name), own = &result->file(), decided = std::map<Kind, bool>()](
@@ -165,8 +166,13 @@ class LintJob {
   void lint(const std::string& name) {
     try {
       if (applies_fixes() && !options_.shows_diff) refuse_special(name, env_);
+      pack_ = open_pack(name, options_.reading.limits, env_.workspace);
+      if (pack_ && applies_fixes()) {
+        throw render::IoError("fix", name, "it is a pack; fix its scene, and pack that again");
+      }
       auto document =
-          read_document(name, shown_name(name), env_, options_.reading.limits.any_file());
+          pack_ ? pack_->read_scene()
+                : read_document(name, shown_name(name), env_, options_.reading.limits.any_file());
       if (!options_.shows_diff) writer_->enter(shown_name(name));
       const std::unique_ptr<lang::CheckedText> result =
           applies_fixes() ? fix(name, std::move(document)) : linted(name, std::move(document));
@@ -298,6 +304,7 @@ class LintJob {
   lang::LintConfigs configs_;
   std::ostream& out_;
   std::unique_ptr<lang::DiagnosticWriter> writer_;
+  std::shared_ptr<ScenePack> pack_;           // of the file that is being checked
   std::map<std::string, std::string> paths_;  // by name
   std::unordered_set<std::string> reported_;
   lang::DiagnosticCounts counts_;

@@ -134,7 +134,7 @@ void check_reports(const MeasureOptions& options) {
     render::check_writable(name);
     distinct.add(name);
   }
-  check_kept(options.outputs, options.scene.file, "the scene that is measured");
+  check_kept(options.outputs, options.scene.disk_file(), "the scene that is measured");
   if (!options.against.empty()) {
     check_kept(options.outputs, options.against, "the report of --against");
   }
@@ -490,6 +490,7 @@ void add_measure_command(Command& program, Dispatcher& dispatcher) {
       "--error is the goal of the recommendation. docs/measure.md explains the report.");
   dispatcher.on(command, [options, command](Environment& env) {
     options->given = given_flags(command);
+    enter_pack(options->scene, env);
     return MeasureJob(*options, env).run();
   });
 }

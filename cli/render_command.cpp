@@ -46,16 +46,19 @@ void check_several(const RenderOptions& options) {
 }
 
 ExitCode render_files(RenderOptions& options, RenderRun& run, Environment& env) {
-  if (run.files == 1) {
-    options.scene.file = options.files.front();
+  const auto render_file = [&](const std::string& file) {
+    options.scene.file = file;
+    enter_pack(options.scene, env);
     return render_scene(options, run, env);
+  };
+  if (run.files == 1) {
+    return render_file(options.files.front());
   }
   check_several(options);
   ExitCode code = ExitCode::Success;
   std::vector<std::string> failed;
   for (const std::string& file : options.files) {
-    options.scene.file = file;
-    const ExitCode of_file = report_failure(env, [&] { return render_scene(options, run, env); });
+    const ExitCode of_file = report_failure(env, [&] { return render_file(file); });
     code = graver(code, of_file);
     ++run.files_before;
     if (of_file == ExitCode::Interrupted || run.interrupted.load()) break;

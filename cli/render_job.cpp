@@ -521,7 +521,8 @@ class RenderJob {
     for (const fs::path& part : compiler_->dependencies()) inputs_.push_back(part.string());
     if (!options_.scene.reading.is_sandboxed) return;
     // The default folder is ours, but the file in it may be a link made by the scene's author.
-    sandbox_.emplace(env_.workspace, lowered.output.output.empty() ? "" : options_.scene.name());
+    sandbox_.emplace(env_.workspace,
+                     lowered.output.output.empty() ? "" : options_.scene.disk_file());
   }
 
   /// Whether the render is a shard of one picture.
@@ -605,6 +606,7 @@ class RenderJob {
     if (is_last) {  // free text and tree before tracing
       compiler_.reset();
       source_.reset();
+      if (options_.scene.pack) options_.scene.pack->release();
     }
 
     if (options_.crop) {

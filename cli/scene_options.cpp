@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "cli/outputs.hpp"
+#include "lang/pack/zip.hpp"
 #include "lang/text/display_width.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "render/image/io_error.hpp"
@@ -99,6 +100,11 @@ std::shared_ptr<const lang::Document> read_document(const std::string& path,
   std::error_code error;
   auto document = env.workspace.load(path, name, max_bytes, error);
   if (!document) throw render::IoError("read", name, error.message());
+  if (lang::is_zip(document->text())) {
+    throw render::IoError("read", name,
+                          "it is a ZIP archive; render, inspect, lint, measure and convert read "
+                          "packs, by the name of the file");
+  }
   return document;
 }
 
@@ -143,13 +149,20 @@ void add_scene_options(Command& command, SceneOptions& options) {
   add_diagnostics_options(command, options.diagnostics);
 }
 
+void enter_pack(SceneOptions& options, const Environment& env) {
+  options.pack = open_pack(options.file, options.reading.limits, env.workspace);
+  if (options.pack) options.file = options.pack->scene();
+}
+
 std::shared_ptr<const lang::Document> read_scene(const SceneOptions& options,
                                                  const Environment& env) {
+  if (options.pack) return options.pack->read_scene();
   return read_document(options.file, options.name(), env, options.reading.limits.any_file());
 }
 
 lang::ProgramOptions program_options(const SceneOptions& options, const Environment& env) {
   lang::ProgramOptions program = program_options(options.reading, env);
+  if (options.pack) options.pack->confine(program);
   program.sets = options.sets;
   return program;
 }

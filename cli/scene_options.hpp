@@ -8,6 +8,7 @@
 #include "cli/command_line.hpp"
 #include "cli/diagnostics_output.hpp"
 #include "cli/environment.hpp"
+#include "cli/scene_pack.hpp"
 #include "lang/program/program.hpp"
 #include "lang/source/limits.hpp"
 #include "lang/workspace/document.hpp"
@@ -39,7 +40,8 @@ lang::ProgramOptions program_options(const ReadingOptions& options, const Enviro
 
 /// Options of a command that reads one scene.
 struct SceneOptions {
-  std::string file;
+  std::string file;                      ///< in a pack: its path there, `ball.sdlc.zip/ball.scene`
+  std::shared_ptr<ScenePack> pack = {};  ///< that `file` is in; null for a file on disk
   std::vector<lang::SetOption> sets;
   ReadingOptions reading;
   DiagnosticsOptions diagnostics;
@@ -48,6 +50,8 @@ struct SceneOptions {
   std::string name() const;
   /// The same; empty for standard input without --stdin-filename.
   std::string given_name() const;
+  /// The file on disk that has the scene: itself, or its pack.
+  const std::string& disk_file() const { return pack ? pack->path() : file; }
 };
 
 /// --set NAME=VALUE
@@ -57,6 +61,9 @@ void add_scene_options(Command& command, SceneOptions& options);
 
 /// Throws render::IoError for a pipe, a device or the like, which cannot be replaced.
 void refuse_special(const std::string& path, const Environment& env);
+
+/// If the file is a pack, goes on with the scene in it. Throws render::IoError.
+void enter_pack(SceneOptions& options, const Environment& env);
 
 /// Throws render::IoError.
 std::shared_ptr<const lang::Document> read_scene(const SceneOptions& options,

@@ -25,6 +25,15 @@ inline constexpr std::uint64_t kIncludedByte = 2;   ///< per byte of a file that
 inline constexpr std::uint64_t kSpheres = 100'000;  ///< spheres that double the limit
 }  // namespace work
 
+/// Limits of a pack in addition to those of its files. A pack that `sdlc pack` writes keeps them.
+namespace pack_limits {
+inline constexpr std::size_t kFiles = 10'000;
+inline constexpr std::size_t kName = 1000;                    ///< bytes of a path in a pack
+inline constexpr std::size_t kIndex = std::size_t{64} << 10;  ///< bytes of its index
+/// Bytes of a file per byte that it takes in the pack. A text seldom has 50.
+inline constexpr std::uint64_t kRatio = 250;
+}  // namespace pack_limits
+
 /// Resource limits of one evaluation. Each has a flag, `--limit NAME=N`, and its own error.
 struct Limits {
   std::uint64_t steps = 100'000'000;                ///< of work: about a second
