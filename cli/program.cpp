@@ -39,6 +39,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
       "  sdlc inspect ball.scene                 size, memory and precision of a scene\n"
       "  sdlc measure ball.scene                 error against render time\n"
       "  sdlc compare new.exr reference.exr      difference between two pictures\n"
+      "  sdlc farm ball.scene --engine slurm -o job   job files for many machines\n"
       "  sdlc lsp                                language server for editors\n"
       "  sdlc explain E104                       explains a message\n"
       "  sdlc render --help                      help for one command\n"
@@ -58,6 +59,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
   add_measure_command(program, dispatcher);
   add_compare_command(program, dispatcher);
   add_merge_command(program, dispatcher);
+  add_farm_command(program, dispatcher);
   add_explain_command(program, dispatcher);
   add_schema_command(program, dispatcher);
 
