@@ -47,7 +47,8 @@ FarmProbe probe(render::Kernel kernel, lang::LoweredScene& lowered, double compi
   const double pixels = static_cast<double>(wanted.width) * wanted.height;
   const double tracing =
       wanted.seconds ? *wanted.seconds : expected_samples(wanted, result) * pixels / rate;
-  FarmProbe probe{.picture_seconds = compile_seconds + result.build_seconds + tracing};
+  FarmProbe probe;
+  probe.picture_seconds = compile_seconds + result.build_seconds + tracing;
   probe.description =
       fmt::format("measured {} samples/s on this machine: {}{}", format_count(rate),
                   format_seconds(probe.picture_seconds), has_frames ? " per frame" : "");

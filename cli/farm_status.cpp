@@ -27,7 +27,7 @@ struct CheckedFile {
   std::optional<int> frame;
   std::uint32_t shard = 0;  ///< 0 for a picture
   FileState state = FileState::Missing;
-  std::string cause;  ///< why it is damaged
+  std::string cause = {};  ///< why it is damaged
 };
 
 /// All files of one kind.

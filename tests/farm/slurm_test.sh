@@ -111,9 +111,11 @@ say "rendered here"
 SDLC_PAUSE=1 sh job/submit.sh
 
 wait_for_renderers
+# shellcheck disable=SC2046 # words are process ids
 kill -KILL $(renderers)
 say "killed the tasks"
 wait_for_renderers w0
+# shellcheck disable=SC2046
 kill -KILL "$node" $(renderers w0) $(pgrep -f 'slurmstepd: \[.*w0' || true)
 say "killed a node with its task"
 while [[ -n $(squeue -h) ]]; do
