@@ -85,20 +85,21 @@ start slurmd -D -N w1
 until [[ $(sinfo -h -o '%T %D' 2>/dev/null) == 'idle 2' ]]; do sleep 0.2; done
 say "two nodes are idle"
 
-# The renderers of the job on a node (default: any).
-renderers() {
+# The processes of the job on a node (default: any) whose command line matches.
+processes() {
   local pid
-  for pid in $(pgrep -f "render $dir/a.scene" || true); do
-    if tr '\0' '\n' <"/proc/$pid/environ" 2>/dev/null | grep -q "^SLURMD_NODENAME=${1:-}"; then echo "$pid"; fi
+  for pid in $(pgrep -f "$1" || true); do
+    if { tr '\0' '\n' <"/proc/$pid/environ"; } 2>/dev/null | grep -q "^SLURMD_NODENAME=${2:-}"; then echo "$pid"; fi
   done
 }
+renderers() { processes "render $dir/a.scene" "$@"; }
 wait_for_renderers() {
   until [[ -n $(renderers "$@") ]]; do sleep 0.1; done
 }
 
 cat >"$dir/a.scene" <<'SCENE'
 scene 1
-render { width: 320, height: 200, samples: 6000 }
+render { width: 320, height: 200, samples: 3000 }
 camera { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }
 sphere { center: (0, -100.5, 0), radius: 100, material: diffuse(#888888) }
 sphere { center: (0, 0, 0), radius: 0.5, material: transmissive(#FFFFFF, ior: 1.5) }
@@ -115,8 +116,10 @@ wait_for_renderers
 kill -KILL $(renderers)
 say "killed the tasks"
 wait_for_renderers w0
+mapfile -t scripts < <(processes 'task\.sh render\.tasks' w0)
+mapfile -t steps < <(ps -o ppid= -p "${scripts[0]}")
 # shellcheck disable=SC2046
-kill -KILL "$node" $(renderers w0) $(pgrep -f 'slurmstepd: \[.*w0' || true)
+kill -KILL "$node" "${steps[@]// /}" "${scripts[@]}" $(renderers w0)
 say "killed a node with its task"
 while [[ -n $(squeue -h) ]]; do
   # Slurm holds a task for two minutes after it was requeued.
@@ -128,5 +131,6 @@ done
 say "the queue is empty"
 "$SDLC" farm status job
 grep -h 'task.sh:' job/log/*.txt
+grep -i 'requeue' log/slurmctld.log
 cmp a.png job/frames/a.png
 say "the picture is the same"
