@@ -26,7 +26,7 @@ std::vector<FarmFile> shell_files(const FarmJob& job, const FarmRun& run) {
   text +=
       "# Renders on this machine, JOBS tasks at a time (1: a task uses all processors unless\n"
       "# --threads was given). Run it again to go on: what is finished is not rendered again.\n"
-      "trap 'exit 130' INT TERM\n\n";
+      "trap 'exit 130' INT\n\n";
   if (!run.tasks.empty()) {
     text += fmt::format("tasks={} list={}.tasks{}", run.tasks.size(), run.name, kRunAll);
   }

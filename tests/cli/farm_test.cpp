@@ -44,6 +44,10 @@ class Farm : public testing::Test {
   void write(const std::string& name, const std::string& text) const {
     write_text(folder_ / name, text);
   }
+  void write_program(const std::string& name, const std::string& script) const {
+    write(name, "#!/bin/sh\n" + script);
+    fs::permissions(folder_ / name, fs::perms::owner_all);
+  }
   std::string read(const std::string& name) const { return content_of(folder_ / name); }
   Json json(const std::string& name) const { return Json::parse(read(name)); }
   /// Runs in the folder, with the program for the scripts and without pauses.
@@ -74,16 +78,18 @@ class Farm : public testing::Test {
 /// With GNU parallel, and with xargs where that is not found.
 class ShellFarm : public Farm, public testing::WithParamInterface<bool> {
  protected:
+  void SetUp() override {
+    if (GetParam() && !has_program("parallel")) GTEST_SKIP() << "GNU parallel is not installed";
+  }
   std::string path() const {
     if (GetParam()) return {};
-    write("parallel", "#!/bin/sh\nexit 1\n");
-    fs::permissions(folder_ / "parallel", fs::perms::owner_all);
+    write_program("parallel", "exit 1\n");
     return "PATH=$PWD:$PATH ";
   }
 };
 
 INSTANTIATE_TEST_SUITE_P(, ShellFarm, testing::Bool(),
-                         [](const auto& info) { return info.param ? "Parallel" : "Xargs"; });
+                         [](const auto& each) { return each.param ? "Parallel" : "Xargs"; });
 
 TEST_P(ShellFarm, RendersTheBytesOfOneMachine) {
   succeed("\"$SDLC\" render a.scene -o a.exr --aov normal");
@@ -125,34 +131,41 @@ TEST_F(Farm, GoesOnAfterATaskWasKilled) {
   succeed("\"$SDLC\" render a.scene -o a.png --width 240");
   farm("a.scene --engine shell -o job --tasks 4 --width 240");
   // The first renderer is killed, and its task repeated.
-  write("once",
-        "#!/bin/sh\n[ -e killed ] || { : >killed; kill -s KILL $$; }\nexec \"$REAL\" \"$@\"\n");
-  fs::permissions(folder_ / "once", fs::perms::owner_all);
+  write_program("once",
+                "[ -e killed ] || { : >killed; kill -s KILL $$; }\nexec \"$REAL\" \"$@\"\n");
   EXPECT_THAT(succeed("REAL=$SDLC SDLC=$PWD/once sh job/render.sh"),
               HasSubstr("ended with status 137; attempt 2 of 5"));
   expect_same("a.png", "job/frames/a.png");
 }
 
 TEST_F(Farm, SavesItsFilmWhenATaskIsTerminated) {
-  farm("a.scene --engine shell -o job --tasks 1 --width 480 --samples 4000");
-  const ProgramResult stopped =
-      shell("job/task.sh render.tasks 0 & task=$!; sleep 0.5; kill -s TERM $task; wait $task");
-  if (stopped.exit_code != 130) GTEST_SKIP() << "the task was finished earlier";
-  EXPECT_TRUE(exists("job/parts/a.1.film"));
-  EXPECT_THAT(failure(75, "farm status job"), HasSubstr("unfinished: parts/a.1.film"));
+  const std::string flags = " --width 240 --samples 1000";
+  farm("a.scene --engine shell -o job --tasks 1" + flags);
+  // A renderer that has a film is tracing.
+  write_program("early",
+                "for a; do shift; [ \"$a\" != 60s ] || a=10ms; set -- \"$@\" \"$a\"; done\n"
+                "exec \"$REAL\" \"$@\"\n");
+  const ProgramResult stopped = shell(
+      "REAL=$SDLC SDLC=$PWD/early; export REAL\n"
+      "job/task.sh render.tasks 0 & task=$!\n"
+      "until [ -e job/parts/a.1.film ] || ! kill -0 $task; do sleep 0.01; done\n"
+      "kill -s TERM $task; wait $task");
+  if (stopped.exit_code != 0) {  // the task was not finished earlier
+    EXPECT_EQ(stopped.exit_code, 130);
+    EXPECT_THAT(stopped.err, HasSubstr("--resume goes on from parts/a.1.film"));
+    EXPECT_THAT(failure(75, "farm status job"), HasSubstr("unfinished: parts/a.1.film"));
+  }
   succeed("sh job/render.sh");
-  succeed("\"$SDLC\" render a.scene -o a.png --width 480 --samples 4000");
+  succeed("\"$SDLC\" render a.scene -o a.png" + flags);
   expect_same("a.png", "job/frames/a.png");
 }
 
 TEST_F(Farm, TriesAgainAFewTimes) {
   farm("a.scene --engine shell -o job --tasks 1");
-  write("full", "#!/bin/sh\necho >>calls\nexit 75\n");
-  fs::permissions(folder_ / "full", fs::perms::owner_all);
+  write_program("full", "echo >>calls\nexit 75\n");
   EXPECT_EQ(shell("SDLC=$PWD/full job/task.sh render.tasks 0").exit_code, 75);
   EXPECT_EQ(read("job/calls").size(), 5U);
-  write("broken", "#!/bin/sh\necho >>calls2\nexit 1\n");
-  fs::permissions(folder_ / "broken", fs::perms::owner_all);
+  write_program("broken", "echo >>calls2\nexit 1\n");
   EXPECT_EQ(shell("SDLC=$PWD/broken job/task.sh render.tasks 0").exit_code, 1);
   EXPECT_EQ(read("job/calls2").size(), 1U);
   EXPECT_EQ(shell("job/task.sh render.tasks 1").exit_code, 2);
@@ -230,9 +243,10 @@ TEST_F(Farm, RefusesWhatCannotBe) {
   EXPECT_THAT(failure(2, "farm a.scene --engine shell -o job --aov normal --extension png"),
               HasSubstr("only .exr files"));
   EXPECT_THAT(failure(2,
-                      "farm film.scene --engine shell -o job --samples 4000 --tasks 100000 "
-                      "--frames 1-100001"),
+                      "farm film.scene --engine shell -o job --samples 1000000 --task-time 1ms "
+                      "--frames 1-100"),
               HasSubstr("more than 100000"));
+  EXPECT_THAT(failure(2, "farm a.scene --engine openjd -o '####'"), HasSubstr("would be replaced"));
   EXPECT_THAT(failure(2, "farm status job"), HasSubstr("farm.json"));
   write("broken.scene", "scene 1\nspere { }\n");
   failure(1, "farm broken.scene --engine shell -o job");
@@ -252,7 +266,8 @@ TEST_F(Farm, KeepsTheJobOfAFolder) {
               HasSubstr("its list of frames is 1-5, not 1-4"));
   EXPECT_THAT(failure(2, "farm film.scene --engine shell -o film --samples 16 --tasks 5"),
               HasSubstr("divided into 2 tasks"));
-  write("film.scene", read("film.scene") + "sphere { center: (0, 3, 0), radius: 0.1 }\n");
+  write("film.scene",
+        read("film.scene") + "sphere { center: (0, 3, 0), radius: 0.1, material: diffuse(red) }\n");
   EXPECT_THAT(failure(2, "farm film.scene --engine shell -o film --samples 16"),
               HasSubstr("the scene has changed"));
   fs::create_directory(folder_ / "other");
@@ -269,16 +284,14 @@ TEST_F(Farm, WritesJobsForSlurm) {
               AllOf(HasSubstr("#SBATCH --array=0-2\n"), HasSubstr("#SBATCH --requeue\n"),
                     HasSubstr("exec ./task.sh render.tasks")));
   // sbatch runs each index at once, in the folder in which it was called.
-  write("sbatch",
-        "#!/bin/sh\n"
-        "echo \"$@\" >>calls\n"
-        "for script; do :; done\n"
-        "for i in $(sed -n 's/^#SBATCH --array=0-//p' \"$script\" | xargs -r seq 0); do\n"
-        "  SLURM_ARRAY_TASK_ID=$i SLURM_CPUS_ON_NODE=1 sh \"$script\" >&2\n"
-        "done\n"
-        "[ \"$script\" != merge.sbatch ] || sh \"$script\" >&2\n"
-        "echo '42;cluster'\n");
-  fs::permissions(folder_ / "sbatch", fs::perms::owner_all);
+  write_program("sbatch",
+                "echo \"$@\" >>calls\n"
+                "for script; do :; done\n"
+                "for i in $(sed -n 's/^#SBATCH --array=0-//p' \"$script\" | xargs -r seq 0); do\n"
+                "  SLURM_ARRAY_TASK_ID=$i SLURM_CPUS_ON_NODE=1 sh \"$script\" >&2\n"
+                "done\n"
+                "[ \"$script\" != merge.sbatch ] || sh \"$script\" >&2\n"
+                "echo '42;cluster'\n");
   EXPECT_THAT(succeed("PATH=$PWD:$PATH sh job/submit.sh --partition=short"),
               HasSubstr("render: job 42\n"));
   EXPECT_EQ(read("job/calls"),
@@ -305,8 +318,7 @@ TEST_F(Farm, GivesAnIndexOfSlurmSeveralTasks) {
   farm("a.scene --engine slurm -o job --tasks 1500");
   EXPECT_THAT(read("job/render.sbatch"),
               AllOf(HasSubstr("#SBATCH --array=0-749\n"), HasSubstr("tasks=1500 per_index=2\n")));
-  write("print", "#!/bin/sh\nfor a; do case $a in */1500) echo $a ;; esac; done\n");
-  fs::permissions(folder_ / "print", fs::perms::owner_all);
+  write_program("print", "for a; do case $a in */1500) echo $a ;; esac; done\n");
   EXPECT_EQ(shell("cd job && SDLC=../print SLURM_ARRAY_TASK_ID=749 sh render.sbatch").out,
             "1499/1500\n1500/1500\n");
 }

@@ -21,7 +21,7 @@ daemons=()
 finish() {
   local status=$?
   if ((status)); then
-    tail -n 30 "$dir"/log/*.log "$dir"/job/log/*.txt >&2 || true
+    tail -n 30 "$dir"/log/*.log "$dir"/*/log/*.txt >&2 || true
   fi
   scancel --full --quiet --user=root 2>/dev/null || true
   kill "${daemons[@]}" 2>/dev/null || true
@@ -134,3 +134,13 @@ grep -h 'task.sh:' job/log/*.txt
 grep -i 'requeue' log/slurmctld.log
 cmp a.png job/frames/a.png
 say "the picture is the same"
+
+"$SDLC" farm a.scene --engine slurm -o canceled --tasks 1 --quiet
+job=$(cd canceled && sbatch --parsable render.sbatch)
+wait_for_renderers
+sleep 1
+scancel "$job"
+while [[ -n $(squeue -h) ]]; do sleep 0.2; done
+while [[ -n $(renderers) ]]; do sleep 0.2; done
+grep -h 'resume goes on from parts/a.1.film' canceled/log/*.txt
+say "a canceled task saved its film"
