@@ -46,10 +46,13 @@ Json pod_template(const FarmJob& job, std::vector<std::string> command) {
                                   {"persistentVolumeClaim", {{"claimName", "sdlc-farm"}}}}})}}}};
 }
 
-Json job_object(const std::string& name, Json spec) {
+/// A retry may be started several times, but not the job itself.
+Json job_object(const std::string& name, bool is_retry, Json spec) {
+  const Json labels{{"app.kubernetes.io/name", "sdlc"}};
   return {{"apiVersion", "batch/v1"},
           {"kind", "Job"},
-          {"metadata", {{"name", name}, {"labels", {{"app.kubernetes.io/name", "sdlc"}}}}},
+          {"metadata", is_retry ? Json{{"generateName", name + "-"}, {"labels", labels}}
+                                : Json{{"name", name}, {"labels", labels}}},
           {"spec", std::move(spec)}};
 }
 
@@ -57,24 +60,26 @@ Json job_object(const std::string& name, Json spec) {
 
 std::vector<FarmFile> kubernetes_files(const FarmJob& job, const FarmRun& run) {
   const std::size_t tasks = run.tasks.size();
-  const std::string name = engine_name(job) + (run.name == "render" ? "" : "-" + run.name);
+  const bool is_retry = run.name != "render";
+  const std::string name = engine_name(job) + (is_retry ? "-" + run.name : "");
   Json items = Json::array();
   if (tasks > 0) {
-    items.push_back(job_object(
-        name, {{"completionMode", "Indexed"},
-               {"completions", tasks},
-               {"parallelism", std::min(tasks, kMaxPods)},
-               {"backoffLimitPerIndex", 5},
-               {"podFailurePolicy", failure_policy("FailIndex")},
-               {"template", pod_template(job, {"/bin/sh", "./task.sh", run.name + ".tasks",
-                                               "$(JOB_COMPLETION_INDEX)"})}}));
+    items.push_back(
+        job_object(name, is_retry,
+                   {{"completionMode", "Indexed"},
+                    {"completions", tasks},
+                    {"parallelism", std::min(tasks, kMaxPods)},
+                    {"backoffLimitPerIndex", 5},
+                    {"podFailurePolicy", failure_policy("FailIndex")},
+                    {"template", pod_template(job, {"/bin/sh", "./task.sh", run.name + ".tasks",
+                                                    "$(JOB_COMPLETION_INDEX)"})}}));
   }
   if (job.has_shards()) {
     // Its status is 75 until all parts are there.
-    items.push_back(
-        job_object(name + "-merge", {{"backoffLimit", 5},
-                                     {"podFailurePolicy", failure_policy("FailJob")},
-                                     {"template", pod_template(job, {"/bin/sh", "./merge.sh"})}}));
+    items.push_back(job_object(name + "-merge", is_retry,
+                               {{"backoffLimit", 5},
+                                {"podFailurePolicy", failure_policy("FailJob")},
+                                {"template", pod_template(job, {"/bin/sh", "./merge.sh"})}}));
   }
   const Json list{{"apiVersion", "v1"}, {"kind", "List"}, {"items", std::move(items)}};
   std::vector<FarmFile> files{task_script(job)};

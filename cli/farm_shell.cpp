@@ -5,7 +5,8 @@
 namespace sdlc::cli {
 namespace {
 
-/// xargs ends at status 255; otherwise an interrupted task would be followed by the next one.
+/// xargs ends at status 255; otherwise an interrupted task would be followed by the next one. After
+/// Ctrl-C it does not wait for tasks that save their films, but `cat` does.
 /// --termseq: the renderer needs time to save its film.
 constexpr const char* kRunAll = R"sh(
 jobs=${JOBS:-1}
@@ -15,7 +16,8 @@ if parallel --version 2>/dev/null | grep -q '^GNU parallel'; then
       ./task.sh "$list" '{}'
 else
   seq 0 $((tasks - 1)) |
-    xargs -n 1 -P "$jobs" sh -c './task.sh "$0" "$1"; s=$?; [ $s -ne 130 ] || s=255; exit $s' "$list"
+    xargs -n 1 -P "$jobs" sh -c './task.sh "$0" "$1"; s=$?; [ $s -ne 130 ] || s=255; exit $s' "$list" |
+    (trap '' INT && exec cat)
 fi
 )sh";
 

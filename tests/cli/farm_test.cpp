@@ -362,6 +362,10 @@ TEST_F(Farm, WritesJobsForKubernetes) {
               ElementsAre("/bin/sh", "./task.sh", "render.tasks", "$(JOB_COMPLETION_INDEX)"));
   EXPECT_THAT(merge.at("spec").at("template").at("spec").at("containers")[0].at("command"),
               ElementsAre("/bin/sh", "./merge.sh"));
+  failure(75, "farm status job");
+  const Json retry = json("job/retry.json");
+  EXPECT_EQ(retry.at("items")[0].at("metadata").at("generateName"), "sdlc-a-retry-");
+  EXPECT_EQ(retry.at("items")[0].at("spec").at("completions"), 3);
   // The commands of the pods.
   for (int index = 0; index < 3; ++index) {
     succeed(fmt::format("cd job && /bin/sh ./task.sh render.tasks {}", index));

@@ -93,9 +93,6 @@ processes() {
   done
 }
 renderers() { processes "render $dir/a.scene" "$@"; }
-wait_for_renderers() {
-  until [[ -n $(renderers "$@") ]]; do sleep 0.1; done
-}
 
 cat >"$dir/a.scene" <<'SCENE'
 scene 1
@@ -111,12 +108,14 @@ say "rendered here"
 "$SDLC" farm a.scene --engine slurm -o job --tasks 8
 SDLC_PAUSE=1 sh job/submit.sh
 
-wait_for_renderers
 # shellcheck disable=SC2046 # words are process ids
-kill -KILL $(renderers)
+until kill -KILL $(renderers) 2>/dev/null; do sleep 0.1; done
 say "killed the tasks"
-wait_for_renderers w0
-mapfile -t scripts < <(processes 'task\.sh render\.tasks' w0)
+scripts=()
+until ((${#scripts[@]})); do
+  sleep 0.1
+  mapfile -t scripts < <(processes 'task\.sh render\.tasks' w0)
+done
 mapfile -t steps < <(ps -o ppid= -p "${scripts[0]}")
 # shellcheck disable=SC2046
 kill -KILL "$node" "${steps[@]// /}" "${scripts[@]}" $(renderers w0)
@@ -137,7 +136,7 @@ say "the picture is the same"
 
 "$SDLC" farm a.scene --engine slurm -o canceled --tasks 1 --quiet
 job=$(cd canceled && sbatch --parsable render.sbatch)
-wait_for_renderers
+until [[ -n $(renderers) ]]; do sleep 0.1; done
 sleep 1
 scancel "$job"
 while [[ -n $(squeue -h) ]]; do sleep 0.2; done
