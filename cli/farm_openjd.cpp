@@ -19,8 +19,15 @@ constexpr std::size_t kMaxChunk = 150;
 /// Of a range that is a list. One that is an expression has no limit.
 constexpr std::size_t kMaxRangeList = 1024;
 
-/// The values of arguments that would be taken for format strings become parameters of the job,
-/// whose defaults are no format strings.
+/// Whether a text may be an argument: that is a format string, without control characters.
+bool is_plain_argument(const std::string& text) {
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+  return text.find("{{") == std::string::npos && text.find("}}") == std::string::npos &&
+         std::ranges::none_of(text, is_control);
+}
+
+/// The parameters of the job. Texts that are no plain arguments become some too: a default is no
+/// format string, and may have any characters.
 class JobParameters {
  public:
   explicit JobParameters(const FarmJob& job) {
@@ -43,7 +50,7 @@ class JobParameters {
   }
 
   std::string argument(const std::string& text) {
-    if (text.find("{{") == std::string::npos) return text;
+    if (is_plain_argument(text)) return text;
     const std::string name = fmt::format("Text{}", ++texts_);
     list_.push_back({{"name", name}, {"type", "STRING"}, {"default", text}});
     return fmt::format("{{{{Param.{}}}}}", name);

@@ -466,7 +466,7 @@ TEST_F(Farm, WritesValidOpenJobDescriptions) {
   };
   add("a", "a.scene --tasks 3");
   add("b", "a.scene --error 5% --tasks 1");
-  add("c", "film.scene --tasks 2 --set 'hue={{x}}'");
+  add("c", "film.scene --tasks 2 --set 'hue={{x}}\na}}'");
   add("d", "film.scene --frames 1-5x2 --tasks 1");
   add("e", "film.scene --tasks 15");
   add("f", "film.scene --samples 1");
