@@ -31,6 +31,7 @@
 #include "render/image/io_error.hpp"
 #include "render/math/clock.hpp"
 #include "render/scene/digest.hpp"
+#include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -91,6 +92,20 @@ fs::path common_folder(const std::vector<fs::path>& paths) {
     common = shared;
   }
   return common;
+}
+
+/// What pictures depend on besides the objects of the scene.
+std::string describe_settings(const lang::LoweredScene& lowered) {
+  const render::RenderSettings& settings = lowered.settings;
+  std::string text =
+      fmt::format("{} x {} pixels, {} samples", settings.width, settings.height, settings.samples);
+  render::for_each_setting([&](const auto& setting) {
+    text += fmt::format(", {} {}", setting.name, render::shown(settings.*setting.member));
+  });
+  if (settings.error) text += fmt::format(", error {}", *settings.error);
+  if (lowered.precision) text += fmt::format(", precision {}", name_of(*lowered.precision));
+  const render::ToneMapping& mapping = lowered.output.mapping;
+  return text + fmt::format(", tone {}, exposure {}", name_of(mapping.tone), mapping.exposure);
 }
 
 class FarmPlanner {
@@ -186,6 +201,7 @@ class FarmPlanner {
   void describe_job(const lang::LoweredScene& lowered) {
     const render::RenderSettings& settings = lowered.settings;
     job_.digest = fmt::format("{:016x}", render::digest_of(lowered.scene));
+    job_.settings = describe_settings(lowered);
     job_.name = picture_stem(job_.scene);
     job_.extension = choose_extension(lowered);
     job_.flags = repeated_flags(options_.given, false);

@@ -74,6 +74,7 @@ std::string farm_text(const FarmJob& job) {
             {"engine", kFarmEngineWords[static_cast<std::size_t>(job.engine)]},
             {"scene", job.scene},
             {"digest", job.digest},
+            {"settings", job.settings},
             {"root", job.root},
             {"name", job.name},
             {"extension", job.extension},
@@ -106,12 +107,15 @@ FarmJob read_farm_job(const std::filesystem::path& folder) {
   job.folder = folder;
   try {
     const Json json = Json::parse(text);
-    if (json.at("version") != kFarmVersion) throw render::IoError("read", path, "other version");
+    if (json.at("version") != kFarmVersion) {
+      throw render::IoError("read", path, "it is of another version of sdlc; make the job again");
+    }
     const auto engine = std::ranges::find(kFarmEngineWords, json.at("engine").get<std::string>());
     if (engine == kFarmEngineWords.end()) throw render::IoError("read", path, "unknown engine");
     job.engine = static_cast<FarmEngine>(engine - kFarmEngineWords.begin());
     json.at("scene").get_to(job.scene);
     json.at("digest").get_to(job.digest);
+    json.at("settings").get_to(job.settings);
     json.at("root").get_to(job.root);
     json.at("name").get_to(job.name);
     json.at("extension").get_to(job.extension);
@@ -151,6 +155,8 @@ std::string difference(const FarmJob& job, const FarmJob& expected) {
   if (job.extension != expected.extension) {
     return differs("format", job.extension, expected.extension);
   }
+  if (job.settings != expected.settings)
+    return differs("list of settings", job.settings, expected.settings);
   if (job.digest != expected.digest) return "the scene has changed";
   return {};
 }

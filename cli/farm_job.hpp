@@ -21,6 +21,7 @@ struct FarmJob {
   FarmEngine engine = FarmEngine::Shell;
   std::string scene;               ///< absolute
   std::string digest;              ///< of the scene at the probed frame
+  std::string settings;            ///< those of the scene and of the flags, as text
   std::string root;                ///< the deepest folder with FOLDER and all files of the scene
   std::string name;                ///< of the pictures; without control characters and # { } /
   std::string extension;           ///< of the pictures

@@ -1,12 +1,14 @@
 #include <algorithm>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/farm_engines.hpp"
 #include "cli/frames.hpp"
-#include "cli/usage_error.hpp"
 
 /// Open Job Description, jobtemplate-2023-09: a YAML or JSON document.
 namespace sdlc::cli {

@@ -266,6 +266,11 @@ TEST_F(Farm, KeepsTheJobOfAFolder) {
               HasSubstr("its list of frames is 1-5, not 1-4"));
   EXPECT_THAT(failure(2, "farm film.scene --engine shell -o film --samples 16 --tasks 5"),
               HasSubstr("divided into 2 tasks"));
+  farm("a.scene --engine shell -o a --tasks 1");
+  std::string text = kScene;
+  write("a.scene", text.replace(text.find("700"), 3, "701"));
+  EXPECT_THAT(failure(2, "farm a.scene --engine shell -o a"),
+              HasSubstr("its list of settings is 48 x 32 pixels, 700 samples"));
   write("film.scene",
         read("film.scene") + "sphere { center: (0, 3, 0), radius: 0.1, material: diffuse(red) }\n");
   EXPECT_THAT(failure(2, "farm film.scene --engine shell -o film --samples 16"),
