@@ -37,7 +37,7 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
 
 const CLI::App& chosen_command(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
-  return chosen.empty() ? app : *chosen.front();
+  return chosen.empty() ? app : chosen_command(*chosen.front());
 }
 
 /// The message for arguments that do not parse, for which CLI11 says `error`.

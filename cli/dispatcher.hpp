@@ -15,7 +15,10 @@ class Dispatcher {
   using Run = std::function<ExitCode(Environment&)>;
 
   void on(Command command, Run run) {
-    command.on_chosen([this, run = std::move(run)] { chosen_ = run; });
+    // That of a command's own command, such as `farm status`, is called first.
+    command.on_chosen([this, run = std::move(run)] {
+      if (!chosen_) chosen_ = run;
+    });
   }
   const Run& chosen() const noexcept { return chosen_; }
 
@@ -27,6 +30,7 @@ class Dispatcher {
 void add_compare_command(Command& program, Dispatcher& dispatcher);
 void add_convert_command(Command& program, Dispatcher& dispatcher);
 void add_explain_command(Command& program, Dispatcher& dispatcher);
+void add_farm_command(Command& program, Dispatcher& dispatcher);
 void add_fmt_command(Command& program, Dispatcher& dispatcher);
 void add_inspect_command(Command& program, Dispatcher& dispatcher);
 void add_lint_command(Command& program, Dispatcher& dispatcher);

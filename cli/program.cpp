@@ -40,6 +40,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
       "  sdlc measure ball.scene                 error against render time\n"
       "  sdlc compare new.exr reference.exr      difference between two pictures\n"
       "  sdlc pack ball.scene                    a scene with all that it reads, in one file\n"
+      "  sdlc farm ball.scene --engine slurm -o job   job files for many machines\n"
       "  sdlc lsp                                language server for editors\n"
       "  sdlc explain E104                       explains a message\n"
       "  sdlc render --help                      help for one command\n"
@@ -60,6 +61,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
   add_compare_command(program, dispatcher);
   add_merge_command(program, dispatcher);
   add_pack_command(program, dispatcher);
+  add_farm_command(program, dispatcher);
   add_explain_command(program, dispatcher);
   add_schema_command(program, dispatcher);
 

@@ -17,13 +17,13 @@ std::uint64_t total_samples(const render::RenderSettings& settings) {
 }
 
 ProgressReporter::ProgressReporter(ProgressStyle style, const render::RenderMonitor& monitor,
-                                   const render::RenderSettings& settings, std::ostream& err,
+                                   const render::RenderSettings& settings, std::ostream& out,
                                    ProgressPart part)
     : style_(style),
       monitor_(monitor),
       has_goal_(settings.has_goal()),
       total_(static_cast<double>(part.samples.value_or(total_samples(settings)))),
-      err_(err),
+      out_(out),
       part_(std::move(part)) {
   if (style_ == ProgressStyle::None) return;
   try {
@@ -41,7 +41,7 @@ ProgressReporter::~ProgressReporter() {
   }
   wake_.notify_one();
   thread_.join();
-  if (has_line_) err_ << "\r\x1b[K" << std::flush;
+  if (has_line_) out_ << "\r\x1b[K" << std::flush;
 }
 
 void ProgressReporter::run() {
@@ -63,10 +63,19 @@ void ProgressReporter::report() {
   if (style_ == ProgressStyle::Json) {
     if (seconds < schedule.next_seconds) return;
     schedule.next_seconds = seconds + 1;
-    err_ << fmt::format(R"({{"fraction": {:.4f}, "samples": {:.0f}, "rays_per_second": {:.0f}, )"
+    out_ << fmt::format(R"({{"fraction": {:.4f}, "samples": {:.0f}, "rays_per_second": {:.0f}, )"
                         R"("seconds": {:.1f}, "eta_seconds": {}}})",
                         fraction, samples, rays_per_second, seconds,
                         std::isfinite(left) ? fmt::format("{:.1f}", left) : "null")
+         << std::endl;
+    return;
+  }
+  if (style_ == ProgressStyle::OpenJd) {
+    if (seconds < schedule.next_seconds) return;
+    schedule.next_seconds = seconds + 5;
+    out_ << fmt::format("openjd_progress: {:.1f}\nopenjd_status: {}{}{} samples/s", 100 * fraction,
+                        part_.label, part_.label.empty() ? "" : ", ",
+                        format_count(samples / render::seconds_since(start_)))
          << std::endl;
     return;
   }
@@ -75,11 +84,11 @@ void ProgressReporter::report() {
       part_.label.empty() ? "" : "  ", format_count(samples), format_count(rays_per_second),
       std::isfinite(left) ? format_seconds(left) + " left" : std::string());
   if (style_ == ProgressStyle::Line) {
-    err_ << '\r' << text << "\x1b[K" << std::flush;
+    out_ << '\r' << text << "\x1b[K" << std::flush;
     has_line_ = true;
   } else if (fraction >= schedule.next_fraction &&
              seconds >= std::max(schedule.next_seconds, kPlainSeconds)) {
-    err_ << text << std::endl;
+    out_ << text << std::endl;
     schedule.next_fraction = fraction + 0.05;
     schedule.next_seconds = seconds + kPlainSeconds;
   }

@@ -14,7 +14,7 @@
 
 namespace sdlc::cli {
 
-enum class ProgressStyle : std::uint8_t { None, Line, Plain, Json };
+enum class ProgressStyle : std::uint8_t { None, Line, Plain, Json, OpenJd };
 
 /// Over all pixels, without a goal.
 std::uint64_t total_samples(const render::RenderSettings& settings);
@@ -23,7 +23,7 @@ std::uint64_t total_samples(const render::RenderSettings& settings);
 struct ProgressSchedule {
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   double next_fraction = 0.05;  ///< for Plain
-  double next_seconds = 1;      ///< since the start, for Plain and Json
+  double next_seconds = 1;      ///< since the start, for Plain, Json and OpenJd
 };
 
 /// The place of a render among all that a command renders.
@@ -37,11 +37,11 @@ struct ProgressPart {
 
 /// Reports the progress of a render, on its own thread, until it is destroyed. Line rewrites one
 /// line of a terminal ten times per second; Plain adds a line every 10 seconds or 5 %, whichever is
-/// later; Json an object per second.
+/// later; Json an object per second; OpenJd the messages of Open Job Description every 5 seconds.
 class ProgressReporter {
  public:
   ProgressReporter(ProgressStyle style, const render::RenderMonitor& monitor,
-                   const render::RenderSettings& settings, std::ostream& err,
+                   const render::RenderSettings& settings, std::ostream& out,
                    ProgressPart part = {});
   ~ProgressReporter();
   ProgressReporter(const ProgressReporter&) = delete;
@@ -55,7 +55,7 @@ class ProgressReporter {
   const render::RenderMonitor& monitor_;
   bool has_goal_;  // and the number of samples is unknown
   double total_;
-  std::ostream& err_;
+  std::ostream& out_;
   ProgressPart part_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool has_line_ = false;

@@ -12,7 +12,7 @@
 #include "cli/aov_option.hpp"
 #include "cli/command_line.hpp"
 #include "cli/dispatcher.hpp"
-#include "cli/frames.hpp"
+#include "cli/frames_option.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/override_options.hpp"
 #include "cli/picture_outputs.hpp"
@@ -27,7 +27,7 @@
 namespace sdlc::cli {
 namespace {
 
-constexpr std::array<std::string_view, 4> kProgressWords{"auto", "plain", "json", "none"};
+constexpr std::array<std::string_view, 5> kProgressWords{"auto", "plain", "json", "openjd", "none"};
 
 /// Refuses what cannot be meant for several scenes.
 void check_several(const RenderOptions& options) {
@@ -73,10 +73,28 @@ ExitCode render_files(RenderOptions& options, RenderRun& run, Environment& env) 
   return code;
 }
 
+/// Renders, and reports a failure to a worker of Open Job Description, which reads standard output.
+ExitCode render_for_openjd(RenderOptions& options, RenderRun& run, Environment& env) {
+  if (options.stats == kStandardStream || std::ranges::count(options.outputs, kStandardStream)) {
+    throw UsageError(
+        "--progress openjd writes to standard output; write pictures and statistics to files");
+  }
+  const ExitCode code = report_failure(env, [&] { return render_files(options, run, env); });
+  if (code == ExitCode::Success) {
+    env.out << "openjd_progress: 100" << std::endl;
+  } else {
+    env.out << fmt::format("openjd_fail: sdlc ended with status {}; standard error has the reason",
+                           static_cast<int>(code))
+            << std::endl;
+  }
+  return code;
+}
+
 ExitCode run_render(RenderOptions& options, Environment& env) {
   RenderRun run;
   run.files = options.files.size();
-  ExitCode code = render_files(options, run, env);
+  ExitCode code = options.progress == "openjd" ? render_for_openjd(options, run, env)
+                                               : render_files(options, run, env);
   if (options.stats == kStandardStream && !run.stats.empty()) {
     try_to_write(code, env, [&] { write_stats(options.stats, run.stats, env); });
   } else if (run.is_stats_file_behind) {
@@ -132,26 +150,16 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
       .excludes(no_clobber);
   command.add_flag("--fail-fast", options->fails_fast,
                    "End at the first scene or frame that fails; default: render the others");
-  command.add_text("--progress", options->progress, "Format of the progress on standard error")
+  command
+      .add_text("--progress", options->progress,
+                "Format of the progress on standard error; openjd: messages of Open Job "
+                "Description on standard output")
       .one_of(kProgressWords);
   command.add_text(
       "--stats", options->stats,
       "Write statistics to this file, as JSON, a line for each picture; `-`: standard output");
   command.add_flag("--quiet", options->quiet, "Only diagnostics on standard error");
-  command
-      .add_text(
-          "--frames",
-          [options](const std::string& text) {
-            options->frames = parse_frames(text);
-            if (options->frames) return;
-            throw ArgumentError(
-                "--frames",
-                fmt::format("takes A, A-B or A-BxS, separated by commas, with whole numbers, A at "
-                            "most B, not `{}`",
-                            lang::printable(text)));
-          },
-          "The frames to render, every S-th from A to B; default: those of the scene's animation")
-      .type_name("A-B[xS][,...]");
+  add_frames_option(command, options->frames);
   command.footer(
       "Examples:\n"
       "  sdlc render ball.scene\n"

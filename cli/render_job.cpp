@@ -78,6 +78,7 @@ PictureForm picture_form(const RenderOptions& options, const lang::LoweredScene&
 
 ProgressStyle progress_style(const RenderOptions& options, const Environment& env) {
   if (options.quiet || options.progress == "none") return ProgressStyle::None;
+  if (options.progress == "openjd") return ProgressStyle::OpenJd;
   if (options.progress == "json") return ProgressStyle::Json;
   if (options.progress == "plain" || !env.err_is_terminal) return ProgressStyle::Plain;
   return ProgressStyle::Line;
@@ -106,7 +107,9 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
   };
   const InterruptGuard interrupt(monitor.cancel);
   if (film != nullptr) part.samples = film->samples_to_trace();
-  const ProgressReporter progress(progress_style(options, env), monitor, lowered.settings, env.err,
+  const ProgressStyle style = progress_style(options, env);
+  const ProgressReporter progress(style, monitor, lowered.settings,
+                                  style == ProgressStyle::OpenJd ? env.out : env.err,
                                   std::move(part));
   if (film != nullptr) return film->render(monitor, env);
   return render::render(std::move(kernel), std::move(lowered.scene), lowered.settings, monitor);

@@ -1,0 +1,164 @@
+#include "cli/farm_job.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/frames.hpp"
+#include "cli/usage_error.hpp"
+#include "render/image/io_error.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kFarmVersion = 1;
+
+}  // namespace
+
+std::vector<FarmTask> chunks_of(const FarmJob& job, const std::vector<int>& frames) {
+  std::vector<FarmTask> tasks;
+  for (std::size_t i = 0; i < frames.size(); i += job.frames_per_task) {
+    const auto begin = frames.begin() + static_cast<std::ptrdiff_t>(i);
+    const std::size_t count = std::min(job.frames_per_task, frames.size() - i);
+    tasks.push_back({.frames = {begin, begin + static_cast<std::ptrdiff_t>(count)}});
+  }
+  return tasks;
+}
+
+std::vector<FarmTask> all_tasks(const FarmJob& job) {
+  if (!job.has_shards() && !job.frames.empty()) return chunks_of(job, job.frames);
+  if (!job.has_shards()) return {FarmTask{}};
+  std::vector<FarmTask> tasks;
+  for (const std::optional<int> frame : pictures_of(job)) {
+    for (std::uint32_t shard = 1; shard <= job.shards; ++shard) {
+      FarmTask& task = tasks.emplace_back(FarmTask{.frames = {}, .shard = shard});
+      if (frame) task.frames = {*frame};
+    }
+  }
+  return tasks;
+}
+
+std::vector<std::optional<int>> pictures_of(const FarmJob& job) {
+  if (job.frames.empty()) return {std::nullopt};
+  return {job.frames.begin(), job.frames.end()};
+}
+
+std::string picture_pattern(const FarmJob& job) {
+  return fmt::format("frames/{}{}.{}", job.name, job.frames.empty() ? "" : ".####", job.extension);
+}
+
+std::string part_pattern(const FarmJob& job, const std::string& shard) {
+  return fmt::format("parts/{}{}.{}.film", job.name, job.frames.empty() ? "" : ".####", shard);
+}
+
+std::string picture_name(const FarmJob& job, std::optional<int> frame) {
+  const std::string pattern = picture_pattern(job);
+  return frame ? name_of_frame(pattern, *frame) : pattern;
+}
+
+std::string part_name(const FarmJob& job, std::optional<int> frame, std::uint32_t shard) {
+  const std::string pattern = part_pattern(job, std::to_string(shard));
+  return frame ? name_of_frame(pattern, *frame) : pattern;
+}
+
+bool has_checkpoints(const FarmJob& job) { return !job.has_shards() && job.frames_per_task == 1; }
+
+std::string farm_text(const FarmJob& job) {
+  Json json{{"version", kFarmVersion},
+            {"engine", kFarmEngineWords[static_cast<std::size_t>(job.engine)]},
+            {"scene", job.scene},
+            {"digest", job.digest},
+            {"settings", job.settings},
+            {"root", job.root},
+            {"name", job.name},
+            {"extension", job.extension},
+            {"flags", job.flags},
+            {"merge_flags", job.merge_flags},
+            {"frames", job.frames.empty() ? Json() : Json(describe_frames(job.frames))},
+            {"frames_per_task", job.frames_per_task},
+            {"shards", job.shards},
+            {"width", job.width},
+            {"height", job.height},
+            {"task_seconds", job.task_seconds},
+            {"image", job.image},
+            {"pictures", picture_pattern(job)}};
+  if (job.has_shards()) json["parts"] = part_pattern(job, "{shard}");
+  try {
+    return json.dump(2) + "\n";
+  } catch (const Json::type_error&) {
+    throw UsageError("a name or a flag is not UTF-8, which job files need; rename the file");
+  }
+}
+
+FarmJob read_farm_job(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / kFarmFileName;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw render::IoError("read", path, "`sdlc farm FILE -o FOLDER` makes such a folder");
+  }
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  FarmJob job;
+  job.folder = folder;
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("version") != kFarmVersion) {
+      throw render::IoError("read", path, "it is of another version of sdlc; make the job again");
+    }
+    const auto engine = std::ranges::find(kFarmEngineWords, json.at("engine").get<std::string>());
+    if (engine == kFarmEngineWords.end()) throw render::IoError("read", path, "unknown engine");
+    job.engine = static_cast<FarmEngine>(engine - kFarmEngineWords.begin());
+    json.at("scene").get_to(job.scene);
+    json.at("digest").get_to(job.digest);
+    json.at("settings").get_to(job.settings);
+    json.at("root").get_to(job.root);
+    json.at("name").get_to(job.name);
+    json.at("extension").get_to(job.extension);
+    json.at("flags").get_to(job.flags);
+    json.at("merge_flags").get_to(job.merge_flags);
+    if (!json.at("frames").is_null()) {
+      const auto ranges = parse_frames(json.at("frames").get<std::string>());
+      if (!ranges) throw render::IoError("read", path, "`frames` is not a list of frames");
+      job.frames = frames_of(*ranges);
+    }
+    json.at("frames_per_task").get_to(job.frames_per_task);
+    json.at("shards").get_to(job.shards);
+    json.at("width").get_to(job.width);
+    json.at("height").get_to(job.height);
+    json.at("task_seconds").get_to(job.task_seconds);
+    json.at("image").get_to(job.image);
+  } catch (const Json::exception& error) {
+    throw render::IoError("read", path, error.what());
+  }
+  if (job.frames_per_task == 0) throw render::IoError("read", path, "`frames_per_task` is 0");
+  return job;
+}
+
+std::string difference(const FarmJob& job, const FarmJob& expected) {
+  const auto differs = [](const char* what, const std::string& has, const std::string& wanted) {
+    return fmt::format("its {} is {}, not {}", what, has.empty() ? "none" : has,
+                       wanted.empty() ? "none" : wanted);
+  };
+  if (job.scene != expected.scene) return differs("scene", job.scene, expected.scene);
+  if (job.flags != expected.flags) {
+    return differs("list of flags", fmt::format("{}", fmt::join(job.flags, " ")),
+                   fmt::format("{}", fmt::join(expected.flags, " ")));
+  }
+  if (job.frames != expected.frames) {
+    return differs("list of frames", describe_frames(job.frames), describe_frames(expected.frames));
+  }
+  if (job.extension != expected.extension) {
+    return differs("format", job.extension, expected.extension);
+  }
+  if (job.settings != expected.settings)
+    return differs("list of settings", job.settings, expected.settings);
+  if (job.digest != expected.digest) return "the scene has changed";
+  return {};
+}
+
+}  // namespace sdlc::cli
