@@ -377,6 +377,7 @@ void add_farm_command(Command& program, Dispatcher& dispatcher) {
     if (options->engine.empty()) throw UsageError("--engine is required");
     if (options->folder.empty()) throw UsageError("--output is required");
     options->given = command.given_flags();
+    enter_pack(options->render.scene, env);
     return FarmPlanner(*options, env).run();
   });
   add_farm_status_command(command, dispatcher);

@@ -68,8 +68,16 @@ std::string obstacle(const render::StoredFilm& film, const render::StoredFilm& w
   if (most > static_cast<std::uint64_t>(wants.samples)) {
     return fmt::format("it has {} samples per pixel, more than {}", most, wants.samples);
   }
-  if (!film.targets.empty() && has.error != wants.error) {
-    return fmt::format("its samples were distributed for --error {}%", 100 * has.error);
+  if (!film.targets.empty()) {
+    if (has.error != wants.error || !wants.is_adaptive) {
+      return fmt::format("its samples were distributed for --error {}% --adaptive",
+                         100 * has.error);
+    }
+    if (has.samples != wants.samples) {
+      return fmt::format("its samples were distributed with --samples {}", has.samples);
+    }
+  } else if (wants.is_adaptive && !has.is_adaptive && most > 0) {
+    return "it was rendered without --adaptive";
   }
   return {};
 }
@@ -93,15 +101,26 @@ FilmJob::FilmJob(FilmRequest request, render::Kernel kernel, render::Scene scene
 }
 
 void FilmJob::resume() {
+  const fs::path& path = request_.checkpoint;
   std::error_code error;
-  if (!fs::exists(request_.checkpoint, error)) return;
-  render::StoredFilm earlier = render::read_film_file(request_.checkpoint);
+  const bool is_there = fs::exists(path, error);
+  if (error) throw render::IoError("read", path, error);
+  if (!is_there) return;
+  using render::FilmError;
+  const auto refuse = [&](FilmError::Reason reason, const std::string& cause) {
+    throw FilmError(reason, path, cause + "; remove the film, or omit --resume, to begin again");
+  };
+  render::StoredFilm earlier;
+  try {
+    earlier = render::read_film_file(path);
+  } catch (const FilmError& failure) {
+    refuse(failure.reason(), failure.cause());
+  }
   const std::string other = obstacle(earlier, film_, part_);
   if (!other.empty()) {
-    throw render::FilmError(
-        render::FilmError::Reason::Foreign, request_.checkpoint,
-        "the render cannot go on from this film: " + other + "; omit --resume to begin again");
+    refuse(FilmError::Reason::Foreign, "the render cannot go on from this film: " + other);
   }
+  is_kept_ = !earlier.shards.empty();
   film_.statistics = earlier.statistics;
   film_.emitters = std::move(earlier.emitters);
   film_.targets = std::move(earlier.targets);
@@ -159,22 +178,12 @@ render::RenderResult FilmJob::render_shard(render::RenderMonitor& monitor) {
   return result;
 }
 
-std::vector<std::string> FilmJob::finish(bool is_complete, bool is_picture_written) {
-  std::vector<std::string> names;
+std::vector<fs::path> FilmJob::finish(bool is_complete, bool is_picture_written) {
   if (is_complete) film_.shards = {request_.shard ? request_.shard->index : 1};
-  std::vector<fs::path> paths = request_.outputs;
-  if (paths.empty()) {
-    if (is_picture_written) {
-      fs::remove(request_.checkpoint);
-      return names;
-    }
-    paths = {request_.checkpoint};
-  }
-  for (const fs::path& path : paths) {
-    write_film_file(path, film_);
-    names.push_back(lang::printable(path.string()));
-  }
-  return names;
+  if (!request_.outputs.empty()) return request_.outputs;
+  if (!is_picture_written || is_kept_) return {request_.checkpoint};
+  fs::remove(request_.checkpoint);
+  return {};
 }
 
 }  // namespace sdlc::cli

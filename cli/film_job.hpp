@@ -40,9 +40,11 @@ class FilmJob {
   /// Calls RenderMonitor::on_tracing and writes checkpoints; a failure to write one is reported.
   /// The picture of a shard is empty.
   render::RenderResult render(render::RenderMonitor& monitor, Environment& env);
-  /// Writes the films. Without any, removes the checkpoint if it is not needed any more, or writes
-  /// it. Returns the names of the written files. Throws IoError.
-  std::vector<std::string> finish(bool is_complete, bool is_picture_written);
+  /// The films to write in the end. Without any, the checkpoint if it is needed any more; otherwise
+  /// it is removed, unless the user has kept that film before.
+  std::vector<std::filesystem::path> finish(bool is_complete, bool is_picture_written);
+  /// Throws IoError.
+  void write(const std::filesystem::path& path) const { write_film_file(path, film_); }
 
   bool is_shard() const noexcept { return request_.shard.has_value(); }
   /// "shard 2 of 8 of the samples".
@@ -60,6 +62,7 @@ class FilmJob {
   render::PreparedScene scene_;
   render::StoredFilm film_;
   render::FilmPart part_;
+  bool is_kept_ = false;  // the film was finished when it was read
 };
 
 }  // namespace sdlc::cli

@@ -1,6 +1,7 @@
 #include "cli/inspect_film.hpp"
 
 #include <filesystem>
+#include <new>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/accuracy_report.hpp"
+#include "cli/environment.hpp"
 #include "cli/frames.hpp"
 #include "cli/numbers/format_numbers.hpp"
 #include "lang/text/display_width.hpp"
@@ -61,9 +63,11 @@ std::string film_text(const std::string& path, const render::StoredFilm& film,
   const auto row = [&](std::string_view label, const std::string& value) {
     text += fmt::format("{:<12}{}\n", label, value);
   };
-  row("film", fmt::format("{}, {}, by {}", lang::printable(path),
-                          format_bytes(std::filesystem::file_size(path)), origin.program));
-  row("scene", record.scene + (record.frame ? fmt::format(", frame {}", *record.frame) : ""));
+  row("film",
+      fmt::format("{}, {}, by {}", lang::printable(path),
+                  format_bytes(std::filesystem::file_size(path)), lang::printable(origin.program)));
+  row("scene", lang::printable(record.scene) +
+                   (record.frame ? fmt::format(", frame {}", *record.frame) : ""));
   const render::PixelWindow& crop = origin.crop;
   const render::RenderSettings settings = settings_of(film);
   row("picture", fmt::format("{} x {} pixels{}", origin.width, origin.height,
@@ -97,10 +101,20 @@ std::string film_text(const std::string& path, const render::StoredFilm& film,
 
 }  // namespace
 
+void check_memory(const render::StoredFilm& film) {
+  // The picture, its variance and spread, channels, and the encoded file.
+  constexpr std::size_t kBytesPerPixel = 256;
+  if (film.origin.crop.pixels() > physical_memory_bytes() / kBytesPerPixel) throw std::bad_alloc();
+}
+
 std::string inspect_film(const std::string& path, bool is_json) {
   const render::StoredFilm film = render::read_film_file(path);
+  check_memory(film);
   const render::RenderResult result = result_of(film);
-  return is_json ? film_json(path, film, result).dump(2) + "\n" : film_text(path, film, result);
+  return is_json
+             ? film_json(path, film, result).dump(2, ' ', false, Json::error_handler_t::replace) +
+                   "\n"
+             : film_text(path, film, result);
 }
 
 }  // namespace sdlc::cli

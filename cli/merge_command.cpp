@@ -17,6 +17,7 @@
 #include "cli/dispatcher.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/frames.hpp"
+#include "cli/inspect_film.hpp"
 #include "cli/outputs.hpp"
 #include "cli/picture_outputs.hpp"
 #include "cli/report_failure.hpp"
@@ -144,8 +145,10 @@ class MergeJob {
   Written write_pictures(const std::vector<Output>& outputs, const render::RenderSettings& settings,
                          bool is_whole) {
     if (std::ranges::all_of(outputs, &Output::is_film) && options_.stats.empty()) return {};
+    check_memory(*film_);
     render::RenderResult result = result_of(*film_);
     result.is_complete = result.is_complete && is_whole;
+    if (!result.is_complete) result.error.reset();
     if (film_->record.is_denoised) {
       env_.err << "warning: the picture is not denoised: that takes the scene\n";
     }
@@ -230,7 +233,7 @@ ExitCode run_merge(const MergeOptions& options, Environment& env) {
   ExitCode code = ExitCode::Success;
   for (const std::string& name : options.films) {
     code = graver(code, report_failure(env, [&] {
-                    by_frame[render::read_film_record(name).frame].push_back(name);
+                    by_frame[render::read_film_head(name).record.frame].push_back(name);
                     return ExitCode::Success;
                   }));
   }

@@ -12,6 +12,7 @@
 #include "cli/usage_error.hpp"
 #include "lang/text/display_width.hpp"
 #include "lang/text/nearest_name.hpp"
+#include "render/film/film_file.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/io_error.hpp"
 
@@ -216,11 +217,25 @@ void check_names(const OutputRequest& request) {
 
 }  // namespace
 
+namespace {
+
+/// A checkpoint is not.
+bool is_finished_film(const fs::path& path) {
+  try {
+    return !render::read_film_head(path).shards.empty();
+  } catch (const render::FilmError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
 bool are_written(const OutputRequest& request) {
   if (request.pictures.empty() && request.of_scene.empty() && request.input.empty()) return false;
   return std::ranges::all_of(name_outputs(request, request.frame), [](const Output& output) {
     std::error_code error;
     if (output.is_stdout || !fs::is_regular_file(output.path, error)) return false;
+    if (output.is_film) return is_finished_film(output.path);
     return fs::file_size(output.path, error) > 0 && !error;
   });
 }

@@ -40,14 +40,17 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
       "  sdlc measure ball.scene                 error against render time\n"
       "  sdlc compare new.exr reference.exr      difference between two pictures\n"
       "  sdlc pack ball.scene                    a scene with all that it reads, in one file\n"
-      "  sdlc farm ball.scene --engine slurm -o job   job files for many machines\n"
+      "  sdlc merge part*.film -o ball.png       parts from many machines, to one picture\n"
+      "  sdlc farm ball.scene --engine slurm -o job\n"
+      "                                          job files for many machines\n"
       "  sdlc lsp                                language server for editors\n"
       "  sdlc explain E104                       explains a message\n"
       "  sdlc render --help                      help for one command\n"
       "\n"
       "Exit status: 0 done, 1 the scene has errors or findings, 2 wrong usage or a file cannot be "
       "read or written,\n"
-      "3 a bug in sdlc, 130 interrupted.");
+      "3 a bug in sdlc, 75 trying again may help (a shard is missing, the disk was full), 130 "
+      "interrupted.");
   bool wants_version = false;
   program.add_flag("--version", wants_version, "Print version, commit and instruction sets");
   Dispatcher dispatcher;

@@ -220,7 +220,7 @@ class RenderJob {
  private:
   // So that waiting for the disk overlaps.
   static constexpr std::size_t kMaxPendingFrames = 8;
-  static constexpr std::size_t kMaxPendingPixels = std::size_t{1} << 20;
+  static constexpr std::size_t kMaxPendingPixels = std::size_t{1} << 18;
 
   /// A frame whose pictures are written while the next ones are rendered.
   struct PendingFrame {
@@ -549,6 +549,16 @@ class RenderJob {
     }
   }
 
+  static bool is_unfinished_film(const fs::path& path) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) return false;
+    try {
+      return render::read_film_head(path).shards.empty();
+    } catch (const render::FilmError&) {
+      return false;
+    }
+  }
+
   /// What films the render has; nullopt if none.
   std::optional<FilmRequest> film_request(const std::vector<Output>& outputs,
                                           const render::RenderSettings& settings) const {
@@ -566,8 +576,18 @@ class RenderJob {
       if (output.is_film) request.outputs.push_back(output.path);
     }
     const bool has_checkpoint = options_.checkpoint_seconds || options_.resumes;
+    std::error_code error;
+    const auto refuse_to_replace = [&](std::string_view what) {
+      throw UsageError(
+          fmt::format("`{}` exists{}; use --resume to go on from it, or remove it to begin again",
+                      lang::printable(request.checkpoint.string()), what));
+    };
     if (!request.outputs.empty()) {
       request.checkpoint = request.outputs.front();
+      if (options_.checkpoint_seconds && !options_.resumes &&
+          is_unfinished_film(request.checkpoint)) {
+        refuse_to_replace(" and is not finished");
+      }
       return request;
     }
     if (!has_checkpoint) return std::nullopt;
@@ -576,20 +596,26 @@ class RenderJob {
       throw UsageError("--checkpoint and --resume require a file to write, such as -o NAME.png");
     }
     request.checkpoint = fs::path(named->path).replace_extension(".film");
-    std::error_code error;
-    if (!options_.resumes && fs::exists(request.checkpoint, error)) {
-      throw UsageError(
-          fmt::format("`{}` exists; use --resume to go on from it, or remove it to begin again",
-                      lang::printable(request.checkpoint.string())));
+    if (named->may_make_folders && sandbox_ && !sandbox_->resolve(request.checkpoint)) {
+      throw UsageError(fmt::format(
+          "`{}` is outside the scene's folder, which --sandbox refuses; use -o to choose another "
+          "place",
+          lang::printable(request.checkpoint.string())));
     }
+    InputSet(inputs_).check_not_in(request.checkpoint.string());
+    if (!options_.resumes && fs::exists(request.checkpoint, error)) refuse_to_replace("");
     return request;
   }
 
   /// Writes the films after the pictures.
   void finish_film(FilmJob& film, bool is_complete, Written& written) {
     const bool is_picture_written = is_complete && written.code == ExitCode::Success;
-    try_to_write(written.code, env_,
-                 [&] { written.films = film.finish(is_complete, is_picture_written); });
+    for (const fs::path& path : film.finish(is_complete, is_picture_written)) {
+      try_to_write(written.code, env_, [&] {
+        film.write(path);
+        written.films.push_back(lang::printable(path.string()));
+      });
+    }
   }
 
   ExitCode render_frame(std::size_t index, bool is_last) {
@@ -651,6 +677,7 @@ class RenderJob {
     Written written;
     if (result.is_complete) {
       try_to_write(written.code, env_, [&] {
+        if (videos_.empty()) return;
         videos_.add(enlarged(result.picture, options_.zoom), lowered.output.mapping);
       });
     }

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using Reason = FilmError::Reason;
 
 FilmError::FilmError(Reason reason, const fs::path& path, const std::string& cause)
-    : std::runtime_error("`" + path.string() + "`: " + cause), reason_(reason) {}
+    : std::runtime_error("`" + path.string() + "`: " + cause), reason_(reason), cause_(cause) {}
 
 std::string difference(const StoredFilm& film, const StoredFilm& expected) {
   std::string of_origin = difference(film.origin, expected.origin);

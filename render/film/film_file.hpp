@@ -53,9 +53,12 @@ class FilmError : public std::runtime_error {
   FilmError(Reason reason, const std::filesystem::path& path, const std::string& cause);
 
   Reason reason() const noexcept { return reason_; }
+  /// The message without the path.
+  const std::string& cause() const noexcept { return cause_; }
 
  private:
   Reason reason_;
+  std::string cause_;
 };
 
 /// Replaces the file, or throws IoError and leaves it as it was.
@@ -63,8 +66,12 @@ void write_film_file(const std::filesystem::path& path, const StoredFilm& film);
 
 /// Throws IoError or FilmError.
 StoredFilm read_film_file(const std::filesystem::path& path);
-/// Reads only the beginning of the file.
-PictureRecord read_film_record(const std::filesystem::path& path);
+/// What the beginning of a film file says.
+struct FilmHead {
+  PictureRecord record;
+  std::vector<std::uint32_t> shards;  ///< StoredFilm::shards
+};
+FilmHead read_film_head(const std::filesystem::path& path);
 
 /// Adds the samples of a film file to those of `into`. Throws FilmError, and leaves `into` as it
 /// was, if the film is of another picture or has samples that `into` has.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include "render/film/film_sections.hpp"
 #include "render/film/merge_films.hpp"
 #include "render/image/io_error.hpp"
+#include "render/image/picture.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -34,15 +36,15 @@ class Reader {
     if (!file_) throw IoError("read", path, std::generic_category().message(errno));
   }
 
-  PictureRecord read_record() {
+  FilmHead read_beginning() {
     read_head();
-    for (Tag tag{}; tag != kRecord;) {
+    for (Tag tag{}; tag != kShards;) {
       tag = begin_section();
       if (tag == kEnd) damaged("a section is missing");
       read_section(tag);
       end_section();
     }
-    return std::move(film_.record);
+    return {.record = std::move(film_.record), .shards = std::move(film_.shards)};
   }
 
   StoredFilm run() {
@@ -147,6 +149,8 @@ class Reader {
                     origin.depth <= kMax &&
                     (origin.replicates == 1 || origin.replicates == kReplicates) &&
                     (film_.targets.empty() || film_.targets.size() == pixels);
+    is_sound = is_sound && pixels <= static_cast<std::uint64_t>(kMaxPicturePixels) &&
+               has_sound_record() && has_sound_passes();
     const std::uint32_t shards = film_.record.shards;
     is_sound =
         is_sound && shards >= 1 && shards <= kMaxShards &&
@@ -195,6 +199,19 @@ class Reader {
     spheres_ = stored.spheres;
   }
 
+  bool has_sound_record() const {
+    const PictureRecord& record = film_.record;
+    return record.samples > 0 && std::isfinite(record.error) && record.error >= 0 &&
+           std::isfinite(record.exposure);
+  }
+
+  bool has_sound_passes() const {
+    std::uint64_t before = 0;
+    return std::ranges::all_of(film_.passes, [&](const GoalPass& pass) {
+      return pass.samples > std::exchange(before, pass.samples) && pass.samples <= INT32_MAX;
+    });
+  }
+
   /// Whether the counts of emitters are those of its classes; gives them the number of spheres.
   bool has_sound_emitters() {
     EmitterClasses& emitters = film_.emitter_classes;
@@ -202,7 +219,8 @@ class Reader {
     const bool is_small = emitters.emitters.empty() || spheres_ <= film_.emitters.size();
     const bool are_spheres = std::ranges::all_of(
         emitters.emitters, [&](std::uint32_t sphere) { return sphere < spheres_; });
-    if (!is_small || !are_spheres) return false;
+    const bool has_class = !emitters.has_casters || !emitters.classes.empty();
+    if (!is_small || !are_spheres || !has_class) return false;
     emitters.of_spheres.assign(emitters.emitters.empty() ? 0 : spheres_, EmitterClasses::kNone);
     const auto depth = static_cast<int>(film_.origin.depth);
     return std::ranges::equal(EmitterTally(emitters, depth).counts(), film_.emitters, {},
@@ -285,6 +303,6 @@ class Reader {
 
 StoredFilm read_film_file(const fs::path& path) { return Reader(path).run(); }
 
-PictureRecord read_film_record(const fs::path& path) { return Reader(path).read_record(); }
+FilmHead read_film_head(const fs::path& path) { return Reader(path).read_beginning(); }
 
 }  // namespace sdlc::render

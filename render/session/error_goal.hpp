@@ -39,16 +39,17 @@ class ErrorGoal {
   /// the earlier ones with at least a quarter of its samples, as they would be with its number of
   /// samples. Such pixels show in wide intervals: in one of these passes the square of the upper
   /// end is more than twice that of the error.
-  ErrorEstimate settled(std::uint64_t samples, const ErrorEstimate& estimate);
+  ErrorEstimate settled(std::uint64_t samples, const ErrorEstimate& estimate) const;
 
   bool is_reached(const ErrorEstimate& estimate) const noexcept {
     return estimate.interval.to <= error_;
   }
 
-  /// Records whether rare kinds of path may hide the error of the last pass.
-  void set_blind(bool is_blind) noexcept;
-  /// Whether that was so in the last pass, or in one before it with as many samples up to a factor
-  /// of 2: with a look after each pass, one of them would miss it by chance.
+  /// Records a whole pass, with the estimate before it was settled. `is_blind`: rare kinds of path
+  /// may hide the error.
+  void record(std::uint64_t samples, const ErrorEstimate& estimate, bool is_blind);
+  /// Whether the last pass was blind, or one before it with as many samples up to a factor of 2:
+  /// with a look after each pass, one of them would miss it by chance.
   bool is_blind() const noexcept;
 
  private:

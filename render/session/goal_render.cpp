@@ -109,6 +109,7 @@ void GoalRender::estimate() {
   result_.plain_error.reset();
   if (is_known) result_.error = estimate_error(result_.picture, spreads_);
   if (denoiser_ != nullptr && result_.error) denoiser_->denoise(film_, spreads_, result_);
+  unsettled_ = result_.error;
   if (goal_ && result_.error) {
     result_.error = goal_->settled(result_.min_samples, *result_.error);
   }
@@ -149,7 +150,7 @@ void GoalRender::run_uniform() {
       if (!result_.error) return;
       const double to_go = *settings_.error / result_.error->interval.to;
       report_progress(to_go * to_go);
-      goal_->set_blind(has_unseen_error(result_, emitters_));
+      goal_->record(*samples, *unsettled_, has_unseen_error(result_, emitters_));
       const bool is_done =
           goal_->is_reached(*result_.error) && !(goal_->is_blind() && may_see_more(*samples));
       if (is_done || *samples >= max_samples) return;

@@ -66,6 +66,7 @@ class GoalRender {
   Clock::time_point start_;
   Film& film_;
   std::optional<ErrorGoal> goal_;
+  std::optional<ErrorEstimate> unsettled_;  // RenderResult::error before ErrorGoal::settled()
   const PictureDenoiser* denoiser_ = nullptr;
   std::vector<PixelSpread> spreads_;
   std::vector<std::uint32_t> targets_;

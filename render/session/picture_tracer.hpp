@@ -23,12 +23,12 @@ class PictureTracer {
   PictureTracer(const Tracer& tracer, const RenderSettings& settings, EmitterTally& emitters,
                 int threads, RenderMonitor& monitor);
 
-  /// The number of samples that a pixel shall have in each replicate.
   /// From now on tiles are finished, and cancellation drops no samples.
   void finish_tiles() noexcept { finishes_tiles_ = true; }
   /// From now on passes pause every `seconds`, and call `on_pause` while nothing is traced.
   void pause_every(double seconds, std::function<void()> on_pause);
 
+  /// The number of samples that a pixel shall have in each replicate.
   using Target = std::function<ReplicateCounts(std::size_t pixel)>;
   using IsLate = std::function<bool()>;
   /// Called when the pixels [begin, end) of a film have reached their targets, on the thread that

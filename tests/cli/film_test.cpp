@@ -236,7 +236,9 @@ TEST_F(FilmCommand, IsNotContinuedForAnotherPicture) {
   EXPECT_THAT(failure(1, "render a.scene --samples 32 --shard 1/2 -o a.film --resume"),
               HasSubstr("it is divided into other shards"));
   write("a.film", "no film");
-  EXPECT_THAT(refusal("a.scene --samples 32"), HasSubstr("not a film"));
+  EXPECT_THAT(
+      refusal("a.scene --samples 32"),
+      HasSubstr("the file is not a film; remove the film, or omit --resume, to begin again"));
   EXPECT_FALSE(exists("a.png"));
 }
 
@@ -250,7 +252,7 @@ TEST_F(FilmCommand, IsTheCheckpointOnlyUntilThePictureIsThere) {
   succeed("render a.scene --samples 32 -o b.png --resume");
   succeed("render a.scene --samples 32 -o a.png --resume");
   expect_same("a.png", "b.png");
-  EXPECT_FALSE(exists("a.film"));
+  EXPECT_TRUE(exists("a.film")) << "it is no checkpoint: -o a.film has kept it";
   EXPECT_THAT(failure(2, "render a.scene -o - --checkpoint 1s"), HasSubstr("require a file"));
 }
 
@@ -302,8 +304,9 @@ TEST_F(FilmCommand, OfAShardIsContinued) {
     if (!exists("b.film")) continue;
     EXPECT_THAT(sdlc("merge b.film -o b.png").err, HasSubstr("not finished"));
   }
-  succeed(flags + "-o b.film --resume");
+  succeed(flags + "-o b.film --resume --skip-existing");
   expect_same("a.film", "b.film");
+  EXPECT_THAT(sdlc(flags + "-o b.film --skip-existing").err, HasSubstr("is there already"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "render/film/film_file.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -179,6 +180,22 @@ TEST_F(FilmFile, IsRefusedIfItsNumbersAreImpossible) {
   EXPECT_EQ(refusal([](StoredFilm& film) { film.emitter_classes.emitters = {2}; }),
             Reason::Damaged);
   EXPECT_EQ(refusal([](StoredFilm& film) { film.shards = {9}; }), Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.passes[0].samples = 0; }), Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.record.samples = -1; }), Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) { film.record.error = HUGE_VAL; }), Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) {
+              film.films.clear();
+              film.targets.clear();
+              film.origin.width = film.origin.height = 40'000;
+              film.origin.crop = {.x = 0, .y = 0, .width = 40'000, .height = 40'000};
+            }),
+            Reason::Damaged);
+  EXPECT_EQ(refusal([](StoredFilm& film) {
+              film.emitter_classes = {};
+              film.emitter_classes.has_casters = true;
+              film.emitters.assign(64, {.paths = 1, .enough = 30});
+            }),
+            Reason::Damaged);
   EXPECT_EQ(refusal([](StoredFilm& film) { film.record.shards = 0xFFFFFFFF; }), Reason::Damaged);
 }
 
@@ -235,7 +252,7 @@ TEST_F(FilmFile, AsksForNoMoreMemoryThanItHasBytes) {
 
 TEST_F(FilmFile, HasARecordThatIsReadAlone) {
   write_film_file(path(), example());
-  EXPECT_EQ(read_film_record(path()), example().record);
+  EXPECT_EQ(read_film_head(path()).record, example().record);
 }
 
 TEST_F(FilmFile, MustExist) {

@@ -94,6 +94,7 @@ TEST(ErrorGoal, ForgetsAPassThatWasCutShort) {
   narrow.interval = {0.095, 0.105};
   ErrorGoal goal(0.01, kMost), resumed(0.01, kMost);
   EXPECT_GT(goal.settled(77, wide).interval.to, 0.29);
+  goal.record(77, wide, true);
   resumed.restore(goal.passes());
   EXPECT_EQ(resumed.settled(80, narrow).interval.to, 0.105);
 }
@@ -106,9 +107,9 @@ TEST(ErrorGoal, SettlesOnlyWhereAPassHadAWideInterval) {
     return estimate;
   };
   ErrorGoal many_pixels(0.01, 1 << 24), few_pixels(0.01, 1 << 24);
-  many_pixels.settled(64, with_interval(0.08, 0.13));
+  many_pixels.record(64, with_interval(0.08, 0.13), false);
   EXPECT_EQ(many_pixels.settled(128, with_interval(0.095, 0.105)).interval.to, 0.105);
-  few_pixels.settled(64, with_interval(0, 0.3));
+  few_pixels.record(64, with_interval(0, 0.3), false);
   const ErrorEstimate settled = few_pixels.settled(128, with_interval(0.095, 0.105));
   EXPECT_DOUBLE_EQ(settled.interval.to, std::sqrt((0.3 * 0.3 / 2 + 0.105 * 0.105) / 2));
   EXPECT_DOUBLE_EQ(settled.interval.from, std::sqrt(0.095 * 0.095 / 2));
@@ -122,8 +123,7 @@ TEST(ErrorGoal, IsBlindForTheRestOfAnOctave) {
   std::vector<std::uint64_t> blind;
   for (std::uint64_t samples = goal.first_samples(); samples < 300;
        samples = goal.samples_after(samples)) {
-    goal.settled(samples, estimate);
-    goal.set_blind(samples == 40 || samples == 132);
+    goal.record(samples, estimate, samples == 40 || samples == 132);
     if (goal.is_blind()) blind.push_back(samples);
   }
   const std::vector<std::uint64_t> rest{40, 44, 48, 52, 56, 60, 132, 148, 164, 184, 204, 228};

@@ -314,6 +314,29 @@ TEST(RenderFilm, HasTheSamePassesAfterAnAdaptiveRenderWasCancelled) {
   EXPECT_TRUE(bytes_of(result.picture) == bytes_of(expected.picture));
 }
 
+// A pass that was cut is no pass: it would be judged by a picture that is half of the one before.
+TEST(RenderFilm, KeepsTheSamePassesOfAGoalAfterItWasCancelled) {
+  const RenderSettings settings{
+      .width = 60, .height = 40, .samples = 4000, .depth = 8, .error = 0.012};
+  const Scene scene = room(1);
+  const PreparedScene prepared = prepare(scene, settings);
+  StoredFilm film = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
+  StoredFilm at_once = new_film(prepared, digest_of_parts(scene), "sdlc", settings);
+  RenderMonitor monitor;
+  const RenderResult expected = render(prepared, settings, monitor, &at_once);
+  std::uint64_t samples = 0;
+  const RenderResult result = render_in_pieces(prepared, settings, film, samples);
+  EXPECT_EQ(samples, expected.camera_samples);
+  EXPECT_EQ(result.error->interval.to, expected.error->interval.to);
+  ASSERT_EQ(film.passes.size(), at_once.passes.size());
+  ASSERT_GT(film.passes.size(), 4u);
+  for (std::size_t i = 0; i < film.passes.size(); ++i) {
+    EXPECT_EQ(film.passes[i].samples, at_once.passes[i].samples);
+    EXPECT_EQ(film.passes[i].to, at_once.passes[i].to) << i;
+    EXPECT_EQ(film.passes[i].is_blind, at_once.passes[i].is_blind);
+  }
+}
+
 TEST(RenderFilm, KnowsTheSameOfAPictureThatIsFinished) {
   RenderSettings settings{.width = 30, .height = 20, .samples = 64, .depth = 8};
   const Scene scene = room();
