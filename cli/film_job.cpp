@@ -53,6 +53,9 @@ std::string obstacle(const render::StoredFilm& film, const render::StoredFilm& w
   if (!other.empty()) return other;
   const render::PictureRecord &has = film.record, &wants = wanted.record;
   const bool is_whole = missing_shards(film).empty();
+  if (wants.error > 0 && has.error == 0 && !is_whole) {
+    return "it is not finished, and was begun without --error";
+  }
   if (wants.shards == 1 && has.shards > 1 && !is_whole) return "it has only some of its shards";
   if (wants.shards > 1 && (has.shards != wants.shards || has.cut != wants.cut)) {
     return "it is divided into other shards";

@@ -85,7 +85,9 @@ std::string film_text(const std::string& path, const render::StoredFilm& film,
   if (record.shards > 1) {
     row("shards", fmt::format("{} of {} of the {}: {}", film.shards.size(), record.shards,
                               name_of(record.cut),
-                              describe_frames({film.shards.begin(), film.shards.end()})));
+                              film.shards.empty()
+                                  ? "not finished"
+                                  : describe_frames({film.shards.begin(), film.shards.end()})));
   } else if (!missing.empty()) {
     row("state", "not finished");
   }
@@ -94,6 +96,7 @@ std::string film_text(const std::string& path, const render::StoredFilm& film,
     words += fmt::format(", {}{}{}", setting.label, setting.label.empty() ? "" : " ",
                          render::shown(settings.*setting.member));
   });
+  words += fmt::format(", tone {}, exposure {}", name_of(record.tone), record.exposure);
   if (origin.has_first_hits) words += ", with normals, depth and albedo";
   row("settings", words);
   return text;

@@ -99,7 +99,7 @@ class MergeJob {
     shards_ = film_->record.shards;
     if (is_whole) make_whole();
     for (const Output& output : outputs) {
-      if (!output.is_film) continue;
+      if (!output.is_film || (options_.expected && !is_whole)) continue;
       try_to_write(written.code, env_, [&] {
         write_film_file(output.path, *film_);
         written.films.push_back(lang::printable(output.path.string()));

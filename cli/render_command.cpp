@@ -48,6 +48,11 @@ void check_several(const RenderOptions& options) {
 ExitCode render_files(RenderOptions& options, RenderRun& run, Environment& env) {
   const auto render_file = [&](const std::string& file) {
     options.scene.file = file;
+    if (is_film_name(options.scene.file)) {
+      const std::string film = lang::printable(options.scene.file);
+      throw UsageError(fmt::format(
+          "`{0}` is a film, not a scene; its picture: sdlc merge {0} -o NAME.png", film));
+    }
     enter_pack(options.scene, env);
     return render_scene(options, run, env);
   };

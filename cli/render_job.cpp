@@ -567,6 +567,9 @@ class RenderJob {
                         .checkpoint_seconds = options_.checkpoint_seconds,
                         .resumes = options_.resumes,
                         .shard = {}};
+    if (options_.zoom > 1 && std::ranges::all_of(outputs, &Output::is_film) && videos_.empty()) {
+      throw UsageError("--zoom is for pictures, and a film has the samples of each pixel");
+    }
     if (is_part()) {
       check_shard(outputs, settings);
       request.shard = options_.shard;

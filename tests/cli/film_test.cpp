@@ -118,6 +118,7 @@ TEST_F(FilmCommand, MergesPartsOfParts) {
               HasSubstr("1 of 5 shards is missing or not finished: 4; the partial picture was "
                         "saved as z.partial.png"));
   EXPECT_THAT(failure(75, "merge z.film -o w.film --expect 5"), HasSubstr("finished: 4"));
+  EXPECT_FALSE(exists("w.film"));
   succeed("merge z.film p4.film -o z.png --expect 5");
   expect_same("a.png", "z.png");
 }
@@ -172,6 +173,8 @@ TEST_F(FilmCommand, IsInspected) {
   EXPECT_THAT(text.out, HasSubstr("film.scene, frame 2\n"));
   write("b.film", "no film");
   EXPECT_THAT(failure(1, "inspect b.film"), HasSubstr("not a film"));
+  EXPECT_THAT(failure(2, "render a.film -o a.png"), HasSubstr("sdlc merge a.film -o NAME.png"));
+  EXPECT_THAT(failure(2, "render a.scene --zoom 2 -o z.film"), HasSubstr("--zoom"));
 }
 
 TEST_F(FilmCommand, DividesFramesAmongShards) {

@@ -104,7 +104,11 @@ bool write_channels(ImageOutput& output, const EncodeRequest& request) {
       for (std::size_t c = 0; c < 3; ++c) pixel[c] = request.radiance[(first + i) * 3 + c];
       for (std::size_t c = 3; c < count; ++c) pixel[c] = request.channels[c - 3].values[first + i];
     }
-    if (!output.write_scanlines(y, end, 0, TypeDesc::FLOAT, rows.data())) return false;
+    // Counted in the whole picture.
+    const int first_row = output.spec().y;
+    if (!output.write_scanlines(first_row + y, first_row + end, 0, TypeDesc::FLOAT, rows.data())) {
+      return false;
+    }
   }
   return true;
 }

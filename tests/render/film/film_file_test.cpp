@@ -39,6 +39,7 @@ StoredFilm example(std::uint32_t first_sample = 0, std::uint32_t end_sample = 0x
       .origin = {.scene = {.spheres = Digest{0xFEDCBA9876543210}},
                  .width = 3,
                  .height = 2,
+                 .crop = {.x = 0, .y = 0, .width = 3, .height = 2},
                  .depth = 16,
                  .seed = 0xFFFFFFFFFFFFFFFF,
                  .sampler = SamplerKind::Independent,
