@@ -135,7 +135,7 @@ class FarmPlanner {
     if (options_.render.scene.file == kStandardStream) {
       throw UsageError("a farm renders a scene from a file, not from `-`");
     }
-    job_.scene = absolute_path(options_.render.scene.file).string();
+    job_.scene = absolute_path(options_.render.scene.disk_file()).string();
     job_.folder = absolute_path(options_.folder);
     job_.engine = static_cast<FarmEngine>(std::ranges::find(kFarmEngineWords, options_.engine) -
                                           kFarmEngineWords.begin());
@@ -202,7 +202,7 @@ class FarmPlanner {
     const render::RenderSettings& settings = lowered.settings;
     job_.digest = fmt::format("{:016x}", render::digest_of(lowered.scene));
     job_.settings = describe_settings(lowered);
-    job_.name = picture_stem(job_.scene);
+    job_.name = picture_stem(options_.render.scene.file);
     job_.extension = choose_extension(lowered);
     job_.flags = repeated_flags(options_.given, false);
     job_.merge_flags = repeated_flags(options_.given, true);

@@ -116,6 +116,15 @@ TEST_F(Farm, DividesLongFramesIntoShards) {
   expect_same("film.0004.png", "film/frames/film.0004.png");
 }
 
+TEST_F(Farm, RendersFromAPack) {
+  succeed("\"$SDLC\" render film.scene -o film.####.png --frames 2-3 --samples 16");
+  succeed("\"$SDLC\" pack film.scene && mkdir elsewhere && mv film.sdlc.zip elsewhere");
+  farm("elsewhere/film.sdlc.zip --engine shell -o film --tasks 2 --frames 2-3 --samples 16");
+  succeed("sh film/render.sh");
+  expect_same("film.0002.png", "film/frames/film.0002.png");
+  expect_same("film.0003.png", "film/frames/film.0003.png");
+}
+
 TEST_F(Farm, MeasuresThePicture) {
   EXPECT_THAT(succeed("\"$SDLC\" farm a.scene --engine shell -o job --samples 64"),
               AllOf(HasSubstr("samples/s on this machine"),
