@@ -35,7 +35,7 @@ std::string text_of(const FilmOrigin& origin);
 /// Reads text_of(). Returns false if it is not such a text.
 bool read_text(std::string_view text, FilmOrigin& origin);
 
-/// The first member that differs, such as "its depth is 8, not 16" or "it differs in `camera`";
+/// The first member that differs, such as "`depth` is 8, not 16" or "it differs in `camera`";
 /// empty if none does.
 std::string difference(const FilmOrigin& origin, const FilmOrigin& expected);
 

@@ -90,7 +90,7 @@ bool read_text(std::string_view text, Record& record, Members members) {
   return is_read && text.empty();
 }
 
-/// The first member that differs, such as "its depth is 8, not 16" or "it differs in `camera`";
+/// The first member that differs, such as "`depth` is 8, not 16" or "it differs in `camera`";
 /// empty if none does.
 template <typename Record, typename Members>
 std::string difference(const Record& record, const Record& expected, Members members) {
@@ -106,7 +106,7 @@ std::string difference(const Record& record, const Record& expected, Members mem
     if constexpr (std::same_as<std::remove_cvref_t<decltype(member)>, Digest>) {
       ((difference += "it differs in `") += name) += "`";
     } else {
-      ((difference += "its ") += name) += " is ";
+      ((difference += "`") += name) += "` is ";
       ((difference += other) += ", not ") += value;
     }
   });

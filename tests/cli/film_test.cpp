@@ -133,7 +133,7 @@ TEST_F(FilmCommand, NamesFilmsThatCannotBeMerged) {
   EXPECT_THAT(failure(1, "merge p1.film copy.film p2.film -o a.png"),
               HasSubstr("`copy.film`: it has shard 1, as `p1.film` has"));
   EXPECT_THAT(failure(1, "merge p1.film seed.film -o a.png"),
-              HasSubstr("`seed.film`: the film is of another picture: its seed is 3, not 0"));
+              HasSubstr("`seed.film`: the film is of another picture: `seed` is 3, not 0"));
   EXPECT_THAT(failure(1, "merge p1.film damaged.film -o a.png"),
               HasSubstr("`damaged.film`: the file is damaged: a checksum is wrong"));
   EXPECT_THAT(failure(1, "merge p1.film a.scene -o a.png"),
@@ -233,8 +233,8 @@ TEST_F(FilmCommand, IsNotContinuedForAnotherPicture) {
   EXPECT_THAT(refusal("b.scene --samples 32"), HasSubstr("it differs in `spheres`"));
   write("b.scene", std::string(text).replace(text.find("40deg"), 5, "41deg"));
   EXPECT_THAT(refusal("b.scene --samples 32"), HasSubstr("it differs in `camera`"));
-  EXPECT_THAT(refusal("a.scene --samples 32 --seed 1"), HasSubstr("its seed is 0, not 1"));
-  EXPECT_THAT(refusal("a.scene --samples 32 --width 24"), HasSubstr("its width is 48, not 24"));
+  EXPECT_THAT(refusal("a.scene --samples 32 --seed 1"), HasSubstr("`seed` is 0, not 1"));
+  EXPECT_THAT(refusal("a.scene --samples 32 --width 24"), HasSubstr("`width` is 48, not 24"));
   EXPECT_THAT(refusal("a.scene --samples 16"), HasSubstr("it has 32 samples per pixel, more than"));
   EXPECT_THAT(failure(1, "render a.scene --samples 32 --shard 1/2 -o a.film --resume"),
               HasSubstr("it is divided into other shards"));

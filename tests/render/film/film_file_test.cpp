@@ -301,22 +301,22 @@ TEST_F(FilmFile, RefusesToAddAnotherPicture) {
   };
   EXPECT_EQ(refusal([](StoredFilm&) {}), "");
   EXPECT_EQ(refusal([](StoredFilm& film) { film.origin.depth = 8; }),
-            "`b.film`: the film is of another picture: its depth is 8, not 16");
+            "`b.film`: the film is of another picture: `depth` is 8, not 16");
   EXPECT_THAT(refusal([](StoredFilm& film) { film.origin.scene.camera = Digest{1}; }),
               HasSubstr("it differs in `camera`"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.origin.sampler = SamplerKind::Sobol; }),
-              HasSubstr("its sampler is sobol, not independent"));
+              HasSubstr("`sampler` is sobol, not independent"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.origin.program = "sdlc 0.9"; }),
-              HasSubstr("its program is sdlc 0.9, not sdlc 1.0"));
+              HasSubstr("`program` is sdlc 0.9, not sdlc 1.0"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.lights.clear(); }), HasSubstr("lights"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.casters = {3}; }), HasSubstr("lights"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.exact_spheres = {8}; }), HasSubstr("in double"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.emitters.clear(); }), HasSubstr("emitters"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.targets.clear(); }), HasSubstr("samples"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.record.frame.reset(); }),
-              HasSubstr("its frame is -, not -3"));
+              HasSubstr("`frame` is -, not -3"));
   EXPECT_THAT(refusal([](StoredFilm& film) { film.record.exposure = 1; }),
-              HasSubstr("its exposure is 1, not 0.3333333333333333"));
+              HasSubstr("`exposure` is 1, not 0.3333333333333333"));
   EXPECT_EQ(refusal([](StoredFilm& film) { film.record.scene = "c.scene"; }), "");
 }
 
