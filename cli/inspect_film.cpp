@@ -104,7 +104,7 @@ std::string film_text(const std::string& path, const render::StoredFilm& film,
 
 }  // namespace
 
-void check_memory(const render::StoredFilm& film) {
+void check_film_memory(const render::StoredFilm& film) {
   // The picture, its variance and spread, channels, and the encoded file.
   constexpr std::size_t kBytesPerPixel = 256;
   if (film.origin.crop.pixels() > physical_memory_bytes() / kBytesPerPixel) throw std::bad_alloc();
@@ -112,7 +112,7 @@ void check_memory(const render::StoredFilm& film) {
 
 std::string inspect_film(const std::string& path, bool is_json) {
   const render::StoredFilm film = render::read_film_file(path);
-  check_memory(film);
+  check_film_memory(film);
   const render::RenderResult result = result_of(film);
   return is_json
              ? film_json(path, film, result).dump(2, ' ', false, Json::error_handler_t::replace) +

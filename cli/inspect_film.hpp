@@ -7,7 +7,7 @@
 namespace sdlc::cli {
 
 /// Throws std::bad_alloc if the picture of the film does not fit into memory.
-void check_memory(const render::StoredFilm& film);
+void check_film_memory(const render::StoredFilm& film);
 
 /// What a film file holds, as text for people or as JSON. Throws IoError and FilmError.
 std::string inspect_film(const std::string& path, bool is_json);

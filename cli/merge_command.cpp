@@ -145,7 +145,7 @@ class MergeJob {
   Written write_pictures(const std::vector<Output>& outputs, const render::RenderSettings& settings,
                          bool is_whole) {
     if (std::ranges::all_of(outputs, &Output::is_film) && options_.stats.empty()) return {};
-    check_memory(*film_);
+    check_film_memory(*film_);
     render::RenderResult result = result_of(*film_);
     result.is_complete = result.is_complete && is_whole;
     if (!result.is_complete) result.error.reset();
