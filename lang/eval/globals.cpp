@@ -20,13 +20,12 @@ void Evaluator::evaluate_all_globals(Globals which) {
 }
 
 void Evaluator::evaluate_or_take_time_free_globals() {
-  std::unique_ptr<TimeFreeValues::Content> none;
-  auto& kept = options_.time_free != nullptr ? options_.time_free->content_ : none;
   std::vector<bool>& done = globals_done_[static_cast<std::size_t>(Globals::TimeFree)];
-  if (kept) {
-    globals_ = kept->globals;
-    done = kept->done;
-    steps_ += kept->steps;
+  TimeFreeValues* const values = options_.time_free;
+  if (values != nullptr && values->content_) {
+    globals_ = values->content_->globals;
+    done = values->content_->done;
+    steps_ += values->content_->steps;
     // Files that were included since.
     for (std::uint32_t module = 0; module < program_.module_count(); ++module) {
       evaluate_globals(module, Globals::TimeFree);
@@ -35,9 +34,11 @@ void Evaluator::evaluate_or_take_time_free_globals() {
   }
   const std::size_t diagnostics = sink_.diagnostics().size();
   evaluate_all_globals(Globals::TimeFree);
-  if (options_.time_free == nullptr || has_given_up_ || sink_.is_muted()) return;
-  if (sink_.diagnostics().size() != diagnostics) return;
-  kept = std::make_unique<TimeFreeValues::Content>(
+  // A repeated error is in no list of diagnostics.
+  const bool is_clean = !has_given_up_ && !sink_.is_muted() && !sink_.has_errors() &&
+                        sink_.diagnostics().size() == diagnostics;
+  if (values == nullptr || !is_clean) return;
+  values->content_ = std::make_unique<TimeFreeValues::Content>(
       TimeFreeValues::Content{.globals = globals_, .done = done, .steps = steps_});
 }
 
