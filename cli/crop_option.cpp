@@ -14,11 +14,11 @@
 namespace sdlc::cli {
 namespace {
 
-constexpr std::uint64_t kMostPixels = 1u << 30;
+constexpr std::uint64_t kMaxPixels = 1u << 30;
 
 Crop::Length parse_length(const std::string& text) {
   if (!text.ends_with('%')) {
-    const std::uint64_t pixels = parse_whole_number("--crop", text, {.highest = kMostPixels});
+    const std::uint64_t pixels = parse_whole_number("--crop", text, {.highest = kMaxPixels});
     return {.value = static_cast<double>(pixels)};
   }
   const double percent = parse_number("--crop", text.substr(0, text.size() - 1), 0);

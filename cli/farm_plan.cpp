@@ -58,10 +58,10 @@ FarmProbe probe(render::Kernel kernel, lang::LoweredScene& lowered, double compi
 std::uint32_t max_farm_shards(const render::RenderSettings& settings) {
   // Both decide on the whole picture.
   if (settings.has_goal() || settings.is_denoised) return 0;
-  constexpr std::uint64_t kMost = 4000;  // `merge` has all of them as arguments
+  constexpr std::uint64_t kMax = 4000;  // `merge` has all of them as arguments
   return static_cast<std::uint32_t>(
-      std::min(kMost, std::max(max_shards(settings, render::ShardCut::Samples),
-                               max_shards(settings, render::ShardCut::Tiles))));
+      std::min(kMax, std::max(max_shards(settings, render::ShardCut::Samples),
+                              max_shards(settings, render::ShardCut::Tiles))));
 }
 
 void divide(FarmJob& job, const FarmProbe& probe, std::uint32_t max_shards) {

@@ -26,13 +26,6 @@ namespace fs = std::filesystem;
 /// By the text of the path alone, as imports are resolved.
 fs::path absolute_path(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
 
-fs::path common_folder(const fs::path& a, const fs::path& b) {
-  fs::path common;
-  const auto end = std::ranges::mismatch(a, b).in1;
-  for (auto name = a.begin(); name != end; ++name) common /= *name;
-  return common;
-}
-
 class Collector {
  public:
   Collector(const SourceFile& root, const Workspace& workspace)
@@ -117,6 +110,13 @@ class Collector {
 };
 
 }  // namespace
+
+fs::path common_folder(const fs::path& a, const fs::path& b) {
+  fs::path common;
+  const auto end = std::ranges::mismatch(a, b).in1;
+  for (auto name = a.begin(); name != end; ++name) common /= *name;
+  return common;
+}
 
 CollectedFiles collect_files(const SourceFile& root, const Program* program,
                              const Workspace& workspace) {

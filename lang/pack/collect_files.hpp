@@ -23,4 +23,7 @@ struct CollectedFiles {
 CollectedFiles collect_files(const SourceFile& root, const Program* program,
                              const Workspace& workspace);
 
+/// The deepest folder with both. The paths are absolute and normal.
+std::filesystem::path common_folder(const std::filesystem::path& a, const std::filesystem::path& b);
+
 }  // namespace sdlc::lang

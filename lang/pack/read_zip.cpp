@@ -46,7 +46,7 @@ class Reader {
     for (const Listed& listed : directory) {
       const Facts& facts = listed.facts;
       // Neither overlapping entries, of which few bytes become many files, nor hidden bytes.
-      if (listed.begin != at) refuse(facts, "it is not behind the entry before it");
+      if (listed.begin != at) refuse(facts, "it does not follow the entry before it");
       at = skip_local_header(listed);
       const std::string_view packed = part(at, facts.packed);
       at += packed.size();
@@ -125,9 +125,9 @@ class Reader {
     const Listed listed{.facts = read_facts(at + 6, at + zip::kDirectorySize),
                         .begin = number32(at + 42)};
     check(listed.facts, number16(at + 6), number16(at + 34), number32(at + 38));
-    const std::size_t behind_name = number16(at + 30) + std::size_t{number16(at + 32)};
+    const std::size_t after_name = number16(at + 30) + std::size_t{number16(at + 32)};
     at += zip::kDirectorySize + listed.facts.name.size();
-    at += part(at, behind_name).size();  // the extra field and the comment
+    at += part(at, after_name).size();  // the extra field and the comment
     return listed;
   }
 
@@ -146,7 +146,7 @@ class Reader {
     if ((facts.flags & (kEncrypted | kStronglyEncrypted | kHiddenHeaders)) != 0) {
       refuse(facts, "it is encrypted");
     }
-    if ((facts.flags & kSizesBehindData) != 0) {
+    if ((facts.flags & kSizesAfterData) != 0) {
       refuse(facts, "its size follows its data, which is not read; pack into a file, not a pipe");
     }
     if ((facts.flags & ~kHarmlessFlags) != 0) {

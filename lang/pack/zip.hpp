@@ -9,7 +9,7 @@
 
 /// ZIP archives in memory. zlib compresses; the container is read and written here, because a
 /// reader of all that ZIP allows accepts what two programs understand differently: overlapping
-/// entries, headers that disagree, sizes behind the data. Described in PKWARE's APPNOTE.TXT, whose
+/// entries, headers that disagree, sizes after the data. Described in PKWARE's APPNOTE.TXT, whose
 /// section numbers are in the sources.
 namespace sdlc::lang {
 

@@ -14,7 +14,7 @@ inline constexpr std::size_t kZip64LocatorSize = 20;
 
 inline constexpr std::uint16_t kStored = 0, kDeflated = 8;  // methods
 inline constexpr std::uint16_t kVersion = 20;               // 2.0: that of deflate
-inline constexpr std::uint16_t kEncrypted = 1 << 0, kSizesBehindData = 1 << 3,
+inline constexpr std::uint16_t kEncrypted = 1 << 0, kSizesAfterData = 1 << 3,
                                kStronglyEncrypted = 1 << 6, kUtf8 = 1 << 11,
                                kHiddenHeaders = 1 << 13;  // flags
 /// They do not change the meaning of an entry: how hard deflate tried, and the encoding of the

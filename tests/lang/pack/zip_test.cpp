@@ -198,11 +198,11 @@ INSTANTIATE_TEST_SUITE_P(
                       {{.name = "a.scene", .content = "1"}, {.name = "b.scene", .content = "1"}});
                   a.put(a.listed(1) + 42, 0, 4);
                 },
-                "not behind the entry before it"},
+                "does not follow the entry before it"},
         Hostile{"Overlap", [](Archive& a) { a.put(a.listed(1) + 42, a.local(1) - 1, 4); },
-                "not behind the entry before it"},
+                "does not follow the entry before it"},
         Hostile{"BeyondTheFile", [](Archive& a) { a.put(a.listed(0) + 42, 0x7FFFFFF0, 4); },
-                "not behind the entry before it"},
+                "does not follow the entry before it"},
         Hostile{"DataBeyondTheFile", [](Archive& a) { a.put_in_both(1, kPacked, 0x7FFFFFF0, 4); },
                 "cut off"},
         Hostile{"DataInTheDirectory",
