@@ -26,6 +26,7 @@
 #include "cli/whole_number.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
+#include "lang/pack/collect_files.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
@@ -82,18 +83,6 @@ std::string picture_stem(const std::string& scene) {
   return stem;
 }
 
-/// The deepest folder that contains all paths, which are absolute.
-fs::path common_folder(const std::vector<fs::path>& paths) {
-  fs::path common = paths.front();
-  for (const fs::path& path : paths) {
-    const auto [end, other] = std::mismatch(common.begin(), common.end(), path.begin(), path.end());
-    fs::path shared;
-    for (auto part = common.begin(); part != end; ++part) shared /= *part;
-    common = shared;
-  }
-  return common;
-}
-
 /// What pictures depend on besides the objects of the scene.
 std::string describe_settings(const lang::LoweredScene& lowered) {
   const render::RenderSettings& settings = lowered.settings;
@@ -144,10 +133,6 @@ class FarmPlanner {
       throw UsageError(fmt::format("-o: {} and {} in `{}` would be replaced; name another folder",
                                    kFrameMark, kNameMark, lang::printable(folder)));
     }
-  }
-
-  static bool has_name_mark(const std::string& name) {
-    return name.find(kNameMark) != std::string::npos;
   }
 
   void compile() {
@@ -219,11 +204,11 @@ class FarmPlanner {
   }
 
   void choose_root() {
-    std::vector<fs::path> paths{job_.folder, fs::path(job_.scene).parent_path()};
+    fs::path root = lang::common_folder(job_.folder, fs::path(job_.scene).parent_path());
     for (const fs::path& part : compiler_->dependencies()) {
-      paths.push_back(absolute_path(part.string()).parent_path());
+      root = lang::common_folder(root, absolute_path(part.string()).parent_path());
     }
-    job_.root = common_folder(paths).string();
+    job_.root = root.string();
     if (job_.engine != FarmEngine::Kubernetes) return;
     if (job_.root == "/") {
       throw UsageError(

@@ -19,6 +19,24 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kFarmVersion = 1;
 
+/// Calls `visit(name, member)` with each member that is in the file as it is.
+constexpr auto kMembers = [](auto& job, auto visit) {
+  visit("scene", job.scene);
+  visit("digest", job.digest);
+  visit("settings", job.settings);
+  visit("root", job.root);
+  visit("name", job.name);
+  visit("extension", job.extension);
+  visit("flags", job.flags);
+  visit("merge_flags", job.merge_flags);
+  visit("frames_per_task", job.frames_per_task);
+  visit("shards", job.shards);
+  visit("width", job.width);
+  visit("height", job.height);
+  visit("task_seconds", job.task_seconds);
+  visit("image", job.image);
+};
+
 }  // namespace
 
 std::vector<FarmTask> chunks_of(const FarmJob& job, const std::vector<int>& frames) {
@@ -72,22 +90,9 @@ bool has_checkpoints(const FarmJob& job) { return !job.has_shards() && job.frame
 std::string farm_text(const FarmJob& job) {
   Json json{{"version", kFarmVersion},
             {"engine", kFarmEngineWords[static_cast<std::size_t>(job.engine)]},
-            {"scene", job.scene},
-            {"digest", job.digest},
-            {"settings", job.settings},
-            {"root", job.root},
-            {"name", job.name},
-            {"extension", job.extension},
-            {"flags", job.flags},
-            {"merge_flags", job.merge_flags},
             {"frames", job.frames.empty() ? Json() : Json(describe_frames(job.frames))},
-            {"frames_per_task", job.frames_per_task},
-            {"shards", job.shards},
-            {"width", job.width},
-            {"height", job.height},
-            {"task_seconds", job.task_seconds},
-            {"image", job.image},
             {"pictures", picture_pattern(job)}};
+  kMembers(job, [&](const char* name, const auto& member) { json[name] = member; });
   if (job.has_shards()) json["parts"] = part_pattern(job, "{shard}");
   try {
     return json.dump(2) + "\n";
@@ -113,25 +118,12 @@ FarmJob read_farm_job(const std::filesystem::path& folder) {
     const auto engine = std::ranges::find(kFarmEngineWords, json.at("engine").get<std::string>());
     if (engine == kFarmEngineWords.end()) throw render::IoError("read", path, "unknown engine");
     job.engine = static_cast<FarmEngine>(engine - kFarmEngineWords.begin());
-    json.at("scene").get_to(job.scene);
-    json.at("digest").get_to(job.digest);
-    json.at("settings").get_to(job.settings);
-    json.at("root").get_to(job.root);
-    json.at("name").get_to(job.name);
-    json.at("extension").get_to(job.extension);
-    json.at("flags").get_to(job.flags);
-    json.at("merge_flags").get_to(job.merge_flags);
+    kMembers(job, [&](const char* name, auto& member) { json.at(name).get_to(member); });
     if (!json.at("frames").is_null()) {
       const auto ranges = parse_frames(json.at("frames").get<std::string>());
       if (!ranges) throw render::IoError("read", path, "`frames` is not a list of frames");
       job.frames = frames_of(*ranges);
     }
-    json.at("frames_per_task").get_to(job.frames_per_task);
-    json.at("shards").get_to(job.shards);
-    json.at("width").get_to(job.width);
-    json.at("height").get_to(job.height);
-    json.at("task_seconds").get_to(job.task_seconds);
-    json.at("image").get_to(job.image);
   } catch (const Json::exception& error) {
     throw render::IoError("read", path, error.what());
   }

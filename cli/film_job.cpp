@@ -19,30 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-render::StoredFilm new_film(const render::PreparedScene& scene, const render::SceneDigest& digest,
-                            const render::RenderSettings& settings,
-                            const render::PictureRecord& record, const FilmRequest& request) {
-  render::StoredFilm film =
-      render::new_film(scene, digest, fmt::format("sdlc {}", kVersion), settings);
-  film.record.scene = record.scene;
-  film.record.frame = record.frame;
-  film.record.spheres = record.spheres;
-  film.record.instances = record.instances;
-  film.record.features = record.features;
-  film.record.tone = record.tone;
-  film.record.exposure = record.exposure;
-  if (request.shard) {
-    film.record.shards = request.shard->count;
-    film.record.cut = request.cut;
-  }
-  return film;
-}
-
 std::uint64_t samples_in(const render::StoredFilm& stored) {
   std::uint64_t samples = 0;
-  for (const render::Film& film : stored.films) {
-    for (std::size_t i = 0; i < film.size(); ++i) samples += film.samples(i);
-  }
+  for (const render::Film& film : stored.films) samples += film.samples();
   return samples;
 }
 
@@ -63,13 +42,13 @@ std::string obstacle(const render::StoredFilm& film, const render::StoredFilm& w
   if (wants.shards > 1 && has.samples != wants.samples) {
     return fmt::format("its shards are those of {} samples, not {}", has.samples, wants.samples);
   }
-  std::uint64_t most = 0;
+  std::uint64_t max = 0;
   for (const render::Film& each : film.films) {
     if (wants.shards > 1 && each.extent() != part.extent) return "it is another shard";
-    if (each.size() > 0) most = std::max(most, each.sample_counts().max);
+    if (each.size() > 0) max = std::max(max, each.sample_counts().max);
   }
-  if (most > static_cast<std::uint64_t>(wants.samples)) {
-    return fmt::format("it has {} samples per pixel, more than {}", most, wants.samples);
+  if (max > static_cast<std::uint64_t>(wants.samples)) {
+    return fmt::format("it has {} samples per pixel, more than {}", max, wants.samples);
   }
   if (!film.targets.empty()) {
     if (has.error != wants.error || !wants.is_adaptive) {
@@ -79,7 +58,7 @@ std::string obstacle(const render::StoredFilm& film, const render::StoredFilm& w
     if (has.samples != wants.samples) {
       return fmt::format("its samples were distributed with --samples {}", has.samples);
     }
-  } else if (wants.is_adaptive && !has.is_adaptive && most > 0) {
+  } else if (wants.is_adaptive && !has.is_adaptive && max > 0) {
     return "it was rendered without --adaptive";
   }
   return {};
@@ -88,18 +67,17 @@ std::string obstacle(const render::StoredFilm& film, const render::StoredFilm& w
 }  // namespace
 
 FilmJob::FilmJob(FilmRequest request, render::Kernel kernel, render::Scene scene,
-                 const render::RenderSettings& settings, const render::PictureRecord& record)
-    : request_(std::move(request)),
+                 const render::RenderSettings& settings, render::PictureRecord record)
+    : start_(render::Clock::now()),
+      request_(std::move(request)),
       settings_(settings),
       digest_(digest_of_parts(scene)),
       scene_(std::move(kernel), std::move(scene), settings.threads),
-      film_(new_film(scene_, digest_, settings, record, request_)),
+      film_(
+          new_film(scene_, digest_, fmt::format("sdlc {}", kVersion), settings, std::move(record))),
       part_(request_.shard ? render::shard(settings, request_.cut, request_.shard->index,
                                            request_.shard->count)
                            : render::FilmPart{.extent = extent_of(settings)}) {
-  if (request_.checkpoint.empty() && !request_.outputs.empty()) {
-    request_.checkpoint = request_.outputs.front();
-  }
   if (request_.resumes) resume();
 }
 
@@ -155,12 +133,8 @@ render::RenderResult FilmJob::render(render::RenderMonitor& monitor, Environment
       }
     };
   }
-  if (settings_.seconds) {
-    // Building counts.
-    settings_.seconds = std::max(*settings_.seconds - scene_.build_seconds(), 1e-3);
-  }
-  return request_.shard ? render_shard(monitor)
-                        : render::render(scene_, settings_, monitor, &film_);
+  if (request_.shard) return render_shard(monitor);
+  return render::render(scene_, settings_, monitor, &film_, start_);
 }
 
 render::RenderResult FilmJob::render_shard(render::RenderMonitor& monitor) {

@@ -2,38 +2,26 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/environment.hpp"
-#include "cli/shard_option.hpp"
+#include "cli/film_request.hpp"
 #include "render/film/film_file.hpp"
+#include "render/math/clock.hpp"
 #include "render/session/render.hpp"
 #include "render/session/render_film.hpp"
 #include "render/session/shards.hpp"
 
 namespace sdlc::cli {
 
-/// What the film of a render is for.
-struct FilmRequest {
-  /// The film files to write; the first also has the checkpoints. If there is none, `checkpoint`
-  /// has them, and is removed at the end.
-  std::vector<std::filesystem::path> outputs;
-  std::filesystem::path checkpoint;
-  std::optional<double> checkpoint_seconds;  ///< between two of them
-  bool resumes = false;                      ///< goes on from the checkpoint if it is there
-  std::optional<Shard> shard;                ///< of the samples or pixels, by `cut`
-  render::ShardCut cut{};
-};
-
 /// A render whose samples are kept in a film.
 class FilmJob {
  public:
-  /// Prepares the scene, and reads what is resumed. `record`: what a new film does not know. Throws
-  /// FilmError if the film to resume is of another picture, and IoError.
+  /// Prepares the scene, and reads what is resumed. `record`: what settings and kernel do not say.
+  /// Throws FilmError if the film to resume is of another picture, and IoError.
   FilmJob(FilmRequest request, render::Kernel kernel, render::Scene scene,
-          const render::RenderSettings& settings, const render::PictureRecord& record);
+          const render::RenderSettings& settings, render::PictureRecord record);
 
   /// The samples that are not in the film yet.
   std::uint64_t samples_to_trace() const noexcept;
@@ -56,6 +44,7 @@ class FilmJob {
   void resume();
   render::RenderResult render_shard(render::RenderMonitor& monitor);
 
+  const render::Clock::time_point start_;  // RenderSettings::seconds counts from here
   FilmRequest request_;
   render::RenderSettings settings_;
   render::SceneDigest digest_;

@@ -1,7 +1,6 @@
 #include "cli/inspect_film.hpp"
 
 #include <filesystem>
-#include <new>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -10,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/accuracy_report.hpp"
-#include "cli/environment.hpp"
+#include "cli/film_result.hpp"
 #include "cli/frames.hpp"
 #include "cli/numbers/format_numbers.hpp"
 #include "lang/text/display_width.hpp"
@@ -104,16 +103,9 @@ std::string film_text(const std::string& path, const render::StoredFilm& film,
 
 }  // namespace
 
-void check_film_memory(const render::StoredFilm& film) {
-  // The picture, its variance and spread, channels, and the encoded file.
-  constexpr std::size_t kBytesPerPixel = 256;
-  if (film.origin.crop.pixels() > physical_memory_bytes() / kBytesPerPixel) throw std::bad_alloc();
-}
-
 std::string inspect_film(const std::string& path, bool is_json) {
   const render::StoredFilm film = render::read_film_file(path);
-  check_film_memory(film);
-  const render::RenderResult result = result_of(film);
+  const render::RenderResult result = film_result(film);
   return is_json
              ? film_json(path, film, result).dump(2, ' ', false, Json::error_handler_t::replace) +
                    "\n"

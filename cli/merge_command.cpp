@@ -16,8 +16,8 @@
 #include "cli/command_line.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/film_result.hpp"
 #include "cli/frames.hpp"
-#include "cli/inspect_film.hpp"
 #include "cli/outputs.hpp"
 #include "cli/picture_outputs.hpp"
 #include "cli/report_failure.hpp"
@@ -145,8 +145,7 @@ class MergeJob {
   Written write_pictures(const std::vector<Output>& outputs, const render::RenderSettings& settings,
                          bool is_whole) {
     if (std::ranges::all_of(outputs, &Output::is_film) && options_.stats.empty()) return {};
-    check_film_memory(*film_);
-    render::RenderResult result = result_of(*film_);
+    render::RenderResult result = film_result(*film_);
     result.is_complete = result.is_complete && is_whole;
     if (!result.is_complete) result.error.reset();
     if (film_->record.is_denoised) {
@@ -205,8 +204,7 @@ class MergeJob {
 
   void conclude(const render::RenderSettings& settings, const std::vector<std::uint32_t>& missing,
                 const Written& written) const {
-    std::vector<std::string> names = written.names;
-    names.insert(names.end(), written.films.begin(), written.films.end());
+    const std::vector<std::string> names = written.all();
     if (options_.quiet || names.empty()) return;
     env_.err << fmt::format(
         "{}: {} x {} pixels{}{}\n", fmt::join(names, ", "), settings.window().width,

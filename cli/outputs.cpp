@@ -75,6 +75,8 @@ std::vector<Output> name_outputs(const OutputRequest& request, std::optional<int
 
 }  // namespace
 
+bool has_name_mark(const std::string& name) { return name.find(kNameMark) != std::string::npos; }
+
 std::string name_of_scene(std::string name, const std::string& scene) {
   const std::string stem = fs::path(scene).stem().string();
   const std::string_view mark = kNameMark;
@@ -96,6 +98,17 @@ void check_absent(const fs::path& path) {
 }
 
 bool is_film_name(const fs::path& path) { return path.extension() == ".film"; }
+
+FilmState film_state(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return FilmState::None;
+  try {
+    return render::read_film_head(path).shards.empty() ? FilmState::Unfinished
+                                                       : FilmState::Finished;
+  } catch (const render::FilmError&) {
+    return FilmState::None;
+  }
+}
 
 render::ImageFormat picture_format(const fs::path& path, const std::string& action) {
   if (const auto format = render::image_format_of(path)) return *format;
@@ -217,25 +230,12 @@ void check_names(const OutputRequest& request) {
 
 }  // namespace
 
-namespace {
-
-/// A checkpoint is not.
-bool is_finished_film(const fs::path& path) {
-  try {
-    return !render::read_film_head(path).shards.empty();
-  } catch (const render::FilmError&) {
-    return false;
-  }
-}
-
-}  // namespace
-
 bool are_written(const OutputRequest& request) {
   if (request.pictures.empty() && request.of_scene.empty() && request.input.empty()) return false;
   return std::ranges::all_of(name_outputs(request, request.frame), [](const Output& output) {
     std::error_code error;
+    if (output.is_film) return film_state(output.path) == FilmState::Finished;
     if (output.is_stdout || !fs::is_regular_file(output.path, error)) return false;
-    if (output.is_film) return is_finished_film(output.path);
     return fs::file_size(output.path, error) > 0 && !error;
   });
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -49,6 +50,14 @@ struct OutputRequest {
 
 bool is_film_name(const std::filesystem::path& path);
 
+enum class FilmState : std::uint8_t {
+  None,        ///< no film that can be read
+  Unfinished,  ///< a checkpoint
+  Finished,
+};
+/// Reads only the beginning of the file. Throws IoError.
+FilmState film_state(const std::filesystem::path& path);
+
 /// The format that the extension names. Throws IoError, whose message begins "cannot ACTION", with
 /// a suggested extension.
 render::ImageFormat picture_format(const std::filesystem::path& path, const std::string& action);
@@ -92,6 +101,8 @@ class InputSet {
 
 /// The placeholder for the name of the scene, without folder and extension, in file names.
 inline constexpr const char* kNameMark = "{name}";
+
+bool has_name_mark(const std::string& name);
 
 /// The name with each kNameMark replaced by the stem of the scene's name. Throws UsageError if the
 /// scene has none.

@@ -72,6 +72,12 @@ double seconds_to_encode(const render::Picture& picture, const Output& output,
 
 }  // namespace
 
+std::vector<std::string> Written::all() const {
+  std::vector<std::string> all = names;
+  all.insert(all.end(), films.begin(), films.end());
+  return all;
+}
+
 Written write_pictures(const std::vector<Output>& outputs, const PictureForm& form,
                        const render::RenderSettings& settings, const render::RenderResult& result,
                        std::span<const render::Layer> layers, Environment& env) {

@@ -32,6 +32,7 @@ inline constexpr std::string_view kStandardOutput = "standard output";
 struct Written {
   std::vector<std::string> names;  ///< of pictures, as printed
   std::vector<std::string> films;  ///< the same of films
+  std::vector<std::string> all() const;
   ExitCode code = ExitCode::Success;
 };
 

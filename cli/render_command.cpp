@@ -32,7 +32,7 @@ constexpr std::array<std::string_view, 5> kProgressWords{"auto", "plain", "json"
 /// Refuses what cannot be meant for several scenes.
 void check_several(const RenderOptions& options) {
   for (const std::string& output : options.outputs) {
-    if (output.find(kNameMark) != std::string::npos) continue;
+    if (has_name_mark(output)) continue;
     if (output == kStandardStream) {
       throw UsageError(
           fmt::format("{} scenes cannot all be written to standard output", options.files.size()));

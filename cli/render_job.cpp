@@ -2,25 +2,20 @@
 
 #include <algorithm>
 #include <chrono>
-#include <deque>
 #include <filesystem>
-#include <future>
-#include <memory>
-#include <sstream>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/accuracy_report.hpp"
 #include "cli/aov_option.hpp"
 #include "cli/diagnostics_output.hpp"
 #include "cli/film_job.hpp"
+#include "cli/film_request.hpp"
+#include "cli/frame_writer.hpp"
 #include "cli/frames.hpp"
 #include "cli/kernel_options.hpp"
-#include "cli/numbers/format_numbers.hpp"
 #include "cli/override_options.hpp"
 #include "cli/picture_outputs.hpp"
 #include "cli/report_failure.hpp"
@@ -42,7 +37,6 @@
 #include "render/scene/instances.hpp"
 #include "render/session/picture_denoiser.hpp"
 #include "render/session/render.hpp"
-#include "render/session/shards.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -115,76 +109,6 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
   return render::render(std::move(kernel), std::move(lowered.scene), lowered.settings, monitor);
 }
 
-/// What an interrupted render has left, as clauses.
-std::string describe_saved(const Written& written) {
-  std::vector<std::string> saved;
-  if (!written.names.empty()) {
-    saved.push_back(
-        fmt::format("the partial picture was {} {}",
-                    written.names.front() == kStandardOutput ? "written to" : "saved as",
-                    fmt::join(written.names, ", ")));
-  }
-  if (!written.films.empty()) {
-    saved.push_back(fmt::format("--resume goes on from {}", written.films.front()));
-  }
-  return saved.empty() ? "nothing was saved" : fmt::to_string(fmt::join(saved, "; "));
-}
-
-/// "512 samples, 1.2 s (…)": what was rendered.
-std::string describe_render(const render::RenderResult& result, const FilmJob* film) {
-  const std::string rate =
-      fmt::format("{} ({} samples/s)", format_seconds(result.render_seconds),
-                  format_count(static_cast<double>(result.new_samples) / result.render_seconds));
-  if (film != nullptr && film->is_shard()) {
-    return fmt::format("{}, {} samples, {}", film->name_of_shard(),
-                       format_count(static_cast<double>(result.camera_samples)), rate);
-  }
-  return fmt::format("{}, {}{}{}", describe_samples(result), rate, describe_error(result),
-                     describe_light_choice(result.kernel));
-}
-
-/// Prints the final line and returns the status of the command. `film` may be null.
-ExitCode conclude(const RenderOptions& options, const render::RenderSettings& settings,
-                  const render::RenderResult& result, const FilmJob* film, const Written& written,
-                  Environment& env) {
-  // The scene is at fault, with a warning about it (W501).
-  const bool is_too_bright = result.kernel.bounds[render::PrecisionClause::Radiance].share > 1;
-  if (result.nonfinite_samples > 0) {
-    env.err << fmt::format("error: {} samples are not finite and were left out{}\n",
-                           result.nonfinite_samples,
-                           is_too_bright ? ": colors or intensities are beyond the precision" : "");
-  }
-  if (!result.is_complete) {
-    const std::uint64_t total = film != nullptr ? film->samples() : total_samples(settings);
-    const std::string of =
-        settings.has_goal() ? "" : fmt::format(" of {}", format_count(static_cast<double>(total)));
-    env.err << fmt::format("interrupted after {}{} samples; {}\n",
-                           format_count(static_cast<double>(result.camera_samples)), of,
-                           describe_saved(written));
-    return graver(ExitCode::Interrupted, written.code);
-  }
-  if (film == nullptr || !film->is_shard()) {
-    for (const std::string& warning : accuracy_warnings(settings, result)) {
-      env.err << "warning: " << warning << "\n";
-    }
-  }
-  if (const int wanted = render::wanted_threads(settings.threads); result.threads < wanted) {
-    env.err << fmt::format("warning: {} of {} threads could be started\n", result.threads, wanted);
-  }
-  const bool is_quiet = options.quiet || options.progress == "none";
-  std::vector<std::string> names = written.names;
-  names.insert(names.end(), written.films.begin(), written.films.end());
-  if (!is_quiet && !names.empty()) {
-    env.err << fmt::format("{}: {} x {} pixels, {}\n", fmt::join(names, ", "),
-                           settings.window().width, settings.window().height,
-                           describe_render(result, film));
-  }
-  const ExitCode of_samples = result.nonfinite_samples == 0 ? ExitCode::Success
-                              : is_too_bright               ? ExitCode::Findings
-                                                            : ExitCode::Defect;
-  return graver(of_samples, written.code);
-}
-
 /// The pictures of one scene: one, or one for each frame.
 class RenderJob {
  public:
@@ -206,7 +130,7 @@ class RenderJob {
         break;
       }
       code = graver(code, note_frame(i, of_frame));
-      code = graver(code, finish_frames(kMaxPendingFrames));
+      code = graver(code, finish_frames(PendingFrames::kMax));
       if (!failed_.empty() && (options_.fails_fast || is_broken)) break;
     }
     code = graver(code, finish_frames(0));
@@ -218,64 +142,26 @@ class RenderJob {
   }
 
  private:
-  // So that waiting for the disk overlaps.
-  static constexpr std::size_t kMaxPendingFrames = 8;
-  static constexpr std::size_t kMaxPendingPixels = std::size_t{1} << 18;
-
-  /// A frame whose pictures are written while the next ones are rendered.
-  struct PendingFrame {
-    std::size_t index = 0;
-    std::vector<Output> outputs = {};
-    PictureForm form = {};
-    render::RenderSettings settings = {};
-    render::RenderResult result = {};
-    RenderStatistics statistics = {};
-    std::ostringstream messages = {};
-    std::future<ExitCode> code = {};  // last: it uses the others
-  };
-
   ExitCode note_frame(std::size_t index, ExitCode code) {
     if (code != ExitCode::Success) failed_.push_back(frames_[index].value_or(0));
     return code;
   }
 
-  /// Waits until at most `most` frames are pending, in their order.
-  ExitCode finish_frames(std::size_t most) {
+  /// Waits until at most `max` frames are pending, in their order.
+  ExitCode finish_frames(std::size_t max) {
     ExitCode code = ExitCode::Success;
-    while (pending_.size() > most) {
-      PendingFrame& frame = *pending_.front();
-      const ExitCode of_frame = frame.code.get();
-      env_.err << frame.messages.str() << std::flush;
-      if (of_frame == ExitCode::Success) ++finished_;
+    while (pending_.size() > max) {
+      const auto [frame, of_frame] = pending_.take();
       code = graver(code, note_frame(frame.index, of_frame));
-      code = graver(code, add_statistics(frame.statistics, frame.result));
-      pending_.pop_front();
+      code = graver(code, note_written(frame));
     }
     return code;
   }
 
-  /// Writes the pictures of a complete frame, and prints its last line.
-  ExitCode write_frame(PendingFrame& frame, Environment& env) const {
-    const std::vector<render::Layer> layers =
-        picture_layers(options_.aovs, frame.settings, frame.result, env.err);
-    const auto start = std::chrono::steady_clock::now();
-    const Written written =
-        write_pictures(frame.outputs, frame.form, frame.settings, frame.result, layers, env);
-    frame.statistics.write_seconds += render::seconds_since(start);
-    return conclude(options_, frame.settings, frame.result, nullptr, written, env);
-  }
-
-  void write_later(std::unique_ptr<PendingFrame> pending) {
-    PendingFrame& frame = *pending_.emplace_back(std::move(pending));
-    const auto write = [this, &frame] {
-      Environment of_frame{.workspace = env_.workspace, .out = env_.out, .err = frame.messages};
-      return report_failure(of_frame, [&] { return write_frame(frame, of_frame); });
-    };
-    try {
-      frame.code = std::async(std::launch::async, write);
-    } catch (const std::system_error&) {  // no thread: when it is waited for
-      frame.code = std::async(std::launch::deferred, write);
-    }
+  ExitCode note_written(const RenderedFrame& frame) {
+    if (frame.is_written) ++finished_;
+    return frame.result.camera_samples > 0 ? add_statistics(frame.statistics, frame.result)
+                                           : ExitCode::Success;
   }
 
   /// Appends a line to --stats.
@@ -375,28 +261,6 @@ class RenderJob {
     throw UsageError(fmt::format("--shard: there are fewer frames than {} shards", count));
   }
 
-  /// What a shard has if it is not some of the frames.
-  render::ShardCut choose_cut(const render::RenderSettings& settings) const {
-    using render::ShardCut;
-    const std::uint32_t count = options_.shard->count;
-    const auto is_possible = [&](ShardCut cut) { return max_shards(settings, cut) >= count; };
-    if (options_.shard_by == ShardBy::Frames) {
-      throw UsageError("--shard-by frames: the scene has no `animation`");
-    }
-    ShardCut cut = is_possible(ShardCut::Samples) ? ShardCut::Samples : ShardCut::Tiles;
-    if (options_.shard_by) {
-      cut = *options_.shard_by == ShardBy::Samples ? ShardCut::Samples : ShardCut::Tiles;
-    }
-    if (is_possible(cut)) return cut;
-    throw UsageError(fmt::format(
-        "--shard: {} can be divided into at most {} shards{}",
-        cut == ShardCut::Samples
-            ? fmt::format("{} samples", settings.samples)
-            : fmt::format("{} x {} pixels", settings.window().width, settings.window().height),
-        max_shards(settings, cut),
-        cut == ShardCut::Samples && is_possible(ShardCut::Tiles) ? "; use --shard-by tiles" : ""));
-  }
-
   /// Divides the outputs into videos of all frames and pictures of one.
   void choose_videos(double frames_per_second) {
     pictures_ = options_.outputs;
@@ -424,7 +288,8 @@ class RenderJob {
 
   static render::PictureRecord record_of(const lang::LoweredScene& lowered,
                                          std::optional<int> frame,
-                                         const RenderStatistics& statistics) {
+                                         const RenderStatistics& statistics,
+                                         const FilmRequest& request) {
     render::PictureRecord record;
     record.scene = lang::printable(statistics.scene);
     record.frame = frame;
@@ -433,6 +298,10 @@ class RenderJob {
     record.features = fmt::to_string(fmt::join(statistics.features, " "));
     record.tone = lowered.output.mapping.tone;
     record.exposure = lowered.output.mapping.exposure;
+    if (request.shard) {
+      record.shards = request.shard->count;
+      record.cut = request.cut;
+    }
     return record;
   }
 
@@ -531,96 +400,6 @@ class RenderJob {
   /// Whether the render is a shard of one picture.
   bool is_part() const { return options_.shard && !is_shard_of_frames_; }
 
-  void check_shard(const std::vector<Output>& outputs,
-                   const render::RenderSettings& settings) const {
-    if (settings.has_goal()) {
-      throw UsageError(fmt::format(
-          "--shard: --{} decides on the whole picture, which a shard does not have; use --samples",
-          settings.error ? "error" : "time"));
-    }
-    if (settings.is_denoised) {
-      throw UsageError("--shard: --denoise needs the whole picture, which a shard does not have");
-    }
-    for (const Output& output : outputs) {
-      if (output.is_film) continue;
-      throw UsageError(fmt::format(
-          "a shard of a picture is a film: use -o NAME.film instead of `{}`, and `sdlc merge`",
-          lang::printable(output.path.string())));
-    }
-  }
-
-  static bool is_unfinished_film(const fs::path& path) {
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) return false;
-    try {
-      return render::read_film_head(path).shards.empty();
-    } catch (const render::FilmError&) {
-      return false;
-    }
-  }
-
-  /// What films the render has; nullopt if none.
-  std::optional<FilmRequest> film_request(const std::vector<Output>& outputs,
-                                          const render::RenderSettings& settings) const {
-    FilmRequest request{.outputs = {},
-                        .checkpoint = {},
-                        .checkpoint_seconds = options_.checkpoint_seconds,
-                        .resumes = options_.resumes,
-                        .shard = {}};
-    if (options_.zoom > 1 && std::ranges::all_of(outputs, &Output::is_film) && videos_.empty()) {
-      throw UsageError("--zoom is for pictures, and a film has the samples of each pixel");
-    }
-    if (is_part()) {
-      check_shard(outputs, settings);
-      request.shard = options_.shard;
-      request.cut = choose_cut(settings);
-    }
-    for (const Output& output : outputs) {
-      if (output.is_film) request.outputs.push_back(output.path);
-    }
-    const bool has_checkpoint = options_.checkpoint_seconds || options_.resumes;
-    std::error_code error;
-    const auto refuse_to_replace = [&](std::string_view what) {
-      throw UsageError(
-          fmt::format("`{}` exists{}; use --resume to go on from it, or remove it to begin again",
-                      lang::printable(request.checkpoint.string()), what));
-    };
-    if (!request.outputs.empty()) {
-      request.checkpoint = request.outputs.front();
-      if (options_.checkpoint_seconds && !options_.resumes &&
-          is_unfinished_film(request.checkpoint)) {
-        refuse_to_replace(" and is not finished");
-      }
-      return request;
-    }
-    if (!has_checkpoint) return std::nullopt;
-    const auto named = std::ranges::find(outputs, false, &Output::is_stdout);
-    if (named == outputs.end()) {
-      throw UsageError("--checkpoint and --resume require a file to write, such as -o NAME.png");
-    }
-    request.checkpoint = fs::path(named->path).replace_extension(".film");
-    if (named->may_make_folders && sandbox_ && !sandbox_->resolve(request.checkpoint)) {
-      throw UsageError(fmt::format(
-          "`{}` is outside the scene's folder, which --sandbox refuses; use -o to choose another "
-          "place",
-          lang::printable(request.checkpoint.string())));
-    }
-    InputSet(inputs_).check_not_in(request.checkpoint.string());
-    if (!options_.resumes && fs::exists(request.checkpoint, error)) refuse_to_replace("");
-    return request;
-  }
-
-  /// Writes the films after the pictures.
-  void finish_film(FilmJob& film, bool is_complete, Written& written) {
-    const bool is_picture_written = is_complete && written.code == ExitCode::Success;
-    for (const fs::path& path : film.finish(is_complete, is_picture_written)) {
-      try_to_write(written.code, env_, [&] {
-        film.write(path);
-        written.films.push_back(lang::printable(path.string()));
-      });
-    }
-  }
-
   ExitCode render_frame(std::size_t index, bool is_last) {
     const std::optional<int> frame = frames_[index];
     const auto start = has_compiled_ ? std::chrono::steady_clock::now() : start_;
@@ -650,7 +429,14 @@ class RenderJob {
     const render::RenderSettings settings = lowered.settings;
     const std::vector<Output> outputs = plan_frame(lowered, frame);
     check_aovs(options_.aovs, outputs, settings);
-    const std::optional<FilmRequest> request = film_request(outputs, settings);
+    if (options_.zoom > 1 && std::ranges::all_of(outputs, &Output::is_film) && videos_.empty()) {
+      throw UsageError("--zoom is for pictures, and a film has the samples of each pixel");
+    }
+    const std::optional<FilmRequest> request =
+        choose_films(options_, outputs, settings,
+                     {.shard = is_part() ? options_.shard : std::nullopt,
+                      .inputs = inputs_,
+                      .sandbox = sandbox_ ? &*sandbox_ : nullptr});
     check_memory(settings, options_.aovs, request.has_value(), options_.zoom);
     check_not_refused(kernel);
 
@@ -665,52 +451,39 @@ class RenderJob {
     if (request) {
       if (outputs.front().may_make_folders) folders.emplace(request->checkpoint);
       film.emplace(*request, std::move(kernel), std::move(lowered.scene), lowered.settings,
-                   record_of(lowered, frame, statistics));
+                   record_of(lowered, frame, statistics, *request));
     }
     render::RenderResult result =
         trace(lowered, std::move(kernel), options_, outputs, film ? &*film : nullptr,
               progress_part(index), statistics, env_);
     result.build_seconds += choice_seconds;
-    if (!result.is_complete) {
-      if (result.camera_samples == 0)
-        return conclude(options_, settings, result, nullptr, {}, env_);
-      env_.err << "interrupted; saving the partial picture" << std::endl;
-    }
-    const auto write_start = std::chrono::steady_clock::now();
-    Written written;
-    if (result.is_complete) {
-      try_to_write(written.code, env_, [&] {
-        if (videos_.empty()) return;
-        videos_.add(enlarged(result.picture, options_.zoom), lowered.output.mapping);
-      });
-    }
-    const std::size_t pixels =
-        result.picture.pixels.size() * static_cast<std::size_t>(options_.zoom * options_.zoom);
-    const bool is_to_stdout = std::ranges::any_of(outputs, &Output::is_stdout);
-    if (frames_.size() > 1 && result.is_complete && !film && !is_to_stdout &&
-        written.code == ExitCode::Success && pixels <= kMaxPendingPixels) {
-      statistics.write_seconds = render::seconds_since(write_start);
-      auto pending = std::make_unique<PendingFrame>();
-      pending->index = index;
-      pending->outputs = outputs;
-      pending->form = picture_form(options_, lowered);
-      pending->settings = settings;
-      pending->result = std::move(result);
-      pending->statistics = std::move(statistics);
-      write_later(std::move(pending));
+    RenderedFrame rendered{.index = index,
+                           .outputs = outputs,
+                           .form = picture_form(options_, lowered),
+                           .settings = settings,
+                           .result = std::move(result),
+                           .statistics = std::move(statistics)};
+    const ExitCode of_videos = add_to_videos(rendered);
+    if (frames_.size() > 1 && !film && of_videos == ExitCode::Success &&
+        PendingFrames::may_wait(rendered)) {
+      pending_.add(std::move(rendered));
       return ExitCode::Success;
     }
-    if (!is_part()) {
-      const std::vector<render::Layer> layers =
-          picture_layers(options_.aovs, settings, result, env_.err);
-      written =
-          write_pictures(outputs, picture_form(options_, lowered), settings, result, layers, env_);
-    }
-    if (film) finish_film(*film, result.is_complete, written);
-    statistics.write_seconds = render::seconds_since(write_start);
-    written.code = graver(written.code, add_statistics(statistics, result));
-    if (result.is_complete && written.code == ExitCode::Success) ++finished_;
-    return conclude(options_, settings, result, film ? &*film : nullptr, written, env_);
+    const ExitCode code =
+        graver(of_videos, write_frame(options_, rendered, film ? &*film : nullptr, env_));
+    rendered.is_written = rendered.is_written && of_videos == ExitCode::Success;
+    return graver(code, note_written(rendered));
+  }
+
+  ExitCode add_to_videos(RenderedFrame& frame) {
+    ExitCode code = ExitCode::Success;
+    if (videos_.empty() || !frame.result.is_complete) return code;
+    const auto start = std::chrono::steady_clock::now();
+    try_to_write(code, env_, [&] {
+      videos_.add(enlarged(frame.result.picture, options_.zoom), frame.form.mapping);
+    });
+    frame.statistics.write_seconds = render::seconds_since(start);
+    return code;
   }
 
   const RenderOptions& options_;
@@ -730,7 +503,7 @@ class RenderJob {
   std::vector<std::string> inputs_;
   std::optional<lang::Sandbox> sandbox_;
   std::size_t finished_ = 0, skipped_ = 0;  // frames
-  std::deque<std::unique_ptr<PendingFrame>> pending_;
+  PendingFrames pending_{options_, env_};
   std::vector<int> failed_;
 };
 

@@ -165,7 +165,7 @@ VideoWriter::~VideoWriter() {
   fs::remove(unfinished_, ignored);
 }
 
-void VideoWriter::add(std::span<const std::byte> frame) {
+void VideoWriter::add(std::span<const std::uint8_t> frame) {
   while (!frame.empty()) {
     const ssize_t sent = ::send(input_, frame.data(), frame.size(), MSG_NOSIGNAL);
     if (sent >= 0) {

@@ -52,7 +52,7 @@ class VideoWriter {
 
   /// `frame`: the codes of red, green and blue of each pixel, row by row from the top. Waits if
   /// ffmpeg is slower. Throws IoError if it has ended.
-  void add(std::span<const std::byte> frame);
+  void add(std::span<const std::uint8_t> frame);
   /// Throws IoError if ffmpeg fails or the file cannot be put in its place.
   void finish();
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
-#include <span>
 
 #include <fmt/format.h>
 
@@ -45,9 +45,7 @@ void Videos::check(const InputSet& inputs, OutputSet& outputs, bool keeps_existi
 
 void Videos::add(const render::Picture& picture, const render::ToneMapping& mapping) {
   if (empty()) return;
-  const std::vector<std::byte> file =
-      render::encode_picture(picture, {.format = render::ImageFormat::Ppm, .mapping = mapping});
-  const auto codes = std::span(file).last(3 * picture.pixels.size());  // without the header
+  const std::vector<std::uint8_t> codes = render::codes_of(picture, mapping);
   for (Video& video : videos_) {
     if (!video.writer) {
       video.writer =

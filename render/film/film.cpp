@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -62,6 +63,10 @@ std::uint64_t Film::samples(std::size_t pixel) const noexcept {
   std::uint64_t samples = 0;
   for (std::uint32_t i = 0; i < extent_.replicates; ++i) samples += count(pixel, i);
   return samples;
+}
+
+std::uint64_t Film::samples() const noexcept {
+  return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0});
 }
 
 SampleCounts Film::sample_counts() const noexcept {

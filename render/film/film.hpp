@@ -83,6 +83,8 @@ class Film {
     return replicate < extent_.replicates ? counts_[slot(pixel, replicate)] : 0;
   }
   std::uint64_t samples(std::size_t pixel) const noexcept;
+  /// Of all pixels.
+  std::uint64_t samples() const noexcept;
   /// After the last sample of any replicate.
   std::uint32_t end_sample() const noexcept {
     return extent_.first_sample + (counts_.empty() ? 0 : std::ranges::max(counts_));

@@ -29,16 +29,6 @@ std::vector<Value> components(const Picture& picture, Convert convert) {
   return values;
 }
 
-std::vector<std::uint8_t> codes_of(const Picture& picture, const ToneMapping& mapping) {
-  std::vector<std::uint8_t> codes;
-  codes.reserve(picture.pixels.size() * 3);
-  for (const LinearRgb& pixel : picture.pixels) {
-    const auto rgb = to_codes8(mapping, pixel);
-    codes.insert(codes.end(), rgb.begin(), rgb.end());
-  }
-  return codes;
-}
-
 float to_hdr(double v) noexcept {
   if (!(v > 0)) return 0;  // NaN takes this branch
   return static_cast<float>(std::min(v, kMaxHdrValue));
@@ -59,6 +49,16 @@ std::vector<EncodeChannel> channels_of(std::span<const Layer> layers, const Pict
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> codes_of(const Picture& picture, const ToneMapping& mapping) {
+  std::vector<std::uint8_t> codes;
+  codes.reserve(picture.pixels.size() * 3);
+  for (const LinearRgb& pixel : picture.pixels) {
+    const auto rgb = to_codes8(mapping, pixel);
+    codes.insert(codes.end(), rgb.begin(), rgb.end());
+  }
+  return codes;
+}
 
 void check_picture_size(int width, int height, ImageFormat format, const fs::path& shown) {
   const auto fail = [&](const std::string& cause) { throw IoError("write", shown, cause); };

@@ -38,6 +38,9 @@ struct WriteOptions {
   std::span<const Layer> layers = {};
 };
 
+/// to_codes8 of each pixel, row by row from the top.
+std::vector<std::uint8_t> codes_of(const Picture& picture, const ToneMapping& mapping);
+
 /// Throws the IoError that encode_picture would throw for a picture of this size.
 void check_picture_size(int width, int height, ImageFormat format,
                         const std::filesystem::path& shown);

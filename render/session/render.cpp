@@ -71,13 +71,6 @@ bool is_cut_to_black(const RenderResult& result) {
   return result.error && result.error->mean == 0 && result.truncated_paths > 0;
 }
 
-/// The samples of all pixels.
-std::uint64_t samples_of(const Film& film) {
-  std::uint64_t samples = 0;
-  for (std::size_t i = 0; i < film.size(); ++i) samples += film.samples(i);
-  return samples;
-}
-
 /// Makes the picture what it was before it was denoised, if it was. Then no goal is reached:
 /// ErrorGoal did not go by the plain picture.
 void restore_plain(const Film* film, RenderResult& result) {
@@ -150,7 +143,7 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
   if (!result.is_complete || has_unseen_error(result, emitters)) restore_plain(film, result);
   if (!result.is_complete) result.error.reset();
   result.new_samples = pictures.samples();
-  result.camera_samples = stored != nullptr ? samples_of(*film) : pictures.samples();
+  result.camera_samples = stored != nullptr ? film->samples() : pictures.samples();
   TraceCounts counts = before;
   counts += pictures.counts();
   put_counts(counts, result);
@@ -187,8 +180,8 @@ Channels channels_of(const RenderSettings& settings) noexcept {
 }
 
 RenderResult render(const PreparedScene& scene, const RenderSettings& settings,
-                    RenderMonitor& monitor, StoredFilm* film) {
-  return render_since(Clock::now(), scene, settings, monitor, film);
+                    RenderMonitor& monitor, StoredFilm* film, Clock::time_point start) {
+  return render_since(start, scene, settings, monitor, film);
 }
 
 RenderResult render(Kernel kernel, Scene scene, const RenderSettings& settings,

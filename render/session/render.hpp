@@ -12,6 +12,7 @@
 #include "render/film/trace_counts.hpp"
 #include "render/image/picture.hpp"
 #include "render/kernel/kernel.hpp"
+#include "render/math/clock.hpp"
 #include "render/scene/scene.hpp"
 #include "render/session/error_estimate.hpp"
 #include "render/session/prepared_scene.hpp"
@@ -95,9 +96,10 @@ void check_error(const EmitterTally& emitters, RenderResult& result);
 /// The samples are added to `film`, from new_film() or read_film_file(), unless it is null. If it
 /// has samples of the whole picture, the render goes on from there. Precondition: it is of the same
 /// scene and program, see difference(). Throws std::invalid_argument if it is of other settings or
-/// of another kernel.
+/// of another kernel. RenderSettings::seconds counts from `start`.
 RenderResult render(const PreparedScene& scene, const RenderSettings& settings,
-                    RenderMonitor& monitor, StoredFilm* film = nullptr);
+                    RenderMonitor& monitor, StoredFilm* film = nullptr,
+                    Clock::time_point start = Clock::now());
 
 /// Prepares the scene for `kernel`, which is from choose_kernel() and not refused, and renders it.
 /// The time limit includes building.

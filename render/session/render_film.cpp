@@ -35,8 +35,9 @@ FilmOrigin origin_of(const PreparedScene& scene, const SceneDigest& digest, std:
           .program = std::move(program)};
 }
 
-PictureRecord record_of(const PreparedScene& scene, const RenderSettings& settings) {
-  PictureRecord record;
+/// Adds what settings and kernel say.
+PictureRecord completed(PictureRecord record, const PreparedScene& scene,
+                        const RenderSettings& settings) {
   record.samples = settings.samples;
   record.error = settings.error.value_or(0);
   record.is_adaptive = settings.is_adaptive;
@@ -154,12 +155,12 @@ void check_origin(const PreparedScene& scene, const RenderSettings& settings,
 }
 
 StoredFilm new_film(const PreparedScene& scene, const SceneDigest& digest, std::string program,
-                    const RenderSettings& settings) {
+                    const RenderSettings& settings, PictureRecord record) {
   const Kernel& kernel = scene.kernel();
   EmitterClasses classes = scene.emitters();
   classes.of_spheres.assign(classes.of_spheres.size(), EmitterClasses::kNone);
   return {.origin = origin_of(scene, digest, std::move(program), settings),
-          .record = record_of(scene, settings),
+          .record = completed(std::move(record), scene, settings),
           .shards = {},
           .statistics = {},
           .lights = kernel.lights,
@@ -241,8 +242,8 @@ RenderResult result_of(const StoredFilm& stored) {
   result.max_samples = counts.max;
   const bool is_known = film.extent().replicates > 1 && counts.min >= kMinReplicatedSamples;
   if (is_known) result.variance = Picture(settings.window().width, settings.window().height);
+  result.camera_samples = film.samples();
   for (std::size_t i = 0; i < pixels; ++i) {
-    result.camera_samples += film.samples(i);
     result.picture.pixels[i] = film.mean(i);
     if (is_known) {
       result.spreads.push_back(film.spread(i));

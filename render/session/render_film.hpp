@@ -25,10 +25,10 @@ struct FilmPart {
 ReplicateCounts counts_in(const FilmPart& part, std::uint64_t samples);
 
 /// A film without samples, for renders with these settings. `digest`: digest_of_parts() of the
-/// scene that was prepared. `program`: its name and version. The caller adds to the record what
-/// settings and kernel do not say.
+/// scene that was prepared. `program`: its name and version. `record`: what settings and kernel do
+/// not say.
 StoredFilm new_film(const PreparedScene& scene, const SceneDigest& digest, std::string program,
-                    const RenderSettings& settings);
+                    const RenderSettings& settings, PictureRecord record = {});
 
 /// Throws std::invalid_argument if the film is not of these settings and this kernel. The scene and
 /// the program are the caller's to compare: difference() with a new_film().

@@ -7,8 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/program.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/program_test.hpp"
 
 namespace sdlc::test {
 namespace {
@@ -32,7 +31,7 @@ constexpr const char* kScene =
 /// A name with all that shells and job files treat specially.
 const std::string kOddName = "it's $HOME \"a b\"\n{{x}} `#`";
 
-class Farm : public testing::Test {
+class Farm : public ProgramTest {
  protected:
   Farm() {
     const std::string text = kScene;
@@ -41,15 +40,11 @@ class Farm : public testing::Test {
     write(kOddName + ".scene", text);
   }
 
-  void write(const std::string& name, const std::string& text) const {
-    write_text(folder_ / name, text);
-  }
   void write_program(const std::string& name, const std::string& script) const {
     write(name, "#!/bin/sh\n" + script);
     fs::permissions(folder_ / name, fs::perms::owner_all);
   }
-  std::string read(const std::string& name) const { return content_of(folder_ / name); }
-  Json json(const std::string& name) const { return Json::parse(read(name)); }
+  Json json(const std::string& name) const { return Json::parse(content(name)); }
   /// Runs in the folder, with the program for the scripts and without pauses.
   ProgramResult shell(const std::string& command) const {
     return run_shell(folder_.path(), "export SDLC SDLC_PAUSE=0; " + command);
@@ -66,13 +61,6 @@ class Farm : public testing::Test {
     return result.out + result.err;
   }
   void farm(const std::string& arguments) const { succeed("\"$SDLC\" farm " + arguments); }
-  void expect_same(const std::string& a, const std::string& b) const {
-    EXPECT_TRUE(exists(a) && exists(b)) << a << ", " << b;
-    EXPECT_TRUE(read(a) == read(b)) << a << ", " << b;
-  }
-  bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
-
-  TemporaryFolder folder_;
 };
 
 /// With GNU parallel, and with xargs where that is not found.
@@ -99,7 +87,7 @@ TEST_P(ShellFarm, RendersTheBytesOfOneMachine) {
 
   succeed("\"$SDLC\" render film.scene -o film.####.png --samples 16");
   farm("film.scene --engine shell -o film --tasks 3 --samples 16");
-  EXPECT_EQ(read("film/render.tasks"), "1-2\n3-4\n5\n");
+  EXPECT_EQ(content("film/render.tasks"), "1-2\n3-4\n5\n");
   succeed(path() + "sh film/render.sh");
   for (int frame = 1; frame <= 5; ++frame) {
     expect_same(fmt::format("film.000{}.png", frame),
@@ -110,7 +98,7 @@ TEST_P(ShellFarm, RendersTheBytesOfOneMachine) {
 TEST_F(Farm, DividesLongFramesIntoShards) {
   succeed("\"$SDLC\" render film.scene -o film.####.png --frames 2,4");
   farm("film.scene --engine shell -o film --tasks 4 --frames 2,4");
-  EXPECT_EQ(read("film/render.tasks"), "2 1\n2 2\n4 1\n4 2\n");
+  EXPECT_EQ(content("film/render.tasks"), "2 1\n2 2\n4 1\n4 2\n");
   succeed("sh film/render.sh");
   expect_same("film.0002.png", "film/frames/film.0002.png");
   expect_same("film.0004.png", "film/frames/film.0004.png");
@@ -173,18 +161,18 @@ TEST_F(Farm, TriesAgainAFewTimes) {
   farm("a.scene --engine shell -o job --tasks 1");
   write_program("full", "echo >>calls\nexit 75\n");
   EXPECT_EQ(shell("SDLC=$PWD/full job/task.sh render.tasks 0").exit_code, 75);
-  EXPECT_EQ(read("job/calls").size(), 5U);
+  EXPECT_EQ(content("job/calls").size(), 5U);
   write_program("broken", "echo >>calls2\nexit 1\n");
   EXPECT_EQ(shell("SDLC=$PWD/broken job/task.sh render.tasks 0").exit_code, 1);
-  EXPECT_EQ(read("job/calls2").size(), 1U);
+  EXPECT_EQ(content("job/calls2").size(), 1U);
   EXPECT_EQ(shell("job/task.sh render.tasks 1").exit_code, 2);
 }
 
 TEST_F(Farm, StatusNamesFramesThatItsRetryRenders) {
   farm("film.scene --engine shell -o film --tasks 1 --samples 16");
   succeed("sh film/render.sh");
-  const std::string second = read("film/frames/film.0002.png"),
-                    fourth = read("film/frames/film.0004.png");
+  const std::string second = content("film/frames/film.0002.png"),
+                    fourth = content("film/frames/film.0004.png");
   fs::remove(folder_ / "film/frames/film.0002.png");
   fs::resize_file(folder_ / "film/frames/film.0004.png", fourth.size() / 2);
   succeed("\"$SDLC\" render film.scene --frames 5 --width 24 -o film/frames/film.####.png");
@@ -201,10 +189,10 @@ TEST_F(Farm, StatusNamesFramesThatItsRetryRenders) {
   EXPECT_EQ(damaged[1].at("cause"), "it has 24 x 16 pixels, not 48 x 32");
   EXPECT_TRUE(exists("film/frames/film.0004.png.damaged"));
 
-  EXPECT_EQ(read("film/retry.tasks"), "2,4-5\n");
+  EXPECT_EQ(content("film/retry.tasks"), "2,4-5\n");
   succeed("sh film/retry.sh");
-  EXPECT_EQ(read("film/frames/film.0002.png"), second);
-  EXPECT_EQ(read("film/frames/film.0004.png"), fourth);
+  EXPECT_EQ(content("film/frames/film.0002.png"), second);
+  EXPECT_EQ(content("film/frames/film.0004.png"), fourth);
   EXPECT_THAT(succeed("\"$SDLC\" farm status film"), HasSubstr("5 of 5 frames are there"));
   EXPECT_FALSE(exists("film/retry.sh") || exists("film/retry.tasks"));
 }
@@ -217,7 +205,7 @@ TEST_F(Farm, StatusNamesPartsThatItsRetryRenders) {
               AllOf(HasSubstr("the picture is missing"), HasSubstr("2 of 4 parts are there"),
                     HasSubstr("missing: parts/a.4.film"), HasSubstr("damaged: parts/a.2.film"),
                     HasSubstr("/job/retry.sh")));
-  EXPECT_EQ(read("job/retry.tasks"), "- 2\n- 4\n");
+  EXPECT_EQ(content("job/retry.tasks"), "- 2\n- 4\n");
   succeed("sh job/retry.sh");
   succeed("\"$SDLC\" render a.scene -o a.png");
   expect_same("a.png", "job/frames/a.png");
@@ -264,10 +252,10 @@ TEST_F(Farm, RefusesWhatCannotBe) {
 
 TEST_F(Farm, KeepsTheJobOfAFolder) {
   farm("film.scene --engine shell -o film --samples 16 --tasks 2");
-  const std::string before = read("film/farm.json");
+  const std::string before = content("film/farm.json");
   EXPECT_THAT(succeed("\"$SDLC\" farm film.scene --engine shell -o film --samples 16"),
               HasSubstr("has this job already: 2 tasks of 3 frames"));
-  EXPECT_EQ(read("film/farm.json"), before);
+  EXPECT_EQ(content("film/farm.json"), before);
   farm("film.scene --engine slurm -o film --samples 16");
   EXPECT_THAT(failure(2, "farm film.scene --engine shell -o film --samples 17"),
               HasSubstr("its list of flags is --samples 16, not --samples 17"));
@@ -280,8 +268,8 @@ TEST_F(Farm, KeepsTheJobOfAFolder) {
   write("a.scene", text.replace(text.find("700"), 3, "701"));
   EXPECT_THAT(failure(2, "farm a.scene --engine shell -o a"),
               HasSubstr("its list of settings is 48 x 32 pixels, 700 samples"));
-  write("film.scene",
-        read("film.scene") + "sphere { center: (0, 3, 0), radius: 0.1, material: diffuse(red) }\n");
+  write("film.scene", content("film.scene") +
+                          "sphere { center: (0, 3, 0), radius: 0.1, material: diffuse(red) }\n");
   EXPECT_THAT(failure(2, "farm film.scene --engine shell -o film --samples 16"),
               HasSubstr("the scene has changed"));
   fs::create_directory(folder_ / "other");
@@ -294,7 +282,7 @@ TEST_F(Farm, WritesJobsForSlurm) {
   for (const char* file : {"render.sbatch", "merge.sbatch", "submit.sh", "task.sh", "merge.sh"}) {
     succeed(fmt::format("bash -n job/{0} && sh -n job/{0}", file));
   }
-  EXPECT_THAT(read("job/render.sbatch"),
+  EXPECT_THAT(content("job/render.sbatch"),
               AllOf(HasSubstr("#SBATCH --array=0-2\n"), HasSubstr("#SBATCH --requeue\n"),
                     HasSubstr("exec ./task.sh render.tasks")));
   // sbatch runs each index at once, in the folder in which it was called.
@@ -308,7 +296,7 @@ TEST_F(Farm, WritesJobsForSlurm) {
                 "echo '42;cluster'\n");
   EXPECT_THAT(succeed("PATH=$PWD:$PATH sh job/submit.sh --partition=short"),
               HasSubstr("render: job 42\n"));
-  EXPECT_EQ(read("job/calls"),
+  EXPECT_EQ(content("job/calls"),
             "--parsable --partition=short render.sbatch\n"
             "--parsable --dependency=afterany:42 --partition=short merge.sbatch\n");
   succeed("\"$SDLC\" render a.scene -o a.png --samples 1500 --width 49");
@@ -318,19 +306,19 @@ TEST_F(Farm, WritesJobsForSlurm) {
   fs::remove(folder_ / "job/frames/a.png");
   fs::remove(folder_ / "job/parts/a.2.film");
   failure(75, "farm status job");
-  EXPECT_THAT(read("job/retry.sbatch"), HasSubstr("#SBATCH --array=0-0\n"));
+  EXPECT_THAT(content("job/retry.sbatch"), HasSubstr("#SBATCH --array=0-0\n"));
   succeed("PATH=$PWD:$PATH sh job/retry.sh");
   expect_same("a.png", "job/frames/a.png");
   fs::remove(folder_ / "job/frames/a.png");
   failure(75, "farm status job");
-  EXPECT_THAT(read("job/retry.sh"), Not(HasSubstr("retry.sbatch")));
+  EXPECT_THAT(content("job/retry.sh"), Not(HasSubstr("retry.sbatch")));
   succeed("PATH=$PWD:$PATH sh job/retry.sh");
   expect_same("a.png", "job/frames/a.png");
 }
 
 TEST_F(Farm, GivesAnIndexOfSlurmSeveralTasks) {
   farm("a.scene --engine slurm -o job --tasks 1500");
-  EXPECT_THAT(read("job/render.sbatch"),
+  EXPECT_THAT(content("job/render.sbatch"),
               AllOf(HasSubstr("#SBATCH --array=0-749\n"), HasSubstr("tasks=1500 per_index=2\n")));
   write_program("print", "for a; do case $a in */1500) echo $a ;; esac; done\n");
   EXPECT_EQ(shell("cd job && SDLC=../print SLURM_ARRAY_TASK_ID=749 sh render.sbatch").out,

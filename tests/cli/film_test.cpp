@@ -8,8 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/program.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/program_test.hpp"
 
 namespace sdlc::test {
 namespace {
@@ -27,35 +26,14 @@ constexpr const char* kScene =
     "sphere { center: (time / 1s, 0, 0), radius: 0.5, material: transmissive(#FFFFFF, ior: 1.5) }\n"
     "sphere { center: (1, 2, 1), radius: 0.1, material: emissive(#FFFFFF, 50) }\n";
 
-class FilmCommand : public testing::Test {
+class FilmCommand : public ProgramTest {
  protected:
   FilmCommand() {
     write("a.scene", kScene);
     write("film.scene", std::string(kScene) + "animation { frames: 1 .. 5, fps: 24 }\n");
   }
 
-  void write(const std::string& name, const std::string& text) const {
-    write_text(folder_ / name, text);
-  }
-  ProgramResult sdlc(const std::string& arguments) const {
-    return run_shell(folder_.path(), "\"$SDLC\" " + arguments);
-  }
-  void succeed(const std::string& arguments) const {
-    const ProgramResult result = sdlc(arguments);
-    EXPECT_EQ(result.exit_code, 0) << arguments << "\n" << result.err;
-  }
-  /// The messages of a command that fails with this status.
-  std::string failure(int status, const std::string& arguments) const {
-    const ProgramResult result = sdlc(arguments);
-    EXPECT_EQ(result.exit_code, status) << arguments << "\n" << result.err;
-    return result.err;
-  }
-  void expect_same(const std::string& a, const std::string& b) const {
-    EXPECT_TRUE(exists(a) && exists(b)) << a << ", " << b;
-    EXPECT_TRUE(content_of(folder_ / a) == content_of(folder_ / b)) << a << ", " << b;
-  }
-  bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
-  Json stats(const std::string& name) const { return Json::parse(content_of(folder_ / name)); }
+  Json stats(const std::string& name) const { return Json::parse(content(name)); }
   /// Renders all shards of a.scene as NAME1.film, …
   void render_shards(const std::string& name, int count, const std::string& flags) const {
     for (int i = 1; i <= count; ++i) {
@@ -63,8 +41,15 @@ class FilmCommand : public testing::Test {
           fmt::format("render a.scene {} --shard {}/{} -o {}{}.film", flags, i, count, name, i));
     }
   }
-
-  TemporaryFolder folder_;
+  /// Sends a signal to a render as soon as the film is there.
+  ProgramResult stop_after_checkpoint(const std::string& signal, const std::string& arguments,
+                                      const std::string& film) const {
+    return shell(
+        fmt::format("env --default-signal=INT \"$SDLC\" {} --checkpoint 10ms & pid=$!\n"
+                    "until [ -e {} ] || ! kill -0 $pid; do sleep 0.01; done\n"
+                    "kill -{} $pid\nwait $pid",
+                    arguments, film, signal));
+  }
 };
 
 TEST_F(FilmCommand, MergesToTheBytesOfOneMachineHoweverThePictureIsDivided) {
@@ -127,7 +112,7 @@ TEST_F(FilmCommand, NamesFilmsThatCannotBeMerged) {
   render_shards("p", 2, "--samples 16");
   succeed("render a.scene --samples 16 --seed 3 --shard 2/2 -o seed.film");
   fs::copy_file(folder_ / "p1.film", folder_ / "copy.film");
-  std::string damaged = content_of(folder_ / "p2.film");
+  std::string damaged = content("p2.film");
   damaged[damaged.size() / 2] ^= 1;
   write("damaged.film", damaged);
   EXPECT_THAT(failure(1, "merge p1.film copy.film p2.film -o a.png"),
@@ -271,10 +256,9 @@ TEST_F(FilmCommand, HasTheSamePictureAfterKills) {
   succeed(flags + "-o a.exr");
   int kills = 0;
   for (int attempt = 1; attempt <= 12; ++attempt) {
-    const ProgramResult result = run_shell(
-        folder_.path(), fmt::format("timeout -s KILL {} \"$SDLC\" {} -o b.exr --checkpoint 10ms "
-                                    "--resume",
-                                    0.03 * attempt, flags));
+    const ProgramResult result =
+        shell(fmt::format("timeout -s KILL {} \"$SDLC\" {} -o b.exr --checkpoint 10ms --resume",
+                          0.03 * attempt, flags));
     if (result.exit_code == 0) break;
     EXPECT_EQ(result.exit_code, 137) << result.err;
     ++kills;
@@ -285,28 +269,24 @@ TEST_F(FilmCommand, HasTheSamePictureAfterKills) {
 }
 
 TEST_F(FilmCommand, GoesOnAfterAnInterruption) {
-  const std::string flags = "render a.scene --width 240 --samples 900 ";
+  const std::string flags = "render a.scene --width 120 --samples 8000 ";
   succeed(flags + "-o a.exr");
-  const ProgramResult result = run_shell(
-      folder_.path(), "timeout -s INT 0.2 \"$SDLC\" " + flags + "-o b.exr --checkpoint 1h");
-  if (result.exit_code == 130) {
-    EXPECT_THAT(result.err, HasSubstr("--resume goes on from b.film"));
-    EXPECT_TRUE(exists("b.film") && exists("b.partial.exr"));
-  }
+  const ProgramResult result = stop_after_checkpoint("INT", flags + "-o b.exr", "b.film");
+  EXPECT_EQ(result.exit_code, 130) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("--resume goes on from b.film"));
+  EXPECT_TRUE(exists("b.film") && exists("b.partial.exr"));
   succeed(flags + "-o b.exr --resume");
   expect_same("a.exr", "b.exr");
+  EXPECT_FALSE(exists("b.film"));
 }
 
 TEST_F(FilmCommand, OfAShardIsContinued) {
-  const std::string flags = "render a.scene --width 120 --samples 900 --shard 2/3 ";
+  const std::string flags = "render a.scene --width 120 --samples 8000 --shard 2/3 ";
   succeed(flags + "-o a.film");
-  for (int attempt = 1; attempt <= 4; ++attempt) {
-    run_shell(folder_.path(), fmt::format("timeout -s KILL {} \"$SDLC\" {} -o b.film --checkpoint "
-                                          "10ms --resume",
-                                          0.02 * attempt, flags));
-    if (!exists("b.film")) continue;
-    EXPECT_THAT(sdlc("merge b.film -o b.png").err, HasSubstr("not finished"));
-  }
+  EXPECT_EQ(stop_after_checkpoint("KILL", flags + "-o b.film", "b.film").exit_code, 137);
+  EXPECT_THAT(failure(75, "merge b.film -o b.png"), HasSubstr("not finished: b.film"));
+  EXPECT_THAT(failure(2, flags + "-o b.film --checkpoint 1s"),
+              HasSubstr("`b.film` exists and is not finished; use --resume"));
   succeed(flags + "-o b.film --resume --skip-existing");
   expect_same("a.film", "b.film");
   EXPECT_THAT(sdlc(flags + "-o b.film --skip-existing").err, HasSubstr("is there already"));

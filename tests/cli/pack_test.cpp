@@ -5,8 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/program.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/program_test.hpp"
 
 namespace sdlc::test {
 namespace {
@@ -32,7 +31,7 @@ constexpr const char* kConfig = R"({
 })";
 
 /// rooms/ball.scene, which reads files in the folders beside it, and those read others.
-class PackCommand : public testing::Test {
+class PackCommand : public ProgramTest {
  protected:
   PackCommand() {
     write("rooms/ball.scene",
@@ -50,33 +49,11 @@ class PackCommand : public testing::Test {
     write("data/heights.csv", "x,y\n-1,0.5\n1,0.75\n");
   }
 
-  void write(const std::string& name, const std::string& text) const {
-    fs::create_directories((folder_ / name).parent_path());
-    write_text(folder_ / name, text);
-  }
-  ProgramResult sdlc(const std::string& arguments) const {
-    return run_shell(folder_.path(), "\"$SDLC\" " + arguments);
-  }
-  void succeed(const std::string& arguments) const {
-    const ProgramResult result = sdlc(arguments);
-    EXPECT_EQ(result.exit_code, 0) << arguments << "\n" << result.err;
-  }
-  /// The messages of a command that fails with this status.
-  std::string failure(int status, const std::string& arguments) const {
-    const ProgramResult result = sdlc(arguments);
-    EXPECT_EQ(result.exit_code, status) << arguments << "\n" << result.err;
-    return result.err;
-  }
-  std::string content(const std::string& name) const { return content_of(folder_ / name); }
-  bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
-
   /// Packs rooms/ball.scene, and removes everything that is in the pack.
   void pack_and_remove() const {
     succeed("pack rooms/ball.scene");
     for (const char* name : {"rooms", "library", "data"}) fs::remove_all(folder_ / name);
   }
-
-  TemporaryFolder folder_;
 };
 
 constexpr const char* kSmall = " --width 24 --samples 4 --quiet ";

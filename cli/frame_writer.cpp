@@ -1,0 +1,163 @@
+#include "cli/frame_writer.hpp"
+
+#include <algorithm>
+#include <future>
+#include <span>
+#include <sstream>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/accuracy_report.hpp"
+#include "cli/aov_option.hpp"
+#include "cli/numbers/format_numbers.hpp"
+#include "cli/progress.hpp"
+#include "cli/report_failure.hpp"
+#include "lang/text/display_width.hpp"
+#include "render/math/clock.hpp"
+#include "render/parallel/threads.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+/// What an interrupted render has left, as clauses.
+std::string describe_saved(const Written& written) {
+  std::vector<std::string> saved;
+  if (!written.names.empty()) {
+    saved.push_back(
+        fmt::format("the partial picture was {} {}",
+                    written.names.front() == kStandardOutput ? "written to" : "saved as",
+                    fmt::join(written.names, ", ")));
+  }
+  if (!written.films.empty()) {
+    saved.push_back(fmt::format("--resume goes on from {}", written.films.front()));
+  }
+  return saved.empty() ? "nothing was saved" : fmt::to_string(fmt::join(saved, "; "));
+}
+
+/// "512 samples, 1.2 s (…)": what was rendered.
+std::string describe_render(const render::RenderResult& result, const FilmJob* film) {
+  const std::string rate =
+      fmt::format("{} ({} samples/s)", format_seconds(result.render_seconds),
+                  format_count(static_cast<double>(result.new_samples) / result.render_seconds));
+  if (film != nullptr && film->is_shard()) {
+    return fmt::format("{}, {} samples, {}", film->name_of_shard(),
+                       format_count(static_cast<double>(result.camera_samples)), rate);
+  }
+  return fmt::format("{}, {}{}{}", describe_samples(result), rate, describe_error(result),
+                     describe_light_choice(result.kernel));
+}
+
+/// Prints the final line and returns the status of the command. `film` may be null.
+ExitCode conclude(const RenderOptions& options, const render::RenderSettings& settings,
+                  const render::RenderResult& result, const FilmJob* film, const Written& written,
+                  Environment& env) {
+  // The scene is at fault, with a warning about it (W501).
+  const bool is_too_bright = result.kernel.bounds[render::PrecisionClause::Radiance].share > 1;
+  if (result.nonfinite_samples > 0) {
+    env.err << fmt::format("error: {} samples are not finite and were left out{}\n",
+                           result.nonfinite_samples,
+                           is_too_bright ? ": colors or intensities are beyond the precision" : "");
+  }
+  if (!result.is_complete) {
+    const std::uint64_t total = film != nullptr ? film->samples() : total_samples(settings);
+    const std::string of =
+        settings.has_goal() ? "" : fmt::format(" of {}", format_count(static_cast<double>(total)));
+    env.err << fmt::format("interrupted after {}{} samples; {}\n",
+                           format_count(static_cast<double>(result.camera_samples)), of,
+                           describe_saved(written));
+    return graver(ExitCode::Interrupted, written.code);
+  }
+  if (film == nullptr || !film->is_shard()) {
+    for (const std::string& warning : accuracy_warnings(settings, result)) {
+      env.err << "warning: " << warning << "\n";
+    }
+  }
+  if (const int wanted = render::wanted_threads(settings.threads); result.threads < wanted) {
+    env.err << fmt::format("warning: {} of {} threads could be started\n", result.threads, wanted);
+  }
+  const bool is_quiet = options.quiet || options.progress == "none";
+  const std::vector<std::string> names = written.all();
+  if (!is_quiet && !names.empty()) {
+    env.err << fmt::format("{}: {} x {} pixels, {}\n", fmt::join(names, ", "),
+                           settings.window().width, settings.window().height,
+                           describe_render(result, film));
+  }
+  const ExitCode of_samples = result.nonfinite_samples == 0 ? ExitCode::Success
+                              : is_too_bright               ? ExitCode::Findings
+                                                            : ExitCode::Defect;
+  return graver(of_samples, written.code);
+}
+
+}  // namespace
+
+ExitCode write_frame(const RenderOptions& options, RenderedFrame& frame, FilmJob* film,
+                     Environment& env) {
+  const render::RenderResult& result = frame.result;
+  if (result.camera_samples == 0) return conclude(options, frame.settings, result, film, {}, env);
+  if (!result.is_complete) env.err << "interrupted; saving the partial picture" << std::endl;
+  const auto start = render::Clock::now();
+  Written written;
+  if (film == nullptr || !film->is_shard()) {
+    const std::vector<render::Layer> layers =
+        picture_layers(options.aovs, frame.settings, result, env.err);
+    written = write_pictures(frame.outputs, frame.form, frame.settings, result, layers, env);
+  }
+  if (film != nullptr) {
+    const bool is_picture_written = result.is_complete && written.code == ExitCode::Success;
+    for (const auto& path : film->finish(result.is_complete, is_picture_written)) {
+      try_to_write(written.code, env, [&] {
+        film->write(path);
+        written.films.push_back(lang::printable(path.string()));
+      });
+    }
+  }
+  frame.statistics.write_seconds += render::seconds_since(start);
+  frame.is_written = result.is_complete && written.code == ExitCode::Success;
+  return conclude(options, frame.settings, result, film, written, env);
+}
+
+struct PendingFrames::Pending {
+  RenderedFrame frame;
+  std::ostringstream messages = {};
+  std::future<ExitCode> code = {};  // last: it uses the others
+};
+
+PendingFrames::PendingFrames(const RenderOptions& options, Environment& env)
+    : options_(options), env_(env) {}
+
+PendingFrames::~PendingFrames() = default;
+
+bool PendingFrames::may_wait(const RenderedFrame& frame) {
+  constexpr std::size_t kMaxPixels = std::size_t{1} << 18;
+  const auto zoom = static_cast<std::size_t>(frame.form.zoom);
+  return frame.result.is_complete &&
+         frame.result.picture.pixels.size() * zoom * zoom <= kMaxPixels &&
+         std::ranges::none_of(frame.outputs, &Output::is_stdout);
+}
+
+void PendingFrames::add(RenderedFrame frame) {
+  Pending& pending =
+      *frames_.emplace_back(std::make_unique<Pending>(Pending{.frame = std::move(frame)}));
+  const auto write = [this, &pending] {
+    Environment env{.workspace = env_.workspace, .out = env_.out, .err = pending.messages};
+    return report_failure(env, [&] { return write_frame(options_, pending.frame, nullptr, env); });
+  };
+  try {
+    pending.code = std::async(std::launch::async, write);
+  } catch (const std::system_error&) {  // no thread: when it is waited for
+    pending.code = std::async(std::launch::deferred, write);
+  }
+}
+
+std::pair<RenderedFrame, ExitCode> PendingFrames::take() {
+  const std::unique_ptr<Pending> pending = std::move(frames_.front());
+  frames_.pop_front();
+  const ExitCode code = pending->code.get();
+  env_.err << pending->messages.str() << std::flush;
+  return {std::move(pending->frame), code};
+}
+
+}  // namespace sdlc::cli
