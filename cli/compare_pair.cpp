@@ -81,6 +81,14 @@ std::string differing_flags(const render::ToneMapping& a, const render::ToneMapp
   return a.tone == b.tone ? "--exposure" : "--tone and --exposure";
 }
 
+bool is_exr(const PictureFile& file) { return file.format == render::ImageFormat::Exr; }
+
+std::string describe_crop(const PictureFile& file) {
+  const render::PixelWindow& crop = file.crop;
+  return fmt::format("{} x {} pixels at ({}, {}) of a picture of {} x {}", crop.width, crop.height,
+                     crop.x, crop.y, file.whole_width, file.whole_height);
+}
+
 void check_match(const ComparedPair& pair) {
   const PictureFile &a = pair.picture, &b = pair.reference;
   const std::string a_name = lang::printable(pair.picture_name);
@@ -89,6 +97,10 @@ void check_match(const ComparedPair& pair) {
     throw UsageError(fmt::format(
         "`{}` has {} x {} pixels and `{}` {} x {}; only pictures of the same size can be compared",
         a_name, a.picture.width, a.picture.height, b_name, b.picture.width, b.picture.height));
+  }
+  if (is_exr(a) && is_exr(b) && describe_crop(a) != describe_crop(b)) {
+    throw UsageError(fmt::format("`{}` has {} and `{}` {}; only the same pixels can be compared",
+                                 a_name, describe_crop(a), b_name, describe_crop(b)));
   }
   if (a.is_linear != b.is_linear) {
     throw UsageError(

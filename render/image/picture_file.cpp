@@ -27,14 +27,6 @@ void check_is_one_picture(const DecodedImage& image, const std::filesystem::path
     throw IoError("read", path,
                   fmt::format("it holds {} pictures; extract the one to use", image.pictures));
   }
-  if (image.data != image.display) {
-    throw IoError(
-        "read", path,
-        fmt::format("it holds {} x {} pixels at ({}, {}) of a picture of {} x {} at ({}, {}), a "
-                    "crop; write the complete picture",
-                    image.data.width, image.data.height, image.data.x, image.data.y,
-                    image.display.width, image.display.height, image.display.x, image.display.y));
-  }
 }
 
 /// A constant alpha of 1 carries no information.
@@ -95,6 +87,10 @@ PictureFile read_picture_file(const std::filesystem::path& path) {
   file.format = decoded.format;
   file.is_linear = describe(decoded.format).is_linear;
   if (file.format == ImageFormat::Exr) {
+    const PixelWindow &data = image.data, &display = image.display;
+    file.crop = {data.x - display.x, data.y - display.y, data.width, data.height};
+    file.whole_width = display.width;
+    file.whole_height = display.height;
     take_exr_channels(image, path, file);
   } else {
     file.is_grey = image.channels.size() < 3;

@@ -9,6 +9,7 @@
 
 #include "render/image/image_format.hpp"
 #include "render/image/picture.hpp"
+#include "render/math/pixel_window.hpp"
 
 namespace sdlc::render {
 
@@ -19,6 +20,8 @@ struct PictureFile {
   int largest_code = 0;    ///< 255 or 65535; 0 if the values are linear
   bool is_grey = false;    ///< one value for all three colours, which `picture` repeats three times
   Picture picture;
+  PixelWindow crop;  ///< EXR only: the place of the picture in the whole one
+  int whole_width = 0, whole_height = 0;
   /// Per value of the picture, as `render --aov variance` writes it. Not validated.
   std::optional<Picture> variance;
   /// Names: "A" if not opaque everywhere, "normal.X".
@@ -31,9 +34,8 @@ struct PictureFile {
 };
 
 /// Reads a picture strictly: throws IoError for everything that read_picture rejects, and also for
-/// a file with several pictures, an EXR file without R, G and B, with an incomplete set of variance
-/// channels, or whose pixels do not cover the picture, and for codes other than integers of 8 or 16
-/// bits.
+/// a file with several pictures, an EXR file without R, G and B or with an incomplete set of
+/// variance channels, and for codes other than integers of 8 or 16 bits.
 PictureFile read_picture_file(const std::filesystem::path& path);
 
 }  // namespace sdlc::render

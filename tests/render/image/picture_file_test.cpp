@@ -126,22 +126,19 @@ TEST_F(PictureFiles, OfSeveralPicturesAreRefused) {
   EXPECT_THAT(refusal("a.tiff", parts), HasSubstr("it holds 2 pictures"));
 }
 
-TEST_F(PictureFiles, ThatAreACropAreRefused) {
-  OIIO::ImageSpec spec = float_spec(4, 3, {"R", "G", "B"});
-  spec.x = 2;
-  spec.full_width = 20;
-  spec.full_height = 10;
-  EXPECT_THAT(refusal("a.exr", {spec}),
-              HasSubstr("it holds 4 x 3 pixels at (2, 0) of a picture of 20 x 10 at (0, 0), a "
-                        "crop; write the complete picture"));
-}
-
-// A window that is not at the origin is not a crop if it covers the whole picture.
-TEST_F(PictureFiles, MayBeginAnywhere) {
+TEST_F(PictureFiles, MayBeCrops) {
   OIIO::ImageSpec spec = float_spec(4, 3, {"R", "G", "B"});
   spec.x = spec.full_x = 2;
   spec.y = spec.full_y = -1;
   EXPECT_EQ(read("a.exr", spec).picture.width, 4);
+  EXPECT_EQ(read("a.exr", spec).crop, (PixelWindow{0, 0, 4, 3}));
+  spec.full_width = 20;
+  spec.full_y = -10;
+  spec.full_height = 30;
+  const PictureFile crop = read("a.exr", spec);
+  EXPECT_EQ(crop.crop, (PixelWindow{0, 9, 4, 3}));
+  EXPECT_EQ(crop.whole_width, 20);
+  EXPECT_EQ(crop.whole_height, 30);
 }
 
 TEST_F(PictureFiles, OfFloatsThatMayBeAnythingAreRefused) {
