@@ -19,6 +19,7 @@
 #include "cli/farm_plan.hpp"
 #include "cli/frames_option.hpp"
 #include "cli/kernel_options.hpp"
+#include "cli/make_pack.hpp"
 #include "cli/override_options.hpp"
 #include "cli/render_options.hpp"
 #include "cli/scene_options.hpp"
@@ -26,13 +27,10 @@
 #include "cli/whole_number.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
-#include "lang/pack/collect_files.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
 #include "render/math/clock.hpp"
-#include "render/scene/digest.hpp"
-#include "render/scene/settings.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -83,20 +81,6 @@ std::string picture_stem(const std::string& scene) {
   return stem;
 }
 
-/// What pictures depend on besides the objects of the scene.
-std::string describe_settings(const lang::LoweredScene& lowered) {
-  const render::RenderSettings& settings = lowered.settings;
-  std::string text =
-      fmt::format("{} x {} pixels, {} samples", settings.width, settings.height, settings.samples);
-  render::for_each_setting([&](const auto& setting) {
-    text += fmt::format(", {} {}", setting.name, render::shown(settings.*setting.member));
-  });
-  if (settings.error) text += fmt::format(", error {}", *settings.error);
-  if (lowered.precision) text += fmt::format(", precision {}", name_of(*lowered.precision));
-  const render::ToneMapping& mapping = lowered.output.mapping;
-  return text + fmt::format(", tone {}, exposure {}", name_of(mapping.tone), mapping.exposure);
-}
-
 class FarmPlanner {
  public:
   FarmPlanner(const FarmOptions& options, Environment& env) : options_(options), env_(env) {}
@@ -105,6 +89,7 @@ class FarmPlanner {
     check_names();
     compile();
     choose_frames();
+    if (!make_pack()) return ExitCode::Findings;
     auto lowered = lower();
     if (!lowered) return ExitCode::Findings;
     describe_job(*lowered);
@@ -124,7 +109,8 @@ class FarmPlanner {
     if (options_.render.scene.file == kStandardStream) {
       throw UsageError("a farm renders a scene from a file, not from `-`");
     }
-    job_.scene = absolute_path(options_.render.scene.disk_file()).string();
+    job_.name = picture_stem(options_.render.scene.file);
+    job_.scene = job_.name + kPackExtension;
     job_.folder = absolute_path(options_.folder);
     job_.engine = static_cast<FarmEngine>(std::ranges::find(kFarmEngineWords, options_.engine) -
                                           kFarmEngineWords.begin());
@@ -152,6 +138,23 @@ class FarmPlanner {
     const FrameRange all{
         .first = animation_->first, .last = animation_->last, .step = animation_->step};
     job_.frames = frames_of(options_.render.frames.value_or(std::vector{all}));
+  }
+
+  /// All tasks read the same pack, whatever becomes of the scene. Returns false if there are
+  /// errors.
+  bool make_pack() {
+    const SceneOptions& scene = options_.render.scene;
+    if (scene.pack) {
+      std::error_code error;
+      const auto bytes =
+          env_.workspace.read(scene.disk_file(), scene.reading.limits.any_file(), error);
+      if (!bytes) throw render::IoError("read", scene.disk_file(), error);
+      pack_ = *bytes;
+      return true;
+    }
+    std::optional<MadePack> made = cli::make_pack(scene, *source_, *compiler_, sink_, env_);
+    if (made) pack_ = std::move(made->archive);
+    return made.has_value();
   }
 
   /// The middle frame.
@@ -185,9 +188,6 @@ class FarmPlanner {
 
   void describe_job(const lang::LoweredScene& lowered) {
     const render::RenderSettings& settings = lowered.settings;
-    job_.digest = fmt::format("{:016x}", render::digest_of(lowered.scene));
-    job_.settings = describe_settings(lowered);
-    job_.name = picture_stem(options_.render.scene.file);
     job_.extension = choose_extension(lowered);
     job_.flags = repeated_flags(options_.given, false);
     job_.merge_flags = repeated_flags(options_.given, true);
@@ -200,24 +200,11 @@ class FarmPlanner {
     render::check_picture_size(settings.width, settings.height, format, picture);
     check_aovs(options_.render.aovs, {{.path = picture, .format = format}}, settings);
     max_shards_ = max_farm_shards(settings);
-    choose_root();
-  }
-
-  void choose_root() {
-    fs::path root = lang::common_folder(job_.folder, fs::path(job_.scene).parent_path());
-    for (const fs::path& part : compiler_->dependencies()) {
-      root = lang::common_folder(root, absolute_path(part.string()).parent_path());
+    const std::string folder = job_.folder.string();
+    if (job_.engine == FarmEngine::Kubernetes && folder.find(':') != std::string::npos) {
+      throw UsageError(fmt::format("no volume can be mounted as `{}`, which has a colon; rename it",
+                                   lang::printable(folder)));
     }
-    job_.root = root.string();
-    if (job_.engine != FarmEngine::Kubernetes) return;
-    if (job_.root == "/") {
-      throw UsageError(
-          "the scene and the folder of -o have only `/` in common, where no volume can be "
-          "mounted; put both below one folder");
-    }
-    if (job_.root.find(':') == std::string::npos) return;
-    throw UsageError(fmt::format("no volume can be mounted as `{}`, which has a colon; rename it",
-                                 lang::printable(job_.root)));
   }
 
   /// The job that is in the folder already.
@@ -229,7 +216,8 @@ class FarmPlanner {
                             "it holds other files; name a new or an empty folder");
     }
     FarmJob earlier = read_farm_job(job_.folder);
-    const std::string other = difference(earlier, job_);
+    std::string other = difference(earlier, job_);
+    if (other.empty() && read_farm_file(job_, job_.scene) != pack_) other = "the scene has changed";
     if (other.empty()) return earlier;
     throw render::IoError("use", job_.folder,
                           fmt::format("it has the job of other pictures: {}; name another folder, "
@@ -271,7 +259,8 @@ class FarmPlanner {
 
   void write() {
     const FarmRun run{.tasks = all_tasks(job_)};
-    std::vector<FarmFile> files{{.name = kFarmFileName, .content = farm_text(job_)}};
+    std::vector<FarmFile> files{{.name = job_.scene, .content = std::move(pack_)},
+                                {.name = kFarmFileName, .content = farm_text(job_)}};
     for (FarmFile& file : farm_files(job_, run)) files.push_back(std::move(file));
     make_farm_folders(job_);
     write_farm_files(job_, files);
@@ -290,6 +279,7 @@ class FarmPlanner {
   std::optional<lang::Compiler> compiler_;
   std::optional<lang::Animation> animation_;
   render::Kernel kernel_;
+  std::string pack_;
   double compile_seconds_ = 0;
   std::uint32_t max_shards_ = 0;
 };
@@ -319,8 +309,8 @@ void add_farm_command(Command& program, Dispatcher& dispatcher) {
   command.add_text("FILE", render.scene.file, "The scene");
   command.add_text("--engine", options->engine, "What runs the job").one_of(kFarmEngineWords);
   command.add_text("-o,--output", options->folder,
-                   "The folder for job files, parts and pictures; all machines need it and the "
-                   "scene under the same paths");
+                   "The folder for job files, parts and pictures; all machines need it under the "
+                   "same path");
   add_set_option(command, render.scene.sets);
   add_reading_options(command, render.scene.reading);
   command.remove_option("--stdin-filename");

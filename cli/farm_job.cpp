@@ -22,9 +22,6 @@ constexpr int kFarmVersion = 1;
 /// Calls `visit(name, member)` with each member that is in the file as it is.
 constexpr auto kMembers = [](auto& job, auto visit) {
   visit("scene", job.scene);
-  visit("digest", job.digest);
-  visit("settings", job.settings);
-  visit("root", job.root);
   visit("name", job.name);
   visit("extension", job.extension);
   visit("flags", job.flags);
@@ -101,15 +98,20 @@ std::string farm_text(const FarmJob& job) {
   }
 }
 
-FarmJob read_farm_job(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / kFarmFileName;
+std::string read_farm_file(const FarmJob& job, const std::string& name) {
+  const std::filesystem::path path = job.folder / name;
   std::ifstream file(path, std::ios::binary);
   if (!file) {
     throw render::IoError("read", path, "`sdlc farm FILE -o FOLDER` makes such a folder");
   }
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+FarmJob read_farm_job(const std::filesystem::path& folder) {
   FarmJob job;
   job.folder = folder;
+  const std::filesystem::path path = folder / kFarmFileName;
+  const std::string text = read_farm_file(job, kFarmFileName);
   try {
     const Json json = Json::parse(text);
     if (json.at("version") != kFarmVersion) {
@@ -147,9 +149,6 @@ std::string difference(const FarmJob& job, const FarmJob& expected) {
   if (job.extension != expected.extension) {
     return differs("format", job.extension, expected.extension);
   }
-  if (job.settings != expected.settings)
-    return differs("list of settings", job.settings, expected.settings);
-  if (job.digest != expected.digest) return "the scene has changed";
   return {};
 }
 

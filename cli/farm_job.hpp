@@ -19,10 +19,7 @@ inline constexpr std::array<std::string_view, 4> kFarmEngineWords{"slurm", "open
 struct FarmJob {
   std::filesystem::path folder;  ///< absolute; not in the file, so that the folder can be moved
   FarmEngine engine = FarmEngine::Shell;
-  std::string scene;               ///< absolute
-  std::string digest;              ///< of the scene at the probed frame
-  std::string settings;            ///< those of the scene and of the flags, as text
-  std::string root;                ///< the deepest folder with FOLDER and all files of the scene
+  std::string scene;               ///< the name of its pack in the folder
   std::string name;                ///< of the pictures; without control characters and # { } /
   std::string extension;           ///< of the pictures
   std::vector<std::string> flags;  ///< of `render`
@@ -71,10 +68,12 @@ std::string part_name(const FarmJob& job, std::optional<int> frame, std::uint32_
 bool has_checkpoints(const FarmJob& job);
 
 std::string farm_text(const FarmJob& job);
+/// The content of a file in the folder. Throws render::IoError.
+std::string read_farm_file(const FarmJob& job, const std::string& name);
 /// Reads FOLDER/farm.json. Throws render::IoError.
 FarmJob read_farm_job(const std::filesystem::path& folder);
-/// The first difference between the pictures of two jobs, as a clause; empty if there is none. The
-/// engine and the division into tasks may differ.
+/// The first difference between the pictures of two jobs with the same pack, as a clause; empty if
+/// there is none. The engine and the division into tasks may differ.
 std::string difference(const FarmJob& job, const FarmJob& expected);
 
 }  // namespace sdlc::cli

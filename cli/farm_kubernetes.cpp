@@ -15,18 +15,19 @@ using Json = nlohmann::ordered_json;
 /// Pods at a time; the scheduler lets those wait for which there is no node.
 constexpr std::size_t kMaxPods = 1000;
 
-/// Exit status 75 and disruptions are tried again without being counted. `final_action`: of errors
-/// that would occur again.
-Json failure_policy(const char* final_action) {
-  const auto on_codes = [](const char* action, std::vector<int> codes) {
-    return Json{{"action", action},
-                {"onExitCodes", {{"operator", "In"}, {"values", std::move(codes)}}}};
-  };
-  return {{"rules", Json::array({on_codes("Ignore", {75}),
-                                 {{"action", "Ignore"},
-                                  {"onPodConditions", Json::array({{{"type", "DisruptionTarget"},
-                                                                    {"status", "True"}}})}},
-                                 on_codes(final_action, {1, 2, 3})})}};
+Json on_codes(const char* action, std::vector<int> codes) {
+  return {{"action", action}, {"onExitCodes", {{"operator", "In"}, {"values", std::move(codes)}}}};
+}
+
+/// Disruptions are tried again without being counted. `rule`: a further one.
+Json failure_policy(const char* action_of_errors, Json rule = {}) {
+  // These would occur again.
+  Json rules = Json::array(
+      {on_codes(action_of_errors, {1, 2, 3}),
+       {{"action", "Ignore"},
+        {"onPodConditions", Json::array({{{"type", "DisruptionTarget"}, {"status", "True"}}})}}});
+  if (!rule.is_null()) rules.push_back(std::move(rule));
+  return {{"rules", std::move(rules)}};
 }
 
 /// The volume has the same path in the pod as here, so that the paths in the scripts hold.
@@ -36,12 +37,13 @@ Json pod_template(const FarmJob& job, std::vector<std::string> command) {
        {{"restartPolicy", "Never"},
         // The renderer saves its film when its pod is evicted.
         {"terminationGracePeriodSeconds", 120},
-        {"containers", Json::array({{{"name", "sdlc"},
-                                     {"image", job.image},
-                                     {"workingDir", job.folder.string()},
-                                     {"command", std::move(command)},
-                                     {"volumeMounts", Json::array({{{"name", "farm"},
-                                                                    {"mountPath", job.root}}})}}})},
+        {"containers",
+         Json::array({{{"name", "sdlc"},
+                       {"image", job.image},
+                       {"workingDir", job.folder.string()},
+                       {"command", std::move(command)},
+                       {"volumeMounts",
+                        Json::array({{{"name", "farm"}, {"mountPath", job.folder.string()}}})}}})},
         {"volumes", Json::array({{{"name", "farm"},
                                   {"persistentVolumeClaim", {{"claimName", "sdlc-farm"}}}}})}}}};
 }
@@ -70,14 +72,15 @@ std::vector<FarmFile> kubernetes_files(const FarmJob& job, const FarmRun& run) {
                     {"completions", tasks},
                     {"parallelism", std::min(tasks, kMaxPods)},
                     {"backoffLimitPerIndex", 5},
-                    {"podFailurePolicy", failure_policy("FailIndex")},
+                    {"podFailurePolicy", failure_policy("FailIndex", on_codes("Ignore", {75}))},
                     {"template", pod_template(job, {"/bin/sh", "./task.sh", run.name + ".tasks",
                                                     "$(JOB_COMPLETION_INDEX)"})}}));
   }
   if (job.has_shards()) {
-    // Its status is 75 until all parts are there.
+    // Its status is 75 until all parts are there; the pauses grow to six minutes, so it is given up
+    // after four days.
     items.push_back(job_object(name + "-merge", is_retry,
-                               {{"backoffLimit", 5},
+                               {{"backoffLimit", 1000},
                                 {"podFailurePolicy", failure_policy("FailJob")},
                                 {"template", pod_template(job, {"/bin/sh", "./merge.sh"})}}));
   }

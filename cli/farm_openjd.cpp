@@ -38,7 +38,7 @@ class JobParameters {
           {"type", "PATH"},
           {"objectType", "FILE"},
           {"dataFlow", "IN"},
-          {"default", job.scene}},
+          {"default", (job.folder / job.scene).string()}},
          {{"name", "Folder"},
           {"type", "PATH"},
           {"objectType", "DIRECTORY"},

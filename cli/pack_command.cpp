@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -7,17 +8,14 @@
 #include <fmt/format.h>
 
 #include "cli/command_line.hpp"
-#include "cli/diagnostics_output.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/make_pack.hpp"
 #include "cli/outputs.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/scene_pack.hpp"
 #include "cli/usage_error.hpp"
-#include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
-#include "lang/pack/collect_files.hpp"
-#include "lang/pack/pack.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"
 
@@ -42,24 +40,11 @@ class PackJob {
     const auto scene = read_scene(options_.scene, env_);
     lang::DiagnosticSink sink;
     lang::Compiler compiler(*scene, program_options(options_.scene, env_), sink);
-    compiler.check();
-    compiler.read_all_files();
-    report(sink);
-    if (sink.has_errors()) return ExitCode::Findings;
-    try {
-      const lang::CollectedFiles collected =
-          lang::collect_files(*scene, compiler.program(), env_.workspace);
-      check_output(output, collected.files);
-      const std::string archive = lang::write_pack(collected.pack);
-      if (!is_sound(output, archive)) return ExitCode::Findings;
-      render::write_file_atomically(output, std::as_bytes(std::span(archive)));
-      conclude(output, collected.files.size() + 1, archive.size());
-    } catch (const lang::ZipError& error) {
-      env_.err << fmt::format("error: cannot pack `{}`: {}\n",
-                              lang::printable(options_.scene.name()),
-                              lang::printable(error.what()));
-      return ExitCode::Findings;
-    }
+    const std::optional<MadePack> made = make_pack(options_.scene, *scene, compiler, sink, env_);
+    if (!made) return ExitCode::Findings;
+    check_output(output, made->files);
+    render::write_file_atomically(output, std::as_bytes(std::span(made->archive)));
+    conclude(output, made->files.size() + 1, made->archive.size());
     return ExitCode::Success;
   }
 
@@ -79,24 +64,6 @@ class PackJob {
     for (const fs::path& file : files) inputs.add(file.string());
     inputs.check_not_in(output);
     if (options_.keeps_existing) check_absent(output);
-  }
-
-  void report(const lang::DiagnosticSink& sink) const {
-    print_findings(select_unallowed(sink), options_.scene.diagnostics, env_.err,
-                   env_.err_is_terminal, env_);
-  }
-
-  /// Reads the pack as another machine will: what is missing in it is missing here.
-  bool is_sound(const std::string& output, const std::string& archive) const {
-    ScenePack pack(output, lang::read_pack(archive, options_.scene.reading.limits));
-    const auto scene = pack.read_scene();
-    lang::ProgramOptions program = program_options(options_.scene, env_);
-    pack.confine(program);
-    lang::DiagnosticSink sink;
-    lang::Compiler compiler(*scene, program, sink);
-    compiler.read_all_files();
-    if (sink.has_errors()) report(sink);
-    return !sink.has_errors();
   }
 
   void conclude(const std::string& output, std::size_t files, std::size_t bytes) const {

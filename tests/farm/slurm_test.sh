@@ -92,7 +92,7 @@ processes() {
     if { tr '\0' '\n' <"/proc/$pid/environ"; } 2>/dev/null | grep -q "^SLURMD_NODENAME=${2:-}"; then echo "$pid"; fi
   done
 }
-renderers() { processes "render $dir/a.scene" "$@"; }
+renderers() { processes "render a.sdlc.zip" "$@"; }
 
 cat >"$dir/a.scene" <<'SCENE'
 scene 1
