@@ -18,6 +18,17 @@ struct Environment {
   bool no_color = false;                        ///< the user's NO_COLOR
   std::span<const std::string> arguments = {};  ///< of the command line, for commands that repeat
                                                 ///< it
+
+  /// The same with another stream for messages.
+  Environment with_err(std::ostream& other) const {
+    return {.workspace = workspace,
+            .out = out,
+            .err = other,
+            .out_is_terminal = out_is_terminal,
+            .err_is_terminal = err_is_terminal,
+            .no_color = no_color,
+            .arguments = arguments};
+  }
 };
 
 /// The environment of this process.

@@ -34,6 +34,7 @@ class FilmJob {
   /// Throws IoError.
   void write(const std::filesystem::path& path) const { write_film_file(path, film_); }
 
+  const render::StoredFilm& film() const noexcept { return film_; }
   bool is_shard() const noexcept { return request_.shard.has_value(); }
   /// "shard 2 of 8 of the samples".
   std::string name_of_shard() const;

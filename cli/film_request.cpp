@@ -60,8 +60,9 @@ void refuse_to_replace(const fs::path& checkpoint, std::string_view state) {
                   lang::printable(checkpoint.string()), state));
 }
 
-/// The checkpoint beside the first picture.
+/// The checkpoint of the context, otherwise the one beside the first picture.
 fs::path choose_checkpoint(const std::vector<Output>& outputs, const FilmContext& context) {
+  if (!context.checkpoint.empty()) return context.checkpoint;
   const auto named = std::ranges::find(outputs, false, &Output::is_stdout);
   if (named == outputs.end()) {
     throw UsageError("--checkpoint and --resume require a file to write, such as -o NAME.png");

@@ -30,6 +30,7 @@ struct FilmContext {
   std::optional<Shard> shard;              ///< unless it is one of frames
   const std::vector<std::string>& inputs;  ///< files, which must not be replaced
   const lang::Sandbox* sandbox = nullptr;  ///< contains what the scene names
+  std::filesystem::path checkpoint = {};   ///< if it is not beside a picture
 };
 
 /// Which films a render of the outputs has; nullopt if none. Throws UsageError for what cannot be,

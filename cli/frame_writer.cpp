@@ -91,6 +91,14 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
   return graver(of_samples, written.code);
 }
 
+/// Whether some such pictures fit into memory, and may be written in any order.
+bool is_small(std::size_t pixels, int zoom, const std::vector<Output>& outputs) {
+  constexpr std::size_t kMaxPixels = std::size_t{1} << 18;
+  const auto factor = static_cast<std::size_t>(zoom);
+  return pixels * factor * factor <= kMaxPixels &&
+         std::ranges::none_of(outputs, &Output::is_stdout);
+}
+
 }  // namespace
 
 ExitCode write_frame(const RenderOptions& options, RenderedFrame& frame, FilmJob* film,
@@ -121,6 +129,7 @@ ExitCode write_frame(const RenderOptions& options, RenderedFrame& frame, FilmJob
 
 struct PendingFrames::Pending {
   RenderedFrame frame;
+  Render render;
   std::ostringstream messages = {};
   std::future<ExitCode> code = {};  // last: it uses the others
 };
@@ -131,25 +140,60 @@ PendingFrames::PendingFrames(const RenderOptions& options, Environment& env)
 PendingFrames::~PendingFrames() = default;
 
 bool PendingFrames::may_wait(const RenderedFrame& frame) {
-  constexpr std::size_t kMaxPixels = std::size_t{1} << 18;
-  const auto zoom = static_cast<std::size_t>(frame.form.zoom);
   return frame.result.is_complete &&
-         frame.result.picture.pixels.size() * zoom * zoom <= kMaxPixels &&
-         std::ranges::none_of(frame.outputs, &Output::is_stdout);
+         is_small(frame.result.picture.pixels.size(), frame.form.zoom, frame.outputs);
 }
 
-void PendingFrames::add(RenderedFrame frame) {
-  Pending& pending =
-      *frames_.emplace_back(std::make_unique<Pending>(Pending{.frame = std::move(frame)}));
-  const auto write = [this, &pending] {
-    Environment env{.workspace = env_.workspace, .out = env_.out, .err = pending.messages};
-    return report_failure(env, [&] { return write_frame(options_, pending.frame, nullptr, env); });
+bool PendingFrames::may_render(const render::RenderSettings& settings, const render::Scene& scene,
+                               const std::vector<Output>& outputs, int zoom) {
+  // So that an interrupted render ends within seconds.
+  constexpr std::size_t kMaxSamples = std::size_t{1} << 22;
+  // Each has its own scene in memory.
+  constexpr std::size_t kMaxSpheres = std::size_t{1} << 14;
+  const std::size_t pixels = settings.window().pixels();
+  return !settings.has_goal() && !settings.is_denoised && is_small(pixels, zoom, outputs) &&
+         pixels * static_cast<std::size_t>(settings.samples) <= kMaxSamples &&
+         scene.spheres.size() + scene.instances.size() <= kMaxSpheres;
+}
+
+void PendingFrames::add(RenderedFrame frame) { add(std::move(frame), {}, 0); }
+
+void PendingFrames::add(RenderedFrame frame, Render render, int threads) {
+  Pending& pending = *frames_.emplace_back(
+      std::make_unique<Pending>(Pending{.frame = std::move(frame), .render = std::move(render)}));
+  const auto write = [this, &pending, threads] {
+    Environment env = env_.with_err(pending.messages);
+    return report_failure(env, [&] {
+      if (pending.render) this->render(pending, threads);
+      return write_frame(options_, pending.frame, nullptr, env);
+    });
   };
   try {
     pending.code = std::async(std::launch::async, write);
   } catch (const std::system_error&) {  // no thread: when it is waited for
     pending.code = std::async(std::launch::deferred, write);
   }
+}
+
+void PendingFrames::render(Pending& pending, int threads) {
+  const auto leave = [this] {
+    const std::lock_guard lock(mutex_);
+    --rendering_;
+    wake_.notify_one();
+  };
+  {
+    std::unique_lock lock(mutex_);
+    wake_.wait(lock, [&] { return rendering_ < threads; });
+    ++rendering_;
+  }
+  try {
+    pending.render(pending.frame);
+  } catch (...) {
+    leave();
+    throw;
+  }
+  leave();
+  pending.render = {};  // frees the scene
 }
 
 std::pair<RenderedFrame, ExitCode> PendingFrames::take() {

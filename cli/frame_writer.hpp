@@ -1,8 +1,11 @@
 #pragma once
 
+#include <condition_variable>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -34,11 +37,11 @@ struct RenderedFrame {
 ExitCode write_frame(const RenderOptions& options, RenderedFrame& frame, FilmJob* film,
                      Environment& env);
 
-/// Frames whose pictures are written while the next ones are rendered.
+/// Frames that are rendered, or only written, beside the next ones.
 class PendingFrames {
  public:
-  /// So many, because waiting for the disk takes longer than the rest of a small frame.
-  static constexpr std::size_t kMax = 8;
+  /// Renders a frame into RenderedFrame::result.
+  using Render = std::function<void(RenderedFrame&)>;
 
   /// Keeps references to both.
   PendingFrames(const RenderOptions& options, Environment& env);
@@ -47,9 +50,19 @@ class PendingFrames {
   PendingFrames(const PendingFrames&) = delete;
   PendingFrames& operator=(const PendingFrames&) = delete;
 
-  /// Whether kMax such frames fit into memory, and their files may be written in any order.
+  /// As many as keep `threads` busy: waiting for the disk takes longer than the rest of a small
+  /// frame.
+  static std::size_t max(int threads) noexcept { return 6 + static_cast<std::size_t>(threads); }
+  /// Whether some of these frames, which are rendered, fit into memory, and their files may be
+  /// written in any order.
   static bool may_wait(const RenderedFrame& frame);
+  /// Whether frames of this kind are rendered faster side by side, one thread each, than one after
+  /// the other.
+  static bool may_render(const render::RenderSettings& settings, const render::Scene& scene,
+                         const std::vector<Output>& outputs, int zoom);
   void add(RenderedFrame frame);
+  /// At most `threads` frames are rendered at a time.
+  void add(RenderedFrame frame, Render render, int threads);
   std::size_t size() const noexcept { return frames_.size(); }
   /// Waits for the first one, prints its messages, and returns it with its status. Precondition:
   /// there is one.
@@ -58,9 +71,14 @@ class PendingFrames {
  private:
   struct Pending;
 
+  void render(Pending& pending, int threads);
+
   const RenderOptions& options_;
   Environment& env_;
-  std::deque<std::unique_ptr<Pending>> frames_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  int rendering_ = 0;
+  std::deque<std::unique_ptr<Pending>> frames_;  // last: their threads use the others
 };
 
 }  // namespace sdlc::cli

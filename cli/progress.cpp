@@ -41,7 +41,7 @@ ProgressReporter::~ProgressReporter() {
   }
   wake_.notify_one();
   thread_.join();
-  if (has_line_) out_ << "\r\x1b[K" << std::flush;
+  if (part_.share < 1) report();
 }
 
 void ProgressReporter::run() {
@@ -50,7 +50,7 @@ void ProgressReporter::run() {
 }
 
 void ProgressReporter::report() {
-  constexpr double kPlainSeconds = 10;
+  constexpr double kPlainSeconds = 10, kLineSeconds = 0.1;
   ProgressSchedule& schedule = *part_.schedule;
   const double seconds = render::seconds_since(schedule.start);
   const auto samples = static_cast<double>(monitor_.samples_done.load());
@@ -79,13 +79,17 @@ void ProgressReporter::report() {
          << std::endl;
     return;
   }
-  const std::string text = fmt::format(
-      "{:5.1f} %  {}{}{} samples  {} rays/s  {}", 100 * fraction, part_.label,
-      part_.label.empty() ? "" : "  ", format_count(samples), format_count(rays_per_second),
-      std::isfinite(left) ? format_seconds(left) + " left" : std::string());
+  std::string text = fmt::format("{:5.1f} %", 100 * fraction);
+  if (!part_.label.empty()) text += "  " + part_.label;
+  if (samples > 0) {
+    text += fmt::format("  {} samples  {} rays/s", format_count(samples),
+                        format_count(rays_per_second));
+  }
+  if (std::isfinite(left)) text += fmt::format("  {} left", format_seconds(left));
   if (style_ == ProgressStyle::Line) {
-    out_ << '\r' << text << "\x1b[K" << std::flush;
-    has_line_ = true;
+    if (seconds < schedule.next_line) return;
+    schedule.line->show(text);
+    schedule.next_line = seconds + kLineSeconds;
   } else if (fraction >= schedule.next_fraction &&
              seconds >= std::max(schedule.next_seconds, kPlainSeconds)) {
     out_ << text << std::endl;

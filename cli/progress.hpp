@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "cli/status_line.hpp"
 #include "render/session/render.hpp"
 
 namespace sdlc::cli {
@@ -24,6 +25,8 @@ struct ProgressSchedule {
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   double next_fraction = 0.05;  ///< for Plain
   double next_seconds = 1;      ///< since the start, for Plain, Json and OpenJd
+  double next_line = 0;         ///< the same for Line
+  StatusLine* line = nullptr;   ///< for Line
 };
 
 /// The place of a render among all that a command renders.
@@ -35,9 +38,11 @@ struct ProgressPart {
   std::shared_ptr<ProgressSchedule> schedule = std::make_shared<ProgressSchedule>();
 };
 
-/// Reports the progress of a render, on its own thread, until it is destroyed. Line rewrites one
-/// line of a terminal ten times per second; Plain adds a line every 10 seconds or 5 %, whichever is
-/// later; Json an object per second; OpenJd the messages of Open Job Description every 5 seconds.
+/// Reports the progress of a render, on its own thread, until it is destroyed; that of renders
+/// which follow each other fast, in the end. Line rewrites one line of a terminal ten times per
+/// second, which remains until there is other output; Plain adds a line every 10 seconds or 5 %,
+/// whichever is later; Json an object per second; OpenJd the messages of Open Job Description every
+/// 5 seconds.
 class ProgressReporter {
  public:
   ProgressReporter(ProgressStyle style, const render::RenderMonitor& monitor,
@@ -58,7 +63,6 @@ class ProgressReporter {
   std::ostream& out_;
   ProgressPart part_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  bool has_line_ = false;
 
   std::mutex mutex_;
   std::condition_variable wake_;

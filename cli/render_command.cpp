@@ -95,9 +95,12 @@ ExitCode render_for_openjd(RenderOptions& options, RenderRun& run, Environment& 
   return code;
 }
 
-ExitCode run_render(RenderOptions& options, Environment& env) {
+ExitCode run_render(RenderOptions& options, Environment& given_env) {
+  StatusLine line(given_env.err);
+  Environment env = given_env.with_err(line);
   RenderRun run;
   run.files = options.files.size();
+  run.schedule->line = &line;
   ExitCode code = options.progress == "openjd" ? render_for_openjd(options, run, env)
                                                : render_files(options, run, env);
   if (options.stats == kStandardStream && !run.stats.empty()) {

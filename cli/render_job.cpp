@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <optional>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,7 @@
 #include "cli/film_request.hpp"
 #include "cli/frame_writer.hpp"
 #include "cli/frames.hpp"
+#include "cli/kept_frames.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/override_options.hpp"
 #include "cli/picture_outputs.hpp"
@@ -78,6 +81,10 @@ ProgressStyle progress_style(const RenderOptions& options, const Environment& en
   return ProgressStyle::Line;
 }
 
+std::ostream& progress_stream(ProgressStyle style, Environment& env) {
+  return style == ProgressStyle::OpenJd ? env.out : env.err;
+}
+
 /// The first pass is finished in any case.
 constexpr double kMinSecondsToTrace = 1e-3;
 
@@ -102,8 +109,7 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
   const InterruptGuard interrupt(monitor.cancel);
   if (film != nullptr) part.samples = film->samples_to_trace();
   const ProgressStyle style = progress_style(options, env);
-  const ProgressReporter progress(style, monitor, lowered.settings,
-                                  style == ProgressStyle::OpenJd ? env.out : env.err,
+  const ProgressReporter progress(style, monitor, lowered.settings, progress_stream(style, env),
                                   std::move(part));
   if (film != nullptr) return film->render(monitor, env);
   return render::render(std::move(kernel), std::move(lowered.scene), lowered.settings, monitor);
@@ -122,40 +128,61 @@ class RenderJob {
     choose_frames();
     // Errors that do not depend on the frame.
     const bool is_broken = sink_.has_errors();
-    ExitCode code = ExitCode::Success;
     for (std::size_t i = 0; i < frames_.size() && !run_.interrupted.load(); ++i) {
       const ExitCode of_frame = render_or_skip(i);
       if (of_frame == ExitCode::Interrupted) {
-        code = graver(code, of_frame);
+        code_ = graver(code_, of_frame);
         break;
       }
-      code = graver(code, note_frame(i, of_frame));
-      code = graver(code, finish_frames(PendingFrames::kMax));
+      note_frame(i, of_frame);
+      finish_frames(max_pending_);
       if (!failed_.empty() && (options_.fails_fast || is_broken)) break;
     }
-    code = graver(code, finish_frames(0));
+    finish_frames(0);
     std::ranges::sort(failed_);
     report_frames();
-    const bool is_quiet = options_.quiet || options_.progress == "none";
-    code = graver(code, videos_.finish(finished_, is_quiet, env_));
-    return run_.interrupted.load() && finished_ > 0 ? report_interrupted(code) : code;
+    code_ = graver(code_, finish_videos());
+    return run_.interrupted.load() && finished_ > 0 ? report_interrupted(code_) : code_;
   }
 
  private:
-  ExitCode note_frame(std::size_t index, ExitCode code) {
+  void note_frame(std::size_t index, ExitCode code) {
     if (code != ExitCode::Success) failed_.push_back(frames_[index].value_or(0));
+    code_ = graver(code_, code);
+  }
+
+  ExitCode finish_videos() {
+    const bool is_quiet = options_.quiet || options_.progress == "none";
+    const ExitCode code = videos_.finish(finished_, is_quiet, env_);
+    if (!kept_) return code;
+    if (code == ExitCode::Success && finished_ == frames_.size()) {
+      std::vector<int> frames;
+      for (const std::optional<int> frame : frames_) frames.push_back(*frame);
+      kept_->remove(frames);
+    } else if (std::error_code ignored; fs::exists(kept_->folder(), ignored)) {
+      env_.err << fmt::format("--resume goes on from the frames in `{}`\n",
+                              lang::printable(kept_->folder().string()));
+    }
     return code;
   }
 
   /// Waits until at most `max` frames are pending, in their order.
-  ExitCode finish_frames(std::size_t max) {
-    ExitCode code = ExitCode::Success;
+  void finish_frames(std::size_t max) {
     while (pending_.size() > max) {
-      const auto [frame, of_frame] = pending_.take();
-      code = graver(code, note_frame(frame.index, of_frame));
-      code = graver(code, note_written(frame));
+      auto [frame, of_frame] = take_frame();
+      const ExitCode of_videos = add_to_videos(frame, nullptr);
+      frame.is_written = frame.is_written && of_videos == ExitCode::Success;
+      note_frame(frame.index, graver(of_frame, of_videos));
+      code_ = graver(code_, note_written(frame));
     }
-    return code;
+  }
+
+  std::pair<RenderedFrame, ExitCode> take_frame() {
+    const render::RenderMonitor monitor;
+    const ProgressStyle style = progress_style(options_, env_);
+    const ProgressReporter progress(style, monitor, {}, progress_stream(style, env_),
+                                    progress_part(frames_.size() - pending_.size()));
+    return pending_.take();
   }
 
   ExitCode note_written(const RenderedFrame& frame) {
@@ -273,6 +300,31 @@ class RenderJob {
     videos_ =
         Videos(names, {.count = frames_.size(), .per_second = frames_per_second}, options_.crf);
     videos_.check(InputSet(options_.files), run_.outputs, options_.keeps_existing);
+    if (!names.empty() && (options_.checkpoint_seconds || options_.resumes)) {
+      keep_frames_of(names.front());
+    }
+  }
+
+  void keep_frames_of(const fs::path& video) {
+    kept_.emplace(video, options_.zoom);
+    std::error_code ignored;
+    if (options_.resumes || !fs::exists(kept_->folder(), ignored)) return;
+    throw UsageError(
+        fmt::format("`{}` exists; use --resume to go on from it, or remove it to begin again",
+                    lang::printable(kept_->folder().string())));
+  }
+
+  /// Adds a frame that an earlier render has kept to the videos. Returns false if it has to be
+  /// rendered. Throws FilmError and IoError.
+  bool take_kept_frame(std::optional<int> frame, const FilmJob& film,
+                       const render::RenderSettings& settings) {
+    if (!kept_ || !options_.resumes || !are_written(output_request("", frame))) return false;
+    const auto codes = kept_->find(*frame, film.film());
+    if (!codes) return false;
+    videos_.add(*codes, settings.window().width * options_.zoom,
+                settings.window().height * options_.zoom);
+    ++finished_;
+    return true;
   }
 
   void warn_of_frames_outside(const lang::Animation& animation) {
@@ -351,6 +403,9 @@ class RenderJob {
     sink_.clear();
     statistics.scene = source_->name();
     statistics.compile = compiler_->times();
+    // That of all frames until now.
+    const double all_seconds = statistics.compile.parse_seconds;
+    statistics.compile.parse_seconds -= std::exchange(parse_seconds_, all_seconds);
     if (is_first) statistics.compile.parse_seconds += read_seconds_;
     statistics.settings = lowered->settings;
     statistics.spheres = render::count_spheres(lowered->scene);
@@ -436,7 +491,8 @@ class RenderJob {
         choose_films(options_, outputs, settings,
                      {.shard = is_part() ? options_.shard : std::nullopt,
                       .inputs = inputs_,
-                      .sandbox = sandbox_ ? &*sandbox_ : nullptr});
+                      .sandbox = sandbox_ ? &*sandbox_ : nullptr,
+                      .checkpoint = kept_ ? kept_->film(*frame) : fs::path()});
     check_memory(settings, options_.aovs, request.has_value(), options_.zoom);
     check_not_refused(kernel);
 
@@ -449,40 +505,75 @@ class RenderJob {
     std::optional<render::ParentFolders> folders;
     std::optional<FilmJob> film;
     if (request) {
-      if (outputs.front().may_make_folders) folders.emplace(request->checkpoint);
+      if (kept_) {
+        folders.emplace(kept_->film(*frame));
+      } else if (outputs.front().may_make_folders) {
+        folders.emplace(request->checkpoint);
+      }
       film.emplace(*request, std::move(kernel), std::move(lowered.scene), lowered.settings,
                    record_of(lowered, frame, statistics, *request));
+      if (take_kept_frame(frame, *film, settings)) return ExitCode::Success;
     }
-    render::RenderResult result =
-        trace(lowered, std::move(kernel), options_, outputs, film ? &*film : nullptr,
-              progress_part(index), statistics, env_);
-    result.build_seconds += choice_seconds;
     RenderedFrame rendered{.index = index,
                            .outputs = outputs,
                            .form = picture_form(options_, lowered),
                            .settings = settings,
-                           .result = std::move(result),
                            .statistics = std::move(statistics)};
-    const ExitCode of_videos = add_to_videos(rendered);
-    if (frames_.size() > 1 && !film && of_videos == ExitCode::Success &&
-        PendingFrames::may_wait(rendered)) {
+    if (frames_.size() > 1 && !film &&
+        PendingFrames::may_render(settings, lowered.scene, outputs, options_.zoom)) {
+      max_pending_ = PendingFrames::max(render::wanted_threads(settings.threads));
+      add_pending(std::move(rendered), *std::move(lowered_frame));
+      return ExitCode::Success;
+    }
+    rendered.result = trace(lowered, std::move(kernel), options_, outputs, film ? &*film : nullptr,
+                            progress_part(index), rendered.statistics, env_);
+    rendered.result.build_seconds += choice_seconds;
+    if (frames_.size() > 1 && !film && PendingFrames::may_wait(rendered)) {
       pending_.add(std::move(rendered));
       return ExitCode::Success;
     }
+    finish_frames(0);  // videos get the frames in order
+    const ExitCode of_videos = add_to_videos(rendered, film ? &*film : nullptr);
     const ExitCode code =
         graver(of_videos, write_frame(options_, rendered, film ? &*film : nullptr, env_));
     rendered.is_written = rendered.is_written && of_videos == ExitCode::Success;
     return graver(code, note_written(rendered));
   }
 
-  ExitCode add_to_videos(RenderedFrame& frame) {
+  /// Renders the frame on one thread, beside others.
+  void add_pending(RenderedFrame frame, LoweredFrame lowered_frame) {
+    const int threads = render::wanted_threads(frame.settings.threads);
+    frame.settings.threads = 1;
+    const auto shared = std::make_shared<LoweredFrame>(std::move(lowered_frame));
+    pending_.add(
+        std::move(frame),
+        [shared](RenderedFrame& rendered) {
+          auto& [lowered, kernel, choice_seconds] = *shared;
+          render::RenderMonitor monitor;
+          monitor.on_tracing = [&] { rendered.statistics.render_rss_bytes = resident_bytes(); };
+          rendered.result = render::render(std::move(kernel), std::move(lowered.scene),
+                                           rendered.settings, monitor);
+          rendered.result.build_seconds += choice_seconds;
+        },
+        threads);
+  }
+
+  ExitCode add_to_videos(RenderedFrame& frame, const FilmJob* film) {
     ExitCode code = ExitCode::Success;
     if (videos_.empty() || !frame.result.is_complete) return code;
     const auto start = std::chrono::steady_clock::now();
+    const render::Picture picture = enlarged(frame.result.picture, options_.zoom);
+    if (kept_) {
+      try {
+        kept_->keep(*frames_[frame.index], film->film(), picture, frame.form.mapping);
+      } catch (const render::IoError& error) {  // the video may still be finished
+        env_.err << fmt::format("warning: {}\n", lang::printable(error.what())) << std::flush;
+      }
+    }
     try_to_write(code, env_, [&] {
-      videos_.add(enlarged(frame.result.picture, options_.zoom), frame.form.mapping);
+      videos_.add(codes_of(picture, frame.form.mapping), picture.width, picture.height);
     });
-    frame.statistics.write_seconds = render::seconds_since(start);
+    frame.statistics.write_seconds += render::seconds_since(start);
     return code;
   }
 
@@ -496,7 +587,8 @@ class RenderJob {
   std::vector<std::optional<int>> frames_;  // nullopt for a scene without an animation
   std::vector<std::string> pictures_;       // the outputs that are not videos
   Videos videos_;
-  double read_seconds_ = 0;
+  std::optional<KeptFrames> kept_;
+  double read_seconds_ = 0, parse_seconds_ = 0;
   bool has_compiled_ = false;
   bool has_planned_ = false;
   bool is_shard_of_frames_ = false;
@@ -504,7 +596,9 @@ class RenderJob {
   std::optional<lang::Sandbox> sandbox_;
   std::size_t finished_ = 0, skipped_ = 0;  // frames
   PendingFrames pending_{options_, env_};
+  std::size_t max_pending_ = PendingFrames::max(1);
   std::vector<int> failed_;
+  ExitCode code_ = ExitCode::Success;
 };
 
 }  // namespace

@@ -3,20 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
-#include <csignal>
-#include <cstdlib>
-#include <initializer_list>
-#include <system_error>
-#include <utility>
+#include <string>
+#include <string_view>
 
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <spawn.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
+#include "cli/ffmpeg_writer.hpp"
+#include "cli/gif_writer.hpp"
 #include "render/image/io_error.hpp"
 
 namespace sdlc::cli {
@@ -24,34 +15,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kProgram = "ffmpeg";
-
 struct FormatRow {
   VideoFormat format;
   std::string_view extension;
-  const char* muxer;  // of ffmpeg
   bool is_only_video;
-  bool shares_colors;  // among 2 × 2 pixels
 };
-constexpr std::array kFormats{FormatRow{VideoFormat::Mp4, "mp4", "mp4", true, true},
-                              FormatRow{VideoFormat::WebM, "webm", "webm", true, true},
-                              FormatRow{VideoFormat::Matroska, "mkv", "matroska", true, true},
-                              FormatRow{VideoFormat::Gif, "gif", "gif", false, false},
-                              FormatRow{VideoFormat::WebP, "webp", "webp", false, false},
-                              FormatRow{VideoFormat::Apng, "apng", "apng", true, false}};
-
-const FormatRow& row_of(VideoFormat format) noexcept {
-  return kFormats[static_cast<std::size_t>(format)];
-}
-
-bool is_executable(const fs::path& path) {
-  std::error_code error;
-  return fs::is_regular_file(path, error) && ::access(path.c_str(), X_OK) == 0;
-}
-
-[[noreturn]] void fail(const fs::path& path, int error) {
-  throw render::IoError("write", path, std::generic_category().message(error));
-}
+constexpr std::array kFormats{
+    FormatRow{VideoFormat::Mp4, ".mp4", true},      FormatRow{VideoFormat::WebM, ".webm", true},
+    FormatRow{VideoFormat::Matroska, ".mkv", true}, FormatRow{VideoFormat::Gif, ".gif", false},
+    FormatRow{VideoFormat::WebP, ".webp", false},   FormatRow{VideoFormat::Apng, ".apng", true}};
 
 }  // namespace
 
@@ -59,142 +31,27 @@ std::optional<VideoFormat> video_format_of(const fs::path& path) {
   std::string extension = path.extension().string();
   std::ranges::transform(extension, extension.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto found = std::ranges::find_if(kFormats, [&](const FormatRow& row) {
-    return extension == "." + std::string(row.extension);
-  });
+  const auto* const found = std::ranges::find(kFormats, extension, &FormatRow::extension);
   return found != kFormats.end() ? std::optional(found->format) : std::nullopt;
 }
 
-bool is_only_video(VideoFormat format) noexcept { return row_of(format).is_only_video; }
-
-std::vector<std::string> ffmpeg_arguments(VideoFormat format, const VideoSettings& settings,
-                                          const fs::path& file) {
-  std::vector<std::string> arguments;
-  const auto add = [&](std::initializer_list<std::string> words) {
-    arguments.insert(arguments.end(), words);
-  };
-  add({"-nostdin", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-video_size",
-       fmt::format("{}x{}", settings.width, settings.height), "-framerate",
-       fmt::format("{}", settings.frames_per_second), "-i", "pipe:0"});
-  if (row_of(format).shares_colors) {
-    const int right = settings.width % 2, bottom = settings.height % 2;
-    std::string filter;
-    if (right + bottom > 0) {
-      filter = fmt::format("pad={}:{},fillborders=right={}:bottom={}:mode=smear,",
-                           settings.width + right, settings.height + bottom, right, bottom);
-    }
-    filter +=
-        "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int+"
-        "full_chroma_inp,format=yuv420p";
-    add({"-vf", filter, "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709",
-         "-color_range", "tv"});
-    const std::string crf = fmt::to_string(settings.crf);
-    if (format == VideoFormat::WebM) {
-      add({"-c:v", "libvpx-vp9", "-b:v", "0", "-crf", crf, "-row-mt", "1"});
-    } else {
-      add({"-c:v", "libx264", "-crf", crf});
-    }
-    if (format == VideoFormat::Mp4) add({"-movflags", "+faststart"});
-  } else if (format == VideoFormat::Gif) {
-    add({"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none",
-         "-loop", "0"});
-  } else if (format == VideoFormat::WebP) {
-    add({"-c:v", "libwebp_anim", "-lossless", "1", "-loop", "0"});
-  } else {
-    add({"-c:v", "apng", "-pix_fmt", "rgb24", "-plays", "0"});
-  }
-  // The same frames give the same bytes: without dates and versions.
-  add({"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"});
-  add({"-f", row_of(format).muxer, "-y", file.string()});
-  return arguments;
+bool is_only_video(VideoFormat format) noexcept {
+  return kFormats[static_cast<std::size_t>(format)].is_only_video;
 }
 
-void check_ffmpeg(const fs::path& shown) {
-  const char* const path = std::getenv("PATH");
-  std::string_view rest = path != nullptr ? path : "";
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(':'), rest.size());
-    if (is_executable(fs::path(rest.substr(0, end)) / kProgram)) return;
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
+void check_video_writer(VideoFormat format, const fs::path& shown) {
+  if (format == VideoFormat::Gif || has_ffmpeg()) return;
   throw render::IoError("write", shown,
                         "this needs ffmpeg, which is not installed (Debian: apt install ffmpeg); "
-                        "frames need nothing: -o NAME.####.png");
+                        "-o NAME.gif and frames, -o NAME.####.png, need nothing");
 }
 
-VideoWriter::VideoWriter(const fs::path& path, VideoFormat format, const VideoSettings& settings)
-    : shown_(path),
-      target_(render::written_path(path)),
-      unfinished_(target_.parent_path() /
-                  fmt::format(".{}.{}.unfinished", target_.filename().string(), ::getpid())) {
-  // A socket, because writing to it when ffmpeg has ended need not raise a signal.
-  std::array<int, 2> ends{};
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail(path, errno);
-  input_ = ends[0];
-  removed_by_signals_.emplace(unfinished_);
-
-  const std::vector<std::string> arguments = ffmpeg_arguments(format, settings, unfinished_);
-  std::vector<char*> words{const_cast<char*>(kProgram)};
-  for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
-  // Ctrl-C is for this program, which then ends ffmpeg.
-  posix_spawnattr_t attributes;
-  ::posix_spawnattr_init(&attributes);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  const int error =
-      ::posix_spawnp(&process_, kProgram, &actions, &attributes, words.data(), ::environ);
-  ::posix_spawnattr_destroy(&attributes);
-  ::posix_spawn_file_actions_destroy(&actions);
-  ::close(ends[1]);
-  if (error == 0) return;
-  process_ = -1;
-  ::close(input_);
-  fail(path, error);
-}
-
-VideoWriter::~VideoWriter() {
-  if (input_ >= 0) ::close(input_);
-  if (process_ > 0) {
-    ::kill(process_, SIGKILL);
-    wait();
+std::unique_ptr<VideoWriter> open_video(const fs::path& path, VideoFormat format,
+                                        const VideoSettings& settings) {
+  if (format == VideoFormat::Gif && !has_ffmpeg()) {
+    return std::make_unique<GifWriter>(path, settings);
   }
-  std::error_code ignored;
-  fs::remove(unfinished_, ignored);
-}
-
-void VideoWriter::add(std::span<const std::uint8_t> frame) {
-  while (!frame.empty()) {
-    const ssize_t sent = ::send(input_, frame.data(), frame.size(), MSG_NOSIGNAL);
-    if (sent >= 0) {
-      frame = frame.subspan(static_cast<std::size_t>(sent));
-    } else if (errno != EINTR) {
-      throw render::IoError("write", shown_, "ffmpeg ended early");
-    }
-  }
-}
-
-void VideoWriter::finish() {
-  ::close(std::exchange(input_, -1));
-  if (!wait()) throw render::IoError("write", shown_, "ffmpeg failed");
-  const int file = ::open(unfinished_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) fail(shown_, errno);
-  const bool is_on_disk = ::fsync(file) == 0;
-  const int error = errno;
-  ::close(file);
-  if (!is_on_disk) fail(shown_, error);
-  if (::rename(unfinished_.c_str(), target_.c_str()) != 0) fail(shown_, errno);
-}
-
-bool VideoWriter::wait() noexcept {
-  int status = 0;
-  while (::waitpid(process_, &status, 0) < 0) {
-    if (errno != EINTR) return false;
-  }
-  process_ = -1;
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  return std::make_unique<FfmpegWriter>(path, format, settings);
 }
 
 }  // namespace sdlc::cli

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 
 #include <fmt/format.h>
@@ -35,7 +34,7 @@ Videos::Videos(const std::vector<std::string>& names, VideoFrames frames, int cr
 
 void Videos::check(const InputSet& inputs, OutputSet& outputs, bool keeps_existing) const {
   for (const Video& video : videos_) {
-    check_ffmpeg(video.path);
+    check_video_writer(video.format, video.path);
     inputs.check_not_in(video.path);
     outputs.add(video.path);
     render::check_writable(video.path);
@@ -43,17 +42,12 @@ void Videos::check(const InputSet& inputs, OutputSet& outputs, bool keeps_existi
   }
 }
 
-void Videos::add(const render::Picture& picture, const render::ToneMapping& mapping) {
-  if (empty()) return;
-  const std::vector<std::uint8_t> codes = render::codes_of(picture, mapping);
+void Videos::add(std::span<const std::uint8_t> codes, int width, int height) {
   for (Video& video : videos_) {
     if (!video.writer) {
-      video.writer =
-          std::make_unique<VideoWriter>(video.path, video.format,
-                                        VideoSettings{.width = picture.width,
-                                                      .height = picture.height,
-                                                      .frames_per_second = frames_.per_second,
-                                                      .crf = crf_});
+      video.writer = open_video(
+          video.path, video.format,
+          {.width = width, .height = height, .frames_per_second = frames_.per_second, .crf = crf_});
     }
     video.writer->add(codes);
   }
@@ -68,7 +62,7 @@ ExitCode Videos::finish(std::size_t finished, bool is_quiet, Environment& env) {
         video.writer->finish();
         if (is_quiet) return;
         env.err << fmt::format("{}: {} frames, {} per second\n", shown, frames_.count,
-                               frames_.per_second);
+                               video.writer->frames_per_second());
       });
     } else {
       env.err << fmt::format("error: `{}` was not written, because it has {} of {} frames\n", shown,

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,8 +11,6 @@
 #include "cli/exit_code.hpp"
 #include "cli/outputs.hpp"
 #include "cli/video_writer.hpp"
-#include "render/image/image.hpp"
-#include "render/image/picture.hpp"
 
 namespace sdlc::cli {
 
@@ -34,8 +34,8 @@ class Videos {
   bool empty() const noexcept { return videos_.empty(); }
   /// Foreseeable failures, before the first frame. Throws UsageError and IoError.
   void check(const InputSet& inputs, OutputSet& outputs, bool keeps_existing) const;
-  /// Throws IoError.
-  void add(const render::Picture& picture, const render::ToneMapping& mapping);
+  /// Adds a frame, as VideoWriter::add() takes it. Throws IoError.
+  void add(std::span<const std::uint8_t> codes, int width, int height);
   /// Puts the videos in their places if they have all frames; `finished` were added. Reports
   /// failures, and the videos unless `is_quiet`.
   ExitCode finish(std::size_t finished, bool is_quiet, Environment& env);

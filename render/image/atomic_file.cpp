@@ -364,20 +364,45 @@ void write_file_atomically(const fs::path& path, const Content& content) {
   check_writable(path);
   const std::optional<struct stat> old = status_of(path);
   if (old && !S_ISREG(old->st_mode)) return write_directly(path, content);
+  AtomicFile file(path);
+  content([&](std::span<const std::byte> piece) { file.write(piece); });
+  file.commit();
+}
 
+struct AtomicFile::State {
+  fs::path path, target;
+  std::pair<FileDescriptor, TemporaryName> file;
+};
+
+AtomicFile::AtomicFile(const fs::path& path) {
   const fs::path target = follow_links(path);
-  const fs::path folder = folder_of(target);
-  auto [file, temporary] = create_temporary(folder, path);
-  if (old) {
-    if (const int error = copy_ownership(file.get(), path, *old)) throw_write_error(path, error);
+  state_.reset(  // not make_unique, because a State cannot be moved
+      new State{.path = path, .target = target, .file = create_temporary(folder_of(target), path)});
+  if (const std::optional<struct stat> old = status_of(path)) {
+    const int error = copy_ownership(state_->file.first.get(), path, *old);
+    if (error != 0) throw_write_error(path, error);
   }
-  write_content(file.get(), path, content);
+}
+
+AtomicFile::~AtomicFile() = default;
+
+const fs::path& AtomicFile::temporary() const noexcept { return state_->file.second.path(); }
+
+void AtomicFile::write(std::span<const std::byte> piece) {
+  if (const int error = write_all(state_->file.first.get(), piece)) {
+    throw_write_error(state_->path, error);
+  }
+}
+
+void AtomicFile::commit() {
+  auto& [path, target, place] = *state_;
+  auto& [file, temporary] = place;
   // Sync before the rename: otherwise a power cut could leave the new name on an incomplete file.
   if (::fsync(file.get()) != 0) throw_write_error(path, errno);
   if (const int error = file.close()) throw_write_error(path, error);
   if (::rename(temporary.path().c_str(), target.c_str()) != 0) throw_write_error(path, errno);
   temporary.release();
-  sync_folder(folder);
+  sync_folder(folder_of(target));
 }
 
 void check_creatable(const fs::path& path) {

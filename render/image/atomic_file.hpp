@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -26,6 +27,26 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
 using WritePiece = std::function<void(std::span<const std::byte>)>;
 void write_file_atomically(const std::filesystem::path& path,
                            const std::function<void(const WritePiece&)>& content);
+
+/// The temporary file of write_file_atomically, which is renamed by commit() and otherwise removed.
+/// Other programs may write to it.
+class AtomicFile {
+ public:
+  /// Creates the temporary file. `path` is not there, or regular. Throws IoError.
+  explicit AtomicFile(const std::filesystem::path& path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  const std::filesystem::path& temporary() const noexcept;
+  void write(std::span<const std::byte> piece);
+  void commit();
+
+ private:
+  struct State;
+
+  std::unique_ptr<State> state_;
+};
 
 /// The file that write_file_atomically would replace or create: absolute, with all links resolved.
 /// Two paths name the same file if this is equal for both, or if both exist and are hard links to

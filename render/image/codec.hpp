@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -50,6 +51,17 @@ struct DecodedImage {
   std::vector<std::pair<std::string, std::string>> metadata;
 };
 
+/// Encodes an animation as a GIF file that repeats without end, frame after frame. The errors are
+/// as those of ImageCodec.
+class __attribute__((visibility("default"))) GifEncoder {
+ public:
+  virtual ~GifEncoder() = default;
+  /// `codes`: as those of EncodeRequest.
+  virtual bool add(std::span<const std::uint8_t> codes, std::string& error) noexcept = 0;
+  /// Once, after the last frame.
+  virtual bool finish(std::vector<std::byte>& file, std::string& error) noexcept = 0;
+};
+
 /// The interface between the program and the module that encodes and decodes pictures. No exception
 /// crosses it: a function that returns false has stored a message in `error`. Thread-safe.
 class __attribute__((visibility("default"))) ImageCodec {
@@ -57,6 +69,9 @@ class __attribute__((visibility("default"))) ImageCodec {
   virtual ~ImageCodec() = default;
   virtual bool encode(const EncodeRequest& request, std::vector<std::byte>& file,
                       std::string& error) noexcept = 0;
+  /// `delay`: from one frame to the next, in 1/100 s. Null if there is no memory.
+  virtual std::unique_ptr<GifEncoder> make_gif_encoder(int width, int height,
+                                                       int delay) noexcept = 0;
   /// Rejects files with more than `max_pixels` pixels before allocating any.
   virtual bool decode(ImageFormat format, std::span<const std::byte> file, std::int64_t max_pixels,
                       DecodedImage& image, std::string& error) noexcept = 0;
@@ -64,7 +79,7 @@ class __attribute__((visibility("default"))) ImageCodec {
 
 /// Must be incremented with every change to this header: the program rejects a module with another
 /// number.
-inline constexpr int kImageCodecVersion = 3;
+inline constexpr int kImageCodecVersion = 4;
 
 /// The result of the module's only exported function, `sdlc_image_codec`. The codec lives as long
 /// as the process.

@@ -137,6 +137,17 @@ TEST_F(FramesFlag, WritesOneLineOfStatisticsAFrame) {
   }
 }
 
+TEST_F(FramesFlag, GivesEachFrameItsOwnTimes) {
+  ASSERT_EQ(render("film.scene --frames 1-20 -o a####.ppm --stats s.jsonl").exit_code, 0);
+  std::istringstream lines(content_of(folder_ / "s.jsonl"));
+  std::vector<double> seconds;
+  for (std::string line; std::getline(lines, line);) {
+    seconds.push_back(nlohmann::json::parse(line)["parse_seconds"].get<double>());
+  }
+  ASSERT_EQ(seconds.size(), 20U);
+  EXPECT_FALSE(std::ranges::is_sorted(seconds)) << "the times of all frames until then";
+}
+
 TEST_F(FramesFlag, RequiresAPlaceholderInTheNamesOfSeveralFrames) {
   for (const std::string outputs : {"-o a.png", "-o -", "-o a.####.png -o b.png", "-o a.###.png"}) {
     const ProgramResult result = render("film.scene " + outputs);

@@ -1,7 +1,9 @@
 #include "cli/progress.hpp"
 
 #include <chrono>
+#include <memory>
 #include <sstream>
+#include <string>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -22,7 +24,10 @@ std::string reported(ProgressStyle style, std::chrono::milliseconds time) {
   std::ostringstream err;
   {
     const render::RenderSettings settings{.width = 10, .height = 10, .samples = 10};
-    const ProgressReporter reporter(style, monitor, settings, err);
+    StatusLine line(err);
+    ProgressPart part;
+    part.schedule->line = &line;
+    const ProgressReporter reporter(style, monitor, settings, line, part);
     std::this_thread::sleep_for(time);
   }
   return err.str();
@@ -42,10 +47,31 @@ TEST(ProgressReporter, ShowsTheProgressTowardsAGoal) {
   std::ostringstream err;
   {
     const render::RenderSettings settings{.error = 0.01};
-    const ProgressReporter reporter(ProgressStyle::Line, monitor, settings, err);
+    StatusLine line(err);
+    ProgressPart part;
+    part.schedule->line = &line;
+    const ProgressReporter reporter(ProgressStyle::Line, monitor, settings, line, part);
     std::this_thread::sleep_for(std::chrono::milliseconds(350));
   }
   EXPECT_THAT(err.str(), HasSubstr("\r 25.0 %  500 samples"));
+}
+
+TEST(ProgressReporter, ShowsTheProgressOfManyShortRenders) {
+  const render::RenderMonitor monitor;
+  std::ostringstream terminal;
+  StatusLine line(terminal);
+  const auto schedule = std::make_shared<ProgressSchedule>();
+  schedule->line = &line;
+  std::string last;
+  while (last.empty()) {
+    const ProgressReporter reporter(
+        ProgressStyle::Line, monitor, {}, line,
+        {.before = 0.25, .share = 0.1, .label = "frame 3 of 10", .schedule = schedule});
+    last = terminal.str();
+  }
+  EXPECT_THAT(last, testing::StartsWith("\r 25.0 %  frame 3 of 10  "));
+  line << "a.png\n";
+  EXPECT_THAT(terminal.str(), EndsWith("left\x1b[K\r\x1b[Ka.png\n"));
 }
 
 TEST(ProgressReporter, WritesAnObjectASecond) {

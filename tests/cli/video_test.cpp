@@ -82,6 +82,97 @@ TEST_F(Videos, AppearAsAWholeOrNotAtAll) {
   EXPECT_THAT(names(), ElementsAre("film.scene"));
 }
 
+TEST_F(Videos, GifNeedsNoFfmpeg) {
+  ASSERT_EQ(run("\"$SDLC\" render film.scene -o f.####.ppm").exit_code, 0);
+  const ProgramResult result =
+      run("PATH=/nowhere \"$SDLC\" render film.scene --frames 0-13 -o a.gif");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("a.gif: 14 frames, 2 per second\n"));
+  EXPECT_EQ(difference("a.gif"), 0) << "a frame has one colour";
+  EXPECT_EQ(run("ffprobe -v error -count_frames -show_entries stream=avg_frame_rate,nb_read_frames"
+                " -of csv=p=0 a.gif")
+                .out,
+            "2/1,14\n");
+  // Delays are whole hundredths of a second.
+  std::string text = kColors;
+  write_text(folder_ / "fast.scene", text.replace(text.find("fps: 2"), 6, "fps: 24"));
+  EXPECT_THAT(run("PATH=/nowhere \"$SDLC\" render fast.scene -o a.gif").err,
+              HasSubstr("a.gif: 14 frames, 25 per second\n"));
+}
+
+/// Videos that are not finished at once.
+class KeptVideos : public Videos {
+ protected:
+  static constexpr const char* kFailing = "assert time != 2s, \"not now\"\n";
+
+  void stop_at_frame_4(const std::string& arguments) {
+    write_text(folder_ / "film.scene", std::string(kColors) + kFailing);
+    const ProgramResult result =
+        run("\"$SDLC\" render film.scene --checkpoint 60s --fail-fast " + arguments);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr("--resume goes on from the frames in `a.mp4.frames`\n"));
+    write_text(folder_ / "film.scene", kColors);
+  }
+};
+
+TEST_F(KeptVideos, GoOnFromTheFramesThatAreThere) {
+  ASSERT_EQ(run("\"$SDLC\" render film.scene -o b.mp4 --stats all.json").exit_code, 0);
+  stop_at_frame_4("-o a.mp4");
+  EXPECT_EQ(names_in(folder_ / "a.mp4.frames"),
+            (std::vector<std::string>{"0000.png", "0001.png", "0002.png", "0003.png"}));
+  const ProgramResult result =
+      run("\"$SDLC\" render film.scene -o a.mp4 --checkpoint 60s --resume --stats rest.json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(content_of(folder_ / "a.mp4"), content_of(folder_ / "b.mp4"));
+  const std::string rest = content_of(folder_ / "rest.json");
+  EXPECT_EQ(std::ranges::count(rest, '\n'), 10) << "the other frames were not rendered again";
+  EXPECT_THAT(names(), ElementsAre("a.mp4", "all.json", "b.mp4", "film.scene", "rest.json"));
+}
+
+TEST_F(KeptVideos, GoOnAfterAnInterruptionWithinAFrame) {
+  write_text(folder_ / "slow.scene",
+             std::string(kColors) +
+                 "sphere { center: (0, 0, 0), radius: 3, material: diffuse(#888888) }\n");
+  const std::string render = "\"$SDLC\" render slow.scene --frames 0-2 --width 65 --samples 3000 ";
+  ASSERT_EQ(run(render + "-o b.mp4").exit_code, 0);
+  run(render +
+      "-o a.mp4 --checkpoint 1ms & job=$!\n"
+      "until [ -e a.mp4.frames/0001.film ] || ! kill -0 $job; do sleep 0.01; done\n"
+      "kill -s KILL $job; wait $job");
+  ASSERT_EQ(run(render + "-o a.mp4 --resume").exit_code, 0);
+  EXPECT_EQ(content_of(folder_ / "a.mp4"), content_of(folder_ / "b.mp4"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mp4.frames"));
+}
+
+TEST_F(KeptVideos, RefuseFramesOfAnotherPicture) {
+  stop_at_frame_4("-o a.mp4");
+  const auto error_of = [&](int status, const std::string& arguments) {
+    const ProgramResult result = run("\"$SDLC\" render film.scene -o a.mp4 " + arguments);
+    EXPECT_EQ(result.exit_code, status) << arguments << result.err;
+    return result.err;
+  };
+  EXPECT_THAT(error_of(2, "--checkpoint 60s"), HasSubstr("`a.mp4.frames` exists; use --resume"));
+  EXPECT_THAT(error_of(1, "--resume --samples 2"), HasSubstr("`samples` is 1, not 2"));
+  EXPECT_THAT(error_of(1, "--resume --zoom 2"), HasSubstr("`zoom` is 1, not 2"));
+  std::string text = kColors;
+  write_text(folder_ / "film.scene", text.replace(text.find("(0, 0, 9)"), 9, "(0, 0, 8)"));
+  EXPECT_THAT(error_of(1, "--resume"),
+              HasSubstr("the video cannot go on from this frame: it differs in `camera`"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "a.mp4.frames/0003.png"));
+}
+
+TEST_F(KeptVideos, RenderFramesWhosePicturesAreMissing) {
+  stop_at_frame_4("-o a.mp4 -o f.####.ppm");
+  const std::string third = content_of(folder_ / "f.0002.ppm");
+  std::filesystem::remove(folder_ / "f.0002.ppm");
+  ASSERT_EQ(
+      run("\"$SDLC\" render film.scene -o a.mp4 -o f.####.ppm --resume --stats s.json").exit_code,
+      0);
+  EXPECT_EQ(content_of(folder_ / "f.0002.ppm"), third);
+  const std::string stats = content_of(folder_ / "s.json");
+  EXPECT_EQ(std::ranges::count(stats, '\n'), 11);
+}
+
 TEST_F(Videos, AreRefusedWhereTheyCannotBe) {
   const auto error_of = [&](const std::string& arguments) {
     const ProgramResult result = run(arguments);

@@ -221,6 +221,43 @@ bool decode_with_oiio(ImageFormat format, std::span<const std::byte> file, std::
   return true;
 }
 
+class OpenImageIoGif final : public GifEncoder {
+ public:
+  OpenImageIoGif(int width, int height, int delay)
+      : spec_(width, height, 3, TypeDesc::UINT8), output_(ImageOutput::create("gif")) {
+    // The plugin truncates 100 / rate to whole hundredths of a second.
+    spec_.attribute("FramesPerSecond", 100 / (static_cast<float>(delay) + 0.5F));
+  }
+
+  bool add(std::span<const std::uint8_t> codes, std::string& error) noexcept override try {
+    if (!output_) return fail(error, OIIO::geterror());
+    if (!has_frames_ && !output_->set_ioproxy(&memory_)) return fail(error, output_->geterror());
+    const auto mode = has_frames_ ? ImageOutput::AppendSubimage : ImageOutput::Create;
+    has_frames_ = true;
+    return (output_->open(kNoFileName, spec_, mode) &&
+            output_->write_image(TypeDesc::UINT8, codes.data())) ||
+           fail(error, output_->geterror());
+  } catch (const std::exception& exception) {
+    return fail(error, exception.what());
+  }
+
+  bool finish(std::vector<std::byte>& file, std::string& error) noexcept override try {
+    if (output_ && !output_->close()) return fail(error, output_->geterror());
+    const auto* first = reinterpret_cast<const std::byte*>(bytes_.data());
+    file.assign(first, first + bytes_.size());
+    return true;
+  } catch (const std::exception& exception) {
+    return fail(error, exception.what());
+  }
+
+ private:
+  ImageSpec spec_;
+  std::vector<unsigned char> bytes_;
+  OIIO::Filesystem::IOVecOutput memory_{bytes_};
+  std::unique_ptr<ImageOutput> output_;  // writes to memory_
+  bool has_frames_ = false;
+};
+
 class OpenImageIoCodec final : public ImageCodec {
  public:
   OpenImageIoCodec() {
@@ -235,6 +272,13 @@ class OpenImageIoCodec final : public ImageCodec {
     return encode_with_oiio(request, file, error);
   } catch (const std::exception& exception) {
     return fail(error, exception.what());
+  }
+
+  std::unique_ptr<GifEncoder> make_gif_encoder(int width, int height, int delay) noexcept override
+      try {
+    return std::make_unique<OpenImageIoGif>(width, height, delay);
+  } catch (const std::exception&) {
+    return nullptr;
   }
 
   bool decode(ImageFormat format, std::span<const std::byte> file, std::int64_t max_pixels,

@@ -1,0 +1,163 @@
+#include "cli/ffmpeg_writer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <initializer_list>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "render/image/io_error.hpp"
+
+namespace sdlc::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kProgram = "ffmpeg";
+
+constexpr std::array kMuxers{"mp4", "webm", "matroska", "gif", "webp", "apng"};  // by VideoFormat
+
+/// Whether 2 × 2 pixels share their colours.
+bool shares_colors(VideoFormat format) noexcept {
+  return format == VideoFormat::Mp4 || format == VideoFormat::WebM ||
+         format == VideoFormat::Matroska;
+}
+
+bool is_executable(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error) && ::access(path.c_str(), X_OK) == 0;
+}
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+  throw render::IoError("write", path, std::generic_category().message(error));
+}
+
+}  // namespace
+
+std::vector<std::string> ffmpeg_arguments(VideoFormat format, const VideoSettings& settings,
+                                          const fs::path& file) {
+  std::vector<std::string> arguments;
+  const auto add = [&](std::initializer_list<std::string> words) {
+    arguments.insert(arguments.end(), words);
+  };
+  add({"-nostdin", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-video_size",
+       fmt::format("{}x{}", settings.width, settings.height), "-framerate",
+       fmt::format("{}", settings.frames_per_second), "-i", "pipe:0"});
+  if (shares_colors(format)) {
+    const int right = settings.width % 2, bottom = settings.height % 2;
+    std::string filter;
+    if (right + bottom > 0) {
+      filter = fmt::format("pad={}:{},fillborders=right={}:bottom={}:mode=smear,",
+                           settings.width + right, settings.height + bottom, right, bottom);
+    }
+    filter +=
+        "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int+"
+        "full_chroma_inp,format=yuv420p";
+    add({"-vf", filter, "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709",
+         "-color_range", "tv"});
+    const std::string crf = fmt::to_string(settings.crf);
+    if (format == VideoFormat::WebM) {
+      add({"-c:v", "libvpx-vp9", "-b:v", "0", "-crf", crf, "-row-mt", "1"});
+    } else {
+      add({"-c:v", "libx264", "-crf", crf});
+    }
+    if (format == VideoFormat::Mp4) add({"-movflags", "+faststart"});
+  } else if (format == VideoFormat::Gif) {
+    add({"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none",
+         "-loop", "0"});
+  } else if (format == VideoFormat::WebP) {
+    add({"-c:v", "libwebp_anim", "-lossless", "1", "-loop", "0"});
+  } else {
+    add({"-c:v", "apng", "-pix_fmt", "rgb24", "-plays", "0"});
+  }
+  // The same frames give the same bytes: without dates and versions.
+  add({"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"});
+  add({"-f", kMuxers[static_cast<std::size_t>(format)], "-y", file.string()});
+  return arguments;
+}
+
+bool has_ffmpeg() {
+  const char* const path = std::getenv("PATH");
+  std::string_view rest = path != nullptr ? path : "";
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    if (is_executable(fs::path(rest.substr(0, end)) / kProgram)) return true;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return false;
+}
+
+FfmpegWriter::FfmpegWriter(const fs::path& path, VideoFormat format, const VideoSettings& settings)
+    : frames_per_second_(settings.frames_per_second), shown_(path), file_(path) {
+  // A socket, because writing to it when ffmpeg has ended need not raise a signal.
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail(path, errno);
+  input_ = ends[0];
+  // Absolute, because ffmpeg takes what is before a colon as a protocol.
+  const std::vector<std::string> arguments =
+      ffmpeg_arguments(format, settings, fs::absolute(file_.temporary()));
+  std::vector<char*> words{const_cast<char*>(kProgram)};
+  for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
+  // Ctrl-C is for this program, which then ends ffmpeg.
+  posix_spawnattr_t attributes;
+  ::posix_spawnattr_init(&attributes);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  const int error =
+      ::posix_spawnp(&process_, kProgram, &actions, &attributes, words.data(), ::environ);
+  ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&actions);
+  ::close(ends[1]);
+  if (error == 0) return;
+  process_ = -1;
+  ::close(input_);
+  fail(path, error);
+}
+
+FfmpegWriter::~FfmpegWriter() {
+  if (input_ >= 0) ::close(input_);
+  if (process_ > 0) {
+    ::kill(process_, SIGKILL);
+    wait();
+  }
+}
+
+void FfmpegWriter::add(std::span<const std::uint8_t> frame) {
+  while (!frame.empty()) {
+    const ssize_t sent = ::send(input_, frame.data(), frame.size(), MSG_NOSIGNAL);
+    if (sent >= 0) {
+      frame = frame.subspan(static_cast<std::size_t>(sent));
+    } else if (errno != EINTR) {
+      throw render::IoError("write", shown_, "ffmpeg ended early");
+    }
+  }
+}
+
+void FfmpegWriter::finish() {
+  ::close(std::exchange(input_, -1));
+  if (!wait()) throw render::IoError("write", shown_, "ffmpeg failed");
+  file_.commit();
+}
+
+bool FfmpegWriter::wait() noexcept {
+  int status = 0;
+  while (::waitpid(process_, &status, 0) < 0) {
+    if (errno != EINTR) return false;
+  }
+  process_ = -1;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+#include "cli/video_writer.hpp"
+#include "render/image/atomic_file.hpp"
+
+/// ffmpeg runs as a program of its own.
+namespace sdlc::cli {
+
+/// Whether it is in PATH.
+bool has_ffmpeg();
+
+/// The arguments of ffmpeg, without the program's name: it reads frames as VideoWriter::add() has
+/// them from standard input. Colours are converted to BT.709 and tagged so, with the limited range
+/// of video; GIF, WebP and APNG hold RGB. An odd side gets one more row or column, a copy of the
+/// last, because H.264 and VP9 share colours among 2 × 2 pixels.
+std::vector<std::string> ffmpeg_arguments(VideoFormat format, const VideoSettings& settings,
+                                          const std::filesystem::path& file);
+
+class FfmpegWriter final : public VideoWriter {
+ public:
+  /// Starts ffmpeg. Throws IoError.
+  FfmpegWriter(const std::filesystem::path& path, VideoFormat format,
+               const VideoSettings& settings);
+  /// Ends ffmpeg and removes what it has written, unless it is finished.
+  ~FfmpegWriter() override;
+
+  /// Waits if ffmpeg is slower. Throws IoError if it has ended.
+  void add(std::span<const std::uint8_t> frame) override;
+  void finish() override;
+  double frames_per_second() const noexcept override { return frames_per_second_; }
+
+ private:
+  /// Waits for ffmpeg and returns whether it succeeded.
+  bool wait() noexcept;
+
+  double frames_per_second_;
+  std::filesystem::path shown_;
+  render::AtomicFile file_;
+  int input_ = -1;
+  pid_t process_ = -1;
+};
+
+}  // namespace sdlc::cli

@@ -1,0 +1,33 @@
+#include "cli/status_line.hpp"
+
+namespace sdlc::cli {
+
+StatusLine::StatusLine(std::ostream& terminal) : std::ostream(nullptr), buffer_(terminal) {
+  rdbuf(&buffer_);
+}
+
+void StatusLine::Buffer::show(std::string_view text) {
+  terminal_ << '\r' << text << "\x1b[K" << std::flush;
+  is_shown_ = true;
+}
+
+StatusLine::Buffer::int_type StatusLine::Buffer::overflow(int_type c) {
+  erase();
+  if (c != traits_type::eof()) terminal_.put(static_cast<char>(c));
+  return traits_type::not_eof(c);
+}
+
+std::streamsize StatusLine::Buffer::xsputn(const char* text, std::streamsize size) {
+  erase();
+  terminal_.write(text, size);
+  return size;
+}
+
+int StatusLine::Buffer::sync() { return terminal_.flush() ? 0 : -1; }
+
+void StatusLine::Buffer::erase() {
+  if (is_shown_) terminal_ << "\r\x1b[K" << std::flush;
+  is_shown_ = false;
+}
+
+}  // namespace sdlc::cli

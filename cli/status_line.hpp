@@ -1,0 +1,39 @@
+#pragma once
+
+#include <ostream>
+#include <streambuf>
+#include <string_view>
+
+namespace sdlc::cli {
+
+/// The stream of a terminal with one line below all other output, which show() replaces. Belongs to
+/// one thread at a time.
+class StatusLine final : public std::ostream {
+ public:
+  explicit StatusLine(std::ostream& terminal);
+  StatusLine(const StatusLine&) = delete;
+  StatusLine& operator=(const StatusLine&) = delete;
+
+  void show(std::string_view text) { buffer_.show(text); }
+
+ private:
+  class Buffer final : public std::streambuf {
+   public:
+    explicit Buffer(std::ostream& terminal) : terminal_(terminal) {}
+    ~Buffer() override { erase(); }
+    void show(std::string_view text);
+
+   private:
+    int_type overflow(int_type c) override;
+    std::streamsize xsputn(const char* text, std::streamsize size) override;
+    int sync() override;
+    void erase();
+
+    std::ostream& terminal_;
+    bool is_shown_ = false;
+  };
+
+  Buffer buffer_;
+};
+
+}  // namespace sdlc::cli
