@@ -42,7 +42,7 @@ void write_farm_files(const FarmJob& job, const std::vector<FarmFile>& files) {
 }
 
 void remove_farm_run(const FarmJob& job, const FarmRun& run) {
-  for (const char* extension : {".tasks", ".sh", ".sbatch", ".json"}) {
+  for (const char* extension : {".tasks", ".tasks.failed", ".sh", ".sbatch", ".json"}) {
     std::error_code ignored;
     fs::remove(job.folder / (run.name + extension), ignored);
   }

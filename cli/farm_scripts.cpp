@@ -56,8 +56,12 @@ run_task() {
     child=
     # 75: the disk was full or the like; 137 and 143: it was killed.
     case $status in
+      0 | 130) return "$status" ;;
       75 | 137 | 143) [ "$attempt" -lt "$attempts" ] || return "$status" ;;
-      *) return "$status" ;;
+      *)
+        echo "$status" >>"$list.failed"
+        return "$status"
+        ;;
     esac
     attempt=$((attempt + 1))
     echo "task.sh: task $1 ended with status $status; attempt $attempt of $attempts in $pause s" >&2

@@ -10,6 +10,7 @@ namespace {
 /// --termseq: the renderer needs time to save its film.
 constexpr const char* kRunAll = R"sh(
 jobs=${JOBS:-1}
+rm -f "$list.failed"
 if parallel --version 2>/dev/null | grep -q '^GNU parallel'; then
   seq 0 $((tasks - 1)) |
     parallel --will-cite --jobs "$jobs" --line-buffer --termseq TERM,60000,KILL,25 \
@@ -32,8 +33,16 @@ std::vector<FarmFile> shell_files(const FarmJob& job, const FarmRun& run) {
   if (!run.tasks.empty()) {
     text += fmt::format("tasks={} list={}.tasks{}", run.tasks.size(), run.name, kRunAll);
   }
-  if (job.has_shards()) text += "./merge.sh\n";
-  text += "exec \"${SDLC:-sdlc}\" farm status .\n";
+  if (job.has_shards()) text += "./merge.sh\nmerged=$?\n";
+  text +=
+      "\"${SDLC:-sdlc}\" farm status .\n"
+      "code=$?\n"
+      "# Of what would fail again:\n";
+  if (job.has_shards()) text += "case $merged in 0 | 75) ;; *) code=$merged ;; esac\n";
+  if (!run.tasks.empty()) {
+    text += "[ ! -e \"$list.failed\" ] || code=$(sort -n \"$list.failed\" | tail -n 1)\n";
+  }
+  text += "exit \"$code\"\n";
   std::vector<FarmFile> files{task_script(job)};
   for (FarmFile& file : merge_scripts(job)) files.push_back(std::move(file));
   files.push_back(task_list(run));

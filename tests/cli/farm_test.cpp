@@ -178,6 +178,8 @@ TEST_F(Farm, TriesAgainAFewTimes) {
   EXPECT_EQ(content("job/calls").size(), 5U);
   write_program("broken", "echo >>calls2\nexit 1\n");
   EXPECT_EQ(shell("SDLC=$PWD/broken job/task.sh render.tasks 0").exit_code, 1);
+  write_program("refused", "[ \"$1\" = farm ] && exec \"$REAL\" \"$@\"\nexit 2\n");
+  EXPECT_EQ(shell("REAL=$SDLC SDLC=$PWD/refused sh job/render.sh").exit_code, 2);
   EXPECT_EQ(content("job/calls2").size(), 1U);
   EXPECT_EQ(shell("job/task.sh render.tasks 1").exit_code, 2);
 }
