@@ -196,6 +196,8 @@ void PendingFrames::render(Pending& pending, int threads) {
   pending.render = {};  // frees the scene
 }
 
+std::size_t PendingFrames::first() const { return frames_.front()->frame.index; }
+
 std::pair<RenderedFrame, ExitCode> PendingFrames::take() {
   const std::unique_ptr<Pending> pending = std::move(frames_.front());
   frames_.pop_front();

@@ -64,6 +64,8 @@ class PendingFrames {
   /// At most `threads` frames are rendered at a time.
   void add(RenderedFrame frame, Render render, int threads);
   std::size_t size() const noexcept { return frames_.size(); }
+  /// RenderedFrame::index of the first one. Precondition: there is one.
+  std::size_t first() const;
   /// Waits for the first one, prints its messages, and returns it with its status. Precondition:
   /// there is one.
   std::pair<RenderedFrame, ExitCode> take();

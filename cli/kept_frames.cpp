@@ -1,6 +1,7 @@
 #include "cli/kept_frames.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -44,6 +45,13 @@ std::string obstacle(const render::DecodedImage& image, const render::StoredFilm
   return {};
 }
 
+bool is_ours(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  const bool is_number =
+      std::ranges::all_of(stem, [](unsigned char c) { return std::isdigit(c) != 0; });
+  return is_number && (file.extension() == ".png" || file.extension() == ".film");
+}
+
 }  // namespace
 
 KeptFrames::KeptFrames(const fs::path& video, int zoom)
@@ -79,12 +87,13 @@ void KeptFrames::keep(int frame, const render::StoredFilm& film, const render::P
                                                   {kZoom, fmt::to_string(zoom_)}}}});
 }
 
-void KeptFrames::remove(const std::vector<int>& frames) const {
+void KeptFrames::remove() const {
   std::error_code ignored;
-  for (const int frame : frames) {
-    fs::remove(picture(frame), ignored);
-    fs::remove(film(frame), ignored);
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, ignored)) {
+    if (is_ours(entry.path())) files.push_back(entry.path());
   }
+  for (const fs::path& file : files) fs::remove(file, ignored);
   fs::remove(folder_, ignored);
 }
 

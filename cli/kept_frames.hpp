@@ -29,8 +29,8 @@ class KeptFrames {
   /// `picture`: enlarged. Throws IoError.
   void keep(int frame, const render::StoredFilm& film, const render::Picture& picture,
             const render::ToneMapping& mapping) const;
-  /// Removes these frames, and the folder if it is empty then.
-  void remove(const std::vector<int>& frames) const;
+  /// Removes all kept frames, and the folder if it is empty then.
+  void remove() const;
 
  private:
   std::filesystem::path picture(int frame) const;

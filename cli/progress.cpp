@@ -73,9 +73,12 @@ void ProgressReporter::report() {
   if (style_ == ProgressStyle::OpenJd) {
     if (seconds < schedule.next_seconds) return;
     schedule.next_seconds = seconds + 5;
-    out_ << fmt::format("openjd_progress: {:.1f}\nopenjd_status: {}{}{} samples/s", 100 * fraction,
-                        part_.label, part_.label.empty() ? "" : ", ",
-                        format_count(samples / render::seconds_since(start_)))
+    std::string status = part_.label;
+    if (samples > 0) {
+      status += fmt::format("{}{} samples/s", status.empty() ? "" : ", ",
+                            format_count(samples / render::seconds_since(start_)));
+    }
+    out_ << fmt::format("openjd_progress: {:.1f}\nopenjd_status: {}", 100 * fraction, status)
          << std::endl;
     return;
   }

@@ -156,9 +156,7 @@ class RenderJob {
     const ExitCode code = videos_.finish(finished_, is_quiet, env_);
     if (!kept_) return code;
     if (code == ExitCode::Success && finished_ == frames_.size()) {
-      std::vector<int> frames;
-      for (const std::optional<int> frame : frames_) frames.push_back(*frame);
-      kept_->remove(frames);
+      kept_->remove();
     } else if (std::error_code ignored; fs::exists(kept_->folder(), ignored)) {
       env_.err << fmt::format("--resume goes on from the frames in `{}`\n",
                               lang::printable(kept_->folder().string()));
@@ -181,7 +179,7 @@ class RenderJob {
     const render::RenderMonitor monitor;
     const ProgressStyle style = progress_style(options_, env_);
     const ProgressReporter progress(style, monitor, {}, progress_stream(style, env_),
-                                    progress_part(frames_.size() - pending_.size()));
+                                    progress_part(pending_.first()));
     return pending_.take();
   }
 
@@ -315,11 +313,16 @@ class RenderJob {
   }
 
   /// Adds a frame that an earlier render has kept to the videos. Returns false if it has to be
-  /// rendered. Throws FilmError and IoError.
+  /// rendered. Throws FilmError, and IoError if a video cannot be written.
   bool take_kept_frame(std::optional<int> frame, const FilmJob& film,
                        const render::RenderSettings& settings) {
     if (!kept_ || !options_.resumes || !are_written(output_request("", frame))) return false;
-    const auto codes = kept_->find(*frame, film.film());
+    std::optional<std::vector<std::uint8_t>> codes;
+    try {
+      codes = kept_->find(*frame, film.film());
+    } catch (const render::IoError& error) {  // rendered again
+      env_.err << fmt::format("warning: {}\n", lang::printable(error.what()));
+    }
     if (!codes) return false;
     videos_.add(*codes, settings.window().width * options_.zoom,
                 settings.window().height * options_.zoom);

@@ -161,6 +161,17 @@ TEST_F(KeptVideos, RefuseFramesOfAnotherPicture) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "a.mp4.frames/0003.png"));
 }
 
+TEST_F(KeptVideos, RenderDamagedFramesAgain) {
+  ASSERT_EQ(run("\"$SDLC\" render film.scene -o b.mp4 --frames 2-13").exit_code, 0);
+  stop_at_frame_4("-o a.mp4");
+  write_text(folder_ / "a.mp4.frames/0002.png", "no picture");
+  const ProgramResult result = run("\"$SDLC\" render film.scene -o a.mp4 --frames 2-13 --resume");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, HasSubstr("warning: cannot read `a.mp4.frames/0002.png`"));
+  EXPECT_EQ(content_of(folder_ / "a.mp4"), content_of(folder_ / "b.mp4"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mp4.frames")) << "frames 0 and 1 neither";
+}
+
 TEST_F(KeptVideos, RenderFramesWhosePicturesAreMissing) {
   stop_at_frame_4("-o a.mp4 -o f.####.ppm");
   const std::string third = content_of(folder_ / "f.0002.ppm");
